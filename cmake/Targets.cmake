@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+
+# What every target that we compile has in common. Nothing here reaches the users of the library.
+function(hardball_compile_strictly target)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${target} PRIVATE
+      -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion
+      $<$<BOOL:${HARDBALL_WERROR}>:-Werror>)
+  endif()
+endfunction()
+
+# What the results depend on, for the library and for all code that includes its headers: no multiplication and
+# addition may be contracted into one rounding, or the same run would differ between compilers.
+function(hardball_compile_exactly target scope)
+  target_compile_features(${target} ${scope} cxx_std_20)
+  target_compile_options(${target} ${scope} $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>)
+  if(HARDBALL_VALIDATE)
+    target_compile_definitions(${target} ${scope} HARDBALL_VALIDATE=1)
+  endif()
+endfunction()
+
+# hardball_add_room(NAME room USES lower rooms...): the target hardball_<room>, known as hardball::<room>, of all
+# sources in the room's folder. A room of headers only is an INTERFACE library.
+function(hardball_add_room)
+  cmake_parse_arguments(PARSE_ARGV 0 room "" "NAME" "USES")
+  set(target hardball_${room_NAME})
+  file(GLOB sources CONFIGURE_DEPENDS ${room_NAME}/*.cpp)
+  if(sources)
+    set(scope PUBLIC)
+    add_library(${target} STATIC ${sources})
+    hardball_compile_strictly(${target})
+  else()
+    set(scope INTERFACE)
+    add_library(${target} INTERFACE)
+  endif()
+  add_library(hardball::${room_NAME} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${room_NAME})
+  hardball_compile_exactly(${target} ${scope})
+  target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  list(TRANSFORM room_USES PREPEND hardball_)
+  target_link_libraries(${target} ${scope} ${room_USES})
+endfunction()

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// Knows, for every sphere, which others it may meet next.
+///
+/// Each sphere has a region, and its candidates are all spheres and periodic copies whose regions meet its own.
+/// The region holds the sphere until its next crossing, the moment at which the sphere reaches the region's
+/// edge; crossing gives it another region. Two spheres are always candidates of each other before they touch.
+/// A broad phase reads paths and never changes them.
+///
+/// - `build(world, now)` gives all spheres regions.
+/// - `refresh(world, slot, now, folded)` gives a new region to a sphere whose path has been rewritten at `now`,
+///   its centre having been folded back by `folded` boxes.
+/// - `for_each_candidate(world, slot, visit)` calls visit(other, image) for every candidate of a sphere, once;
+///   `image` is the copy of the other sphere.
+/// - `next_crossing(slot)` is when the sphere reaches the edge of its region; kNever if it does not.
+/// - `cross(world, slot, now, visit)` gives it the next region and visits the candidates that are new (and
+///   perhaps others).
+/// - `left_count()` counts the cells, or rows of cells, that spheres have left since `build`.
+/// - `validate(world, now)` checks the whole structure and throws BrokenInvariant.
+template <class Phase>
+concept BroadPhase = requires(Phase phase, const Phase& view, const World& world, Slot slot, const Time& now,
+                              const Image& image, void (*visit)(Slot, const Image&)) {
+  phase.build(world, now);
+  phase.refresh(world, slot, now, image);
+  view.for_each_candidate(world, slot, visit);
+  { view.next_crossing(slot) } -> std::convertible_to<Time>;
+  phase.cross(world, slot, now, visit);
+  { view.left_count() } -> std::convertible_to<std::uint64_t>;
+  { view.memory_bytes() } -> std::convertible_to<std::size_t>;
+  view.validate(world, now);
+};
+
+}  // namespace hardball

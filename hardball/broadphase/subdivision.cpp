@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/broadphase/subdivision.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/geometry/contact_time.hpp"
+
+namespace hardball {
+namespace {
+
+// How early cells admit and how late they release, as a fraction of their edge and of the distance from the
+// origin, where coordinates are rounded more coarsely.
+constexpr double kEdgeMargin = 1e-9;
+constexpr double kDistanceMargin = 1e-14;
+
+double margin(double edge, double place) { return kEdgeMargin * edge + kDistanceMargin * std::fabs(place); }
+
+}  // namespace
+
+Subdivision::Subdivision(const Box& box, double edge, std::int32_t most_cells) {
+  if (!(edge > 0) || !std::isfinite(edge)) {
+    throw Error("the cell edge is " + to_text(edge), "cell edge", "give a positive length");
+  }
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    Axis& cells = axes_[axis];
+    if (box.is_open(axis)) {
+      cells = {edge, -most_cells / 2, most_cells / 2 - 1, 0};
+      continue;
+    }
+    const double count = std::clamp<double>(std::floor(box.size()[axis] / edge), 1, most_cells);
+    const auto whole = static_cast<std::int32_t>(count);
+    cells.edge = box.size()[axis] / count;
+    cells.last = whole - 1;
+    if (!box.is_periodic(axis)) continue;
+    cells.period = whole;
+    cells.first = std::numeric_limits<std::int32_t>::min() / 4;
+    cells.last = std::numeric_limits<std::int32_t>::max() / 4;
+  }
+}
+
+CellRange Subdivision::range_at(const Vec3& position, double radius) const {
+  CellRange range;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const Axis& cells = axes_[axis];
+    const double reach = radius + margin(cells.edge, position[axis]);
+    const double low = std::floor((position[axis] - reach) / cells.edge);
+    const double high = std::floor((position[axis] + reach) / cells.edge);
+    if (cells.period > 0 && !(low > cells.first && high < cells.last)) {
+      throw RunFailure("a sphere has crossed 2^29 cells of a periodic box without a collision; use larger cells");
+    }
+    range.low[axis] = static_cast<std::int32_t>(std::clamp<double>(low, cells.first, cells.last));
+    range.high[axis] = static_cast<std::int32_t>(std::clamp<double>(high, cells.first, cells.last));
+  }
+  return range;
+}
+
+CellCrossing Subdivision::next_enter(const Path& path, double radius, const CellRange& range) const {
+  CellCrossing next;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const Axis& cells = axes_[axis];
+    const bool up = path.velocity[axis] > 0;
+    const std::int32_t front = up ? range.high[axis] : range.low[axis];
+    if (front == (up ? cells.last : cells.first)) continue;
+    const double face = cells.edge * (up ? front + 1 : front);
+    const double reach = radius + margin(cells.edge, face);
+    const double distance = up ? (face - reach) - path.position[axis] : path.position[axis] - (face + reach);
+    const double wait = time_to_plane(distance, std::fabs(path.velocity[axis]));
+    if (wait < next.wait) next = {wait, static_cast<std::uint8_t>(axis), up};
+  }
+  return next;
+}
+
+CellCrossing Subdivision::next_leave(const Path& path, double radius, const CellRange& range) const {
+  CellCrossing next;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (range.low[axis] == range.high[axis]) continue;
+    const bool up = path.velocity[axis] > 0;
+    const double edge = axes_[axis].edge;
+    const double face = edge * (up ? range.low[axis] + 1 : range.high[axis]);
+    const double reach = radius + margin(edge, face);
+    const double distance = up ? (face + reach) - path.position[axis] : path.position[axis] - (face - reach);
+    const double wait = time_to_plane(distance, std::fabs(path.velocity[axis]));
+    if (wait < next.wait) next = {wait, static_cast<std::uint8_t>(axis), up};
+  }
+  return next;
+}
+
+}  // namespace hardball

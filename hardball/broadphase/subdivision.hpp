@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "hardball/geometry/path.hpp"
+#include "hardball/world/box.hpp"
+
+namespace hardball {
+
+/// The place of a cell along each axis. Cells are counted along the path of a sphere, without folding: in a
+/// periodic box, the count modulo the cells of the box gives the cell, and the rest the number of boxes beyond.
+using CellIndex = std::array<std::int32_t, kAxes>;
+
+/// The cells from `low` to `high`, both included, along each axis.
+struct CellRange {
+  CellIndex low{};
+  CellIndex high{};
+
+  friend bool operator==(const CellRange&, const CellRange&) = default;
+  bool contains(const CellIndex& cell) const {
+    return low[0] <= cell[0] && cell[0] <= high[0] && low[1] <= cell[1] && cell[1] <= high[1] &&
+           low[2] <= cell[2] && cell[2] <= high[2];
+  }
+
+  /// Calls visit(cell) for every cell.
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    for (std::int32_t x = low[0]; x <= high[0]; ++x) {
+      for (std::int32_t y = low[1]; y <= high[1]; ++y) {
+        for (std::int32_t z = low[2]; z <= high[2]; ++z) visit(CellIndex{x, y, z});
+      }
+    }
+  }
+};
+
+/// When a sphere's surface passes the face of a cell, and which.
+struct CellCrossing {
+  double wait = std::numeric_limits<double>::infinity();  ///< From the path's own moment [T]; infinite if never.
+  std::uint8_t axis = 0;
+  bool up = false;  ///< Towards the cells with higher places.
+};
+
+/// Space divided into uniform cells: which cells a sphere touches, and when it touches others.
+///
+/// Cells admit a sphere slightly before it touches them and release it slightly after: by far more than rounding
+/// can displace a sphere, so that two spheres share a cell before they can touch.
+/// Source: Kim, Guibas and Shin (1997), equation 1.
+class Subdivision {
+ public:
+  Subdivision() = default;
+  /// `edge` [L] is the wanted edge; along bounded axes it is adjusted so that whole cells fill the box. At most
+  /// `most_cells` are told apart along an axis: spheres beyond the outermost cells belong to these.
+  /// Error: not positive and finite.
+  Subdivision(const Box& box, double edge, std::int32_t most_cells);
+
+  /// Edge of a cell along an axis [L].
+  double edge(std::size_t axis) const { return axes_[axis].edge; }
+  /// The lowest and highest place along an axis; reached by no sphere along periodic axes.
+  std::int32_t first(std::size_t axis) const { return axes_[axis].first; }
+  std::int32_t last(std::size_t axis) const { return axes_[axis].last; }
+  /// How many cells make the box along a periodic axis; zero along the others.
+  std::int32_t period(std::size_t axis) const { return axes_[axis].period; }
+
+  /// The cells that a sphere at `position` touches. Error (RunFailure): it has crossed the box too many times.
+  CellRange range_at(const Vec3& position, double radius) const;
+  /// When a sphere on `path` touches the next cell ahead of `range`.
+  CellCrossing next_enter(const Path& path, double radius, const CellRange& range) const;
+  /// When it last touches the hindmost cells of `range`.
+  CellCrossing next_leave(const Path& path, double radius, const CellRange& range) const;
+
+  /// Folds a place into the box; returns how many boxes beyond it was.
+  Image fold(CellIndex& cell) const {
+    Image boxes;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const std::int32_t period = axes_[axis].period;
+      if (period == 0 || (cell[axis] >= 0 && cell[axis] < period)) continue;
+      boxes[axis] = cell[axis] >= 0 ? cell[axis] / period : -((period - 1 - cell[axis]) / period);
+      cell[axis] -= boxes[axis] * period;
+    }
+    return boxes;
+  }
+  /// How many cells the copy `image` is displaced along an axis.
+  std::int32_t cells_beyond(std::size_t axis, const Image& image) const {
+    return image[axis] * axes_[axis].period;
+  }
+
+ private:
+  struct Axis {
+    double edge = 0;
+    std::int32_t first = 0;
+    std::int32_t last = 0;
+    std::int32_t period = 0;
+  };
+
+  std::array<Axis, kAxes> axes_;
+};
+
+}  // namespace hardball

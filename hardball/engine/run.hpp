@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "hardball/geometry/time.hpp"
+
+namespace hardball {
+
+/// How far a run may go; it stops at whatever comes first.
+struct RunLimits {
+  Time until = kNever;  ///< Events at this very moment still happen.
+  std::uint64_t contacts = std::numeric_limits<std::uint64_t>::max();
+  /// Events of any kind, stale ones included: a bound on the work.
+  std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// Why a run stopped.
+enum class RunStatus {
+  time_reached,      ///< No event is left up to RunLimits::until.
+  contacts_reached,  ///< RunLimits::contacts have happened.
+  steps_reached,     ///< RunLimits::steps have been taken.
+};
+
+/// What an engine has done since it was made: the paper's n_c is collision + wall, its n_e is enter + leave.
+struct Counters {
+  std::uint64_t collision = 0;
+  std::uint64_t wall = 0;
+  std::uint64_t enter = 0;
+  std::uint64_t leave = 0;
+  std::uint64_t stale = 0;        ///< Contacts taken from the queue whose partner had changed its path since.
+  std::uint64_t predictions = 0;  ///< Contact times of pairs computed.
+  std::uint64_t queue_operations = 0;  ///< Entries put into the queue or taken out.
+
+  std::uint64_t contacts() const { return collision + wall; }
+  friend bool operator==(const Counters&, const Counters&) = default;
+};
+
+}  // namespace hardball

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/errors/error.hpp"
+
+#include <array>
+#include <charconv>
+#include <utility>
+
+namespace hardball {
+
+Error::Error(std::string what, std::string where, std::string remedy)
+    : std::invalid_argument(where + ": " + what + "; " + remedy),
+      problem_(std::move(what)),
+      where_(std::move(where)),
+      remedy_(std::move(remedy)) {}
+
+void report_broken_invariant(const char* condition, const char* file, int line) {
+  throw BrokenInvariant(std::string("broken invariant: ") + condition + " (" + file + ":" +
+                        std::to_string(line) + "); please report it with the scenario that shows it");
+}
+
+std::string to_text(double number) {
+  std::array<char, 32> buffer;
+  const auto [end, status] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
+  HARDBALL_CHECK(status == std::errc());
+  return std::string(buffer.data(), end);
+}
+
+}  // namespace hardball

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <limits>
+
+#include "hardball/geometry/time.hpp"
+#include "hardball/geometry/vec3.hpp"
+
+namespace hardball {
+
+/// Names a sphere for its whole life; never used twice in one world.
+using SphereId = std::uint32_t;
+
+/// Where a sphere is stored: 0 to size-1, in the order of ids. Changes when spheres are removed.
+using Slot = std::uint32_t;
+
+/// What happens at an event. The order is that of simultaneous events: whoever enters a cell is known there
+/// before anybody in it is touched.
+enum class EventKind : std::uint8_t {
+  enter,      ///< A sphere reaches the edge of the region in which the broad phase knows its partners.
+  leave,      ///< A sphere has left a cell.
+  collision,  ///< Two spheres touch.
+  wall,       ///< A sphere touches a face of the box.
+};
+
+/// A face of the box: 2 * axis, plus one for the upper face.
+using Face = std::uint32_t;
+
+inline constexpr Face face_of(std::size_t axis, bool upper) {
+  return static_cast<Face>(2 * axis + (upper ? 1 : 0));
+}
+inline constexpr std::size_t axis_of(Face face) { return face / 2; }
+inline constexpr bool is_upper(Face face) { return face % 2 == 1; }
+
+/// Something that happens, or would happen if nothing came before it.
+///
+/// Events have one total order: by time, kind, lower id, higher id and image. Members stand in that order, so
+/// that comparing them one after another is the order. Spheres are named by slots, whose order is that of ids.
+struct Event {
+  Time time = kNever;
+  EventKind kind = EventKind::wall;
+  Slot first = 0;            ///< The sphere; of a collision, the one with the lower id.
+  std::uint32_t second = 0;  ///< Collision: the sphere with the higher id. Otherwise the Face concerned.
+  Image image;               ///< Collision: the copy of `second` that `first` meets.
+
+  bool happens() const { return time.high < std::numeric_limits<double>::infinity(); }
+
+  friend bool operator==(const Event&, const Event&) = default;
+  friend std::partial_ordering operator<=>(const Event&, const Event&) = default;
+};
+
+/// The collision of spheres `a` and `b`, `image` being the copy of `b` that `a` meets, with the lower id first.
+inline Event make_collision(const Time& time, Slot a, Slot b, const Image& image) {
+  if (a < b) return {time, EventKind::collision, a, b, image};
+  return {time, EventKind::collision, b, a, -image};
+}
+
+}  // namespace hardball

@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Everything a program needs that lets spheres move and collide.
+#include "hardball/errors/error.hpp"
+#include "hardball/response/contact.hpp"
+#include "hardball/response/restitution.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "hardball/world/audit.hpp"
+#include "hardball/world/world.hpp"

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/tally.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hardball {
+
+void Tally::begin(const World& world, const Time& now) {
+  *this = Tally();
+  begin_ = now;
+  last_ = now;
+  energy_ = world.kinetic_energy();
+  initial_energy_ = energy_;
+}
+
+void Tally::note_edit(double energy_change, const Time& now) {
+  energy_integral_ = energy_integral(now);
+  last_ = now;
+  energy_ += energy_change;
+}
+
+void Tally::note(const Contact& contact) {
+  energy_integral_ = energy_integral(contact.time);
+  last_ = contact.time;
+  const auto square_change = [](const Vec3& after, const Vec3& before) { return dot(after - before, after + before); };
+  energy_ += contact.first_mass * square_change(contact.after.first, contact.before.first) / 2;
+  max_overlap_ = std::max(max_overlap_, contact.overlap());
+  if (contact.is_collision()) {
+    ++collisions_;
+    energy_ += contact.second_mass * square_change(contact.after.second, contact.before.second) / 2;
+    virial_ -= dot(contact.impulse(), contact.separation);
+    const double speed = contact.impact_speed();
+    impact_speed_sum_ += speed;
+    impact_speed_square_sum_ += speed * speed;
+  } else {
+    ++wall_contacts_;
+    wall_impulse_[contact.second] += std::fabs(contact.impulse()[axis_of(contact.second)]);
+  }
+}
+
+double Tally::energy_integral(const Time& now) const { return energy_integral_ + energy_ * duration(last_, now); }
+
+double Tally::compressibility(const Time& now) const { return 1 + virial_ / (2 * energy_integral(now)); }
+
+double Tally::wall_pressure(const Box& box, const Time& now) const {
+  double impulse = 0;
+  double area = 0;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!box.is_wall(axis)) continue;
+    impulse += wall_impulse_[face_of(axis, false)] + wall_impulse_[face_of(axis, true)];
+    const Vec3& size = box.size();
+    area += 2 * size[(axis + 1) % kAxes] * size[(axis + 2) % kAxes];
+  }
+  return area > 0 ? impulse / (area * duration(begin_, now)) : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace hardball

@@ -1,0 +1,336 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "hardball/broadphase/cell_store.hpp"
+#include "hardball/broadphase/subdivision.hpp"
+#include "hardball/engine/run.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/response/execute.hpp"
+
+namespace hardball {
+
+/// The algorithm of Kim, Guibas and Shin (1997), section 2, to the letter, to be read with the paper in hand.
+///
+/// The non-empty subspaces stand in a balanced tree, ordered by the key of equation 2. All candidate events stand
+/// in another, ordered by time, and at equal times by event type and sphere labels. Every sphere knows the
+/// subspaces that intersect it and its own candidate events. Each event updates both trees; the least candidate
+/// is always the next event.
+/// Beyond the paper are mixed radii and masses, periodic and open axes, and that subspaces admit a sphere
+/// slightly early and release it slightly late.
+/// Cost: O(log n) per event.
+template <Response Respond>
+class PaperEngine {
+ public:
+  /// `edge` [L] is the wanted edge of the subspaces. Error: it is less than the largest diameter, so that a sphere
+  /// could intersect more than eight subspaces.
+  PaperEngine(World world, double edge, Respond respond, const Time& now)
+      : world_(std::move(world)), respond_(std::move(respond)) {
+    rebuild(now, edge);
+  }
+
+  const World& world() const { return world_; }
+  Respond& response() { return respond_; }
+  /// The time of the last event.
+  const Time& now() const { return now_; }
+  const Counters& counters() const { return counters_; }
+  /// Edge of a subspace along an axis [L].
+  double edge(std::size_t axis) const { return subdivision_.edge(axis); }
+
+  std::size_t memory_bytes() const {
+    constexpr std::size_t kTreeLinks = 4 * sizeof(void*);
+    std::size_t bytes = world_.memory_bytes() + guard_.memory_bytes();
+    bytes += travellers_.capacity() * sizeof(Traveller);
+    bytes += event_tree_.size() * (sizeof(Event) + kTreeLinks);
+    for (const Traveller& traveller : travellers_) bytes += traveller.candidates.size() * (sizeof(Event) + kTreeLinks);
+    for (const auto& [key, members] : subspace_tree_) {
+      bytes += sizeof(key) + sizeof(members) + kTreeLinks + members.capacity() * sizeof(Occupant);
+    }
+    return bytes;
+  }
+
+  /// As Engine::run.
+  template <class Observe>
+  RunStatus run(const RunLimits& limits, Observe&& observe) {
+    std::uint64_t contacts = 0;
+    if (limits.contacts == 0) return RunStatus::contacts_reached;
+    for (std::uint64_t step = 0;; ++step) {
+      if (event_tree_.empty() || event_tree_.begin()->time > limits.until) return RunStatus::time_reached;
+      if (step == limits.steps) return RunStatus::steps_reached;
+      const Event event = *event_tree_.begin();
+      if (handle_without_contact(event)) continue;
+      observe(carry_out(event));
+      if (++contacts == limits.contacts) return RunStatus::contacts_reached;
+    }
+  }
+
+  /// As Engine::next_contact.
+  std::optional<Event> next_contact(const Time& until) {
+    while (!event_tree_.empty() && event_tree_.begin()->time <= until) {
+      const Event event = *event_tree_.begin();
+      if (!handle_without_contact(event)) return event;
+    }
+    return std::nullopt;
+  }
+
+  /// As Engine::change_velocity.
+  void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
+    HARDBALL_CHECK(moment >= now_);
+    now_ = moment;
+    world_.change_velocity(slot, moment, velocity);
+    remove_candidates(slot);
+    relocate(slot);
+    predict_all(slot);
+  }
+
+  /// As Engine::rebuild: the preprocessing of the paper.
+  void rebuild(const Time& now, double edge) {
+    if (edge < 2 * world_.largest_radius()) {
+      throw Error("the cell edge " + to_text(edge) + " is less than the largest diameter", "cell edge",
+                  "the paper's engine needs at least " + to_text(2 * world_.largest_radius()));
+    }
+    now_ = now;
+    subdivision_ = Subdivision(world_.box(), edge, kMostSubspacesPerAxis);
+    subspace_tree_.clear();
+    event_tree_.clear();
+    travellers_.assign(world_.size(), Traveller{});
+    guard_.reset(world_.size());
+    for (Slot slot = 0; slot < world_.size(); ++slot) {
+      travellers_[slot].subspaces = range_now(slot);
+      add_to(travellers_[slot].subspaces, slot);
+    }
+    for (Slot slot = 0; slot < world_.size(); ++slot) predict_all(slot);
+  }
+
+  World& world_to_edit() { return world_; }
+
+  /// Checks that spheres are in the subspaces that intersect them and that no candidate is missing; throws
+  /// BrokenInvariant.
+  void validate() const {
+    for (Slot slot = 0; slot < world_.size(); ++slot) {
+      const CellRange& range = travellers_[slot].subspaces;
+      for_each_partner(slot, range, [&](Slot other, const Image& image) {
+        const Event contact = make_collision(contact_time(world_, slot, other, image), slot, other, image);
+        HARDBALL_CHECK(!contact.happens() || event_tree_.contains(contact));
+      });
+      for (const Event& event : travellers_[slot].candidates) {
+        HARDBALL_CHECK(event.time >= now_ && event_tree_.contains(event));
+      }
+    }
+  }
+
+ private:
+  // What the paper keeps for every sphere.
+  struct Traveller {
+    CellRange subspaces;         // those intersecting it
+    std::set<Event> candidates;  // its events in the event tree
+  };
+  using Members = std::vector<Occupant>;
+
+  // Keys stay below 2^60.
+  static constexpr std::int32_t kMostSubspacesPerAxis = 1 << 20;
+
+  // Equation 2, u_x m^2 + u_y m + u_z, for the place of a subspace folded into the box.
+  std::uint64_t key(const CellIndex& folded) const {
+    std::uint64_t key = 0;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const std::int32_t first = subdivision_.period(axis) > 0 ? 0 : subdivision_.first(axis);
+      key = key * kMostSubspacesPerAxis + static_cast<std::uint64_t>(folded[axis] - first);
+    }
+    return key;
+  }
+
+  CellRange range_now(Slot slot) const {
+    return subdivision_.range_at(position_at(world_.path(slot), now_), world_.radius(slot));
+  }
+
+  void add_to(const CellRange& subspaces, Slot slot) {
+    subspaces.for_each([&](CellIndex subspace) {
+      const Image boxes = subdivision_.fold(subspace);
+      subspace_tree_[key(subspace)].push_back({slot, boxes});
+    });
+  }
+
+  void remove_from(const CellRange& subspaces, Slot slot) {
+    subspaces.for_each([&](CellIndex subspace) {
+      const Image boxes = subdivision_.fold(subspace);
+      const auto found = subspace_tree_.find(key(subspace));
+      HARDBALL_CHECK(found != subspace_tree_.end());
+      std::erase(found->second, Occupant{slot, boxes});
+      if (found->second.empty()) subspace_tree_.erase(found);
+    });
+  }
+
+  // Calls visit(other, image) for all members of these subspaces other than the sphere itself.
+  template <class Visit>
+  void for_each_partner(Slot slot, const CellRange& subspaces, Visit&& visit) const {
+    subspaces.for_each([&](CellIndex subspace) {
+      const Image boxes = subdivision_.fold(subspace);
+      const auto found = subspace_tree_.find(key(subspace));
+      if (found == subspace_tree_.end()) return;
+      for (const Occupant& member : found->second) {
+        if (member.slot != slot) visit(member.slot, boxes - member.boxes);
+      }
+    });
+  }
+
+  bool share_a_subspace(const Event& collision) const {
+    const CellRange& first = travellers_[collision.first].subspaces;
+    const CellRange& second = travellers_[collision.second].subspaces;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const std::int32_t beyond = subdivision_.cells_beyond(axis, collision.image);
+      if (second.low[axis] + beyond > first.high[axis] || second.high[axis] + beyond < first.low[axis]) return false;
+    }
+    return true;
+  }
+
+  // A pair that shares several subspaces has the same candidate in each; the tree keeps it once.
+  void add_candidate(const Event& event) {
+    if (!event.happens() || !event_tree_.insert(event).second) return;
+    ++counters_.queue_operations;
+    travellers_[event.first].candidates.insert(event);
+    if (event.kind == EventKind::collision) travellers_[event.second].candidates.insert(event);
+  }
+
+  void remove_candidate(const Event& event) {
+    event_tree_.erase(event);
+    ++counters_.queue_operations;
+    travellers_[event.first].candidates.erase(event);
+    if (event.kind == EventKind::collision) travellers_[event.second].candidates.erase(event);
+  }
+
+  template <class Condition>
+  void remove_candidates_if(Slot slot, Condition&& condition) {
+    const std::set<Event> candidates = travellers_[slot].candidates;
+    for (const Event& event : candidates) {
+      if (condition(event)) remove_candidate(event);
+    }
+  }
+
+  void remove_candidates(Slot slot) {
+    remove_candidates_if(slot, [](const Event&) { return true; });
+  }
+
+  void predict_collisions(Slot slot, const CellRange& subspaces) {
+    for_each_partner(slot, subspaces, [&](Slot other, const Image& image) {
+      ++counters_.predictions;
+      add_candidate(make_collision(contact_time(world_, slot, other, image), slot, other, image));
+    });
+  }
+
+  // Renews the candidates for entering and leaving.
+  void predict_crossings(Slot slot) {
+    remove_candidates_if(slot, [](const Event& event) {
+      return event.kind == EventKind::enter || event.kind == EventKind::leave;
+    });
+    const Path& path = world_.path(slot);
+    const double radius = world_.radius(slot);
+    const CellRange& subspaces = travellers_[slot].subspaces;
+    const CellCrossing enter = subdivision_.next_enter(path, radius, subspaces);
+    const CellCrossing leave = subdivision_.next_leave(path, radius, subspaces);
+    const auto moment = [&](const CellCrossing& crossing) { return later(now_, after(path.time, crossing.wait)); };
+    add_candidate({moment(enter), EventKind::enter, slot, face_of(enter.axis, enter.up), {}});
+    add_candidate({moment(leave), EventKind::leave, slot, face_of(leave.axis, leave.up), {}});
+  }
+
+  void predict_all(Slot slot) {
+    predict_collisions(slot, travellers_[slot].subspaces);
+    add_candidate(next_wall_event(world_, slot));
+    predict_crossings(slot);
+  }
+
+  // A path that begins anew may have been folded back into a periodic box, and with it the count of subspaces.
+  void relocate(Slot slot) {
+    remove_from(travellers_[slot].subspaces, slot);
+    travellers_[slot].subspaces = range_now(slot);
+    add_to(travellers_[slot].subspaces, slot);
+  }
+
+  // The outermost subspaces of a range in the direction of a face.
+  static CellRange row(CellRange range, Face face) {
+    const std::size_t axis = axis_of(face);
+    (is_upper(face) ? range.low : range.high)[axis] = (is_upper(face) ? range.high : range.low)[axis];
+    return range;
+  }
+
+  void enter(const Event& event) {
+    ++counters_.enter;
+    const std::size_t axis = axis_of(event.second);
+    CellRange& subspaces = travellers_[event.first].subspaces;
+    if (is_upper(event.second)) {
+      ++subspaces.high[axis];
+    } else {
+      --subspaces.low[axis];
+    }
+    const CellRange entered = row(subspaces, event.second);
+    predict_collisions(event.first, entered);
+    add_to(entered, event.first);
+    predict_crossings(event.first);
+  }
+
+  void leave(const Event& event) {
+    ++counters_.leave;
+    const std::size_t axis = axis_of(event.second);
+    CellRange& subspaces = travellers_[event.first].subspaces;
+    const Face behind = face_of(axis, !is_upper(event.second));
+    remove_from(row(subspaces, behind), event.first);
+    if (is_upper(event.second)) {
+      ++subspaces.low[axis];
+    } else {
+      --subspaces.high[axis];
+    }
+    remove_candidates_if(event.first, [this](const Event& candidate) {
+      return candidate.kind == EventKind::collision && !share_a_subspace(candidate);
+    });
+    predict_crossings(event.first);
+  }
+
+  bool handle_without_contact(const Event& event) {
+    HARDBALL_CHECK(event.time >= now_);
+    if (event.kind != EventKind::enter && event.kind != EventKind::leave) return false;
+    now_ = event.time;
+    if (event.kind == EventKind::enter) {
+      enter(event);
+    } else {
+      leave(event);
+    }
+    return true;
+  }
+
+  Contact carry_out(const Event& event) {
+    const bool is_collision = event.kind == EventKind::collision;
+    const Executed done = execute(world_, guard_, event, respond_);
+    now_ = event.time;
+    ++(is_collision ? counters_.collision : counters_.wall);
+    remove_candidates(event.first);
+    relocate(event.first);
+    if (is_collision) {
+      remove_candidates(event.second);
+      relocate(event.second);
+      predict_all(event.second);
+    }
+    predict_all(event.first);
+    return done.contact;
+  }
+
+  World world_;
+  Respond respond_;
+  Subdivision subdivision_;
+  std::map<std::uint64_t, Members> subspace_tree_;
+  std::set<Event> event_tree_;
+  std::vector<Traveller> travellers_;  // per slot
+  CollapseGuard guard_;
+  Time now_;
+  Counters counters_;
+};
+
+}  // namespace hardball

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// Notices inelastic collapse: spheres that lose energy may collide ever faster, infinitely often in a finite
+/// time. A sphere that keeps being hit without moving any more ends the run with a message instead of a hang.
+/// Source: McNamara and Young, Phys. Fluids A 4 (1992) 496.
+class CollapseGuard {
+ public:
+  void reset(std::size_t spheres) { idle_contacts_.assign(spheres, 0); }
+
+  /// To be called before a contact rewrites the path of a sphere. Error (RunFailure): too many contacts in
+  /// which the sphere has hardly moved since the one before.
+  void note_contact(const World& world, Slot slot, const Time& now);
+
+  std::size_t memory_bytes() const { return idle_contacts_.capacity() * sizeof(std::uint32_t); }
+
+ private:
+  std::vector<std::uint32_t> idle_contacts_;
+};
+
+}  // namespace hardball

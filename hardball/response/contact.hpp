@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <concepts>
+
+#include "hardball/events/event.hpp"
+#include "hardball/geometry/vec3.hpp"
+
+namespace hardball {
+
+/// The velocities of the two bodies of a contact [L/T]; of a wall contact the second is the wall's, zero.
+struct Velocities {
+  Vec3 first;
+  Vec3 second;
+
+  friend bool operator==(const Velocities&, const Velocities&) = default;
+};
+
+/// One collision or wall contact: everything about the moment of touch, and what became of it.
+struct Contact {
+  Time time;
+  EventKind kind = EventKind::collision;  ///< collision or wall
+  SphereId first = 0;                     ///< The sphere; of a collision, the one with the lower id.
+  std::uint32_t second = 0;               ///< The id of the other sphere, or the Face of the box.
+  Image image;                            ///< Which copy of the second sphere was met, both folded into the box.
+  Vec3 position;                          ///< Centre of the first sphere, folded into the box [L].
+  /// Collision: from the centre of the first sphere to that of the second. Wall: from the centre to the wall,
+  /// perpendicular. [L]
+  Vec3 separation;
+  Vec3 normal;           ///< Unit vector along `separation`, or towards the wall [1].
+  double reach = 0;      ///< Sum of the radii, or the radius: the length `separation` should have [L].
+  double first_radius = 0;   ///< [L]
+  double first_mass = 0;     ///< [M]
+  double second_mass = 0;    ///< [M]; infinite for a wall.
+  Velocities before;     ///< [L/T]
+  Velocities after;      ///< [L/T]; equal to `before` while the response is being asked.
+
+  bool is_collision() const { return kind == EventKind::collision; }
+  /// Where the surfaces touch, in the coordinates of `position` [L].
+  Vec3 point() const { return position + first_radius * normal; }
+  /// The momentum the first sphere gained [M L/T]; the second lost as much.
+  Vec3 impulse() const { return first_mass * (after.first - before.first); }
+  /// The speed at which the surfaces met, along the normal [L/T]; not negative.
+  double impact_speed() const {
+    const double speed = dot(before.first - before.second, normal);
+    return speed > 0 ? speed : 0;
+  }
+  /// How far the surfaces overlapped by rounding, as a fraction of `reach` [1]; negative for a gap.
+  double overlap() const { return 1 - dot(separation, normal) / reach; }
+};
+
+/// What a contact does to velocities: given the contact with `after` still equal to `before`, the new velocities.
+/// A wall's velocity is ignored. The bodies must not approach each other afterwards.
+template <class R>
+concept Response = requires(const R& response, const Contact& contact) {
+  { response(contact) } -> std::convertible_to<Velocities>;
+};
+
+}  // namespace hardball

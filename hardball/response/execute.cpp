@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/response/execute.hpp"
+
+#include <limits>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+namespace {
+
+// An approach is put down to rounding if it is below this fraction of the speeds involved.
+constexpr double kRounding = 1e-12;
+
+void refuse_approach(const Contact& contact) {
+  throw Error("the response leaves the bodies of the contact at time " + to_text(contact.time.value()) +
+                  " approaching each other",
+              "response to sphere " + to_text(contact.first) + " and " +
+                  (contact.is_collision() ? "sphere " : "face ") + to_text(contact.second),
+              "return velocities with which they separate or keep their distance");
+}
+
+void settle_wall(Contact& contact) {
+  double& velocity = contact.after.first[axis_of(contact.second)];
+  const bool approaching = is_upper(contact.second) ? velocity > 0 : velocity < 0;
+  if (!approaching) return;
+  if (std::fabs(velocity) > kRounding * length(contact.before.first)) refuse_approach(contact);
+  velocity = 0;
+}
+
+void settle_collision(Contact& contact) {
+  const Vec3& r = contact.separation;
+  // The very expression whose sign decides whether a contact is predicted.
+  const auto approach = [&r](const Velocities& v) { return dot(r, v.second - v.first); };
+  const double excess = approach(contact.after);
+  if (!(excess < 0)) return;
+  const double speeds = length(contact.before.first) + length(contact.before.second) +
+                        length(contact.after.first) + length(contact.after.second);
+  if (-excess > kRounding * length(r) * speeds) refuse_approach(contact);
+  const double total_mass = contact.first_mass + contact.second_mass;
+  double exchange = excess / dot(r, r);
+  Velocities settled = contact.after;
+  while (approach(settled) < 0) {
+    settled.first = contact.after.first + (exchange * (contact.second_mass / total_mass)) * r;
+    settled.second = contact.after.second - (exchange * (contact.first_mass / total_mass)) * r;
+    exchange *= 2;
+  }
+  contact.after = settled;
+}
+
+}  // namespace
+
+Contact contact_at(const World& world, const Event& event, std::array<Image, 2>& folded) {
+  Contact contact;
+  contact.time = event.time;
+  contact.kind = event.kind;
+  contact.first = world.id(event.first);
+  contact.first_radius = world.radius(event.first);
+  contact.first_mass = world.mass(event.first);
+  contact.before.first = world.path(event.first).velocity;
+  const Vec3 unfolded = position_at(world.path(event.first), event.time);
+  folded[0] = world.box().boxes_beyond(unfolded);
+  contact.position = unfolded - world.box().shift(folded[0]);
+  if (event.kind == EventKind::collision) {
+    contact.second = world.id(event.second);
+    contact.reach = contact.first_radius + world.radius(event.second);
+    contact.second_mass = world.mass(event.second);
+    contact.before.second = world.path(event.second).velocity;
+    const Vec3 other_unfolded = position_at(world.path(event.second), event.time);
+    folded[1] = world.box().boxes_beyond(other_unfolded);
+    const Vec3 other = other_unfolded - world.box().shift(folded[1]);
+    contact.image = event.image + folded[1] - folded[0];
+    contact.separation = (other - contact.position) + world.box().shift(contact.image);
+    contact.normal = (1 / length(contact.separation)) * contact.separation;
+  } else {
+    contact.second = event.second;
+    contact.reach = contact.first_radius;
+    contact.second_mass = std::numeric_limits<double>::infinity();
+    const std::size_t axis = axis_of(event.second);
+    const bool upper = is_upper(event.second);
+    contact.separation[axis] = (upper ? world.box().size()[axis] : 0) - contact.position[axis];
+    contact.normal[axis] = upper ? 1 : -1;
+  }
+  contact.after = contact.before;
+  return contact;
+}
+
+void settle(Contact& contact) {
+  if (contact.is_collision()) {
+    settle_collision(contact);
+  } else {
+    settle_wall(contact);
+  }
+}
+
+}  // namespace hardball

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/simulation/any_engine.hpp"
+
+#include <concepts>
+#include <utility>
+
+#include "hardball/broadphase/all_pairs.hpp"
+#include "hardball/broadphase/cell_grid.hpp"
+#include "hardball/engine/engine.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/events/calendar_queue.hpp"
+#include "hardball/events/ordered_queue.hpp"
+#include "hardball/paper/paper_engine.hpp"
+#include "hardball/tuning/cell_edge.hpp"
+
+namespace hardball {
+namespace {
+
+template <class Model>
+double mean_edge(const Model& cells) {
+  return (cells.edge(0) + cells.edge(1) + cells.edge(2)) / 3;
+}
+
+// Gives any engine the common face.
+template <class Wrapped>
+class EngineModel final : public AnyEngine {
+ public:
+  explicit EngineModel(Wrapped engine) : engine_(std::move(engine)) {}
+
+  std::unique_ptr<AnyEngine> clone() const override { return std::make_unique<EngineModel>(*this); }
+  const World& world() const override { return engine_.world(); }
+  World& world_to_edit() override { return engine_.world_to_edit(); }
+  const Time& now() const override { return engine_.now(); }
+  Counters counters() const override { return engine_.counters(); }
+  std::size_t memory_bytes() const override { return engine_.memory_bytes(); }
+  RunStatus run(const RunLimits& limits, const Observe& observe) override { return engine_.run(limits, observe); }
+  std::optional<Event> next_contact(const Time& until) override { return engine_.next_contact(until); }
+  void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) override {
+    engine_.change_velocity(slot, moment, velocity);
+  }
+  void replace_response(std::function<Velocities(const Contact&)> custom) override {
+    engine_.response().replace(std::move(custom));
+  }
+  void validate() const override { engine_.validate(); }
+
+  double cell_edge() const override {
+    if constexpr (requires { engine_.phase().edge(0); }) return mean_edge(engine_.phase());
+    if constexpr (requires { engine_.edge(0); }) return mean_edge(engine_);
+    return 0;
+  }
+
+  void rebuild(const Time& now, double cell_edge) override {
+    if constexpr (requires { engine_.rebuild(now, AllPairs()); }) {
+      engine_.rebuild(now, AllPairs());
+    } else if constexpr (requires { engine_.rebuild(now, CellGrid(cell_edge)); }) {
+      engine_.rebuild(now, CellGrid(cell_edge));
+    } else {
+      engine_.rebuild(now, cell_edge);
+    }
+  }
+
+ private:
+  Wrapped engine_;
+};
+
+template <class Wrapped, class... Arguments>
+std::unique_ptr<AnyEngine> make_model(Arguments&&... arguments) {
+  return std::make_unique<EngineModel<Wrapped>>(Wrapped(std::forward<Arguments>(arguments)...));
+}
+
+template <EventQueue Queue>
+std::unique_ptr<AnyEngine> make_queued(World world, EngineKind kind, double cell_edge, const AnyResponse& response,
+                                       const Time& now) {
+  if (kind == EngineKind::all_pairs) {
+    return make_model<Engine<Queue, AllPairs, AnyResponse>>(std::move(world), AllPairs(), response, now);
+  }
+  return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(cell_edge), response, now);
+}
+
+}  // namespace
+
+std::unique_ptr<AnyEngine> make_engine(World world, const EngineOptions& options, double cell_edge,
+                                       const Time& now) {
+  const AnyResponse response{Restitution(options.restitution)};
+  if (options.engine == EngineKind::paper) {
+    return make_model<PaperEngine<AnyResponse>>(std::move(world), cell_edge, response, now);
+  }
+  if (options.queue == QueueKind::ordered) {
+    return make_queued<OrderedQueue>(std::move(world), options.engine, cell_edge, response, now);
+  }
+  return make_queued<CalendarQueue>(std::move(world), options.engine, cell_edge, response, now);
+}
+
+double choose_cell_edge(const World& world, EngineKind engine, const Time& moment) {
+  const double edge = optimal_cell_edge(moments_of(world, moment));
+  return engine == EngineKind::paper ? std::max(edge, 2 * world.largest_radius()) : edge;
+}
+
+}  // namespace hardball

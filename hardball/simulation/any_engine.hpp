@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "hardball/engine/run.hpp"
+#include "hardball/response/contact.hpp"
+#include "hardball/response/restitution.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// How collisions are found. The choice changes the speed and never the motion.
+enum class EngineKind {
+  automatic,  ///< The fastest for the world at hand.
+  cells,      ///< The cell grid.
+  all_pairs,  ///< Every sphere against every other: slow, and plainly right.
+  paper,      ///< The algorithm of the paper to the letter.
+};
+
+/// How events are kept in order. The choice changes the speed and never the motion.
+enum class QueueKind {
+  calendar,  ///< Buckets of time.
+  ordered,   ///< A balanced tree.
+};
+
+struct EngineOptions {
+  EngineKind engine = EngineKind::automatic;
+  QueueKind queue = QueueKind::calendar;  ///< The paper's engine has its own.
+  /// Edge of the cells [L], of the engines that have them; chosen by `tuning` and kept up to date if absent.
+  /// Error: not positive, or so small that a sphere would lie in hundreds of cells; for the paper's engine, less
+  /// than the largest diameter.
+  std::optional<double> cell_edge = {};
+  /// Coefficient of restitution [1]. Error: not between 0 and 1.
+  double restitution = 1;
+};
+
+/// A response chosen at run time: a constant restitution, or the user's own.
+class AnyResponse {
+ public:
+  explicit AnyResponse(Restitution restitution) : restitution_(restitution) {}
+
+  void replace(std::function<Velocities(const Contact&)> custom) { custom_ = std::move(custom); }
+  Velocities operator()(const Contact& contact) const {
+    return custom_ ? custom_(contact) : restitution_(contact);
+  }
+
+ private:
+  Restitution restitution_;
+  std::function<Velocities(const Contact&)> custom_;
+};
+
+/// The face that all engines share; see Engine for what its members do.
+class AnyEngine {
+ public:
+  using Observe = std::function<void(const Contact&)>;
+
+  virtual ~AnyEngine() = default;
+  virtual std::unique_ptr<AnyEngine> clone() const = 0;
+  virtual const World& world() const = 0;
+  virtual World& world_to_edit() = 0;
+  virtual const Time& now() const = 0;
+  virtual Counters counters() const = 0;
+  virtual std::size_t memory_bytes() const = 0;
+  virtual double cell_edge() const = 0;
+  virtual RunStatus run(const RunLimits& limits, const Observe& observe) = 0;
+  virtual std::optional<Event> next_contact(const Time& until) = 0;
+  virtual void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) = 0;
+  /// Makes all regions and predictions anew, with this cell edge [L] where there are cells.
+  virtual void rebuild(const Time& now, double cell_edge) = 0;
+  virtual void replace_response(std::function<Velocities(const Contact&)> custom) = 0;
+  virtual void validate() const = 0;
+};
+
+/// Makes the engine the options ask for, with cells of this edge [L]; `automatic` is made into cells.
+std::unique_ptr<AnyEngine> make_engine(World world, const EngineOptions& options, double cell_edge,
+                                       const Time& now);
+
+/// The cell edge [L] that suits a world as it is at `moment`, for this kind of engine.
+double choose_cell_edge(const World& world, EngineKind engine, const Time& moment);
+
+}  // namespace hardball

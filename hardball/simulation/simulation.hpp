@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "hardball/engine/run.hpp"
+#include "hardball/measure/event_log_hash.hpp"
+#include "hardball/measure/tally.hpp"
+#include "hardball/response/contact.hpp"
+#include "hardball/simulation/any_engine.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// A contact that lies ahead.
+struct NextContact {
+  double time = 0;  ///< [T]
+  EventKind kind = EventKind::collision;
+  SphereId first = 0;
+  std::uint32_t second = 0;  ///< The id of the other sphere, or the Face of the box.
+};
+
+/// Spheres in motion: the one face of Hardball.
+///
+/// Every collision happens exactly when it should and in order; the history does not depend on the options, on
+/// how a run is cut into pieces, or on what is asked in between. Copies are independent of each other, and
+/// share only what their listeners and response refer to.
+class Simulation {
+ public:
+  /// Starts at time zero. Error: overlapping spheres; options that make no sense (see EngineOptions).
+  explicit Simulation(World world, const EngineOptions& options = {});
+  Simulation(const Simulation& other);
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation other) noexcept;
+  ~Simulation();
+
+  /// Called after every collision and wall contact. It must not call members of the simulation that run or change
+  /// it; what it throws ends the run after that contact, and the simulation can go on.
+  void on_contact(std::function<void(const Contact&)> listener);
+
+  /// Replaces what contacts do to velocities; see Response. Between contacts the spheres must not be made to
+  /// approach. Error, from running: the velocities returned still approach.
+  void respond_with(std::function<Velocities(const Contact&)> response);
+
+  /// Runs to `time` [T], events at that very moment included. Error: `time` is before now, or NaN.
+  void run_until(double time);
+  /// Runs until `count` contacts have happened, and not past `until` [T]; returns how many did happen.
+  std::uint64_t run_contacts(std::uint64_t count, double until = std::numeric_limits<double>::infinity());
+  /// Runs until the first of the limits is met. Error: RunLimits::until is before now, or NaN.
+  RunStatus run(const RunLimits& limits);
+
+  /// The next collision or wall contact up to `until` [T], which does not yet happen. In a periodic box spheres may
+  /// miss each other for ever: then give a finite time. Error: `until` is before now, or NaN.
+  std::optional<NextContact> next_contact(double until = std::numeric_limits<double>::infinity());
+
+  double time() const { return now_.value(); }  ///< [T]
+  const Time& now() const { return now_; }
+
+  /// Centre now [L], folded into a periodic box. Error: no sphere has this id.
+  Vec3 position(SphereId id) const;
+  /// [L/T] Error: no sphere has this id.
+  Vec3 velocity(SphereId id) const;
+  /// All centres now [L], in the order of ids, folded into a periodic box. Shape (size, 3).
+  std::vector<Vec3> positions() const;
+  /// All centres at `time` [L], not before now and not past the next contact. Error: any other time.
+  std::vector<Vec3> positions_at(double time);
+
+  /// Gives a sphere a new velocity [L/T], now. Error: no such sphere, a number that is NaN, infinite or out of range.
+  void change_velocity(SphereId id, const Vec3& velocity);
+  /// Adds a sphere, now. Cost: O(n). Error: see World::add; it overlaps another sphere.
+  SphereId add(const Sphere& sphere);
+  /// Removes a sphere, now. Cost: O(n). Error: no sphere has this id.
+  void remove(SphereId id);
+
+  const World& world() const;
+  std::size_t size() const { return world().size(); }
+
+  Counters counters() const;
+  /// Hash of all contacts so far, see EventLogHash.
+  std::uint64_t event_log_hash() const { return hash_.value(); }
+  const Tally& tally() const { return tally_; }
+  /// The engine that runs, never `automatic`.
+  EngineKind engine() const { return options_.engine; }
+  /// Mean edge of the cells [L]; zero if the engine has none.
+  double cell_edge() const;
+  std::size_t memory_bytes() const;
+  /// Checks all structures; throws BrokenInvariant. Cost: that of predicting all pairs of candidates.
+  void validate() const;
+
+ private:
+  void check_not_past(double time) const;
+  void apply_edits();
+  void retune_if_due();
+
+  EngineOptions options_;
+  std::unique_ptr<AnyEngine> engine_;
+  std::function<void(const Contact&)> listener_;
+  Time now_;
+  EventLogHash hash_;
+  Tally tally_;
+  double wanted_edge_ = 0;             // of the cells [L]
+  bool edited_ = false;                // the engine's structures do not know the world any more
+  std::uint64_t next_retuning_ = 0;    // the number of enter events at which to look at the cell edge again
+};
+
+}  // namespace hardball

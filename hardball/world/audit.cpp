@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/world/audit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/world/neighborhood.hpp"
+
+namespace hardball {
+namespace {
+
+bool is_finite(const Vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+
+void look_for_escape(const World& world, Slot slot, const Vec3& position, Audit& found) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!world.box().is_wall(axis)) continue;
+    const double radius = world.radius(slot);
+    const double through =
+        std::max(radius - position[axis], position[axis] + radius - world.box().size()[axis]) / (2 * radius);
+    if (through <= found.max_escape) continue;
+    found.max_escape = through;
+    found.escaped = world.id(slot);
+  }
+}
+
+}  // namespace
+
+Audit audit(const World& world, const Time& moment) {
+  Audit found;
+  std::vector<Slot> by_size(world.size());
+  std::iota(by_size.begin(), by_size.end(), Slot{0});
+  std::stable_sort(by_size.begin(), by_size.end(),
+                   [&](Slot a, Slot b) { return world.radius(a) > world.radius(b); });
+  Neighborhood neighborhood(world.box(), world.size(), world.largest_radius());
+  std::vector<Slot> inserted;
+  for (const Slot slot : by_size) {
+    const Path& path = world.path(slot);
+    if (!is_finite(path.position) || !is_finite(path.velocity)) {
+      ++found.not_finite;
+      continue;
+    }
+    const Vec3 position = world.position(slot, moment);
+    look_for_escape(world, slot, position, found);
+    neighborhood.for_each_near(position, world.radius(slot),
+                               [&](std::uint32_t index, const Vec3& separation, double reach) {
+                                 const double overlap = 1 - length(separation) / reach;
+                                 if (overlap <= found.max_overlap) return;
+                                 found.max_overlap = overlap;
+                                 found.overlap_first = std::min(world.id(slot), world.id(inserted[index]));
+                                 found.overlap_second = std::max(world.id(slot), world.id(inserted[index]));
+                               });
+    neighborhood.insert(position, world.radius(slot));
+    inserted.push_back(slot);
+  }
+  return found;
+}
+
+void refuse_overlaps(const World& world, const Time& moment) {
+  const Audit found = audit(world, moment);
+  if (found.max_overlap <= kOverlapTolerance) return;
+  throw Error("spheres " + to_text(found.overlap_first) + " and " + to_text(found.overlap_second) +
+                  " overlap by " + to_text(found.max_overlap) + " of the sum of their radii",
+              "start state", "move them apart or shrink them");
+}
+
+void refuse_overlap(const World& world, const Sphere& sphere, const Time& moment) {
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    Vec3 separation = world.position(slot, moment) - sphere.position;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (!world.box().is_periodic(axis)) continue;
+      const double size = world.box().size()[axis];
+      separation[axis] -= size * std::round(separation[axis] / size);
+    }
+    const double overlap = 1 - length(separation) / (sphere.radius + world.radius(slot));
+    if (overlap <= kOverlapTolerance) continue;
+    throw Error("the new sphere overlaps sphere " + to_text(world.id(slot)) + " by " + to_text(overlap) +
+                    " of the sum of their radii",
+                "sphere to add", "place it elsewhere or shrink it");
+  }
+}
+
+}  // namespace hardball

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// Spheres may overlap by this fraction of the sum of their radii, or reach through a wall by this fraction of
+/// their diameter, and still count as touching: what rounding may do to a contact, and no more.
+inline constexpr double kOverlapTolerance = 1e-9;
+
+/// What a look at all spheres at one moment found.
+struct Audit {
+  /// The deepest overlap, as a fraction of the sum of the two radii [1]; zero if no two spheres overlap.
+  double max_overlap = 0;
+  SphereId overlap_first = 0;
+  SphereId overlap_second = 0;
+  /// The farthest reach through a wall, as a fraction of the diameter [1]; zero if no sphere reaches through.
+  double max_escape = 0;
+  SphereId escaped = 0;
+  /// Spheres whose position or velocity is not finite.
+  std::size_t not_finite = 0;
+
+  bool is_sound() const {
+    return max_overlap <= kOverlapTolerance && max_escape <= kOverlapTolerance && not_finite == 0;
+  }
+};
+
+/// Looks for overlaps, escapes and numbers gone wrong, by a search of its own. Cost: O(n log n).
+Audit audit(const World& world, const Time& moment);
+
+/// Refuses a start in which spheres overlap by more than kOverlapTolerance. Error: names the worst pair.
+void refuse_overlaps(const World& world, const Time& moment);
+
+/// Refuses a sphere that would overlap one of the world by more than kOverlapTolerance. Cost: O(n).
+/// Error: names the sphere in the way.
+void refuse_overlap(const World& world, const Sphere& sphere, const Time& moment);
+
+}  // namespace hardball

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/world/box.hpp"
+
+#include <cmath>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/world/range.hpp"
+
+namespace hardball {
+
+Box::Box(const std::array<Boundary, kAxes>& boundary, const Vec3& size) : boundary_(boundary), size_(size) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (is_open(axis)) {
+      size_[axis] = std::numeric_limits<double>::infinity();
+      continue;
+    }
+    check_positive(size[axis], "box size", axis == 0 ? "size.x" : axis == 1 ? "size.y" : "size.z");
+    if (is_periodic(axis)) period_[axis] = size[axis];
+  }
+}
+
+Image Box::boxes_beyond(const Vec3& position) const {
+  constexpr double kMost = 1 << 30;
+  Image beyond;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!is_periodic(axis)) continue;
+    const double boxes = std::floor(position[axis] / size_[axis]);
+    if (!(std::fabs(boxes) <= kMost)) {
+      throw RunFailure("a sphere has crossed the periodic box 2^30 times without a collision; use a larger box");
+    }
+    beyond[axis] = static_cast<std::int32_t>(boxes);
+  }
+  return beyond;
+}
+
+}  // namespace hardball

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "hardball/geometry/vec3.hpp"
+
+namespace hardball {
+
+/// Random numbers that are the same on every platform, compiler and library.
+/// Source: Blackman and Vigna, ACM Trans. Math. Softw. 47 (2021) 36, xoshiro256++ seeded by SplitMix64.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed);
+
+  /// 64 random bits.
+  std::uint64_t bits();
+  /// Uniform in [0, 1), a multiple of 2^-53.
+  double uniform();
+  /// Normal with mean zero and variance one. Source: Marsaglia and Bray, SIAM Rev. 6 (1964) 260.
+  double normal();
+  /// Uniform on the unit sphere. Source: Marsaglia, Ann. Math. Statist. 43 (1972) 645.
+  Vec3 direction();
+
+ private:
+  std::array<std::uint64_t, 4> state_;
+};
+
+/// The natural logarithm of a positive normal number, to about one unit in the last place, from additions,
+/// multiplications and divisions alone: the C library's may differ in the last bit from one platform to the next.
+double portable_log(double x);
+
+}  // namespace hardball

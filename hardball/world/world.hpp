@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hardball/events/event.hpp"
+#include "hardball/geometry/contact_time.hpp"
+#include "hardball/world/box.hpp"
+
+namespace hardball {
+
+/// A sphere as a caller describes it, at one moment.
+struct Sphere {
+  Vec3 position;      ///< Centre [L].
+  Vec3 velocity = {};  ///< [L/T]
+  double radius = 1;  ///< [L]
+  double mass = 1;    ///< [M]
+};
+
+/// The box and the spheres in it: their stored paths, radii and masses. The state of the motion and nothing else.
+class World {
+ public:
+  explicit World(const Box& box = Box::open()) : box_(box) {}
+
+  const Box& box() const { return box_; }
+  std::size_t size() const { return paths_.size(); }
+
+  /// Adds a sphere that is where it says at `moment`, and returns its id: ids count up from zero.
+  /// Positions outside a periodic box are folded into it. Overlaps are not looked for here (see audit.hpp).
+  /// Error: a number that is NaN, infinite or out of range; a radius or mass that is not positive; a centre
+  /// closer to a wall than the radius; a periodic box too small to hold the sphere.
+  SphereId add(const Sphere& sphere, const Time& moment = Time(0));
+
+  /// Removes a sphere. Cost: O(n). Error: no sphere has this id.
+  void remove(SphereId id);
+
+  /// Gives a sphere a new velocity [L/T] from `moment` on; returns what rewrite_path does.
+  /// Error: a number that is NaN, infinite or out of range.
+  Image change_velocity(Slot slot, const Time& moment, const Vec3& velocity);
+
+  /// Rewrites a path at `moment`: the centre where the old path puts it then, folded into the box, and the new
+  /// velocity. Returns by how many boxes the centre was folded back.
+  Image rewrite_path(Slot slot, const Time& moment, const Vec3& velocity);
+
+  SphereId id(Slot slot) const { return ids_[slot]; }
+  double radius(Slot slot) const { return radii_[slot]; }
+  double mass(Slot slot) const { return masses_[slot]; }
+  const Path& path(Slot slot) const { return paths_[slot]; }
+  std::span<const Path> paths() const { return paths_; }
+
+  /// Where the sphere with this id is stored. Cost: O(log n). Error: no sphere has this id.
+  Slot slot_of(SphereId id) const;
+
+  /// The centre at `moment` [L], folded into a periodic box.
+  Vec3 position(Slot slot, const Time& moment) const;
+  /// How many boxes the centre at `moment` lies from where the sphere was added, as if it had never been folded.
+  Image image(Slot slot, const Time& moment) const;
+
+  /// Sum of m v^2 / 2 [M L^2 T^-2]. Cost: O(n).
+  double kinetic_energy() const;
+  /// Sum of m v [M L/T]. Cost: O(n).
+  Vec3 momentum() const;
+  /// Volume of the spheres [L^3]. Cost: O(n).
+  double sphere_volume() const;
+  /// Zero in an empty world. [L]
+  double largest_radius() const;
+
+  std::size_t memory_bytes() const;
+
+ private:
+  void check(const Sphere& sphere) const;
+
+  Box box_;
+  SphereId next_id_ = 0;
+  std::vector<SphereId> ids_;
+  std::vector<Path> paths_;
+  std::vector<double> radii_;
+  std::vector<double> masses_;
+  std::vector<Image> folded_;  // boxes folded away since the sphere was added
+};
+
+/// m v^2 / 2 of one sphere [M L^2 T^-2].
+inline double kinetic_energy(const World& world, Slot slot) {
+  const Vec3& velocity = world.path(slot).velocity;
+  return world.mass(slot) * dot(velocity, velocity) / 2;
+}
+
+/// The moment at which two spheres touch, `image` being the copy of `b` that `a` meets; kNever if never.
+inline Time contact_time(const World& world, Slot a, Slot b, const Image& image) {
+  return contact_time(world.path(a), world.path(b), world.box().shift(image), world.radius(a) + world.radius(b));
+}
+
+/// The next event of a sphere with a wall of the box; one that does not happen if there is none.
+Event next_wall_event(const World& world, Slot slot);
+
+}  // namespace hardball
