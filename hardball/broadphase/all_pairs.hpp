@@ -11,8 +11,8 @@ namespace hardball {
 
 /// Every sphere is a candidate of every other: the oracle against which the others are tested.
 ///
-/// Along periodic axes a sphere's region is a stretch of a quarter box to either side of where it was when the
-/// region was made; it tells which copies of the other spheres it can meet before it leaves the stretch.
+/// Along periodic axes a sphere's region is a stretch of a quarter box to either side of where it was when
+/// the region was made; it tells which copies of the other spheres it can meet before it leaves the stretch.
 /// Cost: O(n) per collision.
 class AllPairs {
  public:

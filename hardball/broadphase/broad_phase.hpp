@@ -12,15 +12,17 @@ namespace hardball {
 
 /// Knows, for every sphere, which others it may meet next.
 ///
-/// Each sphere has a region, and its candidates are all spheres and periodic copies whose regions meet its own.
-/// The region holds the sphere until its next crossing, the moment at which the sphere reaches the region's
-/// edge; crossing gives it another region. Two spheres are always candidates of each other before they touch.
-/// A broad phase reads paths and never changes them.
+/// Each sphere has a region, and its candidates are all spheres and periodic copies whose regions meet its
+/// own. The region holds the sphere until its next crossing, the moment at which the sphere reaches the
+/// region's edge; crossing gives it another region. Two spheres are always candidates of each other before
+/// they touch. A broad phase reads paths and never changes them.
 ///
 /// - `build(world, now)` gives all spheres regions.
-/// - `refresh(world, slot, now, folded)` gives a new region to a sphere whose path has been rewritten at `now`,
+/// - `refresh(world, slot, now, folded)` gives a new region to a sphere whose path has been rewritten at
+/// `now`,
 ///   its centre having been folded back by `folded` boxes.
-/// - `for_each_candidate(world, slot, visit)` calls visit(other, image) for every candidate of a sphere, once;
+/// - `for_each_candidate(world, slot, visit)` calls visit(other, image) for every candidate of a sphere,
+/// once;
 ///   `image` is the copy of the other sphere.
 /// - `next_crossing(slot)` is when the sphere reaches the edge of its region; kNever if it does not.
 /// - `cross(world, slot, now, visit)` gives it the next region and visits the candidates that are new (and

@@ -58,8 +58,8 @@ void CellGrid::refresh(const World& world, Slot slot, const Time& now, const Ima
   set_next_crossing(world, slot, now);
 }
 
-// Takes the row of cells ahead and gives up those that lie behind, seen along the velocity: giving up cells ahead,
-// on the word of rounded arithmetic, could make two crossings chase each other.
+// Takes the row of cells ahead and gives up those that lie behind, seen along the velocity: giving up cells
+// ahead, on the word of rounded arithmetic, could make two crossings chase each other.
 void CellGrid::enter_next_cells(const World& world, Slot slot, const Time& now) {
   const Resident& resident = residents_[slot];
   const CellRange exact = range_at(world, slot, now);

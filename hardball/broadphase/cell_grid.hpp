@@ -14,8 +14,8 @@ namespace hardball {
 /// The paper's uniform subspaces: space is divided into cells, a sphere belongs to every cell it touches, and
 /// spheres that share a cell are candidates.
 ///
-/// Leaving needs no events of its own: cells behind a sphere are given up at its next crossing or change of path.
-/// Source: Kim, Guibas and Shin (1997), section 2.
+/// Leaving needs no events of its own: cells behind a sphere are given up at its next crossing or change of
+/// path. Source: Kim, Guibas and Shin (1997), section 2.
 class CellGrid {
  public:
   /// `edge` [L] is the wanted length of a cell's edge; see Subdivision.
@@ -51,16 +51,17 @@ class CellGrid {
     // The spheres met are those in the row of cells entered that do not reach into the rows held before.
     CellRange entered = range;
     (up ? entered.low : entered.high)[crossed] = (up ? range.high : range.low)[crossed];
-    for_each_shared_cell(slot, entered, [&](const CellIndex& cell, const Occupant& other, const Image& image) {
-      const CellRange& others = residents_[other.slot].range;
-      for (std::size_t axis = 0; axis < kAxes; ++axis) {
-        const std::int32_t beyond = cells_.cells_beyond(axis, image);
-        const bool here = axis == crossed ? (up ? others.low : others.high)[axis] + beyond == cell[axis]
-                                          : is_lowest_common(axis, cell, range, others, image);
-        if (!here) return;
-      }
-      visit(other.slot, image);
-    });
+    for_each_shared_cell(
+        slot, entered, [&](const CellIndex& cell, const Occupant& other, const Image& image) {
+          const CellRange& others = residents_[other.slot].range;
+          for (std::size_t axis = 0; axis < kAxes; ++axis) {
+            const std::int32_t beyond = cells_.cells_beyond(axis, image);
+            const bool here = axis == crossed ? (up ? others.low : others.high)[axis] + beyond == cell[axis]
+                                              : is_lowest_common(axis, cell, range, others, image);
+            if (!here) return;
+          }
+          visit(other.slot, image);
+        });
   }
 
   /// The length of a cell's edge along an axis [L].
@@ -90,8 +91,8 @@ class CellGrid {
   }
 
   // A pair may share several cells; it is visited in the lowest one along each axis.
-  bool is_lowest_common(std::size_t axis, const CellIndex& cell, const CellRange& range, const CellRange& others,
-                        const Image& image) const {
+  bool is_lowest_common(std::size_t axis, const CellIndex& cell, const CellRange& range,
+                        const CellRange& others, const Image& image) const {
     return cell[axis] == std::max(range.low[axis], others.low[axis] + cells_.cells_beyond(axis, image));
   }
 

@@ -83,7 +83,8 @@ std::size_t CellStore::home(const CellIndex& cell) const {
 // The line of the cell, or the free line where it would go.
 std::size_t CellStore::find_line(const CellIndex& cell) const {
   std::size_t line = home(cell);
-  while (lines_[line].first_block != kNone && lines_[line].cell != cell) line = (line + 1) & (lines_.size() - 1);
+  while (lines_[line].first_block != kNone && lines_[line].cell != cell)
+    line = (line + 1) & (lines_.size() - 1);
   return line;
 }
 

@@ -22,9 +22,9 @@ struct Occupant {
 
 /// The cells that hold spheres: the paper's subspace tree, with tables in place of the tree.
 ///
-/// Where the box has few cells per sphere the directory is a plain array of all cells; where it has many, or no
-/// end, it is a hash table of the occupied ones. Either way memory is O(occupants). Cost: O(1) per operation,
-/// and O(occupants of the cell) to erase.
+/// Where the box has few cells per sphere the directory is a plain array of all cells; where it has many, or
+/// no end, it is a hash table of the occupied ones. Either way memory is O(occupants). Cost: O(1) per
+/// operation, and O(occupants of the cell) to erase.
 class CellStore {
  public:
   /// Empties the store. `shape` is the number of cells along each axis, zero where there is no end;

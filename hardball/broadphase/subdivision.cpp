@@ -16,7 +16,9 @@ namespace {
 constexpr double kEdgeMargin = 1e-9;
 constexpr double kDistanceMargin = 1e-14;
 
-double margin(double edge, double place) { return kEdgeMargin * edge + kDistanceMargin * std::fabs(place); }
+double margin(double edge, double place) {
+  return kEdgeMargin * edge + kDistanceMargin * std::fabs(place);
+}
 
 }  // namespace
 
@@ -49,7 +51,8 @@ CellRange Subdivision::range_at(const Vec3& position, double radius) const {
     const double low = std::floor((position[axis] - reach) / cells.edge);
     const double high = std::floor((position[axis] + reach) / cells.edge);
     if (cells.period > 0 && !(low > cells.first && high < cells.last)) {
-      throw RunFailure("a sphere has crossed 2^29 cells of a periodic box without a collision; use larger cells");
+      throw RunFailure(
+          "a sphere has crossed 2^29 cells of a periodic box without a collision; use larger cells");
     }
     range.low[axis] = static_cast<std::int32_t>(std::clamp<double>(low, cells.first, cells.last));
     range.high[axis] = static_cast<std::int32_t>(std::clamp<double>(high, cells.first, cells.last));

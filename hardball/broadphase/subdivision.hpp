@@ -12,7 +12,8 @@
 namespace hardball {
 
 /// The place of a cell along each axis. Cells are counted along the path of a sphere, without folding: in a
-/// periodic box, the count modulo the cells of the box gives the cell, and the rest the number of boxes beyond.
+/// periodic box, the count modulo the cells of the box gives the cell, and the rest the number of boxes
+/// beyond.
 using CellIndex = std::array<std::int32_t, kAxes>;
 
 /// The cells from `low` to `high`, both included, along each axis.
@@ -39,21 +40,22 @@ struct CellRange {
 
 /// When a sphere's surface passes the face of a cell, and which.
 struct CellCrossing {
-  double wait = std::numeric_limits<double>::infinity();  ///< From the path's own moment [T]; infinite if never.
+  double wait =
+      std::numeric_limits<double>::infinity();  ///< From the path's own moment [T]; infinite if never.
   std::uint8_t axis = 0;
   bool up = false;  ///< Towards the cells with higher places.
 };
 
 /// Space divided into uniform cells: which cells a sphere touches, and when it touches others.
 ///
-/// Cells admit a sphere slightly before it touches them and release it slightly after: by far more than rounding
-/// can displace a sphere, so that two spheres share a cell before they can touch.
-/// Source: Kim, Guibas and Shin (1997), equation 1.
+/// Cells admit a sphere slightly before it touches them and release it slightly after: by far more than
+/// rounding can displace a sphere, so that two spheres share a cell before they can touch. Source: Kim,
+/// Guibas and Shin (1997), equation 1.
 class Subdivision {
  public:
   Subdivision() = default;
-  /// `edge` [L] is the wanted edge; along bounded axes it is adjusted so that whole cells fill the box. At most
-  /// `most_cells` are told apart along an axis: spheres beyond the outermost cells belong to these.
+  /// `edge` [L] is the wanted edge; along bounded axes it is adjusted so that whole cells fill the box. At
+  /// most `most_cells` are told apart along an axis: spheres beyond the outermost cells belong to these.
   /// Error: not positive and finite.
   Subdivision(const Box& box, double edge, std::int32_t most_cells);
 
@@ -65,7 +67,8 @@ class Subdivision {
   /// How many cells make the box along a periodic axis; zero along the others.
   std::int32_t period(std::size_t axis) const { return axes_[axis].period; }
 
-  /// The cells that a sphere at `position` touches. Error (RunFailure): it has crossed the box too many times.
+  /// The cells that a sphere at `position` touches. Error (RunFailure): it has crossed the box too many
+  /// times.
   CellRange range_at(const Vec3& position, double radius) const;
   /// When a sphere on `path` touches the next cell ahead of `range`.
   CellCrossing next_enter(const Path& path, double radius, const CellRange& range) const;

@@ -18,9 +18,9 @@ namespace hardball {
 ///
 /// The queue holds one entry per sphere: the earlier of its crossing (broad phase) and its prospect, the
 /// earliest contact among its candidates. Of two candidates at least one has a prospect no later than their
-/// contact: the one whose path or region changed last looked at the other. A prospect whose partner has changed
-/// its path since is stale, and the sphere looks again.
-/// An engine is a value: it can be copied, and many can live side by side.
+/// contact: the one whose path or region changed last looked at the other. A prospect whose partner has
+/// changed its path since is stale, and the sphere looks again. An engine is a value: it can be copied, and
+/// many can live side by side.
 template <EventQueue Queue, BroadPhase Phase, Response Respond>
 class Engine {
  public:
@@ -50,8 +50,8 @@ class Engine {
   }
 
   /// Handles events in order, calling observe(contact) after every collision and wall contact.
-  /// Error: RunFailure on inelastic collapse; whatever the response or the observer throws. The event at which
-  /// the response threw has not happened.
+  /// Error: RunFailure on inelastic collapse; whatever the response or the observer throws. The event at
+  /// which the response threw has not happened.
   template <class Observe>
   RunStatus run(const RunLimits& limits, Observe&& observe) {
     std::uint64_t contacts = 0;
@@ -76,7 +76,8 @@ class Engine {
     }
   }
 
-  /// Changes a velocity at `moment`. Precondition: no event is left before it, none after it has been handled.
+  /// Changes a velocity at `moment`. Precondition: no event is left before it, none after it has been
+  /// handled.
   void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
     HARDBALL_CHECK(moment >= now_);
     const Image folded = world_.change_velocity(slot, moment, velocity);
@@ -85,8 +86,8 @@ class Engine {
     predict(slot);
   }
 
-  /// Forgets all predictions and regions and makes them anew, as of `now`, with another broad phase. The motion
-  /// is not touched. Cost: O(n).
+  /// Forgets all predictions and regions and makes them anew, as of `now`, with another broad phase. The
+  /// motion is not touched. Cost: O(n).
   void rebuild(const Time& now, Phase phase) {
     counters_ = counters();
     phase_ = std::move(phase);

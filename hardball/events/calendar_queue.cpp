@@ -142,7 +142,8 @@ bool CalendarQueue::begin_year() {
   const Time year_end = middle->scheduled.event.time;
   year_start_ = std::min_element(beyond_.begin(), std::next(middle), by_time)->scheduled.event.time;
   const double year = year_end.high - year_start_.high;
-  // The last day is for the entry at year_end itself. A year without length holds one moment, and ends with it.
+  // The last day is for the entry at year_end itself. A year without length holds one moment, and ends with
+  // it.
   const std::size_t days = share / kEntriesPerDay + 1;
   days_per_time_ = std::min(static_cast<double>(days) / year, std::numeric_limits<double>::max());
   day_count_ = days + 1;

@@ -11,11 +11,11 @@ namespace hardball {
 /// The production queue: a year of equal days, each an unsorted list, sorted only when it becomes today.
 ///
 /// Replacing an entry leaves the old one where it lies, dead; the serial number of the owner's latest entry
-/// tells. Entries beyond the year wait aside. When the year is over, the next one is laid out so that its days
-/// hold a few entries each, whatever the rate of events has become. Entries that arrive for today go to a small
-/// heap beside the sorted list.
-/// Cost: O(1) amortised per operation as long as rates change slowly; never worse than O(log n) plus a sort.
-/// Source: Brown, Comm. ACM 31 (1988) 1220; Paul, J. Comput. Phys. 221 (2007) 615.
+/// tells. Entries beyond the year wait aside. When the year is over, the next one is laid out so that its
+/// days hold a few entries each, whatever the rate of events has become. Entries that arrive for today go to
+/// a small heap beside the sorted list. Cost: O(1) amortised per operation as long as rates change slowly;
+/// never worse than O(log n) plus a sort. Source: Brown, Comm. ACM 31 (1988) 1220; Paul, J. Comput. Phys. 221
+/// (2007) 615.
 class CalendarQueue {
  public:
   void reset(std::size_t owners, Time start);
@@ -46,9 +46,9 @@ class CalendarQueue {
 
   std::vector<std::uint32_t> serial_of_;  // per owner: the serial number of its latest entry
   std::vector<Entries> days_;             // the first day_count_ of them make the year
-  Entries today_sorted_;  // latest first, so that the least is at the back
-  Entries today_heap_;    // arrived today; std::push_heap order, the least in front
-  Entries beyond_;        // after the end of the year
+  Entries today_sorted_;                  // latest first, so that the least is at the back
+  Entries today_heap_;                    // arrived today; std::push_heap order, the least in front
+  Entries beyond_;                        // after the end of the year
   Time year_start_;
   double days_per_time_ = 0;  // [1/T]
   std::size_t day_count_ = 0;

@@ -32,13 +32,18 @@ using Face = std::uint32_t;
 inline constexpr Face face_of(std::size_t axis, bool upper) {
   return static_cast<Face>(2 * axis + (upper ? 1 : 0));
 }
-inline constexpr std::size_t axis_of(Face face) { return face / 2; }
-inline constexpr bool is_upper(Face face) { return face % 2 == 1; }
+inline constexpr std::size_t axis_of(Face face) {
+  return face / 2;
+}
+inline constexpr bool is_upper(Face face) {
+  return face % 2 == 1;
+}
 
 /// Something that happens, or would happen if nothing came before it.
 ///
 /// Events have one total order: by time, kind, lower id, higher id and image. Members stand in that order, so
-/// that comparing them one after another is the order. Spheres are named by slots, whose order is that of ids.
+/// that comparing them one after another is the order. Spheres are named by slots, whose order is that of
+/// ids.
 struct Event {
   Time time = kNever;
   EventKind kind = EventKind::wall;
@@ -52,7 +57,8 @@ struct Event {
   friend std::partial_ordering operator<=>(const Event&, const Event&) = default;
 };
 
-/// The collision of spheres `a` and `b`, `image` being the copy of `b` that `a` meets, with the lower id first.
+/// The collision of spheres `a` and `b`, `image` being the copy of `b` that `a` meets, with the lower id
+/// first.
 inline Event make_collision(const Time& time, Slot a, Slot b, const Image& image) {
   if (a < b) return {time, EventKind::collision, a, b, image};
   return {time, EventKind::collision, b, a, -image};

@@ -14,15 +14,17 @@ namespace {
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
-// The discriminant of a contact is (reach * |velocity| * cosine)^2, the cosine being that of the angle at which
-// the spheres meet. Below this squared cosine its rounding error would show in the result.
+// The discriminant of a contact is (reach * |velocity| * cosine)^2, the cosine being that of the angle at
+// which the spheres meet. Below this squared cosine its rounding error would show in the result.
 constexpr double kGrazingCosineSquared = 1.0 / 16;
 
 DoubleDouble dot_product(const Vec3& a, const Vec3& b) {
   return product(a.x, b.x) + product(a.y, b.y) + product(a.z, b.z);
 }
 
-DoubleDouble cross_component(double a, double b, double c, double d) { return product(a, b) - product(c, d); }
+DoubleDouble cross_component(double a, double b, double c, double d) {
+  return product(a, b) - product(c, d);
+}
 
 // The same quadratic as in time_to_reach, with its coefficients carried to 106 bits.
 double grazing_time_to_reach(const Vec3& r, const Vec3& v, double reach) {
@@ -46,7 +48,8 @@ double time_to_reach(const Vec3& separation, const Vec3& velocity, double reach)
   const double reach_squared = reach * reach;
   const double excess = dot(separation, separation) - reach_squared;
   if (excess <= 0) return 0;
-  // Lagrange's identity gives approach^2 - speed_squared * excess without its cancellation between far spheres.
+  // Lagrange's identity gives approach^2 - speed_squared * excess without its cancellation between far
+  // spheres.
   const double closest = dot(velocity, velocity) * reach_squared;
   const Vec3 moment = cross(separation, velocity);
   const double discriminant = closest - dot(moment, moment);

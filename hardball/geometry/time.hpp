@@ -11,8 +11,8 @@ namespace hardball {
 /// A moment [T], held as the unevaluated sum of two doubles, `high` being the double nearest to the sum.
 ///
 /// A single double would resolve a moment t only to t * 2^-53, so that contacts blur as a run grows long. The
-/// pair resolves t * 2^-106: after 1e12 units of time a moment is still known better than a fresh double knows
-/// a moment near one. The representation is unique, so moments compare by their parts.
+/// pair resolves t * 2^-106: after 1e12 units of time a moment is still known better than a fresh double
+/// knows a moment near one. The representation is unique, so moments compare by their parts.
 struct Time {
   double high = 0;
   double low = 0;
@@ -33,8 +33,12 @@ struct Time {
 /// Later than every moment: the time of an event that does not happen.
 inline constexpr Time kNever{std::numeric_limits<double>::infinity(), 0};
 
-inline Time later(const Time& a, const Time& b) { return a < b ? b : a; }
-inline Time earlier(const Time& a, const Time& b) { return b < a ? b : a; }
+inline Time later(const Time& a, const Time& b) {
+  return a < b ? b : a;
+}
+inline Time earlier(const Time& a, const Time& b) {
+  return b < a ? b : a;
+}
 
 /// The time from `start` to `end` [T], right to two units in the last place of the result.
 /// Precondition: both are finite.

@@ -25,7 +25,9 @@ void Tally::note_edit(double energy_change, const Time& now) {
 void Tally::note(const Contact& contact) {
   energy_integral_ = energy_integral(contact.time);
   last_ = contact.time;
-  const auto square_change = [](const Vec3& after, const Vec3& before) { return dot(after - before, after + before); };
+  const auto square_change = [](const Vec3& after, const Vec3& before) {
+    return dot(after - before, after + before);
+  };
   energy_ += contact.first_mass * square_change(contact.after.first, contact.before.first) / 2;
   max_overlap_ = std::max(max_overlap_, contact.overlap());
   if (contact.is_collision()) {
@@ -41,9 +43,13 @@ void Tally::note(const Contact& contact) {
   }
 }
 
-double Tally::energy_integral(const Time& now) const { return energy_integral_ + energy_ * duration(last_, now); }
+double Tally::energy_integral(const Time& now) const {
+  return energy_integral_ + energy_ * duration(last_, now);
+}
 
-double Tally::compressibility(const Time& now) const { return 1 + virial_ / (2 * energy_integral(now)); }
+double Tally::compressibility(const Time& now) const {
+  return 1 + virial_ / (2 * energy_integral(now));
+}
 
 double Tally::wall_pressure(const Box& box, const Time& now) const {
   double impulse = 0;

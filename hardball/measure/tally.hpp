@@ -23,8 +23,8 @@ class Tally {
   std::uint64_t wall_contacts() const { return wall_contacts_; }
   /// Kinetic energy at the beginning [M L^2 T^-2].
   double initial_energy() const { return initial_energy_; }
-  /// The deepest overlap of two spheres, or of a sphere and a wall, at their contact, as a fraction of the sum
-  /// of the radii, or of the radius [1]; what rounding did.
+  /// The deepest overlap of two spheres, or of a sphere and a wall, at their contact, as a fraction of the
+  /// sum of the radii, or of the radius [1]; what rounding did.
   double max_overlap() const { return max_overlap_; }
   /// Sum over collisions of impulse times distance of centres [M L^2/T].
   double virial() const { return virial_; }
@@ -36,11 +36,12 @@ class Tally {
 
   /// Kinetic energy integrated over time, up to `now` [M L^2/T].
   double energy_integral(const Time& now) const;
-  /// P V / N k T over the time counted [1], from the virial and the mean kinetic energy in the frame in which the
-  /// boundaries rest. One if nothing collided; NaN if no time has passed or nothing moves.
-  /// Source: Alder and Wainwright, J. Chem. Phys. 33 (1960) 1439.
+  /// P V / N k T over the time counted [1], from the virial and the mean kinetic energy in the frame in which
+  /// the boundaries rest. One if nothing collided; NaN if no time has passed or nothing moves. Source: Alder
+  /// and Wainwright, J. Chem. Phys. 33 (1960) 1439.
   double compressibility(const Time& now) const;
-  /// Mean pressure on the walls over the time counted [M L^-1 T^-2]; NaN without walls, or if no time has passed.
+  /// Mean pressure on the walls over the time counted [M L^-1 T^-2]; NaN without walls, or if no time has
+  /// passed.
   double wall_pressure(const Box& box, const Time& now) const;
 
  private:

@@ -21,18 +21,16 @@ namespace hardball {
 
 /// The algorithm of Kim, Guibas and Shin (1997), section 2, to the letter, to be read with the paper in hand.
 ///
-/// The non-empty subspaces stand in a balanced tree, ordered by the key of equation 2. All candidate events stand
-/// in another, ordered by time, and at equal times by event type and sphere labels. Every sphere knows the
-/// subspaces that intersect it and its own candidate events. Each event updates both trees; the least candidate
-/// is always the next event.
-/// Beyond the paper are mixed radii and masses, periodic and open axes, and that subspaces admit a sphere
-/// slightly early and release it slightly late.
-/// Cost: O(log n) per event.
+/// The non-empty subspaces stand in a balanced tree, ordered by the key of equation 2. All candidate events
+/// stand in another, ordered by time, and at equal times by event type and sphere labels. Every sphere knows
+/// the subspaces that intersect it and its own candidate events. Each event updates both trees; the least
+/// candidate is always the next event. Beyond the paper are mixed radii and masses, periodic and open axes,
+/// and that subspaces admit a sphere slightly early and release it slightly late. Cost: O(log n) per event.
 template <Response Respond>
 class PaperEngine {
  public:
-  /// `edge` [L] is the wanted edge of the subspaces. Error: it is less than the largest diameter, so that a sphere
-  /// could intersect more than eight subspaces.
+  /// `edge` [L] is the wanted edge of the subspaces. Error: it is less than the largest diameter, so that a
+  /// sphere could intersect more than eight subspaces.
   PaperEngine(World world, double edge, Respond respond, const Time& now)
       : world_(std::move(world)), respond_(std::move(respond)) {
     rebuild(now, edge);
@@ -51,7 +49,8 @@ class PaperEngine {
     std::size_t bytes = world_.memory_bytes() + guard_.memory_bytes();
     bytes += travellers_.capacity() * sizeof(Traveller);
     bytes += event_tree_.size() * (sizeof(Event) + kTreeLinks);
-    for (const Traveller& traveller : travellers_) bytes += traveller.candidates.size() * (sizeof(Event) + kTreeLinks);
+    for (const Traveller& traveller : travellers_)
+      bytes += traveller.candidates.size() * (sizeof(Event) + kTreeLinks);
     for (const auto& [key, members] : subspace_tree_) {
       bytes += sizeof(key) + sizeof(members) + kTreeLinks + members.capacity() * sizeof(Occupant);
     }
@@ -188,7 +187,8 @@ class PaperEngine {
     const CellRange& second = travellers_[collision.second].subspaces;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const std::int32_t beyond = subdivision_.cells_beyond(axis, collision.image);
-      if (second.low[axis] + beyond > first.high[axis] || second.high[axis] + beyond < first.low[axis]) return false;
+      if (second.low[axis] + beyond > first.high[axis] || second.high[axis] + beyond < first.low[axis])
+        return false;
     }
     return true;
   }
@@ -237,7 +237,9 @@ class PaperEngine {
     const CellRange& subspaces = travellers_[slot].subspaces;
     const CellCrossing enter = subdivision_.next_enter(path, radius, subspaces);
     const CellCrossing leave = subdivision_.next_leave(path, radius, subspaces);
-    const auto moment = [&](const CellCrossing& crossing) { return later(now_, after(path.time, crossing.wait)); };
+    const auto moment = [&](const CellCrossing& crossing) {
+      return later(now_, after(path.time, crossing.wait));
+    };
     add_candidate({moment(enter), EventKind::enter, slot, face_of(enter.axis, enter.up), {}});
     add_candidate({moment(leave), EventKind::leave, slot, face_of(leave.axis, leave.up), {}});
   }
@@ -248,7 +250,8 @@ class PaperEngine {
     predict_crossings(slot);
   }
 
-  // A path that begins anew may have been folded back into a periodic box, and with it the count of subspaces.
+  // A path that begins anew may have been folded back into a periodic box, and with it the count of
+  // subspaces.
   void relocate(Slot slot) {
     remove_from(travellers_[slot].subspaces, slot);
     travellers_[slot].subspaces = range_now(slot);

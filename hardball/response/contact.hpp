@@ -23,18 +23,18 @@ struct Contact {
   EventKind kind = EventKind::collision;  ///< collision or wall
   SphereId first = 0;                     ///< The sphere; of a collision, the one with the lower id.
   std::uint32_t second = 0;               ///< The id of the other sphere, or the Face of the box.
-  Image image;                            ///< Which copy of the second sphere was met, both folded into the box.
-  Vec3 position;                          ///< Centre of the first sphere, folded into the box [L].
+  Image image;    ///< Which copy of the second sphere was met, both folded into the box.
+  Vec3 position;  ///< Centre of the first sphere, folded into the box [L].
   /// Collision: from the centre of the first sphere to that of the second. Wall: from the centre to the wall,
   /// perpendicular. [L]
   Vec3 separation;
-  Vec3 normal;           ///< Unit vector along `separation`, or towards the wall [1].
-  double reach = 0;      ///< Sum of the radii, or the radius: the length `separation` should have [L].
-  double first_radius = 0;   ///< [L]
-  double first_mass = 0;     ///< [M]
-  double second_mass = 0;    ///< [M]; infinite for a wall.
-  Velocities before;     ///< [L/T]
-  Velocities after;      ///< [L/T]; equal to `before` while the response is being asked.
+  Vec3 normal;              ///< Unit vector along `separation`, or towards the wall [1].
+  double reach = 0;         ///< Sum of the radii, or the radius: the length `separation` should have [L].
+  double first_radius = 0;  ///< [L]
+  double first_mass = 0;    ///< [M]
+  double second_mass = 0;   ///< [M]; infinite for a wall.
+  Velocities before;        ///< [L/T]
+  Velocities after;         ///< [L/T]; equal to `before` while the response is being asked.
 
   bool is_collision() const { return kind == EventKind::collision; }
   /// Where the surfaces touch, in the coordinates of `position` [L].
@@ -50,8 +50,8 @@ struct Contact {
   double overlap() const { return 1 - dot(separation, normal) / reach; }
 };
 
-/// What a contact does to velocities: given the contact with `after` still equal to `before`, the new velocities.
-/// A wall's velocity is ignored. The bodies must not approach each other afterwards.
+/// What a contact does to velocities: given the contact with `after` still equal to `before`, the new
+/// velocities. A wall's velocity is ignored. The bodies must not approach each other afterwards.
 template <class R>
 concept Response = requires(const R& response, const Contact& contact) {
   { response(contact) } -> std::convertible_to<Velocities>;

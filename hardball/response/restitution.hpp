@@ -6,8 +6,8 @@
 
 namespace hardball {
 
-/// Smooth spheres with a constant coefficient of restitution: the speed of separation along the normal is this
-/// fraction of the speed of approach, and momentum is kept. One is elastic.
+/// Smooth spheres with a constant coefficient of restitution: the speed of separation along the normal is
+/// this fraction of the speed of approach, and momentum is kept. One is elastic.
 class Restitution {
  public:
   /// Error: `coefficient` [1] is not between 0 and 1.

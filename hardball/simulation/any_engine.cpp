@@ -34,7 +34,9 @@ class EngineModel final : public AnyEngine {
   const Time& now() const override { return engine_.now(); }
   Counters counters() const override { return engine_.counters(); }
   std::size_t memory_bytes() const override { return engine_.memory_bytes(); }
-  RunStatus run(const RunLimits& limits, const Observe& observe) override { return engine_.run(limits, observe); }
+  RunStatus run(const RunLimits& limits, const Observe& observe) override {
+    return engine_.run(limits, observe);
+  }
   std::optional<Event> next_contact(const Time& until) override { return engine_.next_contact(until); }
   void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) override {
     engine_.change_velocity(slot, moment, velocity);
@@ -70,12 +72,13 @@ std::unique_ptr<AnyEngine> make_model(Arguments&&... arguments) {
 }
 
 template <EventQueue Queue>
-std::unique_ptr<AnyEngine> make_queued(World world, EngineKind kind, double cell_edge, const AnyResponse& response,
-                                       const Time& now) {
+std::unique_ptr<AnyEngine> make_queued(World world, EngineKind kind, double cell_edge,
+                                       const AnyResponse& response, const Time& now) {
   if (kind == EngineKind::all_pairs) {
     return make_model<Engine<Queue, AllPairs, AnyResponse>>(std::move(world), AllPairs(), response, now);
   }
-  return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(cell_edge), response, now);
+  return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(cell_edge), response,
+                                                          now);
 }
 
 }  // namespace

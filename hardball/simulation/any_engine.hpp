@@ -31,8 +31,8 @@ struct EngineOptions {
   EngineKind engine = EngineKind::automatic;
   QueueKind queue = QueueKind::calendar;  ///< The paper's engine has its own.
   /// Edge of the cells [L], of the engines that have them; chosen by `tuning` and kept up to date if absent.
-  /// Error: not positive, or so small that a sphere would lie in hundreds of cells; for the paper's engine, less
-  /// than the largest diameter.
+  /// Error: not positive, or so small that a sphere would lie in hundreds of cells; for the paper's engine,
+  /// less than the largest diameter.
   std::optional<double> cell_edge = {};
   /// Coefficient of restitution [1]. Error: not between 0 and 1.
   double restitution = 1;

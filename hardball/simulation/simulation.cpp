@@ -12,17 +12,31 @@
 namespace hardball {
 namespace {
 
-// The cell edge is looked at again after this many crossings per sphere, and changed if it is off by this factor:
-// the minimum of the cost is flat.
+// The cell edge is looked at again after this many crossings per sphere, and changed if it is off by this
+// factor: the minimum of the cost is flat.
 constexpr std::uint64_t kCrossingsPerRetuning = 8;
 constexpr double kWorthRetuning = 1.3;
 
 // Steps between two looks, at the least.
 constexpr std::uint64_t kSliceSteps = 1024;
 
+Time latest_change(const World& world) {
+  Time latest(0);
+  for (const Path& path : world.paths()) latest = later(latest, path.time);
+  return latest;
+}
+
+std::vector<Vec3> centers_at(const World& world, const Time& moment) {
+  std::vector<Vec3> centers;
+  centers.reserve(world.size());
+  for (Slot slot = 0; slot < world.size(); ++slot) centers.push_back(world.position(slot, moment));
+  return centers;
+}
+
 }  // namespace
 
 Simulation::Simulation(World world, const EngineOptions& options) : options_(options) {
+  now_ = latest_change(world);
   refuse_overlaps(world, now_);
   if (options_.engine == EngineKind::automatic) options_.engine = EngineKind::cells;
   wanted_edge_ = options_.cell_edge.value_or(choose_cell_edge(world, options_.engine, now_));
@@ -58,13 +72,17 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   return *this;
 }
 
-void Simulation::on_contact(std::function<void(const Contact&)> listener) { listener_ = std::move(listener); }
+void Simulation::on_contact(std::function<void(const Contact&)> listener) {
+  listener_ = std::move(listener);
+}
 
 void Simulation::respond_with(std::function<Velocities(const Contact&)> response) {
   engine_->replace_response(std::move(response));
 }
 
-void Simulation::run_until(double time) { run({.until = Time(time)}); }
+void Simulation::run_until(double time) {
+  run({.until = Time(time)});
+}
 
 std::uint64_t Simulation::run_contacts(std::uint64_t count, double until) {
   const std::uint64_t before = counters().contacts();
@@ -108,27 +126,26 @@ std::optional<NextContact> Simulation::next_contact(double until) {
                      is_collision ? world().id(next->second) : next->second};
 }
 
-Vec3 Simulation::position(SphereId id) const { return world().position(world().slot_of(id), now_); }
+Vec3 Simulation::position(SphereId id) const {
+  return world().position(world().slot_of(id), now_);
+}
 
-Vec3 Simulation::velocity(SphereId id) const { return world().path(world().slot_of(id)).velocity; }
+Vec3 Simulation::velocity(SphereId id) const {
+  return world().path(world().slot_of(id)).velocity;
+}
 
 std::vector<Vec3> Simulation::positions() const {
-  std::vector<Vec3> positions;
-  positions.reserve(size());
-  for (Slot slot = 0; slot < size(); ++slot) positions.push_back(world().position(slot, now_));
-  return positions;
+  return centers_at(world(), now_);
 }
 
 std::vector<Vec3> Simulation::positions_at(double time) {
   const std::optional<NextContact> next = next_contact(time);
   if (next && next->time < time) {
-    throw Error("there is a contact at " + to_text(next->time) + ", before the time asked for, " + to_text(time),
-                "positions_at", "run_until that contact first");
+    throw Error(
+        "there is a contact at " + to_text(next->time) + ", before the time asked for, " + to_text(time),
+        "positions_at", "run_until that contact first");
   }
-  std::vector<Vec3> positions;
-  positions.reserve(size());
-  for (Slot slot = 0; slot < size(); ++slot) positions.push_back(world().position(slot, Time(time)));
-  return positions;
+  return centers_at(world(), Time(time));
 }
 
 void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
@@ -158,20 +175,30 @@ void Simulation::remove(SphereId id) {
   tally_.note_edit(-energy, now_);
 }
 
-const World& Simulation::world() const { return engine_->world(); }
+const World& Simulation::world() const {
+  return engine_->world();
+}
 
-Counters Simulation::counters() const { return engine_->counters(); }
+Counters Simulation::counters() const {
+  return engine_->counters();
+}
 
-double Simulation::cell_edge() const { return engine_->cell_edge(); }
+double Simulation::cell_edge() const {
+  return engine_->cell_edge();
+}
 
-std::size_t Simulation::memory_bytes() const { return engine_->memory_bytes(); }
+std::size_t Simulation::memory_bytes() const {
+  return engine_->memory_bytes();
+}
 
-void Simulation::validate() const { engine_->validate(); }
+void Simulation::validate() const {
+  engine_->validate();
+}
 
 void Simulation::check_not_past(double time) const {
   if (time >= now_.value()) return;
-  throw Error("the time to run to is " + to_text(time) + " and it is " + to_text(now_.value()) + " already", "until",
-              "give a time that is not in the past");
+  throw Error("the time to run to is " + to_text(time) + " and it is " + to_text(now_.value()) + " already",
+              "until", "give a time that is not in the past");
 }
 
 void Simulation::apply_edits() {

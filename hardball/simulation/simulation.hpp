@@ -27,20 +27,21 @@ struct NextContact {
 
 /// Spheres in motion: the one face of Hardball.
 ///
-/// Every collision happens exactly when it should and in order; the history does not depend on the options, on
-/// how a run is cut into pieces, or on what is asked in between. Copies are independent of each other, and
+/// Every collision happens exactly when it should and in order; the history does not depend on the options,
+/// on how a run is cut into pieces, or on what is asked in between. Copies are independent of each other, and
 /// share only what their listeners and response refer to.
 class Simulation {
  public:
-  /// Starts at time zero. Error: overlapping spheres; options that make no sense (see EngineOptions).
+  /// Starts at the latest moment at which a sphere was added to the world, or zero. Error: overlapping
+  /// spheres; options that make no sense (see EngineOptions).
   explicit Simulation(World world, const EngineOptions& options = {});
   Simulation(const Simulation& other);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation other) noexcept;
   ~Simulation();
 
-  /// Called after every collision and wall contact. It must not call members of the simulation that run or change
-  /// it; what it throws ends the run after that contact, and the simulation can go on.
+  /// Called after every collision and wall contact. It must not call members of the simulation that run or
+  /// change it; what it throws ends the run after that contact, and the simulation can go on.
   void on_contact(std::function<void(const Contact&)> listener);
 
   /// Replaces what contacts do to velocities; see Response. Between contacts the spheres must not be made to
@@ -54,8 +55,8 @@ class Simulation {
   /// Runs until the first of the limits is met. Error: RunLimits::until is before now, or NaN.
   RunStatus run(const RunLimits& limits);
 
-  /// The next collision or wall contact up to `until` [T], which does not yet happen. In a periodic box spheres may
-  /// miss each other for ever: then give a finite time. Error: `until` is before now, or NaN.
+  /// The next collision or wall contact up to `until` [T], which does not yet happen. In a periodic box
+  /// spheres may miss each other for ever: then give a finite time. Error: `until` is before now, or NaN.
   std::optional<NextContact> next_contact(double until = std::numeric_limits<double>::infinity());
 
   double time() const { return now_.value(); }  ///< [T]
@@ -70,7 +71,8 @@ class Simulation {
   /// All centres at `time` [L], not before now and not past the next contact. Error: any other time.
   std::vector<Vec3> positions_at(double time);
 
-  /// Gives a sphere a new velocity [L/T], now. Error: no such sphere, a number that is NaN, infinite or out of range.
+  /// Gives a sphere a new velocity [L/T], now. Error: no such sphere, a number that is NaN, infinite or out
+  /// of range.
   void change_velocity(SphereId id, const Vec3& velocity);
   /// Adds a sphere, now. Cost: O(n). Error: see World::add; it overlaps another sphere.
   SphereId add(const Sphere& sphere);
@@ -103,9 +105,9 @@ class Simulation {
   Time now_;
   EventLogHash hash_;
   Tally tally_;
-  double wanted_edge_ = 0;             // of the cells [L]
-  bool edited_ = false;                // the engine's structures do not know the world any more
-  std::uint64_t next_retuning_ = 0;    // the number of enter events at which to look at the cell edge again
+  double wanted_edge_ = 0;           // of the cells [L]
+  bool edited_ = false;              // the engine's structures do not know the world any more
+  std::uint64_t next_retuning_ = 0;  // the number of enter events at which to look at the cell edge again
 };
 
 }  // namespace hardball

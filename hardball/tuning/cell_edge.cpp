@@ -27,7 +27,9 @@ double extent(const World& world, std::size_t axis, const Time& moment) {
 
 }  // namespace
 
-double Moments::packing_fraction() const { return number_density() * 4 * std::numbers::pi / 3 * mean_cube_radius; }
+double Moments::packing_fraction() const {
+  return number_density() * 4 * std::numbers::pi / 3 * mean_cube_radius;
+}
 
 double Moments::contact_value() const {
   // Beyond the fluid's range the expression is held at its value there.
@@ -73,16 +75,16 @@ Moments moments_of(const World& world, const Time& moment) {
 
 double optimal_cell_edge(const Moments& moments, const UnitCosts& costs) {
   if (moments.spheres == 0) return 1;
-  // The derivative of the cost by the edge vanishes where the cost of candidates, growing with the edge, meets
-  // the cost of crossings, falling with it. Both are monotone: bisect.
+  // The derivative of the cost by the edge vanishes where the cost of candidates, growing with the edge,
+  // meets the cost of crossings, falling with it. Both are monotone: bisect.
   const double diameter = 2 * moments.mean_radius;
   const double density = moments.number_density();
   const double free_path = moments.mean_free_path();
   const auto crossings_outweigh = [&](double edge) {
     const double reach = edge + 2 * diameter;
     const double candidates = 2 * density * edge * edge * reach * (1 + reach / free_path) * costs.prediction;
-    const double crossings = 3 * costs.queue_operation +
-                             costs.cell_update * (1 + diameter / edge) * (1 + 3 * diameter / edge);
+    const double crossings =
+        3 * costs.queue_operation + costs.cell_update * (1 + diameter / edge) * (1 + 3 * diameter / edge);
     return crossings > candidates;
   };
   double low = diameter / 1024;

@@ -12,7 +12,9 @@
 namespace hardball {
 namespace {
 
-bool is_finite(const Vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+bool is_finite(const Vec3& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
 
 void look_for_escape(const World& world, Slot slot, const Vec3& position, Audit& found) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

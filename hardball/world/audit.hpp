@@ -6,8 +6,8 @@
 
 namespace hardball {
 
-/// Spheres may overlap by this fraction of the sum of their radii, or reach through a wall by this fraction of
-/// their diameter, and still count as touching: what rounding may do to a contact, and no more.
+/// Spheres may overlap by this fraction of the sum of their radii, or reach through a wall by this fraction
+/// of their diameter, and still count as touching: what rounding may do to a contact, and no more.
 inline constexpr double kOverlapTolerance = 1e-9;
 
 /// What a look at all spheres at one moment found.

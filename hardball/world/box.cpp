@@ -27,7 +27,8 @@ Image Box::boxes_beyond(const Vec3& position) const {
     if (!is_periodic(axis)) continue;
     const double boxes = std::floor(position[axis] / size_[axis]);
     if (!(std::fabs(boxes) <= kMost)) {
-      throw RunFailure("a sphere has crossed the periodic box 2^30 times without a collision; use a larger box");
+      throw RunFailure(
+          "a sphere has crossed the periodic box 2^30 times without a collision; use a larger box");
     }
     beyond[axis] = static_cast<std::int32_t>(boxes);
   }

@@ -17,8 +17,8 @@ Neighborhood::Neighborhood(const Box& box, std::size_t capacity, double largest_
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       level.edge[axis] = 2 * level.largest_radius;
       if (!box.is_periodic(axis)) continue;
-      level.count[axis] = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::min(
-                                                        1e9, box.size()[axis] / level.edge[axis])));
+      level.count[axis] = std::max<std::int64_t>(
+          1, static_cast<std::int64_t>(std::min(1e9, box.size()[axis] / level.edge[axis])));
       level.edge[axis] = box.size()[axis] / static_cast<double>(level.count[axis]);
     }
     levels_.push_back(std::move(level));

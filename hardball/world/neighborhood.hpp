@@ -24,7 +24,8 @@ class Neighborhood {
   void insert(const Vec3& center, double radius);
 
   /// Calls visit(index, separation, reach) for every sphere or periodic copy that may touch the sphere given,
-  /// and perhaps for others close by; `separation` [L] points from `center` to it, `reach` [L] is the sum of radii.
+  /// and perhaps for others close by; `separation` [L] points from `center` to it, `reach` [L] is the sum of
+  /// radii.
   template <class Visit>
   void for_each_near(const Vec3& center, double radius, Visit&& visit) const {
     for (const Level& level : levels_) {

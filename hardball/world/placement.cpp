@@ -61,8 +61,8 @@ Lattice make_lattice(const Box& box, const Region& region, double radius,
     lattice.origin[axis] = span.low + (periodic ? lattice.half_edge[axis] / 2 : 0);
   }
   const Vec3& h = lattice.half_edge;
-  lattice.nearest = std::min({length({h.x, h.y, 0}), length({0, h.y, h.z}), length({h.x, 0, h.z}), 2 * h.x,
-                              2 * h.y, 2 * h.z});
+  lattice.nearest = std::min(
+      {length({h.x, h.y, 0}), length({0, h.y, h.z}), length({h.x, 0, h.z}), 2 * h.x, 2 * h.y, 2 * h.z});
   return lattice;
 }
 
@@ -122,9 +122,9 @@ std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span
       if (fits) centers[i] = center;
     }
     if (!fits) {
-      throw Error("random placement found room for " + to_text(placed) + " of " + to_text(radii.size()) +
-                      " spheres",
-                  where, "use placement = \"fcc\", a larger box, or fewer or smaller spheres");
+      throw Error(
+          "random placement found room for " + to_text(placed) + " of " + to_text(radii.size()) + " spheres",
+          where, "use placement = \"fcc\", a larger box, or fewer or smaller spheres");
     }
     neighborhood.insert(centers[i], radii[i]);
     ++placed;

@@ -29,7 +29,8 @@ class Random {
 };
 
 /// The natural logarithm of a positive normal number, to about one unit in the last place, from additions,
-/// multiplications and divisions alone: the C library's may differ in the last bit from one platform to the next.
+/// multiplications and divisions alone: the C library's may differ in the last bit from one platform to the
+/// next.
 double portable_log(double x);
 
 }  // namespace hardball

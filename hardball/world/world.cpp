@@ -52,8 +52,8 @@ void World::check(const Sphere& sphere) const {
     if (box_.is_open(axis)) continue;
     const double size = box_.size()[axis];
     if (2 * sphere.radius > size * (1 + kWallTolerance)) {
-      throw Error("diameter " + to_text(2 * sphere.radius) + " exceeds the box size " + to_text(size) + " along " +
-                      kAxisNames[axis],
+      throw Error("diameter " + to_text(2 * sphere.radius) + " exceeds the box size " + to_text(size) +
+                      " along " + kAxisNames[axis],
                   where, "enlarge the box or shrink the sphere");
     }
     const double room = size * kWallTolerance;
@@ -138,8 +138,8 @@ Event next_wall_event(const World& world, Slot slot) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_wall(axis) || path.velocity[axis] == 0) continue;
     const bool upper = path.velocity[axis] > 0;
-    const double distance = upper ? (world.box().size()[axis] - radius) - path.position[axis]
-                                  : path.position[axis] - radius;
+    const double distance =
+        upper ? (world.box().size()[axis] - radius) - path.position[axis] : path.position[axis] - radius;
     const double wait = time_to_plane(distance, std::fabs(path.velocity[axis]));
     const Event event{after(path.time, wait), EventKind::wall, slot, face_of(axis, upper), {}};
     if (event < next) next = event;

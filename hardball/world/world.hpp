@@ -14,13 +14,14 @@ namespace hardball {
 
 /// A sphere as a caller describes it, at one moment.
 struct Sphere {
-  Vec3 position;      ///< Centre [L].
+  Vec3 position;       ///< Centre [L].
   Vec3 velocity = {};  ///< [L/T]
-  double radius = 1;  ///< [L]
-  double mass = 1;    ///< [M]
+  double radius = 1;   ///< [L]
+  double mass = 1;     ///< [M]
 };
 
-/// The box and the spheres in it: their stored paths, radii and masses. The state of the motion and nothing else.
+/// The box and the spheres in it: their stored paths, radii and masses. The state of the motion and nothing
+/// else.
 class World {
  public:
   explicit World(const Box& box = Box::open()) : box_(box) {}
@@ -41,8 +42,8 @@ class World {
   /// Error: a number that is NaN, infinite or out of range.
   Image change_velocity(Slot slot, const Time& moment, const Vec3& velocity);
 
-  /// Rewrites a path at `moment`: the centre where the old path puts it then, folded into the box, and the new
-  /// velocity. Returns by how many boxes the centre was folded back.
+  /// Rewrites a path at `moment`: the centre where the old path puts it then, folded into the box, and the
+  /// new velocity. Returns by how many boxes the centre was folded back.
   Image rewrite_path(Slot slot, const Time& moment, const Vec3& velocity);
 
   SphereId id(Slot slot) const { return ids_[slot]; }
@@ -56,7 +57,8 @@ class World {
 
   /// The centre at `moment` [L], folded into a periodic box.
   Vec3 position(Slot slot, const Time& moment) const;
-  /// How many boxes the centre at `moment` lies from where the sphere was added, as if it had never been folded.
+  /// How many boxes the centre at `moment` lies from where the sphere was added, as if it had never been
+  /// folded.
   Image image(Slot slot, const Time& moment) const;
 
   /// Sum of m v^2 / 2 [M L^2 T^-2]. Cost: O(n).
@@ -90,7 +92,8 @@ inline double kinetic_energy(const World& world, Slot slot) {
 
 /// The moment at which two spheres touch, `image` being the copy of `b` that `a` meets; kNever if never.
 inline Time contact_time(const World& world, Slot a, Slot b, const Image& image) {
-  return contact_time(world.path(a), world.path(b), world.box().shift(image), world.radius(a) + world.radius(b));
+  return contact_time(world.path(a), world.path(b), world.box().shift(image),
+                      world.radius(a) + world.radius(b));
 }
 
 /// The next event of a sphere with a wall of the box; one that does not happen if there is none.
