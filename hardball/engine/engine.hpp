@@ -58,7 +58,7 @@ class Engine {
     if (limits.contacts == 0) return RunStatus::contacts_reached;
     for (std::uint64_t step = 0;; ++step) {
       const std::optional<Scheduled> next = queue_.least();
-      if (!next || next->event.time > limits.until) return RunStatus::time_reached;
+      if (!next || next->event.time.high > limits.until.high) return RunStatus::time_reached;
       if (step == limits.steps) return RunStatus::steps_reached;
       if (handle_without_contact(*next)) continue;
       observe(carry_out(next->event));
@@ -71,7 +71,7 @@ class Engine {
   std::optional<Event> next_contact(const Time& until) {
     for (;;) {
       const std::optional<Scheduled> next = queue_.least();
-      if (!next || next->event.time > until) return std::nullopt;
+      if (!next || next->event.time.high > until.high) return std::nullopt;
       if (!handle_without_contact(*next)) return next->event;
     }
   }
@@ -120,7 +120,6 @@ class Engine {
     now_ = now;
     phase_.build(world_, now_);
     queue_.reset(world_.size(), now_);
-    guard_.reset(world_.size());
     prospects_.assign(world_.size(), Prospect{});
     revisions_.assign(world_.size(), 0);
     for (Slot slot = 0; slot < world_.size(); ++slot) predict(slot);

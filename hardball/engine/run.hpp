@@ -11,7 +11,8 @@ namespace hardball {
 
 /// How far a run may go; it stops at whatever comes first.
 struct RunLimits {
-  Time until = kNever;  ///< Events at this very moment still happen.
+  /// Events at this very moment still happen: all those whose time has the same nearest double.
+  Time until = kNever;
   std::uint64_t contacts = std::numeric_limits<std::uint64_t>::max();
   /// Events of any kind, stale ones included: a bound on the work.
   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();

@@ -63,7 +63,8 @@ class PaperEngine {
     std::uint64_t contacts = 0;
     if (limits.contacts == 0) return RunStatus::contacts_reached;
     for (std::uint64_t step = 0;; ++step) {
-      if (event_tree_.empty() || event_tree_.begin()->time > limits.until) return RunStatus::time_reached;
+      if (event_tree_.empty() || event_tree_.begin()->time.high > limits.until.high)
+        return RunStatus::time_reached;
       if (step == limits.steps) return RunStatus::steps_reached;
       const Event event = *event_tree_.begin();
       if (handle_without_contact(event)) continue;
@@ -74,7 +75,7 @@ class PaperEngine {
 
   /// As Engine::next_contact.
   std::optional<Event> next_contact(const Time& until) {
-    while (!event_tree_.empty() && event_tree_.begin()->time <= until) {
+    while (!event_tree_.empty() && event_tree_.begin()->time.high <= until.high) {
       const Event event = *event_tree_.begin();
       if (!handle_without_contact(event)) return event;
     }
@@ -102,7 +103,6 @@ class PaperEngine {
     subspace_tree_.clear();
     event_tree_.clear();
     travellers_.assign(world_.size(), Traveller{});
-    guard_.reset(world_.size());
     for (Slot slot = 0; slot < world_.size(); ++slot) {
       travellers_[slot].subspaces = range_now(slot);
       add_to(travellers_[slot].subspaces, slot);

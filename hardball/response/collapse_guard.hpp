@@ -14,8 +14,6 @@ namespace hardball {
 /// Source: McNamara and Young, Phys. Fluids A 4 (1992) 496.
 class CollapseGuard {
  public:
-  void reset(std::size_t spheres) { idle_contacts_.assign(spheres, 0); }
-
   /// To be called before a contact rewrites the path of a sphere. Error (RunFailure): too many contacts in
   /// which the sphere has hardly moved since the one before.
   void note_contact(const World& world, Slot slot, const Time& now);
@@ -23,6 +21,7 @@ class CollapseGuard {
   std::size_t memory_bytes() const { return idle_contacts_.capacity() * sizeof(std::uint32_t); }
 
  private:
+  // Per id, so that neither an edit nor new cells make it forget, as far as ids have been seen.
   std::vector<std::uint32_t> idle_contacts_;
 };
 

@@ -5,11 +5,13 @@
 #include <limits>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/world/range.hpp"
 
 namespace hardball {
 namespace {
 
-// An approach is put down to rounding if it is below this fraction of the speeds involved.
+// An approach is put down to rounding if it is below this fraction of the speeds involved, or below the
+// operating range, where numbers lose their digits.
 constexpr double kRounding = 1e-12;
 
 void refuse_approach(const Contact& contact) {
@@ -36,7 +38,7 @@ void settle_collision(Contact& contact) {
   if (!(excess < 0)) return;
   const double speeds = length(contact.before.first) + length(contact.before.second) +
                         length(contact.after.first) + length(contact.after.second);
-  if (-excess > kRounding * length(r) * speeds) refuse_approach(contact);
+  if (-excess > length(r) * (kRounding * speeds + kSmallestMagnitude)) refuse_approach(contact);
   const double total_mass = contact.first_mass + contact.second_mass;
   double exchange = excess / dot(r, r);
   Velocities settled = contact.after;

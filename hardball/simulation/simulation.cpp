@@ -106,13 +106,17 @@ RunStatus Simulation::run(const RunLimits& limits) {
     const RunLimits piece{limits.until, left.contacts, std::min(left.steps, slice)};
     const RunStatus status = engine_->run(piece, observe);
     left.contacts -= counters().contacts() - contacts_before;
-    const bool reached_end = status == RunStatus::time_reached && std::isfinite(limits.until.high);
-    now_ = reached_end ? limits.until : later(now_, engine_->now());
+    left.steps -= piece.steps;
+    const bool goes_on = status == RunStatus::steps_reached && left.steps > 0;
+    if (status == RunStatus::time_reached && std::isfinite(limits.until.high)) {
+      now_ = later(now_, limits.until);
+    } else if (status == RunStatus::steps_reached && !goes_on) {
+      // Only here is it an engine's own event that the run stops at; elsewhere engines must not differ.
+      now_ = later(now_, engine_->now());
+    }
     // Also before returning: a run may be cut into pieces of any size.
     retune_if_due();
-    if (status != RunStatus::steps_reached) return status;
-    left.steps -= piece.steps;
-    if (left.steps == 0) return status;
+    if (!goes_on) return status;
   }
 }
 
@@ -212,10 +216,11 @@ void Simulation::retune_if_due() {
   const std::uint64_t crossings = counters().enter;
   if (options_.cell_edge || crossings < next_retuning_) return;
   next_retuning_ = crossings + kCrossingsPerRetuning * size();
-  const double edge = choose_cell_edge(world(), options_.engine, engine_->now());
+  const Time moment = later(now_, engine_->now());
+  const double edge = choose_cell_edge(world(), options_.engine, moment);
   if (edge < kWorthRetuning * wanted_edge_ && wanted_edge_ < kWorthRetuning * edge) return;
   wanted_edge_ = edge;
-  engine_->rebuild(engine_->now(), wanted_edge_);
+  engine_->rebuild(moment, wanted_edge_);
 }
 
 }  // namespace hardball

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// The program hardball: finds every collision among moving spheres.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/cli/commands.hpp"
+#include "apps/cli/options.hpp"
+#include "apps/cli/terminal.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/scenario/nearest_name.hpp"
+
+namespace hardball::cli {
+namespace {
+
+CLI::App* add_command(CLI::App& app, Options& options, const std::string& name,
+                      const std::string& description) {
+  CLI::App* command = app.add_subcommand(name, description);
+  command->add_option("SCENARIO", options.scenario, "Scenario file (TOML)")->required();
+  command->add_option("--until", options.until, "Time at which the run ends, instead of the scenario's");
+  command->add_option("--set", options.overrides, "Replaces or adds a value, as in run.until=5")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--seed", options.seed, "Seed of the random numbers, instead of the scenario's");
+  // What is left over is reported in our own words.
+  command->allow_extras();
+  return command;
+}
+
+void add_engine_options(CLI::App& command, Options& options) {
+  command.add_option("--engine", options.engine, "auto, cells, all-pairs or paper; changes the speed alone");
+  command.add_option("--cell-edge", options.cell_edge, "Edge of the cells, or auto; changes the speed alone");
+  command.add_option("--queue", options.queue, "calendar or ordered; changes the speed alone");
+}
+
+// Error: something on the command line was not understood. `command` may be missing.
+void refuse_leftovers(const CLI::App& app, const CLI::App* command) {
+  const std::vector<std::string> leftovers = app.remaining(true);
+  if (leftovers.empty()) {
+    if (command) return;
+    throw Error("there is no command", "command line", "see hardball --help");
+  }
+  const std::string word = leftovers.front().substr(0, leftovers.front().find('='));
+  std::vector<std::string> names;
+  if (command && !word.starts_with('-')) {
+    throw Error("'" + word + "' is one argument too many", "command line",
+                "see hardball " + command->get_name() + " --help");
+  }
+  if (command) {
+    for (const CLI::Option* option : command->get_options()) {
+      if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
+    }
+  } else {
+    for (const CLI::App* each : app.get_subcommands(nullptr)) names.push_back(each->get_name());
+  }
+  const std::string nearest(nearest_name(word, std::vector<std::string_view>(names.begin(), names.end())));
+  throw Error(std::string("there is no ") + (command ? "option" : "command") + " '" + word + "'",
+              "command line",
+              nearest == word ? "write it behind the command" : "did you mean '" + nearest + "'?");
+}
+
+ExitCode parse_and_run(int argument_count, char** arguments) {
+  Options options;
+  CLI::App app("Finds every collision among moving spheres, exactly and in order.", "hardball");
+  app.set_version_flag("--version", "hardball " HARDBALL_VERSION);
+  app.require_subcommand(0, 1);
+  app.allow_extras();
+  CLI::App* run_command = add_command(app, options, "run", "Run a scenario");
+  add_engine_options(*run_command, options);
+  run_command->add_option("--out", options.out, "Directory for the files of the run");
+  run_command->add_flag("--json", options.json, "Print one JSON object instead of a table")
+      ->disable_flag_override();
+  run_command->add_flag("--quiet", options.quiet, "Show no progress")->disable_flag_override();
+  CLI::App* verify_command =
+      add_command(app, options, "verify", "Run a scenario by every engine and compare bit by bit");
+  CLI::App* check_command =
+      add_command(app, options, "check", "Check a scenario and say what to expect of it");
+  add_engine_options(*check_command, options);
+  try {
+    app.parse(argument_count, arguments);
+  } catch (const CLI::ParseError& error) {
+    // Requests for help are "errors" that end well.
+    if (error.get_exit_code() == 0) return app.exit(error) == 0 ? kDone : kFailed;
+    throw Error(error.what(), "command line", "see hardball --help");
+  }
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  refuse_leftovers(app, chosen.empty() ? nullptr : chosen.front());
+  if (*verify_command) return verify(options);
+  if (*check_command) return check(options);
+  return run(options);
+}
+
+}  // namespace
+}  // namespace hardball::cli
+
+int main(int argument_count, char** arguments) {
+  using namespace hardball;
+  try {
+    return cli::parse_and_run(argument_count, arguments);
+  } catch (const Error& error) {
+    cli::write_message(error.what());
+    return cli::kBadInput;
+  } catch (const std::bad_alloc&) {
+    cli::write_message("there is not enough memory");
+    return cli::kFailed;
+  } catch (const std::exception& error) {
+    cli::write_message(error.what());
+    return cli::kFailed;
+  }
+}

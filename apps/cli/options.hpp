@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hardball::cli {
+
+/// What the command line says, as it was written; not every command has every option.
+struct Options {
+  std::string scenario;
+  std::vector<std::string> overrides;  ///< Of the form key=value.
+  std::optional<std::string> until;
+  std::optional<std::string> seed;
+  std::string engine = "auto";
+  std::string cell_edge = "auto";
+  std::string queue = "calendar";
+  std::optional<std::string> out;
+  bool json = false;
+  bool quiet = false;
+};
+
+}  // namespace hardball::cli

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "apps/cli/commands.hpp"
+#include "apps/cli/interruption.hpp"
+#include "apps/cli/progress.hpp"
+#include "apps/cli/run_files.hpp"
+#include "apps/cli/start.hpp"
+#include "apps/cli/summary.hpp"
+#include "apps/cli/terminal.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/scenario/make_world.hpp"
+
+namespace hardball::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point begin, Clock::time_point end) {
+  return std::chrono::duration<double>(end - begin).count();
+}
+
+// So many that signals and the progress line are looked at several times a second.
+std::uint64_t steps_per_slice(const Simulation& simulation) {
+  constexpr std::uint64_t kSteps = 1 << 14;
+  constexpr std::uint64_t kPairs = 1 << 23;
+  if (simulation.engine() != EngineKind::all_pairs) return kSteps;
+  return std::clamp<std::uint64_t>(kPairs / std::max<std::size_t>(simulation.size(), 1), 1, kSteps);
+}
+
+// Runs to `until`; false if a signal came before.
+bool run_to(Simulation& simulation, double until, Progress& progress) {
+  while (!is_interrupted()) {
+    const RunStatus status = simulation.run({.until = Time(until), .steps = steps_per_slice(simulation)});
+    progress.show(simulation);
+    if (status == RunStatus::time_reached) return true;
+  }
+  return false;
+}
+
+// The time of snapshot k, the multiple k * interval; a multiple that rounding alone puts past the end is the
+// end.
+double snapshot_time(std::uint64_t k, double interval, double until) {
+  constexpr double kRounding = 1e-14;
+  const double time = static_cast<double>(k) * interval;
+  return time > until && time <= until * (1 + kRounding) ? until : time;
+}
+
+// Runs to the end and writes snapshots on the way; false if a signal came before.
+bool run_with_snapshots(Simulation& simulation, const Scenario& scenario, RunFiles& files,
+                        Progress& progress) {
+  const double until = *scenario.until;
+  if (scenario.snapshots_every) {
+    for (std::uint64_t k = 0;; ++k) {
+      const double time = snapshot_time(k, *scenario.snapshots_every, until);
+      if (time > until) break;
+      if (!run_to(simulation, time, progress)) return false;
+      files.write_snapshot(simulation);
+      if (time == until) return true;
+    }
+  }
+  return run_to(simulation, until, progress);
+}
+
+bool run_to_end(Simulation& simulation, const Scenario& scenario, std::optional<RunFiles>& files,
+                bool quiet) {
+  Progress progress(!quiet, *scenario.until);
+  try {
+    if (files) return run_with_snapshots(simulation, scenario, *files, progress);
+    return run_to(simulation, *scenario.until, progress);
+  } catch (const RunFailure& failure) {
+    throw RunFailure(std::string(failure.what()) + "; the run reached time " + to_text(simulation.time()));
+  }
+}
+
+}  // namespace
+
+ExitCode run(const Options& options) {
+  const Clock::time_point begin = Clock::now();
+  const Scenario scenario = read_scenario(options);
+  Simulation simulation =
+      make_simulation(scenario, make_world(scenario), read_engine_options(options, scenario));
+  catch_signals();
+  std::optional<RunFiles> files;
+  if (options.out) {
+    files.emplace(*options.out, scenario);
+  } else if (scenario.output_directory) {
+    files.emplace(*scenario.output_directory, scenario);
+  }
+  if (files && files->has_event_log()) {
+    simulation.on_contact([&files](const Contact& contact) { files->note(contact); });
+  }
+  const Clock::time_point start = Clock::now();
+  const bool is_complete = run_to_end(simulation, scenario, files, options.quiet);
+  const Seconds seconds{seconds_between(begin, start), seconds_between(start, Clock::now())};
+  const Summary summary(simulation, seconds);
+  const std::string json = summary.json();
+  if (files) files->finish(json);
+  write_output(options.json ? json : summary.table());
+  if (is_complete) return kDone;
+  write_message("interrupted at time " + to_text(simulation.time()) + " of " + to_text(*scenario.until));
+  return kFailed;
+}
+
+}  // namespace hardball::cli

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/cli/start.hpp"
+
+#include <array>
+#include <charconv>
+#include <string_view>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/scenario/nearest_name.hpp"
+#include "hardball/world/range.hpp"
+
+namespace hardball::cli {
+namespace {
+
+// In the order of EngineKind and QueueKind.
+constexpr std::array<std::string_view, 4> kEngineNames{"auto", "cells", "all-pairs", "paper"};
+constexpr std::array<std::string_view, 2> kQueueNames{"calendar", "ordered"};
+
+template <class Number>
+Number parse(const std::string& text, const std::string& option, const std::string& remedy) {
+  Number number{};
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (status == std::errc() && end == text.data() + text.size()) return number;
+  throw Error("'" + text + "' is not accepted", option, remedy);
+}
+
+std::size_t choose(const std::string& text, std::span<const std::string_view> names,
+                   const std::string& option) {
+  std::string all;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (text == names[i]) return i;
+    all += (i == 0 ? "" : ", ") + std::string(names[i]);
+  }
+  throw Error("there is no '" + text + "'", option, "choose one of " + all);
+}
+
+}  // namespace
+
+Scenario read_scenario(const Options& options) {
+  Scenario scenario = load_scenario(options.scenario, options.overrides);
+  if (options.until) {
+    const double until = parse<double>(*options.until, "--until", "give a time such as 10");
+    check_finite(until, "the time", "--until");
+    if (until < 0)
+      throw Error("the time is " + to_text(until), "--until", "runs begin at 0; give a later time");
+    scenario.until = until;
+  }
+  if (!scenario.until) {
+    throw Error("key 'until' is missing in [run]", options.scenario,
+                "add it, or say --until on the command line");
+  }
+  if (options.seed) {
+    scenario.seed =
+        parse<std::uint64_t>(*options.seed, "--seed", "give an integer from 0 to 18446744073709551615");
+  }
+  return scenario;
+}
+
+EngineOptions read_engine_options(const Options& options, const Scenario& scenario) {
+  EngineOptions engine_options;
+  engine_options.engine = static_cast<EngineKind>(choose(options.engine, kEngineNames, "--engine"));
+  engine_options.queue = static_cast<QueueKind>(choose(options.queue, kQueueNames, "--queue"));
+  engine_options.restitution = scenario.restitution;
+  if (options.cell_edge != "auto") {
+    const double edge = parse<double>(options.cell_edge, "--cell-edge", "give auto or a length");
+    check_positive(edge, "the edge", "--cell-edge");
+    engine_options.cell_edge = edge;
+  }
+  return engine_options;
+}
+
+Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options) {
+  try {
+    return Simulation(std::move(start), options);
+  } catch (const Error& error) {
+    const std::string where = options.cell_edge && error.where() == "cell edge"
+                                  ? "--cell-edge"
+                                  : scenario.name + ": " + error.where();
+    throw Error(error.problem(), where, error.remedy());
+  }
+}
+
+std::string name_of(EngineKind engine) {
+  return std::string(kEngineNames[static_cast<std::size_t>(engine)]);
+}
+
+}  // namespace hardball::cli

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "apps/cli/options.hpp"
+#include "hardball/scenario/scenario.hpp"
+#include "hardball/simulation/simulation.hpp"
+
+namespace hardball::cli {
+
+/// The scenario with what the command line changes in it; it has an end. Error: see load_scenario; an option
+/// that is no number or out of range; neither scenario nor command line gives the end.
+Scenario read_scenario(const Options& options);
+
+/// How to run it. Error: an engine or queue that does not exist; an edge that is no positive number.
+EngineOptions read_engine_options(const Options& options, const Scenario& scenario);
+
+/// The simulation of a scenario from its start. Error: see Simulation, with its place on the command line or
+/// in the scenario.
+Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options);
+
+/// The engine's name on the command line.
+std::string name_of(EngineKind engine);
+
+}  // namespace hardball::cli

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/cli/summary.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "apps/cli/start.hpp"
+#include "apps/cli/terminal.hpp"
+#include "hardball/world/audit.hpp"
+
+namespace hardball::cli {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+long peak_rss_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  constexpr long kBytesPerUnit = 1024;  // Linux counts kilobytes
+  return usage.ru_maxrss * kBytesPerUnit;
+}
+
+bool has(const Box& box, Boundary boundary) {
+  return box.boundary(0) == boundary || box.boundary(1) == boundary || box.boundary(2) == boundary;
+}
+
+nlohmann::ordered_json number_or_null(double number) {
+  return std::isfinite(number) ? nlohmann::ordered_json(number) : nlohmann::ordered_json(nullptr);
+}
+
+}  // namespace
+
+Summary::Summary(const Simulation& simulation, const Seconds& seconds)
+    : spheres_(simulation.size()),
+      time_(simulation.time()),
+      counters_(simulation.counters()),
+      hash_(simulation.event_log_hash()),
+      initial_energy_(simulation.tally().initial_energy()),
+      final_energy_(simulation.world().kinetic_energy()),
+      momentum_(simulation.world().momentum()),
+      engine_(name_of(simulation.engine())),
+      cell_edge_(simulation.cell_edge() > 0 ? simulation.cell_edge() : kNone),
+      seconds_(seconds),
+      bytes_per_sphere_(static_cast<double>(simulation.memory_bytes()) / static_cast<double>(spheres_)) {
+  const Box& box = simulation.world().box();
+  const Audit found = audit(simulation.world(), simulation.now());
+  max_overlap_ = std::max({simulation.tally().max_overlap(), found.max_overlap, found.max_escape});
+  const bool is_bounded = !has(box, Boundary::open);
+  packing_fraction_ = is_bounded ? simulation.world().sphere_volume() / box.volume() : kNone;
+  compressibility_ =
+      box.is_all(Boundary::periodic) ? simulation.tally().compressibility(simulation.now()) : kNone;
+  wall_pressure_ = is_bounded && has(box, Boundary::wall)
+                       ? simulation.tally().wall_pressure(box, simulation.now())
+                       : kNone;
+  peak_rss_bytes_ = peak_rss_bytes();
+}
+
+std::string Summary::json() const {
+  nlohmann::ordered_json json;
+  json["spheres"] = spheres_;
+  json["time"] = time_;
+  json["events"] = {{"collision", counters_.collision},
+                    {"wall", counters_.wall},
+                    {"enter", counters_.enter},
+                    {"leave", counters_.leave},
+                    {"stale", counters_.stale}};
+  json["predictions"] = counters_.predictions;
+  json["event_log_hash"] = fmt::format("{:016x}", hash_);
+  json["energy"] = {{"initial", initial_energy_}, {"final", final_energy_}};
+  json["momentum"] = {momentum_.x, momentum_.y, momentum_.z};
+  json["max_overlap"] = max_overlap_;
+  json["packing_fraction"] = number_or_null(packing_fraction_);
+  json["compressibility"] = number_or_null(compressibility_);
+  json["wall_pressure"] = number_or_null(wall_pressure_);
+  json["engine"] = engine_;
+  json["cell_edge"] = number_or_null(cell_edge_);
+  json["seconds"] = {{"setup", seconds_.setup}, {"run", seconds_.run}};
+  json["collisions_per_second"] = number_or_null(static_cast<double>(counters_.collision) / seconds_.run);
+  json["bytes_per_sphere"] = number_or_null(bytes_per_sphere_);
+  json["peak_rss_bytes"] = peak_rss_bytes_;
+  return json.dump(2) + "\n";
+}
+
+std::string Summary::table() const {
+  std::string text;
+  const auto add = [&](std::string_view name, const std::string& value) { text += table_line(name, value); };
+  const auto add_if_meant = [&](std::string_view name, double value) {
+    if (std::isfinite(value)) add(name, fmt::format("{:.6g}", value));
+  };
+  add("spheres", fmt::format("{}", spheres_));
+  add("time", fmt::format("{:.6g}", time_));
+  add("collisions", fmt::format("{}", counters_.collision));
+  add("wall contacts", fmt::format("{}", counters_.wall));
+  add("cells entered, left", fmt::format("{}, {}", counters_.enter, counters_.leave));
+  add("stale events", fmt::format("{}", counters_.stale));
+  add("pair predictions", fmt::format("{}", counters_.predictions));
+  add("event log hash", fmt::format("{:016x}", hash_));
+  add("energy", fmt::format("{:.10g} at the start, {:.10g} at the end", initial_energy_, final_energy_));
+  add("momentum", fmt::format("{:.3g}, {:.3g}, {:.3g}", momentum_.x, momentum_.y, momentum_.z));
+  add("deepest overlap", fmt::format("{:.2g} diameters", max_overlap_));
+  add_if_meant("packing fraction", packing_fraction_);
+  add_if_meant("PV/NkT", compressibility_);
+  add_if_meant("pressure on walls", wall_pressure_);
+  add("engine", engine_);
+  add_if_meant("cell edge", cell_edge_);
+  add("seconds", fmt::format("{:.3g} setup, {:.3g} run", seconds_.setup, seconds_.run));
+  add_if_meant("collisions per second", static_cast<double>(counters_.collision) / seconds_.run);
+  add("memory", fmt::format("{:.0f} bytes per sphere, {:.1f} MB at the peak", bytes_per_sphere_,
+                            static_cast<double>(peak_rss_bytes_) / 1e6));
+  return text;
+}
+
+}  // namespace hardball::cli

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "hardball/simulation/simulation.hpp"
+
+namespace hardball::cli {
+
+/// How long a run took by the clock on the wall.
+struct Seconds {
+  double setup = 0;
+  double run = 0;
+};
+
+/// What is to be said of a run.
+class Summary {
+ public:
+  /// Looks at the simulation as it is now. Cost: that of an audit.
+  Summary(const Simulation& simulation, const Seconds& seconds);
+
+  /// One JSON object, with null for what has no meaning in this run, and a line break.
+  std::string json() const;
+  /// A table to be read.
+  std::string table() const;
+
+ private:
+  std::size_t spheres_;
+  double time_;
+  Counters counters_;
+  std::uint64_t hash_;
+  double initial_energy_;
+  double final_energy_;
+  Vec3 momentum_;
+  double max_overlap_;
+  // What follows is NaN where it has no meaning.
+  double packing_fraction_;
+  double compressibility_;
+  double wall_pressure_;
+  std::string engine_;
+  double cell_edge_;
+  Seconds seconds_;
+  double bytes_per_sphere_;
+  long peak_rss_bytes_;
+};
+
+}  // namespace hardball::cli

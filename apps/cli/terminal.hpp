@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace hardball::cli {
+
+/// Writes data to the standard output, all of it. Error (RunFailure): it cannot be written.
+void write_output(std::string_view text);
+
+/// Writes a message of one line to the standard error, line breaks in it made into blanks.
+void write_message(std::string message);
+
+/// A line "name   value" of a table.
+std::string table_line(std::string_view name, const std::string& value);
+
+}  // namespace hardball::cli

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/cli/commands.hpp"
+#include "apps/cli/start.hpp"
+#include "apps/cli/terminal.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/scenario/make_world.hpp"
+#include "hardball/tuning/cell_edge.hpp"
+#include "hardball/world/audit.hpp"
+
+namespace hardball::cli {
+namespace {
+
+// What a run must have in common with all others, and what it says of itself.
+struct Outcome {
+  std::uint64_t hash = 0;
+  std::vector<Path> paths;
+  double max_overlap = 0;
+  bool is_sound = false;
+  Counters counters;
+  double cell_edge = 0;
+  double seconds = 0;
+};
+
+bool is_same(const Path& a, const Path& b) {
+  using Bits = std::array<std::uint64_t, sizeof(Path) / sizeof(std::uint64_t)>;
+  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
+
+bool is_same(const Outcome& a, const Outcome& b) {
+  return a.hash == b.hash && std::equal(a.paths.begin(), a.paths.end(), b.paths.begin(), b.paths.end(),
+                                        [](const Path& p, const Path& q) { return is_same(p, q); });
+}
+
+Outcome run_with(const Scenario& scenario, const World& start, const EngineOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  Simulation simulation = make_simulation(scenario, start, options);
+  Outcome outcome;
+  outcome.cell_edge = simulation.cell_edge();
+  simulation.run_until(*scenario.until);
+  outcome.hash = simulation.event_log_hash();
+  outcome.paths.assign(simulation.world().paths().begin(), simulation.world().paths().end());
+  const Audit found = audit(simulation.world(), simulation.now());
+  outcome.max_overlap = std::max({simulation.tally().max_overlap(), found.max_overlap, found.max_escape});
+  outcome.is_sound = found.is_sound() && outcome.max_overlap <= kOverlapTolerance;
+  outcome.counters = simulation.counters();
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return outcome;
+}
+
+// Runs a scenario in one way after another, compares each with the first, and fills a table.
+class Comparison {
+ public:
+  explicit Comparison(const Scenario& scenario) : scenario_(scenario), start_(make_world(scenario)) {
+    write_output(fmt::format("{:<22}{:>16}{:>12}{:>9}{:>13}{:>9}\n", "run", "event log hash", "collisions",
+                             "overlap", "final state", "seconds"));
+  }
+
+  /// Error: the options make no sense for this scenario.
+  void run(const std::string& name, const EngineOptions& options) {
+    const Outcome outcome = run_with(scenario_, start_, options);
+    const bool is_first = !first_;
+    if (is_first) first_ = outcome;
+    const bool same = is_same(outcome, *first_);
+    is_good_ = is_good_ && same && outcome.is_sound;
+    const std::string state = is_first ? "" : same ? "same" : "DIFFERENT";
+    write_output(fmt::format("{:<22}{:016x}{:>12}{:>9.1e}{:>13}{:>9.2f}\n", name, outcome.hash,
+                             outcome.counters.collision, outcome.max_overlap, state, outcome.seconds));
+  }
+
+  void leave_out(const std::string& name, const std::string& reason) {
+    write_output(fmt::format("{:<22}left out: {}\n", name, reason));
+  }
+
+  const World& start() const { return start_; }
+  /// The outcome of the first run. Precondition: there is one.
+  const Outcome& first() const { return *first_; }
+  /// Whether all runs were the same and sound.
+  bool is_good() const { return is_good_; }
+
+ private:
+  const Scenario& scenario_;
+  World start_;
+  std::optional<Outcome> first_;
+  bool is_good_ = true;
+};
+
+void compare_cell_edges(Comparison& comparison, const EngineOptions& options) {
+  for (const double factor : {0.6, 1.3, 3.0}) {
+    EngineOptions with_edge = options;
+    with_edge.cell_edge = factor * comparison.first().cell_edge;
+    const std::string name = fmt::format("cells, edge {:.4g}", *with_edge.cell_edge);
+    try {
+      comparison.run(name, with_edge);
+    } catch (const Error& error) {
+      comparison.leave_out(name, error.problem());
+    }
+  }
+}
+
+// About how many pairs the engine of all pairs would have to predict.
+double all_pairs_work(const Comparison& comparison, double until) {
+  const World& world = comparison.start();
+  const Counters& counters = comparison.first().counters;
+  const double mean_speed = moments_of(world, Time(0)).mean_speed;
+  const auto spheres = static_cast<double>(world.size());
+  double copies = 1;
+  double looks_per_sphere = 1;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!world.box().is_periodic(axis)) continue;
+    copies *= 2;
+    // A sphere looks anew after each quarter of the box; half the mean speed is the mean along an axis.
+    looks_per_sphere += until * mean_speed / 2 / (world.box().size()[axis] / 4);
+  }
+  const double after_contacts =
+      2 * static_cast<double>(counters.collision) + static_cast<double>(counters.wall);
+  return (spheres * looks_per_sphere + after_contacts) * spheres * copies;
+}
+
+}  // namespace
+
+ExitCode verify(const Options& options) {
+  const Scenario scenario = read_scenario(options);
+  EngineOptions engine_options;
+  engine_options.restitution = scenario.restitution;
+  Comparison comparison(scenario);
+
+  engine_options.engine = EngineKind::cells;
+  comparison.run("cells", engine_options);
+  engine_options.queue = QueueKind::ordered;
+  comparison.run("cells, ordered queue", engine_options);
+  engine_options.queue = QueueKind::calendar;
+  compare_cell_edges(comparison, engine_options);
+
+  constexpr std::uint64_t kMostPaperContacts = 1'000'000;
+  const std::uint64_t contacts = comparison.first().counters.contacts();
+  engine_options.engine = EngineKind::paper;
+  if (contacts <= kMostPaperContacts) {
+    comparison.run("paper", engine_options);
+  } else {
+    comparison.leave_out("paper", fmt::format("{} contacts would take it too long", contacts));
+  }
+
+  constexpr double kMostPairs = 5e8;
+  const double pairs = all_pairs_work(comparison, *scenario.until);
+  engine_options.engine = EngineKind::all_pairs;
+  if (pairs <= kMostPairs) {
+    comparison.run("all-pairs", engine_options);
+  } else {
+    comparison.leave_out("all-pairs", fmt::format("{:.1g} predictions would take it too long", pairs));
+  }
+  write_output(comparison.is_good() ? "all runs are the same\n" : "THE RUNS DIFFER, OR SPHERES OVERLAP\n");
+  return comparison.is_good() ? kDone : kFailed;
+}
+
+}  // namespace hardball::cli

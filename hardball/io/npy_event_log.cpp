@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/io/npy_event_log.hpp"
+
+#include <array>
+#include <bit>
+#include <concepts>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr std::size_t kRecordBytes = 8 + 4 + 4 + 1 + 3 * 8 + 8;
+constexpr std::uint64_t kRecordsPerFlush = (std::uint64_t{4} << 20) / kRecordBytes;
+
+// The header, of the same length for every number of records.
+std::string header(std::uint64_t records) {
+  constexpr std::size_t kHeaderBytes = 256;
+  constexpr std::size_t kPrefixBytes = 10;
+  std::string text =
+      "{'descr': [('t', '<f8'), ('i', '<u4'), ('j', '<i4'), ('kind', '|u1'), ('impulse', '<f8', (3,)), "
+      "('normal_speed', '<f8')], 'fortran_order': False, 'shape': (" +
+      std::to_string(records) + ",)}";
+  text.resize(kHeaderBytes - kPrefixBytes - 1, ' ');
+  text += '\n';
+  std::string prefix = "\x93NUMPY";
+  prefix += {'\x01', '\x00', static_cast<char>(text.size()), '\x00'};
+  HARDBALL_CHECK(prefix.size() == kPrefixBytes && text.size() < 256);
+  return prefix + text;
+}
+
+// One record, its fields put one after another, each with its least significant byte first.
+class Record {
+ public:
+  template <std::unsigned_integral Word>
+  void put(Word word) {
+    for (std::size_t byte = 0; byte < sizeof(Word); ++byte) {
+      bytes_[size_++] = static_cast<char>(static_cast<unsigned char>(word >> (8 * byte)));
+    }
+  }
+  void put(double number) { put(std::bit_cast<std::uint64_t>(number)); }
+
+  std::string_view bytes() const { return {bytes_.data(), size_}; }
+
+ private:
+  std::array<char, kRecordBytes> bytes_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace
+
+NpyEventLog::NpyEventLog(std::filesystem::path path) : file_(std::move(path)) {
+  file_.append(header(0));
+  flush();
+}
+
+NpyEventLog::~NpyEventLog() {
+  try {
+    close();
+  } catch (const RunFailure&) {
+    // What was whole in the file before has been kept.
+  }
+}
+
+void NpyEventLog::append(const Contact& contact) {
+  constexpr std::uint32_t kMostIds = std::numeric_limits<std::int32_t>::max();
+  HARDBALL_CHECK(contact.first <= kMostIds && contact.second <= kMostIds);
+  Record record;
+  record.put(contact.time.value());
+  record.put(contact.first);
+  // The bits of -(face + 1) are those of the face, all inverted.
+  record.put(contact.is_collision() ? contact.second : ~contact.second);
+  record.put(static_cast<std::uint8_t>(contact.is_collision() ? 0 : 1));
+  const Vec3 impulse = contact.impulse();
+  record.put(impulse.x);
+  record.put(impulse.y);
+  record.put(impulse.z);
+  record.put(contact.impact_speed());
+  file_.append(record.bytes());
+  ++size_;
+  if (size_ % kRecordsPerFlush == 0) flush();
+}
+
+void NpyEventLog::flush() {
+  // Records first: the header never counts what is not there.
+  file_.flush();
+  file_.overwrite(0, header(size_));
+  file_.flush_whole();
+}
+
+void NpyEventLog::close() {
+  if (!file_.is_open()) return;
+  flush();
+  file_.close();
+}
+
+}  // namespace hardball

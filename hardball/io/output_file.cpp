@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/io/output_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr std::size_t kPendingBytes = 1 << 20;
+
+}  // namespace
+
+OutputFile::OutputFile(std::filesystem::path path)
+    : path_(std::move(path)), file_(std::fopen(path_.string().c_str(), "wb")) {
+  if (!file_) {
+    throw Error(std::string("cannot be written: ") + std::strerror(errno), path_.string(),
+                "name a file in a directory that you may write to");
+  }
+  // The bytes pending here are all that is held back, so that an error shows where it happens.
+  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+}
+
+OutputFile::~OutputFile() {
+  if (file_ && written_ > whole_) cut_back();
+}
+
+void OutputFile::append(std::string_view bytes) {
+  HARDBALL_CHECK(is_open());
+  pending_.append(bytes);
+  if (pending_.size() >= kPendingBytes) flush();
+}
+
+void OutputFile::overwrite(std::uint64_t offset, std::string_view bytes) {
+  HARDBALL_CHECK(is_open() && offset + bytes.size() <= written_);
+  if (std::fseek(file_.get(), static_cast<long>(offset), SEEK_SET) != 0) fail();
+  write(bytes);
+  if (std::fseek(file_.get(), 0, SEEK_END) != 0) fail();
+}
+
+void OutputFile::flush() {
+  HARDBALL_CHECK(is_open());
+  write(pending_);
+  written_ += pending_.size();
+  pending_.clear();
+}
+
+void OutputFile::flush_whole() {
+  flush();
+  whole_ = written_;
+}
+
+void OutputFile::close() {
+  if (!file_) return;
+  flush_whole();
+  if (std::fclose(file_.release()) != 0) fail();
+}
+
+void OutputFile::write(std::string_view bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) fail();
+}
+
+void OutputFile::cut_back() noexcept {
+  file_.reset();
+  std::error_code ignored;  // a device cannot be cut
+  std::filesystem::resize_file(path_, whole_, ignored);
+}
+
+void OutputFile::fail() {
+  const int reason = errno;
+  cut_back();
+  throw RunFailure("cannot write " + path_.string() + ": " + std::strerror(reason) +
+                   "; what was whole in it before is kept");
+}
+
+}  // namespace hardball

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/scenario/make_world.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/io/extended_xyz.hpp"
+#include "hardball/scenario/velocities.hpp"
+#include "hardball/world/placement.hpp"
+#include "hardball/world/random.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr double kOpenPackingFraction = 0.1;
+
+using Groups = std::span<const SphereGroup>;
+
+Box make_box(const Scenario& scenario) {
+  std::array<Boundary, kAxes> boundary{};
+  Vec3 size;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    boundary[axis] = scenario.box[axis].boundary;
+    size[axis] = scenario.box[axis].size.value_or(0);
+  }
+  return {boundary, size};
+}
+
+double sphere_volume(Groups groups) {
+  double volume = 0;
+  for (const SphereGroup& group : groups) {
+    volume += static_cast<double>(group.count) * 4 * std::numbers::pi / 3 * group.radius * group.radius *
+              group.radius;
+  }
+  return volume;
+}
+
+const SphereGroup& group_of_largest(Groups groups) {
+  return *std::max_element(groups.begin(), groups.end(),
+                           [](const SphereGroup& a, const SphereGroup& b) { return a.radius < b.radius; });
+}
+
+// The length by which the axes without a size give the box this volume. Bisection, since the C library's
+// roots may differ in the last bit from one platform to the next.
+double length_for_volume(const Scenario& scenario, double volume) {
+  const auto volume_at = [&](double length) {
+    double product = 1;
+    for (const Scenario::Axis& axis : scenario.box) product *= axis.size.value_or(length);
+    return product;
+  };
+  double low = 0;
+  double high = 1;
+  while (volume_at(high) < volume) high *= 2;
+  for (double middle = high / 2; low < middle && middle < high; middle = (low + high) / 2) {
+    (volume_at(middle) < volume ? low : high) = middle;
+  }
+  return high;
+}
+
+// The part of space in which spheres are placed: what sizes there are, and along other axes a stretch around
+// 0.
+Region make_region(const Scenario& scenario) {
+  const bool has_all_sizes = std::all_of(scenario.box.begin(), scenario.box.end(),
+                                         [](const Scenario::Axis& axis) { return axis.size.has_value(); });
+  const double volume = sphere_volume(scenario.spheres) / kOpenPackingFraction;
+  const double diameter = 2 * group_of_largest(scenario.spheres).radius;
+  const double stretch = has_all_sizes ? 0 : std::max(length_for_volume(scenario, volume), 2 * diameter);
+  Region region;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const std::optional<double>& size = scenario.box[axis].size;
+    region.low[axis] = size ? 0 : -stretch / 2;
+    region.high[axis] = size ? *size : stretch / 2;
+  }
+  return region;
+}
+
+void check_room(Groups groups, const Region& region) {
+  const Vec3 size = region.high - region.low;
+  const SphereGroup& largest = group_of_largest(groups);
+  const double narrowest = std::min({size.x, size.y, size.z});
+  if (2 * largest.radius > narrowest) {
+    throw Error("diameter " + to_text(2 * largest.radius) + " exceeds the box size " + to_text(narrowest),
+                largest.where, "enlarge the box or shrink the spheres");
+  }
+  const double packing = sphere_volume(groups) / (size.x * size.y * size.z);
+  if (packing > 1) {
+    throw Error("a packing fraction of " + to_text(packing) + " cannot exist", largest.where,
+                "enlarge the box, or take fewer or smaller spheres");
+  }
+}
+
+// Spheres are placed without regard to others, so that one way of placement must do for all of them.
+void check_one_placement(Groups groups) {
+  for (const SphereGroup& group : groups) {
+    const SphereGroup& first = groups.front();
+    if (group.placement != first.placement) {
+      throw Error("groups are placed in different ways", group.where,
+                  "place all groups at random, all by \"fcc\", or all by positions");
+    }
+    if (group.placement == Placement::fcc && group.radius != first.radius) {
+      throw Error("placement \"fcc\" needs spheres of one radius, and there are " + to_text(first.radius) +
+                      " and " + to_text(group.radius),
+                  group.where, "make the radii equal or use placement = \"random\"");
+    }
+  }
+}
+
+std::vector<Vec3> place(const Scenario& scenario, const Box& box, Random& random) {
+  const Groups groups = scenario.spheres;
+  check_one_placement(groups);
+  const SphereGroup& first = groups.front();
+  std::vector<Vec3> positions;
+  if (first.placement == Placement::listed) {
+    for (const SphereGroup& group : groups) {
+      positions.insert(positions.end(), group.positions.begin(), group.positions.end());
+    }
+    return positions;
+  }
+  const Region region = make_region(scenario);
+  check_room(groups, region);
+  std::vector<double> radii;
+  for (const SphereGroup& group : groups) radii.insert(radii.end(), group.count, group.radius);
+  if (first.placement == Placement::fcc) {
+    return place_on_lattice(box, region, radii.size(), first.radius, first.where);
+  }
+  return place_randomly(box, region, radii, random, first.where);
+}
+
+// Adds a sphere that stands at `where` in a file.
+void add(World& world, const Sphere& sphere, const std::string& where) {
+  try {
+    world.add(sphere);
+  } catch (const Error& error) {
+    throw Error(error.problem(), where + ": " + error.where(), error.remedy());
+  }
+}
+
+void add_groups(const Scenario& scenario, World& world) {
+  Random random(scenario.seed);
+  const std::vector<Vec3> positions = place(scenario, world.box(), random);
+  const bool without_drift = world.box().is_all(Boundary::periodic);
+  const std::vector<Vec3> velocities = draw_velocities(scenario.spheres, without_drift, random);
+  std::size_t next = 0;
+  for (const SphereGroup& group : scenario.spheres) {
+    for (std::size_t i = 0; i < group.count; ++i, ++next) {
+      add(world, {positions[next], velocities[next], group.radius, group.mass}, group.where);
+    }
+  }
+}
+
+void add_from_file(const std::filesystem::path& file, World& world) {
+  const Snapshot snapshot = read_snapshot(file);
+  if (snapshot.spheres.empty()) {
+    throw Error("the last frame holds no spheres", file.string(), "give at least one sphere");
+  }
+  for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
+    add(world, snapshot.spheres[i], file.string() + ":" + to_text(snapshot.lines[i]));
+  }
+}
+
+}  // namespace
+
+World make_world(const Scenario& scenario) {
+  World world(make_box(scenario));
+  if (scenario.start_file) {
+    add_from_file(*scenario.start_file, world);
+  } else if (!scenario.spheres.empty()) {
+    add_groups(scenario, world);
+  }
+  return world;
+}
+
+}  // namespace hardball

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hardball/scenario/scenario.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// The start that a scenario describes, at time zero: places the spheres and gives them velocities, or reads
+/// the start file.
+///
+/// One sequence of random numbers, from the scenario's seed, makes first all places, then all velocities.
+/// Along open axes without a size, placement uses a stretch around 0 in which the spheres fill a tenth.
+/// Error, with its place in the scenario or the start file: the spheres do not fit; groups on a lattice have
+/// several radii; what World::add refuses. Overlaps among listed or read positions are not looked for here.
+World make_world(const Scenario& scenario);
+
+}  // namespace hardball

@@ -1,0 +1,527 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/scenario/scenario.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/scenario/nearest_name.hpp"
+#include "hardball/world/range.hpp"
+
+namespace hardball {
+namespace {
+
+using Names = std::span<const std::string_view>;
+
+std::string in_quotes(std::string_view text) {
+  return "'" + std::string(text) + "'";
+}
+
+// One line, whatever the parser says.
+std::string parser_message(const toml::parse_error& error) {
+  std::string message(error.description());
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::replace(message.begin(), message.end(), ';', ',');
+  return "no valid TOML: " + message;
+}
+
+std::string kind_of(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or a time";
+  }
+}
+
+// A scenario as a tree of keys and values, and where each of them comes from.
+struct Document {
+  std::string name;
+  toml::table root;
+  std::vector<std::string> overridden;  // dotted keys
+
+  std::string place(const toml::source_region& source, const std::string& path) const {
+    for (const std::string& key : overridden) {
+      if (path == key || path.starts_with(key + ".")) return "--set " + key;
+    }
+    if (source.begin.line == 0) {
+      // A table that is there only for the sake of a key in it.
+      for (const std::string& key : overridden) {
+        if (key.starts_with(path + ".")) return "--set " + key;
+      }
+      return name;
+    }
+    return name + ":" + to_text(source.begin.line) + ":" + to_text(source.begin.column);
+  }
+};
+
+// --- overriding values ---
+
+// The value of an override: as in TOML, or a plain word, which TOML would want in quotes.
+toml::table parse_override(const std::string& value, const std::string& where) {
+  const auto is_plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("_-./").find(c) != std::string::npos;
+  };
+  try {
+    toml::table parsed = toml::parse("value = " + value);
+    if (parsed.size() == 1) return parsed;
+  } catch (const toml::parse_error&) {
+    const bool is_word = !value.empty() && std::isdigit(static_cast<unsigned char>(value[0])) == 0 &&
+                         value[0] != '-' && std::all_of(value.begin(), value.end(), is_plain);
+    if (is_word) return toml::table{{"value", value}};
+  }
+  throw Error("the value " + in_quotes(value) + " is no valid TOML", where,
+              "give a number, true, false, a word, a text in double quotes, or an array in brackets");
+}
+
+std::optional<std::size_t> parse_index(std::string_view text) {
+  std::size_t index = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), index);
+  if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return index;
+}
+
+void apply_override(Document& document, const std::string& override_text) {
+  const std::size_t equals = override_text.find('=');
+  const std::string key = override_text.substr(0, equals);
+  const std::string where = "--set " + key;
+  if (equals == std::string::npos || key.empty() || key.back() == '.') {
+    throw Error(in_quotes(override_text) + " is not of the form key=value", "--set",
+                "write it like run.until=5");
+  }
+  const toml::table parsed = parse_override(override_text.substr(equals + 1), where);
+  const toml::node& value = *parsed.get("value");
+  toml::node* node = &document.root;
+  for (std::size_t begin = 0; begin < key.size();) {
+    const std::size_t dot = std::min(key.find('.', begin), key.size());
+    const bool is_last = dot == key.size();
+    const std::string part = key.substr(begin, dot - begin);
+    begin = dot + 1;
+    if (toml::table* table = node->as_table()) {
+      if (is_last) {
+        table->insert_or_assign(part, value);
+      } else {
+        if (!table->contains(part)) table->insert(part, toml::table());
+        node = table->get(part);
+      }
+    } else if (toml::array* array = node->as_array()) {
+      const std::optional<std::size_t> index = parse_index(part);
+      if (!index || *index >= array->size()) {
+        throw Error("there is no entry " + in_quotes(part), where,
+                    "entries are counted from 0, and there are " + to_text(array->size()));
+      }
+      if (is_last) {
+        const auto position = array->erase(array->cbegin() + static_cast<std::ptrdiff_t>(*index));
+        array->insert(position, value);
+      } else {
+        node = array->get(*index);
+      }
+    } else {
+      throw Error(in_quotes(part) + " would be inside a plain value", where, "name a table and a key in it");
+    }
+  }
+  document.overridden.push_back(key);
+}
+
+// --- reading values ---
+
+// A value with its dotted key.
+class Value {
+ public:
+  Value(const Document& document, const toml::node& node, std::string path)
+      : document_(&document), node_(&node), path_(std::move(path)) {}
+
+  std::string place() const { return document_->place(node_->source(), path_); }
+  /// The last part of the dotted key that is not a number.
+  std::string name() const {
+    std::string name = path_;
+    while (name.find_last_not_of("0123456789.") + 1 < name.size()) {
+      name.resize(name.find_last_of('.'));
+    }
+    return name.substr(name.find_last_of('.') + 1);
+  }
+
+  double number() const {
+    if (const auto* number = node_->as_floating_point()) return number->get();
+    if (const auto* integer = node_->as_integer()) return static_cast<double>(integer->get());
+    wrong_kind("give a number");
+  }
+  double finite() const {
+    const double number = this->number();
+    check_finite(number, name(), place());
+    return number;
+  }
+  double positive() const {
+    const double number = this->number();
+    check_positive(number, name(), place());
+    return number;
+  }
+  double not_negative() const {
+    const double number = finite();
+    if (number == 0) return 0;
+    if (number > 0) return positive();
+    throw Error(name() + " is " + to_text(number), place(), "give zero or a positive number");
+  }
+  /// Also accepts numbers such as 1e5. `least` and `most` are included.
+  std::uint64_t integer(std::uint64_t least, std::uint64_t most) const {
+    const std::string remedy =
+        "give an integer of at least " + to_text(least) + " and at most " + to_text(most);
+    if (const auto* number = node_->as_floating_point()) {
+      const double given = number->get();
+      const bool is_exact = given >= 0 && given <= 0x1p53 && given == std::floor(given);
+      if (is_exact && static_cast<std::uint64_t>(given) >= least &&
+          static_cast<std::uint64_t>(given) <= most) {
+        return static_cast<std::uint64_t>(given);
+      }
+      throw Error(name() + " is " + to_text(given), place(), remedy);
+    }
+    const auto* integer = node_->as_integer();
+    if (!integer) wrong_kind("give an integer");
+    const std::int64_t given = integer->get();
+    if (given >= 0 && static_cast<std::uint64_t>(given) >= least &&
+        static_cast<std::uint64_t>(given) <= most) {
+      return static_cast<std::uint64_t>(given);
+    }
+    throw Error(name() + " is " + to_text(given), place(), remedy);
+  }
+  bool truth() const {
+    const auto* boolean = node_->as_boolean();
+    if (!boolean) wrong_kind("give true or false");
+    return boolean->get();
+  }
+  std::string text() const {
+    const auto* string = node_->as_string();
+    if (!string) wrong_kind("give a text in double quotes");
+    if (string->get().empty()) throw Error(name() + " is empty", place(), "give a text");
+    return string->get();
+  }
+  /// The index of the text among `names`.
+  std::size_t choice(Names names) const {
+    const std::string given = text();
+    const auto found = std::find(names.begin(), names.end(), given);
+    if (found == names.end()) {
+      throw Error(name() + " is \"" + given + "\"", place(),
+                  "did you mean \"" + std::string(nearest_name(given, names)) + "\"?");
+    }
+    return static_cast<std::size_t>(found - names.begin());
+  }
+  std::vector<Value> entries(const std::string& remedy) const {
+    const toml::array* array = node_->as_array();
+    if (!array) wrong_kind(remedy);
+    std::vector<Value> values;
+    for (const toml::node& entry : *array) {
+      values.emplace_back(*document_, entry, path_ + "." + to_text(values.size()));
+    }
+    return values;
+  }
+  Vec3 vector() const {
+    const std::string remedy = "give three numbers in brackets";
+    const std::vector<Value> parts = entries(remedy);
+    if (parts.size() != kAxes) wrong_length(parts.size(), remedy);
+    return {parts[0].finite(), parts[1].finite(), parts[2].finite()};
+  }
+  std::vector<Vec3> vectors() const {
+    std::vector<Vec3> vectors;
+    for (const Value& entry : entries("give an array of arrays of three numbers")) {
+      vectors.push_back(entry.vector());
+    }
+    return vectors;
+  }
+
+  [[noreturn]] void wrong_length(std::size_t length, const std::string& remedy) const {
+    throw Error(name() + " has " + to_text(length) + (length == 1 ? " entry" : " entries"), place(), remedy);
+  }
+
+ private:
+  [[noreturn]] void wrong_kind(const std::string& remedy) const {
+    throw Error(name() + " is " + kind_of(*node_), place(), remedy);
+  }
+
+  const Document* document_;
+  const toml::node* node_;
+  std::string path_;
+};
+
+// A table whose keys are among those known.
+class Section {
+ public:
+  /// `title` is how the table is called in messages, `path` its dotted key. Error: an unknown key.
+  Section(const Document& document, const toml::node& node, std::string title, std::string path, Names known)
+      : document_(&document), table_(node.as_table()), title_(std::move(title)), path_(std::move(path)) {
+    if (!table_) {
+      throw Error(in_quotes(path_) + " is " + kind_of(node), document_->place(node.source(), path_),
+                  "make it a table, " + title_);
+    }
+    for (const auto& [key, value] : *table_) {
+      const std::string_view name = key.str();
+      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      throw Error("unknown key " + in_quotes(name) + (title_.empty() ? "" : " in " + title_),
+                  document_->place(key.source(), path_of(name)),
+                  "did you mean " + in_quotes(nearest_name(name, known)) + "?");
+    }
+  }
+
+  std::string place() const { return document_->place(table_->source(), path_); }
+
+  std::optional<Value> find(std::string_view key) const {
+    const toml::node* node = table_->get(key);
+    if (!node) return std::nullopt;
+    return Value(*document_, *node, path_of(key));
+  }
+  /// `example` shows how the value may look. Error: there is no such key.
+  Value need(std::string_view key, const std::string& example) const {
+    if (const std::optional<Value> value = find(key)) return *value;
+    throw Error("key " + in_quotes(key) + " is missing in " + title_, place(),
+                "add it, such as " + std::string(key) + " = " + example);
+  }
+  /// The table of this name, none if it is missing.
+  std::optional<Section> section(std::string_view key, Names known) const {
+    const toml::node* node = table_->get(key);
+    if (!node) return std::nullopt;
+    return Section(*document_, *node, "[" + std::string(key) + "]", path_of(key), known);
+  }
+  /// The tables of this name, none if they are missing.
+  std::vector<Section> sections(std::string_view key, Names known) const {
+    std::vector<Section> sections;
+    const toml::node* node = table_->get(key);
+    if (!node) return sections;
+    const std::string title = "[[" + std::string(key) + "]]";
+    const toml::array* array = node->as_array();
+    if (!array) {
+      throw Error(in_quotes(key) + " is " + kind_of(*node), document_->place(node->source(), path_of(key)),
+                  "make it a table in an array, " + title);
+    }
+    for (const toml::node& entry : *array) {
+      sections.emplace_back(*document_, entry, title, path_of(key) + "." + to_text(sections.size()), known);
+    }
+    return sections;
+  }
+
+ private:
+  std::string path_of(std::string_view key) const {
+    return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
+  }
+
+  const Document* document_;
+  const toml::table* table_;
+  std::string title_;
+  std::string path_;
+};
+
+// --- the tables of a scenario ---
+
+constexpr std::array<std::string_view, 6> kTables{"box", "spheres", "start", "response", "run", "output"};
+constexpr std::array<std::string_view, 3> kBoxKeys{"size", "boundary", "gravity"};
+constexpr std::array<std::string_view, 9> kSpheresKeys{
+    "count", "radius", "mass", "placement", "mean_speed", "temperature", "speed", "positions", "velocities"};
+constexpr std::array<std::string_view, 1> kStartKeys{"file"};
+constexpr std::array<std::string_view, 1> kResponseKeys{"restitution"};
+constexpr std::array<std::string_view, 2> kRunKeys{"until", "seed"};
+constexpr std::array<std::string_view, 3> kOutputKeys{"directory", "snapshots_every", "event_log"};
+
+// In the order of Boundary, Placement and VelocityRule.
+constexpr std::array<std::string_view, 3> kBoundaryNames{"wall", "periodic", "open"};
+constexpr std::array<std::string_view, 2> kPlacementNames{"random", "fcc"};
+constexpr std::array<std::string_view, 4> kVelocityKeys{"mean_speed", "temperature", "speed", "velocities"};
+
+void read_sizes(const Value& size, std::array<Scenario::Axis, kAxes>& box) {
+  const auto is_bounded = [](const Scenario::Axis& axis) { return axis.boundary != Boundary::open; };
+  const auto bounded = static_cast<std::size_t>(std::count_if(box.begin(), box.end(), is_bounded));
+  const std::string remedy = "give three numbers, or one for each axis that is not open";
+  const std::vector<Value> sizes = size.entries(remedy);
+  if (sizes.size() != kAxes && sizes.size() != bounded) size.wrong_length(sizes.size(), remedy);
+  auto next = sizes.begin();
+  for (Scenario::Axis& axis : box) {
+    if (sizes.size() == kAxes || is_bounded(axis)) axis.size = (next++)->positive();
+  }
+}
+
+void read_box(const Section& section, std::array<Scenario::Axis, kAxes>& box) {
+  const Value boundary = section.need("boundary", "[\"wall\", \"wall\", \"wall\"]");
+  const std::string remedy = "give three of \"wall\", \"periodic\" and \"open\" in brackets";
+  const std::vector<Value> boundaries = boundary.entries(remedy);
+  if (boundaries.size() != kAxes) boundary.wrong_length(boundaries.size(), remedy);
+  bool is_open = true;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    box[axis].boundary = static_cast<Boundary>(boundaries[axis].choice(kBoundaryNames));
+    is_open = is_open && box[axis].boundary == Boundary::open;
+  }
+  if (const auto size = section.find("size")) {
+    read_sizes(*size, box);
+  } else if (!is_open) {
+    section.need("size", "[10.0, 10.0, 10.0]");
+  }
+  if (const auto gravity = section.find("gravity"); gravity && gravity->vector() != Vec3{}) {
+    throw Error("gravity is not zero", gravity->place(),
+                "remove it or give [0.0, 0.0, 0.0], since this version knows no gravity");
+  }
+}
+
+void read_placement(const Section& section, SphereGroup& group) {
+  if (const auto positions = section.find("positions")) {
+    if (const auto placement = section.find("placement")) {
+      throw Error("there are both placement and positions", placement->place(), "remove one of the two");
+    }
+    group.placement = Placement::listed;
+    group.positions = positions->vectors();
+  } else {
+    group.placement = static_cast<Placement>(section.need("placement", "\"random\"").choice(kPlacementNames));
+  }
+}
+
+void read_velocities(const Section& section, SphereGroup& group) {
+  std::optional<VelocityRule> rule;
+  for (std::size_t i = 0; i < kVelocityKeys.size(); ++i) {
+    const std::optional<Value> value = section.find(kVelocityKeys[i]);
+    if (!value) continue;
+    if (rule) {
+      const std::string_view first = kVelocityKeys[static_cast<std::size_t>(*rule)];
+      throw Error("there are both " + std::string(first) + " and " + std::string(kVelocityKeys[i]),
+                  value->place(), "keep one of mean_speed, temperature, speed and velocities");
+    }
+    rule = static_cast<VelocityRule>(i);
+    if (rule == VelocityRule::listed) {
+      group.velocities = value->vectors();
+    } else {
+      group.velocity_scale = value->not_negative();
+    }
+  }
+  if (!rule) {
+    throw Error("the spheres have no velocities", section.place(),
+                "add mean_speed, temperature, speed (zero for rest) or velocities");
+  }
+  group.velocity_rule = *rule;
+}
+
+// Lists give the count, if it is not there, and must agree with it.
+void read_count(const Section& section, SphereGroup& group) {
+  // Ids are below 2^32, and the largest means none.
+  constexpr std::uint64_t kMostSpheres = std::numeric_limits<SphereId>::max() - 1;
+  const bool has_positions = group.placement == Placement::listed;
+  const bool has_velocities = group.velocity_rule == VelocityRule::listed;
+  if (const auto count = section.find("count")) {
+    group.count = count->integer(1, kMostSpheres);
+  } else if (has_positions || has_velocities) {
+    group.count = has_positions ? group.positions.size() : group.velocities.size();
+  } else {
+    section.need("count", "1000");
+  }
+  const auto check_list = [&](std::string_view key, std::size_t length) {
+    if (length == group.count && length > 0) return;
+    section.need(key, "").wrong_length(length,
+                                       "give one for each of the " + to_text(group.count) + " spheres");
+  };
+  if (has_positions) check_list("positions", group.positions.size());
+  if (has_velocities) check_list("velocities", group.velocities.size());
+}
+
+SphereGroup read_group(const Section& section) {
+  SphereGroup group;
+  group.where = section.place();
+  read_placement(section, group);
+  read_velocities(section, group);
+  read_count(section, group);
+  group.radius = section.need("radius", "1.0").positive();
+  if (const auto mass = section.find("mass")) group.mass = mass->positive();
+  return group;
+}
+
+void read_start(const Section& root, Scenario& scenario) {
+  const std::vector<Section> groups = root.sections("spheres", kSpheresKeys);
+  const std::optional<Section> start = root.section("start", kStartKeys);
+  if (start) {
+    if (!groups.empty()) {
+      throw Error("there are both [[spheres]] and [start]", start->place(), "remove one of the two");
+    }
+    const std::string file = start->need("file", "\"start.xyz\"").text();
+    scenario.start_file = std::filesystem::path(scenario.name).parent_path() / file;
+    return;
+  }
+  if (groups.empty()) throw Error("there are no spheres", scenario.name, "add [[spheres]] or [start]");
+  for (const Section& group : groups) scenario.spheres.push_back(read_group(group));
+}
+
+void read_run(const Section& section, Scenario& scenario) {
+  if (const auto until = section.find("until")) scenario.until = until->not_negative();
+  if (const auto seed = section.find("seed")) {
+    scenario.seed = seed->integer(0, std::numeric_limits<std::int64_t>::max());
+  }
+}
+
+void read_output(const Section& section, Scenario& scenario) {
+  if (const auto directory = section.find("directory")) scenario.output_directory = directory->text();
+  if (const auto every = section.find("snapshots_every")) scenario.snapshots_every = every->positive();
+  if (const auto event_log = section.find("event_log")) scenario.event_log = event_log->truth();
+}
+
+Scenario read_scenario(const Document& document) {
+  Scenario scenario;
+  scenario.name = document.name;
+  const Section root(document, document.root, "", "", kTables);
+  const std::optional<Section> box = root.section("box", kBoxKeys);
+  if (!box) {
+    throw Error("table [box] is missing", document.name,
+                "add [box] with size = [10.0, 10.0, 10.0] and boundary = [\"wall\", \"wall\", \"wall\"]");
+  }
+  read_box(*box, scenario.box);
+  read_start(root, scenario);
+  if (const auto response = root.section("response", kResponseKeys)) {
+    if (const auto restitution = response->find("restitution")) {
+      scenario.restitution = restitution->number();
+      if (!(scenario.restitution >= 0 && scenario.restitution <= 1)) {
+        throw Error("restitution is " + to_text(scenario.restitution), restitution->place(),
+                    "give a number between 0 and 1");
+      }
+    }
+  }
+  if (const auto run = root.section("run", kRunKeys)) read_run(*run, scenario);
+  if (const auto output = root.section("output", kOutputKeys)) read_output(*output, scenario);
+  return scenario;
+}
+
+}  // namespace
+
+Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> overrides) {
+  std::ifstream in(path, std::ios::binary);
+  // Opening a directory succeeds on some systems and shows only when reading.
+  if (!in || std::filesystem::is_directory(path)) {
+    throw Error("the file cannot be read", path.string(), "name a scenario file");
+  }
+  std::ostringstream text;
+  text << in.rdbuf();
+  return parse_scenario(text.str(), path.string(), overrides);
+}
+
+Scenario parse_scenario(std::string_view text, const std::string& name,
+                        std::span<const std::string> overrides) {
+  Document document{name, {}, {}};
+  try {
+    document.root = toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    throw Error(parser_message(error), document.place(error.source(), ""), "see toml.io for how to write it");
+  }
+  for (const std::string& override_text : overrides) apply_override(document, override_text);
+  return read_scenario(document);
+}
+
+}  // namespace hardball

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// How the centres of a group's spheres are found.
+enum class Placement {
+  random,  ///< Anywhere without overlap.
+  fcc,     ///< On a face-centred cubic lattice that fills the region.
+  listed,  ///< Where SphereGroup::positions says.
+};
+
+/// How the velocities of a group's spheres are found.
+enum class VelocityRule {
+  mean_speed,   ///< Maxwell's distribution with this mean of |v| [L/T].
+  temperature,  ///< Maxwell's distribution with this k T = m <v^2> / 3 [M L^2 T^-2].
+  speed,        ///< This |v| [L/T], in random directions.
+  listed,       ///< As SphereGroup::velocities says.
+};
+
+/// Spheres that are alike: a [[spheres]] of a scenario.
+struct SphereGroup {
+  std::size_t count = 0;
+  double radius = 1;  ///< [L]
+  double mass = 1;    ///< [M]
+  Placement placement = Placement::random;
+  std::vector<Vec3> positions;  ///< Shape (count, 3) for Placement::listed, otherwise empty [L].
+  VelocityRule velocity_rule = VelocityRule::speed;
+  double velocity_scale = 0;     ///< What the rule prescribes; of no meaning for VelocityRule::listed.
+  std::vector<Vec3> velocities;  ///< Shape (count, 3) for VelocityRule::listed, otherwise empty [L/T].
+  std::string where;             ///< Its place in the scenario, for messages.
+};
+
+/// A description of a run: what a scenario file says, checked as far as single values go.
+struct Scenario {
+  /// The box along an axis.
+  struct Axis {
+    Boundary boundary = Boundary::open;
+    /// Length of the box; along an open axis, of the stretch from 0 on in which placement puts spheres [L].
+    std::optional<double> size;
+  };
+
+  std::string name;  ///< The file, for messages.
+  std::array<Axis, kAxes> box;
+  std::vector<SphereGroup> spheres;                 ///< In the order of ids.
+  std::optional<std::filesystem::path> start_file;  ///< An extended XYZ file, instead of `spheres`.
+  double restitution = 1;                           ///< [1]
+  std::optional<double> until;                      ///< When the run ends [T].
+  std::uint64_t seed = 1;
+  std::optional<std::filesystem::path> output_directory;
+  std::optional<double> snapshots_every;  ///< [T]
+  bool event_log = false;
+};
+
+/// Reads a scenario file. A start file is named relative to the scenario file, an output directory relative
+/// to the current directory.
+///
+/// Each of `overrides` is a text key=value that replaces a value or adds one, as in `run.until=5` or
+/// `spheres.0.count=10`. Values are written as in TOML; the quotes around a plain word may be left out.
+/// Error, with file:line:column or `--set key` as its place: the file cannot be read; it is no TOML; a key is
+/// unknown, missing or contradicts another; a value has the wrong type or is out of range.
+Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> overrides = {});
+
+/// The same from a text; `name` stands for the file in messages and in the path of the start file.
+Scenario parse_scenario(std::string_view text, const std::string& name,
+                        std::span<const std::string> overrides = {});
+
+}  // namespace hardball

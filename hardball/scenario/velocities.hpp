@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "hardball/scenario/scenario.hpp"
+#include "hardball/world/random.hpp"
+
+namespace hardball {
+
+/// Velocities for all spheres of the groups [L/T], in the order of ids.
+///
+/// Maxwell velocities are scaled so that each group has the mean speed or temperature prescribed, up to
+/// rounding. With `without_drift`, if all groups have Maxwell velocities and there are two spheres or more,
+/// the total momentum is removed first; one group then ends without momentum, and several up to what their
+/// scaling leaves.
+std::vector<Vec3> draw_velocities(std::span<const SphereGroup> groups, bool without_drift, Random& random);
+
+}  // namespace hardball

@@ -1,0 +1,427 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Whatever is wrong with the input: exit code 2, one line that says what, where and the remedy, and no files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "cli/program.hpp"
+
+namespace hardball {
+namespace {
+
+using support::Arguments;
+using support::Outcome;
+using support::run_program;
+using support::ScratchFolder;
+using support::write_text;
+
+struct BadInput {
+  std::string name;
+  /// A line of the scenario of the small gas, and what stands in its place.
+  std::string line;
+  std::string replacement;
+  /// Besides `run gas.toml --out out`.
+  Arguments arguments;
+  /// What the message holds, in this order.
+  std::vector<std::string> fragments;
+};
+
+// What GoogleTest calls a case when it fails.
+void PrintTo(const BadInput& input, std::ostream* out) {
+  *out << input.name;
+}
+
+std::string scenario_of(const BadInput& input) {
+  std::string text = support::kSmallGas;
+  if (!input.line.empty()) text.replace(text.find(input.line), input.line.size(), input.replacement);
+  return text;
+}
+
+void expect_refusal(const Outcome& outcome, const std::vector<std::string>& fragments) {
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(std::count(outcome.messages.begin(), outcome.messages.end(), '\n'), 1) << outcome.messages;
+  EXPECT_TRUE(outcome.messages.starts_with("hardball: ")) << outcome.messages;
+  std::size_t at = 0;
+  for (const std::string& fragment : fragments) {
+    at = outcome.messages.find(fragment, at);
+    ASSERT_NE(at, std::string::npos) << "no '" << fragment << "' in: " << outcome.messages;
+  }
+}
+
+class RefusedInput : public testing::TestWithParam<BadInput> {};
+
+TEST_P(RefusedInput, IsExplainedInOneLine) {
+  const ScratchFolder folder;
+  write_text(folder / "gas.toml", scenario_of(GetParam()));
+  Arguments arguments{"run", "gas.toml", "--out", "out"};
+  arguments.insert(arguments.end(), GetParam().arguments.begin(), GetParam().arguments.end());
+  expect_refusal(run_program(folder, arguments), GetParam().fragments);
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+std::string name_of(const testing::TestParamInfo<BadInput>& test) {
+  return test.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Syntax, RefusedInput,
+    testing::Values(
+        BadInput{"NoToml", "[run]", "[run", {}, {"gas.toml:11:5", "TOML", "toml.io"}},
+        BadInput{"KeyTwice", "seed = 1", "until = 2.0", {}, {"gas.toml:13:", "TOML"}},
+        BadInput{"TableTwice", "[run]", "[box]", {}, {"gas.toml:11:", "TOML"}},
+        BadInput{"OpenText", "\"random\"", "\"random", {}, {"gas.toml:8:", "TOML"}},
+        BadInput{"BareWord", "\"random\"", "random", {}, {"gas.toml:8:13", "TOML"}},
+        BadInput{"NumberTooLong", "count = 20", "count = 99999999999999999999", {}, {"gas.toml:6:", "TOML"}}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Keys, RefusedInput,
+    testing::Values(
+        BadInput{"UnknownTable", "[run]", "[rum]", {}, {"gas.toml:11:2", "'rum'", "did you mean 'run'?"}},
+        BadInput{"UnknownKeyInBox", "size", "sise", {}, {"gas.toml:2:1", "'sise' in [box]", "'size'"}},
+        BadInput{"UnknownKeyInSpheres", "radius", "raduis", {}, {"gas.toml:7:1", "'raduis'", "'radius'"}},
+        BadInput{"UnknownKeyInRun", "seed", "sead", {}, {"gas.toml:13:1", "'sead' in [run]", "'seed'"}},
+        BadInput{"KeyOfAnotherTable",
+                 "seed = 1",
+                 "directory = 'x'",
+                 {},
+                 {"gas.toml:13:1", "'directory' in [run]"}},
+        BadInput{
+            "KeyOutsideTables", "[box]", "gravity = [0, 0, 0]\n[box]", {}, {"gas.toml:1:1", "'gravity'"}},
+        BadInput{"NoBox",
+                 "[box]\nsize = [10.0, 10.0, 10.0]\nboundary = [\"wall\", \"wall\", \"wall\"]",
+                 "",
+                 {},
+                 {"gas.toml: ", "[box] is missing", "add"}},
+        BadInput{"NoBoundary",
+                 "boundary = [\"wall\", \"wall\", \"wall\"]",
+                 "",
+                 {},
+                 {"gas.toml:1:1", "'boundary'"}},
+        BadInput{
+            "NoSize", "size = [10.0, 10.0, 10.0]", "", {}, {"gas.toml:1:1", "'size' is missing", "add it"}},
+        BadInput{"NoCount", "count = 20", "", {}, {"gas.toml:5:1", "'count' is missing", "count = 1000"}},
+        BadInput{"NoRadius", "radius = 0.5", "", {}, {"gas.toml:5:1", "'radius' is missing", "radius = 1.0"}},
+        BadInput{
+            "NoPlacement", "placement = \"random\"", "", {}, {"gas.toml:5:1", "'placement'", "\"random\""}},
+        BadInput{"NoVelocity", "mean_speed = 1.0", "", {}, {"gas.toml:5:1", "no velocities", "mean_speed"}},
+        BadInput{"TwoVelocities",
+                 "mean_speed = 1.0",
+                 "mean_speed = 1.0\nspeed = 2.0",
+                 {},
+                 {"gas.toml:10:9", "both mean_speed and speed", "keep one"}},
+        BadInput{"NoUntil", "until = 5.0", "", {}, {"gas.toml", "'until' is missing", "--until"}},
+        BadInput{"StartAndSpheres",
+                 "[run]",
+                 "[start]\nfile = 'x'\n[run]",
+                 {},
+                 {"gas.toml:11:1", "both", "remove"}},
+        BadInput{"PlacementAndPositions",
+                 "count = 20",
+                 "positions = [[5, 5, 5]]",
+                 {},
+                 {"gas.toml:8:13", "both placement and positions", "remove"}}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Types, RefusedInput,
+    testing::Values(
+        BadInput{"BoxIsANumber",
+                 "[box]\nsize = [10.0, 10.0, 10.0]\nboundary = [\"wall\", \"wall\", \"wall\"]",
+                 "box = 3",
+                 {},
+                 {"gas.toml:1:7", "'box' is an integer", "[box]"}},
+        BadInput{
+            "SpheresIsATable", "[[spheres]]", "[spheres]", {}, {"gas.toml:5:1", "a table", "[[spheres]]"}},
+        BadInput{
+            "RadiusIsAText", "radius = 0.5", "radius = \"0.5\"", {}, {"gas.toml:7:10", "a text", "number"}},
+        BadInput{"CountIsAFraction", "count = 20", "count = 20.5", {}, {"gas.toml:6:9", "20.5", "integer"}},
+        BadInput{
+            "CountIsTrue", "count = 20", "count = true", {}, {"gas.toml:6:9", "true or false", "integer"}},
+        BadInput{
+            "SizeIsANumber", "[10.0, 10.0, 10.0]", "10.0", {}, {"gas.toml:2:8", "a number", "three numbers"}},
+        BadInput{
+            "SizeHasTwo", "[10.0, 10.0, 10.0]", "[10.0, 10.0]", {}, {"gas.toml:2:8", "2 entries", "three"}},
+        BadInput{"SizeHasAText", "[10.0, 10.0, 10.0]", "[10.0, 'x', 10.0]", {}, {"gas.toml:2:15", "a text"}},
+        BadInput{
+            "BoundaryIsAText", "[\"wall\", \"wall\", \"wall\"]", "\"wall\"", {}, {"gas.toml:3:12", "a text"}},
+        BadInput{"BoundaryHasOne",
+                 "[\"wall\", \"wall\", \"wall\"]",
+                 "[\"wall\"]",
+                 {},
+                 {"gas.toml:3:12", "1 entry"}},
+        BadInput{
+            "PlacementIsANumber", "\"random\"", "1", {}, {"gas.toml:8:13", "an integer", "double quotes"}},
+        BadInput{"EventLogIsANumber",
+                 "[run]",
+                 "[output]\nevent_log = 1\n[run]",
+                 {},
+                 {"gas.toml:12:13", "an integer", "true or false"}},
+        BadInput{
+            "UntilIsADate", "until = 5.0", "until = 1997-06-04", {}, {"gas.toml:12:9", "a date", "number"}},
+        BadInput{"PositionHasTwo",
+                 "placement = \"random\"",
+                 "positions = [[1, 2]]",
+                 {},
+                 {"gas.toml:8:14", "2 entries"}}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Values, RefusedInput,
+    testing::Values(
+        BadInput{"BoundaryMisspelt",
+                 "[\"wall\", \"wall\"",
+                 "[\"wall\", \"perodic\"",
+                 {},
+                 {"gas.toml:3:21", "\"perodic\"", "did you mean \"periodic\"?"}},
+        BadInput{"PlacementMisspelt", "\"random\"", "\"fc\"", {}, {"gas.toml:8:13", "\"fc\"", "\"fcc\"?"}},
+        BadInput{"SizeIsZero",
+                 "[10.0, 10.0, 10.0]",
+                 "[10.0, 0.0, 10.0]",
+                 {},
+                 {"gas.toml:2:15", "size is 0", "positive"}},
+        BadInput{"SizeIsNegative",
+                 "[10.0, 10.0, 10.0]",
+                 "[-10.0, 10.0, 10.0]",
+                 {},
+                 {"gas.toml:2:9", "size is -10"}},
+        BadInput{
+            "SizeIsInfinite", "[10.0, 10.0, 10.0]", "[inf, 10.0, 10.0]", {}, {"gas.toml:2:9", "size is inf"}},
+        BadInput{"CountIsZero", "count = 20", "count = 0", {}, {"gas.toml:6:9", "count is 0", "at least 1"}},
+        BadInput{
+            "CountIsNegative", "count = 20", "count = -1", {}, {"gas.toml:6:9", "count is -1", "at least 1"}},
+        BadInput{
+            "CountIsHuge", "count = 20", "count = 4294967295", {}, {"gas.toml:6:9", "at most 4294967294"}},
+        BadInput{
+            "RadiusIsZero", "radius = 0.5", "radius = 0", {}, {"gas.toml:7:10", "radius is 0", "positive"}},
+        BadInput{"RadiusIsNegative", "radius = 0.5", "radius = -1", {}, {"gas.toml:7:10", "radius is -1"}},
+        BadInput{"RadiusIsNaN",
+                 "radius = 0.5",
+                 "radius = nan",
+                 {},
+                 {"gas.toml:7:10", "radius is nan", "positive"}},
+        BadInput{"RadiusIsTiny", "radius = 0.5", "radius = 1e-61", {}, {"gas.toml:7:10", "radius is 1e-61"}},
+        BadInput{"MassIsZero",
+                 "mean_speed",
+                 "mass = 0\nmean_speed",
+                 {},
+                 {"gas.toml:9:8", "mass is 0", "positive"}},
+        BadInput{
+            "MassIsInfinite", "mean_speed", "mass = inf\nmean_speed", {}, {"gas.toml:9:8", "mass is inf"}},
+        BadInput{"SpeedIsNegative",
+                 "mean_speed = 1.0",
+                 "mean_speed = -1.0",
+                 {},
+                 {"gas.toml:9:14", "mean_speed is -1"}},
+        BadInput{
+            "SpeedIsNaN", "mean_speed = 1.0", "speed = nan", {}, {"gas.toml:9:9", "speed is nan", "finite"}},
+        BadInput{
+            "TemperatureIsInfinite", "mean_speed = 1.0", "temperature = inf", {}, {"gas.toml:9:15", "inf"}},
+        BadInput{"RestitutionAboveOne",
+                 "[run]",
+                 "[response]\nrestitution = 1.5\n[run]",
+                 {},
+                 {"gas.toml:12:15", "restitution is 1.5", "between 0 and 1"}},
+        BadInput{"RestitutionIsNaN",
+                 "[run]",
+                 "[response]\nrestitution = nan\n[run]",
+                 {},
+                 {"gas.toml:12:15", "nan"}},
+        BadInput{"Gravity",
+                 "[[spheres]]",
+                 "gravity = [0.0, 0.0, -9.81]\n[[spheres]]",
+                 {},
+                 {"gas.toml:5:11", "gravity", "no gravity"}},
+        BadInput{"UntilIsNegative",
+                 "until = 5.0",
+                 "until = -5.0",
+                 {},
+                 {"gas.toml:12:9", "until is -5", "positive"}},
+        BadInput{
+            "UntilIsInfinite", "until = 5.0", "until = inf", {}, {"gas.toml:12:9", "until is inf", "finite"}},
+        BadInput{
+            "SeedIsNegative", "seed = 1", "seed = -1", {}, {"gas.toml:13:8", "seed is -1", "at least 0"}},
+        BadInput{"SnapshotsEveryZero",
+                 "[run]",
+                 "[output]\nsnapshots_every = 0.0\n[run]",
+                 {},
+                 {"gas.toml:12:19", "snapshots_every is 0", "positive"}},
+        BadInput{
+            "EmptyDirectory", "[run]", "[output]\ndirectory = ''\n[run]", {}, {"gas.toml:12:13", "is empty"}},
+        BadInput{
+            "SphereTooLarge", "radius = 0.5", "radius = 6", {}, {"gas.toml:5:1", "diameter 12", "enlarge"}},
+        BadInput{"TooManySpheres",
+                 "count = 20",
+                 "count = 100000",
+                 {},
+                 {"gas.toml:5:1", "packing fraction", "enlarge"}},
+        BadInput{"TooDenseForRandom",
+                 "count = 20",
+                 "count = 900",
+                 {},
+                 {"gas.toml:5:1", "packing fraction", "fcc"}},
+        BadInput{"TooDenseForFcc",
+                 "count = 20\nradius = 0.5\nplacement = \"random\"",
+                 "count = 1400\nradius = 0.5\nplacement = \"fcc\"",
+                 {},
+                 {"gas.toml:5:1", "radius can be at most"}},
+        BadInput{"FccOfTwoRadii",
+                 "placement = \"random\"\nmean_speed = 1.0",
+                 "placement = \"fcc\"\nspeed = 1\n[[spheres]]\ncount = 3\nradius = 1\nplacement = "
+                 "\"fcc\"\nspeed = 1",
+                 {},
+                 {"gas.toml:10:1", "one radius", "\"random\""}},
+        BadInput{"ListsDisagree",
+                 "placement = \"random\"",
+                 "positions = [[5, 5, 5]]",
+                 {},
+                 {"gas.toml:8:13", "1 entry", "20 spheres"}},
+        BadInput{"InTheWall",
+                 "count = 20\nradius = 0.5\nplacement = \"random\"",
+                 "radius = 0.5\npositions = [[0.4, 5, 5]]",
+                 {},
+                 {"gas.toml:5:1: sphere 0", "through a wall", "0.5"}},
+        BadInput{"Overlap",
+                 "count = 20\nradius = 0.5\nplacement = \"random\"",
+                 "radius = 0.5\npositions = [[5, 5, 5], [5, 5, 5.9]]",
+                 {},
+                 {"gas.toml", "0 and 1 overlap", "apart"}}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Options, RefusedInput,
+    testing::Values(
+        BadInput{"UnknownOption", "", "", {"--untill", "5"}, {"'--untill'", "did you mean '--until'?"}},
+        BadInput{"UnknownOptionWithValue", "", "", {"--sead=5"}, {"'--sead'", "did you mean '--seed'?"}},
+        BadInput{"SecondScenario", "", "", {"other.toml"}, {"'other.toml'", "run --help"}},
+        BadInput{"UntilIsNegative", "", "", {"--until", "-1"}, {"--until: ", "-1", "later"}},
+        BadInput{"UntilIsNaN", "", "", {"--until", "nan"}, {"--until: ", "nan", "finite"}},
+        BadInput{"UntilIsAWord", "", "", {"--until", "soon"}, {"--until: ", "'soon'", "give a time"}},
+        BadInput{"UntilHasNoValue", "", "", {"--until"}, {"--until", "--help"}},
+        BadInput{"SeedIsNegative", "", "", {"--seed", "-1"}, {"--seed: ", "'-1'", "integer"}},
+        BadInput{"SeedTooLarge", "", "", {"--seed", "18446744073709551616"}, {"--seed: ", "integer"}},
+        BadInput{"NoSuchEngine",
+                 "",
+                 "",
+                 {"--engine", "neighbors"},
+                 {"--engine: ", "'neighbors'", "auto, cells, all-pairs, paper"}},
+        BadInput{"NoSuchQueue", "", "", {"--queue", "heap"}, {"--queue: ", "'heap'", "calendar, ordered"}},
+        BadInput{"CellEdgeIsZero", "", "", {"--cell-edge", "0"}, {"--cell-edge: ", "0", "positive"}},
+        BadInput{"CellEdgeIsTiny", "", "", {"--cell-edge", "0.001"}, {"--cell-edge: ", "cells", "at least"}},
+        BadInput{"CellEdgeOfThePaper",
+                 "",
+                 "",
+                 {"--cell-edge", "0.5", "--engine", "paper"},
+                 {"--cell-edge: ", "diameter", "at least 1"}},
+        BadInput{"JsonTakesNoValue", "", "", {"--json=yes"}, {"json", "--help"}},
+        BadInput{"SetHasNoEquals", "", "", {"--set", "run.until"}, {"--set: ", "run.until=5"}},
+        BadInput{"SetIsUnknown", "", "", {"--set", "run.untill=5"}, {"--set run.untill: ", "'until'"}},
+        BadInput{"SetHasWrongType",
+                 "",
+                 "",
+                 {"--set", "spheres.0.count=many"},
+                 {"--set spheres.0.count: ", "integer"}},
+        BadInput{"SetHasTwoLines", "", "", {"--set", "run.until=5\nseed=2"}, {"--set run.until: ", "TOML"}}),
+    name_of);
+
+TEST(RefusedCommand, IsExplainedInOneLine) {
+  const ScratchFolder folder;
+  expect_refusal(run_program(folder, {}), {"no command", "--help"});
+  expect_refusal(run_program(folder, {"rnu"}), {"'rnu'", "did you mean 'run'?"});
+  expect_refusal(run_program(folder, {"run"}), {"SCENARIO", "--help"});
+  expect_refusal(run_program(folder, {"--json", "run", "gas.toml"}), {"'--json'", "behind the command"});
+  expect_refusal(run_program(folder, {"verify", "gas.toml", "--json"}), {"'--json'"});
+}
+
+TEST(RefusedScenario, IsNamed) {
+  const ScratchFolder folder;
+  for (const std::string command : {"run", "verify", "check"}) {
+    expect_refusal(run_program(folder, {command, "missing.toml"}),
+                   {"missing.toml: ", "cannot be read", "scenario file"});
+    expect_refusal(run_program(folder, {command, "."}), {"cannot be read"});
+  }
+  write_text(folder / "empty.toml", "");
+  expect_refusal(run_program(folder, {"run", "empty.toml"}), {"empty.toml: ", "[box]", "add"});
+  write_text(folder / "binary.toml", "\xff\xfe\x00");
+  expect_refusal(run_program(folder, {"run", "binary.toml"}), {"binary.toml:1:1", "TOML"});
+}
+
+class RefusedStart : public testing::Test {
+ protected:
+  Outcome start_from(const std::string& snapshot) const {
+    write_text(folder_ / "start.xyz", snapshot);
+    return run();
+  }
+  Outcome run() const {
+    write_text(folder_ / "gas.toml",
+               "[box]\nsize = [10, 10, 10]\nboundary = ['wall', 'wall', 'wall']\n"
+               "[start]\nfile = 'start.xyz'\n[run]\nuntil = 1\n");
+    return run_program(folder_, {"run", "gas.toml", "--out", "out"});
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(RefusedStart, NamesTheLineOfTheStartFile) {
+  const std::string head = "2\nProperties=pos:R:3:velo:R:3:radius:R:1\n5 5 5 0 0 0 0.5\n";
+  expect_refusal(run(), {"start.xyz: ", "cannot be read"});
+  expect_refusal(start_from("many\n"), {"start.xyz:1:1: ", "number of its spheres"});
+  expect_refusal(start_from("1\nno columns\n5 5 5\n"), {"start.xyz:2: ", "Properties"});
+  expect_refusal(start_from(head), {"start.xyz:3: ", "ends after 1 of the 2", "incomplete"});
+  expect_refusal(start_from(head + "5 5 x 0 0 0 0.5\n"), {"start.xyz:4:5: ", "'x'", "finite"});
+  expect_refusal(start_from(head + "5 5 9.9 0 0 0 0.5\n"), {"start.xyz:4: sphere 1: ", "wall"});
+  expect_refusal(start_from(head + "5 5 8 0 0 0 -0.5\n"), {"start.xyz:4: sphere 1: ", "radius is -0.5"});
+  expect_refusal(start_from(head + "5 5 5.5 0 0 0 0.5\n"), {"gas.toml: ", "spheres 0 and 1 overlap"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+class RefusedDirectory : public testing::Test {
+ protected:
+  RefusedDirectory() {
+    write_text(folder_ / "gas.toml", support::kSmallGas + "[output]\nsnapshots_every = 1\n");
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(RefusedDirectory, IsAFile) {
+  write_text(folder_ / "out", "precious");
+  expect_refusal(run_program(folder_, {"run", "gas.toml", "--out", "out"}), {"out: ", "directory"});
+  expect_refusal(run_program(folder_, {"run", "gas.toml", "--out", "out/deeper"}),
+                 {"out/deeper: ", "directory"});
+  EXPECT_EQ(support::read_text(folder_ / "out"), "precious");
+}
+
+TEST_F(RefusedDirectory, HoldsADirectoryWhereAFileShouldBe) {
+  std::filesystem::create_directories(folder_ / "out/events.npy");
+  expect_refusal(run_program(folder_, {"run", "gas.toml", "--out", "out"}), {"events.npy: ", "directory"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/trajectory.xyz"));
+}
+
+TEST_F(RefusedDirectory, LeadsNowhere) {
+  std::filesystem::create_symlink("missing/trajectory.xyz", folder_ / "link");
+  std::filesystem::create_directories(folder_ / "out");
+  std::filesystem::create_symlink("../missing/file", folder_ / "out/trajectory.xyz");
+  expect_refusal(run_program(folder_, {"run", "gas.toml", "--out", "out"}),
+                 {"trajectory.xyz: ", "No such file"});
+}
+
+TEST_F(RefusedDirectory, HoldsTheStartFile) {
+  ASSERT_EQ(run_program(folder_, {"run", "gas.toml", "--out", "out"}).exit_code, 0);
+  const std::string trajectory = support::read_text(folder_ / "out/trajectory.xyz");
+  write_text(folder_ / "again.toml",
+             "[box]\nsize = [10, 10, 10]\nboundary = ['wall', 'wall', 'wall']\n"
+             "[start]\nfile = 'out/trajectory.xyz'\n[run]\nuntil = 1\n[output]\nsnapshots_every = 1\n");
+  expect_refusal(run_program(folder_, {"run", "again.toml", "--out", "out"}),
+                 {"trajectory.xyz: ", "overwrite"});
+  EXPECT_EQ(support::read_text(folder_ / "out/trajectory.xyz"), trajectory);
+}
+
+}  // namespace
+}  // namespace hardball

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Runs that do not reach their end: exit code 1, a true message, and files that can be read.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "cli/program.hpp"
+#include "hardball/io/extended_xyz.hpp"
+
+namespace hardball {
+namespace {
+
+using support::Outcome;
+using support::Program;
+using support::read_text;
+using support::run_program;
+using support::ScratchFolder;
+using support::write_text;
+
+const std::string kOutput = "[output]\ndirectory = \"out\"\nsnapshots_every = 0.5\nevent_log = true\n";
+
+// The number of records that the header of an event log counts.
+std::uint64_t counted_records(const std::filesystem::path& path) {
+  const std::string bytes = read_text(path);
+  const std::string key = "'shape': (";
+  return std::stoull(bytes.substr(bytes.find(key) + key.size()));
+}
+
+std::uint64_t records_there(const std::filesystem::path& path) {
+  constexpr std::uint64_t kHeaderBytes = 256;
+  constexpr std::uint64_t kRecordBytes = 49;
+  const std::uint64_t bytes = std::filesystem::file_size(path) - kHeaderBytes;
+  EXPECT_EQ(bytes % kRecordBytes, 0U);
+  return bytes / kRecordBytes;
+}
+
+class Failure : public testing::Test {
+ protected:
+  Failure() { write_text(folder_ / "gas.toml", support::kSmallGas + kOutput); }
+
+  void expect_message(const Outcome& outcome, const std::string& part) const {
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_TRUE(outcome.messages.starts_with("hardball: ")) << outcome.messages;
+    EXPECT_EQ(outcome.messages.find('\n'), outcome.messages.size() - 1) << outcome.messages;
+    EXPECT_NE(outcome.messages.find(part), std::string::npos) << outcome.messages;
+  }
+
+  void expect_readable_files() const {
+    EXPECT_GE(read_snapshot(folder_ / "out/trajectory.xyz").spheres.size(), 20U);
+    EXPECT_EQ(counted_records(folder_ / "out/events.npy"), records_there(folder_ / "out/events.npy"));
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(Failure, OfADiskThatIsFull) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  std::filesystem::create_directory(folder_ / "out");
+  std::filesystem::create_symlink("/dev/full", folder_ / "out/trajectory.xyz");
+  const Outcome outcome = run_program(folder_, {"run", "gas.toml", "--json"});
+  expect_message(outcome, "out/trajectory.xyz: No space left on device");
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(counted_records(folder_ / "out/events.npy"), records_there(folder_ / "out/events.npy"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/summary.json"));
+}
+
+TEST_F(Failure, OfAFileThatMayNotGrow) {
+  const Outcome outcome =
+      Program(folder_, {"run", "gas.toml", "--until", "50"}, HARDBALL_PROGRAM, rlim_t{20'000}).wait();
+  expect_message(outcome, "out/trajectory.xyz: File too large");
+  EXPECT_NE(outcome.messages.find("the run reached time"), std::string::npos) << outcome.messages;
+  expect_readable_files();
+  const Snapshot last = read_snapshot(folder_ / "out/trajectory.xyz");
+  EXPECT_GT(last.time, 0);
+  EXPECT_LT(last.time, 50);
+}
+
+TEST_F(Failure, OfTheEventLog) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  std::filesystem::create_directory(folder_ / "out");
+  std::filesystem::create_symlink("/dev/full", folder_ / "out/events.npy");
+  const Outcome outcome = run_program(folder_, {"run", "gas.toml"});
+  expect_message(outcome, "out/events.npy: No space left on device");
+}
+
+TEST_F(Failure, OfTheStandardOutput) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  const Outcome outcome =
+      Program(folder_, {"-c", "exec " HARDBALL_PROGRAM " run gas.toml >/dev/full"}, "/bin/sh").wait();
+  expect_message(outcome, "standard output");
+  expect_readable_files();
+}
+
+class Interruption : public Failure, public testing::WithParamInterface<int> {};
+
+TEST_P(Interruption, LeavesCompleteFiles) {
+  using namespace std::chrono_literals;
+  const Program program(folder_,
+                        {"run", "gas.toml", "--json", "--set", "spheres.0.count=300", "--until", "1e6"});
+  const std::filesystem::path trajectory = folder_ / "out/trajectory.xyz";
+  for (int i = 0; i < 2000; ++i) {
+    if (std::filesystem::exists(trajectory) && std::filesystem::file_size(trajectory) > 0) break;
+    std::this_thread::sleep_for(10ms);
+  }
+  kill(program.process(), GetParam());
+  const Outcome outcome = program.wait();
+  expect_message(outcome, "interrupted at time ");
+  EXPECT_NE(outcome.messages.find(" of 1e+06"), std::string::npos) << outcome.messages;
+  expect_readable_files();
+  const auto summary = nlohmann::json::parse(outcome.output);
+  EXPECT_LT(summary["time"], 1e6);
+  EXPECT_EQ(read_text(folder_ / "out/summary.json"), outcome.output);
+  const std::uint64_t contacts =
+      summary["events"]["collision"].get<std::uint64_t>() + summary["events"]["wall"].get<std::uint64_t>();
+  EXPECT_EQ(counted_records(folder_ / "out/events.npy"), contacts);
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Interruption, testing::Values(SIGINT, SIGTERM));
+
+TEST_F(Failure, OfARunThatCannotGoOn) {
+  write_text(folder_ / "collapse.toml",
+             "[box]\nsize = [20, 20, 20]\nboundary = ['wall', 'wall', 'wall']\n"
+             "[[spheres]]\nradius = 0.5\nspeed = 0\npositions = [[2, 10, 10]]\n"
+             "[[spheres]]\nradius = 0.5\npositions = [[5, 10, 10], [8, 10, 10]]\n"
+             "velocities = [[-1, 0, 0], [-2, 0, 0]]\n"
+             "[response]\nrestitution = 0.01\n[run]\nuntil = 1e9\n");
+  const Outcome outcome = run_program(folder_, {"run", "collapse.toml"});
+  expect_message(outcome, "the run reached time");
+  EXPECT_EQ(outcome.output, "");
+}
+
+}  // namespace
+}  // namespace hardball

@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Runs that end well: what they print and write, and what must not change it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "cli/program.hpp"
+#include "hardball/io/extended_xyz.hpp"
+
+namespace hardball {
+namespace {
+
+using nlohmann::json;
+using support::Arguments;
+using support::Outcome;
+using support::read_text;
+using support::run_program;
+using support::ScratchFolder;
+using support::write_text;
+
+const std::string kPeriodicGas = R"([box]
+size = [10.0, 10.0, 10.0]
+boundary = ["periodic", "periodic", "periodic"]
+[[spheres]]
+count = 300
+radius = 0.5
+placement = "random"
+temperature = 1.0
+[run]
+until = 5.0
+)";
+
+const std::string kOpenGas = R"([box]
+boundary = ["open", "open", "open"]
+[[spheres]]
+count = 100
+radius = 0.5
+placement = "random"
+temperature = 1.0
+[run]
+until = 5.0
+)";
+
+class Run : public testing::Test {
+ protected:
+  Run() { use(support::kSmallGas); }
+
+  void use(const std::string& scenario) { write_text(folder_ / "gas.toml", scenario); }
+
+  Outcome run(const Arguments& more = {}) {
+    Arguments arguments{"run", "gas.toml"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run_program(folder_, arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+    EXPECT_EQ(outcome.messages, "");
+    return outcome;
+  }
+
+  json run_json(Arguments more = {}) {
+    more.push_back("--json");
+    return json::parse(run(more).output);
+  }
+
+  std::string hash(const Arguments& more = {}) { return run_json(more)["event_log_hash"]; }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(Run, PrintsOneObjectWithAllKeys) {
+  const json summary = run_json();
+  std::set<std::string> keys;
+  for (const auto& [key, value] : summary.items()) keys.insert(key);
+  EXPECT_EQ(keys, (std::set<std::string>{"spheres", "time", "events", "predictions", "event_log_hash",
+                                         "energy", "momentum", "max_overlap", "packing_fraction",
+                                         "compressibility", "wall_pressure", "engine", "cell_edge", "seconds",
+                                         "collisions_per_second", "bytes_per_sphere", "peak_rss_bytes"}));
+  EXPECT_EQ(summary["spheres"], 20);
+  EXPECT_EQ(summary["time"], 5.0);
+  for (const char* kind : {"collision", "wall", "enter", "leave", "stale"}) {
+    EXPECT_TRUE(summary["events"][kind].is_number_unsigned()) << kind;
+  }
+  EXPECT_GT(summary["events"]["wall"], 0);
+  const std::string hash = summary["event_log_hash"];
+  EXPECT_EQ(hash.size(), 16U);
+  EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos);
+  const double energy = summary["energy"]["initial"];
+  EXPECT_GT(energy, 0);
+  EXPECT_NEAR(summary["energy"]["final"], energy, 1e-12 * energy);
+  EXPECT_EQ(summary["momentum"].size(), 3U);
+  EXPECT_LT(summary["max_overlap"], 1e-12);
+  EXPECT_NEAR(summary["packing_fraction"], 20 * std::acos(-1) / 6 / 1000, 1e-12);
+  EXPECT_TRUE(summary["compressibility"].is_null());
+  EXPECT_GT(summary["wall_pressure"], 0);
+  EXPECT_EQ(summary["engine"], "cells");
+  EXPECT_GT(summary["cell_edge"], 0);
+  EXPECT_GE(summary["seconds"]["setup"], 0);
+  EXPECT_GE(summary["seconds"]["run"], 0);
+  EXPECT_GT(summary["bytes_per_sphere"], 0);
+  EXPECT_GT(summary["peak_rss_bytes"], 1'000'000);
+}
+
+TEST_F(Run, LeavesOutWhatHasNoMeaning) {
+  use(kPeriodicGas);
+  const json periodic = run_json();
+  EXPECT_GT(periodic["compressibility"], 1);
+  EXPECT_TRUE(periodic["wall_pressure"].is_null());
+  use(kOpenGas);
+  const json open = run_json();
+  EXPECT_TRUE(open["compressibility"].is_null());
+  EXPECT_TRUE(open["wall_pressure"].is_null());
+  EXPECT_TRUE(open["packing_fraction"].is_null());
+  EXPECT_TRUE(run_json({"--engine", "all-pairs"})["cell_edge"].is_null());
+  EXPECT_TRUE(run_json({"--until", "0"})["compressibility"].is_null());
+}
+
+TEST_F(Run, PrintsATable) {
+  const std::string output = run().output;
+  EXPECT_NE(output.find("collisions "), std::string::npos) << output;
+  EXPECT_NE(output.find(hash()), std::string::npos) << output;
+}
+
+TEST_F(Run, ShowsNoProgressAwayFromATerminal) {
+  use(kPeriodicGas);
+  EXPECT_EQ(run({"--until", "20"}).messages, "");
+}
+
+TEST_F(Run, WritesNoFilesUnlessAsked) {
+  run();
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "trajectory.xyz"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "summary.json"));
+}
+
+TEST_F(Run, HasOneHistoryWhateverTheEngine) {
+  use(kPeriodicGas);
+  const std::string expected = hash();
+  EXPECT_EQ(hash({"--engine", "cells"}), expected);
+  EXPECT_EQ(hash({"--engine", "paper"}), expected);
+  EXPECT_EQ(hash({"--engine", "all-pairs"}), expected);
+  EXPECT_EQ(hash({"--queue", "ordered"}), expected);
+  EXPECT_EQ(hash({"--cell-edge", "1.1"}), expected);
+  EXPECT_EQ(hash({"--cell-edge", "3.7"}), expected);
+}
+
+TEST_F(Run, HasOneHistoryWhateverIsWritten) {
+  use(kPeriodicGas);
+  const std::string expected = hash();
+  EXPECT_EQ(hash({"--out", "out"}), expected);
+  EXPECT_EQ(hash({"--out", "out", "--set", "output.snapshots_every=0.01"}), expected);
+  EXPECT_EQ(hash({"--out", "out", "--set", "output.event_log=true"}), expected);
+}
+
+TEST_F(Run, FollowsItsOptions) {
+  const std::string first = hash();
+  EXPECT_EQ(hash({"--seed", "1"}), first);
+  EXPECT_NE(hash({"--seed", "2"}), first);
+  EXPECT_EQ(hash({"--seed", "2"}), hash({"--set", "run.seed=2"}));
+  EXPECT_EQ(run_json({"--until", "2.5"})["time"], 2.5);
+  EXPECT_EQ(run_json({"--set", "run.until=2.5"})["time"], 2.5);
+  EXPECT_EQ(run_json({"--set", "spheres.0.count=7", "--set", "run.until=1"})["spheres"], 7);
+  EXPECT_EQ(run_json({"--until", "0"})["events"]["collision"], 0);
+}
+
+TEST_F(Run, WritesTheSummaryItPrints) {
+  const std::string output = run({"--out", "deep/out", "--json"}).output;
+  EXPECT_EQ(read_text(folder_ / "deep/out/summary.json"), output);
+}
+
+TEST_F(Run, OutOptionWinsOverTheScenario) {
+  use(support::kSmallGas + "[output]\ndirectory = \"other\"\n");
+  run({"--out", "out"});
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/summary.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "other"));
+  run();
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "other/summary.json"));
+}
+
+TEST_F(Run, RemovesTheFilesOfAnEarlierRun) {
+  run({"--out", "out", "--set", "output.event_log=true", "--set", "output.snapshots_every=1"});
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/events.npy"));
+  write_text(folder_ / "out/notes.txt", "mine");
+  run({"--out", "out"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/events.npy"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/trajectory.xyz"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/notes.txt"));
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST_F(Run, WritesSnapshotsAtMultiplesOfTheInterval) {
+  run({"--out", "out", "--set", "output.snapshots_every=0.1", "--until", "0.75"});
+  const std::string trajectory = read_text(folder_ / "out/trajectory.xyz");
+  EXPECT_EQ(count(trajectory, " Time="), 8U);
+  EXPECT_EQ(count(trajectory, " Time=0 "), 1U);
+  EXPECT_EQ(count(trajectory, " Time=0.30000000000000004 "), 1U);
+  EXPECT_EQ(count(trajectory, " Time=0.7000000000000001 "), 1U);
+}
+
+TEST_F(Run, WritesASnapshotAtTheEndIfItIsAMultiple) {
+  run({"--out", "out", "--set", "output.snapshots_every=0.1", "--until", "0.3"});
+  const std::string trajectory = read_text(folder_ / "out/trajectory.xyz");
+  EXPECT_EQ(count(trajectory, " Time="), 4U);
+  EXPECT_EQ(count(trajectory, " Time=0.3 "), 1U);
+}
+
+TEST_F(Run, StartsFromASnapshotBitForBit) {
+  use(kPeriodicGas);
+  run({"--out", "first", "--set", "output.snapshots_every=2.5"});
+  write_text(folder_ / "again.toml",
+             "[box]\nsize = [10, 10, 10]\nboundary = ['periodic', 'periodic', 'periodic']\n"
+             "[start]\nfile = 'first/trajectory.xyz'\n[run]\nuntil = 0\n[output]\nsnapshots_every = 1\n");
+  ASSERT_EQ(run_program(folder_, {"run", "again.toml", "--out", "second"}).exit_code, 0);
+  const Snapshot first = read_snapshot(folder_ / "first/trajectory.xyz");
+  const Snapshot second = read_snapshot(folder_ / "second/trajectory.xyz");
+  EXPECT_EQ(first.time, 5);
+  EXPECT_EQ(second.time, 0);
+  ASSERT_EQ(first.spheres.size(), second.spheres.size());
+  for (std::size_t i = 0; i < first.spheres.size(); ++i) {
+    EXPECT_EQ(first.spheres[i].position, second.spheres[i].position);
+    EXPECT_EQ(first.spheres[i].velocity, second.spheres[i].velocity);
+    EXPECT_EQ(first.spheres[i].radius, second.spheres[i].radius);
+    EXPECT_EQ(first.spheres[i].mass, second.spheres[i].mass);
+  }
+}
+
+TEST_F(Run, WritesFilesThatPythonReads) {
+  const std::string python = HARDBALL_PYTHON;
+  if (support::Program(folder_, {"-c", "import ase.io, numpy"}, python).wait().exit_code != 0) {
+    GTEST_SKIP() << "Python has no numpy or no ase";
+  }
+  use(kPeriodicGas);
+  const json summary = run_json({"--out", "out", "--set", "output.snapshots_every=2.5", "--set",
+                                 "output.event_log=true", "--set", R"(box.boundary.1="wall")"});
+  write_text(folder_ / "look.py", R"(
+import json, sys
+import ase.io
+import numpy
+events = numpy.load("out/events.npy", mmap_mode="r")
+frames = ase.io.read("out/trajectory.xyz", index=":")
+last = frames[-1]
+walls = events["kind"] == 1
+json.dump({
+    "collisions": int((~walls).sum()), "walls": int(walls.sum()),
+    "ordered": bool((numpy.diff(events["t"]) >= 0).all()),
+    "faces": sorted(set(events["j"][walls].tolist())),
+    "approaching": bool((events["normal_speed"] >= 0).all()),
+    "impulse_shape": events["impulse"].shape,
+    "frames": len(frames), "spheres": len(last), "pbc": last.pbc.tolist(), "time": float(last.info["Time"]),
+    "cell": last.cell.lengths().tolist(),
+    "momentum": (last.arrays["velo"] * last.arrays["mass"][:, None]).sum(axis=0).tolist(),
+    "inside": bool(((last.positions >= 0) & (last.positions <= 10)).all()),
+    "radius": float(last.arrays["radius"].max()), "ids": last.arrays["id"].tolist() == list(range(300)),
+}, sys.stdout)
+)");
+  const Outcome looked = support::Program(folder_, {"look.py"}, python).wait();
+  ASSERT_EQ(looked.exit_code, 0) << looked.messages;
+  const json found = json::parse(looked.output);
+  EXPECT_EQ(found["collisions"], summary["events"]["collision"]);
+  EXPECT_EQ(found["walls"], summary["events"]["wall"]);
+  EXPECT_EQ(found["ordered"], true);
+  EXPECT_EQ(found["faces"], (json{-4, -3}));
+  EXPECT_EQ(found["approaching"], true);
+  EXPECT_EQ(found["impulse_shape"][1], 3);
+  EXPECT_EQ(found["frames"], 3);
+  EXPECT_EQ(found["spheres"], 300);
+  EXPECT_EQ(found["pbc"], (json{true, false, true}));
+  EXPECT_EQ(found["time"], 5);
+  EXPECT_EQ(found["cell"], (json{10.0, 10.0, 10.0}));
+  EXPECT_EQ(found["inside"], true);
+  EXPECT_EQ(found["radius"], 0.5);
+  EXPECT_EQ(found["ids"], true);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(found["momentum"][axis], summary["momentum"][axis], 1e-10);
+  }
+}
+
+TEST(Program, TellsItsVersionAndUse) {
+  const ScratchFolder folder;
+  const Outcome version = run_program(folder, {"--version"});
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_TRUE(version.output.starts_with("hardball ")) << version.output;
+  for (const Arguments& arguments :
+       {Arguments{"--help"}, Arguments{"run", "--help"}, Arguments{"verify", "--help"}}) {
+    const Outcome help = run_program(folder, arguments);
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_NE(help.output.find("Usage: hardball"), std::string::npos) << help.output;
+  }
+}
+
+}  // namespace
+}  // namespace hardball

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// The scenarios that come with the program.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/program.hpp"
+
+namespace hardball {
+namespace {
+
+using nlohmann::json;
+using support::Arguments;
+using support::Outcome;
+using support::run_program;
+using support::ScratchFolder;
+
+std::string path_of(const std::string& scenario) {
+  return HARDBALL_SCENARIOS "/" + scenario + ".toml";
+}
+
+std::vector<std::string> all_scenarios() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(HARDBALL_SCENARIOS)) {
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+class EveryScenario : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryScenario, IsAcceptedByCheck) {
+  const ScratchFolder folder;
+  const Outcome outcome = run_program(folder, {"check", path_of(GetParam())});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+  for (const char* line :
+       {"packing fraction", "mean free time", "engine", "cell edge", "memory", "collisions"}) {
+    EXPECT_NE(outcome.output.find(line), std::string::npos) << outcome.output;
+  }
+}
+
+TEST_P(EveryScenario, IsTheSameByAllEngines) {
+  const ScratchFolder folder;
+  const Outcome outcome = run_program(folder, {"verify", path_of(GetParam())});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages << outcome.output;
+  for (const char* line : {"ordered queue", "edge", "paper", "all-pairs", "all runs are the same"}) {
+    EXPECT_NE(outcome.output.find(line), std::string::npos) << outcome.output;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryScenario, testing::ValuesIn(all_scenarios()),
+                         [](const testing::TestParamInfo<std::string>& test) { return test.param; });
+
+json run(const std::string& scenario, const Arguments& more = {}) {
+  const ScratchFolder folder;
+  Arguments arguments{"run", path_of(scenario), "--json"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Outcome outcome = run_program(folder, arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+  return json::parse(outcome.output);
+}
+
+TEST(Scenario, CradleCollidesOnceInAUnitOfTime) {
+  EXPECT_EQ(run("newtons_cradle", {"--until", "999.5"})["events"]["collision"], 999);
+  EXPECT_EQ(run("newtons_cradle", {"--until", "1000"})["events"]["collision"], 1000);
+}
+
+TEST(Scenario, GranularGasCools) {
+  const json summary = run("granular_gas");
+  EXPECT_LT(summary["energy"]["final"], 0.1 * summary["energy"]["initial"].get<double>());
+}
+
+TEST(Scenario, DiluteGasHasThePressureOfTheory) {
+  // Carnahan and Starling at a packing fraction of 0.01. The virial of 7,000 collisions scatters by about 1%.
+  EXPECT_NEAR(run("dilute_gas")["compressibility"].get<double>() - 1, 0.0410, 4 * 0.0410 / std::sqrt(7000));
+}
+
+}  // namespace
+}  // namespace hardball

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Prints the hash of the event log of several worlds, one "name hash" a line. Every compiler, optimisation level and
+// machine must print the same.
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include "hardball/simulation/simulation.hpp"
+#include "hardball/world/placement.hpp"
+#include "hardball/world/random.hpp"
+
+namespace {
+
+using namespace hardball;
+
+Vec3 maxwell_velocity(Random& random, double scale) {
+  const double x = random.normal();
+  const double y = random.normal();
+  const double z = random.normal();
+  return scale * Vec3{x, y, z};
+}
+
+// Spheres with radii and masses spread by a factor up to `spread`, placed at random.
+World random_gas(const Box& box, const Region& region, std::size_t count, double radius, double spread,
+                 std::uint64_t seed) {
+  Random random(seed);
+  std::vector<double> radii;
+  std::vector<double> masses;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double size = 1 + (spread - 1) * random.uniform();
+    radii.push_back(radius * size);
+    masses.push_back(size * size * size);
+  }
+  const std::vector<Vec3> centers = place_randomly(box, region, radii, random, "golden");
+  World world(box);
+  for (std::size_t i = 0; i < count; ++i) {
+    world.add({centers[i], maxwell_velocity(random, 1 / std::sqrt(masses[i])), radii[i], masses[i]});
+  }
+  return world;
+}
+
+World crystal(std::size_t count, double packing_fraction, std::uint64_t seed) {
+  Random random(seed);
+  // A box of 8 cubed, so that the radius follows from the packing fraction without a root.
+  const Box box = Box::periodic({8, 8, 8});
+  const double radius = std::sqrt(std::sqrt(packing_fraction)) / 2.2;
+  World world(box);
+  for (const Vec3& center : place_on_lattice(box, {{0, 0, 0}, {8, 8, 8}}, count, radius, "golden")) {
+    world.add({center, maxwell_velocity(random, 1), radius, 1});
+  }
+  return world;
+}
+
+World newtons_cradle() {
+  World world(Box::periodic({11, 11, 11}));
+  for (const double x : {0.0, 1.0, 3.0, 5.0, 7.0, 9.0}) {
+    world.add({{x, 5, 5}, {x == 1 ? 1.0 : 0.0, 0, 0}, 0.5, 1});
+  }
+  return world;
+}
+
+World two_spheres() {
+  World world(Box::walls({10, 10, 10}));
+  world.add({{2.5, 3, 4}, {1, 0.3, -0.7}, 1.5, 1});
+  world.add({{7, 6, 6.5}, {-0.4, 0.9, 0.2}, 1.5, 2});
+  return world;
+}
+
+void print(const char* name, World world, std::uint64_t contacts, double restitution = 1) {
+  EngineOptions options;
+  options.restitution = restitution;
+  Simulation simulation(std::move(world), options);
+  simulation.run_contacts(contacts);
+  std::printf("%s %016llx\n", name, static_cast<unsigned long long>(simulation.event_log_hash()));
+}
+
+}  // namespace
+
+int main() {
+  using enum Boundary;
+  const Region cube{{0, 0, 0}, {20, 20, 20}};
+  print("gas_in_walls", random_gas(Box::walls({20, 20, 20}), cube, 1000, 0.5, 1, 1), 20000);
+  print("dilute_periodic_gas", random_gas(Box::periodic({20, 20, 20}), cube, 200, 0.3, 1, 2), 20000);
+  print("mixture", random_gas(Box::periodic({20, 20, 20}), cube, 500, 0.2, 8, 3), 20000);
+  print("crystal", crystal(500, 0.35, 4), 20000);
+  print("granular_gas", random_gas(Box::periodic({20, 20, 20}), cube, 1000, 0.6, 1, 5), 20000, 0.9);
+  print("slab", random_gas(Box({periodic, wall, periodic}, {20, 20, 20}), cube, 500, 0.4, 2, 6), 20000, 0.97);
+  // An open burst ends by itself: in 1000 units of time all spheres have parted.
+  {
+    Simulation burst(random_gas(Box::open(), cube, 1000, 0.6, 1, 7));
+    burst.run_until(1000);
+    std::printf("burst %016llx\n", static_cast<unsigned long long>(burst.event_log_hash()));
+  }
+  print("newtons_cradle", newtons_cradle(), 10000);
+  print("two_spheres", two_spheres(), 20000);
+}

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Many small worlds, each run by every engine, queue and size of cells: one history, bit for bit.
+#include <gtest/gtest.h>
+
+#include "support/effort.hpp"
+#include "support/history.hpp"
+#include "support/random_world.hpp"
+
+namespace hardball {
+namespace {
+
+using support::History;
+using support::RandomWorld;
+
+constexpr std::uint64_t kWorlds = 3200;
+constexpr std::uint64_t kParts = 8;
+
+// The history by one engine, its structures having been checked; nothing if the cells are refused as too
+// small.
+std::optional<History> history_by(const support::EngineVariant& variant, const RandomWorld& made,
+                                  const RunLimits& limits) {
+  try {
+    Simulation simulation(made.world, variant.options);
+    History history = support::run_on(simulation, limits);
+    if (history.failure.empty()) simulation.validate();
+    return history;
+  } catch (const Error& error) {
+    if (error.where() == "cell edge") return std::nullopt;
+    throw;
+  }
+}
+
+class EnginesAgree : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(EnginesAgree, OnRandomWorlds) {
+  std::uint64_t contacts = 0;
+  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
+    const RandomWorld made = support::make_random_world(seed);
+    SCOPED_TRACE(made.name);
+    // Contacts are bounded too: in a granular world infinitely many may happen in a finite time.
+    const RunLimits limits{.until = Time(made.until), .contacts = 60 + 60 * (seed % 5)};
+    std::optional<History> expected;
+    for (const support::EngineVariant& variant : support::engine_variants(made.world, made.restitution)) {
+      SCOPED_TRACE(variant.name);
+      std::optional<History> history;
+      ASSERT_NO_THROW(history = history_by(variant, made, limits));
+      if (!history) continue;
+      if (!expected) expected = history;
+      ASSERT_EQ(support::difference(*expected, *history), "");
+    }
+    contacts += expected->contacts;
+  }
+  // The worlds are lively: some 50 contacts each on the average.
+  EXPECT_GT(contacts, 30 * support::cases(kWorlds) / kParts);
+}
+
+INSTANTIATE_TEST_SUITE_P(Part, EnginesAgree, testing::Range<std::uint64_t>(0, kParts));
+
+// Spheres in a row that end up in one lump: all engines stop at the same contact with the same message.
+struct Collapse {
+  double restitution;
+  double size;                       // of the box along the row
+  std::array<double, 5> velocities;  // along the row
+};
+
+TEST(InelasticCollapse, IsNoticedByAllEnginesAtTheSameContact) {
+  const std::array<Collapse, 4> collapses = {{{0.05, 40, {1, 0.5, 0, -0.5, -1}},
+                                              {0.05, 40, {1, 0, 0, 0, -1}},
+                                              // So symmetric that velocities vanish entirely.
+                                              {0.02, 40, {1, 0, 0, 0, -1}},
+                                              // Against a wall.
+                                              {0.1, 8, {1, 0, 0, 0, 0}}}};
+  for (const Collapse& collapse : collapses) {
+    World world(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {collapse.size, 3, 0}));
+    for (std::size_t i = 0; i < 5; ++i) {
+      const double x = 0.75 + 1.375 * static_cast<double>(i);
+      world.add({{x, 1, 1}, {collapse.velocities[i], 0, 0}, 0.5, 1});
+    }
+    // Another one flies by, so that cells that are tuned are laid out anew in the midst of it.
+    world.add({{1, 1, 20}, {0, 0, 1e4}, 0.125, 1});
+    std::optional<History> expected;
+    for (const support::EngineVariant& variant : support::engine_variants(world, collapse.restitution)) {
+      SCOPED_TRACE(variant.name);
+      Simulation simulation(world, variant.options);
+      const History history = support::run_on(simulation, {.until = Time(20), .contacts = 200000});
+      EXPECT_NE(history.failure.find("inelastic collapse"), std::string::npos);
+      if (!expected) expected = history;
+      ASSERT_EQ(support::difference(*expected, history), "");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hardball

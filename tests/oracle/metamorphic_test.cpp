@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// What must not change a history, to the last bit: the names of the spheres, questions asked on the way, how
+// a run is cut into pieces, copying, the choice of units by powers of two; and that edits between runs fit
+// into all this.
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "support/effort.hpp"
+#include "support/history.hpp"
+#include "support/random_world.hpp"
+
+namespace hardball {
+namespace {
+
+using support::History;
+using support::RandomWorld;
+
+constexpr std::uint64_t kWorlds = 1500;
+constexpr std::uint64_t kContacts = 150;
+
+EngineOptions some_options(std::uint64_t seed, double restitution) {
+  constexpr std::array<EngineKind, 3> kEngines = {EngineKind::cells, EngineKind::all_pairs,
+                                                  EngineKind::paper};
+  EngineOptions options;
+  options.engine = kEngines[seed % 3];
+  options.queue = seed % 2 == 0 ? QueueKind::calendar : QueueKind::ordered;
+  options.restitution = restitution;
+  return options;
+}
+
+std::size_t below(Random& random, std::size_t count) {
+  return static_cast<std::size_t>(random.uniform() * static_cast<double>(count));
+}
+
+Sphere sphere_of(const World& world, Slot slot) {
+  return {world.path(slot).position, world.path(slot).velocity, world.radius(slot), world.mass(slot)};
+}
+
+bool has_simultaneous_contacts(const std::vector<Contact>& log) {
+  for (std::size_t i = 1; i < log.size(); ++i) {
+    if (log[i].time == log[i - 1].time) return true;
+  }
+  return false;
+}
+
+TEST(Renaming, ChangesNothingButNames) {
+  std::uint64_t compared = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(kWorlds); ++seed) {
+    const RandomWorld made = support::make_random_world(seed);
+    SCOPED_TRACE(made.name);
+    Random random(seed + 1);
+    const std::size_t size = made.world.size();
+    std::vector<Slot> old_name(size);  // by new name
+    std::iota(old_name.begin(), old_name.end(), Slot{0});
+    for (std::size_t i = size; i > 1; --i) std::swap(old_name[i - 1], old_name[below(random, i)]);
+    World renamed(made.world.box());
+    for (const Slot slot : old_name) renamed.add(sphere_of(made.world, slot));
+
+    const RunLimits limits{.until = Time(made.until), .contacts = kContacts};
+    Simulation original(made.world, some_options(seed, made.restitution));
+    Simulation other(renamed, some_options(seed, made.restitution));
+    const std::vector<Contact> log = support::record(original, limits);
+    const std::vector<Contact> other_log = support::record(other, limits);
+    // Of simultaneous contacts, names decide which comes first.
+    if (has_simultaneous_contacts(log) || has_simultaneous_contacts(other_log)) continue;
+    ++compared;
+    ASSERT_EQ(log.size(), other_log.size());
+    for (std::size_t i = 0; i < log.size(); ++i) {
+      ASSERT_EQ(log[i].time, other_log[i].time) << "contact " << i;
+      ASSERT_EQ(log[i].kind, other_log[i].kind) << "contact " << i;
+      const Slot first = old_name[other_log[i].first];
+      const std::uint32_t second =
+          log[i].is_collision() ? old_name[other_log[i].second] : other_log[i].second;
+      const bool swapped = log[i].is_collision() && first > second;
+      ASSERT_EQ(log[i].first, swapped ? second : first) << "contact " << i;
+      ASSERT_EQ(log[i].second, swapped ? first : second) << "contact " << i;
+      const Velocities& after = other_log[i].after;
+      ASSERT_EQ(log[i].after.first, swapped ? after.second : after.first) << "contact " << i;
+    }
+  }
+  EXPECT_GT(compared, support::cases(kWorlds) / 2);
+}
+
+// Runs on to the limits by detours: in pieces of time, contacts and steps, with questions and copies in
+// between.
+History run_by_detours(Simulation simulation, double until, std::uint64_t contacts, Random& random) {
+  History history;
+  for (;;) {
+    const std::uint64_t left = contacts - simulation.counters().contacts();
+    const double time = simulation.time();
+    RunLimits piece{.until = Time(until), .contacts = left};
+    switch (below(random, 6)) {
+      case 0:
+        piece.until = Time(std::min(until, time + random.uniform() * 0.1 * until));
+        break;
+      case 1:
+        piece.contacts = std::min<std::uint64_t>(left, 1 + below(random, 20));
+        break;
+      case 2:
+        piece.steps = below(random, 30);
+        break;
+      case 3:
+        simulation.next_contact(time + random.uniform() * (until - time));
+        break;
+      case 4: {
+        Simulation copy(simulation);
+        support::run_on(copy, {.until = Time(until), .contacts = std::min<std::uint64_t>(left, 5)});
+        Simulation another(simulation);
+        simulation = std::move(another);
+        break;
+      }
+      default: {
+        const std::optional<NextContact> next = simulation.next_contact(until);
+        const double soon = next ? std::max(time, next->time) : until;
+        EXPECT_EQ(simulation.positions_at(time + 0.5 * (soon - time)).size(), simulation.size());
+        simulation.positions();
+        break;
+      }
+    }
+    history = support::run_on(simulation, piece);
+    if (!history.failure.empty() || history.contacts == contacts || history.time >= until) return history;
+  }
+}
+
+TEST(Detours, ChangeNothing) {
+  for (std::uint64_t seed = 0; seed < support::cases(kWorlds); ++seed) {
+    const RandomWorld made = support::make_random_world(seed);
+    SCOPED_TRACE(made.name);
+    const Simulation start(made.world, some_options(seed, made.restitution));
+    Simulation straight(start);
+    const History expected = support::run_on(straight, {.until = Time(made.until), .contacts = kContacts});
+    Random random(seed);
+    const History history = run_by_detours(start, made.until, kContacts, random);
+    ASSERT_EQ(support::difference(expected, history), "");
+  }
+}
+
+TEST(Copies, GoOnAlikeAndApart) {
+  for (std::uint64_t seed = 0; seed < support::cases(kWorlds) / 3; ++seed) {
+    const RandomWorld made = support::make_random_world(seed);
+    SCOPED_TRACE(made.name);
+    Simulation original(made.world, some_options(seed, made.restitution));
+    if (!support::run_on(original, {.until = Time(made.until), .contacts = 40}).failure.empty()) continue;
+    Simulation copy(original);
+    Simulation assigned{World()};
+    assigned = original;
+    const RunLimits rest{.until = Time(2 * made.until), .contacts = 80};
+    const History expected = support::run_on(original, rest);
+    ASSERT_EQ(support::difference(expected, support::run_on(copy, rest)), "");
+    ASSERT_EQ(support::difference(expected, support::run_on(assigned, rest)), "");
+  }
+}
+
+// Powers of two as units of length, time and mass change no bit but the exponents.
+TEST(Units, ThatArePowersOfTwoChangeOnlyExponents) {
+  for (std::uint64_t seed = 0; seed < support::cases(kWorlds) / 3; ++seed) {
+    const RandomWorld made = support::make_random_world(seed);
+    SCOPED_TRACE(made.name);
+    const double length = 0x1p9;
+    const double speed = 0x1p-14;
+    const double mass = 0x1p5;
+    const Box& box = made.world.box();
+    World scaled(Box({box.boundary(0), box.boundary(1), box.boundary(2)}, length * box.size()));
+    for (Slot slot = 0; slot < made.world.size(); ++slot) {
+      const Sphere sphere = sphere_of(made.world, slot);
+      scaled.add(
+          {length * sphere.position, speed * sphere.velocity, length * sphere.radius, mass * sphere.mass});
+    }
+    Simulation original(made.world, some_options(seed, made.restitution));
+    Simulation other(scaled, some_options(seed, made.restitution));
+    const std::vector<Contact> log =
+        support::record(original, {.until = Time(made.until), .contacts = kContacts});
+    const std::vector<Contact> other_log =
+        support::record(other, {.until = Time(made.until * (length / speed)), .contacts = kContacts});
+    ASSERT_EQ(log.size(), other_log.size());
+    for (std::size_t i = 0; i < log.size(); ++i) {
+      ASSERT_EQ(log[i].first, other_log[i].first) << "contact " << i;
+      ASSERT_EQ(log[i].second, other_log[i].second) << "contact " << i;
+      ASSERT_EQ(log[i].time.high * (length / speed), other_log[i].time.high) << "contact " << i;
+      ASSERT_EQ(log[i].time.low * (length / speed), other_log[i].time.low) << "contact " << i;
+      ASSERT_EQ(speed * log[i].after.first, other_log[i].after.first) << "contact " << i;
+    }
+  }
+}
+
+Vec3 random_velocity(const World& world, double until, Random& random) {
+  double energy = 0;
+  for (const Path& path : world.paths()) energy += dot(path.velocity, path.velocity);
+  const double speed = energy > 0 ? std::sqrt(energy / static_cast<double>(world.size()))
+                                  : 50 * world.largest_radius() / until;
+  return speed * random.direction();
+}
+
+// Runs in pieces, with an edit after each; `ask` interleaves questions, which send the engine ahead of the
+// time.
+History run_with_edits(Simulation& simulation, const RandomWorld& made, std::uint64_t seed, bool ask) {
+  Random random(seed);
+  Random questions(seed + 1);
+  History history;
+  constexpr int kPieces = 8;
+  for (int piece = 0; piece < kPieces; ++piece) {
+    const double until = made.until * (piece + 1) / kPieces;
+    if (ask) simulation.next_contact(simulation.time() + questions.uniform() * made.until);
+    // Pieces end with a contact or between contacts.
+    history = support::run_on(simulation, {.until = Time(until), .contacts = 20});
+    if (!history.failure.empty()) return history;
+    if (ask) simulation.next_contact(simulation.time() + questions.uniform() * made.until);
+    const int edits = 1 + static_cast<int>(below(random, 2));
+    for (int edit = 0; edit < edits; ++edit) {
+      const double kind = random.uniform();
+      const Vec3 velocity = random_velocity(simulation.world(), made.until, random);
+      const std::size_t chosen = below(random, simulation.size());
+      if (kind < 0.6 && simulation.size() > 0) {
+        simulation.change_velocity(simulation.world().id(static_cast<Slot>(chosen)), velocity);
+      } else if (kind < 0.75 && simulation.size() > 0) {
+        simulation.remove(simulation.world().id(static_cast<Slot>(chosen)));
+      } else if (simulation.size() > 0) {
+        // A sphere a fifth as large, if it fits where it is tried.
+        const double radius = simulation.world().largest_radius() / 5;
+        Vec3 place;
+        for (std::size_t axis = 0; axis < kAxes; ++axis) {
+          const Box& box = simulation.world().box();
+          place[axis] = random.uniform() * (box.is_open(axis) ? 20 * radius : box.size()[axis]);
+        }
+        try {
+          simulation.add({place, velocity, radius, 1});
+        } catch (const Error&) {  // it does not fit
+        }
+      }
+    }
+  }
+  return history;
+}
+
+TEST(Edits, AreTheSameForAllEnginesWhetherOrNotQuestionsWereAsked) {
+  for (std::uint64_t seed = 0; seed < support::cases(kWorlds) / 5; ++seed) {
+    const RandomWorld made = support::make_random_world(seed);
+    SCOPED_TRACE(made.name);
+    std::optional<History> expected;
+    for (const bool ask : {false, true}) {
+      for (std::uint64_t engine = 0; engine < 6; ++engine) {
+        SCOPED_TRACE("engine " + to_text(engine) + (ask ? ", asked" : ""));
+        Simulation simulation(made.world, some_options(engine, made.restitution));
+        const History history = run_with_edits(simulation, made, seed, ask);
+        if (!expected) expected = history;
+        ASSERT_EQ(support::difference(*expected, history), "");
+        if (history.failure.empty()) {
+          simulation.run({.until = simulation.now(), .steps = 0});
+          simulation.validate();
+        }
+      }
+    }
+  }
+}
+
+// The engine's cells are laid out anew while a burst spreads through open space.
+TEST(Retuning, OfABurstKeepsTheHistory) {
+  const std::uint64_t spheres = support::kIsSlowBuild ? 60 : 200;
+  const double side = std::cbrt(static_cast<double>(spheres));
+  World world;
+  Random random(11);
+  for (std::uint64_t i = 0; world.size() < spheres; ++i) {
+    const auto along = static_cast<std::uint64_t>(side) + 1;
+    const Vec3 place{static_cast<double>(i % along), static_cast<double>(i / along % along),
+                     static_cast<double>(i / along / along)};
+    world.add({place, {random.normal(), random.normal(), random.normal()}, 0.45, 1});
+  }
+  EngineOptions plain;
+  plain.engine = EngineKind::all_pairs;
+  Simulation oracle(world, plain);
+  const History expected = support::run_on(oracle, {.until = Time(100)});
+  Simulation tuned(world);
+  const double edge_at_first = tuned.cell_edge();
+  const History history = support::run_on(tuned, {.until = Time(100)});
+  EXPECT_GT(tuned.cell_edge(), 2 * edge_at_first);
+  EXPECT_GT(history.contacts, spheres);
+  EXPECT_EQ(support::difference(expected, history), "");
+}
+
+}  // namespace
+}  // namespace hardball

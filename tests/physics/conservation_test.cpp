@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// What a million collisions leave of energy and momentum.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hardball/simulation/simulation.hpp"
+#include "hardball/world/audit.hpp"
+#include "support/gas.hpp"
+#include "support/record.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr std::size_t kSpheres = 1000;
+constexpr std::uint64_t kContacts = 1000000;
+
+// An elastic collision conserves energy and momentum whatever the spheres' distance; only the arithmetic
+// rounds, by about 1e-16 of a sphere's share each time and with a random sign: sqrt(1e6) * 1e-16 / sqrt(1000)
+// of the whole. The limits leave room for a factor of a hundred: it is a drift that must not be.
+TEST(MillionCollisions, LeaveEnergyAndMomentum) {
+  const World world = support::make_gas({.count = kSpheres, .packing_fraction = 0.3, .seed = 81});
+  Simulation simulation(world);
+  simulation.run_contacts(kContacts);
+  const double energy_error = simulation.world().kinetic_energy() / world.kinetic_energy() - 1;
+  const double rms_speed = std::sqrt(2 * world.kinetic_energy() / kSpheres);
+  const double momentum = length(simulation.world().momentum()) / (kSpheres * rms_speed);
+  support::record("energy_error", energy_error);
+  support::record("momentum_error", momentum);
+  EXPECT_LT(std::fabs(energy_error), 1e-12);
+  EXPECT_LT(momentum, 1e-11);
+  const Audit found = audit(simulation.world(), simulation.now());
+  EXPECT_TRUE(found.is_sound());
+  // Positions in a box of twelve diameters are right to 1e-15.
+  support::record("overlap_at_contact", simulation.tally().max_overlap());
+  EXPECT_LT(simulation.tally().max_overlap(), 1e-13);
+  EXPECT_LT(found.max_overlap, 1e-13);
+}
+
+// Walls take momentum, and must not take energy: they turn a component round, which rounds nothing.
+TEST(MillionCollisions, BetweenWallsLeaveEnergy) {
+  const World world =
+      support::make_gas({.count = kSpheres, .packing_fraction = 0.1, .seed = 82, .boundary = Boundary::wall});
+  Simulation simulation(world);
+  simulation.run_contacts(kContacts);
+  EXPECT_GT(simulation.counters().wall, kContacts / 10);
+  const double energy_error = simulation.world().kinetic_energy() / world.kinetic_energy() - 1;
+  support::record("energy_error", energy_error);
+  EXPECT_LT(std::fabs(energy_error), 1e-12);
+  EXPECT_TRUE(audit(simulation.world(), simulation.now()).is_sound());
+}
+
+// A packed crystal, where collisions follow each other a hundred times faster than in a dilute gas.
+TEST(MillionCollisions, OfACrystalLeaveEnergyAndMomentum) {
+  const World world =
+      support::make_gas({.count = 864, .packing_fraction = 0.72, .seed = 83, .start = support::Start::fcc});
+  Simulation simulation(world);
+  simulation.run_contacts(kContacts);
+  const double energy_error = simulation.world().kinetic_energy() / world.kinetic_energy() - 1;
+  const double rms_speed = std::sqrt(2 * world.kinetic_energy() / 864);
+  support::record("energy_error", energy_error);
+  EXPECT_LT(std::fabs(energy_error), 1e-12);
+  EXPECT_LT(length(simulation.world().momentum()), 1e-11 * 864 * rms_speed);
+  EXPECT_TRUE(audit(simulation.world(), simulation.now()).is_sound());
+}
+
+}  // namespace
+}  // namespace hardball

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/simulation/simulation.hpp"
+
+namespace hardball::support {
+
+/// A way to run a world; all ways must give the same history.
+struct EngineVariant {
+  EngineOptions options;
+  std::string name;
+};
+
+/// All engines and queues, and cells from half a diameter to larger than the box.
+inline std::vector<EngineVariant> engine_variants(const World& world, double restitution) {
+  std::vector<EngineVariant> variants;
+  const auto add = [&](EngineKind engine, QueueKind queue, std::optional<double> edge) {
+    EngineVariant variant{{engine, queue, edge, restitution}, ""};
+    variant.name = engine == EngineKind::all_pairs ? "all pairs"
+                   : engine == EngineKind::paper   ? "paper"
+                                                   : "cells";
+    variant.name += queue == QueueKind::ordered ? ", ordered queue" : ", calendar queue";
+    if (edge) variant.name += ", edge " + to_text(*edge);
+    variants.push_back(variant);
+  };
+  const double diameter = world.size() > 0 ? 2 * world.largest_radius() : 1;
+  double extent = 20 * diameter;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!world.box().is_open(axis)) extent = std::max(extent, 1.5 * world.box().size()[axis]);
+  }
+  add(EngineKind::all_pairs, QueueKind::calendar, std::nullopt);
+  add(EngineKind::all_pairs, QueueKind::ordered, std::nullopt);
+  add(EngineKind::paper, QueueKind::calendar, diameter);
+  add(EngineKind::paper, QueueKind::calendar, 2.5 * diameter);
+  for (const double edge : {0.5 * diameter, diameter, 1.3 * diameter, 3.1 * diameter, extent}) {
+    add(EngineKind::cells, QueueKind::calendar, edge);
+    add(EngineKind::cells, QueueKind::ordered, edge);
+  }
+  add(EngineKind::automatic, QueueKind::calendar, std::nullopt);
+  return variants;
+}
+
+/// What became of a world.
+struct History {
+  std::uint64_t hash = 0;
+  std::uint64_t contacts = 0;
+  /// The message of the RunFailure that ended it; empty if it went on to the limit.
+  std::string failure;
+  double time = 0;
+  std::vector<Path> paths;
+};
+
+/// Runs on to the limits, or to an inelastic collapse.
+inline History run_on(Simulation& simulation, const RunLimits& limits) {
+  History history;
+  try {
+    simulation.run(limits);
+  } catch (const RunFailure& failure) {
+    history.failure = failure.what();
+  }
+  history.hash = simulation.event_log_hash();
+  history.contacts = simulation.counters().contacts();
+  history.time = simulation.time();
+  history.paths.assign(simulation.world().paths().begin(), simulation.world().paths().end());
+  return history;
+}
+
+inline bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+inline bool same_bits(const Vec3& a, const Vec3& b) {
+  return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
+}
+
+/// Where two histories part; empty if they are the same to the last bit.
+inline std::string difference(const History& a, const History& b) {
+  if (a.contacts != b.contacts) return "contacts: " + to_text(a.contacts) + " and " + to_text(b.contacts);
+  if (a.hash != b.hash) return "hashes";
+  if (a.failure != b.failure) return "failures: '" + a.failure + "' and '" + b.failure + "'";
+  if (!same_bits(a.time, b.time)) return "times: " + to_text(a.time) + " and " + to_text(b.time);
+  if (a.paths.size() != b.paths.size()) return "numbers of spheres";
+  for (std::size_t i = 0; i < a.paths.size(); ++i) {
+    const bool same = same_bits(a.paths[i].position, b.paths[i].position) &&
+                      same_bits(a.paths[i].velocity, b.paths[i].velocity) &&
+                      a.paths[i].time == b.paths[i].time;
+    if (!same) return "the paths of sphere " + to_text(i);
+  }
+  return "";
+}
+
+/// The log of a run.
+inline std::vector<Contact> record(Simulation& simulation, const RunLimits& limits) {
+  std::vector<Contact> log;
+  simulation.on_contact([&log](const Contact& contact) { log.push_back(contact); });
+  run_on(simulation, limits);
+  simulation.on_contact(nullptr);
+  return log;
+}
+
+}  // namespace hardball::support

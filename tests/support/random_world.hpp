@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hardball/world/random.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball::support {
+
+/// A small world to try everything on, and how to run it.
+struct RandomWorld {
+  World world;
+  double restitution = 1;
+  /// A time in which the spheres cross the world some times [T]. A granular world may hold infinitely many
+  /// contacts before it: bound their number too.
+  double until = 1;
+  /// Several contacts may happen at one moment.
+  bool has_ties = false;
+  /// Says in a message which world it is.
+  std::string name;
+};
+
+/// Makes the worlds of make_random_world. Spheres are placed by trial against all others, which owes nothing
+/// to the library's own searches.
+class RandomWorldMaker {
+ public:
+  explicit RandomWorldMaker(std::uint64_t seed) : random_(seed), seed_(seed) {}
+
+  RandomWorld make() {
+    choose_scales();
+    const double kind = random_.uniform();
+    if (kind < 0.5) {
+      make_gas();
+    } else if (kind < 0.7) {
+      make_lattice();
+    } else if (kind < 0.85) {
+      make_clumps();
+    } else {
+      make_streams();
+    }
+    return finish();
+  }
+
+  /// A gas without ties in a box with these boundaries.
+  RandomWorld make_gas_within(const std::array<Boundary, kAxes>& boundary, std::size_t spheres) {
+    choose_scales();
+    make_box(boundary, {});
+    wanted_ = spheres;
+    fill_with_gas();
+    return finish();
+  }
+
+ private:
+  bool chance(double probability) { return random_.uniform() < probability; }
+  std::size_t below(std::size_t count) {
+    return static_cast<std::size_t>(random_.uniform() * static_cast<double>(count));
+  }
+  double between(double low, double high) { return low + random_.uniform() * (high - low); }
+
+  void choose_scales() {
+    constexpr std::array<std::size_t, 8> kMost = {1, 2, 3, 4, 7, 13, 21, 41};
+    wanted_ = below(kMost[below(kMost.size())]);
+    if (chance(0.8)) wanted_ += 2;
+    wanted_ = std::min<std::size_t>(wanted_, 40);
+    // Lengths and speeds far from one, now and then: nothing may depend on units.
+    largest_radius_ = chance(0.7) ? 0.5 : std::ldexp(between(1, 2), static_cast<int>(below(80)) - 40);
+    speed_ = chance(0.7) ? 1 : std::ldexp(between(1, 2), static_cast<int>(below(80)) - 40);
+    made_.restitution = chance(0.6) ? 1 : between(0.3, 1);
+  }
+
+  std::array<Boundary, kAxes> random_boundary() {
+    constexpr std::array<Boundary, 3> kAll = {Boundary::wall, Boundary::periodic, Boundary::open};
+    const Boundary common = kAll[below(3)];
+    if (chance(0.4)) return {common, common, common};
+    return {kAll[below(3)], kAll[below(3)], kAll[below(3)]};
+  }
+
+  // From barely larger than a sphere, by way of two or three diameters, to roomy [1].
+  double random_roominess() {
+    switch (below(5)) {
+      case 0:
+        return chance(0.3) ? 1 + 0x1p-20 : between(1, 1.2);
+      case 1:
+        return between(1.2, 2);
+      case 2:
+        return between(2, 3);
+      case 3:
+        return between(3, 6);
+      default:
+        return between(6, 15);
+    }
+  }
+
+  void make_box(const std::array<Boundary, kAxes>& boundary, const Vec3& given_size) {
+    size_ = given_size;
+    const double common = random_roominess();
+    const bool all_alike = chance(0.7);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (size_[axis] > 0) continue;
+      size_[axis] = 2 * largest_radius_ * (all_alike ? common : random_roominess());
+    }
+    made_.world = World(Box(boundary, size_));
+  }
+
+  // How far two spheres lie apart, as a multiple of the distance at which they touch.
+  double closeness(const Sphere& a, const Sphere& b) const {
+    Vec3 apart = b.position - a.position;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (!made_.world.box().is_periodic(axis)) continue;
+      apart[axis] -= size_[axis] * std::round(apart[axis] / size_[axis]);
+    }
+    return length(apart) / (a.radius + b.radius);
+  }
+
+  bool fits(const Sphere& sphere) const {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (!made_.world.box().is_wall(axis)) continue;
+      const double x = sphere.position[axis];
+      if (x < sphere.radius || x > size_[axis] - sphere.radius) return false;
+    }
+    // Rounding may let touching spheres overlap a little.
+    constexpr double kTouching = 1 - 1e-13;
+    return std::all_of(spheres_.begin(), spheres_.end(),
+                       [&](const Sphere& other) { return closeness(sphere, other) >= kTouching; });
+  }
+
+  Vec3 random_place(double radius) {
+    Vec3 place;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const double inset = made_.world.box().is_wall(axis) ? radius : 0;
+      place[axis] = between(inset, size_[axis] - inset);
+    }
+    return place;
+  }
+
+  Vec3 random_velocity() { return speed_ * Vec3{random_.normal(), random_.normal(), random_.normal()}; }
+
+  bool place_somewhere(Sphere sphere) {
+    constexpr int kAttempts = 60;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      sphere.position = random_place(sphere.radius);
+      if (!fits(sphere)) continue;
+      spheres_.push_back(sphere);
+      return true;
+    }
+    return false;
+  }
+
+  double random_radius(bool mixed) { return mixed ? largest_radius_ / between(1, 10) : largest_radius_; }
+  double random_mass(bool mixed) {
+    return mixed ? std::ldexp(between(1, 2), static_cast<int>(below(10)) - 5) : 1;
+  }
+
+  void make_gas() {
+    kind_ = "gas";
+    make_box(random_boundary(), {});
+    fill_with_gas();
+  }
+
+  void fill_with_gas() {
+    const bool mixed_radii = chance(0.5);
+    const bool mixed_masses = chance(0.5);
+    const bool some_at_rest = chance(0.3);
+    for (std::size_t i = 0; i < wanted_; ++i) {
+      const double radius = i == 0 ? largest_radius_ : random_radius(mixed_radii);
+      const Vec3 velocity = some_at_rest && chance(0.5) ? Vec3{} : random_velocity();
+      place_somewhere({{}, velocity, radius, random_mass(mixed_masses)});
+    }
+  }
+
+  // Equal spheres in rows at equal distances with simple velocities: many contacts happen at the same moment,
+  // and numbers are dyadic, so that these moments are exactly the same.
+  void make_lattice() {
+    kind_ = "lattice";
+    made_.has_ties = true;
+    largest_radius_ = 0.5;
+    speed_ = 1;
+    const double spacing = 1 + 0.25 * static_cast<double>(below(5));
+    std::array<std::size_t, kAxes> count{};
+    Vec3 size;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      count[axis] = 1 + below(4);
+      size[axis] = spacing * static_cast<double>(count[axis]) + (chance(0.5) ? 0 : 0.5);
+    }
+    make_box(random_boundary(), size);
+    const bool along_axes = chance(0.5);
+    const bool with_vacancies = chance(0.5);
+    constexpr std::array<double, 3> kSpeeds = {-1, 0, 1};
+    for (std::size_t x = 0; x < count[0]; ++x) {
+      for (std::size_t y = 0; y < count[1]; ++y) {
+        for (std::size_t z = 0; z < count[2]; ++z) {
+          if (spheres_.size() == 40 || (with_vacancies && chance(0.3))) continue;
+          Sphere sphere;
+          sphere.radius = 0.5;
+          sphere.position =
+              Vec3{0.5, 0.5, 0.5} +
+              spacing * Vec3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+          for (std::size_t axis = 0; axis < kAxes; ++axis) sphere.velocity[axis] = kSpeeds[below(3)];
+          if (along_axes) {
+            const std::size_t kept = below(kAxes);
+            for (std::size_t axis = 0; axis < kAxes; ++axis) {
+              if (axis != kept) sphere.velocity[axis] = 0;
+            }
+          }
+          if (fits(sphere)) spheres_.push_back(sphere);
+        }
+      }
+    }
+  }
+
+  // Spheres that touch others from the start, up to rounding.
+  void make_clumps() {
+    kind_ = "clumps";
+    made_.has_ties = true;
+    make_box(random_boundary(), {});
+    const bool mixed_radii = chance(0.5);
+    const bool mixed_masses = chance(0.5);
+    const bool along_axes = chance(0.3);
+    for (std::size_t i = 0; i < wanted_; ++i) {
+      Sphere sphere{{}, {}, random_radius(mixed_radii), random_mass(mixed_masses)};
+      if (chance(0.7)) sphere.velocity = random_velocity();
+      if (spheres_.empty() || chance(0.2)) {
+        place_somewhere(sphere);
+        continue;
+      }
+      constexpr int kAttempts = 20;
+      for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        const Sphere& neighbor = spheres_[below(spheres_.size())];
+        Vec3 direction = random_.direction();
+        if (along_axes) {
+          direction = {};
+          direction[below(kAxes)] = chance(0.5) ? 1 : -1;
+        }
+        sphere.position = neighbor.position + (neighbor.radius + sphere.radius) * direction;
+        if (!fits(sphere)) continue;
+        spheres_.push_back(sphere);
+        break;
+      }
+    }
+  }
+
+  // Spheres moving along one axis only, many of them with the same speed: relative velocities vanish,
+  // crossings of the other axes never come.
+  void make_streams() {
+    kind_ = "streams";
+    made_.has_ties = true;
+    make_box(random_boundary(), {});
+    const std::size_t along = below(kAxes);
+    const bool mixed_radii = chance(0.5);
+    for (std::size_t i = 0; i < wanted_; ++i) {
+      Vec3 velocity;
+      velocity[along] = speed_ * (static_cast<double>(below(3)) - 1);
+      place_somewhere({{}, velocity, random_radius(mixed_radii), 1});
+    }
+  }
+
+  RandomWorld finish() {
+    double energy = 0;
+    for (const Sphere& sphere : spheres_) {
+      made_.world.add(sphere);
+      energy += dot(sphere.velocity, sphere.velocity);
+    }
+    constexpr double kCrossings = 10;
+    const double extent = std::max({size_.x, size_.y, size_.z, 4 * largest_radius_});
+    const double mean = spheres_.empty() ? 0 : std::sqrt(energy / static_cast<double>(spheres_.size()));
+    made_.until = kCrossings * extent / (mean > 0 ? mean : speed_);
+    made_.name = "seed " + std::to_string(seed_) + ", " + kind_;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const Boundary boundary = made_.world.box().boundary(axis);
+      made_.name += boundary == Boundary::wall       ? ", wall"
+                    : boundary == Boundary::periodic ? ", periodic"
+                                                     : ", open";
+    }
+    made_.name +=
+        ", " + std::to_string(spheres_.size()) + " spheres, restitution " + std::to_string(made_.restitution);
+    return std::move(made_);
+  }
+
+  Random random_;
+  std::uint64_t seed_;
+  RandomWorld made_;
+  std::string kind_ = "gas";
+  std::size_t wanted_ = 0;
+  double largest_radius_ = 0.5;
+  double speed_ = 1;
+  Vec3 size_;  // of the box; along open axes, of the stretch in which spheres start
+  std::vector<Sphere> spheres_;
+};
+
+/// A world of 0 to 40 spheres: every mix of boundaries, boxes from barely larger than a sphere to roomy,
+/// radii mixed up to a ratio of 10 and masses up to 1000, spheres at rest, lattices full of ties, touching
+/// spheres, restitution from 0.3 to 1. Never an overlap.
+inline RandomWorld make_random_world(std::uint64_t seed) {
+  return RandomWorldMaker(seed).make();
+}
+
+/// A gas of up to `spheres` spheres in a box with these boundaries, no two contacts of which happen at one
+/// moment.
+inline RandomWorld make_random_gas(std::uint64_t seed, const std::array<Boundary, kAxes>& boundary,
+                                   std::size_t spheres) {
+  return RandomWorldMaker(seed).make_gas_within(boundary, spheres);
+}
+
+}  // namespace hardball::support

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/io/extended_xyz.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <sstream>
+#include <string>
+
+#include "hardball/errors/error.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace hardball {
+namespace {
+
+using support::read_text;
+using support::ScratchFolder;
+
+std::string frame_of(const World& world, double time) {
+  const ScratchFolder folder;
+  OutputFile file(folder / "frame.xyz");
+  append_snapshot(file, world, Time(time));
+  file.close();
+  return read_text(folder / "frame.xyz");
+}
+
+Snapshot parse(const std::string& text) {
+  std::istringstream in(text);
+  return read_snapshot(in, "start.xyz");
+}
+
+std::string second_line(const std::string& text) {
+  const std::size_t begin = text.find('\n') + 1;
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+TEST(AppendSnapshot, WritesTheLineThatOvitoAndAseRead) {
+  World world(Box({Boundary::periodic, Boundary::wall, Boundary::periodic}, {10, 20, 30}));
+  world.add({.position = {1, 2, 3}, .velocity = {0.1, 0, -2}, .radius = 0.5, .mass = 3});
+  EXPECT_EQ(frame_of(world, 0),
+            "1\n"
+            "Lattice=\"10 0 0 0 20 0 0 0 30\" pbc=\"T F T\" Time=0 "
+            "Properties=type:I:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1:map_shift:I:3\n"
+            "1 1 2 3 0.1 0 -2 0.5 3 0 0 0 0\n");
+}
+
+TEST(AppendSnapshot, ShowsSpheresWhereTheyAreAtTheMoment) {
+  World world(Box::walls({10, 10, 10}));
+  world.add({.position = {1, 2, 3}, .velocity = {2, 0, 0}, .radius = 0.5});
+  const Snapshot snapshot = parse(frame_of(world, 1.5));
+  EXPECT_EQ(snapshot.time, 1.5);
+  EXPECT_EQ(snapshot.spheres.at(0).position, (Vec3{4, 2, 3}));
+}
+
+TEST(AppendSnapshot, FoldsIntoAPeriodicBoxAndCountsTheBoxes) {
+  World world(Box::periodic({10, 10, 10}));
+  world.add({.position = {1, 2, 3}, .velocity = {2, -1, 0}, .radius = 0.5});
+  const std::string frame = frame_of(world, 15);
+  EXPECT_NE(frame.find("\n1 1 7 3 2 -1 0 0.5 1 0 3 -2 0\n"), std::string::npos) << frame;
+}
+
+TEST(AppendSnapshot, SpansTheSpheresAlongOpenAxes) {
+  World world(Box({Boundary::open, Boundary::wall, Boundary::periodic}, {0, 20, 30}));
+  world.add({.position = {-4, 2, 3}, .radius = 1});
+  world.add({.position = {6, 2, 3}, .radius = 0.5});
+  EXPECT_EQ(second_line(frame_of(world, 0)),
+            "Lattice=\"11.5 0 0 0 20 0 0 0 30\" Origin=\"-5 0 0\" pbc=\"F F T\" unbounded=T Time=0 "
+            "Properties=type:I:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1:map_shift:I:3");
+}
+
+TEST(AppendSnapshot, WritesAWorldWithoutSpheres) {
+  EXPECT_EQ(frame_of(World(), 0).substr(0, 2), "0\n");
+  EXPECT_TRUE(parse(frame_of(World(), 0)).spheres.empty());
+}
+
+TEST(AppendSnapshot, CutsAnIncompleteFrameOff) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  OutputFile file("/dev/full");
+  EXPECT_THROW(append_snapshot(file, World(), Time(0)), RunFailure);
+}
+
+TEST(ReadSnapshot, LosesNoBit) {
+  World world;
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  world.add({.position = {0.1, -1.0 / 3, 0}, .velocity = {1e-60, 0.1 + 0.2, -7e59}, .radius = 1.0 / 7});
+  world.add({.position = {tiny, 1e22, 123456789.123456789},
+             .velocity = {0, -1e-5, 5},
+             .radius = 3e-60,
+             .mass = 1e60});
+  const Snapshot snapshot = parse(frame_of(world, 0.3));
+  ASSERT_EQ(snapshot.spheres.size(), 2U);
+  for (Slot slot = 0; slot < 2; ++slot) {
+    EXPECT_EQ(snapshot.spheres[slot].position, world.position(slot, Time(0.3)));
+    EXPECT_EQ(snapshot.spheres[slot].velocity, world.path(slot).velocity);
+    EXPECT_EQ(snapshot.spheres[slot].radius, world.radius(slot));
+    EXPECT_EQ(snapshot.spheres[slot].mass, world.mass(slot));
+  }
+  EXPECT_EQ(snapshot.time, 0.3);
+}
+
+TEST(ReadSnapshot, FindsColumnsByName) {
+  const Snapshot snapshot = parse(
+      "1\n"
+      "Properties=radius:R:1:color:R:3:velo:R:3:name:S:1:pos:R:3\n"
+      "0.5 9 9 9 4 5 6 word 1 2 3\n");
+  ASSERT_EQ(snapshot.spheres.size(), 1U);
+  EXPECT_EQ(snapshot.spheres[0].position, (Vec3{1, 2, 3}));
+  EXPECT_EQ(snapshot.spheres[0].velocity, (Vec3{4, 5, 6}));
+  EXPECT_EQ(snapshot.spheres[0].radius, 0.5);
+  EXPECT_EQ(snapshot.spheres[0].mass, 1);
+  EXPECT_FALSE(snapshot.time);
+}
+
+TEST(ReadSnapshot, SortsByIdAndKeepsTheLines) {
+  const Snapshot snapshot = parse(
+      "3\n"
+      "Properties=id:I:1:pos:R:3:velo:R:3:radius:R:1\n"
+      "8 8 0 0 0 0 0 1\n"
+      "-1 1 0 0 0 0 0 1\n"
+      "5 5 0 0 0 0 0 1\n");
+  ASSERT_EQ(snapshot.spheres.size(), 3U);
+  EXPECT_EQ(snapshot.spheres[0].position.x, 1);
+  EXPECT_EQ(snapshot.spheres[1].position.x, 5);
+  EXPECT_EQ(snapshot.spheres[2].position.x, 8);
+  EXPECT_EQ(snapshot.lines, (std::vector<std::size_t>{4, 5, 3}));
+}
+
+TEST(ReadSnapshot, ReadsTheLastFrame) {
+  const std::string properties = " Properties=pos:R:3:velo:R:3:radius:R:1\n";
+  const Snapshot snapshot = parse("1\nTime=0" + properties + "1 0 0 0 0 0 1\n2\nTime=5" + properties +
+                                  "2 0 0 0 0 0 1\n3 0 0 0 0 0 1\n\n");
+  ASSERT_EQ(snapshot.spheres.size(), 2U);
+  EXPECT_EQ(snapshot.time, 5);
+  EXPECT_EQ(snapshot.spheres[0].position.x, 2);
+  EXPECT_EQ(snapshot.lines, (std::vector<std::size_t>{6, 7}));
+}
+
+TEST(ReadSnapshot, UnderstandsWhatOtherProgramsWrite) {
+  const Snapshot snapshot = parse(
+      "1\r\n"
+      "Lattice=\"1 0 0  0 1 0  0 0 1\"\tflag comment='two words' pbc=\"T T T\" Time=2.5e0 "
+      "Properties=pos:R:3:velo:R:3:radius:R:1 more=1\r\n"
+      "  +1.5\t2e0 3   0 0 -0   1\r\n");
+  ASSERT_EQ(snapshot.spheres.size(), 1U);
+  EXPECT_EQ(snapshot.time, 2.5);
+  EXPECT_EQ(snapshot.spheres[0].position, (Vec3{1.5, 2, 3}));
+}
+
+TEST(ReadSnapshot, RefusesAFileThatIsMissing) {
+  const ScratchFolder folder;
+  EXPECT_THROW(read_snapshot(folder / "missing.xyz"), Error);
+  EXPECT_THROW(read_snapshot(folder.path()), Error);
+}
+
+struct BadFile {
+  std::string name;
+  std::string text;
+  std::string where;
+  std::string problem;
+};
+
+class RefusedSnapshot : public testing::TestWithParam<BadFile> {};
+
+TEST_P(RefusedSnapshot, NamesPlaceAndProblem) {
+  try {
+    parse(GetParam().text);
+    FAIL() << "the file was accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), GetParam().where) << error.what();
+    EXPECT_NE(error.problem().find(GetParam().problem), std::string::npos) << error.what();
+    EXPECT_FALSE(error.remedy().empty());
+  }
+}
+
+const std::string kGood = "Properties=pos:R:3:velo:R:3:radius:R:1\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    All, RefusedSnapshot,
+    testing::Values(
+        BadFile{"Empty", "", "start.xyz", "no frame"},
+        BadFile{"NoCount", "spheres\n", "start.xyz:1:1", "'spheres'"},
+        BadFile{"NegativeCount", "-1\n" + kGood, "start.xyz:1:1", "'-1'"},
+        BadFile{"TwoCounts", "1 2\n" + kGood, "start.xyz:1:1", "'1 2'"},
+        BadFile{"NoSecondLine", "1\n", "start.xyz:1", "ends after 0 of the 1"},
+        BadFile{"TornFrame", "2\n" + kGood + "1 0 0 0 0 0 1\n", "start.xyz:3", "ends after 1 of the 2"},
+        BadFile{"TornLastFrame", "1\n" + kGood + "1 0 0 0 0 0 1\n1\n", "start.xyz:4",
+                "ends after 0 of the 1"},
+        BadFile{"NoProperties", "1\nplain comment\n1 0 0 0 0 0 1\n", "start.xyz:2", "no Properties"},
+        BadFile{"OpenQuote", "1\nLattice=\"1 0\n1\n", "start.xyz:2:9", "never closed"},
+        BadFile{"NoPosition", "1\nProperties=velo:R:3:radius:R:1\n0 0 0 1\n", "start.xyz:2:12", "'pos'"},
+        BadFile{"NoVelocity", "1\nProperties=pos:R:3:radius:R:1\n0 0 0 1\n", "start.xyz:2:12", "'velo'"},
+        BadFile{"NoRadius", "1\nProperties=pos:R:3:velo:R:3\n0 0 0 0 0 0\n", "start.xyz:2:12", "'radius'"},
+        BadFile{"WrongType", "1\nProperties=pos:I:3:velo:R:3:radius:R:1\n0 0 0 0 0 0 1\n", "start.xyz:2:12",
+                "another type"},
+        BadFile{"WrongWidth", "1\nProperties=pos:R:2:velo:R:3:radius:R:1\n0 0 0 0 0 1\n", "start.xyz:2:12",
+                "another type or width"},
+        BadFile{"NoWidth", "1\nProperties=pos:R:3:velo:R\n0 0 0 0 0 1\n", "start.xyz:2:20", "not counted"},
+        BadFile{"ColumnTwice", "1\nProperties=pos:R:3:pos:R:3\n0 0 0 0 0 1\n", "start.xyz:2:20", "twice"},
+        BadFile{"TooFewValues", "1\n" + kGood + "1 2 3 4 5 6\n", "start.xyz:3", "6 values"},
+        BadFile{"TooManyValues", "1\n" + kGood + "1 2 3 4 5 6 7 8\n", "start.xyz:3", "8 values"},
+        BadFile{"NoNumber", "1\n" + kGood + "1 2 x 4 5 6 7\n", "start.xyz:3:5", "pos is 'x'"},
+        BadFile{"HalfANumber", "1\n" + kGood + "1 2 3 4.5.6 5 6 7\n", "start.xyz:3:7", "velo is '4.5.6'"},
+        BadFile{"NotANumber", "1\n" + kGood + "1 2 3 4 5 6 nan\n", "start.xyz:3:13", "radius is 'nan'"},
+        BadFile{"Infinite", "1\n" + kGood + "inf 2 3 4 5 6 7\n", "start.xyz:3:1", "pos is 'inf'"},
+        BadFile{"TooLarge", "1\n" + kGood + "1e999 2 3 4 5 6 7\n", "start.xyz:3:1", "pos is '1e999'"},
+        BadFile{"BadTime", "1\nTime=now " + kGood + "1 2 3 4 5 6 7\n", "start.xyz:2:6", "Time is 'now'"},
+        BadFile{"BadId", "1\nProperties=id:I:1:pos:R:3:velo:R:3:radius:R:1\n1.5 2 3 4 5 6 7 8\n",
+                "start.xyz:3:1", "id is '1.5'"},
+        BadFile{"IdTwice",
+                "2\nProperties=id:I:1:pos:R:3:velo:R:3:radius:R:1\n4 2 3 4 5 6 7 8\n4 2 3 4 5 6 7 8\n",
+                "start.xyz:4", "id 4 stands in line 3"}),
+    [](const testing::TestParamInfo<BadFile>& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace hardball

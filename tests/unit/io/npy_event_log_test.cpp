@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/io/npy_event_log.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstring>
+#include <string>
+
+#include "support/scratch_folder.hpp"
+
+namespace hardball {
+namespace {
+
+using support::read_text;
+using support::ScratchFolder;
+
+constexpr std::size_t kRecordBytes = 49;
+constexpr std::size_t kHeaderBytes = 256;
+
+Contact make_contact(double time) {
+  Contact contact;
+  contact.time = Time(time);
+  contact.first = 3;
+  contact.second = 7;
+  contact.normal = {1, 0, 0};
+  contact.first_mass = 2;
+  contact.before = {{1, 0, 0}, {-1, 0, 0}};
+  contact.after = {{-1, 0.25, 0}, {1, 0, 0}};
+  return contact;
+}
+
+template <class Value>
+Value value_at(const std::string& bytes, std::size_t offset) {
+  static_assert(std::endian::native == std::endian::little);
+  Value value;
+  std::memcpy(&value, bytes.data() + offset, sizeof(Value));
+  return value;
+}
+
+TEST(NpyEventLog, BeginsWithAHeaderOfVersionOne) {
+  const ScratchFolder folder;
+  NpyEventLog log(folder / "events.npy");
+  log.close();
+  const std::string bytes = read_text(folder / "events.npy");
+  ASSERT_EQ(bytes.size(), kHeaderBytes);
+  EXPECT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
+  EXPECT_EQ(value_at<std::uint16_t>(bytes, 8), kHeaderBytes - 10);
+  EXPECT_EQ(bytes.back(), '\n');
+  EXPECT_NE(bytes.find("'shape': (0,)"), std::string::npos) << bytes;
+}
+
+TEST(NpyEventLog, WritesCollisionsFieldByField) {
+  const ScratchFolder folder;
+  NpyEventLog log(folder / "events.npy");
+  log.append(make_contact(0.1));
+  log.close();
+  const std::string bytes = read_text(folder / "events.npy");
+  ASSERT_EQ(bytes.size(), kHeaderBytes + kRecordBytes);
+  EXPECT_EQ(value_at<double>(bytes, kHeaderBytes), 0.1);
+  EXPECT_EQ(value_at<std::uint32_t>(bytes, kHeaderBytes + 8), 3U);
+  EXPECT_EQ(value_at<std::int32_t>(bytes, kHeaderBytes + 12), 7);
+  EXPECT_EQ(bytes[kHeaderBytes + 16], 0);
+  EXPECT_EQ(value_at<double>(bytes, kHeaderBytes + 17), -4);
+  EXPECT_EQ(value_at<double>(bytes, kHeaderBytes + 25), 0.5);
+  EXPECT_EQ(value_at<double>(bytes, kHeaderBytes + 33), 0);
+  EXPECT_EQ(value_at<double>(bytes, kHeaderBytes + 41), 2);
+}
+
+TEST(NpyEventLog, WritesWallsAsNegativeNumbers) {
+  const ScratchFolder folder;
+  NpyEventLog log(folder / "events.npy");
+  for (Face face = 0; face < 6; ++face) {
+    Contact contact = make_contact(1);
+    contact.kind = EventKind::wall;
+    contact.second = face;
+    log.append(contact);
+  }
+  log.close();
+  const std::string bytes = read_text(folder / "events.npy");
+  for (std::size_t face = 0; face < 6; ++face) {
+    const std::size_t record = kHeaderBytes + face * kRecordBytes;
+    EXPECT_EQ(value_at<std::int32_t>(bytes, record + 12), -static_cast<std::int32_t>(face) - 1);
+    EXPECT_EQ(bytes[record + 16], 1);
+  }
+}
+
+TEST(NpyEventLog, CanBeReadWhileItGrows) {
+  const ScratchFolder folder;
+  NpyEventLog log(folder / "events.npy");
+  log.append(make_contact(1));
+  log.append(make_contact(2));
+  EXPECT_NE(read_text(folder / "events.npy").find("'shape': (0,)"), std::string::npos);
+  log.flush();
+  const std::string bytes = read_text(folder / "events.npy");
+  EXPECT_NE(bytes.find("'shape': (2,)"), std::string::npos);
+  EXPECT_EQ(bytes.size(), kHeaderBytes + 2 * kRecordBytes);
+}
+
+TEST(NpyEventLog, FlushesByItselfNowAndThen) {
+  const ScratchFolder folder;
+  NpyEventLog log(folder / "events.npy");
+  for (int i = 0; i < 100'000; ++i) log.append(make_contact(i));
+  EXPECT_EQ(read_text(folder / "events.npy").find("'shape': (0,)"), std::string::npos);
+  EXPECT_EQ(log.size(), 100'000U);
+}
+
+TEST(NpyEventLog, IsCompleteWithoutClose) {
+  const ScratchFolder folder;
+  {
+    NpyEventLog log(folder / "events.npy");
+    log.append(make_contact(1));
+  }
+  EXPECT_NE(read_text(folder / "events.npy").find("'shape': (1,)"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hardball

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/io/output_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <string>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace hardball {
+namespace {
+
+using support::read_text;
+using support::ScratchFolder;
+using support::write_text;
+
+// While it lives, no file may grow beyond so many bytes.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+std::string message_of(const RunFailure& failure) {
+  return failure.what();
+}
+
+TEST(OutputFile, HoldsWhatWasAppended) {
+  const ScratchFolder folder;
+  OutputFile file(folder / "file");
+  file.append("one ");
+  file.append("two");
+  EXPECT_EQ(read_text(folder / "file"), "");
+  file.flush();
+  EXPECT_EQ(read_text(folder / "file"), "one two");
+  file.append(" three");
+  file.close();
+  EXPECT_EQ(read_text(folder / "file"), "one two three");
+  EXPECT_FALSE(file.is_open());
+}
+
+TEST(OutputFile, EmptiesAFileThatIsThere) {
+  const ScratchFolder folder;
+  write_text(folder / "file", "something old and long");
+  OutputFile file(folder / "file");
+  file.append("new");
+  file.close();
+  EXPECT_EQ(read_text(folder / "file"), "new");
+}
+
+TEST(OutputFile, WritesLargeAmountsOnItsOwn) {
+  const ScratchFolder folder;
+  OutputFile file(folder / "file");
+  const std::string piece(1000, 'x');
+  for (int i = 0; i < 5000; ++i) file.append(piece);
+  EXPECT_GT(std::filesystem::file_size(folder / "file"), 3'000'000U);
+  file.close();
+  EXPECT_EQ(std::filesystem::file_size(folder / "file"), 5'000'000U);
+}
+
+TEST(OutputFile, OverwritesAndGoesOnAtTheEnd) {
+  const ScratchFolder folder;
+  OutputFile file(folder / "file");
+  file.append("count 0, a");
+  file.flush();
+  file.overwrite(6, "2");
+  file.append(", b");
+  file.close();
+  EXPECT_EQ(read_text(folder / "file"), "count 2, a, b");
+}
+
+TEST(OutputFile, MayBeClosedTwice) {
+  const ScratchFolder folder;
+  OutputFile file(folder / "file");
+  file.close();
+  EXPECT_NO_THROW(file.close());
+}
+
+TEST(OutputFile, WithoutCloseKeepsWhatIsWhole) {
+  const ScratchFolder folder;
+  {
+    OutputFile file(folder / "file");
+    file.append("whole\n");
+    file.flush_whole();
+    file.append("half");
+    file.flush();
+    file.append(" and more");
+  }
+  EXPECT_EQ(read_text(folder / "file"), "whole\n");
+}
+
+TEST(OutputFile, MovesWithItsContents) {
+  const ScratchFolder folder;
+  OutputFile first(folder / "file");
+  first.append("one");
+  OutputFile second(std::move(first));
+  second.append(" two");
+  second.close();
+  EXPECT_EQ(read_text(folder / "file"), "one two");
+}
+
+TEST(OutputFile, CannotBeMadeInAFolderThatIsMissing) {
+  const ScratchFolder folder;
+  try {
+    OutputFile file(folder / "missing/file");
+    FAIL() << "a file in a missing folder was opened";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), (folder / "missing/file").string());
+    EXPECT_NE(error.problem().find("No such file or directory"), std::string::npos) << error.what();
+  }
+}
+
+TEST(OutputFile, SaysThatTheDiskIsFull) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  OutputFile file("/dev/full");
+  file.append("text");
+  try {
+    file.flush();
+    FAIL() << "a full disk took the text";
+  } catch (const RunFailure& failure) {
+    EXPECT_NE(message_of(failure).find("/dev/full"), std::string::npos) << failure.what();
+    EXPECT_NE(message_of(failure).find("No space left on device"), std::string::npos) << failure.what();
+  }
+  EXPECT_FALSE(file.is_open());
+}
+
+TEST(OutputFile, IsCutBackToWhatIsWhole) {
+  const ScratchFolder folder;
+  OutputFile file(folder / "file");
+  file.append("whole\n");
+  file.flush_whole();
+  {
+    const FileSizeLimit limit(100);
+    EXPECT_THROW(
+        {
+          file.append(std::string(1000, 'x'));
+          file.flush();
+        },
+        RunFailure);
+  }
+  EXPECT_EQ(read_text(folder / "file"), "whole\n");
+  EXPECT_NO_THROW(file.close());
+}
+
+}  // namespace
+}  // namespace hardball

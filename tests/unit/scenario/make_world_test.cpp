@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/scenario/make_world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/world/audit.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace hardball {
+namespace {
+
+using support::ScratchFolder;
+using support::write_text;
+
+SphereGroup make_group(std::size_t count, VelocityRule rule, double scale) {
+  SphereGroup group;
+  group.count = count;
+  group.radius = 0.5;
+  group.velocity_rule = rule;
+  group.velocity_scale = scale;
+  group.where = "gas.toml:5:1";
+  return group;
+}
+
+Scenario make_scenario(Boundary boundary, double size) {
+  Scenario scenario;
+  scenario.name = "gas.toml";
+  for (Scenario::Axis& axis : scenario.box) axis = {boundary, size};
+  return scenario;
+}
+
+double mean_speed(const World& world, Slot begin, Slot end) {
+  double sum = 0;
+  for (Slot slot = begin; slot < end; ++slot) sum += length(world.path(slot).velocity);
+  return sum / (end - begin);
+}
+
+double temperature(const World& world, Slot begin, Slot end) {
+  double sum = 0;
+  for (Slot slot = begin; slot < end; ++slot) {
+    sum += world.mass(slot) * dot(world.path(slot).velocity, world.path(slot).velocity);
+  }
+  return sum / (end - begin) / 3;
+}
+
+std::string error_of(const Scenario& scenario) {
+  try {
+    make_world(scenario);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(MakeWorld, PlacesWithoutOverlapInsideTheBox) {
+  for (const Boundary boundary : {Boundary::wall, Boundary::periodic, Boundary::open}) {
+    Scenario scenario = make_scenario(boundary, 10);
+    scenario.spheres = {make_group(200, VelocityRule::speed, 1)};
+    const World world = make_world(scenario);
+    ASSERT_EQ(world.size(), 200U);
+    EXPECT_EQ(audit(world, Time(0)).max_overlap, 0);
+    for (Slot slot = 0; slot < world.size(); ++slot) {
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        EXPECT_GE(world.path(slot).position[axis], 0);
+        EXPECT_LE(world.path(slot).position[axis], 10);
+      }
+    }
+  }
+}
+
+TEST(MakeWorld, IsAFunctionOfTheSeed) {
+  Scenario scenario = make_scenario(Boundary::wall, 10);
+  scenario.spheres = {make_group(50, VelocityRule::temperature, 1)};
+  const World first = make_world(scenario);
+  const World again = make_world(scenario);
+  scenario.seed = 2;
+  const World other = make_world(scenario);
+  EXPECT_TRUE(std::equal(first.paths().begin(), first.paths().end(), again.paths().begin()));
+  EXPECT_FALSE(std::equal(first.paths().begin(), first.paths().end(), other.paths().begin()));
+}
+
+TEST(MakeWorld, PlacesDoNotDependOnTheVelocityRule) {
+  Scenario scenario = make_scenario(Boundary::wall, 10);
+  scenario.spheres = {make_group(50, VelocityRule::temperature, 1)};
+  const World warm = make_world(scenario);
+  scenario.spheres = {make_group(50, VelocityRule::speed, 0)};
+  const World cold = make_world(scenario);
+  for (Slot slot = 0; slot < 50; ++slot) EXPECT_EQ(warm.path(slot).position, cold.path(slot).position);
+}
+
+TEST(MakeWorld, FillsATenthOfACubeAroundTheOriginInOpenSpace) {
+  Scenario scenario = make_scenario(Boundary::open, 0);
+  for (Scenario::Axis& axis : scenario.box) axis.size.reset();
+  scenario.spheres = {make_group(1000, VelocityRule::speed, 1)};
+  const World world = make_world(scenario);
+  const double edge = std::cbrt(1000 * std::numbers::pi / 6 / 0.1);
+  double farthest = 0;
+  for (const Path& path : world.paths()) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+      farthest = std::max(farthest, std::fabs(path.position[axis]));
+  }
+  EXPECT_LE(farthest, edge / 2 - 0.5);
+  EXPECT_GT(farthest, edge / 2 - 0.7);
+}
+
+TEST(MakeWorld, PlacesAroundZeroAlongAnOpenAxisWithoutSize) {
+  Scenario scenario = make_scenario(Boundary::wall, 20);
+  scenario.box[2] = {Boundary::open, {}};
+  scenario.spheres = {make_group(1000, VelocityRule::speed, 1)};
+  const World world = make_world(scenario);
+  const double stretch = 1000 * std::numbers::pi / 6 / 0.1 / 400;
+  for (const Path& path : world.paths()) EXPECT_LE(std::fabs(path.position.z), stretch / 2 - 0.5);
+}
+
+TEST(MakeWorld, PutsEqualSpheresOnALattice) {
+  Scenario scenario = make_scenario(Boundary::periodic, 10);
+  scenario.spheres = {make_group(500, VelocityRule::speed, 1), make_group(500, VelocityRule::speed, 2)};
+  for (SphereGroup& group : scenario.spheres) group.placement = Placement::fcc;
+  const World world = make_world(scenario);
+  EXPECT_EQ(world.size(), 1000U);
+  EXPECT_EQ(audit(world, Time(0)).max_overlap, 0);
+}
+
+TEST(MakeWorld, TakesListedSpheres) {
+  Scenario scenario = make_scenario(Boundary::wall, 10);
+  SphereGroup group = make_group(2, VelocityRule::listed, 0);
+  group.placement = Placement::listed;
+  group.positions = {{1, 2, 3}, {4, 5, 6}};
+  group.velocities = {{0, 0, 1}, {2, 0, 0}};
+  group.mass = 3;
+  scenario.spheres = {group};
+  const World world = make_world(scenario);
+  EXPECT_EQ(world.path(0).position, (Vec3{1, 2, 3}));
+  EXPECT_EQ(world.path(1).velocity, (Vec3{2, 0, 0}));
+  EXPECT_EQ(world.mass(1), 3);
+}
+
+TEST(MakeWorld, GivesTheExactMeanSpeed) {
+  for (const Boundary boundary : {Boundary::wall, Boundary::periodic}) {
+    Scenario scenario = make_scenario(boundary, 20);
+    scenario.spheres = {make_group(300, VelocityRule::mean_speed, 17.25),
+                        make_group(1, VelocityRule::mean_speed, 2)};
+    const World world = make_world(scenario);
+    EXPECT_NEAR(mean_speed(world, 0, 300), 17.25, 1e-13);
+    EXPECT_NEAR(mean_speed(world, 300, 301), 2, 1e-14);
+  }
+}
+
+TEST(MakeWorld, GivesTheExactTemperature) {
+  for (const Boundary boundary : {Boundary::wall, Boundary::periodic}) {
+    Scenario scenario = make_scenario(boundary, 20);
+    scenario.spheres = {make_group(300, VelocityRule::temperature, 2.5),
+                        make_group(100, VelocityRule::temperature, 2.5)};
+    scenario.spheres[1].mass = 1000;
+    const World world = make_world(scenario);
+    EXPECT_NEAR(temperature(world, 0, 300), 2.5, 1e-13);
+    EXPECT_NEAR(temperature(world, 300, 400), 2.5, 1e-13);
+  }
+}
+
+TEST(MakeWorld, GivesMaxwellVelocities) {
+  Scenario scenario = make_scenario(Boundary::wall, 60);
+  scenario.spheres = {make_group(20000, VelocityRule::temperature, 1)};
+  const World world = make_world(scenario);
+  double fourth = 0;
+  for (const Path& path : world.paths()) fourth += std::pow(path.velocity.x, 4);
+  // <v^4> = 3 with a standard deviation of sqrt(96 / n); four of them.
+  EXPECT_NEAR(fourth / 20000, 3, 4 * std::sqrt(96.0 / 20000));
+}
+
+TEST(MakeWorld, GivesTheExactSpeedToEach) {
+  Scenario scenario = make_scenario(Boundary::periodic, 20);
+  scenario.spheres = {make_group(100, VelocityRule::speed, 3)};
+  const World world = make_world(scenario);
+  for (const Path& path : world.paths()) EXPECT_NEAR(length(path.velocity), 3, 1e-15 * 3 * 4);
+}
+
+TEST(MakeWorld, LeavesNoMomentumInAPeriodicBox) {
+  Scenario scenario = make_scenario(Boundary::periodic, 20);
+  scenario.spheres = {make_group(2, VelocityRule::mean_speed, 5)};
+  EXPECT_LT(length(make_world(scenario).momentum()), 1e-14);
+  scenario.spheres = {make_group(300, VelocityRule::temperature, 1),
+                      make_group(10, VelocityRule::mean_speed, 2)};
+  scenario.spheres[1].mass = 7;
+  EXPECT_LT(length(make_world(scenario).momentum()), 1e-10);
+}
+
+TEST(MakeWorld, KeepsMomentumWhereItIsNotConservedOrPrescribed) {
+  Scenario scenario = make_scenario(Boundary::wall, 20);
+  scenario.spheres = {make_group(100, VelocityRule::temperature, 1)};
+  EXPECT_GT(length(make_world(scenario).momentum()), 1e-3);
+  scenario = make_scenario(Boundary::periodic, 20);
+  scenario.spheres = {make_group(100, VelocityRule::speed, 1)};
+  EXPECT_GT(length(make_world(scenario).momentum()), 1e-3);
+  scenario.spheres = {make_group(1, VelocityRule::temperature, 1)};
+  EXPECT_GT(length(make_world(scenario).momentum()), 1e-3);
+}
+
+TEST(MakeWorld, AllowsRest) {
+  for (const VelocityRule rule : {VelocityRule::mean_speed, VelocityRule::temperature, VelocityRule::speed}) {
+    Scenario scenario = make_scenario(Boundary::periodic, 20);
+    scenario.spheres = {make_group(10, rule, 0)};
+    EXPECT_EQ(make_world(scenario).kinetic_energy(), 0);
+  }
+}
+
+TEST(MakeWorld, ReadsTheStartFile) {
+  const ScratchFolder folder;
+  write_text(folder / "start.xyz",
+             "2\nProperties=id:I:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1\n"
+             "5 1 2 3 0.5 0 0 0.25 2\n"
+             "4 11 2 3 0 0 0 0.125 3\n");
+  Scenario scenario = make_scenario(Boundary::periodic, 10);
+  scenario.start_file = folder / "start.xyz";
+  const World world = make_world(scenario);
+  ASSERT_EQ(world.size(), 2U);
+  EXPECT_EQ(world.path(0).position, (Vec3{1, 2, 3}));
+  EXPECT_EQ(world.mass(0), 3);
+  EXPECT_EQ(world.radius(1), 0.25);
+  EXPECT_EQ(world.path(1).velocity, (Vec3{0.5, 0, 0}));
+}
+
+TEST(MakeWorld, NamesTheLineOfABadSphereInTheStartFile) {
+  const ScratchFolder folder;
+  write_text(folder / "start.xyz",
+             "2\nProperties=pos:R:3:velo:R:3:radius:R:1\n"
+             "1 2 3 0 0 0 0.25\n"
+             "9.9 2 3 0 0 0 0.25\n");
+  Scenario scenario = make_scenario(Boundary::wall, 10);
+  scenario.start_file = folder / "start.xyz";
+  EXPECT_TRUE(contains(error_of(scenario), "start.xyz:4: sphere 1: ")) << error_of(scenario);
+}
+
+TEST(MakeWorld, RefusesAnEmptyStartFile) {
+  const ScratchFolder folder;
+  write_text(folder / "start.xyz", "0\nProperties=pos:R:3:velo:R:3:radius:R:1\n");
+  Scenario scenario = make_scenario(Boundary::wall, 10);
+  scenario.start_file = folder / "start.xyz";
+  EXPECT_TRUE(contains(error_of(scenario), "no spheres")) << error_of(scenario);
+}
+
+TEST(MakeWorld, NamesTheGroupOfABadSphere) {
+  Scenario scenario = make_scenario(Boundary::wall, 10);
+  SphereGroup group = make_group(1, VelocityRule::speed, 0);
+  group.placement = Placement::listed;
+  group.positions = {{0.25, 5, 5}};
+  scenario.spheres = {group};
+  EXPECT_TRUE(contains(error_of(scenario), "gas.toml:5:1: sphere 0: ")) << error_of(scenario);
+}
+
+TEST(MakeWorld, RefusesWhatDoesNotFit) {
+  Scenario scenario = make_scenario(Boundary::wall, 10);
+  scenario.spheres = {make_group(1, VelocityRule::speed, 0)};
+  scenario.spheres[0].radius = 6;
+  EXPECT_TRUE(contains(error_of(scenario), "diameter 12 exceeds")) << error_of(scenario);
+  scenario.spheres = {make_group(4000000000, VelocityRule::speed, 0)};
+  EXPECT_TRUE(contains(error_of(scenario), "cannot exist")) << error_of(scenario);
+  scenario.spheres = {make_group(900, VelocityRule::speed, 0)};
+  EXPECT_TRUE(contains(error_of(scenario), "fcc")) << error_of(scenario);
+}
+
+TEST(MakeWorld, RefusesALatticeOfUnequalSpheres) {
+  Scenario scenario = make_scenario(Boundary::wall, 10);
+  scenario.spheres = {make_group(5, VelocityRule::speed, 0), make_group(5, VelocityRule::speed, 0)};
+  for (SphereGroup& group : scenario.spheres) group.placement = Placement::fcc;
+  scenario.spheres[1].radius = 0.25;
+  EXPECT_TRUE(contains(error_of(scenario), "one radius")) << error_of(scenario);
+  EXPECT_TRUE(contains(error_of(scenario), "placement = \"random\"")) << error_of(scenario);
+}
+
+TEST(MakeWorld, RefusesToMixWaysOfPlacement) {
+  Scenario scenario = make_scenario(Boundary::wall, 10);
+  scenario.spheres = {make_group(5, VelocityRule::speed, 0), make_group(5, VelocityRule::speed, 0)};
+  scenario.spheres[1].placement = Placement::fcc;
+  EXPECT_TRUE(contains(error_of(scenario), "different ways")) << error_of(scenario);
+}
+
+}  // namespace
+}  // namespace hardball
