@@ -70,7 +70,7 @@ ExitCode check(const Options& options) {
   // Half the mean speed is the mean of its part along an axis.
   if (edge > 0) add("  cells entered", readable(spheres * until * 3 * moments.mean_speed / 2 / edge));
   write_output(text);
-  return kDone;
+  return ExitCode::done;
 }
 
 }  // namespace hardball::cli

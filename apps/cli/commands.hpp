@@ -7,10 +7,10 @@
 namespace hardball::cli {
 
 /// How the program ends.
-enum ExitCode : int {
-  kDone = 0,
-  kFailed = 1,    ///< A run did not reach its end, or runs differ.
-  kBadInput = 2,  ///< The scenario or the command line is wrong.
+enum class ExitCode : int {
+  done = 0,
+  failed = 1,     ///< A run did not reach its end, or runs differ.
+  bad_input = 2,  ///< The scenario or the command line is wrong.
 };
 
 /// Each carries out a command. Error: bad input; RunFailure: the run failed.

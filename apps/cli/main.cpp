@@ -86,7 +86,7 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {
     // Requests for help are "errors" that end well.
-    if (error.get_exit_code() == 0) return app.exit(error) == 0 ? kDone : kFailed;
+    if (error.get_exit_code() == 0) return app.exit(error) == 0 ? ExitCode::done : ExitCode::failed;
     throw Error(error.what(), "command line", "see hardball --help");
   }
   const std::vector<CLI::App*> chosen = app.get_subcommands();
@@ -101,16 +101,16 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
 
 int main(int argument_count, char** arguments) {
   using namespace hardball;
+  cli::ExitCode code = cli::ExitCode::failed;
   try {
-    return cli::parse_and_run(argument_count, arguments);
+    code = cli::parse_and_run(argument_count, arguments);
   } catch (const Error& error) {
     cli::write_message(error.what());
-    return cli::kBadInput;
+    code = cli::ExitCode::bad_input;
   } catch (const std::bad_alloc&) {
     cli::write_message("there is not enough memory");
-    return cli::kFailed;
   } catch (const std::exception& error) {
     cli::write_message(error.what());
-    return cli::kFailed;
   }
+  return static_cast<int>(code);
 }

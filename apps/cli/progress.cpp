@@ -29,7 +29,7 @@ Progress::Progress(bool wanted, double until)
     : visible_(wanted && isatty(STDERR_FILENO) == 1), until_(until) {}
 
 Progress::~Progress() {
-  if (width_ > 0) fmt::print(stderr, "\r{:{}}\r", "", width_);
+  if (width_ > 0) std::fprintf(stderr, "\r%*s\r", static_cast<int>(width_), "");
 }
 
 void Progress::show(const Simulation& simulation) {

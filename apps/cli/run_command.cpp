@@ -101,9 +101,9 @@ ExitCode run(const Options& options) {
   const std::string json = summary.json();
   if (files) files->finish(json);
   write_output(options.json ? json : summary.table());
-  if (is_complete) return kDone;
+  if (is_complete) return ExitCode::done;
   write_message("interrupted at time " + to_text(simulation.time()) + " of " + to_text(*scenario.until));
-  return kFailed;
+  return ExitCode::failed;
 }
 
 }  // namespace hardball::cli

@@ -160,7 +160,7 @@ ExitCode verify(const Options& options) {
     comparison.leave_out("all-pairs", fmt::format("{:.1g} predictions would take it too long", pairs));
   }
   write_output(comparison.is_good() ? "all runs are the same\n" : "THE RUNS DIFFER, OR SPHERES OVERLAP\n");
-  return comparison.is_good() ? kDone : kFailed;
+  return comparison.is_good() ? ExitCode::done : ExitCode::failed;
 }
 
 }  // namespace hardball::cli

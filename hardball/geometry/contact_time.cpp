@@ -16,7 +16,7 @@ constexpr double kForever = std::numeric_limits<double>::infinity();
 
 // The discriminant of a contact is (reach * |velocity| * cosine)^2, the cosine being that of the angle at
 // which the spheres meet. Below this squared cosine its rounding error would show in the result.
-constexpr double kGrazingCosineSquared = 1.0 / 16;
+constexpr double kGrazingCosineSquared = 5.0 / 16;
 
 DoubleDouble dot_product(const Vec3& a, const Vec3& b) {
   return product(a.x, b.x) + product(a.y, b.y) + product(a.z, b.z);

@@ -11,8 +11,8 @@ namespace hardball {
 ///
 /// Within reach and approaching means now (zero); receding or at relative rest means never; a graze, in which
 /// the distance touches `reach` without falling below it, means never. The result is right to four units in
-/// the last place of |separation|/|velocity|, grazing contacts included. Negating both vectors changes no bit
-/// of the result.
+/// the last place of |separation|/|velocity|, grazing contacts included; beyond four reaches, to 2^-50 of it.
+/// Negating both vectors changes no bit of the result.
 /// Source: Bannerman et al., Comp. Part. Mech. 1 (2014) 191, section 2.
 double time_to_reach(const Vec3& separation, const Vec3& velocity, double reach);
 

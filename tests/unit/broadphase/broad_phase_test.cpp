@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// What both broad phases owe the engine, on worlds in which spheres fly about and change their paths at will.
+#include "hardball/broadphase/broad_phase.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "hardball/broadphase/all_pairs.hpp"
+#include "hardball/broadphase/cell_grid.hpp"
+#include "hardball/errors/error.hpp"
+#include "support/effort.hpp"
+#include "support/random_world.hpp"
+
+namespace hardball {
+namespace {
+
+using Partner = std::pair<Slot, std::array<std::int32_t, kAxes>>;
+
+// The candidates of a sphere; it is a failure if one is visited twice.
+template <BroadPhase Phase>
+std::set<Partner> candidates_of(const Phase& phase, const World& world, Slot slot) {
+  std::set<Partner> candidates;
+  phase.for_each_candidate(world, slot, [&](Slot other, const Image& image) {
+    EXPECT_NE(other, slot);
+    EXPECT_TRUE(candidates.emplace(other, image.boxes).second) << "visited twice";
+  });
+  return candidates;
+}
+
+// All spheres and copies that touch the sphere now, found by looking at several boxes to all sides.
+std::set<Partner> touching(const World& world, Slot slot, const Time& now) {
+  std::set<Partner> found;
+  for (Slot other = 0; other < world.size(); ++other) {
+    if (other == slot) continue;
+    const Vec3 apart = position_at(world.path(other), now) - position_at(world.path(slot), now);
+    const double reach = world.radius(slot) + world.radius(other);
+    Image middle;
+    Image span;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (!world.box().is_periodic(axis)) continue;
+      middle[axis] = static_cast<std::int32_t>(-std::round(apart[axis] / world.box().size()[axis]));
+      span[axis] = 2;
+    }
+    for (std::int32_t x = -span[0]; x <= span[0]; ++x) {
+      for (std::int32_t y = -span[1]; y <= span[1]; ++y) {
+        for (std::int32_t z = -span[2]; z <= span[2]; ++z) {
+          const Image image = middle + Image{{x, y, z}};
+          if (length(apart + world.box().shift(image)) <= reach) found.emplace(other, image.boxes);
+        }
+      }
+    }
+  }
+  return found;
+}
+
+// Lets spheres cross cells and change direction for a while, through each other. Whenever a sphere comes to
+// touch another, they must be candidates of each other, and crossings must have shown every candidate that is
+// new.
+template <BroadPhase Phase>
+void fly_about(Phase phase, World world, double until, std::uint64_t seed) {
+  Random random(seed);
+  Time now(0);
+  phase.build(world, now);
+  std::vector<std::set<Partner>> known;
+  for (Slot slot = 0; slot < world.size(); ++slot) known.push_back(candidates_of(phase, world, slot));
+  const auto mirror = [](Slot slot, const Partner& partner) {
+    return Partner{slot, {-partner.second[0], -partner.second[1], -partner.second[2]}};
+  };
+  constexpr int kSteps = 60;
+  for (int step = 0; step < kSteps && world.size() > 0; ++step) {
+    // The next crossing, or a change of path before it.
+    Slot slot = 0;
+    for (Slot other = 1; other < world.size(); ++other) {
+      if (phase.next_crossing(other) < phase.next_crossing(slot)) slot = other;
+    }
+    const Time turn = after(now, until * random.uniform() / kSteps);
+    ASSERT_GE(phase.next_crossing(slot), now);
+    if (phase.next_crossing(slot) <= turn) {
+      now = phase.next_crossing(slot);
+      std::set<Partner> shown;
+      phase.cross(world, slot, now,
+                  [&](Slot other, const Image& image) { shown.emplace(other, image.boxes); });
+      for (const Partner& partner : candidates_of(phase, world, slot)) {
+        ASSERT_TRUE(known[slot].contains(partner) || known[partner.first].contains(mirror(slot, partner)) ||
+                    shown.contains(partner));
+      }
+    } else {
+      now = turn;
+      slot = static_cast<Slot>(random.uniform() * static_cast<double>(world.size()));
+      Vec3 velocity = world.path(slot).velocity;
+      if (velocity == Vec3{}) velocity = {1, 0, 0};
+      const Image folded = world.change_velocity(slot, now, length(velocity) * random.direction());
+      phase.refresh(world, slot, now, folded);
+    }
+    phase.validate(world, now);
+    for (Slot each = 0; each < world.size(); ++each) known[each] = candidates_of(phase, world, each);
+    for (Slot each = 0; each < world.size(); ++each) {
+      for (const Partner& partner : known[each]) {
+        ASSERT_TRUE(known[partner.first].contains(mirror(each, partner))) << "one knows of the other";
+      }
+      for (const Partner& partner : touching(world, each, now)) {
+        ASSERT_TRUE(known[each].contains(partner)) << "spheres " << each << " and " << partner.first;
+      }
+    }
+  }
+}
+
+TEST(AllPairs, KnowsWhoMayTouch) {
+  for (std::uint64_t seed = 0; seed < support::cases(300); ++seed) {
+    const support::RandomWorld made = support::make_random_world(seed);
+    SCOPED_TRACE(made.name);
+    fly_about(AllPairs(), made.world, made.until, seed);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(CellGrid, KnowsWhoMayTouch) {
+  for (std::uint64_t seed = 0; seed < support::cases(300); ++seed) {
+    const support::RandomWorld made = support::make_random_world(seed);
+    SCOPED_TRACE(made.name);
+    const double diameter = made.world.size() > 0 ? 2 * made.world.largest_radius() : 1;
+    fly_about(CellGrid(diameter * (0.5 + static_cast<double>(seed % 7))), made.world, made.until, seed);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(AllPairs, HasAllOthersAsCandidatesInABoxWithWalls) {
+  World world(Box::walls({50, 50, 50}));
+  for (int i = 0; i < 5; ++i) world.add({{5.0 + 9 * i, 25, 25}, {1, 0, 0}, 1, 1});
+  AllPairs phase;
+  phase.build(world, Time(0));
+  for (Slot slot = 0; slot < 5; ++slot) {
+    EXPECT_EQ(candidates_of(phase, world, slot).size(), 4U);
+    EXPECT_EQ(phase.next_crossing(slot), kNever);
+  }
+}
+
+TEST(CellGrid, HasOnlyNeighborsAsCandidates) {
+  World world(Box::walls({50, 50, 50}));
+  for (int i = 0; i < 5; ++i) world.add({{5.0 + 9 * i, 25, 25}, {1, 0, 0}, 1, 1});
+  CellGrid grid(3);
+  grid.build(world, Time(0));
+  for (Slot slot = 0; slot < 5; ++slot) EXPECT_EQ(candidates_of(grid, world, slot).size(), 0U);
+  CellGrid coarse(1000);
+  coarse.build(world, Time(0));
+  for (Slot slot = 0; slot < 5; ++slot) EXPECT_EQ(candidates_of(coarse, world, slot).size(), 4U);
+}
+
+TEST(CellGrid, CountsTheRowsOfCellsThatSpheresLeave) {
+  World world;
+  world.add({{0.5, 0.5, 0.5}, {1, 0, 0}, 0.25, 1});
+  CellGrid grid(1);
+  grid.build(world, Time(0));
+  constexpr int kCrossings = 10;
+  for (int i = 0; i < kCrossings; ++i) grid.cross(world, 0, grid.next_crossing(0), [](Slot, const Image&) {});
+  // It enters cell 10 when its front reaches 10; by then it has left cells 0 to 8.
+  EXPECT_NEAR(grid.next_crossing(0).value(), 10.25, 1e-6);
+  EXPECT_EQ(grid.left_count(), 9U);
+}
+
+TEST(CellGrid, RefusesCellsThatAreTooSmall) {
+  World world(Box::walls({10, 10, 10}));
+  world.add({{5, 5, 5}, {}, 1, 1});
+  for (const double edge : {0.0, -1.0, 0.01, std::numeric_limits<double>::quiet_NaN()}) {
+    CellGrid grid(edge);
+    EXPECT_THROW(grid.build(world, Time(0)), Error);
+  }
+  CellGrid grid(0.4);  // the remedy that the message names
+  EXPECT_NO_THROW(grid.build(world, Time(0)));
+}
+
+TEST(CellGrid, NoticesASphereThatLeftItsCellsUnseen) {
+  World world(Box::periodic({20, 20, 20}));
+  world.add({{5, 5, 5}, {1, 0, 0}, 0.5, 1});
+  CellGrid grid(1);
+  grid.build(world, Time(0));
+  EXPECT_NO_THROW(grid.validate(world, Time(0)));
+  EXPECT_THROW(grid.validate(world, Time(3)), BrokenInvariant);
+}
+
+}  // namespace
+}  // namespace hardball

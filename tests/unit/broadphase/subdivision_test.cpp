@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/broadphase/subdivision.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/world/random.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr std::int32_t kMost = 1 << 20;
+
+TEST(Subdivision, FitsWholeCellsIntoBoundedAxes) {
+  const Subdivision cells(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {10, 10, 0}), 3, kMost);
+  EXPECT_DOUBLE_EQ(cells.edge(0), 10.0 / 3);
+  EXPECT_DOUBLE_EQ(cells.edge(1), 10.0 / 3);
+  EXPECT_EQ(cells.edge(2), 3);
+  EXPECT_EQ(cells.first(0), 0);
+  EXPECT_EQ(cells.last(0), 2);
+  EXPECT_EQ(cells.period(0), 0);
+  EXPECT_EQ(cells.period(1), 3);
+  EXPECT_EQ(cells.period(2), 0);
+  const Subdivision one(Box::walls({10, 10, 10}), 1000, kMost);
+  EXPECT_EQ(one.last(0), 0);
+  EXPECT_EQ(one.edge(0), 10);
+}
+
+TEST(Subdivision, RefusesEdgesThatAreNotPositiveAndFinite) {
+  for (const double edge :
+       {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(Subdivision(Box::open(), edge, kMost), Error);
+  }
+}
+
+TEST(Subdivision, FoldsPlacesByWholeBoxes) {
+  const Subdivision cells(Box({Boundary::periodic, Boundary::wall, Boundary::periodic}, {10, 10, 10}), 2.5,
+                          kMost);
+  for (std::int32_t place = -13; place <= 13; ++place) {
+    CellIndex cell{place, 2, place};
+    const Image boxes = cells.fold(cell);
+    EXPECT_EQ(cell[0] + cells.cells_beyond(0, boxes), place);
+    EXPECT_EQ(cell[1], 2);
+    EXPECT_GE(cell[2], 0);
+    EXPECT_LT(cell[2], 4);
+    EXPECT_EQ(boxes[1], 0);
+  }
+}
+
+TEST(Subdivision, RangeCoversTheSphereAndNotMuchMore) {
+  Random random(1);
+  const Box box({Boundary::wall, Boundary::periodic, Boundary::open}, {10, 10, 0});
+  for (int i = 0; i < 5000; ++i) {
+    const double edge = 0.3 + 6 * random.uniform();
+    const Subdivision cells(box, edge, kMost);
+    const double radius = 0.05 + 2 * random.uniform();
+    const Vec3 place{10 * random.uniform(), 40 * random.uniform() - 20, 1e4 * random.normal()};
+    const CellRange range = cells.range_at(place, radius);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const double e = cells.edge(axis);
+      const bool at_lower_wall = box.is_wall(axis) && range.low[axis] == 0;
+      const bool at_upper_wall = box.is_wall(axis) && range.high[axis] == cells.last(axis);
+      ASSERT_TRUE(at_lower_wall || range.low[axis] * e < place[axis] - radius);
+      ASSERT_TRUE(at_upper_wall || (range.high[axis] + 1) * e > place[axis] + radius);
+      // Margins are a millionth at most.
+      ASSERT_GT((range.low[axis] + 1) * e, place[axis] - radius - 1e-6 * (e + 1));
+      ASSERT_LT(range.high[axis] * e, place[axis] + radius + 1e-6 * (e + 1));
+    }
+  }
+}
+
+TEST(Subdivision, SpheresBeyondTheOutermostCellsOfOpenSpaceBelongToThese) {
+  const Subdivision cells(Box::open(), 1, 16);
+  EXPECT_EQ(cells.first(0), -8);
+  EXPECT_EQ(cells.last(0), 7);
+  const CellRange range = cells.range_at({1e30, -1e30, 0.5}, 0.25);
+  EXPECT_EQ(range, (CellRange{{7, -8, 0}, {7, -8, 0}}));
+  const CellCrossing next = cells.next_enter({{1e30, -1e30, 0.5}, {1, -1, 0}, Time(0)}, 0.25, range);
+  EXPECT_EQ(next.wait, std::numeric_limits<double>::infinity());
+}
+
+TEST(Subdivision, RefusesToCountCellsForEver) {
+  const Subdivision cells(Box::periodic({1, 1, 1}), 1e-3, kMost);
+  EXPECT_THROW(cells.range_at({1e9, 0, 0}, 0.1), RunFailure);
+}
+
+TEST(Subdivision, EntersTheNextCellSlightlyBeforeTouchingItAndLeavesSlightlyAfter) {
+  const Subdivision cells(Box::open(), 2, kMost);
+  const double radius = 0.5;
+  const Path up{{1, 1, 1}, {2, 1, 0}, Time(7)};
+  const CellRange start = cells.range_at(up.position, radius);
+  ASSERT_EQ(start, (CellRange{{0, 0, 0}, {0, 0, 0}}));
+  const CellCrossing enter = cells.next_enter(up, radius, start);
+  EXPECT_EQ(enter.axis, 0);
+  EXPECT_TRUE(enter.up);
+  EXPECT_LT(enter.wait, 0.25);
+  EXPECT_NEAR(enter.wait, 0.25, 1e-8);
+  const CellCrossing leave = cells.next_leave(up, radius, {{0, 0, 0}, {1, 0, 0}});
+  EXPECT_EQ(leave.axis, 0);
+  EXPECT_GT(leave.wait, 0.75);
+  EXPECT_NEAR(leave.wait, 0.75, 1e-8);
+
+  const Path down{{1, 1, 1}, {0, 0, -1}, Time(7)};
+  const CellCrossing below = cells.next_enter(down, radius, start);
+  EXPECT_EQ(below.axis, 2);
+  EXPECT_FALSE(below.up);
+  EXPECT_NEAR(below.wait, 0.5, 1e-8);
+  EXPECT_NEAR(cells.next_leave(down, radius, {{0, 0, -1}, {0, 0, 0}}).wait, 1.5, 1e-8);
+  EXPECT_EQ(cells.next_leave(down, radius, start).wait, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(cells.next_enter({{1, 1, 1}, {}, Time(0)}, radius, start).wait,
+            std::numeric_limits<double>::infinity());
+}
+
+TEST(CellRange, VisitsItsCellsOnceEach) {
+  const CellRange range{{-1, 2, 0}, {1, 2, 1}};
+  std::vector<CellIndex> visited;
+  range.for_each([&](const CellIndex& cell) {
+    EXPECT_TRUE(range.contains(cell));
+    visited.push_back(cell);
+  });
+  EXPECT_EQ(visited.size(), 6U);
+  EXPECT_FALSE(range.contains({-2, 2, 0}));
+  EXPECT_FALSE(range.contains({0, 3, 0}));
+}
+
+}  // namespace
+}  // namespace hardball

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// The loops themselves, without the facade.
+#include "hardball/engine/engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hardball/broadphase/all_pairs.hpp"
+#include "hardball/broadphase/cell_grid.hpp"
+#include "hardball/events/calendar_queue.hpp"
+#include "hardball/events/ordered_queue.hpp"
+#include "hardball/paper/paper_engine.hpp"
+#include "hardball/response/restitution.hpp"
+
+namespace hardball {
+namespace {
+
+// Six spheres of diameter one in a ring of 11, one of them moving: collision k happens at time k exactly.
+World newtons_cradle() {
+  World world(Box::periodic({11, 11, 11}));
+  for (const double x : {0.0, 1.0, 3.0, 5.0, 7.0, 9.0})
+    world.add({{x, 5, 5}, {x == 1 ? 1.0 : 0.0, 0, 0}, 0.5, 1});
+  return world;
+}
+
+template <class Made>
+struct EveryEngine : testing::Test {};
+
+struct CellsWithCalendar {
+  static auto make(World world) {
+    return Engine<CalendarQueue, CellGrid, Restitution>(std::move(world), CellGrid(1.3), Restitution(1),
+                                                        Time(0));
+  }
+};
+struct CellsWithTree {
+  static auto make(World world) {
+    return Engine<OrderedQueue, CellGrid, Restitution>(std::move(world), CellGrid(0.6), Restitution(1),
+                                                       Time(0));
+  }
+};
+struct AllPairsWithCalendar {
+  static auto make(World world) {
+    return Engine<CalendarQueue, AllPairs, Restitution>(std::move(world), AllPairs(), Restitution(1),
+                                                        Time(0));
+  }
+};
+struct Paper {
+  static auto make(World world) {
+    return PaperEngine<Restitution>(std::move(world), 1.5, Restitution(1), Time(0));
+  }
+};
+using Makers = testing::Types<CellsWithCalendar, CellsWithTree, AllPairsWithCalendar, Paper>;
+TYPED_TEST_SUITE(EveryEngine, Makers);
+
+constexpr auto kIgnore = [](const Contact&) {};
+
+TYPED_TEST(EveryEngine, RunsNewtonsCradleWithoutRounding) {
+  auto engine = TypeParam::make(newtons_cradle());
+  double expected = 0;
+  const RunStatus status = engine.run({.until = Time(1000)}, [&](const Contact& contact) {
+    expected += 1;
+    ASSERT_EQ(contact.time, Time(expected));
+    ASSERT_EQ(contact.overlap(), 0);
+  });
+  EXPECT_EQ(status, RunStatus::time_reached);
+  EXPECT_EQ(expected, 1000) << "events at the very end happen";
+  EXPECT_EQ(engine.counters().collision, 1000U);
+  EXPECT_EQ(engine.counters().wall, 0U);
+  engine.validate();
+}
+
+TYPED_TEST(EveryEngine, StopsAtTheFirstLimitReached) {
+  auto engine = TypeParam::make(newtons_cradle());
+  EXPECT_EQ(engine.run({.until = Time(50), .contacts = 0}, kIgnore), RunStatus::contacts_reached);
+  EXPECT_EQ(engine.counters().contacts(), 0U);
+  EXPECT_EQ(engine.run({.until = Time(50), .contacts = 3}, kIgnore), RunStatus::contacts_reached);
+  EXPECT_EQ(engine.now(), Time(3));
+  EXPECT_EQ(engine.run({.until = Time(3.5), .contacts = 3}, kIgnore), RunStatus::time_reached);
+  EXPECT_EQ(engine.counters().contacts(), 3U);
+  EXPECT_EQ(engine.run({.until = Time(50), .steps = 0}, kIgnore), RunStatus::steps_reached);
+  EXPECT_EQ(engine.counters().contacts(), 3U);
+  EXPECT_EQ(engine.run({.until = Time(50), .steps = 1}, kIgnore), RunStatus::steps_reached);
+}
+
+TYPED_TEST(EveryEngine, TellsTheNextContactAndDoesNotCarryItOut) {
+  auto engine = TypeParam::make(newtons_cradle());
+  for (int i = 0; i < 3; ++i) {
+    const std::optional<Event> next = engine.next_contact(Time(10));
+    ASSERT_TRUE(next);
+    EXPECT_EQ(*next, (Event{Time(1), EventKind::collision, 1, 2, {}}));
+  }
+  EXPECT_EQ(engine.next_contact(Time(0.5)), std::nullopt);
+  EXPECT_EQ(engine.counters().contacts(), 0U);
+}
+
+TYPED_TEST(EveryEngine, IsAValueThatCanBeCopied) {
+  auto engine = TypeParam::make(newtons_cradle());
+  engine.run({.until = Time(4)}, kIgnore);
+  auto copy = engine;
+  std::vector<Time> times;
+  std::vector<Time> copied_times;
+  engine.run({.until = Time(30)}, [&](const Contact& contact) { times.push_back(contact.time); });
+  copy.run({.until = Time(30)}, [&](const Contact& contact) { copied_times.push_back(contact.time); });
+  EXPECT_EQ(times.size(), 26U);
+  EXPECT_EQ(times, copied_times);
+}
+
+TYPED_TEST(EveryEngine, GoesOnAfterAnObserverThrew) {
+  auto engine = TypeParam::make(newtons_cradle());
+  const auto throws = [](const Contact&) { throw std::runtime_error("enough"); };
+  EXPECT_THROW(engine.run({}, throws), std::runtime_error);
+  EXPECT_EQ(engine.counters().contacts(), 1U) << "the contact has happened";
+  engine.run({.contacts = 1}, kIgnore);
+  EXPECT_EQ(engine.now(), Time(2));
+  engine.validate();
+}
+
+TYPED_TEST(EveryEngine, TakesANewVelocityInBetween) {
+  auto engine = TypeParam::make(newtons_cradle());
+  engine.run({.until = Time(1.5)}, kIgnore);
+  // Sphere 2 has moved from 3 to 3.5; it turns back towards sphere 1, at rest at 2.
+  engine.change_velocity(2, Time(1.5), {-0.5, 0, 0});
+  std::vector<Time> times;
+  engine.run({.until = Time(3)}, [&](const Contact& contact) { times.push_back(contact.time); });
+  EXPECT_EQ(times, (std::vector<Time>{Time(2.5)}));
+  engine.validate();
+}
+
+TYPED_TEST(EveryEngine, NeedsMemoryInProportionToTheSpheres) {
+  const auto bytes = [](int spheres) {
+    World world(Box::periodic({1e4, 1e4, 1e4}));
+    for (int i = 0; i < spheres; ++i) world.add({{3.0 * (i % 100), 3.0 * (i / 100), 0}, {0, 0, 1}, 0.5, 1});
+    return TypeParam::make(world).memory_bytes();
+  };
+  EXPECT_LT(bytes(4000), 6 * bytes(1000)) << "some capacities are powers of two";
+  EXPECT_LT(bytes(4000), 4000U * 3000);
+}
+
+}  // namespace
+}  // namespace hardball

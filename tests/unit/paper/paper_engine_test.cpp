@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/paper/paper_engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hardball/response/restitution.hpp"
+
+namespace hardball {
+namespace {
+
+TEST(PaperEngine, CountsEveryEnterAndLeave) {
+  World world;
+  world.add({{0.75, 0.75, 0.75}, {1, 0, 0}, 0.25, 1});
+  PaperEngine<Restitution> engine(world, 1.5, Restitution(1), Time(0));
+  engine.run({.until = Time(30)}, [](const Contact&) {});
+  // It moves from 0.75 to 30.75: fronts pass 1.5, 3, ... 30 and backs 1.5, ... 30.
+  EXPECT_EQ(engine.counters().enter, 20U);
+  EXPECT_EQ(engine.counters().leave, 20U);
+}
+
+TEST(PaperEngine, ForgetsCandidatesThatShareNoSubspaceAnyMore) {
+  // Two spheres that meet far from here share a subspace for a while, part, and share another when they meet.
+  World world;
+  world.add({{0.5, 0.5, 0.5}, {1, 0, 0}, 0.25, 1});
+  world.add({{0.625, 1.5, 0.5}, {1, -0.0625, 0}, 0.25, 1});
+  PaperEngine<Restitution> engine(world, 2, Restitution(1), Time(0));
+  const auto contacts_met = [&] { return engine.counters().contacts(); };
+  while (contacts_met() == 0) {
+    ASSERT_EQ(engine.run({.until = Time(100), .steps = 1}, [](const Contact&) {}), RunStatus::steps_reached);
+    engine.validate();
+  }
+  EXPECT_GT(engine.counters().leave, 2U);
+}
+
+TEST(PaperEngine, RefusesSubspacesSmallerThanASphere) {
+  World world;
+  world.add({{0, 0, 0}, {1, 0, 0}, 1, 1});
+  EXPECT_THROW(PaperEngine<Restitution>(world, 1.99, Restitution(1), Time(0)), Error);
+  EXPECT_NO_THROW(PaperEngine<Restitution>(world, 2, Restitution(1), Time(0)));
+}
+
+}  // namespace
+}  // namespace hardball

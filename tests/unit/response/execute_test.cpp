@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/response/execute.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/response/restitution.hpp"
+#include "hardball/world/random.hpp"
+
+namespace hardball {
+namespace {
+
+double approach(const Contact& contact) {
+  return dot(contact.separation, contact.after.second - contact.after.first);
+}
+
+TEST(ContactAt, DescribesACollisionThroughTheEdgeOfAPeriodicBox) {
+  World world(Box::periodic({10, 10, 10}));
+  world.add({{5, 5, 5}, {}, 1, 1});
+  world.remove(0);
+  world.add({{3, 5, 5}, {-1, 0, 0}, 1, 2});
+  world.add({{6, 5, 5}, {1, 0, 0}, 0.5, 3});
+  const Event event = make_collision(contact_time(world, 0, 1, {{-1, 0, 0}}), 0, 1, {{-1, 0, 0}});
+  ASSERT_EQ(event.time, Time(2.75));
+  std::array<Image, 2> folded;
+  const Contact contact = contact_at(world, event, folded);
+  EXPECT_EQ(contact.first, 1U) << "an id, not a slot";
+  EXPECT_EQ(contact.second, 2U);
+  EXPECT_EQ(contact.position, (Vec3{0.25, 5, 5}));
+  EXPECT_EQ(contact.separation, (Vec3{-1.5, 0, 0}));
+  EXPECT_EQ(contact.normal, (Vec3{-1, 0, 0}));
+  EXPECT_EQ(contact.point(), (Vec3{-0.75, 5, 5}));
+  EXPECT_EQ(contact.reach, 1.5);
+  EXPECT_EQ(contact.overlap(), 0);
+  EXPECT_EQ(contact.first_mass, 2);
+  EXPECT_EQ(contact.second_mass, 3);
+  EXPECT_EQ(contact.impact_speed(), 2);
+  EXPECT_EQ(contact.image, (Image{{-1, 0, 0}}));
+  EXPECT_EQ(folded[0], Image{});
+  EXPECT_EQ(folded[1], Image{});
+  EXPECT_EQ(contact.after, contact.before);
+}
+
+TEST(ContactAt, CountsTheImageBetweenFoldedCentres) {
+  World world(Box::periodic({10, 10, 10}));
+  world.add({{9, 5, 5}, {2, 0, 0}, 0.5, 1});
+  world.add({{4, 5, 5}, {0, 0, 0}, 0.5, 1});
+  // The first flies on to the second's next copy, over the edge of the box: from 9 to 13.
+  const Event event = make_collision(contact_time(world, 0, 1, {{1, 0, 0}}), 0, 1, {{1, 0, 0}});
+  ASSERT_EQ(event.time, Time(2));
+  std::array<Image, 2> folded;
+  const Contact contact = contact_at(world, event, folded);
+  EXPECT_EQ(contact.position, (Vec3{3, 5, 5}));
+  EXPECT_EQ(contact.image, Image{});
+  EXPECT_EQ(contact.separation, (Vec3{1, 0, 0}));
+  EXPECT_EQ(folded[0], (Image{{1, 0, 0}}));
+}
+
+TEST(ContactAt, DescribesAWall) {
+  World world(Box::walls({10, 10, 10}));
+  world.add({{5, 5, 5}, {1, 2, 0}, 1, 4});
+  std::array<Image, 2> folded;
+  const Contact contact = contact_at(world, next_wall_event(world, 0), folded);
+  EXPECT_FALSE(contact.is_collision());
+  EXPECT_EQ(contact.second, face_of(1, true));
+  EXPECT_EQ(contact.separation, (Vec3{0, 1, 0}));
+  EXPECT_EQ(contact.normal, (Vec3{0, 1, 0}));
+  EXPECT_EQ(contact.point(), (Vec3{7, 10, 5}));
+  EXPECT_EQ(contact.reach, 1);
+  EXPECT_EQ(contact.impact_speed(), 2);
+  EXPECT_EQ(contact.second_mass, std::numeric_limits<double>::infinity());
+}
+
+TEST(Execute, WritesBothPathsAndNothingElse) {
+  World world;
+  world.add({{0, 0, 0}, {1, 0, 0}, 1, 1});
+  world.add({{4, 0, 0}, {0, 0, 0}, 1, 1});
+  world.add({{0, 9, 0}, {1, 0, 0}, 1, 1});
+  const Path bystander = world.path(2);
+  CollapseGuard guard;
+  const Event event = make_collision(contact_time(world, 0, 1, {}), 0, 1, {});
+  const Executed done = execute(world, guard, event, Restitution(1));
+  EXPECT_EQ(world.path(0), (Path{{2, 0, 0}, {0, 0, 0}, Time(2)}));
+  EXPECT_EQ(world.path(1), (Path{{4, 0, 0}, {1, 0, 0}, Time(2)}));
+  EXPECT_EQ(world.path(2), bystander);
+  EXPECT_EQ(done.contact.after.second, (Vec3{1, 0, 0}));
+  EXPECT_EQ(done.contact.impulse(), (Vec3{-1, 0, 0}));
+}
+
+TEST(Execute, ChangesNothingIfTheResponseThrows) {
+  World world;
+  world.add({{0, 0, 0}, {1, 0, 0}, 1, 1});
+  world.add({{4, 0, 0}, {0, 0, 0}, 1, 1});
+  const std::vector<Path> before(world.paths().begin(), world.paths().end());
+  CollapseGuard guard;
+  const Event event = make_collision(contact_time(world, 0, 1, {}), 0, 1, {});
+  const auto throws = [](const Contact&) -> Velocities { throw std::runtime_error("no"); };
+  EXPECT_THROW(execute(world, guard, event, throws), std::runtime_error);
+  const auto through = [](const Contact& contact) { return contact.before; };
+  EXPECT_THROW(execute(world, guard, event, through), Error) << "they still approach";
+  EXPECT_TRUE(std::equal(before.begin(), before.end(), world.paths().begin()));
+}
+
+TEST(Settle, UndoesAnApproachThatRoundingLeft) {
+  Random random(3);
+  int settled = 0;
+  for (int i = 0; i < 100000; ++i) {
+    Contact contact;
+    contact.separation = random.direction();
+    contact.first_mass = 1;
+    contact.second_mass = 1 + 100 * random.uniform();
+    // Perfectly plastic: both go on as one, up to rounding.
+    const Vec3 common{random.normal(), random.normal(), random.normal()};
+    const auto rounding = [&random] { return 1e-16 * random.direction(); };
+    contact.before = {common + 1e-8 * contact.separation, common};
+    contact.after = {common + rounding(), common + rounding()};
+    const Velocities wanted = contact.after;
+    settled += approach(contact) < 0;
+    settle(contact);
+    ASSERT_GE(approach(contact), 0) << "no contact may follow itself";
+    ASSERT_LT(length(contact.after.first - wanted.first), 1e-14 * (1 + length(common)));
+    ASSERT_LT(length(contact.after.second - wanted.second), 1e-14 * (1 + length(common)));
+  }
+  EXPECT_GT(settled, 10000);
+}
+
+TEST(Settle, LeavesSeparatingBodiesAlone) {
+  Contact contact;
+  contact.separation = {0, 2, 0};
+  contact.first_mass = contact.second_mass = 1;
+  contact.before = {{0, 1, 0}, {0, -1, 0}};
+  contact.after = {{3, -1, 0}, {0, -1, 4}};
+  const Velocities after = contact.after;
+  settle(contact);
+  EXPECT_EQ(contact.after, after);
+}
+
+TEST(Settle, RefusesATrueApproach) {
+  Contact contact;
+  contact.separation = {1, 0, 0};
+  contact.first_mass = contact.second_mass = 1;
+  contact.before = {{1, 0, 0}, {-1, 0, 0}};
+  contact.after = {{1e-9, 0, 0}, {0, 0, 0}};
+  EXPECT_THROW(settle(contact), Error);
+  Contact wall;
+  wall.kind = EventKind::wall;
+  wall.second = face_of(2, false);
+  wall.before.first = {0, 0, -1};
+  wall.after.first = {0, 0, -1e-9};
+  EXPECT_THROW(settle(wall), Error);
+  wall.after.first = {5, 5, -1e-15};
+  settle(wall);
+  EXPECT_EQ(wall.after.first, (Vec3{5, 5, 0}));
+}
+
+// Symmetric collapses end with velocities so small that they have no digits left.
+TEST(Settle, UndoesApproachesBelowTheOperatingRange) {
+  Contact contact;
+  contact.separation = {1, 0, 0};
+  contact.first_mass = contact.second_mass = 1;
+  contact.before = {{3e-323, 0, 0}, {-1.5e-323, 0, 0}};
+  contact.after = {{1e-323, 0, 0}, {5e-324, 0, 0}};
+  ASSERT_NO_THROW(settle(contact));
+  EXPECT_GE(approach(contact), 0);
+}
+
+TEST(CollapseGuard, CountsContactsInWhichASphereHasNotMoved) {
+  World world;
+  world.add({{0, 0, 0}, {1e-3, 0, 0}, 1, 1});
+  CollapseGuard guard;
+  for (int i = 0; i < 9999; ++i) ASSERT_NO_THROW(guard.note_contact(world, 0, Time(1e-13)));
+  EXPECT_THROW(guard.note_contact(world, 0, Time(1e-13)), RunFailure);
+  // A thousandth of a millionth of the radius is movement.
+  ASSERT_NO_THROW(guard.note_contact(world, 0, Time(1e-6)));
+  for (int i = 0; i < 9999; ++i) ASSERT_NO_THROW(guard.note_contact(world, 0, Time(0)));
+  try {
+    guard.note_contact(world, 0, Time(0));
+    FAIL();
+  } catch (const RunFailure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("inelastic collapse: sphere 0"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace hardball

@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/simulation/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/hardball.hpp"
+#include "support/effort.hpp"
+#include "support/history.hpp"
+#include "support/random_world.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+World head_on_pair() {
+  World world(Box::walls({20, 10, 10}));
+  world.add({{5, 5, 5}, {1, 0, 0}, 1, 1});
+  world.add({{15, 5, 5}, {-1, 0, 0}, 1, 1});
+  return world;
+}
+
+std::vector<EngineKind> all_engines() {
+  return {EngineKind::cells, EngineKind::all_pairs, EngineKind::paper};
+}
+
+TEST(Simulation, IsEmbeddedInAFewLines) {
+  World world(Box::periodic({10, 10, 10}));
+  world.add({{2, 5, 5}, {1, 0, 0}});
+  world.add({{7, 5, 5}, {0, 0, 0}});
+  Simulation simulation(world);
+  std::vector<double> times;
+  simulation.on_contact([&](const Contact& contact) { times.push_back(contact.time.value()); });
+  simulation.run_until(12);
+  EXPECT_EQ(times, (std::vector<double>{3, 9}));
+  EXPECT_EQ(simulation.time(), 12);
+  EXPECT_EQ(simulation.position(0), (Vec3{8, 5, 5}));
+  EXPECT_EQ(simulation.velocity(1), (Vec3{0, 0, 0}));
+}
+
+TEST(Simulation, OfNothingJustLetsTimePass) {
+  for (const EngineKind engine : all_engines()) {
+    EngineOptions options;
+    options.engine = engine;
+    for (const Box& box : {Box::open(), Box::periodic({1, 1, 1}), Box::walls({1, 1, 1})}) {
+      Simulation simulation(World(box), options);
+      EXPECT_EQ(simulation.next_contact(), std::nullopt);
+      EXPECT_EQ(simulation.run({}), RunStatus::time_reached);
+      simulation.run_until(5);
+      EXPECT_EQ(simulation.time(), 5);
+      EXPECT_TRUE(simulation.positions().empty());
+      EXPECT_TRUE(simulation.positions_at(7).empty());
+      simulation.validate();
+      EXPECT_EQ(simulation.add({{0.5, 0.5, 0.5}, {1, 0, 0}, 0.25, 1}), 0U) << "it can be filled later";
+      simulation.run_until(5.5);
+      EXPECT_EQ(simulation.velocity(0), (Vec3{box.is_wall(0) ? -1.0 : 1.0, 0, 0}));
+    }
+  }
+}
+
+TEST(Simulation, OfOneSphereBouncesWithAnExactPeriod) {
+  for (const EngineKind engine : all_engines()) {
+    World world(Box::walls({10, 10, 10}));
+    world.add({{5, 5, 5}, {2, 0, 0}, 1, 1});
+    EngineOptions options;
+    options.engine = engine;
+    Simulation simulation(world, options);
+    double expected = 2;
+    simulation.on_contact([&](const Contact& contact) {
+      EXPECT_EQ(contact.time, Time(expected));
+      expected += 4;
+    });
+    EXPECT_EQ(simulation.run_contacts(100), 100U);
+    EXPECT_EQ(simulation.time(), 398);
+  }
+}
+
+TEST(Simulation, TellsTheNextContactAsOftenAsAsked) {
+  Simulation simulation(head_on_pair());
+  EXPECT_EQ(simulation.next_contact(3.5), std::nullopt);
+  for (int i = 0; i < 2; ++i) {
+    const std::optional<NextContact> next = simulation.next_contact();
+    ASSERT_TRUE(next);
+    EXPECT_EQ(next->time, 4);
+    EXPECT_EQ(next->kind, EventKind::collision);
+    EXPECT_EQ(next->first, 0U);
+    EXPECT_EQ(next->second, 1U);
+  }
+  EXPECT_EQ(simulation.time(), 0);
+  simulation.run_until(4);
+  const std::optional<NextContact> wall = simulation.next_contact();
+  ASSERT_TRUE(wall);
+  EXPECT_EQ(wall->time, 12);
+  EXPECT_EQ(wall->kind, EventKind::wall);
+  EXPECT_EQ(wall->second, face_of(0, false));
+}
+
+// Times are finer than doubles; whoever asks for the next contact and runs to the double it is told gets
+// there.
+TEST(Simulation, RunToTheNextContactCarriesItOut) {
+  for (std::uint64_t seed = 0; seed < support::cases(200); ++seed) {
+    const support::RandomWorld made = support::make_random_world(seed);
+    SCOPED_TRACE(made.name);
+    EngineOptions options;
+    options.restitution = made.restitution;
+    Simulation simulation(made.world, options);
+    for (int i = 0; i < 30; ++i) {
+      const std::optional<NextContact> next = simulation.next_contact(made.until);
+      if (!next) break;
+      const std::uint64_t before = simulation.counters().contacts();
+      ASSERT_EQ(simulation.positions_at(next->time).size(), simulation.size());
+      simulation.run({.until = Time(next->time), .contacts = 1});
+      ASSERT_EQ(simulation.counters().contacts(), before + 1);
+    }
+  }
+}
+
+TEST(Simulation, RunWithoutEndStopsAtTheLastContact) {
+  for (const EngineKind engine : all_engines()) {
+    // Walls on all sides but spheres at rest after a plastic bounce: nothing is left to happen.
+    World world(Box::walls({20, 10, 10}));
+    world.add({{5, 5, 5}, {-1, 0, 0}, 1, 1});
+    EngineOptions options;
+    options.engine = engine;
+    options.restitution = 0;
+    Simulation simulation(world, options);
+    EXPECT_EQ(simulation.run({}), RunStatus::time_reached);
+    EXPECT_EQ(simulation.time(), 4);
+    EXPECT_EQ(simulation.velocity(0), (Vec3{0, 0, 0}));
+    // A look ahead moves the engine, and not the time.
+    simulation.change_velocity(0, {0.25, 0, 0});
+    EXPECT_TRUE(simulation.next_contact());
+    EXPECT_EQ(simulation.run_contacts(0), 0U);
+    EXPECT_EQ(simulation.time(), 4);
+  }
+}
+
+TEST(Simulation, PositionsAtAreThoseOfTheRunThatFollows) {
+  for (std::uint64_t seed = 0; seed < support::cases(200); ++seed) {
+    const support::RandomWorld made = support::make_random_world(seed);
+    Simulation simulation(made.world);
+    // A sphere that just fits between two walls bounces infinitely often in no time.
+    if (!support::run_on(simulation, {.until = Time(made.until / 2), .contacts = 10}).failure.empty())
+      continue;
+    const std::optional<NextContact> next = simulation.next_contact(made.until);
+    if (next && next->time == simulation.time()) continue;
+    const double end = next ? next->time : made.until;
+    const double between = simulation.time() + 0.5 * (end - simulation.time());
+    const std::vector<Vec3> positions = simulation.positions_at(between);
+    simulation.run_until(between);
+    ASSERT_EQ(simulation.positions(), positions) << made.name;
+  }
+}
+
+TEST(Simulation, RefusesTimesInThePastAndBeyondTheNextContact) {
+  Simulation simulation(head_on_pair());
+  simulation.run_until(1);
+  for (const double bad : {0.5, -1.0, kNan}) {
+    EXPECT_THROW(simulation.run_until(bad), Error);
+    EXPECT_THROW(simulation.next_contact(bad), Error);
+    EXPECT_THROW(simulation.positions_at(bad), Error);
+    EXPECT_THROW(simulation.run_contacts(1, bad), Error);
+  }
+  EXPECT_THROW(simulation.positions_at(4.5), Error);
+  EXPECT_NO_THROW(simulation.positions_at(4));
+  EXPECT_NO_THROW(simulation.run_until(1));
+  EXPECT_EQ(simulation.time(), 1);
+}
+
+TEST(Simulation, RefusesUnknownSpheresAndBadEdits) {
+  Simulation simulation(head_on_pair());
+  EXPECT_THROW(simulation.position(2), Error);
+  EXPECT_THROW(simulation.velocity(2), Error);
+  EXPECT_THROW(simulation.remove(2), Error);
+  EXPECT_THROW(simulation.change_velocity(2, {1, 0, 0}), Error);
+  EXPECT_THROW(simulation.change_velocity(0, {kNan, 0, 0}), Error);
+  EXPECT_THROW(simulation.change_velocity(0, {0, kInfinity, 0}), Error);
+  EXPECT_THROW(simulation.add({{5, 5, 6}, {}, 1, 1}), Error) << "it overlaps";
+  EXPECT_THROW(simulation.add({{19.5, 5, 5}, {}, 1, 1}), Error) << "it reaches through a wall";
+  EXPECT_THROW(simulation.add({{10, 5, 5}, {}, -1, 1}), Error);
+  EXPECT_THROW(simulation.add({{10, kNan, 5}, {}, 1, 1}), Error);
+  EXPECT_EQ(simulation.size(), 2U);
+  simulation.run_until(10);
+  Simulation untouched(head_on_pair());
+  untouched.run_until(10);
+  EXPECT_EQ(simulation.event_log_hash(), untouched.event_log_hash()) << "nothing was half done";
+}
+
+TEST(Simulation, RefusesOverlapsAndOptionsThatMakeNoSense) {
+  World overlapping = head_on_pair();
+  overlapping.add({{5, 6, 5}, {}, 1, 1});
+  EXPECT_THROW(Simulation{overlapping}, Error);
+  for (const EngineOptions& bad :
+       {EngineOptions{EngineKind::cells, QueueKind::calendar, 0.0, 1},
+        EngineOptions{EngineKind::cells, {}, -1.0, 1}, EngineOptions{EngineKind::cells, {}, kNan, 1},
+        EngineOptions{EngineKind::cells, {}, 1e-3, 1}, EngineOptions{EngineKind::paper, {}, 1.9, 1},
+        EngineOptions{EngineKind::cells, {}, {}, 1.5}, EngineOptions{EngineKind::all_pairs, {}, {}, -0.5},
+        EngineOptions{EngineKind::paper, {}, {}, kNan}}) {
+    EXPECT_THROW(Simulation(head_on_pair(), bad), Error);
+  }
+}
+
+TEST(Simulation, NamesTheEngineThatRuns) {
+  EXPECT_NE(Simulation(head_on_pair()).engine(), EngineKind::automatic);
+  EngineOptions options;
+  options.engine = EngineKind::all_pairs;
+  EXPECT_EQ(Simulation(head_on_pair(), options).cell_edge(), 0);
+  options.engine = EngineKind::paper;
+  options.cell_edge = 4;
+  EXPECT_NEAR(Simulation(head_on_pair(), options).cell_edge(), (4 + 5 + 5) / 3.0, 1e-12)
+      << "whole cells fill the box";
+}
+
+TEST(Simulation, AsksTheResponseOfTheUser) {
+  for (const EngineKind engine : all_engines()) {
+    EngineOptions options;
+    options.engine = engine;
+    Simulation simulation(head_on_pair(), options);
+    simulation.respond_with([](const Contact& contact) {
+      EXPECT_EQ(contact.after, contact.before);
+      Velocities after = Restitution(1)(contact);
+      after.first = 2 * after.first;  // a kick
+      return after;
+    });
+    simulation.run_until(5);
+    EXPECT_EQ(simulation.velocity(0), (Vec3{-2, 0, 0}));
+    EXPECT_EQ(simulation.velocity(1), (Vec3{1, 0, 0}));
+    simulation.respond_with([](const Contact& contact) { return contact.before; });
+    EXPECT_THROW(simulation.run_until(10), Error) << "through the wall";
+    // Nothing has happened, and with a better response it goes on.
+    EXPECT_EQ(simulation.counters().contacts(), 1U);
+    simulation.respond_with(nullptr);
+    simulation.run_until(10);
+    EXPECT_EQ(simulation.velocity(0), (Vec3{2, 0, 0}));
+    simulation.validate();
+  }
+}
+
+TEST(Simulation, ListenerThatThrowsEndsTheRunAfterThatContact) {
+  Simulation simulation(head_on_pair());
+  simulation.on_contact([](const Contact&) { throw std::runtime_error("enough"); });
+  EXPECT_THROW(simulation.run_until(100), std::runtime_error);
+  EXPECT_EQ(simulation.time(), 4);
+  EXPECT_EQ(simulation.counters().contacts(), 1U);
+  simulation.on_contact(nullptr);
+  simulation.run_until(100);
+  Simulation undisturbed(head_on_pair());
+  undisturbed.run_until(100);
+  EXPECT_EQ(simulation.event_log_hash(), undisturbed.event_log_hash());
+}
+
+TEST(Simulation, ForgetsRemovedSpheresAndMeetsAddedOnes) {
+  Simulation simulation(head_on_pair());
+  simulation.run_until(1);
+  const SphereId in_between = simulation.add({{10, 5, 5}, {0, 0, 0}, 1, 1});
+  std::vector<std::pair<SphereId, std::uint32_t>> pairs;
+  simulation.on_contact([&](const Contact& contact) { pairs.emplace_back(contact.first, contact.second); });
+  simulation.run_until(3);
+  EXPECT_EQ(pairs.size(), 3U) << "both at once at time 3, and the middle one hands on what it got";
+  simulation.remove(in_between);
+  pairs.clear();
+  simulation.run_until(6.5);
+  EXPECT_TRUE(pairs.empty());
+  EXPECT_EQ(simulation.velocity(0), (Vec3{-1, 0, 0}));
+  EXPECT_THROW(simulation.position(in_between), Error);
+  EXPECT_EQ(simulation.positions(), (std::vector<Vec3>{{4.5, 5, 5}, {15.5, 5, 5}}));
+}
+
+TEST(Simulation, MovedOnIsAnotherAndMovable) {
+  Simulation first(head_on_pair());
+  Simulation second(std::move(first));
+  second.run_until(5);
+  EXPECT_EQ(second.counters().contacts(), 1U);
+  first = second;
+  first.run_until(50);
+  EXPECT_EQ(second.time(), 5);
+}
+
+}  // namespace
+}  // namespace hardball

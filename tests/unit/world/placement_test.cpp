@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/world/placement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/world/audit.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr std::array<std::array<Boundary, kAxes>, 3> kBoundaries = {
+    {{Boundary::wall, Boundary::wall, Boundary::wall},
+     {Boundary::periodic, Boundary::periodic, Boundary::periodic},
+     {Boundary::wall, Boundary::periodic, Boundary::open}}};
+
+// World::add and the audit refuse spheres that do not fit.
+Audit audit_of(const Box& box, const std::vector<Vec3>& centers, const std::vector<double>& radii) {
+  World world(box);
+  for (std::size_t i = 0; i < centers.size(); ++i) world.add({centers[i], {}, radii[i], 1});
+  return audit(world, Time(0));
+}
+
+TEST(PlaceRandomly, MakesSpheresOfManySizesFitWithoutOverlap) {
+  const Vec3 size{12, 10, 8};
+  std::vector<double> radii;
+  for (int i = 0; i < 600; ++i) radii.push_back(0.05 + 0.6 * (i % 11 == 0) + 0.02 * (i % 7));
+  for (const auto& boundary : kBoundaries) {
+    const Box box(boundary, size);
+    Random random(5);
+    const std::vector<Vec3> centers = place_randomly(box, {{}, size}, radii, random, "here");
+    ASSERT_EQ(centers.size(), radii.size());
+    EXPECT_EQ(audit_of(box, centers, radii).max_overlap, 0);
+    for (std::size_t i = 0; i < centers.size(); ++i) {
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        const double inset = box.is_periodic(axis) ? 0 : radii[i];
+        ASSERT_GE(centers[i][axis], inset);
+        ASSERT_LE(centers[i][axis], size[axis] - inset);
+      }
+    }
+    Random again(5);
+    EXPECT_EQ(place_randomly(box, {{}, size}, radii, again, "here"), centers);
+  }
+}
+
+TEST(PlaceRandomly, FillsTheRegionEvenly) {
+  const Box box = Box::periodic({10, 10, 10});
+  Random random(6);
+  const std::vector<double> radii(20000, 0.01);
+  Vec3 sum;
+  for (const Vec3& center : place_randomly(box, {{}, box.size()}, radii, random, "here")) sum += center;
+  // The standard error of the mean of 20,000 uniform numbers up to 10 is 0.0204; five of them.
+  for (std::size_t axis = 0; axis < kAxes; ++axis) EXPECT_NEAR(sum[axis] / 20000, 5, 0.102);
+}
+
+TEST(PlaceRandomly, RefusesWhatCannotBeReached) {
+  const Box box = Box::periodic({10, 10, 10});
+  Random random(7);
+  const auto place = [&](std::size_t count, double radius) {
+    return place_randomly(box, {{}, box.size()}, std::vector<double>(count, radius), random, "[[spheres]] 2");
+  };
+  try {
+    place(800, 0.5);  // a packing fraction of 0.42
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "[[spheres]] 2");
+    EXPECT_NE(error.remedy().find("fcc"), std::string::npos);
+  }
+  EXPECT_THROW(place(2000, 0.5), Error) << "beyond close packing";
+  EXPECT_EQ(place(0, 0.5).size(), 0U);
+  std::vector<double> unequal(900, 0.5);
+  unequal[0] = 0.4;
+  EXPECT_THROW(place_randomly(box, {{}, box.size()}, unequal, random, "here"), Error) << "no room is found";
+}
+
+TEST(PlaceOnLattice, MakesDenseCrystals) {
+  for (const auto& boundary : kBoundaries) {
+    for (const std::size_t count : {std::size_t{1}, std::size_t{7}, std::size_t{256}, std::size_t{500}}) {
+      const Vec3 size{10, 10, 10};
+      const Box box(boundary, size);
+      // Some 70 percent of the radius at close packing in a periodic box of whole cubes.
+      const double radius =
+          0.7 * std::cbrt(1000 * kClosePacking / (4.18879 * static_cast<double>(count + 200)));
+      const std::vector<Vec3> centers = place_on_lattice(box, {{}, size}, count, radius, "here");
+      ASSERT_EQ(centers.size(), count);
+      EXPECT_LT(audit_of(box, centers, std::vector<double>(count, radius)).max_overlap, 1e-12);
+    }
+  }
+}
+
+TEST(PlaceOnLattice, ReachesClosePackingAndNoFarther) {
+  // 4 * 5^3 spheres: with cubes of edge 2, neighbours stand sqrt(2) apart.
+  const Box box = Box::periodic({10, 10, 10});
+  const double most = std::sqrt(0.5);
+  EXPECT_EQ(place_on_lattice(box, {{}, box.size()}, 500, most * (1 - 1e-12), "here").size(), 500U);
+  try {
+    place_on_lattice(box, {{}, box.size()}, 500, most * (1 + 1e-9), "here");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(error.remedy().find("0.7071067811865"), std::string::npos);
+  }
+}
+
+TEST(PlaceOnLattice, SpreadsVacanciesEvenly) {
+  const Box box = Box::periodic({10, 10, 10});
+  int lower_half = 0;
+  for (const Vec3& center : place_on_lattice(box, {{}, box.size()}, 250, 0.4, "here"))
+    lower_half += center.x < 5;
+  EXPECT_NEAR(lower_half, 125, 26) << "to within a layer of sites";
+}
+
+}  // namespace
+}  // namespace hardball

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/world/world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/world/random.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+Box mixed_box() {
+  return Box({Boundary::wall, Boundary::periodic, Boundary::open}, {10, 8, 0});
+}
+
+TEST(Box, RefusesSizesThatAreNotPositiveAndFinite) {
+  for (const double size : {0.0, -1.0, kInfinity, kNan, 1e61, 1e-61}) {
+    EXPECT_THROW(Box::walls({10, size, 10}), Error);
+    EXPECT_THROW(Box::periodic({10, 10, size}), Error);
+  }
+  // Along an open axis the size does not count.
+  EXPECT_NO_THROW(Box({Boundary::open, Boundary::wall, Boundary::open}, {kNan, 1, -1}));
+}
+
+TEST(Box, CountsTheBoxesBeyondAlongPeriodicAxesOnly) {
+  const Box box = mixed_box();
+  EXPECT_EQ(box.boxes_beyond({-100, 7.9, -100}), Image{});
+  EXPECT_EQ(box.boxes_beyond({0, 8, 0}), (Image{{0, 1, 0}}));
+  EXPECT_EQ(box.boxes_beyond({0, -0.1, 0}), (Image{{0, -1, 0}}));
+  EXPECT_EQ(box.boxes_beyond({0, 8.0 * 1000 + 1, 0}), (Image{{0, 1000, 0}}));
+  EXPECT_EQ(box.shift({{0, -3, 0}}), (Vec3{0, -24, 0}));
+  EXPECT_THROW(box.boxes_beyond({0, 8 * 0x1p31, 0}), RunFailure);
+  EXPECT_EQ(box.volume(), kInfinity);
+  EXPECT_EQ(Box::walls({2, 3, 4}).volume(), 24);
+}
+
+TEST(World, CountsIdsUpAndNeverUsesOneTwice) {
+  World world;
+  for (SphereId id = 0; id < 5; ++id) EXPECT_EQ(world.add({{3.0 * id, 0, 0}, {}, 1, 1}), id);
+  world.remove(1);
+  world.remove(4);
+  EXPECT_EQ(world.add({{50, 0, 0}, {}, 1, 2}), 5U);
+  EXPECT_EQ(world.size(), 4U);
+  EXPECT_EQ(world.slot_of(0), 0U);
+  EXPECT_EQ(world.slot_of(2), 1U);
+  EXPECT_EQ(world.slot_of(3), 2U);
+  EXPECT_EQ(world.slot_of(5), 3U);
+  EXPECT_EQ(world.id(3), 5U);
+  EXPECT_EQ(world.mass(3), 2);
+  for (const SphereId gone : {1U, 4U, 6U, 1000U}) {
+    EXPECT_THROW(static_cast<void>(world.slot_of(gone)), Error);
+    EXPECT_THROW(world.remove(gone), Error);
+  }
+}
+
+TEST(World, RefusesNumbersThatMakeNoSenseAndChangesNothing) {
+  World world(mixed_box());
+  const Sphere good{{5, 4, 0}, {1, 0, 0}, 1, 1};
+  std::vector<Sphere> bad(0);
+  for (const double number : {kNan, kInfinity, -kInfinity, 1e61}) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      bad.push_back(good);
+      bad.back().position[axis] = number;
+      bad.push_back(good);
+      bad.back().velocity[axis] = number;
+    }
+  }
+  for (const double number : {0.0, -1.0, kNan, kInfinity, 1e-61, 1e61}) {
+    bad.push_back({good.position, good.velocity, number, 1});
+    bad.push_back({good.position, good.velocity, 1, number});
+  }
+  bad.push_back({{5, 4, 0}, {1e-61, 0, 0}, 1, 1});  // slower than the operating range and not at rest
+  bad.push_back({{0.99, 4, 0}, {}, 1, 1});          // through the lower wall
+  bad.push_back({{9.01, 4, 0}, {}, 1, 1});          // through the upper wall
+  bad.push_back({{5, 4, 0}, {}, 4.01, 1});          // larger than the periodic box
+  for (const Sphere& sphere : bad) EXPECT_THROW(world.add(sphere), Error);
+  EXPECT_EQ(world.size(), 0U);
+  EXPECT_EQ(world.add(good), 0U);
+  EXPECT_THROW(world.change_velocity(0, Time(0), {kNan, 0, 0}), Error);
+  EXPECT_EQ(world.path(0).velocity, good.velocity);
+}
+
+TEST(World, HoldsSpheresThatTouchTheWallsOrFillTheBox) {
+  World world(mixed_box());
+  EXPECT_NO_THROW(world.add({{1, 4, 0}, {}, 1, 1}));
+  EXPECT_NO_THROW(world.add({{9, 4, 3}, {}, 1, 1}));
+  EXPECT_NO_THROW(world.add({{5, 4, 1e30}, {}, 4, 1}));
+  // Rounding may let a centre lie a little too near.
+  EXPECT_NO_THROW(world.add({{1 - 1e-13, 4, 8}, {}, 1, 1}));
+}
+
+TEST(World, FoldsPositionsAndCountsWhatItFolded) {
+  World world(Box::periodic({10, 10, 10}));
+  world.add({{-3, 25, 5}, {1, -2, 0}, 1, 1});
+  EXPECT_EQ(world.path(0).position, (Vec3{7, 5, 5}));
+  EXPECT_EQ(world.image(0, Time(0)), (Image{{-1, 2, 0}}));
+  // After 6 it stands at x = 13, y = -7 of the folded start.
+  EXPECT_EQ(world.position(0, Time(6)), (Vec3{3, 3, 5}));
+  EXPECT_EQ(world.image(0, Time(6)), (Image{{0, 1, 0}}));
+  EXPECT_EQ(world.path(0).time, Time(0)) << "asking moves nothing";
+  const Image folded = world.change_velocity(0, Time(6), {0, 0, 1});
+  EXPECT_EQ(folded, (Image{{1, -1, 0}}));
+  EXPECT_EQ(world.path(0), (Path{{3, 3, 5}, {0, 0, 1}, Time(6)}));
+  EXPECT_EQ(world.image(0, Time(6)), (Image{{0, 1, 0}}));
+  EXPECT_EQ(world.image(0, Time(36)), (Image{{0, 1, 3}}));
+}
+
+TEST(World, SumsEnergyMomentumAndVolume) {
+  World world;
+  EXPECT_EQ(world.largest_radius(), 0);
+  EXPECT_EQ(world.kinetic_energy(), 0);
+  world.add({{0, 0, 0}, {3, 0, -4}, 2, 2});
+  world.add({{9, 0, 0}, {0, 1, 0}, 1, 6});
+  EXPECT_EQ(world.kinetic_energy(), 28);
+  EXPECT_EQ(world.momentum(), (Vec3{6, 6, -8}));
+  EXPECT_DOUBLE_EQ(world.sphere_volume(), 12 * std::numbers::pi);
+  EXPECT_EQ(world.largest_radius(), 2);
+}
+
+TEST(NextWallEvent, IsTheFirstFaceAheadAndPrefersTheLowerOnATie) {
+  World world(Box::walls({10, 10, 10}));
+  world.add({{5, 5, 5}, {2, -1, 0}, 1, 1});
+  world.add({{5, 5, 5}, {-1, 1, 1}, 1, 1});
+  world.add({{5, 5, 5}, {0, 0, 0}, 1, 1});
+  world.add({{9, 5, 5}, {1, 0, 0}, 1, 1});
+  world.add({{9, 5, 5}, {-1, 0, 0}, 1, 1});
+  EXPECT_EQ(next_wall_event(world, 0), (Event{Time(2), EventKind::wall, 0, face_of(0, true), {}}));
+  EXPECT_EQ(next_wall_event(world, 1), (Event{Time(4), EventKind::wall, 1, face_of(0, false), {}}));
+  EXPECT_FALSE(next_wall_event(world, 2).happens());
+  EXPECT_EQ(next_wall_event(world, 3).time, Time(0)) << "touching and approaching";
+  EXPECT_EQ(next_wall_event(world, 4).time, Time(8)) << "touching and receding";
+  World open;
+  open.add({{0, 0, 0}, {1, 1, 1}, 1, 1});
+  EXPECT_FALSE(next_wall_event(open, 0).happens());
+}
+
+TEST(ContactTime, OfTwoSpheresOfAWorldMindsTheImage) {
+  World world(Box::periodic({10, 10, 10}));
+  world.add({{1, 5, 5}, {-1, 0, 0}, 0.5, 1});
+  world.add({{8, 5, 5}, {0, 0, 0}, 0.5, 1});
+  EXPECT_EQ(contact_time(world, 0, 1, {}), kNever);
+  EXPECT_EQ(contact_time(world, 0, 1, {{-1, 0, 0}}), Time(2));
+  EXPECT_EQ(contact_time(world, 1, 0, {{1, 0, 0}}), Time(2));
+  EXPECT_EQ(contact_time(world, 0, 1, {{-2, 0, 0}}), Time(12)) << "once round the box";
+}
+
+}  // namespace
+}  // namespace hardball
