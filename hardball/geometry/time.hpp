@@ -40,9 +40,8 @@ inline Time earlier(const Time& a, const Time& b) {
   return b < a ? b : a;
 }
 
-/// The time from `start` to `end` [T], right to two units in the last place of the result, or to 2^-106 of the
-/// moments if that is more.
-/// Precondition: both are finite.
+/// The time from `start` to `end` [T], right to two units in the last place of the result, or to 2^-106 of
+/// the moments if that is more. Precondition: both are finite.
 inline double duration(const Time& start, const Time& end) {
   return (end.high - start.high) + (end.low - start.low);
 }

@@ -2,6 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/scenario/scenario.hpp"
 
+// toml++ takes some faulty texts, such as "[.[a]]", for impossible ones: it aborts or goes on regardless, as
+// NDEBUG has it. Here it throws in every build.
+namespace hardball {
+namespace {
+
+struct ParserFault {};
+
+constexpr void expect(bool condition) {
+  if (!condition) throw ParserFault();
+}
+
+}  // namespace
+}  // namespace hardball
+#undef NDEBUG
+#define TOML_ASSERT(condition) hardball::expect(static_cast<bool>(condition))
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -26,12 +41,46 @@ std::string in_quotes(std::string_view text) {
   return "'" + std::string(text) + "'";
 }
 
-// One line, whatever the parser says.
-std::string parser_message(const toml::parse_error& error) {
-  std::string message(error.description());
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  std::replace(message.begin(), message.end(), ';', ',');
-  return "no valid TOML: " + message;
+std::string place_of(const std::string& name, const toml::source_region& source) {
+  return name + ":" + to_text(source.begin.line) + ":" + to_text(source.begin.column);
+}
+
+bool has_parser_fault(std::string_view text) {
+  try {
+    static_cast<void>(toml::parse(text));
+  } catch (const toml::parse_error&) {
+    return false;
+  } catch (const ParserFault&) {
+    return true;
+  }
+  return false;
+}
+
+// The number of the line at which the parser meets a fault. Precondition: it does.
+std::size_t line_of_fault(std::string_view text) {
+  std::vector<std::size_t> line_ends;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\n') line_ends.push_back(i);
+  }
+  const auto first = std::partition_point(line_ends.begin(), line_ends.end(), [&](std::size_t end) {
+    return !has_parser_fault(text.substr(0, end));
+  });
+  return static_cast<std::size_t>(first - line_ends.begin()) + 1;
+}
+
+toml::table parse_toml(std::string_view text, const std::string& name) {
+  const std::string remedy = "see toml.io for how to write it";
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    // One line, whatever the parser says.
+    std::string message(error.description());
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    std::replace(message.begin(), message.end(), ';', ',');
+    throw Error("no valid TOML: " + message, place_of(name, error.source()), remedy);
+  } catch (const ParserFault&) {
+    throw Error("no valid TOML", name + ":" + to_text(line_of_fault(text)) + ":1", remedy);
+  }
 }
 
 std::string kind_of(const toml::node& node) {
@@ -70,7 +119,7 @@ struct Document {
       }
       return name;
     }
-    return name + ":" + to_text(source.begin.line) + ":" + to_text(source.begin.column);
+    return place_of(name, source);
   }
 };
 
@@ -83,9 +132,9 @@ toml::table parse_override(const std::string& value, const std::string& where) {
            std::string_view("_-./").find(c) != std::string::npos;
   };
   try {
-    toml::table parsed = toml::parse("value = " + value);
+    toml::table parsed = parse_toml("value = " + value, where);
     if (parsed.size() == 1) return parsed;
-  } catch (const toml::parse_error&) {
+  } catch (const Error&) {
     const bool is_word = !value.empty() && std::isdigit(static_cast<unsigned char>(value[0])) == 0 &&
                          value[0] != '-' && std::all_of(value.begin(), value.end(), is_plain);
     if (is_word) return toml::table{{"value", value}};
@@ -514,12 +563,7 @@ Scenario load_scenario(const std::filesystem::path& path, std::span<const std::s
 
 Scenario parse_scenario(std::string_view text, const std::string& name,
                         std::span<const std::string> overrides) {
-  Document document{name, {}, {}};
-  try {
-    document.root = toml::parse(text, name);
-  } catch (const toml::parse_error& error) {
-    throw Error(parser_message(error), document.place(error.source(), ""), "see toml.io for how to write it");
-  }
+  Document document{name, parse_toml(text, name), {}};
   for (const std::string& override_text : overrides) apply_override(document, override_text);
   return read_scenario(document);
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Prints the hash of the event log of several worlds, one "name hash" a line. Every compiler, optimisation level and
-// machine must print the same.
+// Prints the hash of the event log of several worlds, one "name hash" a line. Every compiler, optimisation
+// level and machine must print the same.
 #include <array>
 #include <cmath>
 #include <cstdio>

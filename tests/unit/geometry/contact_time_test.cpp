@@ -132,11 +132,12 @@ TEST(TimeToReach, IsRightToFourUlpsOfTheDistanceOverTheSpeed) {
     ASSERT_EQ(time < kInfinity, exact.touches()) << "case " << i;
     if (!exact.touches()) continue;
     ++contacts;
-    // Rounding r.r and r.v, three products and two sums each, costs up to three epsilons; of far spheres all of
-    // it may add up, and an epsilon may be two units.
+    // Rounding r.r and r.v, three products and two sums each, costs up to three epsilons; of far spheres all
+    // of it may add up, and an epsilon may be two units.
     const double scale = length(c.separation) / length(c.velocity);
     const bool is_near = length(c.separation) <= 4 * c.reach;
-    const auto error = static_cast<double>(abs(exact.time() - time) / (is_near ? ulp(scale) : kEpsilon * scale));
+    const auto error =
+        static_cast<double>(abs(exact.time() - time) / (is_near ? ulp(scale) : kEpsilon * scale));
     worst = std::max(worst, error);
     ASSERT_LE(error, 4) << "case " << i;
   }
