@@ -66,13 +66,14 @@ struct Collapse {
 };
 
 TEST(InelasticCollapse, IsNoticedByAllEnginesAtTheSameContact) {
-  const std::array<Collapse, 4> collapses = {{{0.05, 40, {1, 0.5, 0, -0.5, -1}},
-                                              {0.05, 40, {1, 0, 0, 0, -1}},
-                                              // So symmetric that velocities vanish entirely.
+  const std::array<Collapse, 4> collapses = {{// So symmetric that velocities vanish entirely.
                                               {0.02, 40, {1, 0, 0, 0, -1}},
                                               // Against a wall.
-                                              {0.1, 8, {1, 0, 0, 0, 0}}}};
+                                              {0.1, 8, {1, 0, 0, 0, 0}},
+                                              {0.05, 40, {1, 0.5, 0, -0.5, -1}},
+                                              {0.05, 40, {1, 0, 0, 0, -1}}}};
   for (const Collapse& collapse : collapses) {
+    if (support::kIsSlowBuild && collapse.restitution == 0.05) continue;
     World world(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {collapse.size, 3, 0}));
     for (std::size_t i = 0; i < 5; ++i) {
       const double x = 0.75 + 1.375 * static_cast<double>(i);

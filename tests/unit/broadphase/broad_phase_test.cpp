@@ -161,6 +161,22 @@ TEST(CellGrid, CountsTheRowsOfCellsThatSpheresLeave) {
   EXPECT_EQ(grid.left_count(), 9U);
 }
 
+TEST(CellGrid, CountsNoRowAsLeftBecauseAPathIsFolded) {
+  World world(Box::periodic({10, 10, 10}));
+  world.add({{9.5, 5.5, 5.5}, {1, 0, 0}, 0.25, 1});
+  CellGrid grid(1);
+  grid.build(world, Time(0));
+  while (grid.next_crossing(0) < Time(2))
+    grid.cross(world, 0, grid.next_crossing(0), [](Slot, const Image&) {});
+  // At 2 it stands at 11.5: in cell 11, having left cells 9 and, as soon as somebody looks, 10.
+  const Image folded = world.change_velocity(0, Time(2), {0, 1, 0});
+  ASSERT_EQ(folded, (Image{{1, 0, 0}}));
+  const std::uint64_t left = grid.left_count();
+  grid.refresh(world, 0, Time(2), folded);
+  EXPECT_EQ(grid.left_count(), left);
+  grid.validate(world, Time(2));
+}
+
 TEST(CellGrid, RefusesCellsThatAreTooSmall) {
   World world(Box::walls({10, 10, 10}));
   world.add({{5, 5, 5}, {}, 1, 1});
