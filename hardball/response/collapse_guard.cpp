@@ -27,7 +27,7 @@ void CollapseGuard::note_contact(const World& world, Slot slot, const Time& now)
   if (++idle_contacts_[id] < kMostIdleContacts) return;
   throw RunFailure("inelastic collapse: sphere " + to_text(id) + " was hit " + to_text(kMostIdleContacts) +
                    " times in a row without moving, at time " + to_text(now.value()) +
-                   "; raise the restitution");
+                   "; raise the restitution or give it room to move");
 }
 
 }  // namespace hardball

@@ -165,6 +165,7 @@ void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
 }
 
 SphereId Simulation::add(const Sphere& sphere) {
+  world().check(sphere);
   refuse_overlap(world(), sphere, now_);
   const SphereId id = engine_->world_to_edit().add(sphere, now_);
   edited_ = true;

@@ -51,6 +51,7 @@ class Simulation {
   /// Runs to `time` [T], events at that very moment included. Error: `time` is before now, or NaN.
   void run_until(double time);
   /// Runs until `count` contacts have happened, and not past `until` [T]; returns how many did happen.
+  /// Where spheres may part for ever, in open space or a periodic box, give a finite time.
   std::uint64_t run_contacts(std::uint64_t count, double until = std::numeric_limits<double>::infinity());
   /// Runs until the first of the limits is met. Error: RunLimits::until is before now, or NaN.
   RunStatus run(const RunLimits& limits);

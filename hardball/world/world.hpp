@@ -35,6 +35,9 @@ class World {
   /// closer to a wall than the radius; a periodic box too small to hold the sphere.
   SphereId add(const Sphere& sphere, const Time& moment = Time(0));
 
+  /// Error: whatever `add` would refuse of this sphere.
+  void check(const Sphere& sphere) const;
+
   /// Removes a sphere. Cost: O(n). Error: no sphere has this id.
   void remove(SphereId id);
 
@@ -73,8 +76,6 @@ class World {
   std::size_t memory_bytes() const;
 
  private:
-  void check(const Sphere& sphere) const;
-
   Box box_;
   SphereId next_id_ = 0;
   std::vector<SphereId> ids_;

@@ -269,6 +269,19 @@ TEST(Simulation, ForgetsRemovedSpheresAndMeetsAddedOnes) {
   EXPECT_EQ(simulation.positions(), (std::vector<Vec3>{{4.5, 5, 5}, {15.5, 5, 5}}));
 }
 
+TEST(Simulation, SaysWhatIsWrongWithASphereBeforeWhatIsInItsWay) {
+  Simulation simulation(head_on_pair());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  try {
+    simulation.add({{nan, 5, 5}, {0, 0, 0}, 1, 1});
+    FAIL() << "a sphere that is nowhere was added";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.problem(), "position along x is nan");
+  }
+  EXPECT_THROW(simulation.add({simulation.position(0), {0, 0, 0}, 1, 1}), Error) << "on top of another";
+  EXPECT_EQ(simulation.size(), 2U);
+}
+
 TEST(Simulation, MovedOnIsAnotherAndMovable) {
   Simulation first(head_on_pair());
   Simulation second(std::move(first));
