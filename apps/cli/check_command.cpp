@@ -11,7 +11,8 @@
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/make_world.hpp"
-#include "hardball/tuning/cell_edge.hpp"
+#include "hardball/tuning/cell_counts.hpp"
+#include "hardball/tuning/kinetic_theory.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -31,21 +32,13 @@ std::string describe(const Box& box) {
   return text;
 }
 
-// Contacts with walls per unit of time in a gas: a quarter of density times mean speed for each unit of area.
-double wall_rate(const Box& box, const Moments& moments) {
-  double faces_per_length = 0;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (box.is_wall(axis)) faces_per_length += 2 / box.size()[axis];
-  }
-  return static_cast<double>(moments.spheres) * moments.mean_speed / 4 * faces_per_length;
-}
-
 }  // namespace
 
 ExitCode check(const Options& options) {
   const Scenario scenario = read_scenario(options);
-  const Simulation simulation =
-      make_simulation(scenario, make_world(scenario), read_engine_options(options, scenario));
+  World start = make_world(scenario);
+  const EngineOptions engine_options = read_engine_options(options, scenario, start);
+  const Simulation simulation = make_simulation(scenario, std::move(start), engine_options);
   const Moments moments = moments_of(simulation.world(), simulation.now());
   const auto spheres = static_cast<double>(moments.spheres);
   const double until = *scenario.until;
@@ -58,17 +51,20 @@ ExitCode check(const Options& options) {
   add("box", describe(simulation.world().box()));
   add("packing fraction", readable(moments.packing_fraction()));
   add("mean speed", readable(moments.mean_speed));
-  add("mean free path", readable(moments.mean_free_path()));
-  add("mean free time", readable(moments.mean_free_time()));
+  add("mean free path", readable(mean_free_path(moments)));
+  add("mean free time", readable(mean_free_time(moments)));
   add("engine", name_of(simulation.engine()));
   if (edge > 0) add("cell edge", readable(edge));
   add("memory", fmt::format("{:.4g} MB, {:.0f} bytes per sphere", bytes / 1e6, bytes / spheres));
   add("until", readable(until));
   text += "expected from the density and speed at the start:\n";
-  add("  collisions", readable(spheres * until / moments.mean_free_time() / 2));
-  add("  wall contacts", readable(wall_rate(simulation.world().box(), moments) * until));
-  // Half the mean speed is the mean of its part along an axis.
-  if (edge > 0) add("  cells entered", readable(spheres * until * 3 * moments.mean_speed / 2 / edge));
+  add("  collisions", readable(spheres * until / mean_free_time(moments) / 2));
+  add("  wall contacts", readable(spheres * until * wall_rate(moments)));
+  if (edge > 0) {
+    const CellCounts counts = expected_counts(moments, edge);
+    add("  cells entered", readable(spheres * until * counts.enter));
+    add("  pair predictions", readable(spheres * until * counts.predictions()));
+  }
   write_output(text);
   return ExitCode::done;
 }

@@ -17,5 +17,6 @@ enum class ExitCode : int {
 ExitCode run(const Options& options);
 ExitCode verify(const Options& options);
 ExitCode check(const Options& options);
+ExitCode tune(const Options& options);
 
 }  // namespace hardball::cli

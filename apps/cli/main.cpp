@@ -33,9 +33,16 @@ CLI::App* add_command(CLI::App& app, Options& options, const std::string& name,
   return command;
 }
 
+void add_unit_costs_option(CLI::App& command, Options& options) {
+  command.add_option("--unit-costs", options.unit_costs,
+                     "What steps cost, to choose the cells by: auto, measured, standard or numbers");
+}
+
 void add_engine_options(CLI::App& command, Options& options) {
   command.add_option("--engine", options.engine, "auto, cells, all-pairs or paper; changes the speed alone");
-  command.add_option("--cell-edge", options.cell_edge, "Edge of the cells, or auto; changes the speed alone");
+  command.add_option("--cell-edge", options.cell_edge,
+                     "Edge of the cells, auto or paper; changes the speed alone");
+  add_unit_costs_option(command, options);
   command.add_option("--queue", options.queue, "calendar or ordered; changes the speed alone");
 }
 
@@ -82,6 +89,10 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   CLI::App* check_command =
       add_command(app, options, "check", "Check a scenario and say what to expect of it");
   add_engine_options(*check_command, options);
+  CLI::App* tune_command =
+      add_command(app, options, "tune", "Compare cells of several sizes: predicted and measured cost");
+  add_unit_costs_option(*tune_command, options);
+  tune_command->add_option("--out", options.out, "Directory for the table and the figure of it");
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {
@@ -93,6 +104,7 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   refuse_leftovers(app, chosen.empty() ? nullptr : chosen.front());
   if (*verify_command) return verify(options);
   if (*check_command) return check(options);
+  if (*tune_command) return tune(options);
   return run(options);
 }
 

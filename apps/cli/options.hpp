@@ -16,6 +16,7 @@ struct Options {
   std::optional<std::string> seed;
   std::string engine = "auto";
   std::string cell_edge = "auto";
+  std::string unit_costs = "auto";
   std::string queue = "calendar";
   std::optional<std::string> out;
   bool json = false;

@@ -82,8 +82,9 @@ bool run_to_end(Simulation& simulation, const Scenario& scenario, std::optional<
 ExitCode run(const Options& options) {
   const Clock::time_point begin = Clock::now();
   const Scenario scenario = read_scenario(options);
-  Simulation simulation =
-      make_simulation(scenario, make_world(scenario), read_engine_options(options, scenario));
+  World start = make_world(scenario);
+  const EngineOptions engine_options = read_engine_options(options, scenario, start);
+  Simulation simulation = make_simulation(scenario, std::move(start), engine_options);
   catch_signals();
   std::optional<RunFiles> files;
   if (options.out) {
@@ -94,9 +95,9 @@ ExitCode run(const Options& options) {
   if (files && files->has_event_log()) {
     simulation.on_contact([&files](const Contact& contact) { files->note(contact); });
   }
-  const Clock::time_point start = Clock::now();
+  const Clock::time_point set_up = Clock::now();
   const bool is_complete = run_to_end(simulation, scenario, files, options.quiet);
-  const Seconds seconds{seconds_between(begin, start), seconds_between(start, Clock::now())};
+  const Seconds seconds{seconds_between(begin, set_up), seconds_between(set_up, Clock::now())};
   const Summary summary(simulation, seconds);
   const std::string json = summary.json();
   if (files) files->finish(json);

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <vector>
 
+#include "apps/cli/directory.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/extended_xyz.hpp"
 
@@ -15,21 +16,6 @@ namespace {
 constexpr const char* kTrajectory = "trajectory.xyz";
 constexpr const char* kEvents = "events.npy";
 constexpr const char* kSummary = "summary.json";
-
-// Creates the directory and those above it that are missing; returns what it created, the innermost first.
-std::vector<std::filesystem::path> create(const std::filesystem::path& directory) {
-  std::vector<std::filesystem::path> created;
-  std::error_code failure;
-  for (auto path = directory; !path.empty() && !std::filesystem::exists(path, failure);
-       path = path.parent_path()) {
-    created.push_back(path);
-    if (path == path.parent_path()) break;
-  }
-  std::filesystem::create_directories(directory, failure);
-  if (std::filesystem::is_directory(directory)) return created;
-  throw Error("cannot be made a directory" + (failure ? ": " + failure.message() : std::string()),
-              directory.string(), "name another directory for the output");
-}
 
 void remove_all(const std::vector<std::filesystem::path>& paths) {
   std::error_code ignored;
@@ -45,7 +31,7 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
     throw Error("the run would overwrite the file it starts from", trajectory.string(),
                 "name another directory for the output");
   }
-  std::vector<std::filesystem::path> created = create(directory);
+  std::vector<std::filesystem::path> created = make_directory(directory);
   try {
     for (const char* name : {kTrajectory, kEvents, kSummary}) {
       const std::filesystem::path path = directory / name;

@@ -14,8 +14,16 @@ namespace hardball::cli {
 /// that is no number or out of range; neither scenario nor command line gives the end.
 Scenario read_scenario(const Options& options);
 
-/// How to run it. Error: an engine or queue that does not exist; an edge that is no positive number.
-EngineOptions read_engine_options(const Options& options, const Scenario& scenario);
+/// How to run it from its start. The unit costs by which cells are chosen are measured if the run is expected
+/// to take long, unless the command line says otherwise. Error: an engine or queue that does not exist; an
+/// edge that is no positive number; unit costs that are none.
+EngineOptions read_engine_options(const Options& options, const Scenario& scenario, const World& start);
+
+/// What the command line says of unit costs: the costs themselves, "measured", or "standard".
+UnitCosts read_unit_costs(const std::string& text);
+
+/// As the command line takes them.
+std::string to_option(const UnitCosts& costs);
 
 /// The simulation of a scenario from its start. Error: see Simulation, with its place on the command line or
 /// in the scenario.

@@ -15,7 +15,7 @@
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/make_world.hpp"
-#include "hardball/tuning/cell_edge.hpp"
+#include "hardball/tuning/moments.hpp"
 #include "hardball/world/audit.hpp"
 
 namespace hardball::cli {

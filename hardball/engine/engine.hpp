@@ -132,8 +132,10 @@ class Engine {
       now_ = next.event.time;
       ++counters_.enter;
       queue_.pop();
+      const std::uint64_t predictions_before = counters_.predictions;
       phase_.cross(world_, next.owner, now_,
                    [&](Slot other, const Image& image) { consider(next.owner, other, image); });
+      counters_.enter_predictions += counters_.predictions - predictions_before;
       schedule(next.owner);
       return true;
     }
@@ -159,8 +161,10 @@ class Engine {
     queue_.pop();
     note_new_path(event.first, done.folded[0]);
     if (is_collision) note_new_path(event.second, done.folded[1]);
+    const std::uint64_t predictions_before = counters_.predictions;
     predict(event.first);
     if (is_collision) predict(event.second);
+    counters_.contact_predictions += counters_.predictions - predictions_before;
     return done.contact;
   }
 

@@ -33,7 +33,9 @@ struct Counters {
   std::uint64_t leave = 0;
   std::uint64_t stale = 0;        ///< Contacts taken from the queue whose partner had changed its path since.
   std::uint64_t predictions = 0;  ///< Contact times of pairs computed.
-  std::uint64_t queue_operations = 0;  ///< Entries put into the queue or taken out.
+  std::uint64_t contact_predictions = 0;  ///< Those among them that a contact called for.
+  std::uint64_t enter_predictions = 0;    ///< Those that entering cells called for.
+  std::uint64_t queue_operations = 0;     ///< Entries put into the queue or taken out.
 
   std::uint64_t contacts() const { return collision + wall; }
   friend bool operator==(const Counters&, const Counters&) = default;

@@ -275,7 +275,9 @@ class PaperEngine {
       --subspaces.low[axis];
     }
     const CellRange entered = row(subspaces, event.second);
+    const std::uint64_t predictions_before = counters_.predictions;
     predict_collisions(event.first, entered);
+    counters_.enter_predictions += counters_.predictions - predictions_before;
     add_to(entered, event.first);
     predict_crossings(event.first);
   }
@@ -314,6 +316,7 @@ class PaperEngine {
     const Executed done = execute(world_, guard_, event, respond_);
     now_ = event.time;
     ++(is_collision ? counters_.collision : counters_.wall);
+    const std::uint64_t predictions_before = counters_.predictions;
     remove_candidates(event.first);
     relocate(event.first);
     if (is_collision) {
@@ -322,6 +325,7 @@ class PaperEngine {
       predict_all(event.second);
     }
     predict_all(event.first);
+    counters_.contact_predictions += counters_.predictions - predictions_before;
     return done.contact;
   }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/simulation/any_engine.hpp"
 
+#include <algorithm>
 #include <concepts>
 #include <utility>
 
@@ -12,7 +13,7 @@
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/events/ordered_queue.hpp"
 #include "hardball/paper/paper_engine.hpp"
-#include "hardball/tuning/cell_edge.hpp"
+#include "hardball/tuning/moments.hpp"
 
 namespace hardball {
 namespace {
@@ -95,8 +96,14 @@ std::unique_ptr<AnyEngine> make_engine(World world, const EngineOptions& options
   return make_queued<CalendarQueue>(std::move(world), options.engine, cell_edge, response, now);
 }
 
-double choose_cell_edge(const World& world, EngineKind engine, const Time& moment) {
-  const double edge = optimal_cell_edge(moments_of(world, moment));
+double choose_cell_edge(const World& world, const EngineOptions& options, const Time& moment) {
+  if (options.cell_edge) return *options.cell_edge;
+  if (options.engine == EngineKind::all_pairs) return 1;
+  return allowed_cell_edge(world, options.engine,
+                           optimal_cell_edge(moments_of(world, moment), options.unit_costs));
+}
+
+double allowed_cell_edge(const World& world, EngineKind engine, double edge) {
   return engine == EngineKind::paper ? std::max(edge, 2 * world.largest_radius()) : edge;
 }
 

@@ -9,6 +9,7 @@
 #include "hardball/engine/run.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/response/restitution.hpp"
+#include "hardball/tuning/cell_edge.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -36,6 +37,8 @@ struct EngineOptions {
   std::optional<double> cell_edge = {};
   /// Coefficient of restitution [1]. Error: not between 0 and 1.
   double restitution = 1;
+  /// By which the cell edge is chosen; measure_unit_costs gives those of this machine.
+  UnitCosts unit_costs = {};
 };
 
 /// A response chosen at run time: a constant restitution, or the user's own.
@@ -79,7 +82,10 @@ class AnyEngine {
 std::unique_ptr<AnyEngine> make_engine(World world, const EngineOptions& options, double cell_edge,
                                        const Time& now);
 
-/// The cell edge [L] that suits a world as it is at `moment`, for this kind of engine.
-double choose_cell_edge(const World& world, EngineKind engine, const Time& moment);
+/// The cell edge [L] that suits a world as it is at `moment`: the one that the options fix, or the best.
+double choose_cell_edge(const World& world, const EngineOptions& options, const Time& moment);
+
+/// The same for an edge that somebody has proposed: the paper's engine takes none below the largest diameter.
+double allowed_cell_edge(const World& world, EngineKind engine, double edge);
 
 }  // namespace hardball

@@ -7,15 +7,14 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/tuning/moments.hpp"
 #include "hardball/world/audit.hpp"
 
 namespace hardball {
 namespace {
 
-// The cell edge is looked at again after this many crossings per sphere, and changed if it is off by this
-// factor: the minimum of the cost is flat.
-constexpr std::uint64_t kCrossingsPerRetuning = 8;
-constexpr double kWorthRetuning = 1.3;
+// The cell edge is looked at again after this many crossings per sphere.
+constexpr std::uint64_t kCrossingsPerLook = 8;
 
 // Steps between two looks, at the least.
 constexpr std::uint64_t kSliceSteps = 1024;
@@ -35,13 +34,16 @@ std::vector<Vec3> centers_at(const World& world, const Time& moment) {
 
 }  // namespace
 
-Simulation::Simulation(World world, const EngineOptions& options) : options_(options) {
+Simulation::Simulation(World world, const EngineOptions& options)
+    : options_(options), watch_(options.unit_costs) {
   now_ = latest_change(world);
   refuse_overlaps(world, now_);
   if (options_.engine == EngineKind::automatic) options_.engine = EngineKind::cells;
-  wanted_edge_ = options_.cell_edge.value_or(choose_cell_edge(world, options_.engine, now_));
-  engine_ = make_engine(std::move(world), options_, wanted_edge_, now_);
-  next_retuning_ = kCrossingsPerRetuning * size();
+  const double edge = choose_cell_edge(world, options_, now_);
+  engine_ = make_engine(std::move(world), options_, edge, now_);
+  watch_.begin(edge);
+  last_look_ = now_;
+  next_look_ = kCrossingsPerLook * size();
   tally_.begin(this->world(), now_);
 }
 
@@ -52,9 +54,10 @@ Simulation::Simulation(const Simulation& other)
       now_(other.now_),
       hash_(other.hash_),
       tally_(other.tally_),
-      wanted_edge_(other.wanted_edge_),
+      watch_(other.watch_),
       edited_(other.edited_),
-      next_retuning_(other.next_retuning_) {}
+      next_look_(other.next_look_),
+      last_look_(other.last_look_) {}
 
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
@@ -66,9 +69,10 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   now_ = other.now_;
   hash_ = other.hash_;
   tally_ = other.tally_;
-  wanted_edge_ = other.wanted_edge_;
+  watch_ = other.watch_;
   edited_ = other.edited_;
-  next_retuning_ = other.next_retuning_;
+  next_look_ = other.next_look_;
+  last_look_ = other.last_look_;
   return *this;
 }
 
@@ -208,20 +212,24 @@ void Simulation::check_not_past(double time) const {
 
 void Simulation::apply_edits() {
   if (!edited_) return;
-  wanted_edge_ = options_.cell_edge.value_or(choose_cell_edge(world(), options_.engine, now_));
-  engine_->rebuild(now_, wanted_edge_);
+  rebuild(now_, choose_cell_edge(world(), options_, now_));
   edited_ = false;
+}
+
+void Simulation::rebuild(const Time& moment, double cell_edge) {
+  engine_->rebuild(moment, cell_edge);
+  watch_.begin(cell_edge);
+  last_look_ = moment;
 }
 
 void Simulation::retune_if_due() {
   const std::uint64_t crossings = counters().enter;
-  if (options_.cell_edge || crossings < next_retuning_) return;
-  next_retuning_ = crossings + kCrossingsPerRetuning * size();
+  if (options_.cell_edge || crossings < next_look_) return;
+  next_look_ = crossings + kCrossingsPerLook * size();
   const Time moment = later(now_, engine_->now());
-  const double edge = choose_cell_edge(world(), options_.engine, moment);
-  if (edge < kWorthRetuning * wanted_edge_ && wanted_edge_ < kWorthRetuning * edge) return;
-  wanted_edge_ = edge;
-  engine_->rebuild(moment, wanted_edge_);
+  const std::optional<double> better = watch_.look(moments_of(world(), moment), duration(last_look_, moment));
+  last_look_ = moment;
+  if (better) rebuild(moment, allowed_cell_edge(world(), options_.engine, *better));
 }
 
 }  // namespace hardball

@@ -13,6 +13,7 @@
 #include "hardball/measure/tally.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/simulation/any_engine.hpp"
+#include "hardball/tuning/cell_edge.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -98,6 +99,7 @@ class Simulation {
  private:
   void check_not_past(double time) const;
   void apply_edits();
+  void rebuild(const Time& moment, double cell_edge);
   void retune_if_due();
 
   EngineOptions options_;
@@ -106,9 +108,10 @@ class Simulation {
   Time now_;
   EventLogHash hash_;
   Tally tally_;
-  double wanted_edge_ = 0;           // of the cells [L]
-  bool edited_ = false;              // the engine's structures do not know the world any more
-  std::uint64_t next_retuning_ = 0;  // the number of enter events at which to look at the cell edge again
+  CellEdgeWatch watch_;
+  bool edited_ = false;          // the engine's structures do not know the world any more
+  std::uint64_t next_look_ = 0;  // the number of enter events at which to look at the cell edge again
+  Time last_look_;
 };
 
 }  // namespace hardball

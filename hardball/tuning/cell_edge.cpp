@@ -6,97 +6,108 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 namespace hardball {
 namespace {
 
-// The length of the stretch that holds the middle half of all centres along an open axis, doubled: the extent
-// of a uniform cloud, untouched by a few spheres far out.
-double extent(const World& world, std::size_t axis, const Time& moment) {
-  std::vector<double> places;
-  places.reserve(world.size());
-  for (const Path& path : world.paths()) places.push_back(position_at(path, moment)[axis]);
-  const auto quarter = static_cast<std::ptrdiff_t>(places.size() / 4);
-  const auto low = places.begin() + quarter;
-  const auto high = places.end() - 1 - quarter;
-  std::nth_element(places.begin(), high, places.end());
-  std::nth_element(places.begin(), low, high);
-  return std::max(2 * (*high - *low), 2 * world.largest_radius());
+// The edge of a cube that holds one sphere [L].
+double spacing(const Moments& moments) {
+  double product = 1;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) product *= std::cbrt(moments.extent[axis]);
+  return product / std::cbrt(static_cast<double>(moments.spheres));
+}
+
+bool is_close(double a, double b) {
+  constexpr double kSameEnough = 0.02;
+  return std::fabs(a - b) <= kSameEnough * std::fabs(b);
+}
+
+bool is_like(const Moments& a, const Moments& b) {
+  return a.spheres == b.spheres && a.mean_speed > 0 && b.mean_speed > 0 &&
+         is_close(a.mean_radius(), b.mean_radius()) && is_close(a.extent.x, b.extent.x) &&
+         is_close(a.extent.y, b.extent.y) && is_close(a.extent.z, b.extent.z);
 }
 
 }  // namespace
 
-double Moments::packing_fraction() const {
-  return number_density() * 4 * std::numbers::pi / 3 * mean_cube_radius;
+double cost_rate(const CellCounts& counts, const UnitCosts& costs) {
+  const double looks = counts.collision + counts.wall + counts.stale;
+  return costs.contact * (counts.collision / 2 + counts.wall) + costs.enter * counts.enter +
+         costs.cell * (looks * counts.cells + counts.enter * counts.cells_entered) +
+         costs.prediction * counts.predictions();
 }
 
-double Moments::contact_value() const {
-  // Beyond the fluid's range the expression is held at its value there.
-  const double packing = std::min(packing_fraction(), 0.5);
-  const double free = 1 - packing;
-  return (1 - packing / 2) / (free * free * free);
-}
-
-double Moments::mean_free_path() const {
-  if (spheres < 2) return std::numeric_limits<double>::infinity();
-  // The mean of (r_i + r_j)^2 over pairs.
-  const double reach_squared = 2 * (mean_square_radius + mean_radius * mean_radius);
-  return 1 / (std::numbers::sqrt2 * std::numbers::pi * reach_squared * number_density() * contact_value());
-}
-
-double Moments::mean_free_time() const {
-  return mean_speed > 0 ? mean_free_path() / mean_speed : std::numeric_limits<double>::infinity();
-}
-
-Moments moments_of(const World& world, const Time& moment) {
-  Moments moments;
-  moments.spheres = world.size();
-  if (world.size() == 0) return moments;
-  for (Slot slot = 0; slot < world.size(); ++slot) {
-    const double radius = world.radius(slot);
-    moments.mean_radius += radius;
-    moments.mean_square_radius += radius * radius;
-    moments.mean_cube_radius += radius * radius * radius;
-    moments.mean_speed += length(world.path(slot).velocity);
-  }
-  const double per_sphere = 1 / static_cast<double>(world.size());
-  moments.mean_radius *= per_sphere;
-  moments.mean_square_radius *= per_sphere;
-  moments.mean_cube_radius *= per_sphere;
-  moments.mean_speed *= per_sphere;
-  moments.largest_radius = world.largest_radius();
-  moments.volume = 1;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    moments.volume *= world.box().is_open(axis) ? extent(world, axis, moment) : world.box().size()[axis];
-  }
-  return moments;
+double rebuild_cost(const CellCounts& counts, const UnitCosts& costs) {
+  return costs.enter + costs.cell * counts.cells + costs.prediction * counts.candidates_at_any_time;
 }
 
 double optimal_cell_edge(const Moments& moments, const UnitCosts& costs) {
   if (moments.spheres == 0) return 1;
-  // The derivative of the cost by the edge vanishes where the cost of candidates, growing with the edge,
-  // meets the cost of crossings, falling with it. Both are monotone: bisect.
-  const double diameter = 2 * moments.mean_radius;
-  const double density = moments.number_density();
-  const double free_path = moments.mean_free_path();
-  const auto crossings_outweigh = [&](double edge) {
-    const double reach = edge + 2 * diameter;
-    const double candidates = 2 * density * edge * edge * reach * (1 + reach / free_path) * costs.prediction;
-    const double crossings =
-        3 * costs.queue_operation + costs.cell_update * (1 + diameter / edge) * (1 + 3 * diameter / edge);
-    return crossings > candidates;
+  Moments moving = moments;
+  if (!(moving.mean_speed > 0)) moving.mean_speed = 1;  // the optimum does not depend on it
+  double best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  const auto scan = [&](double low, double step, int steps) {
+    for (int i = 0; i <= steps; ++i, low *= step) {
+      const double cost = cost_rate(expected_counts(moving, low), costs);
+      if (cost < least) {
+        least = cost;
+        best = low;
+      }
+    }
   };
-  double low = diameter / 1024;
-  double high = std::max(2 * low, 16 * std::cbrt(1 / density));
-  while (crossings_outweigh(high)) high *= 2;
-  constexpr int kHalvings = 40;
+  // The number of cells along a side is whole, so that the cost has steps: scan, and scan again between.
+  constexpr double kSmallest = 1.0 / 8;
+  constexpr double kStep = 1.25;
+  constexpr int kSteps = 24;  // up to 26 times the spacing
+  const double smallest = std::max(kSmallest * spacing(moments), moments.largest_radius / 4);
+  scan(smallest, kStep, kSteps);
+  const double coarse = best;
+  scan(std::max(smallest, coarse / kStep), std::pow(kStep, 0.25), 8);
+  return best;
+}
+
+double paper_cell_edge(const Moments& moments, const UnitCosts& costs) {
+  if (moments.spheres == 0) return 1;
+  const double density = moments.number_density();
+  const double radius = moments.mean_radius();
+  // 2 n0 (L + 2r)^2 {c1 pi r^2 n0 L^2 + c3 (L - r)} = c4. The left side grows from zero at or below L = r.
+  const auto is_beyond = [&](double edge) {
+    const double reach = edge + 2 * radius;
+    const double collisions = costs.prediction * std::numbers::pi * radius * radius * density * edge * edge;
+    const double crossings = costs.prediction * (edge - radius);
+    return 2 * density * reach * reach * (collisions + crossings) > costs.enter + costs.cell;
+  };
+  double low = 0;
+  double high = std::max(radius, spacing(moments));
+  while (!is_beyond(high)) high *= 2;
+  constexpr int kHalvings = 50;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = (low + high) / 2;
-    (crossings_outweigh(middle) ? low : high) = middle;
+    (is_beyond(middle) ? high : low) = middle;
   }
-  // Large spheres must not be spread over too many cells.
-  return std::max(high, moments.largest_radius / 4);
+  return high;
+}
+
+void CellEdgeWatch::begin(double edge) {
+  edge_ = edge;
+  regret_ = 0;
+  seen_ = {};
+}
+
+std::optional<double> CellEdgeWatch::look(const Moments& moments, double elapsed) {
+  if (moments.spheres == 0 || !(moments.mean_speed > 0)) return std::nullopt;
+  if (!is_like(moments, seen_)) {
+    seen_ = moments;
+    best_edge_ = optimal_cell_edge(moments, costs_);
+    const CellCounts best = expected_counts(moments, best_edge_);
+    const double excess = cost_rate(expected_counts(moments, edge_), costs_) - cost_rate(best, costs_);
+    regret_by_way_ = std::max(0.0, excess) / moments.mean_speed;
+    rebuild_ = rebuild_cost(best, costs_);
+  }
+  regret_ += regret_by_way_ * moments.mean_speed * elapsed;
+  if (!(regret_ > rebuild_)) return std::nullopt;
+  return best_edge_;
 }
 
 }  // namespace hardball

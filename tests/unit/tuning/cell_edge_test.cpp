@@ -5,54 +5,51 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
-#include "hardball/world/random.hpp"
+#include "hardball/broadphase/subdivision.hpp"
+#include "unit/tuning/gas_moments.hpp"
 
 namespace hardball {
 namespace {
 
-Moments gas(std::size_t spheres, double packing_fraction, double radius) {
-  Moments moments;
-  moments.spheres = spheres;
-  moments.mean_radius = moments.largest_radius = radius;
-  moments.mean_square_radius = radius * radius;
-  moments.mean_cube_radius = radius * radius * radius;
-  moments.mean_speed = 1;
-  moments.volume =
-      static_cast<double>(spheres) * 4 * std::numbers::pi / 3 * moments.mean_cube_radius / packing_fraction;
-  return moments;
+using support::gas_moments;
+
+double cost_at(const Moments& moments, double edge, const UnitCosts& costs) {
+  return cost_rate(expected_counts(moments, edge), costs);
 }
 
-// What a sphere costs in unit time with cells of edge L, up to a constant: at each collision, all spheres in
-// its cells are looked at; at each crossing, the new row of cells is entered and another left.
-double cost(const Moments& moments, const UnitCosts& costs, double edge) {
-  const double density = moments.number_density();
-  const double diameter = 2 * moments.mean_radius;
-  const double speed = moments.mean_speed;
-  const double candidates = density * std::pow(edge + 2 * diameter, 3);
-  const double collisions = speed / moments.mean_free_path() * candidates * costs.prediction;
-  const double cells_entered = std::pow(1 + diameter / edge, 2);
-  const double new_candidates = density * edge * std::pow(edge + 2 * diameter, 2);
-  return collisions + 3 * speed / (2 * edge) *
-                          (cells_entered * costs.cell_update + new_candidates * costs.prediction +
-                           3 * costs.queue_operation);
+TEST(CostRate, AddsUpWhatEachStepCosts) {
+  CellCounts counts;
+  counts.collision = 2;
+  counts.wall = 3;
+  counts.enter = 5;
+  counts.stale = 7;
+  counts.cells = 11;
+  counts.cells_entered = 13;
+  counts.candidates_after_collision = 17;
+  counts.candidates_after_wall = 19;
+  counts.candidates_when_stale = 23;
+  counts.candidates_after_enter = 29;
+  EXPECT_EQ(cost_rate(counts, {1, 0, 0, 0}), 2.0 / 2 + 3) << "a collision has two spheres";
+  EXPECT_EQ(cost_rate(counts, {0, 1, 0, 0}), 5);
+  EXPECT_EQ(cost_rate(counts, {0, 0, 1, 0}), (2 + 3 + 7) * 11 + 5 * 13);
+  EXPECT_EQ(cost_rate(counts, {0, 0, 0, 1}), 2 * 17 + 3 * 19 + 7 * 23 + 5 * 29);
 }
 
 TEST(OptimalCellEdge, IsWhereTheCostIsLeast) {
   for (const double packing_fraction : {1e-6, 1e-3, 0.02, 0.1, 0.3, 0.5}) {
     for (const double radius : {1e-9, 0.5, 1e6}) {
-      for (const double update : {0.5, 8.0, 60.0}) {
-        const Moments moments = gas(10000, packing_fraction, radius);
-        UnitCosts costs;
-        costs.cell_update = update;
+      for (const double cell : {0.5, 3.0, 60.0}) {
+        const Moments moments = gas_moments(10000, packing_fraction, radius);
+        const UnitCosts costs{.contact = 25, .enter = 10, .cell = cell, .prediction = 1};
         const double edge = optimal_cell_edge(moments, costs);
-        const double least = cost(moments, costs, edge);
-        // The minimum is flat: a thousandth away the cost differs by some 1e-7, which doubles resolve.
-        EXPECT_LT(least, cost(moments, costs, 1.001 * edge));
-        EXPECT_LT(least, cost(moments, costs, edge / 1.001));
-        for (double other = edge / 64; other < 64 * edge; other *= 1.1) {
-          EXPECT_LE(least, cost(moments, costs, other) * (1 + 1e-12));
+        const double least = cost_at(moments, edge, costs);
+        // The scan misses at most what lies between two of its steps, where the minimum is flat.
+        for (double other = edge / 16; other < 16 * edge; other *= 1.05) {
+          if (other < radius / 4) continue;
+          EXPECT_LE(least, cost_at(moments, other, costs) * 1.02) << packing_fraction << " " << cell;
         }
       }
     }
@@ -62,10 +59,26 @@ TEST(OptimalCellEdge, IsWhereTheCostIsLeast) {
 TEST(OptimalCellEdge, GrowsAsTheGasThins) {
   double last = 0;
   for (double packing_fraction = 0.5; packing_fraction > 1e-9; packing_fraction /= 3) {
-    const double edge = optimal_cell_edge(gas(1000, packing_fraction, 0.5));
+    const double edge = optimal_cell_edge(gas_moments(1000, packing_fraction, 0.5));
     EXPECT_GT(edge, last);
     last = edge;
   }
+}
+
+TEST(OptimalCellEdge, GrowsWithTheCostOfCrossingsAndShrinksWithThatOfPredictions) {
+  const Moments moments = gas_moments(1000000, 0.05, 0.5);
+  const UnitCosts costs;
+  UnitCosts slow_crossings = costs;
+  slow_crossings.enter *= 8;
+  UnitCosts slow_predictions = costs;
+  slow_predictions.prediction *= 8;
+  EXPECT_GT(optimal_cell_edge(moments, slow_crossings), 1.2 * optimal_cell_edge(moments, costs));
+  EXPECT_LT(1.2 * optimal_cell_edge(moments, slow_predictions), optimal_cell_edge(moments, costs));
+  Moments fast = moments;
+  fast.mean_speed *= 1000;
+  EXPECT_EQ(optimal_cell_edge(fast, costs), optimal_cell_edge(moments, costs));
+  fast.mean_speed = 0;
+  EXPECT_EQ(optimal_cell_edge(fast, costs), optimal_cell_edge(moments, costs));
 }
 
 TEST(OptimalCellEdge, IsAPositiveNumberForAnyWorld) {
@@ -73,57 +86,88 @@ TEST(OptimalCellEdge, IsAPositiveNumberForAnyWorld) {
   World world;
   world.add({{1, 2, 3}, {}, 1e-30, 1});
   for (int i = 0; i < 4; ++i) {
-    const double edge = optimal_cell_edge(moments_of(world, Time(0)));
-    EXPECT_GT(edge, 0);
-    EXPECT_LT(edge, std::numeric_limits<double>::infinity());
-    EXPECT_GE(edge, world.largest_radius() / 4) << "large spheres are not spread over too many cells";
+    const Moments moments = moments_of(world, Time(0));
+    for (const double edge : {optimal_cell_edge(moments), paper_cell_edge(moments)}) {
+      EXPECT_GT(edge, 0);
+      EXPECT_LT(edge, std::numeric_limits<double>::infinity());
+    }
+    EXPECT_GE(optimal_cell_edge(moments), world.largest_radius() / 4)
+        << "large spheres are not spread over too many cells";
     world.add({{1e10 * (i + 1), 0, 0}, {1, 0, 0}, std::pow(10, 3 * i), 1});
   }
 }
 
-TEST(Moments, AreThoseOfTheSpheres) {
-  World world(Box::walls({10, 20, 30}));
-  world.add({{5, 5, 5}, {3, 4, 0}, 1, 7});
-  world.add({{5, 9, 5}, {0, 0, 1}, 2, 1});
-  const Moments moments = moments_of(world, Time(0));
-  EXPECT_EQ(moments.spheres, 2U);
-  EXPECT_EQ(moments.volume, 6000);
-  EXPECT_EQ(moments.mean_radius, 1.5);
-  EXPECT_EQ(moments.mean_square_radius, 2.5);
-  EXPECT_EQ(moments.mean_cube_radius, 4.5);
-  EXPECT_EQ(moments.largest_radius, 2);
-  EXPECT_EQ(moments.mean_speed, 3);
-  EXPECT_DOUBLE_EQ(moments.packing_fraction(), 12 * std::numbers::pi / 6000);
+// The printed equation, its left and its right side.
+TEST(PaperCellEdge, SolvesThePapersEquation) {
+  for (const double packing_fraction : {1e-6, 1e-3, 0.1, 0.5}) {
+    const Moments moments = gas_moments(10000, packing_fraction, 1.5);
+    const UnitCosts costs{.contact = 1e9, .enter = 8, .cell = 3, .prediction = 2};
+    const double edge = paper_cell_edge(moments, costs);
+    const double n0 = moments.number_density();
+    const double r = 1.5;
+    const double left = 2 * n0 * (edge + 2 * r) * (edge + 2 * r) *
+                        (2 * std::numbers::pi * r * r * n0 * edge * edge + 2 * (edge - r));
+    EXPECT_NEAR(left, 8 + 3, 1e-9 * 11);
+  }
 }
 
-TEST(Moments, VolumeOfOpenSpaceFollowsTheCloudAndNotAFewStrays) {
-  World world;
-  Random random(1);
-  for (int i = 0; i < 4000; ++i) {
-    world.add({{100 * random.uniform(), 100 * random.uniform(), 100 * random.uniform()}, {}, 0.1, 1});
-  }
-  for (int i = 0; i < 10; ++i) world.add({{1e9, -1e12, 1e30}, {}, 0.1, 1});
-  // The middle half of a uniform distribution, doubled, has a standard error of 2 per cent along each axis.
-  EXPECT_NEAR(moments_of(world, Time(0)).volume, 1e6, 2e5);
+// The paper's cost of one sphere in unit time, of which the equation is the derivative.
+TEST(PaperCellEdge, IsWhereThePapersCostIsLeast) {
+  const Moments moments = gas_moments(10000, 0.02, 1.5);
+  const UnitCosts costs;
+  const auto cost = [&](double edge) {
+    const double r = 1.5;
+    const double n0 = moments.number_density();
+    const double candidates = n0 * std::pow(edge + 2 * r, 3);
+    return 4 * std::numbers::pi * r * r * n0 * costs.prediction * candidates +
+           6 / edge * (costs.prediction * candidates + costs.enter + costs.cell);
+  };
+  const double edge = paper_cell_edge(moments, costs);
+  EXPECT_LT(cost(edge), cost(1.001 * edge));
+  EXPECT_LT(cost(edge), cost(edge / 1.001));
 }
 
-// Carnahan and Starling's contact values at these packing fractions are (Z - 1) / (4 phi), Z as tabulated.
-TEST(Moments, MeanFreePathAndTimeAreThoseOfKineticTheory) {
-  const std::array<std::pair<double, double>, 4> kTable = {
-      {{0.1, 1.52126}, {0.2, 2.40625}, {0.3, 3.97376}, {0.45, 9.38467}}};
-  for (const auto& [packing_fraction, compressibility] : kTable) {
-    const Moments moments = gas(1000, packing_fraction, 0.5);
-    const double contact_value = (compressibility - 1) / (4 * packing_fraction);
-    EXPECT_NEAR(moments.contact_value(), contact_value, 1e-4 * contact_value);
-    const double path =
-        1 / (std::numbers::sqrt2 * std::numbers::pi * moments.number_density() * contact_value);
-    EXPECT_NEAR(moments.mean_free_path(), path, 1e-4 * path);
-    EXPECT_NEAR(moments.mean_free_time(), path / moments.mean_speed, 1e-4 * path);
-  }
-  EXPECT_EQ(gas(1, 0.1, 1).mean_free_path(), std::numeric_limits<double>::infinity());
-  Moments still = gas(10, 0.1, 1);
+// A gas of points in a cube that doubles its edge again and again, at speed one.
+TEST(CellEdgeWatch, RebuildsOnceWhatWasLostPaysForIt) {
+  const UnitCosts costs;
+  CellEdgeWatch watch(costs);
+  const Moments dense = gas_moments(100000, 0.1, 0.5);
+  const double edge = optimal_cell_edge(dense, costs);
+  watch.begin(edge);
+  EXPECT_EQ(watch.look(dense, 1e6), std::nullopt) << "nothing is better";
+  const Moments thin = gas_moments(100000, 0.1 / 64, 0.5);  // the cube has grown fourfold
+  const double better = optimal_cell_edge(thin, costs);
+  const CellCounts best = expected_counts(thin, better);
+  const double loss = cost_at(thin, edge, costs) - cost_rate(best, costs);
+  ASSERT_GT(loss, 0);
+  const double patience = rebuild_cost(best, costs) / loss;
+  EXPECT_EQ(watch.look(thin, 0.6 * patience), std::nullopt);
+  EXPECT_EQ(watch.look(thin, 0.3 * patience), std::nullopt);
+  EXPECT_EQ(watch.look(thin, 0.2 * patience), better);
+  watch.begin(better);
+  EXPECT_EQ(watch.look(thin, 1e6 * patience), std::nullopt);
+}
+
+TEST(CellEdgeWatch, CountsTimeByTheSpeedOfTheSpheres) {
+  const UnitCosts costs;
+  Moments thin = gas_moments(100000, 0.1 / 64, 0.5);
+  const CellCounts best = expected_counts(thin, optimal_cell_edge(thin, costs));
+  const double patience = rebuild_cost(best, costs) / (cost_at(thin, 2, costs) - cost_rate(best, costs));
+  CellEdgeWatch watch(costs);
+  watch.begin(2);
+  EXPECT_EQ(watch.look(thin, 0.1 * patience), std::nullopt);
+  thin.mean_speed /= 100;
+  EXPECT_EQ(watch.look(thin, 80 * patience), std::nullopt);
+  EXPECT_TRUE(watch.look(thin, 20 * patience));
+}
+
+TEST(CellEdgeWatch, LeavesWorldsAloneInWhichNothingMoves) {
+  CellEdgeWatch watch;
+  watch.begin(1e-3);
+  EXPECT_EQ(watch.look(Moments{}, 1), std::nullopt);
+  Moments still = gas_moments(1000, 0.1, 0.5);
   still.mean_speed = 0;
-  EXPECT_EQ(still.mean_free_time(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(watch.look(still, 1e300), std::nullopt);
 }
 
 }  // namespace

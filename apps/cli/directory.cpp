@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/cli/directory.hpp"
+
+#include <system_error>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball::cli {
+
+std::vector<std::filesystem::path> make_directory(const std::filesystem::path& directory) {
+  std::vector<std::filesystem::path> created;
+  std::error_code failure;
+  for (auto path = directory; !path.empty() && !std::filesystem::exists(path, failure);
+       path = path.parent_path()) {
+    created.push_back(path);
+    if (path == path.parent_path()) break;
+  }
+  std::filesystem::create_directories(directory, failure);
+  if (std::filesystem::is_directory(directory)) return created;
+  throw Error("cannot be made a directory" + (failure ? ": " + failure.message() : std::string()),
+              directory.string(), "name another directory for the output");
+}
+
+}  // namespace hardball::cli

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/cli/sweep.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "apps/cli/interruption.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/tuning/cell_edge.hpp"
+#include "hardball/tuning/moments.hpp"
+
+namespace hardball::cli {
+namespace {
+
+constexpr int kEdgesBelow = 6;  // the one chosen
+constexpr int kEdgesAbove = 5;
+constexpr int kRounds = 7;
+constexpr double kSecondsOfRound = 0.05;
+
+// The simulation of a point that is being measured.
+struct Contender {
+  SweepPoint point;
+  Simulation simulation;
+  Counters before;
+};
+
+double run_timed(Simulation& simulation, double until) {
+  const auto begin = std::chrono::steady_clock::now();
+  simulation.run_until(until);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (is_interrupted()) throw RunFailure("interrupted");
+  return seconds;
+}
+
+Counters difference(const Counters& before, const Counters& after) {
+  return {.collision = after.collision - before.collision,
+          .wall = after.wall - before.wall,
+          .enter = after.enter - before.enter,
+          .leave = after.leave - before.leave,
+          .stale = after.stale - before.stale,
+          .predictions = after.predictions - before.predictions,
+          .contact_predictions = after.contact_predictions - before.contact_predictions,
+          .enter_predictions = after.enter_predictions - before.enter_predictions,
+          .queue_operations = after.queue_operations - before.queue_operations};
+}
+
+// Adds a contender with cells of this edge, unless one has the same cells, and returns its place.
+std::optional<std::size_t> add(std::vector<Contender>& contenders, const Simulation& start,
+                               EngineOptions options, double edge) {
+  options.cell_edge = edge;
+  std::optional<Simulation> simulation;
+  try {
+    simulation.emplace(start.world(), options);
+  } catch (const Error&) {
+    return std::nullopt;  // too small
+  }
+  for (std::size_t i = 0; i < contenders.size(); ++i) {
+    if (contenders[i].point.edge == simulation->cell_edge()) return i;
+  }
+  const Moments moments = moments_of(start.world(), start.now());
+  SweepPoint point;
+  point.edge = simulation->cell_edge();
+  point.expected = expected_counts(moments, edge);
+  constexpr double kNanosecond = 1e-9;
+  point.predicted_seconds =
+      kNanosecond * static_cast<double>(moments.spheres) * cost_rate(point.expected, options.unit_costs);
+  contenders.push_back({std::move(point), std::move(*simulation), {}});
+  return contenders.size() - 1;
+}
+
+}  // namespace
+
+const SweepPoint& Sweep::chosen() const {
+  return *std::find_if(points.begin(), points.end(), [](const SweepPoint& point) { return point.is_chosen; });
+}
+
+const SweepPoint& Sweep::paper() const {
+  return *std::find_if(points.begin(), points.end(), [](const SweepPoint& point) { return point.is_paper; });
+}
+
+const SweepPoint& Sweep::best() const {
+  return *std::min_element(points.begin(), points.end(), [](const SweepPoint& a, const SweepPoint& b) {
+    return a.median_seconds() < b.median_seconds();
+  });
+}
+
+Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options) {
+  const Moments moments = moments_of(start.world(), start.now());
+  if (!(moments.mean_speed > 0)) throw Error("nothing moves", "tune", "give the spheres velocities");
+  std::vector<Contender> contenders;
+  const double chosen_edge = choose_cell_edge(start.world(), options, start.now());
+  const std::size_t chosen = *add(contenders, start, options, chosen_edge);
+  contenders[chosen].point.is_chosen = true;
+  const std::optional<std::size_t> paper =
+      add(contenders, start, options, paper_cell_edge(moments, options.unit_costs));
+  contenders[paper.value_or(chosen)].point.is_paper = true;
+  for (int k = -kEdgesBelow; k <= kEdgesAbove; ++k)
+    add(contenders, start, options, chosen_edge * std::exp2(k / 3.0));
+
+  // Long enough for rows of cells left behind to become as many as they stay.
+  const CellCounts& expected = contenders[chosen].point.expected;
+  double until = contenders[chosen].simulation.time() + 3 / (expected.enter + expected.collision);
+  for (Contender& contender : contenders) {
+    run_timed(contender.simulation, until);
+    contender.before = contender.simulation.counters();
+  }
+  const double span = kSecondsOfRound / contenders[chosen].point.predicted_seconds;
+  for (int round = 0; round < kRounds; ++round) {
+    until += span;
+    for (Contender& contender : contenders)
+      contender.point.seconds.push_back(run_timed(contender.simulation, until) / span);
+  }
+  Sweep sweep;
+  sweep.span = kRounds * span;
+  for (Contender& contender : contenders) {
+    contender.point.counted = difference(contender.before, contender.simulation.counters());
+    std::sort(contender.point.seconds.begin(), contender.point.seconds.end());
+    sweep.points.push_back(std::move(contender.point));
+  }
+  std::sort(sweep.points.begin(), sweep.points.end(),
+            [](const SweepPoint& a, const SweepPoint& b) { return a.edge < b.edge; });
+  return sweep;
+}
+
+}  // namespace hardball::cli

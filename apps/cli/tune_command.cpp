@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "apps/chart/chart.hpp"
+#include "apps/cli/commands.hpp"
+#include "apps/cli/directory.hpp"
+#include "apps/cli/interruption.hpp"
+#include "apps/cli/start.hpp"
+#include "apps/cli/sweep.hpp"
+#include "apps/cli/terminal.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/io/output_file.hpp"
+#include "hardball/scenario/make_world.hpp"
+#include "hardball/tuning/kinetic_theory.hpp"
+#include "hardball/tuning/moments.hpp"
+
+namespace hardball::cli {
+namespace {
+
+// What can be both predicted and counted, for one size of cells.
+struct Comparison {
+  double predicted;
+  double counted;
+};
+
+double ratio(double a, double b) {
+  return b > 0 ? a / b : 0;
+}
+
+// Events of a kind for each sphere in a unit of time.
+double rate(const Sweep& sweep, std::size_t spheres, std::uint64_t events) {
+  return static_cast<double>(events) / (static_cast<double>(spheres) * sweep.span);
+}
+
+Comparison candidates_after_contact(const SweepPoint& point) {
+  const CellCounts& expected = point.expected;
+  const double looks = static_cast<double>(2 * point.counted.collision + point.counted.wall);
+  return {ratio(expected.collision * expected.candidates_after_collision +
+                    expected.wall * expected.candidates_after_wall,
+                expected.collision + expected.wall),
+          ratio(static_cast<double>(point.counted.contact_predictions), looks)};
+}
+
+Comparison candidates_after_enter(const SweepPoint& point) {
+  return {point.expected.candidates_after_enter, ratio(static_cast<double>(point.counted.enter_predictions),
+                                                       static_cast<double>(point.counted.enter))};
+}
+
+Comparison stale_per_collision(const SweepPoint& point) {
+  return {ratio(2 * point.expected.stale, point.expected.collision),
+          ratio(static_cast<double>(point.counted.stale), static_cast<double>(point.counted.collision))};
+}
+
+std::string pair_of(const Comparison& comparison) {
+  return fmt::format("  {:>9.4g} {:>9.4g}", comparison.predicted, comparison.counted);
+}
+
+std::string marks_of(const Sweep& sweep, const SweepPoint& point) {
+  std::string marks;
+  if (point.is_chosen) marks += " auto";
+  if (point.is_paper) marks += " paper";
+  if (&point == &sweep.best()) marks += " best";
+  return marks;
+}
+
+std::string table(const Sweep& sweep, const Moments& moments, const UnitCosts& costs) {
+  const SweepPoint& chosen = sweep.chosen();
+  const std::size_t spheres = moments.spheres;
+  const auto both = [&](double expected, std::uint64_t counted) {
+    return fmt::format("{:.4g} predicted, {:.4g} counted", expected, rate(sweep, spheres, counted));
+  };
+  std::string text;
+  text += table_line("spheres", fmt::format("{}", spheres));
+  text += table_line("packing fraction", fmt::format("{:.4g}", moments.packing_fraction()));
+  text += table_line("mean free path", fmt::format("{:.4g}", mean_free_path(moments)));
+  text += table_line("unit costs", to_option(costs));
+  text += "for each sphere in a unit of time:\n";
+  text += table_line("  collisions", both(chosen.expected.collision / 2, chosen.counted.collision));
+  text += table_line("  wall contacts", both(chosen.expected.wall, chosen.counted.wall));
+  text += fmt::format("\n{:>9}  {:^19}  {:^19}  {:^19}  {:^19}  {:^19}\n", "cell", "seconds per",
+                      "enters per", "predictions", "predictions", "stale per");
+  text += fmt::format("{:>9}  {:^19}  {:^19}  {:^19}  {:^19}  {:^19}\n", "edge", "unit of time",
+                      "sphere and time", "after a contact", "after an enter", "collision");
+  text += fmt::format("{:>9}  {:>9} {:>9}", "", "predicted", "measured");
+  for (int column = 0; column < 4; ++column) text += fmt::format("  {:>9} {:>9}", "predicted", "counted");
+  text += "\n";
+  for (const SweepPoint& point : sweep.points) {
+    text += fmt::format("{:>9.4g}", point.edge);
+    text += pair_of({point.predicted_seconds, point.median_seconds()});
+    text += pair_of({point.expected.enter, rate(sweep, spheres, point.counted.enter)});
+    text += pair_of(candidates_after_contact(point));
+    text += pair_of(candidates_after_enter(point));
+    text += pair_of(stale_per_collision(point)) + " " + marks_of(sweep, point) + "\n";
+  }
+  const double best = sweep.best().median_seconds();
+  text += fmt::format(
+      "\nauto chooses {:.4g}: {:+.1f}% against the best measured, {:.4g}; the paper {:.4g}: {:+.1f}%\n",
+      chosen.edge, 100 * (chosen.median_seconds() / best - 1), sweep.best().edge, sweep.paper().edge,
+      100 * (sweep.paper().median_seconds() / best - 1));
+  return text;
+}
+
+std::string csv(const Sweep& sweep, std::size_t spheres) {
+  std::string text =
+      "cell_edge [L],predicted [s/T],measured_median [s/T],measured_least [s/T],measured_most [s/T],"
+      "predicted_enter [1/T],counted_enter [1/T],predicted_after_contact [1],counted_after_contact [1],"
+      "predicted_after_enter [1],counted_after_enter [1],predicted_stale [1],counted_stale [1],marks\n";
+  for (const SweepPoint& point : sweep.points) {
+    const Comparison contact = candidates_after_contact(point);
+    const Comparison enter = candidates_after_enter(point);
+    const Comparison stale = stale_per_collision(point);
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", point.edge, point.predicted_seconds,
+                    point.median_seconds(), point.seconds.front(), point.seconds.back(), point.expected.enter,
+                    rate(sweep, spheres, point.counted.enter), contact.predicted, contact.counted,
+                    enter.predicted, enter.counted, stale.predicted, stale.counted, marks_of(sweep, point));
+  }
+  return text;
+}
+
+// A curve of the theory and the points measured.
+void add_series(chart::Chart& chart, const Sweep& sweep, const std::string& name,
+                const std::function<Comparison(const SweepPoint&)>& what) {
+  chart::Series theory{.name = name + ", predicted", .line = true, .marks = false};
+  chart::Series measured{.name = name + ", measured", .line = false, .marks = true};
+  for (const SweepPoint& point : sweep.points) {
+    const Comparison comparison = what(point);
+    theory.x.push_back(point.edge);
+    theory.y.push_back(comparison.predicted);
+    measured.x.push_back(point.edge);
+    measured.y.push_back(comparison.counted);
+  }
+  chart.series.push_back(std::move(theory));
+  chart.series.push_back(std::move(measured));
+}
+
+std::string figure(const Sweep& sweep, const Scenario& scenario, std::size_t spheres) {
+  chart::Chart cost;
+  cost.title = scenario.name + ": cost";
+  cost.x = {.label = "edge of the cells", .logarithmic = true};
+  cost.y = {.label = "seconds for a unit of simulated time", .logarithmic = true};
+  add_series(cost, sweep, "cost", [](const SweepPoint& point) {
+    return Comparison{point.predicted_seconds, point.median_seconds()};
+  });
+  cost.markers = {{sweep.chosen().edge, "auto"}};
+  if (&sweep.paper() != &sweep.chosen()) cost.markers.push_back({sweep.paper().edge, "paper"});
+  chart::Chart counts;
+  counts.title = scenario.name + ": counts";
+  counts.x = cost.x;
+  counts.y = {.label = "number", .logarithmic = true};
+  add_series(counts, sweep, "enters per sphere and time", [&](const SweepPoint& point) {
+    return Comparison{point.expected.enter, rate(sweep, spheres, point.counted.enter)};
+  });
+  add_series(counts, sweep, "predictions after a contact", candidates_after_contact);
+  add_series(counts, sweep, "predictions after an enter", candidates_after_enter);
+  return chart::to_svg({cost, counts});
+}
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  OutputFile file(path);
+  file.append(text);
+  file.close();
+}
+
+// The simulation when each sphere has collided twice in the mean, or at its end if that is earlier.
+Simulation settle(const Scenario& scenario, const EngineOptions& options) {
+  Simulation simulation = make_simulation(scenario, make_world(scenario), options);
+  const std::uint64_t enough = simulation.size();
+  while (simulation.tally().collisions() < enough) {
+    if (is_interrupted()) throw RunFailure("interrupted");
+    constexpr std::uint64_t kSteps = 1 << 14;
+    if (simulation.run({.until = Time(*scenario.until), .steps = kSteps}) == RunStatus::time_reached) break;
+  }
+  return simulation;
+}
+
+}  // namespace
+
+ExitCode tune(const Options& options) {
+  const Scenario scenario = read_scenario(options);
+  EngineOptions engine_options;
+  engine_options.engine = EngineKind::cells;
+  engine_options.restitution = scenario.restitution;
+  engine_options.unit_costs = read_unit_costs(options.unit_costs == "auto" ? "measured" : options.unit_costs);
+  catch_signals();
+  const Simulation settled = settle(scenario, engine_options);
+  const Moments moments = moments_of(settled.world(), settled.now());
+  const Sweep sweep = sweep_cell_edges(settled, engine_options);
+  if (options.out) {
+    const std::filesystem::path directory = *options.out;
+    make_directory(directory);
+    write_file(directory / "tune.csv", csv(sweep, moments.spheres));
+    write_file(directory / "tune.svg", figure(sweep, scenario, moments.spheres));
+  }
+  write_output(table(sweep, moments, engine_options.unit_costs));
+  return ExitCode::done;
+}
+
+}  // namespace hardball::cli

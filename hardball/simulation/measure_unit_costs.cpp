@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/simulation/measure_unit_costs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "hardball/broadphase/cell_grid.hpp"
+#include "hardball/engine/engine.hpp"
+#include "hardball/events/calendar_queue.hpp"
+#include "hardball/response/restitution.hpp"
+#include "hardball/tuning/cell_counts.hpp"
+#include "hardball/tuning/moments.hpp"
+#include "hardball/world/placement.hpp"
+#include "hardball/world/random.hpp"
+
+namespace hardball {
+namespace {
+
+using CellEngine = Engine<CalendarQueue, CellGrid, Restitution>;
+using Steps = std::array<double, 4>;  // contacts, crossings, cells, predictions
+
+constexpr std::size_t kSpheres = 500;  // a cubic crystal has 4 k^3
+
+World make_gas(double packing_fraction) {
+  constexpr double kRadius = 0.5;
+  const double edge = std::cbrt(kSpheres * std::numbers::pi / 6 / packing_fraction);
+  const Vec3 size{edge, edge, edge};
+  World world(Box::periodic(size));
+  Random random(1);
+  for (const Vec3& center : place_on_lattice(world.box(), {{}, size}, kSpheres, kRadius, "gas")) {
+    const Vec3 velocity{random.normal(), random.normal(), random.normal()};
+    world.add({.position = center, .velocity = velocity, .radius = kRadius});
+  }
+  return world;
+}
+
+// A gas with cells of one size, and how long it has taken for how many steps of each kind.
+class Trial {
+ public:
+  Trial(World world, double edge)
+      : expected_(expected_counts(moments_of(world, Time(0)), edge)),
+        engine_(std::move(world), CellGrid(edge), Restitution(1), Time(0)) {
+    run(3 * kSpheres);
+  }
+
+  // Runs for so many seconds.
+  void measure(const std::function<double()>& seconds, double enough) {
+    constexpr std::uint64_t kStepsBetweenLooks = 100;
+    const Counters before = engine_.counters();
+    const double begin = seconds();
+    double taken = 0;
+    // The bound on steps ends the measurement if the clock stands still.
+    for (int looks = 0; taken < enough && looks < 1000; ++looks) {
+      run(kStepsBetweenLooks);
+      taken = seconds() - begin;
+    }
+    pieces_.push_back({difference(before, engine_.counters()), taken});
+  }
+
+  struct Piece {
+    Steps steps;
+    double taken;
+  };
+
+  // Of three pieces or more one that was not interrupted: the median of the time for each contact or
+  // crossing.
+  Piece typical() const {
+    std::vector<Piece> pieces = pieces_;
+    std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+      return a.taken * (b.steps[0] + b.steps[1]) < b.taken * (a.steps[0] + a.steps[1]);
+    });
+    return pieces[pieces.size() / 2];
+  }
+
+ private:
+  void run(std::uint64_t steps) {
+    engine_.run({.steps = steps}, [](const Contact&) {});
+  }
+
+  // Cells are not counted; the theory knows their mean.
+  Steps difference(const Counters& before, const Counters& after) const {
+    const auto contacts = static_cast<double>(after.contacts() - before.contacts());
+    const auto enters = static_cast<double>(after.enter - before.enter);
+    const double looks = 2 * contacts + static_cast<double>(after.stale - before.stale);
+    return {contacts, enters, looks * expected_.cells + enters * expected_.cells_entered,
+            static_cast<double>(after.predictions - before.predictions)};
+  }
+
+  CellCounts expected_;
+  CellEngine engine_;
+  std::vector<Piece> pieces_;
+};
+
+// The costs, none negative, with which the sum over trials of the squared relative error is least: each in
+// turn is set to its best value, the others given.
+Steps fit(const std::vector<Trial>& trials) {
+  std::vector<Steps> shares;  // steps in each second
+  for (const Trial& trial : trials) {
+    const Trial::Piece piece = trial.typical();
+    Steps& share = shares.emplace_back(piece.steps);
+    for (double& steps : share) steps /= piece.taken;
+  }
+  Steps costs{};
+  constexpr int kRounds = 2000;
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t i = 0; i < costs.size(); ++i) {
+      double wanted = 0;
+      double weight = 0;
+      for (const Steps& share : shares) {
+        double left = 1;
+        for (std::size_t k = 0; k < costs.size(); ++k) left -= k == i ? 0 : share[k] * costs[k];
+        wanted += share[i] * left;
+        weight += share[i] * share[i];
+      }
+      costs[i] = weight > 0 ? std::max(0.0, wanted / weight) : 0;
+    }
+  }
+  return costs;
+}
+
+}  // namespace
+
+UnitCosts measure_unit_costs(const std::function<double()>& seconds) {
+  constexpr int kPieces = 3;
+  constexpr double kSecondsOfPiece = 0.0008;
+  std::vector<Trial> trials;
+  for (const double packing_fraction : {0.003, 0.05, 0.3}) {
+    const double spacing = std::cbrt(std::numbers::pi / 6 / packing_fraction);
+    for (const double relative_edge : {0.5, 0.8, 1.2, 2.4}) {
+      trials.emplace_back(make_gas(packing_fraction), relative_edge * spacing);
+    }
+  }
+  // One piece of each in turn: whatever slows the machine for a while slows all alike.
+  for (int piece = 0; piece < kPieces; ++piece) {
+    for (Trial& trial : trials) trial.measure(seconds, kSecondsOfPiece);
+  }
+  const Steps costs = fit(trials);
+  constexpr double kNanoseconds = 1e9;
+  UnitCosts result{.contact = kNanoseconds * costs[0],
+                   .enter = kNanoseconds * costs[1],
+                   .cell = kNanoseconds * costs[2],
+                   .prediction = kNanoseconds * costs[3]};
+  // A clock too coarse for this says nothing.
+  const bool is_meaningful = std::isfinite(result.contact + result.enter + result.cell + result.prediction) &&
+                             result.prediction > 0 && result.enter + result.cell > 0;
+  return is_meaningful ? result : UnitCosts{};
+}
+
+}  // namespace hardball

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "hardball/tuning/cell_edge.hpp"
+
+namespace hardball {
+
+/// Measures what the steps of the event loop cost on this machine, by running small gases of several
+/// densities with cells of several sizes. `seconds` reads a clock that never goes back [s]. Cost: less than
+/// 0.1 s.
+UnitCosts measure_unit_costs(const std::function<double()>& seconds);
+
+}  // namespace hardball

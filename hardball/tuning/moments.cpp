@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/tuning/moments.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <vector>
+
+namespace hardball {
+namespace {
+
+// The length of the stretch that holds the middle half of all centres along an open axis, doubled: the extent
+// of a uniform cloud, untouched by a few spheres far out.
+double stretch(const World& world, std::size_t axis, const Time& moment) {
+  std::vector<double> places;
+  places.reserve(world.size());
+  for (const Path& path : world.paths()) places.push_back(position_at(path, moment)[axis]);
+  const auto quarter = static_cast<std::ptrdiff_t>(places.size() / 4);
+  const auto low = places.begin() + quarter;
+  const auto high = places.end() - 1 - quarter;
+  std::nth_element(places.begin(), high, places.end());
+  std::nth_element(places.begin(), low, high);
+  return std::max(2 * (*high - *low), 2 * world.largest_radius());
+}
+
+}  // namespace
+
+double Moments::packing_fraction() const {
+  return number_density() * 4 * std::numbers::pi / 3 * radius_power[3];
+}
+
+Moments moments_of(const World& world, const Time& moment) {
+  Moments moments;
+  moments.spheres = world.size();
+  moments.box = world.box();
+  if (world.size() == 0) return moments;
+  moments.radius_power = {};
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    double power = 1;
+    for (double& sum : moments.radius_power) {
+      sum += power;
+      power *= world.radius(slot);
+    }
+    moments.mean_speed += length(world.path(slot).velocity);
+  }
+  const double per_sphere = 1 / static_cast<double>(world.size());
+  for (double& sum : moments.radius_power) sum *= per_sphere;
+  moments.mean_speed *= per_sphere;
+  moments.largest_radius = world.largest_radius();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    moments.extent[axis] =
+        world.box().is_open(axis) ? stretch(world, axis, moment) : world.box().size()[axis];
+  }
+  return moments;
+}
+
+}  // namespace hardball

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// What kinetic theory needs to know of a world: averages over its spheres, and its box.
+struct Moments {
+  std::size_t spheres = 0;
+  Box box;
+  /// Of the box; along open axes, of the stretch that holds most spheres [L].
+  Vec3 extent;
+  /// The mean of the k-th power of the radius, k = 0 to 5 [L^k].
+  std::array<double, 6> radius_power{1, 0, 0, 0, 0, 0};
+  double largest_radius = 0;  ///< [L]
+  double mean_speed = 0;      ///< [L/T]
+
+  double mean_radius() const { return radius_power[1]; }                             ///< [L]
+  double volume() const { return extent.x * extent.y * extent.z; }                   ///< [L^3]
+  double number_density() const { return static_cast<double>(spheres) / volume(); }  ///< [L^-3]
+  double packing_fraction() const;                                                   ///< [1]
+};
+
+/// Cost: O(n).
+Moments moments_of(const World& world, const Time& moment);
+
+}  // namespace hardball

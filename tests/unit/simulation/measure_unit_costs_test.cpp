@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/simulation/measure_unit_costs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "hardball/tuning/cell_edge.hpp"
+#include "unit/tuning/gas_moments.hpp"
+
+namespace hardball {
+namespace {
+
+TEST(MeasureUnitCosts, FindsCostsByWhichCellsCanBeChosen) {
+  const auto clock = [] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  };
+  const UnitCosts costs = measure_unit_costs(clock);
+  EXPECT_GT(costs.prediction, 0);
+  EXPECT_GE(costs.contact, 0);
+  EXPECT_GE(costs.enter, 0);
+  EXPECT_GE(costs.cell, 0);
+  EXPECT_GT(costs.enter + costs.cell, costs.prediction) << "a crossing costs more than one prediction";
+  // On whatever machine: the optimum is flat, and the ratios of the costs are of the same order everywhere.
+  const Moments moments = support::gas_moments(20000, 0.05, 0.5);
+  const double edge = optimal_cell_edge(moments, costs);
+  EXPECT_GT(edge, optimal_cell_edge(moments) / 3);
+  EXPECT_LT(edge, optimal_cell_edge(moments) * 3);
+}
+
+TEST(MeasureUnitCosts, ComesToAnEndWithAClockThatStandsStill) {
+  EXPECT_EQ(measure_unit_costs([] { return 0.0; }), UnitCosts{});
+}
+
+}  // namespace
+}  // namespace hardball

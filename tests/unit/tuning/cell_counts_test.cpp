@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/tuning/cell_counts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/tuning/kinetic_theory.hpp"
+#include "unit/tuning/gas_moments.hpp"
+
+namespace hardball {
+namespace {
+
+using support::gas_moments;
+
+// Points of no size touch one cell at a time, and nothing that they have left is behind them.
+TEST(CellCounts, OfPointsAreThoseOfOneCellEach) {
+  Moments moments = gas_moments(1000, 1e-21, 0.5);
+  const double edge = moments.extent.x / 10;
+  const CellCounts counts = expected_counts(moments, edge * (1 - 1e-12));
+  EXPECT_NEAR(counts.enter, 3 * 0.5 / edge, 1e-6 * counts.enter) << "half the speed along each axis";
+  EXPECT_NEAR(counts.cells, 1, 1e-5);
+  EXPECT_NEAR(counts.cells_entered, 1, 1e-5);
+  // A row behind is kept until the next crossing along whichever axis.
+  EXPECT_GT(counts.candidates_after_enter, 1);
+  EXPECT_LT(counts.candidates_after_enter, 4);
+}
+
+TEST(CellCounts, SphereTouchesAsManyCellsAsItsExtentAsksFor) {
+  const Moments moments = gas_moments(8000, 0.1, 0.5);
+  const double edge = moments.extent.x / 20;
+  const CellCounts counts = expected_counts(moments, edge * (1 - 1e-12));
+  EXPECT_NEAR(counts.cells, std::pow(1 + 1 / edge, 3), 1e-9);
+  EXPECT_NEAR(counts.cells_entered, std::pow(1 + 1 / edge, 2), 1e-9);
+  EXPECT_NEAR(counts.collision, 1 / mean_free_time(moments), 1e-12);
+}
+
+// Were cells given up at once, a sphere would see all whose cells meet its own: those in a cube of edge L + 2
+// d.
+TEST(CellCounts, CandidatesAreThoseOfTheCellsTouchedAndSomeLeft) {
+  for (const double packing_fraction : {1e-3, 0.1, 0.4}) {
+    const Moments moments = gas_moments(8000, packing_fraction, 0.5);
+    const double edge = moments.extent.x / 10;
+    const CellCounts counts = expected_counts(moments, edge * (1 - 1e-12));
+    const double at_once = moments.number_density() * std::pow(edge + 2, 3);
+    EXPECT_GT(counts.candidates_after_collision, at_once + excess_about_pair(moments));
+    EXPECT_LT(counts.candidates_after_collision, 2 * at_once + 1);
+    const double met_at_once = moments.number_density() * edge * std::pow(edge + 2, 2);
+    EXPECT_GT(counts.candidates_after_enter, met_at_once);
+    EXPECT_LT(counts.candidates_after_enter, 2 * met_at_once);
+    EXPECT_GT(counts.candidates_when_stale, counts.candidates_after_collision - 1);
+  }
+}
+
+TEST(CellCounts, RatesFollowTheSpeedAndCountsDoNot) {
+  Moments moments = gas_moments(8000, 0.1, 0.5);
+  const CellCounts slow = expected_counts(moments, 2);
+  moments.mean_speed = 7;
+  const CellCounts fast = expected_counts(moments, 2);
+  EXPECT_NEAR(fast.enter, 7 * slow.enter, 1e-9);
+  EXPECT_NEAR(fast.collision, 7 * slow.collision, 1e-9);
+  EXPECT_NEAR(fast.stale, 7 * slow.stale, 1e-9);
+  EXPECT_NEAR(fast.predictions(), 7 * slow.predictions(), 1e-9);
+  EXPECT_NEAR(fast.candidates_after_enter, slow.candidates_after_enter, 1e-12);
+}
+
+TEST(CellCounts, DoNotDependOnTheUnitOfLength) {
+  const CellCounts small = expected_counts(gas_moments(1000, 0.1, 0.5e-9), 2.5e-9);
+  const CellCounts large = expected_counts(gas_moments(1000, 0.1, 0.5), 2.5);
+  EXPECT_NEAR(small.candidates_after_collision, large.candidates_after_collision, 1e-9);
+  EXPECT_NEAR(small.candidates_after_enter, large.candidates_after_enter, 1e-9);
+  EXPECT_NEAR(small.occupants, large.occupants, 1e-9);
+}
+
+// One cell between walls: all spheres are candidates, and there is nothing to enter.
+TEST(CellCounts, OneCellBetweenWallsHoldsAll) {
+  const Moments moments = gas_moments(100, 1e-4, 0.5, Boundary::wall);
+  const CellCounts counts = expected_counts(moments, moments.extent.x);
+  EXPECT_EQ(counts.enter, 0);
+  EXPECT_NEAR(counts.candidates_after_collision, 100, 1.1);
+  EXPECT_NEAR(counts.candidates_after_wall, 100, 1.1);
+}
+
+TEST(CellCounts, MixtureOfOneKindIsThatKind) {
+  // The moments of half the spheres with radius r and the other half with the same.
+  const Moments moments = gas_moments(1000, 0.2, 0.5);
+  Moments wide = moments;
+  wide.radius_power[5] *= 1.5;  // enters only through the large spheres' share of collisions
+  EXPECT_GT(expected_counts(wide, 2).candidates_after_collision,
+            expected_counts(moments, 2).candidates_after_collision);
+}
+
+TEST(CellCounts, RefuseEdgesThatAreNone) {
+  const Moments moments = gas_moments(1000, 0.2, 0.5);
+  EXPECT_THROW(expected_counts(moments, 0), Error);
+  EXPECT_THROW(expected_counts(moments, -1), Error);
+  EXPECT_EQ(expected_counts(Moments{}, 1).enter, 0) << "nothing is there";
+}
+
+}  // namespace
+}  // namespace hardball
