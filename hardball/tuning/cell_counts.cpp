@@ -231,9 +231,7 @@ CellCounts expected_counts(const Moments& moments, double edge) {
                         excess_about_sphere(moments));
 
   const double cell = axes[0].edge * axes[1].edge * axes[2].edge;
-  const double held = mean_region(axes, surplus, one) / cell;  // cells of any sphere at any time
   counts.cells = mean_region(axes, none, colliding) / cell;
-  counts.occupants = density * held * counts.cells * cell;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double rate = moments.mean_speed / 2 * axes[axis].crossings;
     counts.enter += rate;
@@ -245,7 +243,6 @@ CellCounts expected_counts(const Moments& moments, double edge) {
     counts.cells_entered /= counts.enter;
     counts.candidates_after_enter /= counts.enter;
   }
-  counts.occupants_met = density * held * counts.cells_entered * cell;
   // Measured in simulations from dilute to dense: docs/theory.md.
   const double mean_edge = std::cbrt(cell);
   counts.stale = counts.collision / 2 * 0.38 * mean_edge / (mean_edge + 1.35 * free_path);

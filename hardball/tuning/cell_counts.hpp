@@ -28,9 +28,6 @@ struct CellCounts {
   // How many cells a sphere touches, and how many of them it has just entered [1].
   double cells = 0;
   double cells_entered = 0;
-  // How many spheres stand in these cells, counted once for each cell [1].
-  double occupants = 0;
-  double occupants_met = 0;
 
   /// Predictions of one sphere per time [1/T].
   double predictions() const {

@@ -72,7 +72,7 @@ TEST(CellCounts, DoNotDependOnTheUnitOfLength) {
   const CellCounts large = expected_counts(gas_moments(1000, 0.1, 0.5), 2.5);
   EXPECT_NEAR(small.candidates_after_collision, large.candidates_after_collision, 1e-9);
   EXPECT_NEAR(small.candidates_after_enter, large.candidates_after_enter, 1e-9);
-  EXPECT_NEAR(small.occupants, large.occupants, 1e-9);
+  EXPECT_NEAR(small.cells, large.cells, 1e-9);
 }
 
 // One cell between walls: all spheres are candidates, and there is nothing to enter.
