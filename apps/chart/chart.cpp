@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/chart/chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace hardball::chart {
+namespace {
+
+// Lengths in pixels.
+constexpr double kPanelWidth = 480;
+constexpr double kFrameLeft = 84;
+constexpr double kFrameTop = 48;
+constexpr double kFrameWidth = 380;
+constexpr double kFrameHeight = 290;
+constexpr double kLegendGap = 60;  // from the frame to the legend, for labels
+constexpr double kLegendRow = 18;
+constexpr double kLegendKey = 34;   // from the left end of a legend's line to its name
+constexpr double kCharacter = 6.6;  // mean width, generously
+constexpr double kBottom = 12;
+constexpr double kMajorTick = 7;
+constexpr double kMinorTick = 4;
+
+constexpr double kPadding = 0.04;  // between the points and the frame, of the range
+constexpr double kTicksWanted = 6;
+constexpr int kMostDecadeLabels = 8;
+
+// Okabe and Ito's colours, which the colour-blind can tell apart, without the yellow that white drowns.
+constexpr std::array<std::string_view, 8> kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                     "#e69f00", "#56b4e9", "#000000", "#777777"};
+
+// Outlines around the origin: disc, square, triangle, diamond, triangle on its tip, cross, plus.
+constexpr std::array<std::string_view, 7> kShapes = {
+    "M-3.8 0A3.8 3.8 0 1 1 3.8 0A3.8 3.8 0 1 1 -3.8 0Z",
+    "M-3.4-3.4H3.4V3.4H-3.4Z",
+    "M0-4.8L4.5 3.2H-4.5Z",
+    "M0-5L4.2 0L0 5L-4.2 0Z",
+    "M0 4.8L4.5-3.2H-4.5Z",
+    "M-4-2.2L-2.2-4L0-1.8L2.2-4L4-2.2L1.8 0L4 2.2L2.2 4L0 1.8L-2.2 4L-4 2.2L-1.8 0Z",
+    "M-1.3-4.4H1.3V-1.3H4.4V1.3H1.3V4.4H-1.3V1.3H-4.4V-1.3H-1.3Z"};
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        if (static_cast<unsigned char>(c) >= ' ') result += c;
+    }
+  }
+  return result;
+}
+
+// Ten to a power, as SVG text.
+std::string power_of_ten(int exponent) {
+  return fmt::format("10<tspan dy=\"-5\" font-size=\"11\">{}{}</tspan>", exponent < 0 ? "−" : "",
+                     std::abs(exponent));
+}
+
+// A number for readers, as SVG text. Twelve digits hide the rounding of multiples such as 3 * 0.1.
+std::string number_text(double value) {
+  const double size = std::abs(value);
+  if (size > 0 && (size < 0.999e-4 || size > 0.999e6)) {
+    const int exponent = static_cast<int>(std::floor(std::log10(size * (1 + 1e-12))));
+    const std::string digits = number_text(value / std::pow(10, exponent));
+    return digits == "1" ? power_of_ten(exponent) : digits + "·" + power_of_ten(exponent);
+  }
+  return (value < 0 ? "−" : "") + fmt::format("{:.12g}", size);
+}
+
+bool is_drawable(const Axis& axis, double value) {
+  return std::isfinite(value) && (!axis.logarithmic || value > 0);
+}
+
+struct Tick {
+  double value = 0;
+  std::string label;  // empty for a minor tick
+};
+
+// The way from values to a stretch of pixels.
+class Scale {
+ public:
+  // Covers the values, all drawable; `first` and `last` are the pixels at its ends.
+  Scale(const Axis& axis, const std::vector<double>& values, double first, double last)
+      : logarithmic_(axis.logarithmic), first_(first), last_(last) {
+    low_ = std::numeric_limits<double>::infinity();
+    high_ = -low_;
+    const auto include = [&](double value) {
+      low_ = std::min(low_, transformed(value));
+      high_ = std::max(high_, transformed(value));
+    };
+    for (const double value : values) include(value);
+    if (low_ > high_) low_ = 0, high_ = 1;
+    const bool has_zero = axis.from_zero && !logarithmic_;
+    if (has_zero) include(0);
+    // A single value stands in the middle.
+    const double least_extent = logarithmic_ ? 0.5 : 1e-9 * std::max(std::abs(low_), std::abs(high_));
+    if (!(high_ - low_ > least_extent)) {
+      const double margin = logarithmic_ ? 0.5 : low_ == 0 ? 1 : std::abs(low_) / 2;
+      low_ -= margin;
+      high_ += margin;
+    }
+    const double padding = kPadding * (high_ - low_);
+    // Nothing is drawn beyond a zero that the axis begins or ends with.
+    if (!(has_zero && low_ == 0)) low_ -= padding;
+    if (!(has_zero && high_ == 0)) high_ += padding;
+  }
+
+  double pixel(double value) const {
+    return first_ + (transformed(value) - low_) / (high_ - low_) * (last_ - first_);
+  }
+
+  std::vector<Tick> ticks() const { return logarithmic_ ? logarithmic_ticks() : linear_ticks(low_, high_); }
+
+ private:
+  double transformed(double value) const { return logarithmic_ ? std::log10(value) : value; }
+
+  static std::vector<Tick> linear_ticks(double low, double high) {
+    const double rough = (high - low) / kTicksWanted;
+    const double power = std::pow(10, std::floor(std::log10(rough)));
+    const double step = power * (rough < 1.5 * power   ? 1
+                                 : rough < 3.5 * power ? 2
+                                 : rough < 7.5 * power ? 5
+                                                       : 10);
+    std::vector<Tick> ticks;
+    for (double k = std::ceil(low / step); k <= std::floor(high / step); ++k) {
+      ticks.push_back({k * step, number_text(k * step)});
+    }
+    return ticks;
+  }
+
+  std::vector<Tick> logarithmic_ticks() const {
+    const int first = static_cast<int>(std::floor(low_));
+    const int last = static_cast<int>(std::ceil(high_));
+    const int decades = static_cast<int>(std::floor(high_)) - static_cast<int>(std::ceil(low_)) + 1;
+    const int stride = (std::max(decades, 1) - 1) / kMostDecadeLabels + 1;
+    // Powers of ten alone would be too few labels.
+    const bool is_short = decades < 2;
+    std::vector<Tick> ticks;
+    for (int exponent = first; exponent <= last; ++exponent) {
+      for (int digit = 1; digit <= (stride > 1 ? 1 : 9); ++digit) {
+        const double value = digit * std::pow(10, exponent);
+        if (std::log10(value) < low_ || std::log10(value) > high_) continue;
+        const bool labelled = digit == 1 ? exponent % stride == 0 : is_short && (digit == 2 || digit == 5);
+        const std::string label = is_short ? number_text(value) : power_of_ten(exponent);
+        ticks.push_back({value, labelled ? label : ""});
+      }
+    }
+    return ticks;
+  }
+
+  bool logarithmic_;
+  double first_;
+  double last_;
+  double low_ = 0;   // transformed
+  double high_ = 0;  // transformed
+};
+
+void add_frame(std::string& svg) {
+  svg += fmt::format(
+      "<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"black\"/>\n",
+      kFrameLeft, kFrameTop, kFrameWidth, kFrameHeight);
+}
+
+void add_axes(std::string& svg, const Chart& chart, const Scale& x, const Scale& y) {
+  constexpr double kRight = kFrameLeft + kFrameWidth;
+  constexpr double kFloor = kFrameTop + kFrameHeight;
+  std::string paths;
+  for (const Tick& tick : x.ticks()) {
+    const double at = x.pixel(tick.value);
+    const double size = tick.label.empty() ? kMinorTick : kMajorTick;
+    paths += fmt::format("M{0:.2f} {1}v{2}M{0:.2f} {3}v-{2}", at, kFrameTop, size, kFloor);
+    if (tick.label.empty()) continue;
+    svg += fmt::format("<text class=\"x\" x=\"{:.2f}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", at,
+                       kFloor + 18, tick.label);
+  }
+  for (const Tick& tick : y.ticks()) {
+    const double at = y.pixel(tick.value);
+    const double size = tick.label.empty() ? kMinorTick : kMajorTick;
+    paths += fmt::format("M{1} {0:.2f}h{2}M{3} {0:.2f}h-{2}", at, kFrameLeft, size, kRight);
+    if (tick.label.empty()) continue;
+    svg += fmt::format("<text class=\"y\" x=\"{}\" y=\"{:.2f}\" text-anchor=\"end\">{}</text>\n",
+                       kFrameLeft - 7, at + 4.5, tick.label);
+  }
+  svg += fmt::format("<path d=\"{}\" stroke=\"black\" fill=\"none\"/>\n", paths);
+  svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
+                     kFrameLeft + kFrameWidth / 2, kFloor + 40, escaped(chart.x.label));
+  svg += fmt::format("<text transform=\"translate(18 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
+                     kFrameTop + kFrameHeight / 2, escaped(chart.y.label));
+  svg += fmt::format("<text x=\"{}\" y=\"20\" font-size=\"14\" font-weight=\"bold\">{}</text>\n", kFrameLeft,
+                     escaped(chart.title));
+}
+
+void add_markers(std::string& svg, const Chart& chart, const Scale& x) {
+  for (const Marker& marker : chart.markers) {
+    if (!is_drawable(chart.x, marker.x)) continue;
+    svg += fmt::format(
+        "<path d=\"M{0:.2f} {1}v{2}\" stroke=\"#555555\" stroke-dasharray=\"2 3\"/>\n"
+        "<text x=\"{0:.2f}\" y=\"{3}\" text-anchor=\"middle\" font-size=\"12\" fill=\"#555555\">{4}</text>\n",
+        x.pixel(marker.x), kFrameTop, kFrameHeight, kFrameTop - 7, escaped(marker.name));
+  }
+}
+
+// The looks of the series with this index.
+struct Look {
+  std::string line;
+  std::string mark;  // all but where it is
+
+  Look(const Series& series, std::size_t index) {
+    const std::string_view color = kColors[index % kColors.size()];
+    line = fmt::format(" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"{}", color,
+                       series.dashed ? " stroke-dasharray=\"6 4\"" : "");
+    mark = fmt::format(" d=\"{}\" fill=\"{}\"", kShapes[index % kShapes.size()], color);
+  }
+};
+
+std::size_t size_of(const Series& series) {
+  return std::min(series.x.size(), series.y.size());
+}
+
+bool is_drawn(const Chart& chart, const Series& series, std::size_t i) {
+  return is_drawable(chart.x, series.x[i]) && is_drawable(chart.y, series.y[i]);
+}
+
+void add_series(std::string& svg, const Chart& chart, std::size_t index, const Scale& x, const Scale& y) {
+  const Series& series = chart.series[index];
+  const Look look(series, index);
+  std::string line;
+  std::string marks;
+  bool pen_is_down = false;
+  for (std::size_t i = 0; i < size_of(series); ++i) {
+    if (!is_drawn(chart, series, i)) {
+      pen_is_down = false;
+      continue;
+    }
+    const double at_x = x.pixel(series.x[i]);
+    const double at_y = y.pixel(series.y[i]);
+    line += fmt::format("{}{:.2f} {:.2f}", pen_is_down ? 'L' : 'M', at_x, at_y);
+    marks += fmt::format("<path class=\"mark\" transform=\"translate({:.2f} {:.2f})\"{}/>\n", at_x, at_y,
+                         look.mark);
+    pen_is_down = true;
+  }
+  if (series.line && !line.empty()) {
+    svg += fmt::format("<path class=\"line\" d=\"{}\"{}/>\n", line, look.line);
+  }
+  if (series.marks) svg += marks;
+}
+
+double legend_width(const Chart& chart) {
+  std::size_t longest = 0;
+  for (const Series& series : chart.series) longest = std::max(longest, series.name.size());
+  return kLegendKey + kCharacter * static_cast<double>(longest);
+}
+
+std::size_t legend_columns(const Chart& chart) {
+  return legend_width(chart) <= kFrameWidth / 2 ? 2 : 1;
+}
+
+std::size_t named_series(const Chart& chart) {
+  return static_cast<std::size_t>(std::count_if(chart.series.begin(), chart.series.end(),
+                                                [](const Series& s) { return !s.name.empty(); }));
+}
+
+double panel_height(const Chart& chart) {
+  const std::size_t columns = legend_columns(chart);
+  const std::size_t rows = (named_series(chart) + columns - 1) / columns;
+  return kFrameTop + kFrameHeight + kLegendGap + kLegendRow * static_cast<double>(rows) + kBottom;
+}
+
+// Names stand row by row below the frame, where they cover nothing.
+void add_legend(std::string& svg, const Chart& chart) {
+  const std::size_t columns = legend_columns(chart);
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    const Series& series = chart.series[i];
+    if (series.name.empty()) continue;
+    const Look look(series, i);
+    const double left = kFrameLeft + kFrameWidth / 2 * static_cast<double>(place % columns);
+    const std::size_t row = place / columns;
+    const double middle = kFrameTop + kFrameHeight + kLegendGap + kLegendRow * static_cast<double>(row);
+    ++place;
+    if (series.line) svg += fmt::format("<path d=\"M{:.2f} {:.2f}h26\"{}/>\n", left, middle, look.line);
+    if (series.marks) {
+      svg += fmt::format("<path transform=\"translate({:.2f} {:.2f})\"{}/>\n", left + 13, middle, look.mark);
+    }
+    svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"12\">{}</text>\n", left + kLegendKey,
+                       middle + 4, escaped(series.name));
+  }
+}
+
+void add_panel(std::string& svg, const Chart& chart) {
+  std::vector<double> all_x;
+  std::vector<double> all_y;
+  for (const Marker& marker : chart.markers) {
+    if (is_drawable(chart.x, marker.x)) all_x.push_back(marker.x);
+  }
+  for (const Series& series : chart.series) {
+    for (std::size_t i = 0; i < size_of(series); ++i) {
+      if (!is_drawn(chart, series, i)) continue;
+      all_x.push_back(series.x[i]);
+      all_y.push_back(series.y[i]);
+    }
+  }
+  const Scale x(chart.x, all_x, kFrameLeft, kFrameLeft + kFrameWidth);
+  const Scale y(chart.y, all_y, kFrameTop + kFrameHeight, kFrameTop);
+  add_markers(svg, chart, x);
+  for (std::size_t i = 0; i < chart.series.size(); ++i) add_series(svg, chart, i, x, y);
+  add_axes(svg, chart, x, y);
+  add_frame(svg);
+  add_legend(svg, chart);
+}
+
+}  // namespace
+
+std::string to_svg(const std::vector<Chart>& panels) {
+  const std::size_t columns = std::clamp<std::size_t>(panels.size(), 1, 2);
+  std::string body;
+  double top = 0;
+  for (std::size_t first = 0; first < panels.size(); first += columns) {
+    double height = 0;
+    for (std::size_t i = first; i < std::min(first + columns, panels.size()); ++i) {
+      body += fmt::format("<g class=\"panel\" transform=\"translate({} {})\">\n",
+                          kPanelWidth * static_cast<double>(i - first), top);
+      add_panel(body, panels[i]);
+      body += "</g>\n";
+      height = std::max(height, panel_height(panels[i]));
+    }
+    top += height;
+  }
+  const double width = kPanelWidth * static_cast<double>(columns);
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+      "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" font-size=\"13\">\n"
+      "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n{2}</svg>\n",
+      width, top, body);
+}
+
+}  // namespace hardball::chart
