@@ -21,7 +21,8 @@ inline constexpr double kFreezing = 0.494;
 /// More spheres start from a face-centred cubic lattice, and need longer to forget it.
 inline constexpr std::size_t kMostPlacedAtRandom = 50'000;
 inline constexpr int kCollisionsToSettle = 10;  ///< Collisions of each sphere before measuring, in the mean.
-inline constexpr int kCollisionsToMelt = 30;    ///< The same from a lattice.
+/// The same from a lattice, which below freezing has melted by the ninth.
+inline constexpr int kCollisionsToMelt = 15;
 
 /// A step of time, by how far a sphere of mean speed goes in it.
 struct StepSize {

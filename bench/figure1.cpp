@@ -82,7 +82,7 @@ void run(const Options& options) {
                   kMostPlacedAtRandom, kCollisionsToSettle, kCollisionsToMelt),
       "all methods begin with the same state; set-up is excluded",
       "seconds_per_unit_time: median of the repetitions; span: simulated in each of them",
-      "events: collisions + walls + enters + leaves",
+      "events: collisions + walls + enters + leaves; of cells, leaves are no events but cells forgotten",
       "time_stepped: the cost of a step was measured with the shortest, and multiplied",
       "missed_share: see time_stepped.csv"};
   const std::vector<std::string> steps_notes = {
