@@ -14,8 +14,8 @@ namespace hardball::chart {
 namespace {
 
 // Lengths in pixels.
-constexpr double kPanelWidth = 470;
-constexpr double kFrameLeft = 74;
+constexpr double kPanelWidth = 480;
+constexpr double kFrameLeft = 84;
 constexpr double kFrameTop = 48;
 constexpr double kFrameWidth = 380;
 constexpr double kFrameHeight = 290;
@@ -74,18 +74,15 @@ std::string power_of_ten(int exponent) {
                      std::abs(exponent));
 }
 
-// A number for readers, as SVG text.
+// A number for readers, as SVG text. Twelve digits hide the rounding of multiples such as 3 * 0.1.
 std::string number_text(double value) {
-  // Twelve digits hide the rounding of multiples such as 3 * 0.1.
-  std::string digits = fmt::format("{:.12g}", value);
-  std::string power;
-  if (const std::size_t e = digits.find('e'); e != std::string::npos) {
-    power = power_of_ten(std::stoi(digits.substr(e + 1)));
-    digits.resize(e);
+  const double size = std::abs(value);
+  if (size > 0 && (size < 0.999e-4 || size > 0.999e6)) {
+    const int exponent = static_cast<int>(std::floor(std::log10(size * (1 + 1e-12))));
+    const std::string digits = number_text(value / std::pow(10, exponent));
+    return digits == "1" ? power_of_ten(exponent) : digits + "·" + power_of_ten(exponent);
   }
-  if (digits.starts_with('-')) digits.replace(0, 1, "−");
-  if (power.empty()) return digits;
-  return digits == "1" ? power : digits + "·" + power;
+  return (value < 0 ? "−" : "") + fmt::format("{:.12g}", size);
 }
 
 bool is_drawable(const Axis& axis, double value) {
@@ -114,7 +111,7 @@ class Scale {
     const bool has_zero = axis.from_zero && !logarithmic_;
     if (has_zero) include(0);
     // A single value stands in the middle.
-    const double least_extent = logarithmic_ ? 0.3 : 1e-9 * std::max(std::abs(low_), std::abs(high_));
+    const double least_extent = logarithmic_ ? 0.5 : 1e-9 * std::max(std::abs(low_), std::abs(high_));
     if (!(high_ - low_ > least_extent)) {
       const double margin = logarithmic_ ? 0.5 : low_ == 0 ? 1 : std::abs(low_) / 2;
       low_ -= margin;
@@ -144,8 +141,7 @@ class Scale {
                                                        : 10);
     std::vector<Tick> ticks;
     for (double k = std::ceil(low / step); k <= std::floor(high / step); ++k) {
-      // Adding zero makes minus zero plain.
-      ticks.push_back({k * step, number_text(k * step + 0.0)});
+      ticks.push_back({k * step, number_text(k * step)});
     }
     return ticks;
   }
@@ -154,21 +150,20 @@ class Scale {
     const int first = static_cast<int>(std::floor(low_));
     const int last = static_cast<int>(std::ceil(high_));
     const int decades = static_cast<int>(std::floor(high_)) - static_cast<int>(std::ceil(low_)) + 1;
-    const int stride = (last - first) / kMostDecadeLabels + 1;
+    const int stride = (std::max(decades, 1) - 1) / kMostDecadeLabels + 1;
+    // Powers of ten alone would be too few labels.
+    const bool is_short = decades < 2;
     std::vector<Tick> ticks;
     for (int exponent = first; exponent <= last; ++exponent) {
       for (int digit = 1; digit <= (stride > 1 ? 1 : 9); ++digit) {
         const double value = digit * std::pow(10, exponent);
         if (std::log10(value) < low_ || std::log10(value) > high_) continue;
-        const bool labelled = digit == 1 ? exponent % stride == 0 : decades < 2 && (digit == 2 || digit == 5);
-        ticks.push_back({value, labelled ? decade_text(digit, exponent) : ""});
+        const bool labelled = digit == 1 ? exponent % stride == 0 : is_short && (digit == 2 || digit == 5);
+        const std::string label = is_short ? number_text(value) : power_of_ten(exponent);
+        ticks.push_back({value, labelled ? label : ""});
       }
     }
     return ticks;
-  }
-
-  static std::string decade_text(int digit, int exponent) {
-    return digit == 1 ? power_of_ten(exponent) : fmt::format("{}·{}", digit, power_of_ten(exponent));
   }
 
   bool logarithmic_;
@@ -262,8 +257,9 @@ void add_series(std::string& svg, const Chart& chart, std::size_t index, const S
                          look.mark);
     pen_is_down = true;
   }
-  if (series.line && !line.empty())
+  if (series.line && !line.empty()) {
     svg += fmt::format("<path class=\"line\" d=\"{}\"{}/>\n", line, look.line);
+  }
   if (series.marks) svg += marks;
 }
 
@@ -297,8 +293,8 @@ void add_legend(std::string& svg, const Chart& chart) {
     if (series.name.empty()) continue;
     const Look look(series, i);
     const double left = kFrameLeft + kFrameWidth / 2 * static_cast<double>(place % columns);
-    const double middle =
-        kFrameTop + kFrameHeight + kLegendGap + kLegendRow * static_cast<double>(place / columns);
+    const std::size_t row = place / columns;
+    const double middle = kFrameTop + kFrameHeight + kLegendGap + kLegendRow * static_cast<double>(row);
     ++place;
     if (series.line) svg += fmt::format("<path d=\"M{:.2f} {:.2f}h26\"{}/>\n", left, middle, look.line);
     if (series.marks) {

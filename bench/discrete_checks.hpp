@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hardball/response/contact.hpp"
+
+namespace hardball::bench {
+
+/// How long two spheres would overlap after this collision if both went straight on [T]; infinite if they do
+/// not move relative to each other.
+double overlap_duration(const Contact& contact);
+
+/// Whether a check for overlaps at the moments k * `step` [T], k whole, finds an overlap that begins at
+/// `begin` [T] and lasts for `duration` [T].
+bool is_seen(double begin, double duration, double step);
+
+/// The share of collisions that such checks miss in a gas in equilibrium [1]; `advance` is what two spheres
+/// advance in a step, at the most probable relative speed, over the sum of their radii [1]. Source: kinetic
+/// theory; relative speeds of colliding pairs are distributed as u^3 exp(-u^2), and the square of the
+/// distance at which they would pass uniformly.
+double expected_missed_share(double advance);
+
+/// Counts the collisions that checks at intervals of several steps miss.
+class MissedCounter {
+ public:
+  /// The steps [T].
+  explicit MissedCounter(std::vector<double> steps) : steps_(std::move(steps)), missed_(steps_.size()) {}
+
+  void note(const Contact& contact);
+  void add(const MissedCounter& other);
+
+  std::uint64_t collisions() const { return collisions_; }
+  /// The number of collisions missed by each step.
+  std::span<const std::uint64_t> missed() const { return missed_; }
+  /// Missed over all collisions [1].
+  double share(std::size_t step) const {
+    return static_cast<double>(missed_[step]) / static_cast<double>(collisions_);
+  }
+
+ private:
+  std::vector<double> steps_;
+  std::vector<std::uint64_t> missed_;
+  std::uint64_t collisions_ = 0;
+};
+
+}  // namespace hardball::bench

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "bench/discrete_checks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "hardball/world/random.hpp"
+
+namespace hardball::bench {
+namespace {
+
+Contact collision(const Vec3& normal, double reach, const Vec3& first, const Vec3& second) {
+  Contact contact;
+  contact.separation = reach * normal;
+  contact.normal = normal;
+  contact.reach = reach;
+  contact.before = {first, second};
+  return contact;
+}
+
+TEST(OverlapDuration, OfAHeadOnCollisionIsTwoDiameters) {
+  EXPECT_DOUBLE_EQ(overlap_duration(collision({1, 0, 0}, 2, {3, 0, 0}, {-1, 0, 0})), 2 * 2 / 4.);
+}
+
+TEST(OverlapDuration, EndsWhereTheSpheresPartAgain) {
+  const Contact contact = collision({0.6, 0.8, 0}, 3, {2, 1, 0.5}, {-1, 0.25, 2});
+  const Vec3 velocity = contact.before.second - contact.before.first;
+  const double duration = overlap_duration(contact);
+  EXPECT_GT(duration, 0);
+  EXPECT_NEAR(length(contact.separation + duration * velocity), 3, 1e-14);
+}
+
+TEST(IsSeen, AsksForACheckDuringTheOverlap) {
+  EXPECT_TRUE(is_seen(0.9, 0.2, 0.5));
+  EXPECT_FALSE(is_seen(0.6, 0.3, 0.5));
+  EXPECT_TRUE(is_seen(0.6, 0.5, 0.5)) << "no overlap longer than a step is missed";
+  EXPECT_TRUE(is_seen(-0.1, 0.2, 0.5));
+}
+
+TEST(ExpectedMissedShare, IsThatOfTheCriterion) {
+  // Random collisions: flux-weighted relative speeds, impact parameters uniform in area. Four standard
+  // errors.
+  constexpr int kCollisions = 100'000;
+  Random random(1);
+  for (const double advance : {0.3, 1.0, 4.0}) {
+    int missed = 0;
+    for (int i = 0; i < kCollisions; ++i) {
+      // u^3 exp(-u^2) is the law of the length of a vector of four normal components of variance 1/2.
+      double square = 0;
+      for (int k = 0; k < 4; ++k) {
+        const double component = random.normal();
+        square += component * component / 2;
+      }
+      const double cosine = std::sqrt(random.uniform());
+      const Vec3 direction{-cosine, std::sqrt(1 - cosine * cosine), 0};
+      const Contact contact = collision({1, 0, 0}, 1, {}, advance * std::sqrt(square) * direction);
+      if (!is_seen(random.uniform(), overlap_duration(contact), 1)) ++missed;
+    }
+    const double expected = expected_missed_share(advance);
+    EXPECT_NEAR(missed / static_cast<double>(kCollisions), expected, 4 * std::sqrt(expected / kCollisions));
+  }
+}
+
+TEST(ExpectedMissedShare, GrowsWithTheSquareOfASmallStep) {
+  // For steps so small that no pair passes in one: <u^2> = 2, and so 2 (advance / 2)^2 / 3.
+  EXPECT_NEAR(expected_missed_share(0.01), 0.01 * 0.01 / 6, 1e-9);
+}
+
+TEST(MissedCounter, CountsCollisionsByStep) {
+  MissedCounter counter({0.1, 10});
+  Contact contact = collision({1, 0, 0}, 1, {1, 0, 0}, {-1, 0, 0});
+  contact.time = Time(3);
+  counter.note(contact);
+  contact.kind = EventKind::wall;
+  counter.note(contact);
+  MissedCounter sum({0.1, 10});
+  sum.add(counter);
+  sum.add(counter);
+  EXPECT_EQ(sum.collisions(), 2U);
+  EXPECT_EQ(sum.missed()[0], 0U);
+  EXPECT_EQ(sum.missed()[1], 2U);
+  EXPECT_DOUBLE_EQ(sum.share(1), 1);
+}
+
+}  // namespace
+}  // namespace hardball::bench

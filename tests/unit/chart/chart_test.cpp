@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/chart/chart.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <regex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hardball::chart {
+namespace {
+
+// Pixels are written with two decimals.
+constexpr double kRounding = 0.0051;
+
+struct Pixel {
+  double x = 0;
+  double y = 0;
+};
+
+// All groups of all matches; they refer to the text, which must live on.
+std::vector<std::smatch> matches(const std::string& svg, const std::string& pattern) {
+  const std::regex regex(pattern);
+  return {std::sregex_iterator(svg.begin(), svg.end(), regex), std::sregex_iterator()};
+}
+
+std::vector<Pixel> marks(const std::string& svg) {
+  std::vector<Pixel> pixels;
+  for (const std::smatch& match : matches(svg, R"re(class="mark" transform="translate\((\S+) (\S+)\)")re")) {
+    pixels.push_back({std::stod(match[1]), std::stod(match[2])});
+  }
+  return pixels;
+}
+
+// Where the tick with this label stands along the axis "x" or "y"; NaN if there is none.
+double tick(const std::string& svg, const std::string& axis, const std::string& label) {
+  const std::string pattern = "<text class=\"" + axis + R"re(" x="(\S+)" y="(\S+)"[^>]*>(.*)</text>)re";
+  for (const std::smatch& match : matches(svg, pattern)) {
+    if (match[3] != label) continue;
+    // Labels of the y axis stand with their middle beside the tick.
+    return axis == "x" ? std::stod(match[1]) : std::stod(match[2]) - 4.5;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string ten_to(const std::string& power) {
+  return "10<tspan dy=\"-5\" font-size=\"11\">" + power + "</tspan>";
+}
+
+std::string draw(const Series& series, bool logarithmic = false) {
+  return to_svg({{.x = {.label = "x", .logarithmic = logarithmic},
+                  .y = {.label = "y", .logarithmic = logarithmic},
+                  .series = {series}}});
+}
+
+TEST(Chart, PutsPointsBesideTheirTicksOnLinearAxes) {
+  const std::string svg = draw({.x = {-10, 0, 5, 30}, .y = {-2, 0, 1, 4}});
+  const std::vector<Pixel> at = marks(svg);
+  ASSERT_EQ(at.size(), 4U);
+  EXPECT_NEAR(at[0].x, tick(svg, "x", "−10"), kRounding);
+  EXPECT_NEAR(at[1].x, tick(svg, "x", "0"), kRounding);
+  EXPECT_NEAR(at[3].x, tick(svg, "x", "30"), kRounding);
+  EXPECT_NEAR(at[1].y, tick(svg, "y", "0"), kRounding);
+  EXPECT_NEAR(at[3].y, tick(svg, "y", "4"), kRounding);
+  EXPECT_NEAR(at[2].x - at[1].x, (at[3].x - at[1].x) / 6, 2 * kRounding);
+  EXPECT_LT(at[0].x, at[3].x);
+  EXPECT_GT(at[0].y, at[3].y) << "y grows upwards";
+}
+
+TEST(Chart, PutsPointsBesideTheirTicksOnLogarithmicAxes) {
+  const std::string svg = draw({.x = {0.01, 1, 1000}, .y = {0.1, 10, 1e5}}, true);
+  const std::vector<Pixel> at = marks(svg);
+  ASSERT_EQ(at.size(), 3U);
+  EXPECT_NEAR(at[0].x, tick(svg, "x", ten_to("−2")), kRounding);
+  EXPECT_NEAR(at[1].x, tick(svg, "x", ten_to("0")), kRounding);
+  EXPECT_NEAR(at[2].x, tick(svg, "x", ten_to("3")), kRounding);
+  EXPECT_NEAR(at[2].y, tick(svg, "y", ten_to("5")), kRounding);
+  EXPECT_NEAR(at[1].x - at[0].x, (at[2].x - at[0].x) * 2 / 5, 2 * kRounding);
+}
+
+TEST(Chart, KeepsAllPointsWithinTheFrame) {
+  for (const bool logarithmic : {false, true}) {
+    const std::string svg = draw({.x = {3e-7, 2e-3, 1e12}, .y = {1, 1, 1}}, logarithmic);
+    const std::vector<std::smatch> frame =
+        matches(svg, R"re(class="frame" x="(\S+)" y="(\S+)" width="(\S+)" height="(\S+)")re");
+    ASSERT_EQ(frame.size(), 1U);
+    const double left = std::stod(frame[0][1]);
+    const double top = std::stod(frame[0][2]);
+    for (const Pixel& at : marks(svg)) {
+      EXPECT_GT(at.x, left);
+      EXPECT_LT(at.x, left + std::stod(frame[0][3]));
+      EXPECT_NEAR(at.y, top + std::stod(frame[0][4]) / 2, kRounding) << "a single value stands in the middle";
+    }
+  }
+}
+
+TEST(Chart, LeavesOutWhatHasNoPlaceAndInterruptsTheLine) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::string svg = draw({.x = {1, 2, 3, 4, 5, 6, 7}, .y = {1, 2, nan, 4, 0, -1, infinity}}, true);
+  EXPECT_EQ(marks(svg).size(), 3U);
+  const std::vector<std::smatch> line = matches(svg, R"re(class="line" d="(M[^ML]+L[^ML]+M[^ML]+)")re");
+  EXPECT_EQ(line.size(), 1U) << svg;
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
+  EXPECT_EQ(marks(draw({.x = {1, 2, 3}, .y = {0, -1, 1}})).size(), 3U) << "linear axes take them all";
+}
+
+TEST(Chart, DrawsNothingOfNoPoints) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const bool logarithmic : {false, true}) {
+    for (const Series& series : {Series{.name = "empty"}, Series{.name = "empty", .x = {nan}, .y = {1}}}) {
+      const std::string svg = draw(series, logarithmic);
+      EXPECT_TRUE(marks(svg).empty());
+      EXPECT_EQ(svg.find("class=\"line\""), std::string::npos);
+      EXPECT_EQ(svg.find("nan"), std::string::npos);
+      EXPECT_NE(svg.find(">empty<"), std::string::npos) << "it keeps its place in the legend";
+    }
+  }
+  EXPECT_EQ(to_svg({}).find("class=\"panel\""), std::string::npos);
+}
+
+TEST(Chart, ZeroIsTheFloorOfAnAxisThatBeginsThere) {
+  const std::string svg = to_svg({{.y = {.from_zero = true}, .series = {{.x = {1, 2}, .y = {100, 130}}}}});
+  const std::vector<std::smatch> frame =
+      matches(svg, R"re(class="frame" x="\S+" y="(\S+)" \S+ height="(\S+)")re");
+  ASSERT_EQ(frame.size(), 1U);
+  EXPECT_NEAR(tick(svg, "y", "0"), std::stod(frame[0][1]) + std::stod(frame[0][2]), kRounding);
+}
+
+TEST(Chart, MarkersStandAtTheirPlaceAndWidenTheRange) {
+  const Series series{.x = {0, 1}, .y = {0, 1}};
+  const std::string svg = to_svg({{.series = {series}, .markers = {{.x = 2, .name = "end"}}}});
+  const std::vector<std::smatch> marker = matches(svg, R"re(<text x="(\S+)"[^>]*>end</text>)re");
+  ASSERT_EQ(marker.size(), 1U);
+  EXPECT_NEAR(std::stod(marker[0][1]), tick(svg, "x", "2"), kRounding);
+}
+
+TEST(Chart, EscapesTexts) {
+  const std::string svg = to_svg({{.title = "a < b & \"c\"\n",
+                                   .x = {.label = "<x>"},
+                                   .y = {.label = "&"},
+                                   .series = {{.name = "</svg>"}},
+                                   .markers = {{.x = 1, .name = "&amp;"}}}});
+  EXPECT_NE(svg.find(">a &lt; b &amp; &quot;c&quot;<"), std::string::npos);
+  EXPECT_NE(svg.find(">&lt;x&gt;<"), std::string::npos);
+  EXPECT_NE(svg.find(">&amp;<"), std::string::npos);
+  EXPECT_NE(svg.find(">&lt;/svg&gt;<"), std::string::npos);
+  EXPECT_NE(svg.find(">&amp;amp;<"), std::string::npos);
+}
+
+TEST(Chart, PanelsStandInTwoColumns) {
+  const Chart chart{.series = {{.x = {1}, .y = {1}}}};
+  const std::string svg = to_svg({chart, chart, chart});
+  const std::vector<std::smatch> panels =
+      matches(svg, R"re(class="panel" transform="translate\((\S+) (\S+)\)")re");
+  ASSERT_EQ(panels.size(), 3U);
+  EXPECT_EQ(panels[0][2], panels[1][2]);
+  EXPECT_EQ(panels[0][1], panels[2][1]);
+  EXPECT_NE(panels[0][1], panels[1][1]);
+  EXPECT_NE(panels[0][2], panels[2][2]);
+}
+
+}  // namespace
+}  // namespace hardball::chart
