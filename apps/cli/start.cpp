@@ -70,7 +70,8 @@ bool is_worth_measuring(const World& start, const Scenario& scenario) {
 UnitCosts read_unit_costs(const std::string& text) {
   if (text == "standard") return UnitCosts{};
   if (text == "measured") return measure_unit_costs(clock_seconds);
-  const std::string remedy = "give auto, measured, standard, or all of them, such as " + to_option(UnitCosts{});
+  const std::string remedy =
+      "give auto, measured, standard, or all of them, such as " + to_option(UnitCosts{});
   UnitCosts costs;
   std::array<bool, kCosts.size()> given{};
   std::size_t begin = 0;

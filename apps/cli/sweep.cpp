@@ -18,8 +18,13 @@ namespace {
 
 constexpr int kEdgesBelow = 6;  // the one chosen
 constexpr int kEdgesAbove = 5;
-constexpr int kRounds = 7;
-constexpr double kSecondsOfRound = 0.05;
+
+// Short rounds, and many, so that whatever slows the machine for a while slows all alike; but so long that a
+// round does not mainly bring the spheres back into the cache.
+constexpr double kLeastSecondsOfRound = 0.03;
+constexpr double kLeastSecondsForEachSphere = 1e-6;
+constexpr double kSecondsOfPoint = 0.75;
+constexpr int kLeastRounds = 7;
 
 // The simulation of a point that is being measured.
 struct Contender {
@@ -108,14 +113,17 @@ Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options) {
     run_timed(contender.simulation, until);
     contender.before = contender.simulation.counters();
   }
-  const double span = kSecondsOfRound / contenders[chosen].point.predicted_seconds;
-  for (int round = 0; round < kRounds; ++round) {
+  const double seconds =
+      std::max(kLeastSecondsOfRound, kLeastSecondsForEachSphere * static_cast<double>(start.size()));
+  const int rounds = std::max(kLeastRounds, static_cast<int>(kSecondsOfPoint / seconds));
+  const double span = seconds / contenders[chosen].point.predicted_seconds;
+  for (int round = 0; round < rounds; ++round) {
     until += span;
     for (Contender& contender : contenders)
       contender.point.seconds.push_back(run_timed(contender.simulation, until) / span);
   }
   Sweep sweep;
-  sweep.span = kRounds * span;
+  sweep.span = rounds * span;
   for (Contender& contender : contenders) {
     contender.point.counted = difference(contender.before, contender.simulation.counters());
     std::sort(contender.point.seconds.begin(), contender.point.seconds.end());
