@@ -35,7 +35,7 @@ CLI::App* add_command(CLI::App& app, Options& options, const std::string& name,
 
 void add_unit_costs_option(CLI::App& command, Options& options) {
   command.add_option("--unit-costs", options.unit_costs,
-                     "What steps cost, to choose the cells by: auto, measured, standard or numbers");
+                     "What steps cost, to choose the cells by: auto, measured, standard or all of them");
 }
 
 void add_engine_options(CLI::App& command, Options& options) {

@@ -109,6 +109,7 @@ std::string Summary::table() const {
   add_if_meant("pressure on walls", wall_pressure_);
   add("engine", engine_);
   add_if_meant("cell edge", cell_edge_);
+  if (counters_.rebuilds > 0) add("cells rebuilt", fmt::format("{} times", counters_.rebuilds));
   add("seconds", fmt::format("{:.3g} setup, {:.3g} run", seconds_.setup, seconds_.run));
   add_if_meant("collisions per second", static_cast<double>(counters_.collision) / seconds_.run);
   add("memory", fmt::format("{:.0f} bytes per sphere, {:.1f} MB at the peak", bytes_per_sphere_,

@@ -50,7 +50,8 @@ Counters difference(const Counters& before, const Counters& after) {
           .predictions = after.predictions - before.predictions,
           .contact_predictions = after.contact_predictions - before.contact_predictions,
           .enter_predictions = after.enter_predictions - before.enter_predictions,
-          .queue_operations = after.queue_operations - before.queue_operations};
+          .queue_operations = after.queue_operations - before.queue_operations,
+          .rebuilds = after.rebuilds - before.rebuilds};
 }
 
 // Adds a contender with cells of this edge, unless one has the same cells, and returns its place.

@@ -189,12 +189,12 @@ ExitCode tune(const Options& options) {
   engine_options.restitution = scenario.restitution;
   engine_options.unit_costs = read_unit_costs(options.unit_costs == "auto" ? "measured" : options.unit_costs);
   catch_signals();
+  if (options.out) make_directory(*options.out);
   const Simulation settled = settle(scenario, engine_options);
   const Moments moments = moments_of(settled.world(), settled.now());
   const Sweep sweep = sweep_cell_edges(settled, engine_options);
   if (options.out) {
     const std::filesystem::path directory = *options.out;
-    make_directory(directory);
     write_file(directory / "tune.csv", csv(sweep, moments.spheres));
     write_file(directory / "tune.svg", figure(sweep, scenario, moments.spheres));
   }

@@ -90,6 +90,7 @@ class Engine {
   /// motion is not touched. Cost: O(n).
   void rebuild(const Time& now, Phase phase) {
     counters_ = counters();
+    ++counters_.rebuilds;
     phase_ = std::move(phase);
     rebuild(now);
   }

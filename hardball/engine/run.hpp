@@ -36,6 +36,7 @@ struct Counters {
   std::uint64_t contact_predictions = 0;  ///< Those among them that a contact called for.
   std::uint64_t enter_predictions = 0;    ///< Those that entering cells called for.
   std::uint64_t queue_operations = 0;     ///< Entries put into the queue or taken out.
+  std::uint64_t rebuilds = 0;             ///< How often all regions and predictions were made anew.
 
   std::uint64_t contacts() const { return collision + wall; }
   friend bool operator==(const Counters&, const Counters&) = default;

@@ -144,6 +144,23 @@ TEST_F(Run, HasOneHistoryWhateverTheEngine) {
   EXPECT_EQ(hash({"--queue", "ordered"}), expected);
   EXPECT_EQ(hash({"--cell-edge", "1.1"}), expected);
   EXPECT_EQ(hash({"--cell-edge", "3.7"}), expected);
+  EXPECT_EQ(hash({"--cell-edge", "paper"}), expected);
+  EXPECT_EQ(hash({"--cell-edge", "paper", "--engine", "paper"}), expected);
+  EXPECT_EQ(hash({"--unit-costs", "measured"}), expected);
+  EXPECT_EQ(hash({"--unit-costs", "contact=1,enter=1,cell=1,prediction=30"}), expected);
+}
+
+TEST_F(Run, ChoosesCellsByTheUnitCosts) {
+  use(kPeriodicGas);
+  const auto edge = [this](const Arguments& arguments) {
+    return run_json(arguments)["cell_edge"].get<double>();
+  };
+  const double standard = edge({"--unit-costs", "standard"});
+  EXPECT_EQ(edge({}), standard) << "a short run does not measure";
+  EXPECT_LT(edge({"--unit-costs", "contact=1,enter=1,cell=1,prediction=30"}), standard);
+  EXPECT_GT(edge({"--unit-costs", "contact=1,enter=1000,cell=1,prediction=1"}), standard);
+  // The paper's equation has no terms for the collisions that crowding adds.
+  EXPECT_GE(edge({"--cell-edge", "paper"}), standard);
 }
 
 TEST_F(Run, HasOneHistoryWhateverIsWritten) {

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// hardball tune: what it prints and writes. How fast cells are is not looked at.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/program.hpp"
+
+namespace hardball {
+namespace {
+
+using support::Arguments;
+using support::Outcome;
+using support::read_text;
+using support::run_program;
+using support::ScratchFolder;
+using support::write_text;
+
+const std::string kGas = R"([box]
+size = [16.0, 16.0, 16.0]
+boundary = ["periodic", "periodic", "periodic"]
+[[spheres]]
+count = 400
+radius = 0.5
+placement = "random"
+temperature = 1.0
+[run]
+until = 50.0
+)";
+
+// Costs so high that the rounds, which last as long as they would cost, are short.
+const std::string kHighCosts = "contact=140000,enter=55000,cell=19000,prediction=5500";
+
+class Tune : public testing::Test {
+ protected:
+  Tune() { write_text(folder_ / "gas.toml", kGas); }
+
+  Outcome tune(const Arguments& more = {}) {
+    Arguments arguments{"tune", "gas.toml", "--unit-costs", kHighCosts};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(folder_, arguments);
+  }
+
+  ScratchFolder folder_;
+};
+
+std::vector<std::vector<std::string>> read_csv(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    rows.emplace_back();
+    std::istringstream fields(line);
+    for (std::string field; std::getline(fields, field, ',');) rows.back().push_back(field);
+  }
+  return rows;
+}
+
+TEST_F(Tune, PrintsTheChoiceThePapersAndTheBest) {
+  const Outcome outcome = tune();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+  for (const char* word : {"packing fraction", "unit costs", "contact=1.4e+05", "predicted", "measured",
+                           "counted", " auto", " paper", " best", "auto chooses"}) {
+    EXPECT_NE(outcome.output.find(word), std::string::npos) << word;
+  }
+}
+
+TEST_F(Tune, WritesATableInWhichPredictionsAgreeWithCounts) {
+  const Outcome outcome = tune({"--out", "new/out"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
+  const auto rows = read_csv(read_text(folder_ / "new/out/tune.csv"));
+  ASSERT_GE(rows.size(), 8U) << "the larger edges coincide in a small box";
+  const auto column = [&](const std::string& name) {
+    for (std::size_t i = 0; i < rows[0].size(); ++i) {
+      if (rows[0][i].starts_with(name)) return i;
+    }
+    ADD_FAILURE() << "no column " << name;
+    return std::size_t{0};
+  };
+  const auto number = [&](std::size_t row, const std::string& name) {
+    return std::strtod(rows[row][column(name)].c_str(), nullptr);
+  };
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    if (row > 1) {
+      EXPECT_GT(number(row, "cell_edge"), number(row - 1, "cell_edge"));
+    }
+    EXPECT_GT(number(row, "measured_median"), 0);
+    EXPECT_LE(number(row, "measured_least"), number(row, "measured_median"));
+    EXPECT_GE(number(row, "measured_most"), number(row, "measured_median"));
+    // Counted over a short while.
+    EXPECT_NEAR(number(row, "counted_after_contact") / number(row, "predicted_after_contact"), 1, 0.2);
+    EXPECT_NEAR(number(row, "counted_enter") / number(row, "predicted_enter"), 1, 0.3);
+  }
+}
+
+TEST_F(Tune, DrawsAFigure) {
+  ASSERT_EQ(tune({"--out", "out"}).exit_code, 0);
+  const std::string figure = read_text(folder_ / "out/tune.svg");
+  EXPECT_NE(figure.find("<svg"), std::string::npos);
+  EXPECT_NE(figure.find("auto"), std::string::npos);
+  EXPECT_TRUE(figure.ends_with("</svg>\n"));
+}
+
+TEST_F(Tune, RefusesAWorldInWhichNothingMoves) {
+  const Outcome outcome = tune({"--set", "spheres.0.temperature=0.0"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.messages.find("nothing moves"), std::string::npos) << outcome.messages;
+}
+
+TEST_F(Tune, RefusesADirectoryThatIsAFile) {
+  const Outcome outcome = tune({"--out", "gas.toml"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.messages.find("gas.toml"), std::string::npos) << outcome.messages;
+  EXPECT_EQ(outcome.output, "");
+}
+
+}  // namespace
+}  // namespace hardball

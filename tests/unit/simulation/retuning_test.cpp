@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// The cells follow the spheres: when they are rebuilt, how often, and that nothing else changes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hardball/simulation/simulation.hpp"
+#include "support/gas.hpp"
+
+namespace hardball {
+namespace {
+
+World burst() {
+  return support::make_gas({.count = 600, .packing_fraction = 0.2, .seed = 401, .boundary = Boundary::open});
+}
+
+TEST(Retuning, CellsGrowWithACloudThatFliesApart) {
+  Simulation simulation(burst());
+  const double edge = simulation.cell_edge();
+  simulation.run_until(1000);
+  // The fastest are at a distance of some 4000, a thousand times the first extent; most at half of that.
+  EXPECT_GT(simulation.cell_edge(), 50 * edge);
+  EXPECT_GE(simulation.counters().rebuilds, 4U);
+  EXPECT_LE(simulation.counters().rebuilds, 40U) << "each lasts until the cloud has grown notably";
+  // A sphere that crossed cells of the first size all the way would do so 1500 times along each axis.
+  EXPECT_LT(simulation.counters().enter, 600U * 300U);
+}
+
+TEST(Retuning, ChangesNoContact) {
+  Simulation tuned(burst());
+  Simulation fixed(burst(), {.cell_edge = 3});
+  tuned.run_until(100);
+  fixed.run_until(100);
+  EXPECT_GT(tuned.counters().rebuilds, 0U);
+  EXPECT_EQ(fixed.counters().rebuilds, 0U);
+  EXPECT_EQ(fixed.cell_edge(), 3);
+  EXPECT_EQ(tuned.event_log_hash(), fixed.event_log_hash());
+}
+
+// Speeds do not matter to the choice, and the density of a closed box stays what it is.
+TEST(Retuning, LeavesAGasAloneThatOnlyCools) {
+  const World world = support::make_gas({.count = 500, .packing_fraction = 0.1, .seed = 402});
+  Simulation simulation(world, {.restitution = 0.7});
+  simulation.run_contacts(20000);
+  EXPECT_LT(simulation.world().kinetic_energy(), 1e-3 * world.kinetic_energy());
+  EXPECT_EQ(simulation.counters().rebuilds, 0U);
+}
+
+TEST(Retuning, FollowsSpheresThatAreAddedAndRemoved) {
+  Simulation simulation(support::make_gas({.count = 1000, .packing_fraction = 0.2, .seed = 403}));
+  const double edge = simulation.cell_edge();
+  for (SphereId id = 0; id < 990; ++id) simulation.remove(id);
+  simulation.run_contacts(10, 100);
+  EXPECT_GT(simulation.cell_edge(), 1.5 * edge);
+}
+
+}  // namespace
+}  // namespace hardball
