@@ -55,10 +55,10 @@ void run_collisions(Simulation& simulation, double per_sphere) {
 }
 
 // The paper's spheres in equilibrium. What steps would miss is counted on the second half of the way there.
-World settled_world(std::size_t spheres, MissedCounter& missed) {
-  const bool is_random = spheres <= kMostPlacedAtRandom;
+World settled_world(std::size_t spheres, double box_edge, MissedCounter& missed) {
+  const bool is_random = spheres <= kMostPlacedAtRandom || box_edge > kBoxEdge;
   Scenario scenario;
-  scenario.box.fill({Boundary::wall, kBoxEdge});
+  scenario.box.fill({Boundary::wall, box_edge});
   SphereGroup group;
   group.count = spheres;
   group.radius = kRadius;
@@ -103,7 +103,7 @@ class EventDriven {
   std::uint64_t event_log_hash() const { return simulation_.event_log_hash(); }
 
   Row row(const std::string& method) const {
-    Row row{.method = method, .spheres = simulation_.size()};
+    Row row{.method = method, .spheres = simulation_.size(), .box_edge = simulation_.world().box().size().x};
     row.seconds = median(seconds_) / span_;
     row.seconds_minimum = *std::min_element(seconds_.begin(), seconds_.end()) / span_;
     row.seconds_maximum = *std::max_element(seconds_.begin(), seconds_.end()) / span_;
@@ -147,7 +147,9 @@ class Stepping {
   }
 
   Row row(const StepSize& step, double missed_share) const {
-    Row row{.method = "time_stepped", .spheres = spheres_, .step_radii = step.radii, .step = step.duration()};
+    Row row{.method = "time_stepped", .spheres = spheres_};
+    row.step_radii = step.radii;
+    row.step = step.duration();
     row.seconds = median(seconds_) / row.step;
     row.seconds_minimum = *std::min_element(seconds_.begin(), seconds_.end()) / row.step;
     row.seconds_maximum = *std::max_element(seconds_.begin(), seconds_.end()) / row.step;
@@ -228,11 +230,12 @@ double StepSize::duration() const {
 
 double Row::packing_fraction() const {
   const double volume = 4 * std::numbers::pi / 3 * kRadius * kRadius * kRadius;
-  return static_cast<double>(spheres) * volume / (kBoxEdge * kBoxEdge * kBoxEdge);
+  return static_cast<double>(spheres) * volume / (box_edge * box_edge * box_edge);
 }
 
 Plan full_plan() {
   return {.spheres = {1'000, 2'000, 5'000, 10'000, 20'000, 50'000, 100'000, 200'000, 300'000},
+          .spheres_at_fixed_density = {1'000, 3'000, 10'000, 30'000, 100'000, 300'000},
           .most_all_pairs = 50'000,
           .most_stepped = 100'000,
           .trial_spheres = 5'000,
@@ -241,6 +244,7 @@ Plan full_plan() {
 
 Plan quick_plan() {
   return {.spheres = {1'000, 2'000, 5'000},
+          .spheres_at_fixed_density = {1'000, 3'000},
           .repetitions = 1,
           .seconds = 0.2,
           .slow_seconds = 0.2,
@@ -257,13 +261,25 @@ Results measure(const Plan& plan) {
   for (const std::size_t spheres : plan.spheres) {
     const double seconds = seconds_of([&] {
       MissedCounter missed(step_durations());
-      const World world = settled_world(spheres, missed);
+      const World world = settled_world(spheres, kBoxEdge, missed);
       const std::vector<Row> rows = rows_of(plan, world, missed);
       results.rows.insert(results.rows.end(), rows.begin(), rows.end());
       if (rows.front().packing_fraction() < kFreezing) all_missed.add(missed);
       if (spheres == plan.trial_spheres) run_trial(world, plan.trial_span, results.steps);
     });
     fmt::print(stderr, "figure1: {} spheres, {:.1f} s\n", spheres, seconds);
+  }
+  Plan events_only = plan;
+  events_only.most_all_pairs = events_only.most_stepped = 0;
+  for (const std::size_t spheres : plan.spheres_at_fixed_density) {
+    const double seconds = seconds_of([&] {
+      const double growth = static_cast<double>(spheres) / static_cast<double>(kSpheresAtFixedDensity);
+      MissedCounter missed(step_durations());
+      const World world = settled_world(spheres, kBoxEdge * std::cbrt(growth), missed);
+      const std::vector<Row> rows = rows_of(events_only, world, missed);
+      results.rows_at_fixed_density.insert(results.rows_at_fixed_density.end(), rows.begin(), rows.end());
+    });
+    fmt::print(stderr, "figure1: {} spheres at fixed density, {:.1f} s\n", spheres, seconds);
   }
   for (std::size_t i = 0; i < kSteps.size(); ++i) {
     StepRow& row = results.steps[i];

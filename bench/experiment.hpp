@@ -12,8 +12,10 @@
 namespace hardball::bench {
 
 inline constexpr double kRadius = 1.5;   ///< Of the spheres [L].
-inline constexpr double kBoxEdge = 200;  ///< [L]
-inline constexpr double kSpread = 10;    ///< Standard deviation of each component of the velocities [L/T].
+inline constexpr double kBoxEdge = 200;  ///< Of the paper's box [L].
+/// Where the box grows with the number of spheres, they are as dense as so many in the paper's box.
+inline constexpr std::size_t kSpheresAtFixedDensity = 10'000;
+inline constexpr double kSpread = 10;  ///< Standard deviation of each component of the velocities [L/T].
 /// From this packing fraction on, hard spheres in equilibrium are not all fluid [1]. Source: Hoover and Ree,
 /// J. Chem. Phys. 49 (1968) 3609.
 inline constexpr double kFreezing = 0.494;
@@ -48,7 +50,8 @@ inline constexpr std::array<std::size_t, 4> kStepsTaken = {1, 3, 5, 7};
 
 /// What is measured, and for how long.
 struct Plan {
-  std::vector<std::size_t> spheres;
+  std::vector<std::size_t> spheres;                   ///< In the paper's box.
+  std::vector<std::size_t> spheres_at_fixed_density;  ///< In boxes that grow with their number.
   int repetitions = 3;
   double seconds = 0.8;       ///< Aimed at for one measurement of the cell grid.
   double slow_seconds = 0.8;  ///< The same for all pairs and time steps, unless a single step takes longer.
@@ -69,9 +72,10 @@ inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 struct Row {
   std::string method;  ///< cells, paper, all_pairs or time_stepped
   std::size_t spheres = 0;
-  double step_radii = kNone;  ///< Of time_stepped: see StepSize [1].
-  double step = kNone;        ///< [T]
-  double seconds = kNone;     ///< Per unit of simulated time, the median of the repetitions.
+  double box_edge = kBoxEdge;  ///< [L]
+  double step_radii = kNone;   ///< Of time_stepped: see StepSize [1].
+  double step = kNone;         ///< [T]
+  double seconds = kNone;      ///< Per unit of simulated time, the median of the repetitions.
   double seconds_minimum = kNone;
   double seconds_maximum = kNone;
   int repetitions = 0;
@@ -109,7 +113,8 @@ struct StepRow {
 
 /// The results of all measurements.
 struct Results {
-  std::vector<Row> rows;
+  std::vector<Row> rows;  ///< In the paper's box.
+  std::vector<Row> rows_at_fixed_density;
   std::vector<StepRow> steps;
 };
 

@@ -75,7 +75,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
 void run(const Options& options) {
   std::filesystem::create_directories(options.folder);
   const Results results = measure(options.quick ? quick_plan() : full_plan());
-  const std::vector<Exponent> exponents = fit_exponents(results.rows);
+  const std::vector<Exponent> exponents = fit_exponents(results);
   const std::vector<std::string> header = where_measured(options);
   const std::vector<std::string> figure_notes = {
       fmt::format("start: up to {} spheres random places and {} collisions per sphere, else a lattice and {}",

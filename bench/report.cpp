@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -60,7 +61,8 @@ chart::Series proportional_to_n(const std::vector<Row>& rows) {
 
 const chart::Axis kSpheresAxis{.label = "number of spheres n", .logarithmic = true};
 
-chart::Chart time_chart(const std::vector<Row>& rows) {
+chart::Chart time_chart(const Results& results) {
+  const std::vector<Row>& rows = results.rows;
   const Quantity seconds = [](const Row& row) { return row.seconds; };
   const std::vector<Row> cells = rows_of(rows, "cells");
   chart::Chart chart{.title = "(a) Cost of a unit of simulated time",
@@ -73,17 +75,23 @@ chart::Chart time_chart(const std::vector<Row>& rows) {
     chart.series.push_back(series_of(rows_of(rows, "time_stepped", kSteps[i].radii),
                                      fmt::format("steps of {} radius", kSteps[i].name), seconds));
   }
-  chart.series.push_back(proportional_to_n(cells));
+  chart.series.push_back(
+      series_of(rows_of(results.rows_at_fixed_density, "cells"), "cells, fixed density", seconds));
+  chart.series.push_back(proportional_to_n(rows_of(results.rows_at_fixed_density, "cells")));
   return chart;
 }
 
-chart::Chart event_cost_chart(const std::vector<Row>& rows) {
-  const Quantity nanoseconds = [](const Row& row) { return 1e9 * row.seconds_per_event(); };
+chart::Chart event_cost_chart(const Results& results) {
+  const Quantity microseconds = [](const Row& row) { return 1e6 * row.seconds_per_event(); };
   chart::Chart chart{.title = "(b) Cost of an event",
                      .x = kSpheresAxis,
-                     .y = {.label = "nanoseconds per event", .from_zero = true}};
-  chart.series = {series_of(rows_of(rows, "cells"), "Hardball, cells", nanoseconds),
-                  series_of(rows_of(rows, "paper"), "paper's algorithm", nanoseconds)};
+                     .y = {.label = "microseconds per event", .logarithmic = true}};
+  const std::vector<Row>& growing = results.rows_at_fixed_density;
+  chart.series = {series_of(rows_of(results.rows, "cells"), "Hardball, fixed box", microseconds),
+                  series_of(rows_of(results.rows, "paper"), "paper's algorithm, fixed box", microseconds),
+                  series_of(rows_of(growing, "cells"), "Hardball, fixed density", microseconds),
+                  series_of(rows_of(growing, "paper"), "paper's algorithm, fixed density", microseconds)};
+  for (std::size_t i = 2; i < chart.series.size(); ++i) chart.series[i].dashed = true;
   return chart;
 }
 
@@ -114,59 +122,73 @@ chart::Chart events_chart(const std::vector<Row>& rows) {
                      series_of(cells, "cells entered", [](const Row& row) { return row.enters; })}};
 }
 
-void add_fits(std::vector<Exponent>& exponents, const std::vector<Row>& rows, const std::string& quantity,
-              const Quantity& value) {
-  constexpr std::pair<std::size_t, std::size_t> kRanges[] = {{0, 10'000}, {20'000, 200'000}};
-  for (const auto& [least, most] : kRanges) {
-    Exponent fit{.method = rows.front().method, .quantity = quantity};
-    std::vector<double> x;
-    std::vector<double> y;
-    for (const Row& row : rows) {
-      if (row.spheres < least || row.spheres > most) continue;
-      if (x.empty()) fit.from = row.spheres;
-      fit.to = row.spheres;
-      x.push_back(static_cast<double>(row.spheres));
-      y.push_back(value(row));
-    }
-    if (x.size() < 2) continue;
-    fit.law = fit_power_law(x, y);
-    exponents.push_back(std::move(fit));
+using Range = std::pair<std::size_t, std::size_t>;  // of numbers of spheres, both included
+
+void add_fit(std::vector<Exponent>& exponents, const std::vector<Row>& rows, const Range& range, Exponent fit,
+             const Quantity& value) {
+  std::vector<double> x;
+  std::vector<double> y;
+  for (const Row& row : rows) {
+    if (row.spheres < range.first || row.spheres > range.second) continue;
+    if (x.empty()) fit.from = row.spheres;
+    fit.to = row.spheres;
+    x.push_back(static_cast<double>(row.spheres));
+    y.push_back(value(row));
   }
+  if (x.size() < 2) return;
+  fit.law = fit_power_law(x, y);
+  exponents.push_back(std::move(fit));
+}
+
+// All that is fitted of one method.
+void add_fits(std::vector<Exponent>& exponents, const std::vector<Row>& rows, const std::string& box,
+              const std::vector<Range>& ranges) {
+  if (rows.empty()) return;
+  const std::string& method = rows.front().method;
+  const auto add = [&](const std::string& quantity, const Quantity& value) {
+    for (const Range& range : ranges)
+      add_fit(exponents, rows, range, {.method = method, .quantity = quantity, .box = box}, value);
+  };
+  add("seconds_per_unit_time", [](const Row& row) { return row.seconds; });
+  if (std::isnan(rows.front().collisions)) return;
+  add("events_per_unit_time", [](const Row& row) { return row.events(); });
+  add("seconds_per_event", [](const Row& row) { return row.seconds_per_event(); });
 }
 
 }  // namespace
 
-std::vector<Exponent> fit_exponents(const std::vector<Row>& rows) {
+std::vector<Exponent> fit_exponents(const Results& results) {
   std::vector<Exponent> exponents;
-  for (const std::string_view method : {"cells", "paper", "all_pairs", "time_stepped"}) {
-    // One step stands for all: the others differ by a factor.
-    const bool is_stepped = method == "time_stepped";
-    const std::vector<Row> own =
-        rows_of(rows, method, is_stepped ? kSteps[kStepsTaken.front()].radii : kNone);
-    if (own.empty()) continue;
-    add_fits(exponents, own, "seconds_per_unit_time", [](const Row& row) { return row.seconds; });
-    if (is_stepped) continue;
-    add_fits(exponents, own, "events_per_unit_time", [](const Row& row) { return row.events(); });
-    add_fits(exponents, own, "seconds_per_event", [](const Row& row) { return row.seconds_per_event(); });
+  const std::vector<Range> kRegimes = {{0, 10'000}, {20'000, 200'000}};
+  const std::vector<Range> kAll = {{0, std::numeric_limits<std::size_t>::max()}};
+  for (const std::string_view method : {"cells", "paper", "all_pairs"}) {
+    add_fits(exponents, rows_of(results.rows, method), "fixed", kRegimes);
+    add_fits(exponents, rows_of(results.rows_at_fixed_density, method), "growing", kAll);
   }
+  // One step stands for all: the others differ by a factor.
+  const double step = kSteps[kStepsTaken.front()].radii;
+  add_fits(exponents, rows_of(results.rows, "time_stepped", step), "fixed", kRegimes);
   return exponents;
 }
 
 std::string figure_csv(const Results& results, const std::vector<std::string>& header) {
   std::string text = comments(header);
   text +=
-      "method,spheres,packing_fraction,step_radii,step,seconds_per_unit_time,minimum,maximum,repetitions,"
+      "method,spheres,box_edge,packing_fraction,step_radii,step,seconds_per_unit_time,minimum,maximum,"
+      "repetitions,"
       "span,"
       "collisions_per_unit_time,walls_per_unit_time,enters_per_unit_time,leaves_per_unit_time,"
       "events_per_unit_time,seconds_per_event,seconds_per_collision,missed_share,note\n";
-  for (const Row& row : results.rows) {
+  std::vector<Row> rows = results.rows;
+  rows.insert(rows.end(), results.rows_at_fixed_density.begin(), results.rows_at_fixed_density.end());
+  for (const Row& row : rows) {
     text +=
-        fmt::format("{},{},{:.4f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.method, row.spheres,
-                    row.packing_fraction(), field(row.step_radii), field(row.step), field(row.seconds),
-                    field(row.seconds_minimum), field(row.seconds_maximum), row.repetitions, field(row.span),
-                    field(row.collisions), field(row.walls), field(row.enters), field(row.leaves),
-                    field(row.events()), field(row.seconds_per_event()), field(row.seconds_per_collision()),
-                    field(row.missed_share), row.note);
+        fmt::format("{},{},{:.6g},{:.4f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.method,
+                    row.spheres, row.box_edge, row.packing_fraction(), field(row.step_radii), field(row.step),
+                    field(row.seconds), field(row.seconds_minimum), field(row.seconds_maximum),
+                    row.repetitions, field(row.span), field(row.collisions), field(row.walls),
+                    field(row.enters), field(row.leaves), field(row.events()), field(row.seconds_per_event()),
+                    field(row.seconds_per_collision()), field(row.missed_share), row.note);
   }
   return text;
 }
@@ -187,28 +209,28 @@ std::string steps_csv(const Results& results, const std::vector<std::string>& he
 }
 
 std::string exponents_csv(const std::vector<Exponent>& exponents, const std::vector<std::string>& header) {
-  std::string text = comments(header) + "method,quantity,from,to,points,exponent,standard_error\n";
+  std::string text = comments(header) + "method,quantity,box,from,to,points,exponent,standard_error\n";
   for (const Exponent& fit : exponents) {
-    text += fmt::format("{},{},{},{},{},{},{}\n", fit.method, fit.quantity, fit.from, fit.to, fit.law.points,
-                        field(fit.law.exponent), field(fit.law.standard_error));
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", fit.method, fit.quantity, fit.box, fit.from, fit.to,
+                        fit.law.points, field(fit.law.exponent), field(fit.law.standard_error));
   }
   return text;
 }
 
 std::string exponents_table(const std::vector<Exponent>& exponents) {
-  std::string text = fmt::format("{:<14}{:<24}{:>8}{:>9}{:>8}{:>10}{:>10}\n", "method", "quantity", "from",
-                                 "to", "points", "exponent", "error");
+  std::string text = fmt::format("{:<14}{:<24}{:<9}{:>8}{:>9}{:>8}{:>10}{:>10}\n", "method", "quantity",
+                                 "box", "from", "to", "points", "exponent", "error");
   for (const Exponent& fit : exponents) {
     text +=
-        fmt::format("{:<14}{:<24}{:>8}{:>9}{:>8}{:>10.3f}{:>10}\n", fit.method, fit.quantity, fit.from,
-                    fit.to, fit.law.points, fit.law.exponent,
+        fmt::format("{:<14}{:<24}{:<9}{:>8}{:>9}{:>8}{:>10.3f}{:>10}\n", fit.method, fit.quantity, fit.box,
+                    fit.from, fit.to, fit.law.points, fit.law.exponent,
                     std::isnan(fit.law.standard_error) ? "-" : fmt::format("{:.3f}", fit.law.standard_error));
   }
   return text;
 }
 
 std::string figure_svg(const Results& results) {
-  return chart::to_svg({time_chart(results.rows), event_cost_chart(results.rows), missed_chart(results.steps),
+  return chart::to_svg({time_chart(results), event_cost_chart(results), missed_chart(results.steps),
                         events_chart(results.rows)});
 }
 

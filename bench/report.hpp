@@ -14,15 +14,16 @@ namespace hardball::bench {
 struct Exponent {
   std::string method;    ///< As Row::method.
   std::string quantity;  ///< seconds_per_unit_time, seconds_per_event or events_per_unit_time
+  std::string box;       ///< fixed, or growing at fixed density
   std::size_t from = 0;  ///< Least and largest number of spheres among the points.
   std::size_t to = 0;
   PowerLaw law = {};
 };
 
-/// Power laws in the number of spheres n, of every method and for two ranges: up to 10^4, where most events
-/// of the cell grid concern cells, and from 2 * 10^4 to 2 * 10^5, where most are collisions. Left out where
-/// there are fewer than two points.
-std::vector<Exponent> fit_exponents(const std::vector<Row>& rows);
+/// Power laws in the number of spheres n, of every method. In the paper's box for two ranges: up to 10^4,
+/// where most events of the cell grid concern cells, and from 2 * 10^4 to 2 * 10^5, where most are
+/// collisions. At fixed density for all n. Left out where there are fewer than two points.
+std::vector<Exponent> fit_exponents(const Results& results);
 
 /// Tables as CSV; each line of `header` stands before them as a comment.
 std::string figure_csv(const Results& results, const std::vector<std::string>& header);
