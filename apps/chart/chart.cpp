@@ -108,8 +108,6 @@ class Scale {
     };
     for (const double value : values) include(value);
     if (low_ > high_) low_ = 0, high_ = 1;
-    const bool has_zero = axis.from_zero && !logarithmic_;
-    if (has_zero) include(0);
     // A single value stands in the middle.
     const double least_extent = logarithmic_ ? 0.5 : 1e-9 * std::max(std::abs(low_), std::abs(high_));
     if (!(high_ - low_ > least_extent)) {
@@ -118,9 +116,8 @@ class Scale {
       high_ += margin;
     }
     const double padding = kPadding * (high_ - low_);
-    // Nothing is drawn beyond a zero that the axis begins or ends with.
-    if (!(has_zero && low_ == 0)) low_ -= padding;
-    if (!(has_zero && high_ == 0)) high_ += padding;
+    low_ -= padding;
+    high_ += padding;
   }
 
   double pixel(double value) const {
@@ -218,16 +215,24 @@ void add_markers(std::string& svg, const Chart& chart, const Scale& x) {
   }
 }
 
-// The looks of the series with this index.
+// The colour and shape of a series among others, counted from zero.
+std::size_t style_of(const Chart& chart, std::size_t index) {
+  std::size_t style = 0;
+  for (std::size_t i = 1; i <= index; ++i) {
+    if (!chart.series[i].like_previous) ++style;
+  }
+  return style;
+}
+
 struct Look {
   std::string line;
   std::string mark;  // all but where it is
 
-  Look(const Series& series, std::size_t index) {
-    const std::string_view color = kColors[index % kColors.size()];
+  Look(const Series& series, std::size_t style) {
+    const std::string_view color = kColors[style % kColors.size()];
     line = fmt::format(" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"{}", color,
                        series.dashed ? " stroke-dasharray=\"6 4\"" : "");
-    mark = fmt::format(" d=\"{}\" fill=\"{}\"", kShapes[index % kShapes.size()], color);
+    mark = fmt::format(" d=\"{}\" fill=\"{}\"", kShapes[style % kShapes.size()], color);
   }
 };
 
@@ -241,7 +246,7 @@ bool is_drawn(const Chart& chart, const Series& series, std::size_t i) {
 
 void add_series(std::string& svg, const Chart& chart, std::size_t index, const Scale& x, const Scale& y) {
   const Series& series = chart.series[index];
-  const Look look(series, index);
+  const Look look(series, style_of(chart, index));
   std::string line;
   std::string marks;
   bool pen_is_down = false;
@@ -291,7 +296,7 @@ void add_legend(std::string& svg, const Chart& chart) {
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const Series& series = chart.series[i];
     if (series.name.empty()) continue;
-    const Look look(series, i);
+    const Look look(series, style_of(chart, i));
     const double left = kFrameLeft + kFrameWidth / 2 * static_cast<double>(place % columns);
     const std::size_t row = place / columns;
     const double middle = kFrameTop + kFrameHeight + kLegendGap + kLegendRow * static_cast<double>(row);

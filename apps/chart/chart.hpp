@@ -16,13 +16,13 @@ struct Series {
   bool line = true;
   bool marks = true;
   bool dashed = false;
+  bool like_previous = false;  ///< Has the colour and the shape of the series before it.
 };
 
 /// What one axis of a chart shows; its range covers all points and markers.
 struct Axis {
   std::string label = {};
   bool logarithmic = false;
-  bool from_zero = false;  ///< The range includes zero; of no meaning for a logarithmic axis.
 };
 
 /// A vertical line with its name above the frame; left out where a point would be.

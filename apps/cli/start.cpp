@@ -2,18 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/start.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
-#include <charconv>
-#include <chrono>
-#include <cmath>
 #include <string_view>
 
+#include "apps/cli/parse_number.hpp"
+#include "apps/cli/unit_costs.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/nearest_name.hpp"
-#include "hardball/simulation/measure_unit_costs.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/moments.hpp"
@@ -26,14 +21,6 @@ namespace {
 constexpr std::array<std::string_view, 4> kEngineNames{"auto", "cells", "all-pairs", "paper"};
 constexpr std::array<std::string_view, 2> kQueueNames{"calendar", "ordered"};
 
-template <class Number>
-Number parse(const std::string& text, const std::string& option, const std::string& remedy) {
-  Number number{};
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (status == std::errc() && end == text.data() + text.size()) return number;
-  throw Error("'" + text + "' is not accepted", option, remedy);
-}
-
 std::size_t choose(const std::string& text, std::span<const std::string_view> names,
                    const std::string& option) {
   std::string all;
@@ -42,19 +29,6 @@ std::size_t choose(const std::string& text, std::span<const std::string_view> na
     all += (i == 0 ? "" : ", ") + std::string(names[i]);
   }
   throw Error("there is no '" + text + "'", option, "choose one of " + all);
-}
-
-struct NamedCost {
-  std::string_view name;
-  double UnitCosts::*cost;
-};
-constexpr std::array<NamedCost, 4> kCosts{{{"contact", &UnitCosts::contact},
-                                           {"enter", &UnitCosts::enter},
-                                           {"cell", &UnitCosts::cell},
-                                           {"prediction", &UnitCosts::prediction}}};
-
-double clock_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 // Whether so long a run is ahead that measuring takes less than a hundredth of it.
@@ -67,48 +41,10 @@ bool is_worth_measuring(const World& start, const Scenario& scenario) {
 
 }  // namespace
 
-UnitCosts read_unit_costs(const std::string& text) {
-  if (text == "standard") return UnitCosts{};
-  if (text == "measured") return measure_unit_costs(clock_seconds);
-  const std::string remedy =
-      "give auto, measured, standard, or all of them, such as " + to_option(UnitCosts{});
-  UnitCosts costs;
-  std::array<bool, kCosts.size()> given{};
-  std::size_t begin = 0;
-  while (begin < text.size()) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string item = text.substr(begin, end - begin);
-    const std::size_t equals = std::min(item.find('='), item.size());
-    const auto found = std::find_if(kCosts.begin(), kCosts.end(), [&](const NamedCost& each) {
-      return each.name == std::string_view(item).substr(0, equals);
-    });
-    if (found == kCosts.end() || equals == item.size())
-      throw Error("'" + item + "' is no unit cost", "--unit-costs", remedy);
-    const double cost = parse<double>(item.substr(equals + 1), "--unit-costs", remedy);
-    if (!(cost >= 0) || !std::isfinite(cost))
-      throw Error("'" + item + "' is negative or infinite", "--unit-costs", remedy);
-    costs.*found->cost = cost;
-    given[static_cast<std::size_t>(found - kCosts.begin())] = true;
-    begin = end + 1;
-  }
-  if (std::find(given.begin(), given.end(), false) != given.end())
-    throw Error("'" + text + "' are not all unit costs", "--unit-costs", remedy);
-  if (costs.enter + costs.cell <= 0 || costs.prediction <= 0)
-    throw Error("crossings or predictions cost nothing, so that no cells are best", "--unit-costs", remedy);
-  return costs;
-}
-
-std::string to_option(const UnitCosts& costs) {
-  std::string text;
-  for (const NamedCost& each : kCosts)
-    text += fmt::format("{}{}={:.4g}", text.empty() ? "" : ",", each.name, costs.*each.cost);
-  return text;
-}
-
 Scenario read_scenario(const Options& options) {
   Scenario scenario = load_scenario(options.scenario, options.overrides);
   if (options.until) {
-    const double until = parse<double>(*options.until, "--until", "give a time such as 10");
+    const double until = parse_number<double>(*options.until, "--until", "give a time such as 10");
     check_finite(until, "the time", "--until");
     if (until < 0)
       throw Error("the time is " + to_text(until), "--until", "runs begin at 0; give a later time");
@@ -119,8 +55,8 @@ Scenario read_scenario(const Options& options) {
                 "add it, or say --until on the command line");
   }
   if (options.seed) {
-    scenario.seed =
-        parse<std::uint64_t>(*options.seed, "--seed", "give an integer from 0 to 18446744073709551615");
+    scenario.seed = parse_number<std::uint64_t>(*options.seed, "--seed",
+                                                "give an integer from 0 to 18446744073709551615");
   }
   return scenario;
 }
@@ -134,13 +70,14 @@ EngineOptions read_engine_options(const Options& options, const Scenario& scenar
   if (options.unit_costs != "auto") {
     engine_options.unit_costs = read_unit_costs(options.unit_costs);
   } else if (options.cell_edge == "auto" && has_cells && is_worth_measuring(start, scenario)) {
-    engine_options.unit_costs = measure_unit_costs(clock_seconds);
+    engine_options.unit_costs = read_unit_costs("measured");
   }
   if (options.cell_edge == "paper") {
     const double edge = paper_cell_edge(moments_of(start, Time(0)), engine_options.unit_costs);
     engine_options.cell_edge = allowed_cell_edge(start, engine_options.engine, edge);
   } else if (options.cell_edge != "auto") {
-    const double edge = parse<double>(options.cell_edge, "--cell-edge", "give auto, paper or a length");
+    const double edge =
+        parse_number<double>(options.cell_edge, "--cell-edge", "give auto, paper or a length");
     check_positive(edge, "the edge", "--cell-edge");
     engine_options.cell_edge = edge;
   }

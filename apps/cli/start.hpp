@@ -19,12 +19,6 @@ Scenario read_scenario(const Options& options);
 /// edge that is no positive number; unit costs that are none.
 EngineOptions read_engine_options(const Options& options, const Scenario& scenario, const World& start);
 
-/// What the command line says of unit costs: the costs themselves, "measured", or "standard".
-UnitCosts read_unit_costs(const std::string& text);
-
-/// As the command line takes them.
-std::string to_option(const UnitCosts& costs);
-
 /// The simulation of a scenario from its start. Error: see Simulation, with its place on the command line or
 /// in the scenario.
 Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options);

@@ -41,19 +41,6 @@ double run_timed(Simulation& simulation, double until) {
   return seconds;
 }
 
-Counters difference(const Counters& before, const Counters& after) {
-  return {.collision = after.collision - before.collision,
-          .wall = after.wall - before.wall,
-          .enter = after.enter - before.enter,
-          .leave = after.leave - before.leave,
-          .stale = after.stale - before.stale,
-          .predictions = after.predictions - before.predictions,
-          .contact_predictions = after.contact_predictions - before.contact_predictions,
-          .enter_predictions = after.enter_predictions - before.enter_predictions,
-          .queue_operations = after.queue_operations - before.queue_operations,
-          .rebuilds = after.rebuilds - before.rebuilds};
-}
-
 // Adds a contender with cells of this edge, unless one has the same cells, and returns its place.
 std::optional<std::size_t> add(std::vector<Contender>& contenders, const Simulation& start,
                                EngineOptions options, double edge) {
@@ -126,7 +113,7 @@ Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options) {
   Sweep sweep;
   sweep.span = rounds * span;
   for (Contender& contender : contenders) {
-    contender.point.counted = difference(contender.before, contender.simulation.counters());
+    contender.point.counted = contender.simulation.counters() - contender.before;
     std::sort(contender.point.seconds.begin(), contender.point.seconds.end());
     sweep.points.push_back(std::move(contender.point));
   }

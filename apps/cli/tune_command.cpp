@@ -14,6 +14,7 @@
 #include "apps/cli/start.hpp"
 #include "apps/cli/sweep.hpp"
 #include "apps/cli/terminal.hpp"
+#include "apps/cli/unit_costs.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/output_file.hpp"
 #include "hardball/scenario/make_world.hpp"
@@ -127,8 +128,8 @@ std::string csv(const Sweep& sweep, std::size_t spheres) {
 // A curve of the theory and the points measured.
 void add_series(chart::Chart& chart, const Sweep& sweep, const std::string& name,
                 const std::function<Comparison(const SweepPoint&)>& what) {
-  chart::Series theory{.name = name + ", predicted", .line = true, .marks = false};
-  chart::Series measured{.name = name + ", measured", .line = false, .marks = true};
+  chart::Series theory{.name = name + ", predicted", .marks = false};
+  chart::Series measured{.name = name + ", measured", .line = false, .like_previous = true};
   for (const SweepPoint& point : sweep.points) {
     const Comparison comparison = what(point);
     theory.x.push_back(point.edge);

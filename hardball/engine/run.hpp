@@ -40,6 +40,20 @@ struct Counters {
 
   std::uint64_t contacts() const { return collision + wall; }
   friend bool operator==(const Counters&, const Counters&) = default;
+  /// What has been done between two moments. Precondition: `before` is of the earlier one.
+  friend Counters operator-(Counters after, const Counters& before) {
+    after.collision -= before.collision;
+    after.wall -= before.wall;
+    after.enter -= before.enter;
+    after.leave -= before.leave;
+    after.stale -= before.stale;
+    after.predictions -= before.predictions;
+    after.contact_predictions -= before.contact_predictions;
+    after.enter_predictions -= before.enter_predictions;
+    after.queue_operations -= before.queue_operations;
+    after.rebuilds -= before.rebuilds;
+    return after;
+  }
 };
 
 }  // namespace hardball

@@ -59,7 +59,7 @@ class Trial {
       run(kStepsBetweenLooks);
       taken = seconds() - begin;
     }
-    pieces_.push_back({difference(before, engine_.counters()), taken});
+    pieces_.push_back({steps_of(engine_.counters() - before), taken});
   }
 
   struct Piece {
@@ -83,12 +83,12 @@ class Trial {
   }
 
   // Cells are not counted; the theory knows their mean.
-  Steps difference(const Counters& before, const Counters& after) const {
-    const auto contacts = static_cast<double>(after.contacts() - before.contacts());
-    const auto enters = static_cast<double>(after.enter - before.enter);
-    const double looks = 2 * contacts + static_cast<double>(after.stale - before.stale);
+  Steps steps_of(const Counters& done) const {
+    const auto contacts = static_cast<double>(done.contacts());
+    const auto enters = static_cast<double>(done.enter);
+    const double looks = 2 * contacts + static_cast<double>(done.stale);
     return {contacts, enters, looks * expected_.cells + enters * expected_.cells_entered,
-            static_cast<double>(after.predictions - before.predictions)};
+            static_cast<double>(done.predictions)};
   }
 
   CellCounts expected_;

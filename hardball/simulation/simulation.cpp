@@ -223,8 +223,9 @@ void Simulation::rebuild(const Time& moment, double cell_edge) {
 }
 
 void Simulation::retune_if_due() {
+  if (options_.cell_edge || options_.engine == EngineKind::all_pairs) return;
   const std::uint64_t crossings = counters().enter;
-  if (options_.cell_edge || crossings < next_look_) return;
+  if (crossings < next_look_) return;
   next_look_ = crossings + kCrossingsPerLook * size();
   const Time moment = later(now_, engine_->now());
   const std::optional<double> better = watch_.look(moments_of(world(), moment), duration(last_look_, moment));

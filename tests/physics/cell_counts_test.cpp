@@ -46,17 +46,16 @@ Counted count(const World& world, double edge, const CellCounts& expected) {
   constexpr double kMostPredictions = 2e7;
   const double affordable = kMostPredictions / (spheres * expected.predictions());
   simulation.run_until(begin + std::min(wanted, affordable));
-  const Counters after = simulation.counters();
+  const Counters done = simulation.counters() - before;
   const double span = spheres * (simulation.time() - begin);
-  const auto number = [](std::uint64_t from, std::uint64_t to) { return static_cast<double>(to - from); };
   Counted counted;
-  counted.enters = number(before.enter, after.enter);
+  counted.enters = static_cast<double>(done.enter);
   counted.enter = counted.enters / span;
-  counted.collision = 2 * number(before.collision, after.collision) / span;
-  counted.wall = number(before.wall, after.wall) / span;
+  counted.collision = 2 * static_cast<double>(done.collision) / span;
+  counted.wall = static_cast<double>(done.wall) / span;
   const double looks = (counted.collision + counted.wall) * span;
-  counted.after_contact = number(before.contact_predictions, after.contact_predictions) / looks;
-  counted.after_enter = number(before.enter_predictions, after.enter_predictions) / counted.enters;
+  counted.after_contact = static_cast<double>(done.contact_predictions) / looks;
+  counted.after_enter = static_cast<double>(done.enter_predictions) / counted.enters;
   return counted;
 }
 

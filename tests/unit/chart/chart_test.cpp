@@ -123,12 +123,23 @@ TEST(Chart, DrawsNothingOfNoPoints) {
   EXPECT_EQ(to_svg({}).find("class=\"panel\""), std::string::npos);
 }
 
-TEST(Chart, ZeroIsTheFloorOfAnAxisThatBeginsThere) {
-  const std::string svg = to_svg({{.y = {.from_zero = true}, .series = {{.x = {1, 2}, .y = {100, 130}}}}});
-  const std::vector<std::smatch> frame =
-      matches(svg, R"re(class="frame" x="\S+" y="(\S+)" \S+ height="(\S+)")re");
-  ASSERT_EQ(frame.size(), 1U);
-  EXPECT_NEAR(tick(svg, "y", "0"), std::stod(frame[0][1]) + std::stod(frame[0][2]), kRounding);
+TEST(Chart, SeriesLikeThePreviousOneHasItsColour) {
+  const Series a{.name = "a", .x = {1, 2}, .y = {1, 2}, .marks = false};
+  Series b{.name = "b", .x = {1, 2}, .y = {1, 2}, .line = false};
+  const auto colors = [&] {
+    const std::string svg = to_svg({{.series = {a, b}}});
+    const std::vector<std::smatch> line = matches(svg, R"re(class="line" [^>]*stroke="(#\w+)")re");
+    const std::vector<std::smatch> mark = matches(svg, R"re(class="mark" [^>]*fill="(#\w+)")re");
+    EXPECT_EQ(line.size(), 1U);
+    EXPECT_EQ(mark.size(), 2U);
+    return std::pair(line.at(0)[1].str(), mark.at(0)[1].str());
+  };
+  const auto [line, other] = colors();
+  EXPECT_NE(line, other);
+  b.like_previous = true;
+  const auto [same_line, same] = colors();
+  EXPECT_EQ(same_line, line);
+  EXPECT_EQ(same, line);
 }
 
 TEST(Chart, MarkersStandAtTheirPlaceAndWidenTheRange) {

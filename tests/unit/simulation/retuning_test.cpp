@@ -48,6 +48,16 @@ TEST(Retuning, LeavesAGasAloneThatOnlyCools) {
   EXPECT_EQ(simulation.counters().rebuilds, 0U);
 }
 
+TEST(Retuning, IsForEnginesWithCells) {
+  const World world = support::make_gas({.count = 30, .packing_fraction = 0.001, .seed = 404});
+  EngineOptions options;
+  options.engine = EngineKind::all_pairs;
+  Simulation simulation(world, options);
+  simulation.run_until(2000);
+  EXPECT_GT(simulation.counters().enter, 8U * 30U) << "its stretches are entered too";
+  EXPECT_EQ(simulation.counters().rebuilds, 0U);
+}
+
 TEST(Retuning, FollowsSpheresThatAreAddedAndRemoved) {
   Simulation simulation(support::make_gas({.count = 1000, .packing_fraction = 0.2, .seed = 403}));
   const double edge = simulation.cell_edge();

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <charconv>
+#include <string>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball::cli {
+
+/// The number that an option's text is, all of it. Error: it is none.
+template <class Number>
+Number parse_number(const std::string& text, const std::string& option, const std::string& remedy) {
+  Number number{};
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (status == std::errc() && end == text.data() + text.size()) return number;
+  throw Error("'" + text + "' is not accepted", option, remedy);
+}
+
+}  // namespace hardball::cli
