@@ -212,14 +212,11 @@ void Simulation::check_not_past(double time) const {
 
 void Simulation::apply_edits() {
   if (!edited_) return;
-  rebuild(now_, choose_cell_edge(world(), options_, now_));
+  const double edge = choose_cell_edge(world(), options_, now_);
+  engine_->rebuild(now_, edge);
+  watch_.begin(edge);
+  last_look_ = now_;
   edited_ = false;
-}
-
-void Simulation::rebuild(const Time& moment, double cell_edge) {
-  engine_->rebuild(moment, cell_edge);
-  watch_.begin(cell_edge);
-  last_look_ = moment;
 }
 
 void Simulation::retune_if_due() {
@@ -230,7 +227,7 @@ void Simulation::retune_if_due() {
   const Time moment = later(now_, engine_->now());
   const std::optional<double> better = watch_.look(moments_of(world(), moment), duration(last_look_, moment));
   last_look_ = moment;
-  if (better) rebuild(moment, allowed_cell_edge(world(), options_.engine, *better));
+  if (better) engine_->rebuild(moment, allowed_cell_edge(world(), options_.engine, *better));
 }
 
 }  // namespace hardball

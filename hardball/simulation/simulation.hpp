@@ -99,7 +99,6 @@ class Simulation {
  private:
   void check_not_past(double time) const;
   void apply_edits();
-  void rebuild(const Time& moment, double cell_edge);
   void retune_if_due();
 
   EngineOptions options_;

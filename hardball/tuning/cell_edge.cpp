@@ -90,7 +90,7 @@ double paper_cell_edge(const Moments& moments, const UnitCosts& costs) {
 }
 
 void CellEdgeWatch::begin(double edge) {
-  edge_ = edge;
+  edge_ = best_before_ = edge;
   regret_ = 0;
   seen_ = {};
 }
@@ -107,7 +107,14 @@ std::optional<double> CellEdgeWatch::look(const Moments& moments, double elapsed
   }
   regret_ += regret_by_way_ * moments.mean_speed * elapsed;
   if (!(regret_ > rebuild_)) return std::nullopt;
-  return best_edge_;
+  // What has changed so far will go on changing: in the middle of the time until the next rebuild the best
+  // edge will be half as far away again, on the scale of logarithms.
+  constexpr double kFarthestAhead = 2;
+  const double ahead = std::clamp(std::sqrt(best_edge_ / best_before_), 1 / kFarthestAhead, kFarthestAhead);
+  const double best = best_edge_;
+  begin(best * ahead);
+  best_before_ = best;
+  return edge_;
 }
 
 }  // namespace hardball

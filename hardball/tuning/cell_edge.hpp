@@ -47,14 +47,17 @@ class CellEdgeWatch {
   /// From now on cells have this edge [L].
   void begin(double edge);
 
-  /// The edge [L] to rebuild with, if it has come to that, `elapsed` [T] after the last look.
-  /// Cost: O(1), and less than a millisecond if density or radii have changed by more than 2% since the last.
+  /// The edge [L] that cells have from now on, if it has come to a rebuild, `elapsed` [T] after the last
+  /// look. It is ahead of the best one of the moment, as far as that will move until the middle of the time
+  /// to the next. Cost: O(1), and less than a millisecond if density or radii have changed by more than 2%
+  /// since the last.
   std::optional<double> look(const Moments& moments, double elapsed);
 
  private:
   UnitCosts costs_;
   double edge_ = 0;
-  double best_edge_ = 0;
+  double best_before_ = 0;    // the best edge at the last rebuild
+  double best_edge_ = 0;      // at the last reckoning
   double regret_ = 0;         // what could have been saved since the last rebuild, for each sphere [cost]
   double regret_by_way_ = 0;  // for each length that spheres fly [cost/L]
   double rebuild_ = 0;        // [cost]

@@ -135,7 +135,7 @@ TEST(CellEdgeWatch, RebuildsOnceWhatWasLostPaysForIt) {
   const double edge = optimal_cell_edge(dense, costs);
   watch.begin(edge);
   EXPECT_EQ(watch.look(dense, 1e6), std::nullopt) << "nothing is better";
-  const Moments thin = gas_moments(100000, 0.1 / 64, 0.5);  // the cube has grown fourfold
+  const Moments thin = gas_moments(100000, 0.1 / 27, 0.5);  // the cube has grown threefold
   const double better = optimal_cell_edge(thin, costs);
   const CellCounts best = expected_counts(thin, better);
   const double loss = cost_at(thin, edge, costs) - cost_rate(best, costs);
@@ -143,8 +143,13 @@ TEST(CellEdgeWatch, RebuildsOnceWhatWasLostPaysForIt) {
   const double patience = rebuild_cost(best, costs) / loss;
   EXPECT_EQ(watch.look(thin, 0.6 * patience), std::nullopt);
   EXPECT_EQ(watch.look(thin, 0.3 * patience), std::nullopt);
-  EXPECT_EQ(watch.look(thin, 0.2 * patience), better);
-  watch.begin(better);
+  const std::optional<double> ahead = watch.look(thin, 0.2 * patience);
+  ASSERT_TRUE(ahead);
+  EXPECT_DOUBLE_EQ(*ahead, better * std::sqrt(better / edge))
+      << "half as far again as the best edge has moved";
+  // The cloud does not go on growing, against what was to be expected.
+  EXPECT_EQ(watch.look(thin, 0.1 * patience), std::nullopt);
+  EXPECT_EQ(watch.look(thin, 1e6 * patience), better);
   EXPECT_EQ(watch.look(thin, 1e6 * patience), std::nullopt);
 }
 
