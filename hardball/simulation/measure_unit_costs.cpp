@@ -55,7 +55,7 @@ class Trial {
     const double begin = seconds();
     double taken = 0;
     // The bound on steps ends the measurement if the clock stands still.
-    for (int looks = 0; taken < enough && looks < 1000; ++looks) {
+    for (int looks = 0; taken < enough && looks < 100; ++looks) {
       run(kStepsBetweenLooks);
       taken = seconds() - begin;
     }
