@@ -159,15 +159,15 @@ void add_fits(std::vector<Exponent>& exponents, const std::vector<Row>& rows, co
 
 std::vector<Exponent> fit_exponents(const Results& results) {
   std::vector<Exponent> exponents;
-  const std::vector<Range> kRegimes = {{0, 10'000}, {20'000, 200'000}};
-  const std::vector<Range> kAll = {{0, std::numeric_limits<std::size_t>::max()}};
+  const std::vector<Range> regimes = {{0, 10'000}, {20'000, 200'000}};
+  const std::vector<Range> all = {{0, std::numeric_limits<std::size_t>::max()}};
   for (const std::string_view method : {"cells", "paper", "all_pairs"}) {
-    add_fits(exponents, rows_of(results.rows, method), "fixed", kRegimes);
-    add_fits(exponents, rows_of(results.rows_at_fixed_density, method), "growing", kAll);
+    add_fits(exponents, rows_of(results.rows, method), "fixed", regimes);
+    add_fits(exponents, rows_of(results.rows_at_fixed_density, method), "growing", all);
   }
   // One step stands for all: the others differ by a factor.
   const double step = kSteps[kStepsTaken.front()].radii;
-  add_fits(exponents, rows_of(results.rows, "time_stepped", step), "fixed", kRegimes);
+  add_fits(exponents, rows_of(results.rows, "time_stepped", step), "fixed", regimes);
   return exponents;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string_view>
 
@@ -137,8 +138,10 @@ class Scale {
                                  : rough < 7.5 * power ? 5
                                                        : 10);
     std::vector<Tick> ticks;
-    for (double k = std::ceil(low / step); k <= std::floor(high / step); ++k) {
-      ticks.push_back({k * step, number_text(k * step)});
+    const std::int64_t last = std::llround(std::floor(high / step));
+    for (std::int64_t k = std::llround(std::ceil(low / step)); k <= last; ++k) {
+      const double value = static_cast<double>(k) * step;
+      ticks.push_back({value, number_text(value)});
     }
     return ticks;
   }
