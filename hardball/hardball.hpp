@@ -6,6 +6,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/response/restitution.hpp"
+#include "hardball/simulation/measure_unit_costs.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/world.hpp"
