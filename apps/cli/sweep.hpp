@@ -34,7 +34,7 @@ struct Sweep {
 };
 
 /// Goes on from `start` with twelve edges around the one that the options choose, from a quarter of it to
-/// four times it, with the paper's, all in turn and several times over. Error: nothing moves. Error
+/// three times it, with the paper's, all in turn and several times over. Error: nothing moves. Error
 /// (RunFailure): a signal has come.
 Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options);
 

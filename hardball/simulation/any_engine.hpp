@@ -82,7 +82,8 @@ class AnyEngine {
 std::unique_ptr<AnyEngine> make_engine(World world, const EngineOptions& options, double cell_edge,
                                        const Time& now);
 
-/// The cell edge [L] that suits a world as it is at `moment`: the one that the options fix, or the best.
+/// The cell edge [L] that suits a world as it is at `moment`: the one that the options fix, or the best;
+/// engines without cells are given any.
 double choose_cell_edge(const World& world, const EngineOptions& options, const Time& moment);
 
 /// The same for an edge that somebody has proposed: the paper's engine takes none below the largest diameter.

@@ -84,8 +84,7 @@ TEST(CellCounts, OneCellBetweenWallsHoldsAll) {
   EXPECT_NEAR(counts.candidates_after_wall, 100, 1.1);
 }
 
-TEST(CellCounts, MixtureOfOneKindIsThatKind) {
-  // The moments of half the spheres with radius r and the other half with the same.
+TEST(CellCounts, LargeSpheresCountMoreAmongThoseThatCollide) {
   const Moments moments = gas_moments(1000, 0.2, 0.5);
   Moments wide = moments;
   wide.radius_power[5] *= 1.5;  // enters only through the large spheres' share of collisions
