@@ -3,6 +3,8 @@
 #include "hardball/broadphase/all_pairs.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "hardball/errors/error.hpp"
 
@@ -16,7 +18,7 @@ constexpr double kMargin = 1e-6;
 }  // namespace
 
 void AllPairs::build(const World& world, const Time& now) {
-  stretches_.assign(world.size(), Stretch{});
+  middles_.assign(world.size(), Vec3{});
   for (Slot slot = 0; slot < world.size(); ++slot) center_stretch(world, slot, now);
 }
 
@@ -29,7 +31,7 @@ AllPairs::Images AllPairs::images_within_reach(const World& world, Slot slot, Sl
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_periodic(axis)) continue;
     const double size = world.box().size()[axis];
-    const double apart = stretches_[other].middle[axis] - stretches_[slot].middle[axis];
+    const double apart = middles_[other][axis] - middles_[slot][axis];
     const double reach = 2 * kStretch * size + world.radius(slot) + world.radius(other) + kMargin * size;
     images.low[axis] = static_cast<std::int32_t>(std::ceil((-reach - apart) / size));
     images.high[axis] = static_cast<std::int32_t>(std::floor((reach - apart) / size));
@@ -37,28 +39,52 @@ AllPairs::Images AllPairs::images_within_reach(const World& world, Slot slot, Sl
   return images;
 }
 
+void AllPairs::collect(const World& world, Slot slot, Candidates& candidates) const {
+  candidates.begin(slot, false);
+  for (Slot other = 0; other < world.size(); ++other) {
+    if (other == slot) continue;
+    const Images images = images_within_reach(world, slot, other);
+    Image image;
+    for (image[0] = images.low[0]; image[0] <= images.high[0]; ++image[0]) {
+      for (image[1] = images.low[1]; image[1] <= images.high[1]; ++image[1]) {
+        for (image[2] = images.low[2]; image[2] <= images.high[2]; ++image[2]) {
+          candidates.add(other, image, world.box());
+        }
+      }
+    }
+  }
+  candidates.end();
+}
+
+void AllPairs::cross(const World& world, Slot slot, const Time& now, Candidates& candidates) {
+  center_stretch(world, slot, now);
+  collect(world, slot, candidates);
+}
+
 void AllPairs::center_stretch(const World& world, Slot slot, const Time& now) {
+  middles_[slot] = position_at(world.path(slot), now);
+  static_cast<void>(world.box().boxes_beyond(middles_[slot]));  // refuses to fly on for ever
+}
+
+Time AllPairs::next_crossing(const World& world, Slot slot, const Time& now) const {
   const Path& path = world.path(slot);
-  Stretch& stretch = stretches_[slot];
-  stretch.middle = position_at(path, now);
-  world.box().boxes_beyond(stretch.middle);  // refuses to fly on for ever
+  const Vec3& middle = middles_[slot];
   double soonest = std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_periodic(axis)) continue;
     const bool up = path.velocity[axis] > 0;
     const double reach = kStretch * world.box().size()[axis];
-    const double distance = up ? (stretch.middle[axis] + reach) - path.position[axis]
-                               : path.position[axis] - (stretch.middle[axis] - reach);
+    const double distance =
+        up ? (middle[axis] + reach) - path.position[axis] : path.position[axis] - (middle[axis] - reach);
     soonest = std::min(soonest, time_to_plane(distance, std::fabs(path.velocity[axis])));
   }
-  stretch.crossing = later(now, after(path.time, soonest));
+  return later(now, after(path.time, soonest));
 }
 
 void AllPairs::validate(const World& world, const Time& now) const {
-  HARDBALL_CHECK(stretches_.size() == world.size());
+  HARDBALL_CHECK(middles_.size() == world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    HARDBALL_CHECK(stretches_[slot].crossing >= now);
-    const Vec3 moved = position_at(world.path(slot), now) - stretches_[slot].middle;
+    const Vec3 moved = position_at(world.path(slot), now) - middles_[slot];
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (!world.box().is_periodic(axis)) continue;
       HARDBALL_CHECK(std::fabs(moved[axis]) <= (kStretch + kMargin / 2) * world.box().size()[axis]);

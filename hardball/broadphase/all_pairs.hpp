@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
 #include <vector>
 
 #include "hardball/broadphase/broad_phase.hpp"
@@ -18,36 +17,14 @@ class AllPairs {
  public:
   void build(const World& world, const Time& now);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
-  Time next_crossing(Slot slot) const { return stretches_[slot].crossing; }
+  void collect(const World& world, Slot slot, Candidates& candidates) const;
+  Time next_crossing(const World& world, Slot slot, const Time& now) const;
+  void cross(const World& world, Slot slot, const Time& now, Candidates& candidates);
   std::uint64_t left_count() const { return 0; }
-  std::size_t memory_bytes() const { return stretches_.capacity() * sizeof(Stretch); }
+  std::size_t memory_bytes() const { return middles_.capacity() * sizeof(Vec3); }
   void validate(const World& world, const Time& now) const;
 
-  template <class Visit>
-  void for_each_candidate(const World& world, Slot slot, Visit&& visit) const {
-    for (Slot other = 0; other < world.size(); ++other) {
-      if (other == slot) continue;
-      const Images images = images_within_reach(world, slot, other);
-      Image image;
-      for (image[0] = images.low[0]; image[0] <= images.high[0]; ++image[0]) {
-        for (image[1] = images.low[1]; image[1] <= images.high[1]; ++image[1]) {
-          for (image[2] = images.low[2]; image[2] <= images.high[2]; ++image[2]) visit(other, image);
-        }
-      }
-    }
-  }
-
-  template <class Visit>
-  void cross(const World& world, Slot slot, const Time& now, Visit&& visit) {
-    center_stretch(world, slot, now);
-    for_each_candidate(world, slot, visit);
-  }
-
  private:
-  struct Stretch {
-    Vec3 middle;
-    Time crossing = kNever;
-  };
   struct Images {
     Image low;
     Image high;
@@ -56,7 +33,7 @@ class AllPairs {
   Images images_within_reach(const World& world, Slot slot, Slot other) const;
   void center_stretch(const World& world, Slot slot, const Time& now);
 
-  std::vector<Stretch> stretches_;
+  std::vector<Vec3> middles_;  // of the stretches
 };
 
 static_assert(BroadPhase<AllPairs>);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "hardball/broadphase/candidates.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -18,25 +19,23 @@ namespace hardball {
 /// they touch. A broad phase reads paths and never changes them.
 ///
 /// - `build(world, now)` gives all spheres regions.
-/// - `refresh(world, slot, now, folded)` gives a new region to a sphere whose path has been rewritten at
-/// `now`,
-///   its centre having been folded back by `folded` boxes.
-/// - `for_each_candidate(world, slot, visit)` calls visit(other, image) for every candidate of a sphere,
-/// once;
-///   `image` is the copy of the other sphere.
-/// - `next_crossing(slot)` is when the sphere reaches the edge of its region; kNever if it does not.
-/// - `cross(world, slot, now, visit)` gives it the next region and visits the candidates that are new (and
-///   perhaps others).
+/// - `refresh(world, slot, now, folded)` gives a region to a sphere whose path has been rewritten at `now`, its
+///   centre having been folded back by `folded` boxes.
+/// - `collect(world, slot, candidates)` collects every candidate of a sphere, as a rule once.
+/// - `next_crossing(world, slot, now)` is when the sphere reaches the edge of its region, not before `now`;
+///   kNever if it does not.
+/// - `cross(world, slot, now, candidates)` gives it the next region and collects the candidates that are new
+///   (and perhaps others).
 /// - `left_count()` counts the cells, or rows of cells, that spheres have left since `build`.
 /// - `validate(world, now)` checks the whole structure and throws BrokenInvariant.
 template <class Phase>
 concept BroadPhase = requires(Phase phase, const Phase& view, const World& world, Slot slot, const Time& now,
-                              const Image& image, void (*visit)(Slot, const Image&)) {
+                              const Image& image, Candidates& candidates) {
   phase.build(world, now);
   phase.refresh(world, slot, now, image);
-  view.for_each_candidate(world, slot, visit);
-  { view.next_crossing(slot) } -> std::convertible_to<Time>;
-  phase.cross(world, slot, now, visit);
+  view.collect(world, slot, candidates);
+  { phase.next_crossing(world, slot, now) } -> std::convertible_to<Time>;
+  phase.cross(world, slot, now, candidates);
   { view.left_count() } -> std::convertible_to<std::uint64_t>;
   { view.memory_bytes() } -> std::convertible_to<std::size_t>;
   view.validate(world, now);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/broadphase/cell_store.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -12,7 +11,7 @@ namespace hardball {
 namespace {
 
 // With more cells per sphere than this, an array of all cells would outweigh the spheres.
-constexpr double kDenseCellsPerSphere = 8;
+constexpr double kDenseCellsPerSphere = 2;
 constexpr double kDenseCellsAlways = 4096;
 
 }  // namespace
@@ -21,54 +20,43 @@ void CellStore::reset(const CellIndex& shape, std::size_t expected) {
   const double cells = static_cast<double>(shape[0]) * shape[1] * shape[2];
   dense_ = cells > 0 && cells <= kDenseCellsPerSphere * static_cast<double>(expected) + kDenseCellsAlways;
   shape_ = shape;
-  first_blocks_.clear();
   lines_.clear();
   lines_used_ = 0;
   blocks_.clear();
   free_block_ = kNone;
   if (dense_) {
-    first_blocks_.assign(static_cast<std::size_t>(cells), kNone);
+    blocks_.resize(static_cast<std::size_t>(cells));
   } else {
     lines_.resize(std::bit_ceil(4 * expected + 16));
   }
 }
 
-void CellStore::insert(const CellIndex& cell, const Occupant& occupant) {
-  std::uint32_t& first = first_block_for_insert(cell);
-  if (first == kNone || blocks_[first].count == blocks_[first].occupants.size()) first = new_block(first);
-  Block& block = blocks_[first];
-  block.occupants[block.count++] = occupant;
-}
-
-void CellStore::erase(const CellIndex& cell, const Occupant& occupant) {
+void CellStore::erase(const CellIndex& cell, Slot slot) {
   const std::size_t line = dense_ ? 0 : find_line(cell);
-  std::uint32_t& first = dense_ ? first_blocks_[dense_place(cell)] : lines_[line].first_block;
-  // Only the first block of a chain may have room: its last occupant fills the gap.
-  for (std::uint32_t b = first; b != kNone; b = blocks_[b].next) {
-    Occupant* const begin = blocks_[b].occupants.data();
-    Occupant* const end = begin + blocks_[b].count;
-    Occupant* const found = std::find(begin, end, occupant);
-    if (found == end) continue;
-    Block& front = blocks_[first];
-    *found = front.occupants[--front.count];
-    if (front.count > 0) return;
-    const std::uint32_t emptied = first;
-    first = std::exchange(front.next, free_block_);
-    free_block_ = emptied;
-    if (!dense_ && first == kNone) erase_line(line);
+  const std::uint32_t first = dense_ ? dense_place(cell) : lines_[line].first_block;
+  std::uint32_t before = kNone;
+  for (std::uint32_t b = first; b != kNone; before = b, b = blocks_[b].next) {
+    Block& block = blocks_[b];
+    std::uint32_t i = 0;
+    while (i < block.count && block.slots[i] != slot) ++i;
+    if (i == block.count) continue;
+    block.slots[i] = block.slots[--block.count];
+    if (block.count > 0 || (dense_ && b == first)) return;
+    const std::uint32_t next = block.next;
+    free_block(b);
+    if (before != kNone) {
+      blocks_[before].next = next;
+    } else {
+      lines_[line].first_block = next;
+      if (next == kNone) erase_line(line);
+    }
     return;
   }
   HARDBALL_CHECK(!"the occupant is in the cell");
 }
 
 std::size_t CellStore::memory_bytes() const {
-  return first_blocks_.capacity() * sizeof(std::uint32_t) + lines_.capacity() * sizeof(Line) +
-         blocks_.capacity() * sizeof(Block);
-}
-
-std::size_t CellStore::dense_place(const CellIndex& cell) const {
-  const auto at = [](std::int32_t i) { return static_cast<std::size_t>(i); };
-  return (at(cell[0]) * at(shape_[1]) + at(cell[1])) * at(shape_[2]) + at(cell[2]);
+  return lines_.capacity() * sizeof(Line) + blocks_.capacity() * sizeof(Block);
 }
 
 std::size_t CellStore::home(const CellIndex& cell) const {
@@ -88,19 +76,25 @@ std::size_t CellStore::find_line(const CellIndex& cell) const {
   return line;
 }
 
-std::uint32_t CellStore::first_block(const CellIndex& cell) const {
-  return dense_ ? first_blocks_[dense_place(cell)] : lines_[find_line(cell)].first_block;
-}
-
-std::uint32_t& CellStore::first_block_for_insert(const CellIndex& cell) {
-  if (dense_) return first_blocks_[dense_place(cell)];
+std::uint32_t CellStore::first_block_for_insert(const CellIndex& cell) {
   if (2 * lines_used_ >= lines_.size()) grow_lines();
   Line& line = lines_[find_line(cell)];
   if (line.first_block == kNone) {
     ++lines_used_;
     line.cell = cell;
+    line.first_block = new_block(kNone);
   }
   return line.first_block;
+}
+
+// A block of a chain whose first is full that has room, made if need be.
+std::uint32_t CellStore::block_with_room(std::uint32_t first) {
+  std::uint32_t block = first;
+  while (blocks_[block].count == kRoom && blocks_[block].next != kNone) block = blocks_[block].next;
+  if (blocks_[block].count < kRoom) return block;
+  const std::uint32_t added = new_block(kNone);
+  blocks_[block].next = added;
+  return added;
 }
 
 // Closes the gap by moving back the lines that stand behind their home because of it.
@@ -135,6 +129,10 @@ std::uint32_t CellStore::new_block(std::uint32_t next) {
   blocks_[block].count = 0;
   blocks_[block].next = next;
   return block;
+}
+
+void CellStore::free_block(std::uint32_t block) {
+  blocks_[block].next = std::exchange(free_block_, block);
 }
 
 }  // namespace hardball

@@ -11,19 +11,11 @@
 
 namespace hardball {
 
-/// A sphere in a cell. Its region may reach over the edge of a periodic box: `boxes` says how many boxes it
-/// lies beyond here, so that the same sphere may stand in a cell more than once.
-struct Occupant {
-  Slot slot = 0;
-  Image boxes;
-
-  friend bool operator==(const Occupant&, const Occupant&) = default;
-};
-
 /// The cells that hold spheres: the paper's subspace tree, with tables in place of the tree.
 ///
-/// Where the box has few cells per sphere the directory is a plain array of all cells; where it has many, or
-/// no end, it is a hash table of the occupied ones. Either way memory is O(occupants). Cost: O(1) per
+/// Where the box has few cells per sphere there is an array with a block for each cell; where it has many, or
+/// no end, a hash table leads to the blocks of the occupied ones. Either way memory is O(occupants). A sphere
+/// may stand in a cell more than once, when its region reaches around a periodic box. Cost: O(1) per
 /// operation, and O(occupants of the cell) to erase.
 class CellStore {
  public:
@@ -32,17 +24,28 @@ class CellStore {
   void reset(const CellIndex& shape, std::size_t expected);
 
   /// All cells are given folded into the box.
-  void insert(const CellIndex& cell, const Occupant& occupant);
-  /// Precondition: the occupant is in the cell.
-  void erase(const CellIndex& cell, const Occupant& occupant);
+  void insert(const CellIndex& cell, Slot slot) {
+    std::uint32_t first = dense_ ? dense_place(cell) : first_block_for_insert(cell);
+    if (blocks_[first].count == kRoom) first = block_with_room(first);
+    Block& block = blocks_[first];
+    block.slots[block.count++] = slot;
+  }
+  /// Precondition: the sphere is in the cell.
+  void erase(const CellIndex& cell, Slot slot);
 
-  /// Calls visit(occupant) for everyone in the cell.
+  /// Calls visit(slots, count) for each block of the cell.
+  template <class Visit>
+  void for_each_block(const CellIndex& cell, Visit&& visit) const {
+    for (std::uint32_t b = first_block(cell); b != kNone; b = blocks_[b].next) {
+      visit(blocks_[b].slots.data(), blocks_[b].count);
+    }
+  }
+  /// Calls visit(slot) for everyone in the cell.
   template <class Visit>
   void for_each(const CellIndex& cell, Visit&& visit) const {
-    for (std::uint32_t b = first_block(cell); b != kNone; b = blocks_[b].next) {
-      const Block& block = blocks_[b];
-      for (std::uint32_t i = 0; i < block.count; ++i) visit(block.occupants[i]);
-    }
+    for_each_block(cell, [&](const Slot* slots, std::uint32_t count) {
+      for (std::uint32_t i = 0; i < count; ++i) visit(slots[i]);
+    });
   }
 
   bool is_dense() const { return dense_; }
@@ -50,12 +53,13 @@ class CellStore {
 
  private:
   static constexpr std::uint32_t kNone = UINT32_MAX;
+  static constexpr std::uint32_t kRoom = 14;
 
-  // Two cache lines of occupants; fuller cells chain several.
+  // A cache line of occupants; fuller cells chain several.
   struct alignas(64) Block {
     std::uint32_t count = 0;
     std::uint32_t next = kNone;
-    std::array<Occupant, 7> occupants;
+    std::array<Slot, kRoom> slots;
   };
   // A line of the hash table; free while first_block is kNone.
   struct Line {
@@ -63,21 +67,27 @@ class CellStore {
     std::uint32_t first_block = kNone;
   };
 
-  std::size_t dense_place(const CellIndex& cell) const;
+  std::uint32_t dense_place(const CellIndex& cell) const {
+    const auto at = [](std::int32_t i) { return static_cast<std::uint32_t>(i); };
+    return (at(cell[0]) * at(shape_[1]) + at(cell[1])) * at(shape_[2]) + at(cell[2]);
+  }
+  std::uint32_t first_block(const CellIndex& cell) const {
+    return dense_ ? dense_place(cell) : lines_[find_line(cell)].first_block;
+  }
   std::size_t home(const CellIndex& cell) const;
   std::size_t find_line(const CellIndex& cell) const;
-  std::uint32_t first_block(const CellIndex& cell) const;
-  std::uint32_t& first_block_for_insert(const CellIndex& cell);
+  std::uint32_t first_block_for_insert(const CellIndex& cell);
+  std::uint32_t block_with_room(std::uint32_t first);
   void erase_line(std::size_t line);
   void grow_lines();
   std::uint32_t new_block(std::uint32_t next);
+  void free_block(std::uint32_t block);
 
   bool dense_ = true;
   CellIndex shape_{};
-  std::vector<std::uint32_t> first_blocks_;  // dense: per cell
-  std::vector<Line> lines_;                  // hashed: open addressing, a power of two of lines
+  std::vector<Line> lines_;  // hashed: open addressing, a power of two of lines
   std::size_t lines_used_ = 0;
-  std::vector<Block> blocks_;
+  std::vector<Block> blocks_;  // dense: one for each cell, then those that chain on
   std::uint32_t free_block_ = kNone;
 };
 

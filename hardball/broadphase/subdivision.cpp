@@ -20,6 +20,12 @@ double margin(double edge, double place) {
   return kEdgeMargin * edge + kDistanceMargin * std::fabs(place);
 }
 
+// Without SSE4.1, std::floor is the call of a function.
+std::int32_t round_down(double number) {
+  const auto whole = static_cast<std::int32_t>(number);
+  return whole - (whole > number ? 1 : 0);
+}
+
 }  // namespace
 
 Subdivision::Subdivision(const Box& box, double edge, std::int32_t most_cells) {
@@ -29,12 +35,13 @@ Subdivision::Subdivision(const Box& box, double edge, std::int32_t most_cells) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     Axis& cells = axes_[axis];
     if (box.is_open(axis)) {
-      cells = {edge, -most_cells / 2, most_cells / 2 - 1, 0};
+      cells = {edge, 1 / edge, -most_cells / 2, most_cells / 2 - 1, 0};
       continue;
     }
     const double count = std::clamp<double>(std::floor(box.size()[axis] / edge), 1, most_cells);
     const auto whole = static_cast<std::int32_t>(count);
     cells.edge = box.size()[axis] / count;
+    cells.inverse_edge = 1 / cells.edge;
     cells.last = whole - 1;
     if (!box.is_periodic(axis)) continue;
     cells.period = whole;
@@ -48,14 +55,18 @@ CellRange Subdivision::range_at(const Vec3& position, double radius) const {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const Axis& cells = axes_[axis];
     const double reach = radius + margin(cells.edge, position[axis]);
-    const double low = std::floor((position[axis] - reach) / cells.edge);
-    const double high = std::floor((position[axis] + reach) / cells.edge);
-    if (cells.period > 0 && !(low > cells.first && high < cells.last)) {
-      throw RunFailure(
-          "a sphere has crossed 2^29 cells of a periodic box without a collision; use larger cells");
+    double low = (position[axis] - reach) * cells.inverse_edge;
+    double high = (position[axis] + reach) * cells.inverse_edge;
+    if (!(low > cells.first && high < cells.last)) [[unlikely]] {
+      if (cells.period > 0) {
+        throw RunFailure(
+            "a sphere has crossed 2^29 cells of a periodic box without a collision; use larger cells");
+      }
+      low = std::clamp<double>(low, cells.first, cells.last);
+      high = std::clamp<double>(high, cells.first, cells.last);
     }
-    range.low[axis] = static_cast<std::int32_t>(std::clamp<double>(low, cells.first, cells.last));
-    range.high[axis] = static_cast<std::int32_t>(std::clamp<double>(high, cells.first, cells.last));
+    range.low[axis] = round_down(low);
+    range.high[axis] = round_down(high);
   }
   return range;
 }

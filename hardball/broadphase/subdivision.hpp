@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "hardball/geometry/path.hpp"
 #include "hardball/world/box.hpp"
@@ -86,6 +87,26 @@ class Subdivision {
     }
     return boxes;
   }
+  /// Calls visit(cell, folded) for every cell of a range, and the same cell folded into the box.
+  template <class Visit>
+  void for_each_folded(const CellRange& range, Visit&& visit) const {
+    CellIndex begin = range.low;
+    fold(begin);
+    const auto step = [this](std::size_t axis, std::int32_t& place) {
+      if (++place == axes_[axis].period) place = 0;
+    };
+    CellIndex cell;
+    CellIndex folded = begin;
+    for (cell[0] = range.low[0]; cell[0] <= range.high[0]; ++cell[0], step(0, folded[0])) {
+      folded[1] = begin[1];
+      for (cell[1] = range.low[1]; cell[1] <= range.high[1]; ++cell[1], step(1, folded[1])) {
+        folded[2] = begin[2];
+        for (cell[2] = range.low[2]; cell[2] <= range.high[2]; ++cell[2], step(2, folded[2])) {
+          visit(std::as_const(cell), std::as_const(folded));
+        }
+      }
+    }
+  }
   /// How many cells the copy `image` is displaced along an axis.
   std::int32_t cells_beyond(std::size_t axis, const Image& image) const {
     return image[axis] * axes_[axis].period;
@@ -94,6 +115,7 @@ class Subdivision {
  private:
   struct Axis {
     double edge = 0;
+    double inverse_edge = 0;
     std::int32_t first = 0;
     std::int32_t last = 0;
     std::int32_t period = 0;

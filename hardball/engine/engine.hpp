@@ -10,13 +10,14 @@
 #include "hardball/engine/run.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event_queue.hpp"
+#include "hardball/prediction/predictor.hpp"
 #include "hardball/response/execute.hpp"
 
 namespace hardball {
 
 /// The event loop: take the least event, carry it out, predict anew.
 ///
-/// The queue holds one entry per sphere: the earlier of its crossing (broad phase) and its prospect, the
+/// The queue holds one event per sphere: the earlier of its crossing (broad phase) and its prospect, the
 /// earliest contact among its candidates. Of two candidates at least one has a prospect no later than their
 /// contact: the one whose path or region changed last looked at the other. A prospect whose partner has
 /// changed its path since is stale, and the sphere looks again. An engine is a value: it can be copied, and
@@ -25,8 +26,11 @@ template <EventQueue Queue, BroadPhase Phase, Response Respond>
 class Engine {
  public:
   /// Takes over a world as it is at `now`. Precondition: no path begins later, no two spheres overlap.
-  Engine(World world, Phase phase, Respond respond, const Time& now)
-      : world_(std::move(world)), phase_(std::move(phase)), respond_(std::move(respond)) {
+  Engine(World world, Phase phase, Respond respond, const Time& now, Predictor predictor = Predictor())
+      : world_(std::move(world)),
+        phase_(std::move(phase)),
+        respond_(std::move(respond)),
+        predictor_(std::move(predictor)) {
     rebuild(now);
   }
 
@@ -46,7 +50,7 @@ class Engine {
 
   std::size_t memory_bytes() const {
     return world_.memory_bytes() + phase_.memory_bytes() + queue_.memory_bytes() + guard_.memory_bytes() +
-           prospects_.capacity() * sizeof(Prospect) + revisions_.capacity() * sizeof(std::uint32_t);
+           predictor_.memory_bytes() + plans_.capacity() * sizeof(Plan);
   }
 
   /// Handles events in order, calling observe(contact) after every collision and wall contact.
@@ -57,11 +61,11 @@ class Engine {
     std::uint64_t contacts = 0;
     if (limits.contacts == 0) return RunStatus::contacts_reached;
     for (std::uint64_t step = 0;; ++step) {
-      const std::optional<Scheduled> next = queue_.least();
-      if (!next || next->event.time.high > limits.until.high) return RunStatus::time_reached;
+      const std::optional<Slot> next = least_until(limits.until);
+      if (!next) return RunStatus::time_reached;
       if (step == limits.steps) return RunStatus::steps_reached;
       if (handle_without_contact(*next)) continue;
-      observe(carry_out(next->event));
+      observe(carry_out(*next));
       if constexpr (HARDBALL_VALIDATE) validate_now_and_then();
       if (++contacts == limits.contacts) return RunStatus::contacts_reached;
     }
@@ -70,9 +74,9 @@ class Engine {
   /// The next collision or wall contact up to `until`, without carrying it out.
   std::optional<Event> next_contact(const Time& until) {
     for (;;) {
-      const std::optional<Scheduled> next = queue_.least();
-      if (!next || next->event.time.high > until.high) return std::nullopt;
-      if (!handle_without_contact(*next)) return next->event;
+      const std::optional<Slot> next = least_until(until);
+      if (!next) return std::nullopt;
+      if (!handle_without_contact(*next)) return contact_of(*next);
     }
   }
 
@@ -101,100 +105,164 @@ class Engine {
   /// Checks every structure and that no contact is unknown; throws BrokenInvariant. Cost: O(candidates).
   void validate() const {
     phase_.validate(world_, now_);
+    Candidates candidates;
     for (Slot slot = 0; slot < world_.size(); ++slot) {
-      HARDBALL_CHECK(prospects_[slot].contact.time >= now_);
-      phase_.for_each_candidate(world_, slot, [&](Slot other, const Image& image) {
-        const Event contact = make_collision(contact_time(world_, slot, other, image), slot, other, image);
-        HARDBALL_CHECK(prospects_[slot].contact <= contact || prospects_[other].contact <= contact);
-      });
+      HARDBALL_CHECK(plans_[slot].contact >= now_ && plans_[slot].crossing >= now_);
+      phase_.collect(world_, slot, candidates);
+      for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Slot other = candidates.slot(i);
+        const Image image = candidates.are_nearest() ? nearest_image(world_, slot, other, now_)
+                                                     : candidates.image(i);
+        const Event contact = make_collision(contact_time(world_, slot, other, image), world_.id(slot),
+                                             world_.id(other), image);
+        HARDBALL_CHECK(contact_of(slot) <= contact || contact_of(other) <= contact);
+      }
     }
   }
 
  private:
-  // The earliest contact a sphere knows of, and which path of its partner it was reckoned with.
-  struct Prospect {
-    Event contact;
+  // What lies ahead of a sphere: when it leaves its region, and its prospect, the earliest contact it knows
+  // of. One cache line.
+  struct alignas(64) Plan {
+    Time crossing = kNever;
+    Time contact = kNever;
+    std::uint32_t partner = 0;  // a slot, or a face of the box
     std::uint32_t partner_revision = 0;
+    std::uint32_t revision = 0;  // how often the sphere's own path has been rewritten
+    Image image;                 // the copy of the partner
+    EventKind kind = EventKind::wall;
+    bool is_nearest_image = false;  // the copy of the partner is the one that is nearest when they touch
+
+    bool crosses_first() const { return crossing <= contact; }
   };
+
+  // What the queue may know of the plans.
+  struct Plans {
+    const Engine& engine;
+    Time time(Slot slot) const {
+      const Plan& plan = engine.plans_[slot];
+      return plan.crosses_first() ? plan.crossing : plan.contact;
+    }
+    Event event(Slot slot) const {
+      const Plan& plan = engine.plans_[slot];
+      if (!plan.crosses_first()) return engine.contact_of(slot);
+      return {plan.crossing, EventKind::enter, engine.world_.id(slot), 0, {}};
+    }
+  };
+
+  Plans plans() const { return {*this}; }
+
+  Event contact_of(Slot slot) const {
+    const Plan& plan = plans_[slot];
+    if (plan.kind == EventKind::wall) return {plan.contact, plan.kind, world_.id(slot), plan.partner, {}};
+    const Image image = plan.is_nearest_image && plan.contact.high < kNever.high
+                            ? nearest_image(world_, slot, plan.partner, plan.contact)
+                            : plan.image;
+    return make_collision(plan.contact, world_.id(slot), world_.id(plan.partner), image);
+  }
 
   void rebuild(const Time& now) {
     now_ = now;
     phase_.build(world_, now_);
     queue_.reset(world_.size(), now_);
-    prospects_.assign(world_.size(), Prospect{});
-    revisions_.assign(world_.size(), 0);
-    for (Slot slot = 0; slot < world_.size(); ++slot) predict(slot);
+    plans_.assign(world_.size(), Plan{});
+    for (Slot slot = 0; slot < world_.size(); ++slot) {
+      plans_[slot].crossing = phase_.next_crossing(world_, slot, now_);
+      predict(slot);
+    }
   }
 
-  // Handles a crossing or a stale prospect; false if the entry is a contact that stands.
-  bool handle_without_contact(const Scheduled& next) {
-    HARDBALL_CHECK(next.event.time >= now_);
-    if (next.event.kind == EventKind::enter) {
-      now_ = next.event.time;
-      ++counters_.enter;
+  // Whose event is the least, if it comes no later than `until`.
+  std::optional<Slot> least_until(const Time& until) {
+    const std::optional<Slot> next = queue_.least(plans());
+    if (!next || plans().time(*next).high > until.high) return std::nullopt;
+    return next;
+  }
+
+  // Handles a crossing or a stale prospect; false if the sphere's event is a contact that stands.
+  bool handle_without_contact(Slot slot) {
+    const Plan& plan = plans_[slot];
+    HARDBALL_CHECK(plans().time(slot) >= now_);
+    if (plan.crosses_first()) {
       queue_.pop();
-      const std::uint64_t predictions_before = counters_.predictions;
-      phase_.cross(world_, next.owner, now_,
-                   [&](Slot other, const Image& image) { consider(next.owner, other, image); });
-      counters_.enter_predictions += counters_.predictions - predictions_before;
-      schedule(next.owner);
+      cross(slot);
       return true;
     }
-    if (next.event.kind == EventKind::collision && is_stale(next)) {
+    if (plan.kind == EventKind::collision && plan.partner_revision != plans_[plan.partner].revision) {
       ++counters_.stale;
       queue_.pop();
-      predict(next.owner);
+      predict(slot);
       return true;
     }
     return false;
   }
 
-  bool is_stale(const Scheduled& next) const {
-    const Slot partner = next.event.first == next.owner ? next.event.second : next.event.first;
-    return prospects_[next.owner].partner_revision != revisions_[partner];
+  void cross(Slot slot) {
+    Plan& plan = plans_[slot];
+    now_ = plan.crossing;
+    ++counters_.enter;
+    phase_.cross(world_, slot, now_, candidates_);
+    plan.crossing = phase_.next_crossing(world_, slot, now_);
+    counters_.predictions += candidates_.size();
+    counters_.enter_predictions += candidates_.size();
+    const Prospect found = predictor_.earliest(world_, candidates_, now_, plan.contact);
+    if (found.time < plan.contact) {
+      take(plan, found);
+    } else if (found.time == plan.contact && found.happens()) [[unlikely]] {
+      const Event before = contact_of(slot);
+      const Plan kept = plan;
+      take(plan, found);
+      if (!(contact_of(slot) < before)) plan = kept;
+    }
+    queue_.schedule(slot, plans());
   }
 
-  Contact carry_out(const Event& event) {
+  Contact carry_out(Slot slot) {
+    const Event event = contact_of(slot);
     const bool is_collision = event.kind == EventKind::collision;
-    const Executed done = execute(world_, guard_, event, respond_);
+    Participants participants{slot, is_collision ? plans_[slot].partner : 0};
+    if (event.first != world_.id(slot)) std::swap(participants.first, participants.second);
+    const Executed done = execute(world_, guard_, event, participants, respond_);
     now_ = event.time;
     ++(is_collision ? counters_.collision : counters_.wall);
     queue_.pop();
-    note_new_path(event.first, done.folded[0]);
-    if (is_collision) note_new_path(event.second, done.folded[1]);
     const std::uint64_t predictions_before = counters_.predictions;
-    predict(event.first);
-    if (is_collision) predict(event.second);
+    note_new_path(participants.first, done.folded[0]);
+    if (is_collision) note_new_path(participants.second, done.folded[1]);
+    predict(participants.first);
+    if (is_collision) predict(participants.second);
     counters_.contact_predictions += counters_.predictions - predictions_before;
     return done.contact;
   }
 
   void note_new_path(Slot slot, const Image& folded) {
-    ++revisions_[slot];
     phase_.refresh(world_, slot, now_, folded);
+    ++plans_[slot].revision;
+    plans_[slot].crossing = phase_.next_crossing(world_, slot, now_);
   }
 
   // Looks at all candidates of a sphere and at the walls.
   void predict(Slot slot) {
-    prospects_[slot] = {next_wall_event(world_, slot), 0};
-    phase_.for_each_candidate(world_, slot,
-                              [&](Slot other, const Image& image) { consider(slot, other, image); });
-    schedule(slot);
+    phase_.collect(world_, slot, candidates_);
+    counters_.predictions += candidates_.size();
+    Plan& plan = plans_[slot];
+    take(plan, predictor_.earliest(world_, candidates_, now_));
+    const Event wall = next_wall_event(world_, slot);
+    if (wall.time < plan.contact) {
+      plan.contact = wall.time;
+      plan.kind = EventKind::wall;
+      plan.partner = wall.second;
+    }
+    queue_.schedule(slot, plans());
   }
 
-  void consider(Slot slot, Slot other, const Image& image) {
-    ++counters_.predictions;
-    Prospect& prospect = prospects_[slot];
-    const Time time = contact_time(world_, slot, other, image);
-    if (time > prospect.contact.time) return;
-    const Event contact = make_collision(time, slot, other, image);
-    if (contact < prospect.contact) prospect = {contact, revisions_[other]};
-  }
-
-  void schedule(Slot slot) {
-    const Event crossing{phase_.next_crossing(slot), EventKind::enter, slot, 0, {}};
-    const Event& contact = prospects_[slot].contact;
-    queue_.schedule(slot, crossing < contact ? crossing : contact);
+  void take(Plan& plan, const Prospect& prospect) {
+    plan.contact = prospect.time;
+    plan.kind = EventKind::collision;
+    plan.partner = prospect.partner;
+    plan.image = prospect.image;
+    plan.is_nearest_image = candidates_.are_nearest();
+    plan.partner_revision = plans_[prospect.partner].revision;
   }
 
   // Whole checks after contact 1, 2, 4, 8, ... keep a validating run from taking for ever.
@@ -206,11 +274,12 @@ class Engine {
   World world_;
   Phase phase_;
   Respond respond_;
+  Predictor predictor_;
   Queue queue_;
   CollapseGuard guard_;
   Time now_;
-  std::vector<Prospect> prospects_;       // per slot
-  std::vector<std::uint32_t> revisions_;  // per slot: how often its path has been rewritten
+  std::vector<Plan> plans_;  // per slot
+  Candidates candidates_;    // of the sphere at hand
   Counters counters_;
 };
 

@@ -2,170 +2,135 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/events/calendar_queue.hpp"
 
-#include <algorithm>
-#include <limits>
+#include <bit>
 #include <utility>
-
-#include "hardball/errors/error.hpp"
 
 namespace hardball {
 namespace {
 
 // A day's entries should fit the nearest cache and be worth the visit.
-constexpr std::size_t kEntriesPerDay = 8;
+constexpr std::size_t kEntriesPerDay = 16;
 
-// A year is laid out over this share of the waiting entries, the earliest ones.
-constexpr std::size_t kYearShare = 2;
-
-// Dead entries are swept out when they outnumber the owners by this factor.
-constexpr std::size_t kEntriesPerOwner = 4;
+// Days are laid out anew when their entries are off by this factor.
+constexpr double kOff = 3;
 
 }  // namespace
 
 void CalendarQueue::reset(std::size_t owners, Time start) {
-  serial_of_.assign(owners, 0);
-  for (Entries& day : days_) day.clear();
-  day_count_ = 0;
-  today_sorted_.clear();
-  today_heap_.clear();
+  owner_count_ = owners;
+  sorted_.clear();
+  late_.clear();
+  days_.assign(1, Day{});
+  blocks_.clear();
+  free_block_ = kNone;
   beyond_.clear();
-  year_start_ = start;
+  origin_ = start.high;
   days_per_time_ = 0;
   today_ = 0;
+  year_end_ = 1;
   entry_count_ = 0;
+  filed_count_ = 0;
+  taken_in_year_ = 0;
   counters_ = {};
 }
 
-void CalendarQueue::schedule(Owner owner, const Event& event) {
-  const std::uint32_t serial = ++serial_of_[owner];
-  if (!event.happens()) return;
-  ++counters_.scheduled;
-  if (entry_count_ > kEntriesPerOwner * serial_of_.size()) sweep();
-  ++entry_count_;
-  file({{event, owner}, serial});
-}
-
-std::optional<Scheduled> CalendarQueue::least() {
-  for (;;) {
-    drop_dead_today();
-    if (!today_sorted_.empty() || !today_heap_.empty()) break;
-    if (today_ + 1 < day_count_) {
-      ++today_;
-      begin_day();
-    } else if (!begin_year()) {
-      return std::nullopt;
-    }
-  }
-  if (today_heap_.empty()) return today_sorted_.back().scheduled;
-  if (today_sorted_.empty()) return today_heap_.front().scheduled;
-  return std::min(today_sorted_.back().scheduled, today_heap_.front().scheduled);
-}
-
-void CalendarQueue::pop() {
-  HARDBALL_CHECK(!today_sorted_.empty() || !today_heap_.empty());
-  const bool from_heap = today_sorted_.empty() ||
-                         (!today_heap_.empty() && comes_later(today_sorted_.back(), today_heap_.front()));
-  if (from_heap) {
-    std::pop_heap(today_heap_.begin(), today_heap_.end(), comes_later);
-    today_heap_.pop_back();
-  } else {
-    today_sorted_.pop_back();
-  }
-  --entry_count_;
-  ++counters_.taken;
-}
-
 std::size_t CalendarQueue::memory_bytes() const {
-  std::size_t entries = today_sorted_.capacity() + today_heap_.capacity() + beyond_.capacity();
-  for (const Entries& day : days_) entries += day.capacity();
-  return entries * sizeof(Entry) + days_.capacity() * sizeof(Entries) +
-         serial_of_.capacity() * sizeof(std::uint32_t);
+  return (sorted_.capacity() + beyond_.capacity()) * sizeof(Entry) + late_.capacity() * sizeof(Scheduled) +
+         days_.capacity() * sizeof(Day) + blocks_.capacity() * sizeof(Block);
 }
 
-// Uses the leading part of the time alone: rounding then keeps the order of times, which the sum of both
-// differences would not.
-std::size_t CalendarQueue::day_of(const Time& time) const {
-  const double day = (time.high - year_start_.high) * days_per_time_;
-  return day >= static_cast<double>(day_count_) ? day_count_ : day > 0 ? static_cast<std::size_t>(day) : 0;
-}
-
+// Precondition: the entry is not for today.
 void CalendarQueue::file(const Entry& entry) {
-  const std::size_t day = day_of(entry.scheduled.event.time);
-  if (day >= day_count_) {
-    beyond_.push_back(entry);
-  } else if (day > today_) {
-    days_[day].push_back(entry);
+  const double before = days_before(entry.time);
+  if (before + 1 < static_cast<double>(today_ + days_.size())) {
+    put(day(static_cast<std::uint64_t>(before) + 1), entry);
+    ++filed_count_;
   } else {
-    today_heap_.push_back(entry);
-    std::push_heap(today_heap_.begin(), today_heap_.end(), comes_later);
+    beyond_.push_back(entry);
   }
 }
 
-void CalendarQueue::drop_dead(Entries& entries) {
-  const auto dead =
-      std::remove_if(entries.begin(), entries.end(), [this](const Entry& entry) { return !is_live(entry); });
-  entry_count_ -= static_cast<std::size_t>(entries.end() - dead);
-  entries.erase(dead, entries.end());
+void CalendarQueue::put(Day& day, const Entry& entry) {
+  const std::uint32_t place = day.count++ % Block::kRoom;
+  if (place == 0) day.last_block = new_block(day.last_block);
+  Block& block = blocks_[day.last_block];
+  block.times[place] = entry.time;
+  block.owners[place] = entry.owner;
 }
 
-void CalendarQueue::drop_dead_today() {
-  while (!today_sorted_.empty() && !is_live(today_sorted_.back())) {
-    today_sorted_.pop_back();
-    --entry_count_;
-    ++counters_.taken;
+// Moves the entries of today from its blocks to a list.
+void CalendarQueue::take_day(std::vector<Entry>& entries) {
+  Day& today = day(today_);
+  filed_count_ -= today.count;
+  taken_in_year_ += today.count;
+  std::uint32_t in_block = (today.count - 1) % Block::kRoom + 1;
+  for (std::uint32_t b = today.last_block; b != kNone;) {
+    const Block& block = blocks_[b];
+    for (std::uint32_t i = 0; i < in_block; ++i) entries.push_back({block.times[i], block.owners[i]});
+    in_block = Block::kRoom;
+    const std::uint32_t freed = b;
+    b = std::exchange(blocks_[b].next, free_block_);
+    free_block_ = freed;
   }
-  while (!today_heap_.empty() && !is_live(today_heap_.front())) {
-    std::pop_heap(today_heap_.begin(), today_heap_.end(), comes_later);
-    today_heap_.pop_back();
-    --entry_count_;
-    ++counters_.taken;
-  }
+  today = {};
 }
 
-void CalendarQueue::begin_day() {
-  std::swap(today_sorted_, days_[today_]);
-  days_[today_].clear();
-  drop_dead(today_sorted_);
-  std::sort(today_sorted_.begin(), today_sorted_.end(), comes_later);
-}
-
-// Lays out the year over the earlier part of the waiting entries; false if there are none.
-bool CalendarQueue::begin_year() {
-  drop_dead(beyond_);
-  if (beyond_.empty()) return false;
-  const auto by_time = [](const Entry& a, const Entry& b) {
-    return a.scheduled.event.time < b.scheduled.event.time;
-  };
-  const std::size_t share = beyond_.size() / kYearShare;
-  const auto middle = beyond_.begin() + static_cast<std::ptrdiff_t>(share);
-  std::nth_element(beyond_.begin(), middle, beyond_.end(), by_time);
-  const Time year_end = middle->scheduled.event.time;
-  year_start_ = std::min_element(beyond_.begin(), std::next(middle), by_time)->scheduled.event.time;
-  const double year = year_end.high - year_start_.high;
-  // The last day is for the entry at year_end itself. A year without length holds one moment, and ends with
-  // it.
-  const std::size_t days = share / kEntriesPerDay + 1;
-  days_per_time_ = std::min(static_cast<double>(days) / year, std::numeric_limits<double>::max());
-  day_count_ = days + 1;
-  if (days_.size() < day_count_) days_.resize(day_count_);
-  today_ = 0;
-  const auto later_years = std::partition(beyond_.begin(), beyond_.end(), [this](const Entry& entry) {
-    return day_of(entry.scheduled.event.time) < day_count_;
-  });
-  for (auto entry = beyond_.begin(); entry != later_years; ++entry) {
-    days_[day_of(entry->scheduled.event.time)].push_back(*entry);
-  }
-  beyond_.erase(beyond_.begin(), later_years);
-  begin_day();
+// The ring has come round: what waited aside may have its day in it. False if the days should be laid out
+// anew.
+bool CalendarQueue::turn_year() {
+  const double per_day = static_cast<double>(taken_in_year_) / static_cast<double>(days_.size());
+  taken_in_year_ = 0;
+  year_end_ = today_ + days_.size();
+  if (per_day > kOff * kEntriesPerDay || per_day * kOff < kEntriesPerDay) return false;
+  std::vector<Entry> waiting;
+  waiting.swap(beyond_);
+  for (const Entry& entry : waiting) file(entry);
   return true;
 }
 
-void CalendarQueue::sweep() {
-  for (std::size_t day = today_ + 1; day < day_count_; ++day) drop_dead(days_[day]);
-  drop_dead(today_sorted_);
-  drop_dead(today_heap_);
-  std::make_heap(today_heap_.begin(), today_heap_.end(), comes_later);
-  drop_dead(beyond_);
+// Lets all entries wait beyond.
+void CalendarQueue::gather() {
+  for (; filed_count_ > 0; ++today_) {
+    if (day(today_).count > 0) take_day(beyond_);
+  }
+  beyond_.insert(beyond_.end(), sorted_.begin(), sorted_.end());
+  for (const Scheduled& entry : late_) beyond_.push_back({entry.event.time.high, entry.owner});
+  sorted_.clear();
+  late_.clear();
+}
+
+// Makes as many days as the entries waiting beyond need, and files those. Precondition: all wait there.
+void CalendarQueue::spread_out() {
+  taken_in_year_ = 0;
+  today_ = 0;
+  if (beyond_.empty()) return;
+  const auto by_time = [](const Entry& a, const Entry& b) { return a.time < b.time; };
+  const std::size_t half = beyond_.size() / 2;
+  const auto middle = beyond_.begin() + static_cast<std::ptrdiff_t>(half);
+  std::nth_element(beyond_.begin(), middle, beyond_.end(), by_time);
+  const double first = std::min_element(beyond_.begin(), std::next(middle), by_time)->time;
+  const double half_time = middle->time - first;
+  // The ring holds four times the days that the earlier half of the entries needs.
+  days_.assign(std::bit_ceil(2 * beyond_.size() / kEntriesPerDay + 4), Day{});
+  days_per_time_ = std::min((static_cast<double>(half) + 1) / kEntriesPerDay / half_time,
+                            std::numeric_limits<double>::max());
+  origin_ = first;
+  year_end_ = days_.size();
+  std::vector<Entry> waiting;
+  waiting.swap(beyond_);
+  for (const Entry& entry : waiting) file(entry);
+}
+
+std::uint32_t CalendarQueue::new_block(std::uint32_t next) {
+  std::uint32_t block = free_block_;
+  if (block == kNone) {
+    block = static_cast<std::uint32_t>(blocks_.size());
+    blocks_.emplace_back();
+  } else {
+    free_block_ = blocks_[block].next;
+  }
+  blocks_[block].next = next;
+  return block;
 }
 
 }  // namespace hardball

@@ -2,58 +2,205 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
+#include "hardball/errors/error.hpp"
 #include "hardball/events/event_queue.hpp"
 
 namespace hardball {
 
-/// The production queue: a year of equal days, each an unsorted list, sorted only when it becomes today.
+/// The production queue: a ring of equal days, each an unsorted list, sorted only when it becomes today.
 ///
-/// Replacing an entry leaves the old one where it lies, dead; the serial number of the owner's latest entry
-/// tells. Entries beyond the year wait aside. When the year is over, the next one is laid out so that its
-/// days hold a few entries each, whatever the rate of events has become. Entries that arrive for today go to
-/// a small heap beside the sorted list. Cost: O(1) amortised per operation as long as rates change slowly;
-/// never worse than O(log n) plus a sort. Source: Brown, Comm. ACM 31 (1988) 1220; Paul, J. Comput. Phys. 221
-/// (2007) 615.
+/// An entry is a time and an owner. Replacing an event leaves the old entry where it lies, dead: the agenda
+/// has another time for its owner. Entries for today go to a small heap beside the sorted list, entries beyond
+/// the ring wait aside until it comes round. Entries at one and the same time, to the nearest double, meet in
+/// the heap, which alone knows the whole order of events. When days turn out too full or too empty, they are
+/// laid out anew. Cost: O(1) amortised per operation as long as rates change slowly; never worse than
+/// O(log n) plus a sort. Source: Brown, Comm. ACM 31 (1988) 1220; Paul, J. Comput. Phys. 221 (2007) 615.
 class CalendarQueue {
  public:
   void reset(std::size_t owners, Time start);
-  void schedule(Owner owner, const Event& event);
-  std::optional<Scheduled> least();
-  void pop();
+
+  template <Agenda A>
+  void schedule(Owner owner, const A& agenda) {
+    const double time = agenda.time(owner).high;
+    if (!(time < std::numeric_limits<double>::infinity())) return;
+    ++counters_.scheduled;
+    ++entry_count_;
+    if (is_today(time)) {
+      put_late(owner, agenda);
+    } else {
+      file({time, owner});
+    }
+    if (entry_count_ > kEntriesPerOwner * owner_count_ + kEntriesAlways) lay_out(agenda);
+  }
+
+  template <Agenda A>
+  std::optional<Owner> least(const A& agenda) {
+    for (;;) {
+      drop_dead_today(agenda);
+      if (sorted_.empty() && late_.empty()) {
+        if (!begin_day(agenda)) return std::nullopt;
+        continue;
+      }
+      if (sorted_.empty() || (!late_.empty() && late_.front().event.time.high < sorted_.back().time)) {
+        return late_.front().owner;
+      }
+      const bool has_twin = (!late_.empty() && late_.front().event.time.high == sorted_.back().time) ||
+                            (sorted_.size() > 1 && sorted_[sorted_.size() - 2].time == sorted_.back().time);
+      if (!has_twin) return sorted_.back().owner;
+      const double moment = sorted_.back().time;
+      for (; !sorted_.empty() && sorted_.back().time == moment; sorted_.pop_back()) {
+        const Owner owner = sorted_.back().owner;
+        if (agenda.time(owner).high == moment) {
+          put_late(owner, agenda);
+        } else {
+          note_taken();
+        }
+      }
+    }
+  }
+
+  void pop() {
+    HARDBALL_CHECK(!sorted_.empty() || !late_.empty());
+    const bool from_late =
+        sorted_.empty() || (!late_.empty() && late_.front().event.time.high < sorted_.back().time);
+    if (from_late) {
+      std::pop_heap(late_.begin(), late_.end(), comes_later);
+      late_.pop_back();
+    } else {
+      sorted_.pop_back();
+    }
+    note_taken();
+  }
+
+  /// The owner of an entry that comes about `ahead` events after the least; nothing if today has no more.
+  std::optional<Owner> upcoming(std::size_t ahead) const {
+    if (ahead >= sorted_.size()) return std::nullopt;
+    return sorted_[sorted_.size() - 1 - ahead].owner;
+  }
 
   QueueCounters counters() const { return counters_; }
   std::size_t memory_bytes() const;
 
  private:
   struct Entry {
-    Scheduled scheduled;
-    std::uint32_t serial;
+    double time;
+    Owner owner;
   };
-  using Entries = std::vector<Entry>;
+  // Two cache lines of entries; fuller days chain several.
+  struct Block {
+    static constexpr std::uint32_t kRoom = 10;
+    std::array<double, kRoom> times;
+    std::array<Owner, kRoom> owners;
+    std::uint32_t next;
+  };
+  // The last block of a day is the one with room.
+  struct Day {
+    std::uint32_t last_block = kNone;
+    std::uint32_t count = 0;
+  };
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+  // Dead entries are swept out when they outnumber the owners by this factor.
+  static constexpr std::size_t kEntriesPerOwner = 4;
+  static constexpr std::size_t kEntriesAlways = 64;
 
-  static bool comes_later(const Entry& a, const Entry& b) { return b.scheduled < a.scheduled; }
+  static bool comes_later(const Scheduled& a, const Scheduled& b) { return b < a; }
 
-  bool is_live(const Entry& entry) const { return entry.serial == serial_of_[entry.scheduled.owner]; }
-  std::size_t day_of(const Time& time) const;
+  // Days are counted from one; the result, rounded down, is one less. Uses the leading part of the time alone:
+  // rounding then keeps the order of times.
+  double days_before(double time) const { return std::max(0.0, (time - origin_) * days_per_time_); }
+  bool is_today(double time) const { return days_before(time) < static_cast<double>(today_); }
+  Day& day(std::uint64_t number) { return days_[number & (days_.size() - 1)]; }
+  void note_taken() {
+    --entry_count_;
+    ++counters_.taken;
+  }
+
+  template <Agenda A>
+  void put_late(Owner owner, const A& agenda) {
+    late_.push_back({agenda.event(owner), owner});
+    std::push_heap(late_.begin(), late_.end(), comes_later);
+  }
+
+  template <Agenda A>
+  void drop_dead_today(const A& agenda) {
+    while (!sorted_.empty() && agenda.time(sorted_.back().owner).high != sorted_.back().time) {
+      sorted_.pop_back();
+      note_taken();
+    }
+    while (!late_.empty() && (agenda.time(late_.front().owner) != late_.front().event.time ||
+                              agenda.event(late_.front().owner) != late_.front().event)) {
+      std::pop_heap(late_.begin(), late_.end(), comes_later);
+      late_.pop_back();
+      note_taken();
+    }
+  }
+
+  // Makes the next day with entries today; false if there is none.
+  template <Agenda A>
+  bool begin_day(const A& agenda) {
+    for (;;) {
+      if (filed_count_ == 0) {
+        if (beyond_.empty()) return false;
+        lay_out(agenda);
+        if (filed_count_ == 0) return false;
+      }
+      if (++today_ == year_end_ && !turn_year()) {
+        lay_out(agenda);
+        continue;
+      }
+      if (day(today_).count == 0) continue;
+      take_day(sorted_);
+      drop_dead(sorted_, agenda);
+      std::sort(sorted_.begin(), sorted_.end(), [](const Entry& a, const Entry& b) { return a.time > b.time; });
+      return true;
+    }
+  }
+
+  template <Agenda A>
+  void drop_dead(std::vector<Entry>& entries, const A& agenda) {
+    const std::size_t dead = std::erase_if(
+        entries, [&](const Entry& entry) { return agenda.time(entry.owner).high != entry.time; });
+    entry_count_ -= dead;
+    counters_.taken += dead;
+  }
+
+  // Lays the days out anew for all entries that are alive.
+  template <Agenda A>
+  void lay_out(const A& agenda) {
+    gather();
+    drop_dead(beyond_, agenda);
+    spread_out();
+  }
+
   void file(const Entry& entry);
-  void drop_dead(Entries& entries);
-  void drop_dead_today();
-  void begin_day();
-  bool begin_year();
-  void sweep();
+  void put(Day& day, const Entry& entry);
+  void take_day(std::vector<Entry>& entries);
+  bool turn_year();
+  void gather();
+  void spread_out();
+  std::uint32_t new_block(std::uint32_t next);
 
-  std::vector<std::uint32_t> serial_of_;  // per owner: the serial number of its latest entry
-  std::vector<Entries> days_;             // the first day_count_ of them make the year
-  Entries today_sorted_;                  // latest first, so that the least is at the back
-  Entries today_heap_;                    // arrived today; std::push_heap order, the least in front
-  Entries beyond_;                        // after the end of the year
-  Time year_start_;
+  std::size_t owner_count_ = 0;
+  std::vector<Entry> sorted_;    // today's, latest first, so that the least is at the back
+  std::vector<Scheduled> late_;  // filed for today when it had begun; std::push_heap order, the least in front
+  std::vector<Day> days_;        // a ring, a power of two
+  std::vector<Block> blocks_;
+  std::uint32_t free_block_ = kNone;
+  std::vector<Entry> beyond_;  // after the end of the ring
+  double origin_ = 0;
   double days_per_time_ = 0;  // [1/T]
-  std::size_t day_count_ = 0;
-  std::size_t today_ = 0;
+  std::uint64_t today_ = 0;
+  std::uint64_t year_end_ = 0;
   std::size_t entry_count_ = 0;  // live and dead
+  std::size_t filed_count_ = 0;  // those in days after today
+  std::uint64_t taken_in_year_ = 0;
   QueueCounters counters_;
 };
 

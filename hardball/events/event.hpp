@@ -14,7 +14,7 @@ namespace hardball {
 /// Names a sphere for its whole life; never used twice in one world.
 using SphereId = std::uint32_t;
 
-/// Where a sphere is stored: 0 to size-1, in the order of ids. Changes when spheres are removed.
+/// Where a sphere is stored: 0 to size-1, in any order. Changes when spheres are removed or reordered.
 using Slot = std::uint32_t;
 
 /// What happens at an event. The order is that of simultaneous events: whoever enters a cell is known there
@@ -42,12 +42,11 @@ inline constexpr bool is_upper(Face face) {
 /// Something that happens, or would happen if nothing came before it.
 ///
 /// Events have one total order: by time, kind, lower id, higher id and image. Members stand in that order, so
-/// that comparing them one after another is the order. Spheres are named by slots, whose order is that of
-/// ids.
+/// that comparing them one after another is the order.
 struct Event {
   Time time = kNever;
   EventKind kind = EventKind::wall;
-  Slot first = 0;            ///< The sphere; of a collision, the one with the lower id.
+  SphereId first = 0;        ///< The sphere; of a collision, the one with the lower id.
   std::uint32_t second = 0;  ///< Collision: the sphere with the higher id. Otherwise the Face concerned.
   Image image;               ///< Collision: the copy of `second` that `first` meets.
 
@@ -59,7 +58,7 @@ struct Event {
 
 /// The collision of spheres `a` and `b`, `image` being the copy of `b` that `a` meets, with the lower id
 /// first.
-inline Event make_collision(const Time& time, Slot a, Slot b, const Image& image) {
+inline Event make_collision(const Time& time, SphereId a, SphereId b, const Image& image) {
   if (a < b) return {time, EventKind::collision, a, b, image};
   return {time, EventKind::collision, b, a, -image};
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <compare>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +15,17 @@ namespace hardball {
 /// Who an entry of the queue belongs to: a number below the owner count given to `reset`.
 using Owner = std::uint32_t;
 
-/// An event in the queue and its owner.
+/// Knows the event that is scheduled for each owner, so that a queue need keep no more than its time.
+///
+/// - `event(owner)` is that event, perhaps one that does not happen.
+/// - `time(owner)` is its time.
+template <class A>
+concept Agenda = requires(const A& agenda, Owner owner) {
+  { agenda.event(owner) } -> std::same_as<Event>;
+  { agenda.time(owner) } -> std::same_as<Time>;
+};
+
+/// An event and its owner.
 struct Scheduled {
   Event event;
   Owner owner = 0;
@@ -27,24 +38,32 @@ struct Scheduled {
 /// What a queue has done since `reset`.
 struct QueueCounters {
   std::uint64_t scheduled = 0;  ///< Entries put in.
-  std::uint64_t taken = 0;      ///< Entries taken out, live or not.
+  std::uint64_t taken = 0;      ///< Entries taken out, dead ones included.
 };
 
-/// A queue with at most one entry for each owner, from which the least comes first.
+/// An agenda of which nothing is known but what it must be able to tell.
+struct AnyAgenda {
+  Event event(Owner) const;
+  Time time(Owner) const;
+};
+
+/// A queue with at most one event for each owner, from which the least comes first. The events themselves
+/// stand in an agenda, always the same one.
 ///
 /// - `reset(n, start)` empties it for owners 0..n-1 and events not before `start`.
-/// - `schedule(owner, event)` replaces the owner's entry; an event that does not happen removes it.
-/// - `least()` is the least entry, or nothing; it may rearrange the queue within.
-/// - `pop()` removes the entry that `least()` has just shown.
+/// - `schedule(owner, agenda)`: the agenda has another event for the owner, perhaps one that does not happen.
+/// - `least(agenda)` is the owner of the least event, or nothing; it may rearrange the queue within.
+/// - `pop()` removes the event that `least()` has just shown; its owner has none until the next `schedule`,
+///   before which the agenda must not show it any more.
 template <class Queue>
-concept EventQueue = requires(Queue queue, const Queue& view, std::size_t owners, Time start, Owner owner,
-                              const Event& event) {
-  queue.reset(owners, start);
-  queue.schedule(owner, event);
-  { queue.least() } -> std::same_as<std::optional<Scheduled>>;
-  queue.pop();
-  { view.counters() } -> std::convertible_to<QueueCounters>;
-  { view.memory_bytes() } -> std::convertible_to<std::size_t>;
-};
+concept EventQueue =
+    requires(Queue queue, const Queue& view, std::size_t owners, Time start, Owner owner, AnyAgenda agenda) {
+      queue.reset(owners, start);
+      queue.schedule(owner, agenda);
+      { queue.least(agenda) } -> std::same_as<std::optional<Owner>>;
+      queue.pop();
+      { view.counters() } -> std::convertible_to<QueueCounters>;
+      { view.memory_bytes() } -> std::convertible_to<std::size_t>;
+    };
 
 }  // namespace hardball

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <set>
 #include <vector>
 
+#include "hardball/errors/error.hpp"
 #include "hardball/events/event_queue.hpp"
 
 namespace hardball {
@@ -14,13 +16,41 @@ namespace hardball {
 /// Source: Kim, Guibas and Shin (1997), section 2.
 class OrderedQueue {
  public:
-  void reset(std::size_t owners, Time start);
-  void schedule(Owner owner, const Event& event);
-  std::optional<Scheduled> least() const;
-  void pop();
+  void reset(std::size_t owners, Time) {
+    tree_.clear();
+    entry_of_.assign(owners, Event{});
+    counters_ = {};
+  }
+
+  template <Agenda A>
+  void schedule(Owner owner, const A& agenda) {
+    Event& entry = entry_of_[owner];
+    if (entry.happens()) tree_.erase({entry, owner});
+    entry = agenda.event(owner);
+    if (!entry.happens()) return;
+    tree_.insert({entry, owner});
+    ++counters_.scheduled;
+  }
+
+  template <Agenda A>
+  std::optional<Owner> least(const A&) const {
+    if (tree_.empty()) return std::nullopt;
+    return tree_.begin()->owner;
+  }
+
+  void pop() {
+    HARDBALL_CHECK(!tree_.empty());
+    entry_of_[tree_.begin()->owner] = Event{};
+    tree_.erase(tree_.begin());
+    ++counters_.taken;
+  }
 
   QueueCounters counters() const { return counters_; }
-  std::size_t memory_bytes() const;
+
+  std::size_t memory_bytes() const {
+    constexpr std::size_t kTreeLinks = 4 * sizeof(void*);
+    return tree_.size() * (sizeof(Scheduled) + kTreeLinks) + entry_of_.capacity() * sizeof(Event);
+  }
 
  private:
   std::set<Scheduled> tree_;

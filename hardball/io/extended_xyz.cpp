@@ -358,7 +358,7 @@ void sort_by_id(Snapshot& snapshot, const std::vector<std::int64_t>& ids, const 
 void append_snapshot(OutputFile& file, const World& world, const Time& moment) {
   file.append(to_text(world.size()) + "\n" + comment_line(world, moment));
   std::string line;
-  for (Slot slot = 0; slot < world.size(); ++slot) {
+  world.for_each_by_id([&](Slot slot) {
     line = "1 ";
     put(line, world.position(slot, moment));
     put(line, world.path(slot).velocity);
@@ -369,7 +369,7 @@ void append_snapshot(OutputFile& file, const World& world, const Time& moment) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) put(line, image[axis]);
     line.back() = '\n';
     file.append(line);
-  }
+  });
   file.flush_whole();
 }
 

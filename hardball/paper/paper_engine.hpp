@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "hardball/broadphase/cell_store.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/errors/error.hpp"
@@ -52,7 +51,7 @@ class PaperEngine {
     for (const Traveller& traveller : travellers_)
       bytes += traveller.candidates.size() * (sizeof(Event) + kTreeLinks);
     for (const auto& [key, members] : subspace_tree_) {
-      bytes += sizeof(key) + sizeof(members) + kTreeLinks + members.capacity() * sizeof(Occupant);
+      bytes += sizeof(key) + sizeof(members) + kTreeLinks + members.capacity() * sizeof(Member);
     }
     return bytes;
   }
@@ -118,7 +117,7 @@ class PaperEngine {
     for (Slot slot = 0; slot < world_.size(); ++slot) {
       const CellRange& range = travellers_[slot].subspaces;
       for_each_partner(slot, range, [&](Slot other, const Image& image) {
-        const Event contact = make_collision(contact_time(world_, slot, other, image), slot, other, image);
+        const Event contact = collision_of(slot, other, image);
         HARDBALL_CHECK(!contact.happens() || event_tree_.contains(contact));
       });
       for (const Event& event : travellers_[slot].candidates) {
@@ -133,7 +132,14 @@ class PaperEngine {
     CellRange subspaces;         // those intersecting it
     std::set<Event> candidates;  // its events in the event tree
   };
-  using Members = std::vector<Occupant>;
+  // A sphere in a subspace. Its range may reach over the edge of a periodic box: `boxes` says how many boxes it
+  // lies beyond here.
+  struct Member {
+    Slot slot = 0;
+    Image boxes;
+    friend bool operator==(const Member&, const Member&) = default;
+  };
+  using Members = std::vector<Member>;
 
   // Keys stay below 2^60.
   static constexpr std::int32_t kMostSubspacesPerAxis = 1 << 20;
@@ -146,6 +152,13 @@ class PaperEngine {
       key = key * kMostSubspacesPerAxis + static_cast<std::uint64_t>(folded[axis] - first);
     }
     return key;
+  }
+
+  Traveller& traveller(SphereId id) { return travellers_[world_.slot_of(id)]; }
+  const Traveller& traveller(SphereId id) const { return travellers_[world_.slot_of(id)]; }
+
+  Event collision_of(Slot slot, Slot other, const Image& image) const {
+    return make_collision(contact_time(world_, slot, other, image), world_.id(slot), world_.id(other), image);
   }
 
   CellRange range_now(Slot slot) const {
@@ -164,7 +177,7 @@ class PaperEngine {
       const Image boxes = subdivision_.fold(subspace);
       const auto found = subspace_tree_.find(key(subspace));
       HARDBALL_CHECK(found != subspace_tree_.end());
-      std::erase(found->second, Occupant{slot, boxes});
+      std::erase(found->second, Member{slot, boxes});
       if (found->second.empty()) subspace_tree_.erase(found);
     });
   }
@@ -176,15 +189,15 @@ class PaperEngine {
       const Image boxes = subdivision_.fold(subspace);
       const auto found = subspace_tree_.find(key(subspace));
       if (found == subspace_tree_.end()) return;
-      for (const Occupant& member : found->second) {
+      for (const Member& member : found->second) {
         if (member.slot != slot) visit(member.slot, boxes - member.boxes);
       }
     });
   }
 
   bool share_a_subspace(const Event& collision) const {
-    const CellRange& first = travellers_[collision.first].subspaces;
-    const CellRange& second = travellers_[collision.second].subspaces;
+    const CellRange& first = traveller(collision.first).subspaces;
+    const CellRange& second = traveller(collision.second).subspaces;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const std::int32_t beyond = subdivision_.cells_beyond(axis, collision.image);
       if (second.low[axis] + beyond > first.high[axis] || second.high[axis] + beyond < first.low[axis])
@@ -197,15 +210,15 @@ class PaperEngine {
   void add_candidate(const Event& event) {
     if (!event.happens() || !event_tree_.insert(event).second) return;
     ++counters_.queue_operations;
-    travellers_[event.first].candidates.insert(event);
-    if (event.kind == EventKind::collision) travellers_[event.second].candidates.insert(event);
+    traveller(event.first).candidates.insert(event);
+    if (event.kind == EventKind::collision) traveller(event.second).candidates.insert(event);
   }
 
   void remove_candidate(const Event& event) {
     event_tree_.erase(event);
     ++counters_.queue_operations;
-    travellers_[event.first].candidates.erase(event);
-    if (event.kind == EventKind::collision) travellers_[event.second].candidates.erase(event);
+    traveller(event.first).candidates.erase(event);
+    if (event.kind == EventKind::collision) traveller(event.second).candidates.erase(event);
   }
 
   template <class Condition>
@@ -223,7 +236,7 @@ class PaperEngine {
   void predict_collisions(Slot slot, const CellRange& subspaces) {
     for_each_partner(slot, subspaces, [&](Slot other, const Image& image) {
       ++counters_.predictions;
-      add_candidate(make_collision(contact_time(world_, slot, other, image), slot, other, image));
+      add_candidate(collision_of(slot, other, image));
     });
   }
 
@@ -240,8 +253,8 @@ class PaperEngine {
     const auto moment = [&](const CellCrossing& crossing) {
       return later(now_, after(path.time, crossing.wait));
     };
-    add_candidate({moment(enter), EventKind::enter, slot, face_of(enter.axis, enter.up), {}});
-    add_candidate({moment(leave), EventKind::leave, slot, face_of(leave.axis, leave.up), {}});
+    add_candidate({moment(enter), EventKind::enter, world_.id(slot), face_of(enter.axis, enter.up), {}});
+    add_candidate({moment(leave), EventKind::leave, world_.id(slot), face_of(leave.axis, leave.up), {}});
   }
 
   void predict_all(Slot slot) {
@@ -267,8 +280,9 @@ class PaperEngine {
 
   void enter(const Event& event) {
     ++counters_.enter;
+    const Slot slot = world_.slot_of(event.first);
     const std::size_t axis = axis_of(event.second);
-    CellRange& subspaces = travellers_[event.first].subspaces;
+    CellRange& subspaces = travellers_[slot].subspaces;
     if (is_upper(event.second)) {
       ++subspaces.high[axis];
     } else {
@@ -276,27 +290,28 @@ class PaperEngine {
     }
     const CellRange entered = row(subspaces, event.second);
     const std::uint64_t predictions_before = counters_.predictions;
-    predict_collisions(event.first, entered);
+    predict_collisions(slot, entered);
     counters_.enter_predictions += counters_.predictions - predictions_before;
-    add_to(entered, event.first);
-    predict_crossings(event.first);
+    add_to(entered, slot);
+    predict_crossings(slot);
   }
 
   void leave(const Event& event) {
     ++counters_.leave;
+    const Slot slot = world_.slot_of(event.first);
     const std::size_t axis = axis_of(event.second);
-    CellRange& subspaces = travellers_[event.first].subspaces;
+    CellRange& subspaces = travellers_[slot].subspaces;
     const Face behind = face_of(axis, !is_upper(event.second));
-    remove_from(row(subspaces, behind), event.first);
+    remove_from(row(subspaces, behind), slot);
     if (is_upper(event.second)) {
       ++subspaces.low[axis];
     } else {
       --subspaces.high[axis];
     }
-    remove_candidates_if(event.first, [this](const Event& candidate) {
+    remove_candidates_if(slot, [this](const Event& candidate) {
       return candidate.kind == EventKind::collision && !share_a_subspace(candidate);
     });
-    predict_crossings(event.first);
+    predict_crossings(slot);
   }
 
   bool handle_without_contact(const Event& event) {
@@ -313,18 +328,19 @@ class PaperEngine {
 
   Contact carry_out(const Event& event) {
     const bool is_collision = event.kind == EventKind::collision;
-    const Executed done = execute(world_, guard_, event, respond_);
+    const Participants participants = participants_of(world_, event);
+    const Executed done = execute(world_, guard_, event, participants, respond_);
     now_ = event.time;
     ++(is_collision ? counters_.collision : counters_.wall);
     const std::uint64_t predictions_before = counters_.predictions;
-    remove_candidates(event.first);
-    relocate(event.first);
+    remove_candidates(participants.first);
+    relocate(participants.first);
     if (is_collision) {
-      remove_candidates(event.second);
-      relocate(event.second);
-      predict_all(event.second);
+      remove_candidates(participants.second);
+      relocate(participants.second);
+      predict_all(participants.second);
     }
-    predict_all(event.first);
+    predict_all(participants.first);
     counters_.contact_predictions += counters_.predictions - predictions_before;
     return done.contact;
   }

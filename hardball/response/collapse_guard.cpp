@@ -15,19 +15,23 @@ constexpr std::uint32_t kMostIdleContacts = 10000;
 }  // namespace
 
 void CollapseGuard::note_contact(const World& world, Slot slot, const Time& now) {
-  const SphereId id = world.id(slot);
-  if (id >= idle_contacts_.size()) idle_contacts_.resize(id + std::size_t{1}, 0);
   const Path& path = world.path(slot);
   const double time = duration(path.time, now);
   const double least = kHardlyMoved * world.radius(slot);
   if (dot(path.velocity, path.velocity) * time * time > least * least) {
-    idle_contacts_[id] = 0;
+    if (!idle_contacts_.empty()) idle_contacts_.erase(world.id(slot));
     return;
   }
+  const SphereId id = world.id(slot);
   if (++idle_contacts_[id] < kMostIdleContacts) return;
   throw RunFailure("inelastic collapse: sphere " + to_text(id) + " was hit " + to_text(kMostIdleContacts) +
                    " times in a row without moving, at time " + to_text(now.value()) +
                    "; raise the restitution or give it room to move");
+}
+
+std::size_t CollapseGuard::memory_bytes() const {
+  constexpr std::size_t kNode = 2 * sizeof(void*) + sizeof(decltype(idle_contacts_)::value_type);
+  return idle_contacts_.size() * kNode + idle_contacts_.bucket_count() * sizeof(void*);
 }
 
 }  // namespace hardball

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <unordered_map>
 
 #include "hardball/world/world.hpp"
 
@@ -18,11 +18,12 @@ class CollapseGuard {
   /// which the sphere has hardly moved since the one before.
   void note_contact(const World& world, Slot slot, const Time& now);
 
-  std::size_t memory_bytes() const { return idle_contacts_.capacity() * sizeof(std::uint32_t); }
+  std::size_t memory_bytes() const;
 
  private:
-  // Per id, so that neither an edit nor new cells make it forget, as far as ids have been seen.
-  std::vector<std::uint32_t> idle_contacts_;
+  // Of the few spheres whose last contact was idle. By id, so that neither an edit nor new cells make it
+  // forget.
+  std::unordered_map<SphereId, std::uint32_t> idle_contacts_;
 };
 
 }  // namespace hardball

@@ -28,7 +28,6 @@ struct Contact {
   /// Collision: from the centre of the first sphere to that of the second. Wall: from the centre to the wall,
   /// perpendicular. [L]
   Vec3 separation;
-  Vec3 normal;              ///< Unit vector along `separation`, or towards the wall [1].
   double reach = 0;         ///< Sum of the radii, or the radius: the length `separation` should have [L].
   double first_radius = 0;  ///< [L]
   double first_mass = 0;    ///< [M]
@@ -37,17 +36,24 @@ struct Contact {
   Velocities after;         ///< [L/T]; equal to `before` while the response is being asked.
 
   bool is_collision() const { return kind == EventKind::collision; }
+  /// Unit vector along `separation`, or towards the wall [1].
+  Vec3 normal() const {
+    if (is_collision()) return (1 / length(separation)) * separation;
+    Vec3 outwards;
+    outwards[axis_of(second)] = is_upper(second) ? 1 : -1;
+    return outwards;
+  }
   /// Where the surfaces touch, in the coordinates of `position` [L].
-  Vec3 point() const { return position + first_radius * normal; }
+  Vec3 point() const { return position + first_radius * normal(); }
   /// The momentum the first sphere gained [M L/T]; the second lost as much.
   Vec3 impulse() const { return first_mass * (after.first - before.first); }
   /// The speed at which the surfaces met, along the normal [L/T]; not negative.
   double impact_speed() const {
-    const double speed = dot(before.first - before.second, normal);
+    const double speed = dot(before.first - before.second, normal());
     return speed > 0 ? speed : 0;
   }
   /// How far the surfaces overlapped by rounding, as a fraction of `reach` [1]; negative for a gap.
-  double overlap() const { return 1 - dot(separation, normal) / reach; }
+  double overlap() const { return 1 - dot(separation, normal()) / reach; }
 };
 
 /// What a contact does to velocities: given the contact with `after` still equal to `before`, the new

@@ -52,28 +52,33 @@ void settle_collision(Contact& contact) {
 
 }  // namespace
 
-Contact contact_at(const World& world, const Event& event, std::array<Image, 2>& folded) {
+Participants participants_of(const World& world, const Event& event) {
+  const bool is_collision = event.kind == EventKind::collision;
+  return {world.slot_of(event.first), is_collision ? world.slot_of(event.second) : 0};
+}
+
+Contact contact_at(const World& world, const Event& event, const Participants& participants,
+                   std::array<Image, 2>& folded) {
   Contact contact;
   contact.time = event.time;
   contact.kind = event.kind;
-  contact.first = world.id(event.first);
-  contact.first_radius = world.radius(event.first);
-  contact.first_mass = world.mass(event.first);
-  contact.before.first = world.path(event.first).velocity;
-  const Vec3 unfolded = position_at(world.path(event.first), event.time);
+  contact.first = event.first;
+  contact.first_radius = world.radius(participants.first);
+  contact.first_mass = world.mass(participants.first);
+  contact.before.first = world.path(participants.first).velocity;
+  const Vec3 unfolded = position_at(world.path(participants.first), event.time);
   folded[0] = world.box().boxes_beyond(unfolded);
   contact.position = unfolded - world.box().shift(folded[0]);
   if (event.kind == EventKind::collision) {
-    contact.second = world.id(event.second);
-    contact.reach = contact.first_radius + world.radius(event.second);
-    contact.second_mass = world.mass(event.second);
-    contact.before.second = world.path(event.second).velocity;
-    const Vec3 other_unfolded = position_at(world.path(event.second), event.time);
+    contact.second = event.second;
+    contact.reach = contact.first_radius + world.radius(participants.second);
+    contact.second_mass = world.mass(participants.second);
+    contact.before.second = world.path(participants.second).velocity;
+    const Vec3 other_unfolded = position_at(world.path(participants.second), event.time);
     folded[1] = world.box().boxes_beyond(other_unfolded);
     const Vec3 other = other_unfolded - world.box().shift(folded[1]);
     contact.image = event.image + folded[1] - folded[0];
     contact.separation = (other - contact.position) + world.box().shift(contact.image);
-    contact.normal = (1 / length(contact.separation)) * contact.separation;
   } else {
     contact.second = event.second;
     contact.reach = contact.first_radius;
@@ -81,7 +86,6 @@ Contact contact_at(const World& world, const Event& event, std::array<Image, 2>&
     const std::size_t axis = axis_of(event.second);
     const bool upper = is_upper(event.second);
     contact.separation[axis] = (upper ? world.box().size()[axis] : 0) - contact.position[axis];
-    contact.normal[axis] = upper ? 1 : -1;
   }
   contact.after = contact.before;
   return contact;

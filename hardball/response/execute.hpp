@@ -18,9 +18,19 @@ struct Executed {
   std::array<Image, 2> folded{};
 };
 
+/// Where the spheres of a collision or wall event are stored; of a wall event, only the first counts.
+struct Participants {
+  Slot first = 0;
+  Slot second = 0;
+};
+
+/// The participants of a collision or wall event. Cost: that of World::slot_of.
+Participants participants_of(const World& world, const Event& event);
+
 /// The contact that a collision or wall event is, in the world as it was before it: centres and velocities as
 /// the stored paths give them at the event's time. `folded` gets the boxes by which the centres lie beyond.
-Contact contact_at(const World& world, const Event& event, std::array<Image, 2>& folded);
+Contact contact_at(const World& world, const Event& event, const Participants& participants,
+                   std::array<Image, 2>& folded);
 
 /// Makes sure that the bodies of `contact`, having `after` as velocities, do not approach: an approach that
 /// rounding explains is undone by the least impulse that does it, so that no contact follows itself.
@@ -31,15 +41,18 @@ void settle(Contact& contact);
 /// paths. The one place, shared by all engines, where a contact changes the motion. If the response throws,
 /// nothing has changed. Error (RunFailure): inelastic collapse, see CollapseGuard.
 template <Response R>
-Executed execute(World& world, CollapseGuard& guard, const Event& event, const R& response) {
+Executed execute(World& world, CollapseGuard& guard, const Event& event, const Participants& participants,
+                 const R& response) {
   Executed done;
-  done.contact = contact_at(world, event, done.folded);
+  done.contact = contact_at(world, event, participants, done.folded);
   done.contact.after = response(std::as_const(done.contact));
   settle(done.contact);
-  guard.note_contact(world, event.first, event.time);
-  if (done.contact.is_collision()) guard.note_contact(world, event.second, event.time);
-  world.rewrite_path(event.first, event.time, done.contact.after.first);
-  if (done.contact.is_collision()) world.rewrite_path(event.second, event.time, done.contact.after.second);
+  guard.note_contact(world, participants.first, event.time);
+  if (done.contact.is_collision()) guard.note_contact(world, participants.second, event.time);
+  world.rewrite_path(participants.first, event.time, done.contact.after.first);
+  if (done.contact.is_collision()) {
+    world.rewrite_path(participants.second, event.time, done.contact.after.second);
+  }
   return done;
 }
 

@@ -28,7 +28,7 @@ Time latest_change(const World& world) {
 std::vector<Vec3> centers_at(const World& world, const Time& moment) {
   std::vector<Vec3> centers;
   centers.reserve(world.size());
-  for (Slot slot = 0; slot < world.size(); ++slot) centers.push_back(world.position(slot, moment));
+  world.for_each_by_id([&](Slot slot) { centers.push_back(world.position(slot, moment)); });
   return centers;
 }
 
@@ -129,9 +129,7 @@ std::optional<NextContact> Simulation::next_contact(double until) {
   apply_edits();
   const std::optional<Event> next = engine_->next_contact(Time(until));
   if (!next) return std::nullopt;
-  const bool is_collision = next->kind == EventKind::collision;
-  return NextContact{next->time.value(), next->kind, world().id(next->first),
-                     is_collision ? world().id(next->second) : next->second};
+  return NextContact{next->time.value(), next->kind, next->first, next->second};
 }
 
 Vec3 Simulation::position(SphereId id) const {

@@ -16,23 +16,21 @@ Box::Box(const std::array<Boundary, kAxes>& boundary, const Vec3& size) : bounda
       continue;
     }
     check_positive(size[axis], "box size", axis == 0 ? "size.x" : axis == 1 ? "size.y" : "size.z");
-    if (is_periodic(axis)) period_[axis] = size[axis];
+    if (!is_periodic(axis)) continue;
+    period_[axis] = size[axis];
+    inverse_period_[axis] = 1 / size[axis];
   }
 }
 
-Image Box::boxes_beyond(const Vec3& position) const {
+std::int32_t Box::boxes_beyond(double place, std::size_t axis) const {
+  if (!is_periodic(axis)) return 0;
   constexpr double kMost = 1 << 30;
-  Image beyond;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!is_periodic(axis)) continue;
-    const double boxes = std::floor(position[axis] / size_[axis]);
-    if (!(std::fabs(boxes) <= kMost)) {
-      throw RunFailure(
-          "a sphere has crossed the periodic box 2^30 times without a collision; use a larger box");
-    }
-    beyond[axis] = static_cast<std::int32_t>(boxes);
+  const double boxes = std::floor(place / size_[axis]);
+  if (!(std::fabs(boxes) <= kMost)) {
+    throw RunFailure(
+        "a sphere has crossed the periodic box 2^30 times without a collision; use a larger box");
   }
-  return beyond;
+  return static_cast<std::int32_t>(boxes);
 }
 
 }  // namespace hardball

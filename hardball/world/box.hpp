@@ -51,14 +51,31 @@ class Box {
     return {image[0] * period_.x, image[1] * period_.y, image[2] * period_.z};
   }
 
+  /// Edge lengths along periodic axes, zero along the others [L].
+  const Vec3& period() const { return period_; }
+
+  /// One over each of those, zero along axes that are not periodic [1/L].
+  const Vec3& inverse_period() const { return inverse_period_; }
+
   /// How many boxes `position` lies beyond this one; zero along axes that are not periodic.
   /// Error (RunFailure): more than 2^30 boxes away.
-  Image boxes_beyond(const Vec3& position) const;
+  Image boxes_beyond(const Vec3& position) const {
+    Image beyond;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      // Most centres lie in the box, and need no division to tell.
+      if (position[axis] >= 0 && position[axis] < period_[axis]) continue;
+      beyond[axis] = boxes_beyond(position[axis], axis);
+    }
+    return beyond;
+  }
 
  private:
+  std::int32_t boxes_beyond(double place, std::size_t axis) const;
+
   std::array<Boundary, kAxes> boundary_;
   Vec3 size_;
   Vec3 period_;  // the size along periodic axes, zero along the others
+  Vec3 inverse_period_;
 };
 
 }  // namespace hardball

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <type_traits>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/world/range.hpp"
@@ -33,6 +35,7 @@ constexpr double kWallTolerance = 1e-12;
 SphereId World::add(const Sphere& sphere, const Time& moment) {
   check(sphere);
   const Image beyond = box_.boxes_beyond(sphere.position);
+  if (!slots_by_id_.empty()) slots_by_id_.push_back(static_cast<Slot>(size()));
   ids_.push_back(next_id_);
   paths_.push_back({sphere.position - box_.shift(beyond), sphere.velocity, moment});
   radii_.push_back(sphere.radius);
@@ -65,12 +68,40 @@ void World::check(const Sphere& sphere) const {
 }
 
 void World::remove(SphereId id) {
-  const auto at = static_cast<std::ptrdiff_t>(slot_of(id));
+  const Slot slot = slot_of(id);
+  const auto at = static_cast<std::ptrdiff_t>(slot);
   ids_.erase(ids_.begin() + at);
   paths_.erase(paths_.begin() + at);
-  radii_.erase(radii_.begin() + at);
-  masses_.erase(masses_.begin() + at);
+  radii_.erase(slot);
+  masses_.erase(slot);
   folded_.erase(folded_.begin() + at);
+  sort_slots_by_id();
+}
+
+void World::reorder(std::span<const Slot> order) {
+  const auto reordered = [order](const auto& values) {
+    std::remove_cvref_t<decltype(values)> moved;
+    moved.reserve(values.size());
+    for (const Slot slot : order) moved.push_back(values[slot]);
+    return moved;
+  };
+  ids_ = reordered(ids_);
+  paths_ = reordered(paths_);
+  folded_ = reordered(folded_);
+  radii_.reorder(order);
+  masses_.reorder(order);
+  sort_slots_by_id();
+}
+
+void World::sort_slots_by_id() {
+  if (std::is_sorted(ids_.begin(), ids_.end())) {
+    slots_by_id_ = {};
+    return;
+  }
+  constexpr Slot kNone = std::numeric_limits<Slot>::max();
+  slots_by_id_.assign(next_id_, kNone);
+  for (Slot slot = 0; slot < size(); ++slot) slots_by_id_[ids_[slot]] = slot;
+  std::erase(slots_by_id_, kNone);
 }
 
 Image World::change_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
@@ -88,11 +119,21 @@ Image World::rewrite_path(Slot slot, const Time& moment, const Vec3& velocity) {
 }
 
 Slot World::slot_of(SphereId id) const {
-  const auto found = std::lower_bound(ids_.begin(), ids_.end(), id);
-  if (found == ids_.end() || *found != id) {
+  if (id < size() && ids_[id] == id) return id;
+  std::size_t low = 0;
+  std::size_t high = size();
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (ids_[slot_of_rank(middle)] < id) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  if (low == size() || ids_[slot_of_rank(low)] != id) {
     throw Error("there is no sphere " + to_text(id), "sphere id", "use an id that add() returned");
   }
-  return static_cast<Slot>(found - ids_.begin());
+  return slot_of_rank(low);
 }
 
 Vec3 World::position(Slot slot, const Time& moment) const {
@@ -106,29 +147,30 @@ Image World::image(Slot slot, const Time& moment) const {
 
 double World::kinetic_energy() const {
   double energy = 0;
-  for (Slot slot = 0; slot < size(); ++slot) energy += hardball::kinetic_energy(*this, slot);
+  for_each_by_id([&](Slot slot) { energy += hardball::kinetic_energy(*this, slot); });
   return energy;
 }
 
 Vec3 World::momentum() const {
   Vec3 momentum;
-  for (Slot slot = 0; slot < size(); ++slot) momentum += masses_[slot] * paths_[slot].velocity;
+  for_each_by_id([&](Slot slot) { momentum += masses_[slot] * paths_[slot].velocity; });
   return momentum;
 }
 
 double World::sphere_volume() const {
   double cubes = 0;
-  for (const double radius : radii_) cubes += radius * radius * radius;
+  for_each_by_id([&](Slot slot) { cubes += radii_[slot] * radii_[slot] * radii_[slot]; });
   return 4 * std::numbers::pi / 3 * cubes;
 }
 
 double World::largest_radius() const {
-  return radii_.empty() ? 0 : *std::max_element(radii_.begin(), radii_.end());
+  return radii_.largest();
 }
 
 std::size_t World::memory_bytes() const {
-  return paths_.capacity() * sizeof(Path) + (radii_.capacity() + masses_.capacity()) * sizeof(double) +
-         ids_.capacity() * sizeof(SphereId) + folded_.capacity() * sizeof(Image);
+  return paths_.capacity() * sizeof(Path) + radii_.memory_bytes() + masses_.memory_bytes() +
+         ids_.capacity() * sizeof(SphereId) + slots_by_id_.capacity() * sizeof(Slot) +
+         folded_.capacity() * sizeof(Image);
 }
 
 Event next_wall_event(const World& world, Slot slot) {
@@ -141,7 +183,7 @@ Event next_wall_event(const World& world, Slot slot) {
     const double distance =
         upper ? (world.box().size()[axis] - radius) - path.position[axis] : path.position[axis] - radius;
     const double wait = time_to_plane(distance, std::fabs(path.velocity[axis]));
-    const Event event{after(path.time, wait), EventKind::wall, slot, face_of(axis, upper), {}};
+    const Event event{after(path.time, wait), EventKind::wall, world.id(slot), face_of(axis, upper), {}};
     if (event < next) next = event;
   }
   return next;

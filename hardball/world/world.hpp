@@ -9,6 +9,7 @@
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/contact_time.hpp"
 #include "hardball/world/box.hpp"
+#include "hardball/world/per_sphere.hpp"
 
 namespace hardball {
 
@@ -52,11 +53,21 @@ class World {
   SphereId id(Slot slot) const { return ids_[slot]; }
   double radius(Slot slot) const { return radii_[slot]; }
   double mass(Slot slot) const { return masses_[slot]; }
+  const PerSphere& radii() const { return radii_; }
   const Path& path(Slot slot) const { return paths_[slot]; }
   std::span<const Path> paths() const { return paths_; }
 
   /// Where the sphere with this id is stored. Cost: O(log n). Error: no sphere has this id.
   Slot slot_of(SphereId id) const;
+
+  /// Calls visit(slot) for every sphere, in the order of ids. Cost: O(n).
+  template <class Visit>
+  void for_each_by_id(Visit&& visit) const {
+    for (std::size_t rank = 0; rank < size(); ++rank) visit(slot_of_rank(rank));
+  }
+
+  /// Stores the sphere of slot order[k] in slot k; ids stay. `order` holds every slot once. Cost: O(ids ever given).
+  void reorder(std::span<const Slot> order);
 
   /// The centre at `moment` [L], folded into a periodic box.
   Vec3 position(Slot slot, const Time& moment) const;
@@ -76,12 +87,18 @@ class World {
   std::size_t memory_bytes() const;
 
  private:
+  Slot slot_of_rank(std::size_t rank) const {
+    return slots_by_id_.empty() ? static_cast<Slot>(rank) : slots_by_id_[rank];
+  }
+  void sort_slots_by_id();
+
   Box box_;
   SphereId next_id_ = 0;
   std::vector<SphereId> ids_;
+  std::vector<Slot> slots_by_id_;  // all slots in the order of ids; empty while slots are in that order
   std::vector<Path> paths_;
-  std::vector<double> radii_;
-  std::vector<double> masses_;
+  PerSphere radii_;
+  PerSphere masses_;
   std::vector<Image> folded_;  // boxes folded away since the sphere was added
 };
 

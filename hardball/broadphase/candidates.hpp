@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hardball/events/event.hpp"
+#include "hardball/world/box.hpp"
+
+namespace hardball {
+
+/// The spheres that one sphere may meet next, collected by a broad phase to be looked at all together.
+///
+/// Either each candidate comes with the periodic copy that is meant, or, where regions are small against the
+/// box, the copy meant is the one that is nearest at the moment of asking: then a candidate is a slot alone.
+/// Arrays end in room for a whole vector, filled with the sphere itself, which it never meets.
+class Candidates {
+ public:
+  /// The widest vector that reads these arrays.
+  static constexpr std::size_t kPadding = 8;
+
+  /// Begins anew for the sphere in `slot`; `nearest` says whether copies are the nearest ones.
+  void begin(Slot slot, bool nearest) {
+    self_ = slot;
+    nearest_ = nearest;
+    size_ = 0;
+    ++round_;
+    mark(slot);
+  }
+
+  Slot self() const { return self_; }
+  /// Whether the copy of each candidate is the nearest one.
+  bool are_nearest() const { return nearest_; }
+  std::size_t size() const { return size_; }
+  Slot slot(std::size_t i) const { return slots_[i]; }
+  /// Precondition: not are_nearest().
+  const Image& image(std::size_t i) const { return images_[i]; }
+
+  const Slot* slots() const { return slots_.data(); }
+  /// The displacements of the copies along an axis [L]. Precondition: not are_nearest().
+  const double* shifts(std::size_t axis) const { return shifts_[axis].data(); }
+
+  /// Adds a candidate whose copy is the nearest.
+  void add(Slot other) {
+    make_room(1);
+    slots_[size_++] = other;
+  }
+
+  /// Adds candidates, except those that have lately been added. A few are let through twice, which does no
+  /// harm; none is left out.
+  void add_once(const Slot* others, std::uint32_t count) {
+    make_room(count);
+    Slot* const begin = slots_.data();
+    Slot* end = begin + size_;
+    std::uint64_t* const seen = seen_.data();
+    const std::uint64_t round = std::uint64_t{round_} << 32;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      // Without a branch: whether a candidate is new cannot be foreseen.
+      const Slot other = others[i];
+      std::uint64_t& place = seen[other % kSeen];
+      *end = other;
+      end += place != (round | other) ? 1 : 0;
+      place = round | other;
+    }
+    size_ = static_cast<std::size_t>(end - begin);
+  }
+
+  /// Adds the copy `image` of a candidate.
+  void add(Slot other, const Image& image, const Box& box) {
+    make_room(1);
+    if (images_.size() < slots_.size()) {
+      images_.resize(slots_.size());
+      for (auto& shifts : shifts_) shifts.resize(slots_.size());
+    }
+    const Vec3 shift = box.shift(image);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) shifts_[axis][size_] = shift[axis];
+    images_[size_] = image;
+    slots_[size_++] = other;
+  }
+
+  /// Whether `other` has not lately been marked since begin().
+  bool is_new(Slot other) const { return seen_[other % kSeen] != key(other); }
+  void mark(Slot other) { seen_[other % kSeen] = key(other); }
+
+  /// Fills the room behind the last candidate. To be called before the arrays are read.
+  void end() {
+    for (std::size_t i = 0; i < kPadding; ++i) slots_[size_ + i] = self_;
+  }
+
+ private:
+  static constexpr std::size_t kSeen = 256;
+
+  std::uint64_t key(Slot other) const { return std::uint64_t{round_} << 32 | other; }
+
+  void make_room(std::size_t count) {
+    if (size_ + count + kPadding > slots_.size()) slots_.resize(2 * slots_.size() + count);
+  }
+
+  Slot self_ = 0;
+  bool nearest_ = true;
+  std::size_t size_ = 0;
+  std::uint32_t round_ = 0;
+  std::vector<Slot> slots_ = std::vector<Slot>(64);
+  std::vector<Image> images_;
+  std::array<std::vector<double>, kAxes> shifts_;
+  // A cache of the candidates marked, one place for each remainder; the round tells those of earlier calls.
+  std::array<std::uint64_t, kSeen> seen_{};
+};
+
+}  // namespace hardball

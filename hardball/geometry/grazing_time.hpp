@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "hardball/geometry/double_double.hpp"
+
+namespace hardball {
+
+/// The discriminant of a contact is (reach * |velocity| * cosine)^2, the cosine being that of the angle at which
+/// the spheres meet. Below this squared cosine [1] its rounding error would show in the contact time.
+inline constexpr double kGrazingCosineSquared = 5.0 / 16;
+
+/// Beyond this fraction of (reach * |velocity|)^2 below zero the discriminant is negative whatever rounding did:
+/// the spheres miss each other [1].
+inline constexpr double kCertainMiss = 0x1p-44;
+
+/// What time_to_reach (contact_time.hpp) gives for approaching points, with the coefficients of the quadratic
+/// carried to 106 bits: for grazing contacts.
+HARDBALL_ALWAYS_INLINE double grazing_time_to_reach(double rx, double ry, double rz, double vx, double vy,
+                                                    double vz, double reach) {
+  const DoubleDouble x = product(ry, vz) - product(rz, vy);
+  const DoubleDouble y = product(rz, vx) - product(rx, vz);
+  const DoubleDouble z = product(rx, vy) - product(ry, vx);
+  const DoubleDouble reach_squared = product(reach, reach);
+  const DoubleDouble speed_squared = product(vx, vx) + product(vy, vy) + product(vz, vz);
+  const DoubleDouble discriminant = speed_squared * reach_squared - (x * x + y * y + z * z);
+  if (!(discriminant.high > 0)) return std::numeric_limits<double>::infinity();
+  const DoubleDouble excess = product(rx, rx) + product(ry, ry) + product(rz, rz) - reach_squared;
+  if (excess.high <= 0) return 0;
+  const DoubleDouble approach = product(rx, vx) + product(ry, vy) + product(rz, vz);
+  return excess.high / (std::sqrt(discriminant.high) - approach.high);
+}
+
+}  // namespace hardball

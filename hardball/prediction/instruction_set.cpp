@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/prediction/instruction_set.hpp"
+
+namespace hardball {
+
+bool is_available(InstructionSet instructions) {
+  switch (instructions) {
+    case InstructionSet::portable:
+      return true;
+#if defined(__x86_64__) && defined(__GNUC__)
+    case InstructionSet::avx2:
+      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    case InstructionSet::avx512:
+      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+             __builtin_cpu_supports("fma");
+#else
+    case InstructionSet::avx2:
+    case InstructionSet::avx512:
+      return false;
+#endif
+  }
+  return false;
+}
+
+InstructionSet widest_instruction_set() {
+  if (is_available(InstructionSet::avx512)) return InstructionSet::avx512;
+  if (is_available(InstructionSet::avx2)) return InstructionSet::avx2;
+  return InstructionSet::portable;
+}
+
+}  // namespace hardball

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace hardball {
+
+/// The vector instructions with which contact times are computed. All give the same bits.
+enum class InstructionSet {
+  portable,  ///< Whatever the compiler takes for granted: on x86-64 two numbers at a time.
+  avx2,      ///< Four numbers at a time.
+  avx512,    ///< Eight numbers at a time.
+};
+
+/// Whether this program and this machine have these instructions.
+bool is_available(InstructionSet instructions);
+
+/// The widest instructions available.
+InstructionSet widest_instruction_set();
+
+}  // namespace hardball

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/prediction/predictor.hpp"
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+namespace {
+
+Kernel kernel_of(InstructionSet instructions) {
+  if (!is_available(instructions)) {
+    throw Error("this machine does not have the vector instructions asked for", "instructions",
+                "let the widest be chosen, or take the portable ones");
+  }
+#if defined(__x86_64__) && defined(__GNUC__)
+  if (instructions == InstructionSet::avx512) return avx512_kernel;
+  if (instructions == InstructionSet::avx2) return avx2_kernel;
+#endif
+  return portable_kernel;
+}
+
+// As in the kernels: adding this number pushes the fraction out.
+double round_to_integer(double number) {
+  constexpr double kPusher = 0x1.8p52;
+  return (number + kPusher) - kPusher;
+}
+
+// The contact time of one candidate, its copy and the place of both in the order of events.
+Event contact_with(const World& world, const Candidates& candidates, std::size_t i, const Time& now) {
+  const Slot self = candidates.self();
+  const Slot other = candidates.slot(i);
+  const Image image =
+      candidates.are_nearest() ? nearest_image(world, self, other, now) : candidates.image(i);
+  return make_collision(contact_time(world, self, other, image), world.id(self), world.id(other), image);
+}
+
+}  // namespace
+
+Image nearest_image(const World& world, Slot a, Slot b, const Time& moment) {
+  const Vec3 apart = position_at(world.path(a), moment) - position_at(world.path(b), moment);
+  Image image;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    image[axis] = static_cast<std::int32_t>(round_to_integer(apart[axis] * world.box().inverse_period()[axis]));
+  }
+  return image;
+}
+
+Predictor::Predictor(InstructionSet instructions) : kernel_(kernel_of(instructions)) {}
+
+Prospect Predictor::earliest(const World& world, const Candidates& candidates, const Time& now, const Time& limit) {
+  if (candidates.size() == 0) return {};
+  if (bounds_.size() < candidates.size() + Candidates::kPadding) {
+    grazing_.resize(2 * candidates.size() + Candidates::kPadding);
+    bounds_.resize(grazing_.size());
+  }
+  const Slot self = candidates.self();
+  const Vec3& period = world.box().period();
+  const Vec3& inverse = world.box().inverse_period();
+  const bool listed = !candidates.are_nearest();
+  const KernelQuery query{
+      .paths = world.paths().data(),
+      .radii = world.radii().is_common() ? nullptr : world.radii().each().data(),
+      .radius = world.radius(self),
+      .self = self,
+      .others = candidates.slots(),
+      .count = candidates.size(),
+      .shifts = {listed ? candidates.shifts(0) : nullptr, listed ? candidates.shifts(1) : nullptr,
+                 listed ? candidates.shifts(2) : nullptr},
+      .period = {period.x, period.y, period.z},
+      .inverse_period = {inverse.x, inverse.y, inverse.z},
+      .now_high = now.high,
+      .now_low = now.low,
+      .limit = limit.high,
+  };
+  const KernelResult found = kernel_(query, {grazing_.data(), bounds_.data()});
+  if (!(found.high < kNever.high)) return {};
+  std::size_t index = found.index;
+  if (found.is_tied) [[unlikely]] {
+    Event first;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const Event contact = contact_with(world, candidates, i, now);
+      if (!(contact < first)) continue;
+      first = contact;
+      index = i;
+    }
+  }
+  return {{found.high, found.low}, candidates.slot(index), listed ? candidates.image(index) : Image{}};
+}
+
+}  // namespace hardball

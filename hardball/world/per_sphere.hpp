@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "hardball/events/event.hpp"
+
+namespace hardball {
+
+/// One number for each sphere, stored once as long as it is the same for all.
+///
+/// Most systems have equal radii or masses: then neither memory nor a cache line is spent on them.
+class PerSphere {
+ public:
+  double operator[](Slot slot) const { return each_.empty() ? common_ : each_[slot]; }
+
+  /// Whether it is the same number for all.
+  bool is_common() const { return each_.empty(); }
+  /// The number of all; zero for no spheres. Precondition: is_common().
+  double common() const { return common_; }
+  /// The numbers by slot; empty while there is one for all.
+  std::span<const double> each() const { return each_; }
+
+  void push_back(double value) {
+    if (size_ == 0) common_ = value;
+    if (each_.empty() && value != common_) {
+      each_.reserve(size_ + 1);
+      each_.assign(size_, common_);
+    }
+    if (!each_.empty()) each_.push_back(value);
+    ++size_;
+  }
+
+  void erase(Slot slot) {
+    if (!each_.empty()) each_.erase(each_.begin() + static_cast<std::ptrdiff_t>(slot));
+    --size_;
+  }
+
+  /// Moves the number of slot order[k] to slot k.
+  void reorder(std::span<const Slot> order) {
+    if (each_.empty()) return;
+    std::vector<double> moved(each_.size());
+    for (std::size_t k = 0; k < moved.size(); ++k) moved[k] = each_[order[k]];
+    each_.swap(moved);
+  }
+
+  double largest() const { return each_.empty() ? common_ : *std::max_element(each_.begin(), each_.end()); }
+  std::size_t memory_bytes() const { return each_.capacity() * sizeof(double); }
+
+ private:
+  double common_ = 0;
+  std::vector<double> each_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace hardball
