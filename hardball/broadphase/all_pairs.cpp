@@ -66,7 +66,7 @@ void AllPairs::center_stretch(const World& world, Slot slot, const Time& now) {
   static_cast<void>(world.box().boxes_beyond(middles_[slot]));  // refuses to fly on for ever
 }
 
-Time AllPairs::next_crossing(const World& world, Slot slot, const Time& now) const {
+Time AllPairs::next_crossing(const World& world, Slot slot, const Time& now, const Time&) const {
   const Path& path = world.path(slot);
   const Vec3& middle = middles_[slot];
   double soonest = std::numeric_limits<double>::infinity();

@@ -18,7 +18,7 @@ class AllPairs {
   void build(const World& world, const Time& now);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
   void collect(const World& world, Slot slot, Candidates& candidates) const;
-  Time next_crossing(const World& world, Slot slot, const Time& now) const;
+  Time next_crossing(const World& world, Slot slot, const Time& now, const Time& limit) const;
   void cross(const World& world, Slot slot, const Time& now, Candidates& candidates);
   std::uint64_t left_count() const { return 0; }
   std::size_t memory_bytes() const { return middles_.capacity() * sizeof(Vec3); }

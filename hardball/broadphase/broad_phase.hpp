@@ -22,8 +22,8 @@ namespace hardball {
 /// - `refresh(world, slot, now, folded)` gives a region to a sphere whose path has been rewritten at `now`, its
 ///   centre having been folded back by `folded` boxes.
 /// - `collect(world, slot, candidates)` collects every candidate of a sphere, as a rule once.
-/// - `next_crossing(world, slot, now)` is when the sphere reaches the edge of its region, not before `now`;
-///   kNever if it does not.
+/// - `next_crossing(world, slot, now, limit)` is when the sphere reaches the edge of its region, not before
+///   `now`; kNever if it does not, and perhaps if it does not before `limit`.
 /// - `cross(world, slot, now, candidates)` gives it the next region and collects the candidates that are new
 ///   (and perhaps others).
 /// - `left_count()` counts the cells, or rows of cells, that spheres have left since `build`.
@@ -34,7 +34,7 @@ concept BroadPhase = requires(Phase phase, const Phase& view, const World& world
   phase.build(world, now);
   phase.refresh(world, slot, now, image);
   view.collect(world, slot, candidates);
-  { phase.next_crossing(world, slot, now) } -> std::convertible_to<Time>;
+  { phase.next_crossing(world, slot, now, now) } -> std::convertible_to<Time>;
   phase.cross(world, slot, now, candidates);
   { view.left_count() } -> std::convertible_to<std::uint64_t>;
   { view.memory_bytes() } -> std::convertible_to<std::size_t>;

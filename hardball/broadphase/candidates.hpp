@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -43,10 +44,11 @@ class Candidates {
   /// The displacements of the copies along an axis [L]. Precondition: not are_nearest().
   const double* shifts(std::size_t axis) const { return shifts_[axis].data(); }
 
-  /// Adds a candidate whose copy is the nearest.
-  void add(Slot other) {
-    make_room(1);
-    slots_[size_++] = other;
+  /// Adds candidates whose copies are the nearest.
+  void add(const Slot* others, std::uint32_t count) {
+    make_room(count);
+    std::copy_n(others, count, slots_.begin() + static_cast<std::ptrdiff_t>(size_));
+    size_ += count;
   }
 
   /// Adds candidates, except those that have lately been added. A few are let through twice, which does no

@@ -111,10 +111,10 @@ void CellGrid::collect(const World& world, Slot slot, Candidates& candidates) co
   candidates.end();
 }
 
-Time CellGrid::next_crossing(const World& world, Slot slot, const Time& now) {
+Time CellGrid::next_crossing(const World& world, Slot slot, const Time& now, const Time& limit) {
   Resident& resident = residents_[slot];
   const Path& path = world.path(slot);
-  const CellCrossing next = cells_.next_enter(path, world.radius(slot), resident.range());
+  const CellCrossing next = cells_.next_enter(path, world.radius(slot), resident.range(), duration(path.time, limit));
   resident.crossed_face = static_cast<std::uint8_t>(face_of(next.axis, next.up));
   return later(now, after(path.time, next.wait));
 }
@@ -152,7 +152,7 @@ CellRange CellGrid::range_at(const World& world, Slot slot, const Time& now) con
 // Calls for the others in the cells of a range.
 void CellGrid::collect_from(const World& world, const CellRange& range, Candidates& candidates) const {
   cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& cell) {
-    store_.for_each_block(cell, [&](const Slot* slots, std::uint32_t count) {
+    store_.lists().for_each_line(store_.list(cell), [&](const Slot* slots, std::uint32_t count) {
       if (nearest_) {
         candidates.add_once(slots, count);
         return;
@@ -225,7 +225,7 @@ void CellGrid::validate(const World& world, const Time& now) const {
         expected += same == folded ? 1U : 0U;
       });
       std::size_t found = 0;
-      store_.for_each(folded, [&](Slot occupant) { found += occupant == slot ? 1U : 0U; });
+      store_.lists().for_each(store_.list(folded), [&](Slot occupant) { found += occupant == slot ? 1U : 0U; });
       HARDBALL_CHECK(found == expected);
     });
   }

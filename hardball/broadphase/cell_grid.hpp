@@ -26,7 +26,7 @@ class CellGrid {
   void build(const World& world, const Time& now);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
   void collect(const World& world, Slot slot, Candidates& candidates) const;
-  Time next_crossing(const World& world, Slot slot, const Time& now);
+  Time next_crossing(const World& world, Slot slot, const Time& now, const Time& limit);
   void cross(const World& world, Slot slot, const Time& now, Candidates& candidates);
   std::uint64_t left_count() const { return left_count_; }
   std::size_t memory_bytes() const;

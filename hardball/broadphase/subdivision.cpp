@@ -71,17 +71,32 @@ CellRange Subdivision::range_at(const Vec3& position, double radius) const {
   return range;
 }
 
-CellCrossing Subdivision::next_enter(const Path& path, double radius, const CellRange& range) const {
+CellIndex Subdivision::cell_of(const Vec3& point) const {
+  CellIndex cell;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const Axis& cells = axes_[axis];
+    const std::int32_t first = cells.period > 0 ? 0 : cells.first;
+    const std::int32_t last = cells.period > 0 ? cells.period - 1 : cells.last;
+    cell[axis] = round_down(std::clamp<double>(point[axis] * cells.inverse_edge, first, last));
+  }
+  return cell;
+}
+
+CellCrossing Subdivision::next_enter(const Path& path, double radius, const CellRange& range, double limit) const {
   CellCrossing next;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const Axis& cells = axes_[axis];
-    const bool up = path.velocity[axis] > 0;
-    const std::int32_t front = up ? range.high[axis] : range.low[axis];
-    if (front == (up ? cells.last : cells.first)) continue;
-    const double face = cells.edge * (up ? front + 1 : front);
+    const double velocity = path.velocity[axis];
+    const double speed = std::fabs(velocity);
+    const bool up = velocity > 0;
+    const std::int32_t front = up ? range.high[axis] + 1 : range.low[axis];
+    const double face = cells.edge * front;
     const double reach = radius + margin(cells.edge, face);
     const double distance = up ? (face - reach) - path.position[axis] : path.position[axis] - (face + reach);
-    const double wait = time_to_plane(distance, std::fabs(path.velocity[axis]));
+    // Most faces are not reached in time, and need no division to tell.
+    if (distance > speed * std::min(limit, next.wait)) continue;
+    if (front == (up ? cells.last + 1 : cells.first)) continue;
+    const double wait = time_to_plane(distance, speed);
     if (wait < next.wait) next = {wait, static_cast<std::uint8_t>(axis), up};
   }
   return next;

@@ -71,8 +71,12 @@ class Subdivision {
   /// The cells that a sphere at `position` touches. Error (RunFailure): it has crossed the box too many
   /// times.
   CellRange range_at(const Vec3& position, double radius) const;
-  /// When a sphere on `path` touches the next cell ahead of `range`.
-  CellCrossing next_enter(const Path& path, double radius, const CellRange& range) const;
+  /// The cell, folded into the box, in which a point inside the box lies.
+  CellIndex cell_of(const Vec3& point) const;
+  /// When a sphere on `path` touches the next cell ahead of `range`; perhaps never if that is more than `limit`
+  /// [T] after the path began.
+  CellCrossing next_enter(const Path& path, double radius, const CellRange& range,
+                          double limit = std::numeric_limits<double>::infinity()) const;
   /// When it last touches the hindmost cells of `range`.
   CellCrossing next_leave(const Path& path, double radius, const CellRange& range) const;
 

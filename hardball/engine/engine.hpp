@@ -124,7 +124,7 @@ class Engine {
   // What lies ahead of a sphere: when it leaves its region, and its prospect, the earliest contact it knows
   // of. One cache line.
   struct alignas(64) Plan {
-    Time crossing = kNever;
+    Time crossing = kNever;  // or anything after the contact
     Time contact = kNever;
     std::uint32_t partner = 0;  // a slot, or a face of the box
     std::uint32_t partner_revision = 0;
@@ -166,10 +166,7 @@ class Engine {
     phase_.build(world_, now_);
     queue_.reset(world_.size(), now_);
     plans_.assign(world_.size(), Plan{});
-    for (Slot slot = 0; slot < world_.size(); ++slot) {
-      plans_[slot].crossing = phase_.next_crossing(world_, slot, now_);
-      predict(slot);
-    }
+    for (Slot slot = 0; slot < world_.size(); ++slot) predict(slot);
   }
 
   // Whose event is the least, if it comes no later than `until`.
@@ -202,7 +199,6 @@ class Engine {
     now_ = plan.crossing;
     ++counters_.enter;
     phase_.cross(world_, slot, now_, candidates_);
-    plan.crossing = phase_.next_crossing(world_, slot, now_);
     counters_.predictions += candidates_.size();
     counters_.enter_predictions += candidates_.size();
     const Prospect found = predictor_.earliest(world_, candidates_, now_, plan.contact);
@@ -214,7 +210,7 @@ class Engine {
       take(plan, found);
       if (!(contact_of(slot) < before)) plan = kept;
     }
-    queue_.schedule(slot, plans());
+    schedule(slot);
   }
 
   Contact carry_out(Slot slot) {
@@ -238,7 +234,6 @@ class Engine {
   void note_new_path(Slot slot, const Image& folded) {
     phase_.refresh(world_, slot, now_, folded);
     ++plans_[slot].revision;
-    plans_[slot].crossing = phase_.next_crossing(world_, slot, now_);
   }
 
   // Looks at all candidates of a sphere and at the walls.
@@ -253,6 +248,13 @@ class Engine {
       plan.kind = EventKind::wall;
       plan.partner = wall.second;
     }
+    schedule(slot);
+  }
+
+  // A crossing matters only if it comes before the contact.
+  void schedule(Slot slot) {
+    Plan& plan = plans_[slot];
+    plan.crossing = phase_.next_crossing(world_, slot, now_, plan.contact);
     queue_.schedule(slot, plans());
   }
 

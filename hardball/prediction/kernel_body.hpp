@@ -27,13 +27,143 @@ struct PathsOfLanes {
   Lanes high, low;  // of the time
 };
 
-/// A moment of one pair.
+/// How long it takes until pairs touch.
+template <class Lanes>
+struct Waits {
+  Lanes wait;
+  typename Lanes::Mask hits;    // those that touch
+  typename Lanes::Mask grazes;  // those that perhaps do, then not before `wait`: they need more digits
+};
+
+/// Lanes::kWidth pairs at once, by the same operations in the same order as time_to_reach
+/// (geometry/contact_time.hpp), so that every bit agrees.
+template <class Lanes>
+HARDBALL_ALWAYS_INLINE Waits<Lanes> waits_of(const VectorOfLanes<Lanes>& r, const VectorOfLanes<Lanes>& v,
+                                             const Lanes& reach) {
+  using Mask = typename Lanes::Mask;
+  // More than rounding does to a discriminant or to the square of a distance.
+  constexpr double kRounding = 0x1p-44;
+  const Lanes zero(0.0);
+  const Lanes approach = r.x * v.x + r.y * v.y + r.z * v.z;
+  const Mask approaches = approach < zero;
+  const Lanes reach_squared = reach * reach;
+  const Lanes distance_squared = r.x * r.x + r.y * r.y + r.z * r.z;
+  const Lanes excess = distance_squared - reach_squared;
+  const Lanes closest = (v.x * v.x + v.y * v.y + v.z * v.z) * reach_squared;
+  const Lanes moment_x = r.y * v.z - r.z * v.y;
+  const Lanes moment_y = r.z * v.x - r.x * v.z;
+  const Lanes moment_z = r.x * v.y - r.y * v.x;
+  const Lanes discriminant = closest - (moment_x * moment_x + moment_y * moment_y + moment_z * moment_z);
+  const Mask apart = excess > zero;
+  const Mask grazes = approaches & apart & (discriminant <= Lanes(kGrazingCosineSquared) * closest) &
+                      (Lanes(-kCertainMiss) * closest <= discriminant);
+  const Mask hits = approaches & ((discriminant > zero) | not_(apart)) & not_(grazes);
+  // Of a graze more under the root and less above than can be: too early.
+  const Lanes root = square_root(
+      maximum(select(grazes, maximum(discriminant, zero) + Lanes(kRounding) * closest, discriminant), zero));
+  const Lanes distance =
+      maximum(select(grazes, excess - Lanes(kRounding) * distance_squared, excess), zero);
+  return {distance / (root - approach), hits, grazes};
+}
+
+/// A sphere and its candidates, in the form in which all lanes need it.
+template <class Lanes, bool kNearest>
+class PairsOfLanes {
+ public:
+  explicit PairsOfLanes(const KernelQuery& query)
+      : query_(query), own_(query.paths[query.self]), reach_(query.radius + query.radius) {
+    if constexpr (kNearest) {
+      own_age_ = (query.now_high - own_.time.high) + (query.now_low - own_.time.low);
+    }
+  }
+
+  Lanes reach(const std::uint32_t* others) const {
+    return query_.radii == nullptr ? reach_ : Lanes(query_.radius) + Lanes::gather(query_.radii, others);
+  }
+
+  /// The displacement of the copies meant, along an axis.
+  Lanes shift(std::size_t begin, std::size_t axis, const Lanes& own_place, const Lanes& place) const {
+    if constexpr (kNearest) {
+      return round_to_integer((own_place - place) * Lanes(query_.inverse_period[axis])) *
+             Lanes(query_.period[axis]);
+    } else {
+      return Lanes::load(query_.shifts[axis] + begin);
+    }
+  }
+
+  /// Where the sphere is when copies are the nearest, along an axis.
+  Lanes own_place(double position, double velocity) const { return Lanes(position + own_age_ * velocity); }
+
+ private:
+  const KernelQuery& query_;
+  const Path& own_;
+  Lanes reach_;
+  double own_age_ = 0;
+};
+
+/// Keeps what is earliest in each lane.
+template <class Lanes>
+struct Earliest {
+  Lanes first, second;  // the leading and the trailing part of a time; of a wait, only the leading
+  Lanes index;
+  unsigned tied = 0;
+};
+
+/// The index of the earliest of all lanes; whether another is as early.
+template <class Lanes>
+std::uint32_t best_index(const Earliest<Lanes>& earliest, double first, double& second, bool& tied) {
+  double seconds[Lanes::kWidth];
+  double indices[Lanes::kWidth];
+  earliest.second.store(seconds);
+  earliest.index.store(indices);
+  unsigned lanes = bits(earliest.first == Lanes(first));
+  auto best = static_cast<unsigned>(std::countr_zero(lanes));
+  for (lanes &= lanes - 1; lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<unsigned>(std::countr_zero(lanes));
+    if (seconds[lane] == seconds[best]) tied = true;
+    if (seconds[lane] < seconds[best]) best = lane;
+  }
+  second = seconds[best];
+  return static_cast<std::uint32_t>(indices[best]);
+}
+
+/// Notes the lanes that are to be looked at again.
+template <class Lanes>
+HARDBALL_ALWAYS_INLINE std::uint32_t note_grazing(const KernelNotes& notes, std::uint32_t count,
+                                                  const typename Lanes::Mask& again, const Lanes& bound,
+                                                  std::size_t begin) {
+  unsigned lanes = bits(again);
+  if (lanes == 0) return count;
+  double bounds[Lanes::kWidth];
+  bound.store(bounds);
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+    notes.grazing[count] = static_cast<std::uint32_t>(begin) + lane;
+    notes.bounds[count++] = bounds[lane];
+  }
+  return count;
+}
+
+/// A moment, in two parts.
 template <class Lanes>
 struct MomentOfLanes {
   double high, low;
 };
 
-/// The moment `wait` after `start`, as in after() (geometry/time.hpp), of a contact that needs more digits.
+/// The moment `wait` after a start, as in after() (geometry/time.hpp).
+template <class Lanes>
+MomentOfLanes<Lanes> moment_after(double start_high, double start_low, double wait) {
+  constexpr double kForever = std::numeric_limits<double>::infinity();
+  const double sum = start_high + wait;
+  if (!(sum < kForever)) return {kForever, 0};
+  const double wait_part = sum - start_high;
+  const double error = (start_high - (sum - wait_part)) + (wait - wait_part);
+  const double rest = error + start_low;
+  const double high = sum + rest;
+  return {high, rest - (high - sum)};
+}
+
+/// The contact of one candidate that the sphere grazes, with more digits.
 template <class Lanes, bool kNearest>
 MomentOfLanes<Lanes> grazing_contact(const KernelQuery& query, std::uint32_t index) {
   const Path& own = query.paths[query.self];
@@ -70,51 +200,44 @@ MomentOfLanes<Lanes> grazing_contact(const KernelQuery& query, std::uint32_t ind
   }
   const double reach =
       query.radius + (query.radii != nullptr ? query.radii[query.others[index]] : query.radius);
-  const double wait = grazing_time_to_reach(r[0], r[1], r[2], v[0], v[1], v[2], reach);
-  const double sum = start_high + wait;
-  if (!(sum < std::numeric_limits<double>::infinity())) return {std::numeric_limits<double>::infinity(), 0};
-  const double wait_part = sum - start_high;
-  const double error = (start_high - (sum - wait_part)) + (wait - wait_part);
-  const double rest = error + start_low;
-  const double high = sum + rest;
-  return {high, rest - (high - sum)};
+  return moment_after<Lanes>(start_high, start_low,
+                             grazing_time_to_reach(r[0], r[1], r[2], v[0], v[1], v[2], reach));
 }
 
-/// The contact times of Lanes::kWidth candidates at once, by the same operations in the same order as
-/// contact_time and time_to_reach (geometry/contact_time.hpp), so that every bit agrees.
+/// Looks again at the candidates noted, with more digits.
+template <class Lanes, bool kNearest>
+void look_again(const KernelQuery& query, const KernelNotes& notes, std::uint32_t grazing_count,
+                KernelResult& result) {
+  for (std::uint32_t i = 0; i < grazing_count; ++i) {
+    if (notes.bounds[i] > result.high) continue;
+    const MomentOfLanes<Lanes> moment = grazing_contact<Lanes, kNearest>(query, notes.grazing[i]);
+    if (moment.high > result.high || !(moment.high < std::numeric_limits<double>::infinity())) continue;
+    if (moment.high == result.high && moment.low == result.low) result.is_tied = true;
+    if (moment.high == result.high && moment.low >= result.low) continue;
+    result.high = moment.high;
+    result.low = moment.low;
+    result.index = notes.grazing[i];
+  }
+}
+
+/// The earliest contact of a sphere whose path has begun at any time; as contact_time does it.
 template <class Lanes, bool kNearest>
 KernelResult earliest_contact(const KernelQuery& query, const KernelNotes& notes) {
   using Mask = typename Lanes::Mask;
   constexpr double kForever = std::numeric_limits<double>::infinity();
-  // A bound on what rounding does to the discriminant of a graze, and to the square of the distance.
-  constexpr double kRounding = 0x1p-44;
-
   const Path& own = query.paths[query.self];
+  const PairsOfLanes<Lanes, kNearest> pairs(query);
   const Lanes own_high(own.time.high);
   const Lanes own_low(own.time.low);
-  const VectorOfLanes<Lanes> own_position{Lanes(own.position.x), Lanes(own.position.y), Lanes(own.position.z)};
-  const VectorOfLanes<Lanes> own_velocity{Lanes(own.velocity.x), Lanes(own.velocity.y), Lanes(own.velocity.z)};
   const Lanes zero(0.0);
   const Lanes forever(kForever);
   const Lanes limit(query.limit);
-  Lanes reach(query.radius + query.radius);
-  const double own_age = kNearest ? (query.now_high - own.time.high) + (query.now_low - own.time.low) : 0;
-  const VectorOfLanes<Lanes> own_place{Lanes(own.position.x + own_age * own.velocity.x),
-                                       Lanes(own.position.y + own_age * own.velocity.y),
-                                       Lanes(own.position.z + own_age * own.velocity.z)};
-
-  Lanes best_high = forever;
-  Lanes best_low = zero;
-  Lanes best_index = zero;
+  Earliest<Lanes> best{forever, zero, zero};
   Lanes index = Lanes::counting();
-  unsigned tied = 0;
   std::uint32_t grazing_count = 0;
-
   for (std::size_t begin = 0; begin < query.count; begin += Lanes::kWidth, index = index + Lanes(Lanes::kWidth)) {
-    const std::uint32_t* others = query.others + begin;
     PathsOfLanes<Lanes> other;
-    Lanes::load(query.paths, others, other);
-    if (query.radii != nullptr) reach = Lanes(query.radius) + Lanes::gather(query.radii, others);
+    Lanes::load(query.paths, query.others + begin, other);
 
     // The later of the two moments, and both centres then.
     const Mask other_later = (other.high > own_high) | ((other.high == own_high) & (other.low > own_low));
@@ -122,119 +245,112 @@ KernelResult earliest_contact(const KernelQuery& query, const KernelNotes& notes
     const Lanes start_low = select(other_later, other.low, own_low);
     const Lanes own_wait = (start_high - own_high) + (start_low - own_low);
     const Lanes other_wait = (start_high - other.high) + (start_low - other.low);
+    const Lanes age = (Lanes(query.now_high) - other.high) + (Lanes(query.now_low) - other.low);
+    const auto separation = [&](const Lanes& b, const Lanes& vb, double a, double va, std::size_t axis) {
+      const Lanes shift = pairs.shift(begin, axis, pairs.own_place(a, va), b + age * vb);
+      return ((b + other_wait * vb) - (Lanes(a) + own_wait * Lanes(va))) + shift;
+    };
+    const VectorOfLanes<Lanes> r{
+        separation(other.position.x, other.velocity.x, own.position.x, own.velocity.x, 0),
+        separation(other.position.y, other.velocity.y, own.position.y, own.velocity.y, 1),
+        separation(other.position.z, other.velocity.z, own.position.z, own.velocity.z, 2)};
+    const VectorOfLanes<Lanes> v{other.velocity.x - Lanes(own.velocity.x),
+                                 other.velocity.y - Lanes(own.velocity.y),
+                                 other.velocity.z - Lanes(own.velocity.z)};
+    const Waits<Lanes> waits = waits_of(r, v, pairs.reach(query.others + begin));
 
-    Lanes shift_x = zero;
-    Lanes shift_y = zero;
-    Lanes shift_z = zero;
-    if constexpr (kNearest) {
-      const Lanes age = (Lanes(query.now_high) - other.high) + (Lanes(query.now_low) - other.low);
-      const auto nearest = [&](const Lanes& place, const Lanes& position, const Lanes& velocity, int axis) {
-        const Lanes apart = place - (position + age * velocity);
-        return round_to_integer(apart * Lanes(query.inverse_period[axis])) * Lanes(query.period[axis]);
-      };
-      shift_x = nearest(own_place.x, other.position.x, other.velocity.x, 0);
-      shift_y = nearest(own_place.y, other.position.y, other.velocity.y, 1);
-      shift_z = nearest(own_place.z, other.position.z, other.velocity.z, 2);
-    } else {
-      shift_x = Lanes::load(query.shifts[0] + begin);
-      shift_y = Lanes::load(query.shifts[1] + begin);
-      shift_z = Lanes::load(query.shifts[2] + begin);
-    }
-    const auto separation = [&](const Lanes& b, const Lanes& vb, const Lanes& a, const Lanes& va,
-                                const Lanes& shift) { return ((b + other_wait * vb) - (a + own_wait * va)) + shift; };
-    const Lanes rx = separation(other.position.x, other.velocity.x, own_position.x, own_velocity.x, shift_x);
-    const Lanes ry = separation(other.position.y, other.velocity.y, own_position.y, own_velocity.y, shift_y);
-    const Lanes rz = separation(other.position.z, other.velocity.z, own_position.z, own_velocity.z, shift_z);
-    const Lanes vx = other.velocity.x - own_velocity.x;
-    const Lanes vy = other.velocity.y - own_velocity.y;
-    const Lanes vz = other.velocity.z - own_velocity.z;
-
-    const Lanes approach = rx * vx + ry * vy + rz * vz;
-    const Mask approaches = approach < zero;
-    const Lanes reach_squared = reach * reach;
-    const Lanes distance_squared = rx * rx + ry * ry + rz * rz;
-    const Lanes excess = distance_squared - reach_squared;
-    const Lanes closest = (vx * vx + vy * vy + vz * vz) * reach_squared;
-    const Lanes moment_x = ry * vz - rz * vy;
-    const Lanes moment_y = rz * vx - rx * vz;
-    const Lanes moment_z = rx * vy - ry * vx;
-    const Lanes discriminant = closest - (moment_x * moment_x + moment_y * moment_y + moment_z * moment_z);
-
-    const Mask apart = excess > zero;
-    const Mask grazes = approaches & apart & (discriminant <= Lanes(kGrazingCosineSquared) * closest) &
-                        (Lanes(-kCertainMiss) * closest <= discriminant);
-    const Mask hits = approaches & ((discriminant > zero) | not_(apart)) & not_(grazes);
-
-    // For a graze: more under the root and less above than can be, so that the time comes out too early.
-    const Lanes root =
-        square_root(maximum(select(grazes, maximum(discriminant, zero) + Lanes(kRounding) * closest, discriminant), zero));
-    const Lanes distance = select(grazes, maximum(excess - Lanes(kRounding) * distance_squared, zero),
-                                  maximum(excess, zero));
-    const Lanes wait = distance / (root - approach);
-
-    const Lanes sum = start_high + wait;
+    // The moment that long after the start, as in after() (geometry/time.hpp).
+    const Lanes sum = start_high + waits.wait;
     const Lanes wait_part = sum - start_high;
-    const Lanes error = (start_high - (sum - wait_part)) + (wait - wait_part);
+    const Lanes error = (start_high - (sum - wait_part)) + (waits.wait - wait_part);
     const Lanes rest = error + start_low;
     const Lanes time_high = sum + rest;
     const Lanes time_low = rest - (time_high - sum);
 
-    const Mask happens = hits & (sum < forever);
+    const Mask happens = waits.hits & (sum < forever);
     const Lanes high = select(happens, time_high, forever);
-    const Mask same = happens & (high == best_high);
-    const Mask earlier = (high < best_high) | (same & (time_low < best_low));
-    tied |= bits(same & (time_low == best_low));
-    best_high = select(earlier, high, best_high);
-    best_low = select(earlier, time_low, best_low);
-    best_index = select(earlier, index, best_index);
-
-    // Those to be looked at again, if they may come before the earliest so far.
-    const Mask again = grazes & (time_high <= best_high) & (time_high <= limit);
-    if (unsigned lanes = bits(again); lanes != 0) {
-      double bounds[Lanes::kWidth];
-      time_high.store(bounds);
-      for (; lanes != 0; lanes &= lanes - 1) {
-        const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-        notes.grazing[grazing_count] = static_cast<std::uint32_t>(begin) + lane;
-        notes.bounds[grazing_count++] = bounds[lane];
-      }
-    }
+    const Mask same = happens & (high == best.first);
+    const Mask earlier = (high < best.first) | (same & (time_low < best.second));
+    best.tied |= bits(same & (time_low == best.second));
+    best.first = select(earlier, high, best.first);
+    best.second = select(earlier, time_low, best.second);
+    best.index = select(earlier, index, best.index);
+    const Mask again = waits.grazes & (time_high <= best.first) & (time_high <= limit);
+    grazing_count = note_grazing(notes, grazing_count, again, time_high, begin);
   }
-
-  KernelResult result{least_of(best_high), 0, 0, tied != 0};
-  if (result.high < kForever) {
-    double lows[Lanes::kWidth];
-    double indices[Lanes::kWidth];
-    best_low.store(lows);
-    best_index.store(indices);
-    unsigned lanes = bits(best_high == Lanes(result.high));
-    unsigned best = static_cast<unsigned>(std::countr_zero(lanes));
-    for (lanes &= lanes - 1; lanes != 0; lanes &= lanes - 1) {
-      const unsigned lane = static_cast<unsigned>(std::countr_zero(lanes));
-      if (lows[lane] == lows[best]) result.is_tied = true;
-      if (lows[lane] < lows[best]) best = lane;
-    }
-    result.low = lows[best];
-    result.index = static_cast<std::uint32_t>(indices[best]);
-  }
-  for (std::uint32_t i = 0; i < grazing_count; ++i) {
-    if (notes.bounds[i] > result.high) continue;
-    const MomentOfLanes<Lanes> moment = grazing_contact<Lanes, kNearest>(query, notes.grazing[i]);
-    if (moment.high > result.high || moment.high == kForever) continue;
-    if (moment.high == result.high && moment.low == result.low) result.is_tied = true;
-    if (moment.high == result.high && moment.low >= result.low) continue;
-    result.high = moment.high;
-    result.low = moment.low;
-    result.index = notes.grazing[i];
-  }
+  KernelResult result{least_of(best.first), 0, 0, best.tied != 0};
+  if (result.high < kForever) result.index = best_index(best, result.high, result.low, result.is_tied);
+  look_again<Lanes, kNearest>(query, notes, grazing_count, result);
   return result;
 }
 
-/// The kernel for both kinds of query.
+/// The same for a sphere whose path has just begun, so that all waits count from its own moment: most of the
+/// predictions, with two thirds of the work.
+template <class Lanes, bool kNearest>
+KernelResult earliest_contact_from_now(const KernelQuery& query, const KernelNotes& notes) {
+  using Mask = typename Lanes::Mask;
+  constexpr double kForever = std::numeric_limits<double>::infinity();
+  // Waits so short against the moment itself are told apart by fewer digits than they have.
+  constexpr double kShortest = 0x1p-48;
+  const Path& own = query.paths[query.self];
+  const PairsOfLanes<Lanes, kNearest> pairs(query);
+  const Lanes own_high(own.time.high);
+  const Lanes own_low(own.time.low);
+  const Lanes zero(0.0);
+  const Lanes forever(kForever);
+  Earliest<Lanes> best{forever, zero, zero};
+  Lanes index = Lanes::counting();
+  std::uint32_t grazing_count = 0;
+  for (std::size_t begin = 0; begin < query.count; begin += Lanes::kWidth, index = index + Lanes(Lanes::kWidth)) {
+    PathsOfLanes<Lanes> other;
+    Lanes::load(query.paths, query.others + begin, other);
+    const Lanes age = (own_high - other.high) + (own_low - other.low);
+    const auto separation = [&](const Lanes& b, const Lanes& vb, double a, std::size_t axis) {
+      const Lanes place = b + age * vb;
+      return (place - Lanes(a)) + pairs.shift(begin, axis, Lanes(a), place);
+    };
+    const VectorOfLanes<Lanes> r{separation(other.position.x, other.velocity.x, own.position.x, 0),
+                                 separation(other.position.y, other.velocity.y, own.position.y, 1),
+                                 separation(other.position.z, other.velocity.z, own.position.z, 2)};
+    const VectorOfLanes<Lanes> v{other.velocity.x - Lanes(own.velocity.x),
+                                 other.velocity.y - Lanes(own.velocity.y),
+                                 other.velocity.z - Lanes(own.velocity.z)};
+    const Waits<Lanes> waits = waits_of(r, v, pairs.reach(query.others + begin));
+    const Mask happens = waits.hits & (waits.wait < forever);
+    best.tied |= bits(happens & (waits.wait == best.first));
+    const Mask earlier = happens & (waits.wait < best.first);
+    best.first = select(earlier, waits.wait, best.first);
+    best.index = select(earlier, index, best.index);
+    const Mask again = waits.grazes & (waits.wait <= best.first);
+    grazing_count = note_grazing(notes, grazing_count, again, waits.wait, begin);
+  }
+  KernelResult result{kForever, 0, 0, best.tied != 0};
+  const double wait = least_of(best.first);
+  if (wait < kForever) {
+    const MomentOfLanes<Lanes> moment = moment_after<Lanes>(own.time.high, own.time.low, wait);
+    double unused = 0;
+    result.index = best_index(best, wait, unused, result.is_tied);
+    result.high = moment.high;
+    result.low = moment.low;
+    const double moment_size = own.time.high < 0 ? -own.time.high : own.time.high;
+    if (wait < kShortest * moment_size) result.is_tied = true;
+  }
+  for (std::uint32_t i = 0; i < grazing_count; ++i) notes.bounds[i] += own.time.high;
+  look_again<Lanes, kNearest>(query, notes, grazing_count, result);
+  return result;
+}
+
+/// The kernel for all kinds of query.
 template <class Lanes>
 KernelResult run_kernel(const KernelQuery& query, const KernelNotes& notes) {
-  return query.shifts[0] == nullptr ? earliest_contact<Lanes, true>(query, notes)
-                                    : earliest_contact<Lanes, false>(query, notes);
+  const Path& own = query.paths[query.self];
+  const bool nearest = query.shifts[0] == nullptr;
+  if (own.time.high == query.now_high && own.time.low == query.now_low) {
+    return nearest ? earliest_contact_from_now<Lanes, true>(query, notes)
+                   : earliest_contact_from_now<Lanes, false>(query, notes);
+  }
+  return nearest ? earliest_contact<Lanes, true>(query, notes)
+                 : earliest_contact<Lanes, false>(query, notes);
 }
 
 }  // namespace hardball

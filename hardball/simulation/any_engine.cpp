@@ -8,6 +8,7 @@
 
 #include "hardball/broadphase/all_pairs.hpp"
 #include "hardball/broadphase/cell_grid.hpp"
+#include "hardball/broadphase/neighbor_list.hpp"
 #include "hardball/engine/engine.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/calendar_queue.hpp"
@@ -56,6 +57,8 @@ class EngineModel final : public AnyEngine {
   void rebuild(const Time& now, double cell_edge) override {
     if constexpr (requires { engine_.rebuild(now, AllPairs()); }) {
       engine_.rebuild(now, AllPairs());
+    } else if constexpr (requires { engine_.rebuild(now, NeighborList(cell_edge)); }) {
+      engine_.rebuild(now, NeighborList(cell_edge));
     } else if constexpr (requires { engine_.rebuild(now, CellGrid(cell_edge)); }) {
       engine_.rebuild(now, CellGrid(cell_edge));
     } else {
@@ -73,32 +76,40 @@ std::unique_ptr<AnyEngine> make_model(Arguments&&... arguments) {
 }
 
 template <EventQueue Queue>
-std::unique_ptr<AnyEngine> make_queued(World world, EngineKind kind, double cell_edge,
-                                       const AnyResponse& response, const Time& now) {
-  if (kind == EngineKind::all_pairs) {
-    return make_model<Engine<Queue, AllPairs, AnyResponse>>(std::move(world), AllPairs(), response, now);
+std::unique_ptr<AnyEngine> make_queued(World world, const EngineOptions& options, double cell_edge,
+                                       const Time& now) {
+  const AnyResponse response{Restitution(options.restitution)};
+  Predictor predictor(options.instructions.value_or(widest_instruction_set()));
+  if (options.engine == EngineKind::all_pairs) {
+    return make_model<Engine<Queue, AllPairs, AnyResponse>>(std::move(world), AllPairs(), response, now,
+                                                            std::move(predictor));
   }
-  return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(cell_edge), response,
-                                                          now);
+  if (options.engine == EngineKind::neighbors) {
+    return make_model<Engine<Queue, NeighborList, AnyResponse>>(std::move(world), NeighborList(cell_edge),
+                                                                response, now, std::move(predictor));
+  }
+  return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(cell_edge), response, now,
+                                                          std::move(predictor));
 }
 
 }  // namespace
 
 std::unique_ptr<AnyEngine> make_engine(World world, const EngineOptions& options, double cell_edge,
                                        const Time& now) {
-  const AnyResponse response{Restitution(options.restitution)};
   if (options.engine == EngineKind::paper) {
+    const AnyResponse response{Restitution(options.restitution)};
     return make_model<PaperEngine<AnyResponse>>(std::move(world), cell_edge, response, now);
   }
   if (options.queue == QueueKind::ordered) {
-    return make_queued<OrderedQueue>(std::move(world), options.engine, cell_edge, response, now);
+    return make_queued<OrderedQueue>(std::move(world), options, cell_edge, now);
   }
-  return make_queued<CalendarQueue>(std::move(world), options.engine, cell_edge, response, now);
+  return make_queued<CalendarQueue>(std::move(world), options, cell_edge, now);
 }
 
 double choose_cell_edge(const World& world, const EngineOptions& options, const Time& moment) {
   if (options.cell_edge) return *options.cell_edge;
   if (options.engine == EngineKind::all_pairs) return 1;
+  if (options.engine == EngineKind::neighbors) return 0.45 * world.largest_radius();
   return allowed_cell_edge(world, options.engine,
                            optimal_cell_edge(moments_of(world, moment), options.unit_costs));
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "hardball/engine/run.hpp"
+#include "hardball/prediction/instruction_set.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/response/restitution.hpp"
 #include "hardball/tuning/cell_edge.hpp"
@@ -18,6 +19,7 @@ namespace hardball {
 enum class EngineKind {
   automatic,  ///< The fastest for the world at hand.
   cells,      ///< The cell grid.
+  neighbors,  ///< A list of neighbours for each sphere; where a box is too small for it, the cell grid.
   all_pairs,  ///< Every sphere against every other: slow, and plainly right.
   paper,      ///< The algorithm of the paper to the letter.
 };
@@ -39,6 +41,8 @@ struct EngineOptions {
   double restitution = 1;
   /// By which the cell edge is chosen; measure_unit_costs gives those of this machine.
   UnitCosts unit_costs = {};
+  /// With which contact times are computed; the widest available if absent. Error: not available.
+  std::optional<InstructionSet> instructions = {};
 };
 
 /// A response chosen at run time: a constant restitution, or the user's own.

@@ -218,7 +218,7 @@ void Simulation::apply_edits() {
 }
 
 void Simulation::retune_if_due() {
-  if (options_.cell_edge || options_.engine == EngineKind::all_pairs) return;
+  if (options_.cell_edge || options_.engine == EngineKind::all_pairs || options_.engine == EngineKind::neighbors) return;
   const std::uint64_t crossings = counters().enter;
   if (crossings < next_look_) return;
   next_look_ = crossings + kCrossingsPerLook * size();

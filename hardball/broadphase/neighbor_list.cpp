@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/broadphase/neighbor_list.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+namespace {
+
+// How much farther shells reach than they need to, and how much earlier balls end: by far more than rounding.
+constexpr double kMargin = 1e-9;
+
+// Distances of neighbours stay below this fraction of a periodic box: then no two copies of one come near, and
+// there are at least three cells along each axis.
+constexpr double kLargestShare = 0.33;
+
+// The slack is at least this fraction of the largest radius.
+constexpr double kLeastSlack = 0.02;
+
+constexpr std::int32_t kMostCellsPerAxis = 1 << 28;
+
+// Two neighbours' centres are never farther apart: their shells, and twice more the way each may have gone.
+double farthest_neighbors(double largest_radius, double slack) {
+  return 2 * largest_radius + 4 * slack;
+}
+
+double smallest_period(const Box& box) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (box.is_periodic(axis)) smallest = std::min(smallest, box.size()[axis]);
+  }
+  return smallest;
+}
+
+Vec3 nearest(const Box& box, Vec3 separation) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const double half = box.period()[axis] / 2;
+    if (std::fabs(separation[axis]) <= half) continue;
+    separation[axis] -= std::round(separation[axis] * box.inverse_period()[axis]) * box.period()[axis];
+  }
+  return separation;
+}
+
+}  // namespace
+
+bool NeighborList::suits(const World& world) {
+  const double radius = world.largest_radius();
+  return farthest_neighbors(radius, kLeastSlack * radius) <= kLargestShare * smallest_period(world.box());
+}
+
+void NeighborList::build(const World& world, const Time& now) {
+  HARDBALL_CHECK(suits(world));
+  const double radius = world.largest_radius();
+  const double room = (kLargestShare * smallest_period(world.box()) - 2 * radius) / 4;
+  slack_ = std::max(kLeastSlack * radius, std::min(wanted_slack_, room));
+  cells_ = Subdivision(world.box(), 2 * (radius + slack_) * (1 + 2 * kMargin), kMostCellsPerAxis);
+  CellIndex shape{};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (world.box().is_wall(axis)) shape[axis] = cells_.last(axis) + 1;
+    if (world.box().is_periodic(axis)) shape[axis] = cells_.period(axis);
+  }
+  store_.reset(shape, world.size());
+  anchors_.assign(world.size(), Vec3{});
+  neighbors_.reset(world.size());
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    anchors_[slot] = anchor_at(world, slot, now);
+    find_near(world, slot, near_);
+    for (const Slot other : near_) {
+      neighbors_.insert(slot, other);
+      neighbors_.insert(other, slot);
+    }
+    store_.insert(cells_.cell_of(anchors_[slot]), slot);
+  }
+}
+
+void NeighborList::collect(const World&, Slot slot, Candidates& candidates) const {
+  candidates.begin(slot, true);
+  neighbors_.for_each_line(
+      slot, [&](const Slot* slots, std::uint32_t count) { candidates.add(slots, count); });
+  candidates.end();
+}
+
+// When the centre comes to the edge of its ball; reckoned from now, as nothing else depends on its last bits.
+Time NeighborList::next_crossing(const World& world, Slot slot, const Time& now, const Time& limit) const {
+  const Vec3 place = from_anchor(world, slot, now);
+  const Vec3& velocity = world.path(slot).velocity;
+  const double speed_squared = dot(velocity, velocity);
+  const double reach = slack_ * (1 - kMargin);
+  const double outwards = dot(place, velocity);
+  const double room = std::max(0.0, reach * reach - dot(place, place));
+  const double longest = duration(now, limit);
+  if (longest * (speed_squared * longest + 2 * outwards) < room || !(speed_squared > 0)) return kNever;
+  const double root = std::sqrt(outwards * outwards + speed_squared * room);
+  const double wait = outwards > 0 ? room / (root + outwards) : (root - outwards) / speed_squared;
+  return after(now, wait);
+}
+
+void NeighborList::cross(const World& world, Slot slot, const Time& now, Candidates& candidates) {
+  const CellIndex old_cell = cells_.cell_of(anchors_[slot]);
+  anchors_[slot] = anchor_at(world, slot, now);
+  const CellIndex cell = cells_.cell_of(anchors_[slot]);
+  if (cell != old_cell) {
+    store_.erase(old_cell, slot);
+    store_.insert(cell, slot);
+  }
+  lost_.clear();
+  neighbors_.for_each(slot, [this](Slot old) { lost_.push_back(old); });
+  neighbors_.clear(slot);
+  find_near(world, slot, near_);
+  candidates.begin(slot, true);
+  for (const Slot other : near_) {
+    neighbors_.insert(slot, other);
+    const auto known = std::find(lost_.begin(), lost_.end(), other);
+    if (known != lost_.end()) {
+      *known = lost_.back();
+      lost_.pop_back();
+    } else {
+      neighbors_.insert(other, slot);
+      candidates.add(&other, 1);
+    }
+  }
+  candidates.end();
+  for (const Slot lost : lost_) neighbors_.erase(lost, slot);
+}
+
+Vec3 NeighborList::anchor_at(const World& world, Slot slot, const Time& now) const {
+  return world.position(slot, now);
+}
+
+// Where the centre is, seen from its anchor.
+Vec3 NeighborList::from_anchor(const World& world, Slot slot, const Time& now) const {
+  return nearest(world.box(), position_at(world.path(slot), now) - anchors_[slot]);
+}
+
+// The spheres whose shells meet a sphere's own, from the anchors in the cells around its own. Beyond the edge of a
+// periodic box it is the sphere that is displaced, once for each row of cells.
+void NeighborList::find_near(const World& world, Slot slot, std::vector<Slot>& near) const {
+  struct Row {
+    std::int32_t cell;
+    double place;
+  };
+  std::array<std::array<Row, 3>, kAxes> rows;
+  std::array<std::size_t, kAxes> row_count{};
+  const Vec3& anchor = anchors_[slot];
+  const CellIndex center = cells_.cell_of(anchor);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const std::int32_t period = cells_.period(axis);
+    for (std::int32_t cell = center[axis] - 1; cell <= center[axis] + 1; ++cell) {
+      Row row{cell, anchor[axis]};
+      if (period > 0 && cell < 0) {
+        row = {cell + period, anchor[axis] + world.box().size()[axis]};
+      } else if (period > 0 && cell >= period) {
+        row = {cell - period, anchor[axis] - world.box().size()[axis]};
+      } else if (period == 0 && (cell < cells_.first(axis) || cell > cells_.last(axis))) {
+        continue;
+      }
+      rows[axis][row_count[axis]++] = row;
+    }
+  }
+  const bool is_common = world.radii().is_common();
+  const double own_reach = (world.radius(slot) + 2 * slack_) * (1 + kMargin);
+  const double common_reach = own_reach + world.radius(slot) * (1 + kMargin);
+  const auto reach_to = [&](Slot other) {
+    return is_common ? common_reach : own_reach + world.radius(other) * (1 + kMargin);
+  };
+  std::size_t found = 0;
+  for (std::size_t x = 0; x < row_count[0]; ++x) {
+    for (std::size_t y = 0; y < row_count[1]; ++y) {
+      for (std::size_t z = 0; z < row_count[2]; ++z) {
+        const Vec3 place{rows[0][x].place, rows[1][y].place, rows[2][z].place};
+        const std::uint32_t list = store_.list({rows[0][x].cell, rows[1][y].cell, rows[2][z].cell});
+        store_.lists().for_each_line(list, [&](const Slot* slots, std::uint32_t count) {
+          if (near.size() < found + count) near.resize(2 * (found + count));
+          Slot* const out = near.data();
+          for (std::uint32_t i = 0; i < count; ++i) {
+            // Without a branch: whether an anchor is near cannot be foreseen.
+            const Slot other = slots[i];
+            const Vec3 apart = anchors_[other] - place;
+            const double reach = reach_to(other);
+            out[found] = other;
+            found += dot(apart, apart) < reach * reach && other != slot ? 1U : 0U;
+          }
+        });
+      }
+    }
+  }
+  near.resize(found);
+}
+
+std::size_t NeighborList::memory_bytes() const {
+  return store_.memory_bytes() + anchors_.capacity() * sizeof(Vec3) + neighbors_.memory_bytes() +
+         (near_.capacity() + lost_.capacity()) * sizeof(Slot);
+}
+
+void NeighborList::validate(const World& world, const Time& now) const {
+  HARDBALL_CHECK(anchors_.size() == world.size());
+  const auto is_listed = [this](Slot list, Slot slot) {
+    int found = 0;
+    neighbors_.for_each(list, [&](Slot other) { found += other == slot ? 1 : 0; });
+    return found == 1;
+  };
+  std::vector<Slot> near;
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    const Vec3 place = from_anchor(world, slot, now);
+    HARDBALL_CHECK(dot(place, place) <= slack_ * slack_);
+    find_near(world, slot, near);
+    for (const Slot other : near) HARDBALL_CHECK(is_listed(slot, other) && is_listed(other, slot));
+    std::size_t listed = 0;
+    neighbors_.for_each(slot, [&](Slot) { ++listed; });
+    HARDBALL_CHECK(listed == near.size());
+  }
+}
+
+}  // namespace hardball

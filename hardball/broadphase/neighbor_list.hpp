@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hardball/broadphase/broad_phase.hpp"
+#include "hardball/broadphase/cell_store.hpp"
+#include "hardball/broadphase/slot_lists.hpp"
+#include "hardball/broadphase/subdivision.hpp"
+
+namespace hardball {
+
+/// A list of neighbours for each sphere, for dense systems, where spheres are caged by their neighbours.
+///
+/// A sphere's region is a ball around its anchor, a place where it once was. Spheres are in each other's lists
+/// when the shells around their anchors meet, each the sphere's radius and the ball's together. When a sphere
+/// comes to the edge of its ball, it drops anchor anew, and its neighbours' lists change with its own.
+/// Anchors are found through cells, each anchor lying in one.
+/// Source: Donev, Torquato and Stillinger, J. Comput. Phys. 202 (2005) 737, section 3.
+class NeighborList {
+ public:
+  /// `slack` [L] is the wanted radius of the ball in which a sphere's centre moves; small boxes make it smaller.
+  /// Precondition: suits(world).
+  explicit NeighborList(double slack) : wanted_slack_(slack) {}
+
+  /// Whether neighbours can be listed: a periodic box must be so large that of two neighbours no two copies
+  /// come near each other.
+  static bool suits(const World& world);
+
+  void build(const World& world, const Time& now);
+  void refresh(const World&, Slot, const Time&, const Image&) {}
+  void collect(const World& world, Slot slot, Candidates& candidates) const;
+  Time next_crossing(const World& world, Slot slot, const Time& now, const Time& limit) const;
+  void cross(const World& world, Slot slot, const Time& now, Candidates& candidates);
+  std::uint64_t left_count() const { return 0; }
+  std::size_t memory_bytes() const;
+  void validate(const World& world, const Time& now) const;
+
+  double slack() const { return slack_; }
+
+ private:
+  Vec3 anchor_at(const World& world, Slot slot, const Time& now) const;
+  Vec3 from_anchor(const World& world, Slot slot, const Time& now) const;
+  void find_near(const World& world, Slot slot, std::vector<Slot>& near) const;
+
+  double wanted_slack_;
+  double slack_ = 0;
+  Subdivision cells_;
+  CellStore store_;           // anchors
+  LargeVector<Vec3> anchors_;  // by slot, folded into the box
+  SlotLists neighbors_;       // by slot
+  std::vector<Slot> near_;  // of the sphere at hand
+  std::vector<Slot> lost_;
+};
+
+static_assert(BroadPhase<NeighborList>);
+
+}  // namespace hardball

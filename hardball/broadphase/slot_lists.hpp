@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/events/event.hpp"
+#include "hardball/memory/huge_pages.hpp"
+
+namespace hardball {
+
+/// Many short lists of slots, each in a cache line of its own; longer ones chain several lines.
+///
+/// A list is named by its first line. Lists 0 to n-1 exist from reset(n) on; others are made and given up one
+/// by one. Order within a list means nothing. Cost: O(1) per operation, O(length) to erase.
+class SlotLists {
+ public:
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+
+  /// Makes `count` empty lists and forgets all others.
+  void reset(std::size_t count) {
+    lines_.clear();
+    lines_.resize(count);
+    free_line_ = kNone;
+  }
+
+  /// Makes an empty list.
+  std::uint32_t make() { return new_line(); }
+  /// Gives up an empty list that `make` has made.
+  void give_up(std::uint32_t list) { lines_[list].next = std::exchange(free_line_, list); }
+
+  bool is_empty(std::uint32_t list) const { return lines_[list].count == 0 && lines_[list].next == kNone; }
+
+  void insert(std::uint32_t list, Slot slot) {
+    if (lines_[list].count == kRoom) [[unlikely]] list = line_with_room(list);
+    Line& line = lines_[list];
+    line.slots[line.count++] = slot;
+  }
+
+  /// Precondition: the slot is in the list.
+  void erase(std::uint32_t list, Slot slot) {
+    std::uint32_t before = kNone;
+    for (std::uint32_t at = list; at != kNone; before = at, at = lines_[at].next) {
+      Line& line = lines_[at];
+      std::uint32_t i = 0;
+      while (i < line.count && line.slots[i] != slot) ++i;
+      if (i == line.count) continue;
+      line.slots[i] = line.slots[--line.count];
+      if (line.count == 0 && at != list) {
+        lines_[before].next = line.next;
+        give_up(at);
+      }
+      return;
+    }
+    HARDBALL_CHECK(!"the slot is in the list");
+  }
+
+  /// Empties a list.
+  void clear(std::uint32_t list) {
+    while (lines_[list].next != kNone) {
+      const std::uint32_t given_up = std::exchange(lines_[list].next, lines_[lines_[list].next].next);
+      give_up(given_up);
+    }
+    lines_[list].count = 0;
+  }
+
+  /// Calls visit(slots, count) for each line of the list.
+  template <class Visit>
+  void for_each_line(std::uint32_t list, Visit&& visit) const {
+    for (; list != kNone; list = lines_[list].next) visit(lines_[list].slots.data(), lines_[list].count);
+  }
+  /// Calls visit(slot) for each slot of the list.
+  template <class Visit>
+  void for_each(std::uint32_t list, Visit&& visit) const {
+    for_each_line(list, [&](const Slot* slots, std::uint32_t count) {
+      for (std::uint32_t i = 0; i < count; ++i) visit(slots[i]);
+    });
+  }
+
+  /// Where the list begins in memory, to be fetched ahead of its use.
+  const void* address(std::uint32_t list) const { return &lines_[list]; }
+
+  std::size_t memory_bytes() const { return lines_.capacity() * sizeof(Line); }
+
+ private:
+  static constexpr std::uint32_t kRoom = 14;
+  struct alignas(64) Line {
+    std::uint32_t count = 0;
+    std::uint32_t next = kNone;
+    std::array<Slot, kRoom> slots;
+  };
+
+  std::uint32_t line_with_room(std::uint32_t list) {
+    while (lines_[list].count == kRoom && lines_[list].next != kNone) list = lines_[list].next;
+    if (lines_[list].count < kRoom) return list;
+    const std::uint32_t added = new_line();
+    lines_[list].next = added;
+    return added;
+  }
+
+  std::uint32_t new_line() {
+    if (free_line_ == kNone) {
+      lines_.emplace_back();
+      return static_cast<std::uint32_t>(lines_.size() - 1);
+    }
+    const std::uint32_t line = free_line_;
+    free_line_ = lines_[line].next;
+    lines_[line].count = 0;
+    lines_[line].next = kNone;
+    return line;
+  }
+
+  LargeVector<Line> lines_;
+  std::uint32_t free_line_ = kNone;
+};
+
+}  // namespace hardball

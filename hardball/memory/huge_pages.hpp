@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace hardball {
+
+/// Memory for a large array, on huge pages where the system offers them: events jump about in memory, and with
+/// small pages every jump also misses the table of pages. Error: std::bad_alloc.
+void* allocate_on_huge_pages(std::size_t bytes, std::size_t alignment);
+void free_from_huge_pages(void* memory, std::size_t bytes, std::size_t alignment) noexcept;
+
+/// The standard allocator, with allocate_on_huge_pages.
+template <class T>
+struct HugePageAllocator {
+  using value_type = T;
+
+  HugePageAllocator() = default;
+  template <class U>
+  HugePageAllocator(const HugePageAllocator<U>&) {}
+
+  T* allocate(std::size_t count) {
+    return static_cast<T*>(allocate_on_huge_pages(count * sizeof(T), alignof(T)));
+  }
+  void deallocate(T* memory, std::size_t count) noexcept {
+    free_from_huge_pages(memory, count * sizeof(T), alignof(T));
+  }
+
+  friend bool operator==(const HugePageAllocator&, const HugePageAllocator&) { return true; }
+};
+
+/// A vector whose elements are visited at random and by the million.
+template <class T>
+using LargeVector = std::vector<T, HugePageAllocator<T>>;
+
+}  // namespace hardball
