@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hardball/broadphase/slot_lists.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/world/box.hpp"
 
@@ -44,24 +45,29 @@ class Candidates {
   /// The displacements of the copies along an axis [L]. Precondition: not are_nearest().
   const double* shifts(std::size_t axis) const { return shifts_[axis].data(); }
 
-  /// Adds candidates whose copies are the nearest.
-  void add(const Slot* others, std::uint32_t count) {
-    make_room(count);
-    std::copy_n(others, count, slots_.begin() + static_cast<std::ptrdiff_t>(size_));
+  /// Adds a candidate whose copy is the nearest.
+  void add(Slot other) {
+    make_room(1);
+    slots_[size_++] = other;
+  }
+
+  /// Adds the first `count` of a line of slots. Copies the line whole: its length is known, `count` is not.
+  void add(const SlotLists::LineOfSlots& others, std::uint32_t count) {
+    make_room(others.size());
+    std::copy(others.begin(), others.end(), slots_.begin() + static_cast<std::ptrdiff_t>(size_));
     size_ += count;
   }
 
-  /// Adds candidates, except those that have lately been added. A few are let through twice, which does no
-  /// harm; none is left out.
-  void add_once(const Slot* others, std::uint32_t count) {
-    make_room(count);
+  /// Takes out candidates that have been added before, and the sphere itself. A few are left twice, which does
+  /// no harm; none is lost.
+  void drop_repeated() {
     Slot* const begin = slots_.data();
-    Slot* end = begin + size_;
+    Slot* end = begin;
     std::uint64_t* const seen = seen_.data();
     const std::uint64_t round = std::uint64_t{round_} << 32;
-    for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < size_; ++i) {
       // Without a branch: whether a candidate is new cannot be foreseen.
-      const Slot other = others[i];
+      const Slot other = begin[i];
       std::uint64_t& place = seen[other % kSeen];
       *end = other;
       end += place != (round | other) ? 1 : 0;

@@ -43,9 +43,7 @@ void for_each_slab(CellRange range, const CellRange& outside, Visit&& visit) {
 void CellGrid::Resident::take(const CellRange& range) {
   low = range.low;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const std::int32_t cells = range.high[axis] - range.low[axis];
-    HARDBALL_CHECK(cells >= 0 && cells <= std::numeric_limits<std::uint16_t>::max());
-    more[axis] = static_cast<std::uint16_t>(cells);
+    more[axis] = static_cast<std::uint16_t>(range.high[axis] - range.low[axis]);
   }
 }
 
@@ -95,11 +93,12 @@ bool CellGrid::images_are_nearest(const World& world) const {
 
 void CellGrid::refresh(const World& world, Slot slot, const Time& now, const Image& folded) {
   const CellRange range = range_at(world, slot, now);
-  if (folded == Image{}) {
-    move(slot, range);
+  const CellRange old = residents_[slot].range();
+  if (folded == Image{} && old.contains(range.low) && old.contains(range.high)) {
+    leave(slot, old, range);
+    residents_[slot].take(range);
     return;
   }
-  const CellRange old = residents_[slot].range();
   cells_.for_each_folded(old, [&](const CellIndex&, const CellIndex& cell) { store_.erase(cell, slot); });
   cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& cell) { store_.insert(cell, slot); });
   residents_[slot].take(range);
@@ -111,10 +110,10 @@ void CellGrid::collect(const World& world, Slot slot, Candidates& candidates) co
   candidates.end();
 }
 
-Time CellGrid::next_crossing(const World& world, Slot slot, const Time& now, const Time& limit) {
+Time CellGrid::next_crossing(const World& world, Slot slot, const Time& now, const Time&) {
   Resident& resident = residents_[slot];
   const Path& path = world.path(slot);
-  const CellCrossing next = cells_.next_enter(path, world.radius(slot), resident.range(), duration(path.time, limit));
+  const CellCrossing next = cells_.next_enter(path, world.radius(slot), resident.range());
   resident.crossed_face = static_cast<std::uint8_t>(face_of(next.axis, next.up));
   return later(now, after(path.time, next.wait));
 }
@@ -122,46 +121,52 @@ Time CellGrid::next_crossing(const World& world, Slot slot, const Time& now, con
 // Takes the row of cells ahead and gives up those that lie behind, seen along the velocity: giving up cells
 // ahead, on the word of rounded arithmetic, could make two crossings chase each other.
 void CellGrid::cross(const World& world, Slot slot, const Time& now, Candidates& candidates) {
+  Resident& resident = residents_[slot];
   const CellRange exact = range_at(world, slot, now);
   const Vec3& velocity = world.path(slot).velocity;
-  CellRange range = residents_[slot].range();
+  const CellRange old = resident.range();
+  CellRange kept = old;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (velocity[axis] > 0) {
-      range.low[axis] = std::clamp(exact.low[axis], range.low[axis], range.high[axis]);
-    } else if (velocity[axis] < 0) {
-      range.high[axis] = std::clamp(exact.high[axis], range.low[axis], range.high[axis]);
-    }
+    kept.low[axis] = velocity[axis] > 0 ? std::clamp(exact.low[axis], old.low[axis], old.high[axis]) : old.low[axis];
+    kept.high[axis] =
+        velocity[axis] < 0 ? std::clamp(exact.high[axis], old.low[axis], old.high[axis]) : old.high[axis];
   }
-  const std::size_t crossed = axis_of(residents_[slot].crossed_face);
-  CellRange entered = range;
-  if (is_upper(residents_[slot].crossed_face)) {
-    entered.low[crossed] = entered.high[crossed] = ++range.high[crossed];
-  } else {
-    entered.low[crossed] = entered.high[crossed] = --range.low[crossed];
-  }
-  move(slot, range);
+  leave(slot, old, kept);
+  const std::size_t crossed = axis_of(resident.crossed_face);
+  const std::int32_t row =
+      is_upper(resident.crossed_face) ? kept.high[crossed] + 1 : kept.low[crossed] - 1;
+  CellRange entered = kept;
+  entered.low[crossed] = entered.high[crossed] = row;
+  kept.low[crossed] = std::min(kept.low[crossed], row);
+  kept.high[crossed] = std::max(kept.high[crossed], row);
+  resident.take(kept);
   candidates.begin(slot, nearest_);
   collect_from(world, entered, candidates);
   candidates.end();
+  cells_.for_each_folded(entered, [&](const CellIndex&, const CellIndex& cell) { store_.insert(cell, slot); });
 }
 
 CellRange CellGrid::range_at(const World& world, Slot slot, const Time& now) const {
   return cells_.range_at(position_at(world.path(slot), now), world.radius(slot));
 }
 
-// Calls for the others in the cells of a range.
+// Collects the others in the cells of a range.
 void CellGrid::collect_from(const World& world, const CellRange& range, Candidates& candidates) const {
+  if (nearest_) {
+    cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& cell) {
+      store_.lists().for_each_line(store_.list(cell),
+                                   [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
+                                     candidates.add(slots, count);
+                                   });
+    });
+    candidates.drop_repeated();
+    return;
+  }
   cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& cell) {
-    store_.lists().for_each_line(store_.list(cell), [&](const Slot* slots, std::uint32_t count) {
-      if (nearest_) {
-        candidates.add_once(slots, count);
-        return;
-      }
-      for (std::uint32_t i = 0; i < count; ++i) {
-        if (!candidates.is_new(slots[i])) continue;
-        candidates.mark(slots[i]);
-        collect_images(world, slots[i], candidates);
-      }
+    store_.lists().for_each(store_.list(cell), [&](Slot other) {
+      if (!candidates.is_new(other)) return;
+      candidates.mark(other);
+      collect_images(world, other, candidates);
     });
   });
 }
@@ -187,19 +192,14 @@ void CellGrid::collect_images(const World& world, Slot other, Candidates& candid
   }
 }
 
-void CellGrid::move(Slot slot, const CellRange& range) {
-  const CellRange old = residents_[slot].range();
-  if (old == range) return;
-  residents_[slot].take(range);
-  for_each_slab(old, range, [&](const CellRange& left) {
+// Gives up the cells of `old` that are not in `kept`, a part of it.
+void CellGrid::leave(Slot slot, const CellRange& old, const CellRange& kept) {
+  if (old == kept) return;
+  for_each_slab(old, kept, [&](const CellRange& left) {
     cells_.for_each_folded(left, [&](const CellIndex&, const CellIndex& cell) { store_.erase(cell, slot); });
   });
-  for_each_slab(range, old, [&](const CellRange& entered) {
-    cells_.for_each_folded(entered, [&](const CellIndex&, const CellIndex& cell) { store_.insert(cell, slot); });
-  });
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    left_count_ += static_cast<std::uint64_t>(std::max(0, range.low[axis] - old.low[axis]));
-    left_count_ += static_cast<std::uint64_t>(std::max(0, old.high[axis] - range.high[axis]));
+    left_count_ += static_cast<std::uint64_t>((kept.low[axis] - old.low[axis]) + (old.high[axis] - kept.high[axis]));
   }
 }
 

@@ -9,6 +9,7 @@
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/broadphase/cell_store.hpp"
 #include "hardball/broadphase/subdivision.hpp"
+#include "hardball/memory/prefetch.hpp"
 
 namespace hardball {
 
@@ -28,6 +29,20 @@ class CellGrid {
   void collect(const World& world, Slot slot, Candidates& candidates) const;
   Time next_crossing(const World& world, Slot slot, const Time& now, const Time& limit);
   void cross(const World& world, Slot slot, const Time& now, Candidates& candidates);
+  void prefetch_region(Slot slot) const { prefetch(&residents_[slot]); }
+  void prefetch_lists(Slot slot) const {
+    if (!store_.is_dense()) return;
+    cells_.for_each_folded(residents_[slot].range(), [this](const CellIndex&, const CellIndex& cell) {
+      prefetch(store_.lists().address(store_.list(cell)));
+    });
+  }
+  template <class Visit>
+  void for_each_prefetched(Slot slot, Visit&& visit) const {
+    if (!store_.is_dense()) return;
+    cells_.for_each_folded(residents_[slot].range(), [&](const CellIndex&, const CellIndex& cell) {
+      store_.lists().for_each_first(store_.list(cell), visit);
+    });
+  }
   std::uint64_t left_count() const { return left_count_; }
   std::size_t memory_bytes() const;
   void validate(const World& world, const Time& now) const;
@@ -55,12 +70,12 @@ class CellGrid {
   CellRange range_at(const World& world, Slot slot, const Time& now) const;
   void collect_from(const World& world, const CellRange& range, Candidates& candidates) const;
   void collect_images(const World& world, Slot other, Candidates& candidates) const;
-  void move(Slot slot, const CellRange& range);
+  void leave(Slot slot, const CellRange& old, const CellRange& kept);
 
   double wanted_edge_;
   Subdivision cells_;
   CellStore store_;
-  std::vector<Resident> residents_;
+  LargeVector<Resident> residents_;
   bool nearest_ = false;
   std::uint64_t left_count_ = 0;
 };

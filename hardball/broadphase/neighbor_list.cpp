@@ -81,7 +81,7 @@ void NeighborList::build(const World& world, const Time& now) {
 void NeighborList::collect(const World&, Slot slot, Candidates& candidates) const {
   candidates.begin(slot, true);
   neighbors_.for_each_line(
-      slot, [&](const Slot* slots, std::uint32_t count) { candidates.add(slots, count); });
+      slot, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) { candidates.add(slots, count); });
   candidates.end();
 }
 
@@ -121,7 +121,7 @@ void NeighborList::cross(const World& world, Slot slot, const Time& now, Candida
       lost_.pop_back();
     } else {
       neighbors_.insert(other, slot);
-      candidates.add(&other, 1);
+      candidates.add(other);
     }
   }
   candidates.end();
@@ -174,7 +174,7 @@ void NeighborList::find_near(const World& world, Slot slot, std::vector<Slot>& n
       for (std::size_t z = 0; z < row_count[2]; ++z) {
         const Vec3 place{rows[0][x].place, rows[1][y].place, rows[2][z].place};
         const std::uint32_t list = store_.list({rows[0][x].cell, rows[1][y].cell, rows[2][z].cell});
-        store_.lists().for_each_line(list, [&](const Slot* slots, std::uint32_t count) {
+        store_.lists().for_each_line(list, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
           if (near.size() < found + count) near.resize(2 * (found + count));
           Slot* const out = near.data();
           for (std::uint32_t i = 0; i < count; ++i) {

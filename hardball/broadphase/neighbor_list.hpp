@@ -9,6 +9,7 @@
 #include "hardball/broadphase/cell_store.hpp"
 #include "hardball/broadphase/slot_lists.hpp"
 #include "hardball/broadphase/subdivision.hpp"
+#include "hardball/memory/prefetch.hpp"
 
 namespace hardball {
 
@@ -34,6 +35,15 @@ class NeighborList {
   void collect(const World& world, Slot slot, Candidates& candidates) const;
   Time next_crossing(const World& world, Slot slot, const Time& now, const Time& limit) const;
   void cross(const World& world, Slot slot, const Time& now, Candidates& candidates);
+  void prefetch_region(Slot slot) const {
+    prefetch(neighbors_.address(slot));
+    prefetch(&anchors_[slot]);
+  }
+  void prefetch_lists(Slot) const {}
+  template <class Visit>
+  void for_each_prefetched(Slot slot, Visit&& visit) const {
+    neighbors_.for_each_first(slot, visit);
+  }
   std::uint64_t left_count() const { return 0; }
   std::size_t memory_bytes() const;
   void validate(const World& world, const Time& now) const;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <utility>
 
@@ -19,6 +20,9 @@ namespace hardball {
 class SlotLists {
  public:
   static constexpr std::uint32_t kNone = UINT32_MAX;
+  static constexpr std::uint32_t kRoom = 14;
+  /// As many slots as a cache line holds beside their count.
+  using LineOfSlots = std::array<Slot, kRoom>;
 
   /// Makes `count` empty lists and forgets all others.
   void reset(std::size_t count) {
@@ -45,10 +49,12 @@ class SlotLists {
     std::uint32_t before = kNone;
     for (std::uint32_t at = list; at != kNone; before = at, at = lines_[at].next) {
       Line& line = lines_[at];
-      std::uint32_t i = 0;
-      while (i < line.count && line.slots[i] != slot) ++i;
-      if (i == line.count) continue;
-      line.slots[i] = line.slots[--line.count];
+      // Without a branch for each slot: where it stands cannot be foreseen.
+      std::uint32_t places = 0;
+      for (std::uint32_t i = 0; i < kRoom; ++i) places |= (line.slots[i] == slot ? 1U : 0U) << i;
+      places &= (1U << line.count) - 1;
+      if (places == 0) continue;
+      line.slots[static_cast<std::size_t>(std::countr_zero(places))] = line.slots[--line.count];
       if (line.count == 0 && at != list) {
         lines_[before].next = line.next;
         give_up(at);
@@ -67,17 +73,24 @@ class SlotLists {
     lines_[list].count = 0;
   }
 
-  /// Calls visit(slots, count) for each line of the list.
+  /// Calls visit(slots, count) for each line of the list; the array has room for more than count.
   template <class Visit>
   void for_each_line(std::uint32_t list, Visit&& visit) const {
-    for (; list != kNone; list = lines_[list].next) visit(lines_[list].slots.data(), lines_[list].count);
+    for (; list != kNone; list = lines_[list].next) visit(lines_[list].slots, lines_[list].count);
   }
   /// Calls visit(slot) for each slot of the list.
   template <class Visit>
   void for_each(std::uint32_t list, Visit&& visit) const {
-    for_each_line(list, [&](const Slot* slots, std::uint32_t count) {
+    for_each_line(list, [&](const LineOfSlots& slots, std::uint32_t count) {
       for (std::uint32_t i = 0; i < count; ++i) visit(slots[i]);
     });
+  }
+
+  /// Calls visit(slot) for each slot in the first line of the list.
+  template <class Visit>
+  void for_each_first(std::uint32_t list, Visit&& visit) const {
+    const Line& line = lines_[list];
+    for (std::uint32_t i = 0; i < line.count; ++i) visit(line.slots[i]);
   }
 
   /// Where the list begins in memory, to be fetched ahead of its use.
@@ -86,11 +99,10 @@ class SlotLists {
   std::size_t memory_bytes() const { return lines_.capacity() * sizeof(Line); }
 
  private:
-  static constexpr std::uint32_t kRoom = 14;
   struct alignas(64) Line {
     std::uint32_t count = 0;
     std::uint32_t next = kNone;
-    std::array<Slot, kRoom> slots;
+    LineOfSlots slots{};
   };
 
   std::uint32_t line_with_room(std::uint32_t list) {

@@ -82,22 +82,25 @@ CellIndex Subdivision::cell_of(const Vec3& point) const {
   return cell;
 }
 
-CellCrossing Subdivision::next_enter(const Path& path, double radius, const CellRange& range, double limit) const {
+// Nothing here branches on which way a sphere flies: nobody can foresee it.
+CellCrossing Subdivision::next_enter(const Path& path, double radius, const CellRange& range) const {
   CellCrossing next;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const Axis& cells = axes_[axis];
     const double velocity = path.velocity[axis];
-    const double speed = std::fabs(velocity);
     const bool up = velocity > 0;
-    const std::int32_t front = up ? range.high[axis] + 1 : range.low[axis];
-    const double face = cells.edge * front;
+    const double direction = up ? 1.0 : -1.0;
+    const std::int32_t front = up ? range.high[axis] : range.low[axis];
+    const double face = cells.edge * (front + (up ? 1 : 0));
     const double reach = radius + margin(cells.edge, face);
-    const double distance = up ? (face - reach) - path.position[axis] : path.position[axis] - (face + reach);
-    // Most faces are not reached in time, and need no division to tell.
-    if (distance > speed * std::min(limit, next.wait)) continue;
-    if (front == (up ? cells.last + 1 : cells.first)) continue;
-    const double wait = time_to_plane(distance, speed);
-    if (wait < next.wait) next = {wait, static_cast<std::uint8_t>(axis), up};
+    const double distance = direction * (face - path.position[axis]) - reach;
+    const double wait = std::max(distance, 0.0) / std::fabs(velocity);
+    const bool is_last = front == (up ? cells.last : cells.first);
+    // At rest the wait is infinite or not a number.
+    const bool sooner = (wait < next.wait) & !is_last;
+    next.wait = sooner ? wait : next.wait;
+    next.axis = sooner ? static_cast<std::uint8_t>(axis) : next.axis;
+    next.up = sooner ? up : next.up;
   }
   return next;
 }

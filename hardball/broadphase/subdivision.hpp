@@ -73,10 +73,8 @@ class Subdivision {
   CellRange range_at(const Vec3& position, double radius) const;
   /// The cell, folded into the box, in which a point inside the box lies.
   CellIndex cell_of(const Vec3& point) const;
-  /// When a sphere on `path` touches the next cell ahead of `range`; perhaps never if that is more than `limit`
-  /// [T] after the path began.
-  CellCrossing next_enter(const Path& path, double radius, const CellRange& range,
-                          double limit = std::numeric_limits<double>::infinity()) const;
+  /// When a sphere on `path` touches the next cell ahead of `range`.
+  CellCrossing next_enter(const Path& path, double radius, const CellRange& range) const;
   /// When it last touches the hindmost cells of `range`.
   CellCrossing next_leave(const Path& path, double radius, const CellRange& range) const;
 

@@ -10,6 +10,8 @@
 #include "hardball/engine/run.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event_queue.hpp"
+#include "hardball/memory/huge_pages.hpp"
+#include "hardball/memory/prefetch.hpp"
 #include "hardball/prediction/predictor.hpp"
 #include "hardball/response/execute.hpp"
 
@@ -50,7 +52,7 @@ class Engine {
 
   std::size_t memory_bytes() const {
     return world_.memory_bytes() + phase_.memory_bytes() + queue_.memory_bytes() + guard_.memory_bytes() +
-           predictor_.memory_bytes() + plans_.capacity() * sizeof(Plan);
+           predictor_.memory_bytes() + plans_.capacity() * sizeof(Plan) ;
   }
 
   /// Handles events in order, calling observe(contact) after every collision and wall contact.
@@ -64,6 +66,7 @@ class Engine {
       const std::optional<Slot> next = least_until(limits.until);
       if (!next) return RunStatus::time_reached;
       if (step == limits.steps) return RunStatus::steps_reached;
+      prefetch_ahead();
       if (handle_without_contact(*next)) continue;
       observe(carry_out(*next));
       if constexpr (HARDBALL_VALIDATE) validate_now_and_then();
@@ -84,6 +87,7 @@ class Engine {
   /// handled.
   void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
     HARDBALL_CHECK(moment >= now_);
+    note_twin_moment(slot, moment);
     const Image folded = world_.change_velocity(slot, moment, velocity);
     now_ = moment;
     note_new_path(slot, folded);
@@ -121,19 +125,22 @@ class Engine {
   }
 
  private:
+  // The memory of fewer spheres stays in the caches by itself.
+  static constexpr std::size_t kCachedSpheres = 10000;
+
   // What lies ahead of a sphere: when it leaves its region, and its prospect, the earliest contact it knows
   // of. One cache line.
   struct alignas(64) Plan {
     Time crossing = kNever;  // or anything after the contact
     Time contact = kNever;
+    double partner_since = 0;  // when the partner's path began
     std::uint32_t partner = 0;  // a slot, or a face of the box
-    std::uint32_t partner_revision = 0;
-    std::uint32_t revision = 0;  // how often the sphere's own path has been rewritten
     Image image;                 // the copy of the partner
     EventKind kind = EventKind::wall;
     bool is_nearest_image = false;  // the copy of the partner is the one that is nearest when they touch
 
     bool crosses_first() const { return crossing <= contact; }
+    bool meets_first() const { return !crosses_first() && kind == EventKind::collision; }
   };
 
   // What the queue may know of the plans.
@@ -166,6 +173,8 @@ class Engine {
     phase_.build(world_, now_);
     queue_.reset(world_.size(), now_);
     plans_.assign(world_.size(), Plan{});
+    has_twin_moments_ = false;
+    prefetches_ = world_.size() > kCachedSpheres;
     for (Slot slot = 0; slot < world_.size(); ++slot) predict(slot);
   }
 
@@ -174,6 +183,44 @@ class Engine {
     const std::optional<Slot> next = queue_.least(plans());
     if (!next || plans().time(*next).high > until.high) return std::nullopt;
     return next;
+  }
+
+  // The calendar knows what comes next: its memory is asked for in stages, each a few events before the next, as
+  // each tells where the next one's memory is.
+  void prefetch_ahead() {
+    if (!prefetches_) return;
+    if constexpr (requires { queue_.upcoming(0); }) {
+      constexpr std::size_t kPlan = 9;
+      constexpr std::size_t kRegion = 6;
+      constexpr std::size_t kLists = 4;
+      constexpr std::size_t kPaths = 2;
+      if (const std::optional<Slot> slot = queue_.upcoming(kPlan)) {
+        prefetch(&plans_[*slot]);
+        prefetch_regions(*slot);
+      }
+      if (const std::optional<Slot> slot = queue_.upcoming(kRegion)) {
+        if (const Plan& plan = plans_[*slot]; plan.meets_first()) {
+          prefetch(&plans_[plan.partner]);
+          prefetch_regions(plan.partner);
+        }
+      }
+      if (const std::optional<Slot> slot = queue_.upcoming(kLists)) {
+        phase_.prefetch_lists(*slot);
+        if (const Plan& plan = plans_[*slot]; plan.meets_first()) phase_.prefetch_lists(plan.partner);
+      }
+      if (const std::optional<Slot> slot = queue_.upcoming(kPaths)) {
+        const auto prefetch_path = [this](Slot other) { prefetch(&world_.path(other)); };
+        phase_.for_each_prefetched(*slot, prefetch_path);
+        if (const Plan& plan = plans_[*slot]; plan.meets_first()) {
+          phase_.for_each_prefetched(plan.partner, prefetch_path);
+        }
+      }
+    }
+  }
+
+  void prefetch_regions(Slot slot) const {
+    world_.prefetch_sphere(slot);
+    phase_.prefetch_region(slot);
   }
 
   // Handles a crossing or a stale prospect; false if the sphere's event is a contact that stands.
@@ -185,13 +232,24 @@ class Engine {
       cross(slot);
       return true;
     }
-    if (plan.kind == EventKind::collision && plan.partner_revision != plans_[plan.partner].revision) {
+    if (plan.kind == EventKind::collision && is_stale(slot)) {
       ++counters_.stale;
       queue_.pop();
       predict(slot);
       return true;
     }
     return false;
+  }
+
+  // Whether the partner has another path than the one the prospect was reckoned with. If paths have been
+  // rewritten more than once at one moment, that moment cannot tell: the contact time does, being a function of
+  // both paths.
+  bool is_stale(Slot slot) const {
+    const Plan& plan = plans_[slot];
+    if (world_.path(plan.partner).time.high != plan.partner_since) return true;
+    if (!has_twin_moments_) return false;
+    const Image image = plan.is_nearest_image ? nearest_image(world_, slot, plan.partner, plan.contact) : plan.image;
+    return contact_time(world_, slot, plan.partner, image) != plan.contact;
   }
 
   void cross(Slot slot) {
@@ -218,6 +276,8 @@ class Engine {
     const bool is_collision = event.kind == EventKind::collision;
     Participants participants{slot, is_collision ? plans_[slot].partner : 0};
     if (event.first != world_.id(slot)) std::swap(participants.first, participants.second);
+    note_twin_moment(participants.first, event.time);
+    if (is_collision) note_twin_moment(participants.second, event.time);
     const Executed done = execute(world_, guard_, event, participants, respond_);
     now_ = event.time;
     ++(is_collision ? counters_.collision : counters_.wall);
@@ -231,9 +291,12 @@ class Engine {
     return done.contact;
   }
 
+  void note_twin_moment(Slot slot, const Time& moment) {
+    if (world_.path(slot).time.high == moment.high) has_twin_moments_ = true;
+  }
+
   void note_new_path(Slot slot, const Image& folded) {
     phase_.refresh(world_, slot, now_, folded);
-    ++plans_[slot].revision;
   }
 
   // Looks at all candidates of a sphere and at the walls.
@@ -264,7 +327,7 @@ class Engine {
     plan.partner = prospect.partner;
     plan.image = prospect.image;
     plan.is_nearest_image = candidates_.are_nearest();
-    plan.partner_revision = plans_[prospect.partner].revision;
+    plan.partner_since = world_.path(prospect.partner).time.high;
   }
 
   // Whole checks after contact 1, 2, 4, 8, ... keep a validating run from taking for ever.
@@ -280,7 +343,9 @@ class Engine {
   Queue queue_;
   CollapseGuard guard_;
   Time now_;
-  std::vector<Plan> plans_;  // per slot
+  LargeVector<Plan> plans_;  // per slot
+  bool has_twin_moments_ = false;
+  bool prefetches_ = false;
   Candidates candidates_;    // of the sphere at hand
   Counters counters_;
 };

@@ -9,7 +9,7 @@ namespace hardball {
 namespace {
 
 // A day's entries should fit the nearest cache and be worth the visit.
-constexpr std::size_t kEntriesPerDay = 16;
+constexpr std::size_t kEntriesPerDay = 64;
 
 // Days are laid out anew when their entries are off by this factor.
 constexpr double kOff = 3;

@@ -11,6 +11,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event_queue.hpp"
+#include "hardball/memory/huge_pages.hpp"
 
 namespace hardball {
 
@@ -134,11 +135,20 @@ class CalendarQueue {
       sorted_.pop_back();
       note_taken();
     }
-    while (!late_.empty() && (agenda.time(late_.front().owner) != late_.front().event.time ||
-                              agenda.event(late_.front().owner) != late_.front().event)) {
+    while (!late_.empty()) {
+      const Scheduled& front = late_.front();
+      const bool is_dead = agenda.time(front.owner) != front.event.time;
+      const Event event = agenda.event(front.owner);
+      if (!is_dead && event == front.event) return;
       std::pop_heap(late_.begin(), late_.end(), comes_later);
-      late_.pop_back();
-      note_taken();
+      if (is_dead) {
+        late_.pop_back();
+        note_taken();
+      } else {
+        // Another event of its owner at the same moment: it has its own place among the twins.
+        late_.back().event = event;
+        std::push_heap(late_.begin(), late_.end(), comes_later);
+      }
     }
   }
 
@@ -191,7 +201,7 @@ class CalendarQueue {
   std::vector<Entry> sorted_;    // today's, latest first, so that the least is at the back
   std::vector<Scheduled> late_;  // filed for today when it had begun; std::push_heap order, the least in front
   std::vector<Day> days_;        // a ring, a power of two
-  std::vector<Block> blocks_;
+  LargeVector<Block> blocks_;
   std::uint32_t free_block_ = kNone;
   std::vector<Entry> beyond_;  // after the end of the ring
   double origin_ = 0;

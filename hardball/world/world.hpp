@@ -8,6 +8,8 @@
 
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/contact_time.hpp"
+#include "hardball/memory/huge_pages.hpp"
+#include "hardball/memory/prefetch.hpp"
 #include "hardball/world/box.hpp"
 #include "hardball/world/per_sphere.hpp"
 
@@ -55,6 +57,11 @@ class World {
   double mass(Slot slot) const { return masses_[slot]; }
   const PerSphere& radii() const { return radii_; }
   const Path& path(Slot slot) const { return paths_[slot]; }
+  /// Asks for the memory of a sphere, which will be needed soon.
+  void prefetch_sphere(Slot slot) const {
+    prefetch(&paths_[slot]);
+    prefetch(&ids_[slot]);
+  }
   std::span<const Path> paths() const { return paths_; }
 
   /// Where the sphere with this id is stored. Cost: O(log n). Error: no sphere has this id.
@@ -94,9 +101,9 @@ class World {
 
   Box box_;
   SphereId next_id_ = 0;
-  std::vector<SphereId> ids_;
+  LargeVector<SphereId> ids_;
   std::vector<Slot> slots_by_id_;  // all slots in the order of ids; empty while slots are in that order
-  std::vector<Path> paths_;
+  LargeVector<Path> paths_;
   PerSphere radii_;
   PerSphere masses_;
   std::vector<Image> folded_;  // boxes folded away since the sphere was added
