@@ -271,24 +271,24 @@ class Engine {
     schedule(slot);
   }
 
-  Contact carry_out(Slot slot) {
+  const Contact& carry_out(Slot slot) {
     const Event event = contact_of(slot);
     const bool is_collision = event.kind == EventKind::collision;
     Participants participants{slot, is_collision ? plans_[slot].partner : 0};
     if (event.first != world_.id(slot)) std::swap(participants.first, participants.second);
     note_twin_moment(participants.first, event.time);
     if (is_collision) note_twin_moment(participants.second, event.time);
-    const Executed done = execute(world_, guard_, event, participants, respond_);
+    execute(world_, guard_, event, participants, respond_, done_);
     now_ = event.time;
     ++(is_collision ? counters_.collision : counters_.wall);
     queue_.pop();
     const std::uint64_t predictions_before = counters_.predictions;
-    note_new_path(participants.first, done.folded[0]);
-    if (is_collision) note_new_path(participants.second, done.folded[1]);
+    note_new_path(participants.first, done_.folded[0]);
+    if (is_collision) note_new_path(participants.second, done_.folded[1]);
     predict(participants.first);
     if (is_collision) predict(participants.second);
     counters_.contact_predictions += counters_.predictions - predictions_before;
-    return done.contact;
+    return done_.contact;
   }
 
   void note_twin_moment(Slot slot, const Time& moment) {
@@ -347,6 +347,7 @@ class Engine {
   bool has_twin_moments_ = false;
   bool prefetches_ = false;
   Candidates candidates_;    // of the sphere at hand
+  Executed done_;            // the last contact
   Counters counters_;
 };
 

@@ -8,8 +8,11 @@
 namespace hardball {
 namespace {
 
-// A day's entries should fit the nearest cache and be worth the visit.
-constexpr std::size_t kEntriesPerDay = 64;
+// A day's entries should fit the nearest cache and be worth the visit. Few owners have short days, lest most
+// events come late for theirs; many have long ones, so that the days after today fit a cache, too.
+std::size_t entries_per_day(std::size_t owners) {
+  return std::clamp<std::size_t>(owners / 256, 8, 64);
+}
 
 // Days are laid out anew when their entries are off by this factor.
 constexpr double kOff = 3;
@@ -81,7 +84,8 @@ bool CalendarQueue::turn_year() {
   const double per_day = static_cast<double>(taken_in_year_) / static_cast<double>(days_.size());
   taken_in_year_ = 0;
   year_end_ = today_ + days_.size();
-  if (per_day > kOff * kEntriesPerDay || per_day * kOff < kEntriesPerDay) return false;
+  const auto wanted = static_cast<double>(entries_per_day(owner_count_));
+  if (per_day > kOff * wanted || per_day * kOff < wanted) return false;
   std::vector<Entry> waiting;
   waiting.swap(beyond_);
   for (const Entry& entry : waiting) file(entry);
@@ -111,8 +115,9 @@ void CalendarQueue::spread_out() {
   const double first = std::min_element(beyond_.begin(), std::next(middle), by_time)->time;
   const double half_time = middle->time - first;
   // The ring holds four times the days that the earlier half of the entries needs.
-  days_.assign(std::bit_ceil(2 * beyond_.size() / kEntriesPerDay + 4), Day{});
-  days_per_time_ = std::min((static_cast<double>(half) + 1) / kEntriesPerDay / half_time,
+  const std::size_t wanted = entries_per_day(owner_count_);
+  days_.assign(std::bit_ceil(2 * beyond_.size() / wanted + 4), Day{});
+  days_per_time_ = std::min((static_cast<double>(half) + 1) / static_cast<double>(wanted) / half_time,
                             std::numeric_limits<double>::max());
   origin_ = first;
   year_end_ = days_.size();

@@ -329,7 +329,8 @@ class PaperEngine {
   Contact carry_out(const Event& event) {
     const bool is_collision = event.kind == EventKind::collision;
     const Participants participants = participants_of(world_, event);
-    const Executed done = execute(world_, guard_, event, participants, respond_);
+    Executed done;
+    execute(world_, guard_, event, participants, respond_, done);
     now_ = event.time;
     ++(is_collision ? counters_.collision : counters_.wall);
     const std::uint64_t predictions_before = counters_.predictions;

@@ -208,7 +208,11 @@ MomentOfLanes<Lanes> grazing_contact(const KernelQuery& query, std::uint32_t ind
 template <class Lanes, bool kNearest>
 void look_again(const KernelQuery& query, const KernelNotes& notes, std::uint32_t grazing_count,
                 KernelResult& result) {
-  for (std::uint32_t i = 0; i < grazing_count; ++i) {
+  // The least bound first: then most others need no look.
+  std::uint32_t least = 0;
+  for (std::uint32_t i = 1; i < grazing_count; ++i) least = notes.bounds[i] < notes.bounds[least] ? i : least;
+  for (std::uint32_t k = 0; k < grazing_count; ++k) {
+    const std::uint32_t i = k == 0 ? least : k == least ? 0 : k;
     if (notes.bounds[i] > result.high) continue;
     const MomentOfLanes<Lanes> moment = grazing_contact<Lanes, kNearest>(query, notes.grazing[i]);
     if (moment.high > result.high || !(moment.high < std::numeric_limits<double>::infinity())) continue;

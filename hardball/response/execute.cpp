@@ -57,38 +57,37 @@ Participants participants_of(const World& world, const Event& event) {
   return {world.slot_of(event.first), is_collision ? world.slot_of(event.second) : 0};
 }
 
-Contact contact_at(const World& world, const Event& event, const Participants& participants,
-                   std::array<Image, 2>& folded) {
-  Contact contact;
+void contact_at(const World& world, const Event& event, const Participants& participants, Executed& done) {
+  Contact& contact = done.contact;
   contact.time = event.time;
   contact.kind = event.kind;
   contact.first = event.first;
+  contact.second = event.second;
   contact.first_radius = world.radius(participants.first);
   contact.first_mass = world.mass(participants.first);
   contact.before.first = world.path(participants.first).velocity;
   const Vec3 unfolded = position_at(world.path(participants.first), event.time);
-  folded[0] = world.box().boxes_beyond(unfolded);
-  contact.position = unfolded - world.box().shift(folded[0]);
+  done.folded[0] = world.box().boxes_beyond(unfolded);
+  contact.position = unfolded - world.box().shift(done.folded[0]);
   if (event.kind == EventKind::collision) {
-    contact.second = event.second;
     contact.reach = contact.first_radius + world.radius(participants.second);
     contact.second_mass = world.mass(participants.second);
     contact.before.second = world.path(participants.second).velocity;
     const Vec3 other_unfolded = position_at(world.path(participants.second), event.time);
-    folded[1] = world.box().boxes_beyond(other_unfolded);
-    const Vec3 other = other_unfolded - world.box().shift(folded[1]);
-    contact.image = event.image + folded[1] - folded[0];
+    done.folded[1] = world.box().boxes_beyond(other_unfolded);
+    const Vec3 other = other_unfolded - world.box().shift(done.folded[1]);
+    contact.image = event.image + done.folded[1] - done.folded[0];
     contact.separation = (other - contact.position) + world.box().shift(contact.image);
   } else {
-    contact.second = event.second;
     contact.reach = contact.first_radius;
     contact.second_mass = std::numeric_limits<double>::infinity();
+    contact.before.second = {};
+    contact.image = {};
+    contact.separation = {};
     const std::size_t axis = axis_of(event.second);
-    const bool upper = is_upper(event.second);
-    contact.separation[axis] = (upper ? world.box().size()[axis] : 0) - contact.position[axis];
+    contact.separation[axis] = (is_upper(event.second) ? world.box().size()[axis] : 0) - contact.position[axis];
   }
   contact.after = contact.before;
-  return contact;
 }
 
 void settle(Contact& contact) {

@@ -28,9 +28,8 @@ struct Participants {
 Participants participants_of(const World& world, const Event& event);
 
 /// The contact that a collision or wall event is, in the world as it was before it: centres and velocities as
-/// the stored paths give them at the event's time. `folded` gets the boxes by which the centres lie beyond.
-Contact contact_at(const World& world, const Event& event, const Participants& participants,
-                   std::array<Image, 2>& folded);
+/// the stored paths give them at the event's time, and by how many boxes the centres lie beyond.
+void contact_at(const World& world, const Event& event, const Participants& participants, Executed& done);
 
 /// Makes sure that the bodies of `contact`, having `after` as velocities, do not approach: an approach that
 /// rounding explains is undone by the least impulse that does it, so that no contact follows itself.
@@ -41,10 +40,9 @@ void settle(Contact& contact);
 /// paths. The one place, shared by all engines, where a contact changes the motion. If the response throws,
 /// nothing has changed. Error (RunFailure): inelastic collapse, see CollapseGuard.
 template <Response R>
-Executed execute(World& world, CollapseGuard& guard, const Event& event, const Participants& participants,
-                 const R& response) {
-  Executed done;
-  done.contact = contact_at(world, event, participants, done.folded);
+void execute(World& world, CollapseGuard& guard, const Event& event, const Participants& participants,
+             const R& response, Executed& done) {
+  contact_at(world, event, participants, done);
   done.contact.after = response(std::as_const(done.contact));
   settle(done.contact);
   guard.note_contact(world, participants.first, event.time);
@@ -53,7 +51,6 @@ Executed execute(World& world, CollapseGuard& guard, const Event& event, const P
   if (done.contact.is_collision()) {
     world.rewrite_path(participants.second, event.time, done.contact.after.second);
   }
-  return done;
 }
 
 }  // namespace hardball
