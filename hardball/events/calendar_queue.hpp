@@ -175,8 +175,14 @@ class CalendarQueue {
 
   template <Agenda A>
   void drop_dead(std::vector<Entry>& entries, const A& agenda) {
-    const std::size_t dead = std::erase_if(
-        entries, [&](const Entry& entry) { return agenda.time(entry.owner).high != entry.time; });
+    // Without a branch: half of the entries are dead, and nobody can foresee which.
+    Entry* end = entries.data();
+    for (const Entry& entry : entries) {
+      *end = entry;
+      end += agenda.time(entry.owner).high == entry.time ? 1 : 0;
+    }
+    const std::size_t dead = entries.size() - static_cast<std::size_t>(end - entries.data());
+    entries.resize(entries.size() - dead);
     entry_count_ -= dead;
     counters_.taken += dead;
   }

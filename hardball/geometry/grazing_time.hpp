@@ -21,16 +21,17 @@ inline constexpr double kCertainMiss = 0x1p-44;
 /// carried to 106 bits: for grazing contacts.
 HARDBALL_ALWAYS_INLINE double grazing_time_to_reach(double rx, double ry, double rz, double vx, double vy,
                                                     double vz, double reach) {
-  const DoubleDouble x = product(ry, vz) - product(rz, vy);
-  const DoubleDouble y = product(rz, vx) - product(rx, vz);
-  const DoubleDouble z = product(rx, vy) - product(ry, vx);
+  const DoubleDouble x = difference_of_products(ry, vz, rz, vy);
+  const DoubleDouble y = difference_of_products(rz, vx, rx, vz);
+  const DoubleDouble z = difference_of_products(rx, vy, ry, vx);
   const DoubleDouble reach_squared = product(reach, reach);
-  const DoubleDouble speed_squared = product(vx, vx) + product(vy, vy) + product(vz, vz);
-  const DoubleDouble discriminant = speed_squared * reach_squared - (x * x + y * y + z * z);
+  const DoubleDouble speed_squared = sum_of_three(product(vx, vx), product(vy, vy), product(vz, vz));
+  const DoubleDouble discriminant = speed_squared * reach_squared - sum_of_three(x * x, y * y, z * z);
   if (!(discriminant.high > 0)) return std::numeric_limits<double>::infinity();
-  const DoubleDouble excess = product(rx, rx) + product(ry, ry) + product(rz, rz) - reach_squared;
+  const DoubleDouble excess =
+      sum_of_three(product(rx, rx), product(ry, ry), product(rz, rz)) - reach_squared;
   if (excess.high <= 0) return 0;
-  const DoubleDouble approach = product(rx, vx) + product(ry, vy) + product(rz, vz);
+  const DoubleDouble approach = sum_of_three(product(rx, vx), product(ry, vy), product(rz, vz));
   return excess.high / (std::sqrt(discriminant.high) - approach.high);
 }
 

@@ -33,19 +33,14 @@ struct KernelResult {
   bool is_tied;         ///< Perhaps another candidate has a contact at the very same moment.
 };
 
-/// Room for what a kernel notes on its way, as much as there are candidates and a vector more.
-struct KernelNotes {
-  std::uint32_t* grazing;  ///< Candidates that the sphere only grazes, which need more digits.
-  double* bounds;          ///< Their contact times are no earlier.
-};
+/// Finds the earliest contact of a sphere with its candidates. `bounds` is room for its own use, for as many
+/// numbers as there are candidates and a vector more.
+using Kernel = KernelResult (*)(const KernelQuery& query, double* bounds);
 
-/// Finds the earliest contact of a sphere with its candidates.
-using Kernel = KernelResult (*)(const KernelQuery&, const KernelNotes&);
-
-KernelResult portable_kernel(const KernelQuery& query, const KernelNotes& notes);
+KernelResult portable_kernel(const KernelQuery& query, double* bounds);
 #if defined(__x86_64__) && defined(__GNUC__)
-KernelResult avx2_kernel(const KernelQuery& query, const KernelNotes& notes);
-KernelResult avx512_kernel(const KernelQuery& query, const KernelNotes& notes);
+KernelResult avx2_kernel(const KernelQuery& query, double* bounds);
+KernelResult avx512_kernel(const KernelQuery& query, double* bounds);
 #endif
 
 }  // namespace hardball

@@ -98,8 +98,8 @@ Lanes round_to_integer(const Lanes& a) {
 
 }  // namespace
 
-KernelResult avx2_kernel(const KernelQuery& query, const KernelNotes& notes) {
-  return run_kernel<Lanes>(query, notes);
+KernelResult avx2_kernel(const KernelQuery& query, double* bounds) {
+  return run_kernel<Lanes>(query, bounds);
 }
 
 }  // namespace hardball

@@ -127,23 +127,6 @@ std::uint32_t best_index(const Earliest<Lanes>& earliest, double first, double& 
   return static_cast<std::uint32_t>(indices[best]);
 }
 
-/// Notes the lanes that are to be looked at again.
-template <class Lanes>
-HARDBALL_ALWAYS_INLINE std::uint32_t note_grazing(const KernelNotes& notes, std::uint32_t count,
-                                                  const typename Lanes::Mask& again, const Lanes& bound,
-                                                  std::size_t begin) {
-  unsigned lanes = bits(again);
-  if (lanes == 0) return count;
-  double bounds[Lanes::kWidth];
-  bound.store(bounds);
-  for (; lanes != 0; lanes &= lanes - 1) {
-    const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-    notes.grazing[count] = static_cast<std::uint32_t>(begin) + lane;
-    notes.bounds[count++] = bounds[lane];
-  }
-  return count;
-}
-
 /// A moment, in two parts.
 template <class Lanes>
 struct MomentOfLanes {
@@ -204,29 +187,33 @@ MomentOfLanes<Lanes> grazing_contact(const KernelQuery& query, std::uint32_t ind
                              grazing_time_to_reach(r[0], r[1], r[2], v[0], v[1], v[2], reach));
 }
 
-/// Looks again at the candidates noted, with more digits.
+/// Looks again, with more digits, at the candidates whose contact times have bounds no later than the earliest.
+/// The loops over lanes leave this to the end: a branch there that cannot be foreseen would undo the work already
+/// begun on the next lanes.
 template <class Lanes, bool kNearest>
-void look_again(const KernelQuery& query, const KernelNotes& notes, std::uint32_t grazing_count,
-                KernelResult& result) {
-  // The least bound first: then most others need no look.
-  std::uint32_t least = 0;
-  for (std::uint32_t i = 1; i < grazing_count; ++i) least = notes.bounds[i] < notes.bounds[least] ? i : least;
-  for (std::uint32_t k = 0; k < grazing_count; ++k) {
-    const std::uint32_t i = k == 0 ? least : k == least ? 0 : k;
-    if (notes.bounds[i] > result.high) continue;
-    const MomentOfLanes<Lanes> moment = grazing_contact<Lanes, kNearest>(query, notes.grazing[i]);
-    if (moment.high > result.high || !(moment.high < std::numeric_limits<double>::infinity())) continue;
-    if (moment.high == result.high && moment.low == result.low) result.is_tied = true;
-    if (moment.high == result.high && moment.low >= result.low) continue;
-    result.high = moment.high;
-    result.low = moment.low;
-    result.index = notes.grazing[i];
+void look_again(const KernelQuery& query, const double* bounds, KernelResult& result) {
+  for (std::size_t begin = 0; begin < query.count; begin += Lanes::kWidth) {
+    const Lanes bound = Lanes::load(bounds + begin);
+    // Never is a bound, too, of those that do not graze.
+    unsigned lanes = bits((bound <= Lanes(result.high)) & (bound <= Lanes(query.limit)) &
+                          (bound < Lanes(std::numeric_limits<double>::infinity())));
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const auto index = static_cast<std::uint32_t>(begin) + static_cast<std::uint32_t>(std::countr_zero(lanes));
+      if (bounds[index] > result.high) continue;
+      const MomentOfLanes<Lanes> moment = grazing_contact<Lanes, kNearest>(query, index);
+      if (moment.high > result.high || !(moment.high < std::numeric_limits<double>::infinity())) continue;
+      if (moment.high == result.high && moment.low == result.low) result.is_tied = true;
+      if (moment.high == result.high && moment.low >= result.low) continue;
+      result.high = moment.high;
+      result.low = moment.low;
+      result.index = index;
+    }
   }
 }
 
 /// The earliest contact of a sphere whose path has begun at any time; as contact_time does it.
 template <class Lanes, bool kNearest>
-KernelResult earliest_contact(const KernelQuery& query, const KernelNotes& notes) {
+KernelResult earliest_contact(const KernelQuery& query, double* bounds) {
   using Mask = typename Lanes::Mask;
   constexpr double kForever = std::numeric_limits<double>::infinity();
   const Path& own = query.paths[query.self];
@@ -235,10 +222,8 @@ KernelResult earliest_contact(const KernelQuery& query, const KernelNotes& notes
   const Lanes own_low(own.time.low);
   const Lanes zero(0.0);
   const Lanes forever(kForever);
-  const Lanes limit(query.limit);
   Earliest<Lanes> best{forever, zero, zero};
   Lanes index = Lanes::counting();
-  std::uint32_t grazing_count = 0;
   for (std::size_t begin = 0; begin < query.count; begin += Lanes::kWidth, index = index + Lanes(Lanes::kWidth)) {
     PathsOfLanes<Lanes> other;
     Lanes::load(query.paths, query.others + begin, other);
@@ -279,19 +264,18 @@ KernelResult earliest_contact(const KernelQuery& query, const KernelNotes& notes
     best.first = select(earlier, high, best.first);
     best.second = select(earlier, time_low, best.second);
     best.index = select(earlier, index, best.index);
-    const Mask again = waits.grazes & (time_high <= best.first) & (time_high <= limit);
-    grazing_count = note_grazing(notes, grazing_count, again, time_high, begin);
+    select(waits.grazes, time_high, forever).store(bounds + begin);
   }
   KernelResult result{least_of(best.first), 0, 0, best.tied != 0};
   if (result.high < kForever) result.index = best_index(best, result.high, result.low, result.is_tied);
-  look_again<Lanes, kNearest>(query, notes, grazing_count, result);
+  look_again<Lanes, kNearest>(query, bounds, result);
   return result;
 }
 
 /// The same for a sphere whose path has just begun, so that all waits count from its own moment: most of the
 /// predictions, with two thirds of the work.
 template <class Lanes, bool kNearest>
-KernelResult earliest_contact_from_now(const KernelQuery& query, const KernelNotes& notes) {
+KernelResult earliest_contact_from_now(const KernelQuery& query, double* bounds) {
   using Mask = typename Lanes::Mask;
   constexpr double kForever = std::numeric_limits<double>::infinity();
   // Waits so short against the moment itself are told apart by fewer digits than they have.
@@ -304,7 +288,6 @@ KernelResult earliest_contact_from_now(const KernelQuery& query, const KernelNot
   const Lanes forever(kForever);
   Earliest<Lanes> best{forever, zero, zero};
   Lanes index = Lanes::counting();
-  std::uint32_t grazing_count = 0;
   for (std::size_t begin = 0; begin < query.count; begin += Lanes::kWidth, index = index + Lanes(Lanes::kWidth)) {
     PathsOfLanes<Lanes> other;
     Lanes::load(query.paths, query.others + begin, other);
@@ -325,8 +308,8 @@ KernelResult earliest_contact_from_now(const KernelQuery& query, const KernelNot
     const Mask earlier = happens & (waits.wait < best.first);
     best.first = select(earlier, waits.wait, best.first);
     best.index = select(earlier, index, best.index);
-    const Mask again = waits.grazes & (waits.wait <= best.first);
-    grazing_count = note_grazing(notes, grazing_count, again, waits.wait, begin);
+    // A sum rounded once is no later than the sum of a longer wait.
+    select(waits.grazes, own_high + waits.wait, forever).store(bounds + begin);
   }
   KernelResult result{kForever, 0, 0, best.tied != 0};
   const double wait = least_of(best.first);
@@ -339,22 +322,21 @@ KernelResult earliest_contact_from_now(const KernelQuery& query, const KernelNot
     const double moment_size = own.time.high < 0 ? -own.time.high : own.time.high;
     if (wait < kShortest * moment_size) result.is_tied = true;
   }
-  for (std::uint32_t i = 0; i < grazing_count; ++i) notes.bounds[i] += own.time.high;
-  look_again<Lanes, kNearest>(query, notes, grazing_count, result);
+  look_again<Lanes, kNearest>(query, bounds, result);
   return result;
 }
 
 /// The kernel for all kinds of query.
 template <class Lanes>
-KernelResult run_kernel(const KernelQuery& query, const KernelNotes& notes) {
+KernelResult run_kernel(const KernelQuery& query, double* bounds) {
   const Path& own = query.paths[query.self];
   const bool nearest = query.shifts[0] == nullptr;
   if (own.time.high == query.now_high && own.time.low == query.now_low) {
-    return nearest ? earliest_contact_from_now<Lanes, true>(query, notes)
-                   : earliest_contact_from_now<Lanes, false>(query, notes);
+    return nearest ? earliest_contact_from_now<Lanes, true>(query, bounds)
+                   : earliest_contact_from_now<Lanes, false>(query, bounds);
   }
-  return nearest ? earliest_contact<Lanes, true>(query, notes)
-                 : earliest_contact<Lanes, false>(query, notes);
+  return nearest ? earliest_contact<Lanes, true>(query, bounds)
+                 : earliest_contact<Lanes, false>(query, bounds);
 }
 
 }  // namespace hardball

@@ -94,8 +94,8 @@ Lanes round_to_integer(const Lanes& a) {
 
 }  // namespace
 
-KernelResult portable_kernel(const KernelQuery& query, const KernelNotes& notes) {
-  return run_kernel<Lanes>(query, notes);
+KernelResult portable_kernel(const KernelQuery& query, double* bounds) {
+  return run_kernel<Lanes>(query, bounds);
 }
 
 }  // namespace hardball

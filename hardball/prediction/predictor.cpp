@@ -50,8 +50,7 @@ Predictor::Predictor(InstructionSet instructions) : kernel_(kernel_of(instructio
 Prospect Predictor::earliest(const World& world, const Candidates& candidates, const Time& now, const Time& limit) {
   if (candidates.size() == 0) return {};
   if (bounds_.size() < candidates.size() + Candidates::kPadding) {
-    grazing_.resize(2 * candidates.size() + Candidates::kPadding);
-    bounds_.resize(grazing_.size());
+    bounds_.resize(2 * candidates.size() + Candidates::kPadding);
   }
   const Slot self = candidates.self();
   const Vec3& period = world.box().period();
@@ -72,7 +71,7 @@ Prospect Predictor::earliest(const World& world, const Candidates& candidates, c
       .now_low = now.low,
       .limit = limit.high,
   };
-  const KernelResult found = kernel_(query, {grazing_.data(), bounds_.data()});
+  const KernelResult found = kernel_(query, bounds_.data());
   if (!(found.high < kNever.high)) return {};
   std::size_t index = found.index;
   if (found.is_tied) [[unlikely]] {

@@ -40,12 +40,11 @@ class Predictor {
                     const Time& limit = kNever);
 
   std::size_t memory_bytes() const {
-    return grazing_.capacity() * sizeof(std::uint32_t) + bounds_.capacity() * sizeof(double);
+    return bounds_.capacity() * sizeof(double);
   }
 
  private:
   Kernel kernel_;
-  std::vector<std::uint32_t> grazing_;
   std::vector<double> bounds_;
 };
 
