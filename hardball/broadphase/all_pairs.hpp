@@ -21,9 +21,9 @@ class AllPairs {
   Time next_crossing(const World& world, Slot slot, const Time& now, const Time& limit) const;
   void cross(const World& world, Slot slot, const Time& now, Candidates& candidates);
   void prefetch_region(Slot) const {}
-  void prefetch_lists(Slot) const {}
+  void prefetch_lists(Slot, bool) const {}
   template <class Visit>
-  void for_each_prefetched(Slot, Visit&&) const {}
+  void for_each_prefetched(Slot, bool, Visit&&) const {}
   std::uint64_t left_count() const { return 0; }
   std::size_t memory_bytes() const { return middles_.capacity() * sizeof(Vec3); }
   void validate(const World& world, const Time& now) const;

@@ -30,18 +30,22 @@ class CellGrid {
   Time next_crossing(const World& world, Slot slot, const Time& now, const Time& limit);
   void cross(const World& world, Slot slot, const Time& now, Candidates& candidates);
   void prefetch_region(Slot slot) const { prefetch(&residents_[slot]); }
-  void prefetch_lists(Slot slot) const {
+  void prefetch_lists(Slot slot, bool crosses) const {
     if (!store_.is_dense()) return;
-    cells_.for_each_folded(residents_[slot].range(), [this](const CellIndex&, const CellIndex& cell) {
+    const auto prefetch_list = [this](const CellIndex&, const CellIndex& cell) {
       prefetch(store_.lists().address(store_.list(cell)));
-    });
+    };
+    cells_.for_each_folded(residents_[slot].range(), prefetch_list);
+    if (crosses) cells_.for_each_folded(residents_[slot].row_ahead(), prefetch_list);
   }
   template <class Visit>
-  void for_each_prefetched(Slot slot, Visit&& visit) const {
+  void for_each_prefetched(Slot slot, bool crosses, Visit&& visit) const {
     if (!store_.is_dense()) return;
-    cells_.for_each_folded(residents_[slot].range(), [&](const CellIndex&, const CellIndex& cell) {
-      store_.lists().for_each_first(store_.list(cell), visit);
-    });
+    const Resident& resident = residents_[slot];
+    cells_.for_each_folded(crosses ? resident.row_ahead() : resident.range(),
+                           [&](const CellIndex&, const CellIndex& cell) {
+                             store_.lists().for_each_first(store_.list(cell), visit);
+                           });
   }
   std::uint64_t left_count() const { return left_count_; }
   std::size_t memory_bytes() const;
@@ -62,6 +66,13 @@ class CellGrid {
     std::uint8_t crossed_face = 0;
 
     CellRange range() const { return {low, {low[0] + more[0], low[1] + more[1], low[2] + more[2]}}; }
+    // The cells that the sphere enters next, as far as it still touches those beside them.
+    CellRange row_ahead() const {
+      CellRange row = range();
+      const std::size_t axis = axis_of(crossed_face);
+      row.low[axis] = row.high[axis] = is_upper(crossed_face) ? row.high[axis] + 1 : row.low[axis] - 1;
+      return row;
+    }
     void take(const CellRange& range);
   };
 

@@ -39,9 +39,9 @@ class NeighborList {
     prefetch(neighbors_.address(slot));
     prefetch(&anchors_[slot]);
   }
-  void prefetch_lists(Slot) const {}
+  void prefetch_lists(Slot, bool) const {}
   template <class Visit>
-  void for_each_prefetched(Slot slot, Visit&& visit) const {
+  void for_each_prefetched(Slot slot, bool, Visit&& visit) const {
     neighbors_.for_each_first(slot, visit);
   }
   std::uint64_t left_count() const { return 0; }

@@ -205,15 +205,15 @@ class Engine {
         }
       }
       if (const std::optional<Slot> slot = queue_.upcoming(kLists)) {
-        phase_.prefetch_lists(*slot);
-        if (const Plan& plan = plans_[*slot]; plan.meets_first()) phase_.prefetch_lists(plan.partner);
+        const Plan& plan = plans_[*slot];
+        phase_.prefetch_lists(*slot, plan.crosses_first());
+        if (plan.meets_first()) phase_.prefetch_lists(plan.partner, false);
       }
       if (const std::optional<Slot> slot = queue_.upcoming(kPaths)) {
         const auto prefetch_path = [this](Slot other) { prefetch(&world_.path(other)); };
-        phase_.for_each_prefetched(*slot, prefetch_path);
-        if (const Plan& plan = plans_[*slot]; plan.meets_first()) {
-          phase_.for_each_prefetched(plan.partner, prefetch_path);
-        }
+        const Plan& plan = plans_[*slot];
+        phase_.for_each_prefetched(*slot, plan.crosses_first(), prefetch_path);
+        if (plan.meets_first()) phase_.for_each_prefetched(plan.partner, false, prefetch_path);
       }
     }
   }
