@@ -94,7 +94,7 @@ bool CellGrid::images_are_nearest(const World& world) const {
 void CellGrid::refresh(const World& world, Slot slot, const Time& now, const Image& folded) {
   const CellRange range = range_at(world, slot, now);
   const CellRange old = residents_[slot].range();
-  if (folded == Image{} && old.contains(range.low) && old.contains(range.high)) {
+  if (folded.is_zero() && old.contains(range.low) && old.contains(range.high)) {
     leave(slot, old, range);
     residents_[slot].take(range);
     return;

@@ -63,12 +63,12 @@ class Engine {
     std::uint64_t contacts = 0;
     if (limits.contacts == 0) return RunStatus::contacts_reached;
     for (std::uint64_t step = 0;; ++step) {
-      const std::optional<Slot> next = least_until(limits.until);
-      if (!next) return RunStatus::time_reached;
+      const Slot next = least_until(limits.until);
+      if (next == kNobody) return RunStatus::time_reached;
       if (step == limits.steps) return RunStatus::steps_reached;
       prefetch_ahead();
-      if (handle_without_contact(*next)) continue;
-      observe(carry_out(*next));
+      if (handle_without_contact(next)) continue;
+      observe(carry_out(next));
       if constexpr (HARDBALL_VALIDATE) validate_now_and_then();
       if (++contacts == limits.contacts) return RunStatus::contacts_reached;
     }
@@ -77,9 +77,9 @@ class Engine {
   /// The next collision or wall contact up to `until`, without carrying it out.
   std::optional<Event> next_contact(const Time& until) {
     for (;;) {
-      const std::optional<Slot> next = least_until(until);
-      if (!next) return std::nullopt;
-      if (!handle_without_contact(*next)) return contact_of(*next);
+      const Slot next = least_until(until);
+      if (next == kNobody) return std::nullopt;
+      if (!handle_without_contact(next)) return contact_of(next);
     }
   }
 
@@ -178,11 +178,10 @@ class Engine {
     for (Slot slot = 0; slot < world_.size(); ++slot) predict(slot);
   }
 
-  // Whose event is the least, if it comes no later than `until`.
-  std::optional<Slot> least_until(const Time& until) {
-    const std::optional<Slot> next = queue_.least(plans());
-    if (!next || plans().time(*next).high > until.high) return std::nullopt;
-    return next;
+  // Whose event is the least, if it comes no later than `until`; otherwise kNobody.
+  Slot least_until(const Time& until) {
+    const Slot next = queue_.least(plans());
+    return next == kNobody || plans().time(next).high > until.high ? kNobody : next;
   }
 
   // The calendar knows what comes next: its memory is asked for in stages, each a few events before the next, as
@@ -194,25 +193,25 @@ class Engine {
       constexpr std::size_t kRegion = 6;
       constexpr std::size_t kLists = 4;
       constexpr std::size_t kPaths = 2;
-      if (const std::optional<Slot> slot = queue_.upcoming(kPlan)) {
-        prefetch(&plans_[*slot]);
-        prefetch_regions(*slot);
+      if (const Slot slot = queue_.upcoming(kPlan); slot != kNobody) {
+        prefetch(&plans_[slot]);
+        prefetch_regions(slot);
       }
-      if (const std::optional<Slot> slot = queue_.upcoming(kRegion)) {
-        if (const Plan& plan = plans_[*slot]; plan.meets_first()) {
+      if (const Slot slot = queue_.upcoming(kRegion); slot != kNobody) {
+        if (const Plan& plan = plans_[slot]; plan.meets_first()) {
           prefetch(&plans_[plan.partner]);
           prefetch_regions(plan.partner);
         }
       }
-      if (const std::optional<Slot> slot = queue_.upcoming(kLists)) {
-        const Plan& plan = plans_[*slot];
-        phase_.prefetch_lists(*slot, plan.crosses_first());
+      if (const Slot slot = queue_.upcoming(kLists); slot != kNobody) {
+        const Plan& plan = plans_[slot];
+        phase_.prefetch_lists(slot, plan.crosses_first());
         if (plan.meets_first()) phase_.prefetch_lists(plan.partner, false);
       }
-      if (const std::optional<Slot> slot = queue_.upcoming(kPaths)) {
+      if (const Slot slot = queue_.upcoming(kPaths); slot != kNobody) {
         const auto prefetch_path = [this](Slot other) { prefetch(&world_.path(other)); };
-        const Plan& plan = plans_[*slot];
-        phase_.for_each_prefetched(*slot, plan.crosses_first(), prefetch_path);
+        const Plan& plan = plans_[slot];
+        phase_.for_each_prefetched(slot, plan.crosses_first(), prefetch_path);
         if (plan.meets_first()) phase_.for_each_prefetched(plan.partner, false, prefetch_path);
       }
     }

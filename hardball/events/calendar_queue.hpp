@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "hardball/errors/error.hpp"
@@ -42,11 +41,11 @@ class CalendarQueue {
   }
 
   template <Agenda A>
-  std::optional<Owner> least(const A& agenda) {
+  Owner least(const A& agenda) {
     for (;;) {
       drop_dead_today(agenda);
       if (sorted_.empty() && late_.empty()) {
-        if (!begin_day(agenda)) return std::nullopt;
+        if (!begin_day(agenda)) return kNobody;
         continue;
       }
       if (sorted_.empty() || (!late_.empty() && late_.front().event.time.high < sorted_.back().time)) {
@@ -80,10 +79,9 @@ class CalendarQueue {
     note_taken();
   }
 
-  /// The owner of an entry that comes about `ahead` events after the least; nothing if today has no more.
-  std::optional<Owner> upcoming(std::size_t ahead) const {
-    if (ahead >= sorted_.size()) return std::nullopt;
-    return sorted_[sorted_.size() - 1 - ahead].owner;
+  /// The owner of an entry that comes about `ahead` events after the least; kNobody if today has no more.
+  Owner upcoming(std::size_t ahead) const {
+    return ahead < sorted_.size() ? sorted_[sorted_.size() - 1 - ahead].owner : kNobody;
   }
 
   QueueCounters counters() const { return counters_; }

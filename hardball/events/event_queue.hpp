@@ -6,7 +6,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <limits>
 
 #include "hardball/events/event.hpp"
 
@@ -14,6 +14,9 @@ namespace hardball {
 
 /// Who an entry of the queue belongs to: a number below the owner count given to `reset`.
 using Owner = std::uint32_t;
+
+/// No owner. Not std::optional: it is written in two parts and read as one, for which the processor waits.
+inline constexpr Owner kNobody = std::numeric_limits<Owner>::max();
 
 /// Knows the event that is scheduled for each owner, so that a queue need keep no more than its time.
 ///
@@ -52,7 +55,7 @@ struct AnyAgenda {
 ///
 /// - `reset(n, start)` empties it for owners 0..n-1 and events not before `start`.
 /// - `schedule(owner, agenda)`: the agenda has another event for the owner, perhaps one that does not happen.
-/// - `least(agenda)` is the owner of the least event, or nothing; it may rearrange the queue within.
+/// - `least(agenda)` is the owner of the least event, or kNobody; it may rearrange the queue within.
 /// - `pop()` removes the event that `least()` has just shown; its owner has none until the next `schedule`,
 ///   before which the agenda must not show it any more.
 template <class Queue>
@@ -60,7 +63,7 @@ concept EventQueue =
     requires(Queue queue, const Queue& view, std::size_t owners, Time start, Owner owner, AnyAgenda agenda) {
       queue.reset(owners, start);
       queue.schedule(owner, agenda);
-      { queue.least(agenda) } -> std::same_as<std::optional<Owner>>;
+      { queue.least(agenda) } -> std::same_as<Owner>;
       queue.pop();
       { view.counters() } -> std::convertible_to<QueueCounters>;
       { view.memory_bytes() } -> std::convertible_to<std::size_t>;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <set>
 #include <vector>
 
@@ -33,9 +32,8 @@ class OrderedQueue {
   }
 
   template <Agenda A>
-  std::optional<Owner> least(const A&) const {
-    if (tree_.empty()) return std::nullopt;
-    return tree_.begin()->owner;
+  Owner least(const A&) const {
+    return tree_.empty() ? kNobody : tree_.begin()->owner;
   }
 
   void pop() {

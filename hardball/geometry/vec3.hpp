@@ -54,7 +54,11 @@ struct Image {
   friend Image operator+(const Image& a, const Image& b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
   friend Image operator-(const Image& a, const Image& b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
   friend Image operator-(const Image& a) { return {{-a[0], -a[1], -a[2]}}; }
+  bool is_zero() const { return (boxes[0] | boxes[1] | boxes[2]) == 0; }
+
   friend auto operator<=>(const Image&, const Image&) = default;
+  // Member by member: comparing the memory as a whole would wait for the members lately written.
+  friend bool operator==(const Image& a, const Image& b) { return (a - b).is_zero(); }
 };
 
 }  // namespace hardball

@@ -114,7 +114,7 @@ Image World::rewrite_path(Slot slot, const Time& moment, const Vec3& velocity) {
   const Vec3 position = position_at(path, moment);
   const Image beyond = box_.boxes_beyond(position);
   path = {position - box_.shift(beyond), velocity, moment};
-  if (beyond != Image{}) folded_[slot] = folded_[slot] + beyond;
+  if (!beyond.is_zero()) folded_[slot] = folded_[slot] + beyond;
   return beyond;
 }
 
