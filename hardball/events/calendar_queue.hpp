@@ -176,6 +176,7 @@ class CalendarQueue {
   void lay_out(const A& agenda) {
     gather();
     drop_dead(beyond_, agenda);
+    if (beyond_.size() > owner_count_) drop_twins();
     spread_out();
   }
 
@@ -184,6 +185,7 @@ class CalendarQueue {
   void take_day(std::vector<Entry>& entries);
   bool turn_year();
   void gather();
+  void drop_twins();
   void spread_out();
   std::uint32_t new_block(std::uint32_t next);
 
