@@ -86,7 +86,7 @@ template <class Lanes, bool kNearest>
 KernelResult earliest_contact(const KernelQuery& query, const KernelNotes& notes) {
   using Mask = typename Lanes::Mask;
   constexpr double kForever = std::numeric_limits<double>::infinity();
-  // A bound on what rounding does to the discriminant of a graze, and to the square of the distance.
+  // More than rounding does to the wait, as a fraction of it.
   constexpr double kRounding = 0x1p-44;
 
   const Path& own = query.paths[query.self];
@@ -154,20 +154,24 @@ KernelResult earliest_contact(const KernelQuery& query, const KernelNotes& notes
     const Lanes reach_squared = reach * reach;
     const Lanes distance_squared = rx * rx + ry * ry + rz * rz;
     const Lanes excess = distance_squared - reach_squared;
-    const Lanes closest = (vx * vx + vy * vy + vz * vz) * reach_squared;
+    const Lanes speed_squared = vx * vx + vy * vy + vz * vz;
+    const Lanes closest = speed_squared * reach_squared;
     const Lanes moment_x = ry * vz - rz * vy;
     const Lanes moment_y = rz * vx - rx * vz;
     const Lanes moment_z = rx * vy - ry * vx;
     const Lanes discriminant = closest - (moment_x * moment_x + moment_y * moment_y + moment_z * moment_z);
 
+    // More than rounding does to the discriminant.
+    const Lanes noise = Lanes(kCertainMiss) * (speed_squared * distance_squared);
+
     const Mask apart = excess > zero;
     const Mask grazes = approaches & apart & (discriminant <= Lanes(kGrazingCosineSquared) * closest) &
-                        (Lanes(-kCertainMiss) * closest <= discriminant);
+                        (zero - noise <= discriminant);
     const Mask hits = approaches & ((discriminant > zero) | not_(apart)) & not_(grazes);
 
     // For a graze: more under the root and less above than can be, so that the time comes out too early.
     const Lanes root =
-        square_root(maximum(select(grazes, maximum(discriminant, zero) + Lanes(kRounding) * closest, discriminant), zero));
+        square_root(maximum(select(grazes, maximum(discriminant, zero) + noise, discriminant), zero));
     const Lanes distance = select(grazes, maximum(excess - Lanes(kRounding) * distance_squared, zero),
                                   maximum(excess, zero));
     const Lanes wait = distance / (root - approach);
