@@ -115,7 +115,7 @@ class Engine {
                                                      : candidates.image(i);
         const Event contact = make_collision(contact_time(world_, slot, other, image), world_.id(slot),
                                              world_.id(other), image);
-        HARDBALL_CHECK(contact_of(slot) <= contact || contact_of(other) <= contact);
+        HARDBALL_CHECK(prospect_of(slot) <= contact || prospect_of(other) <= contact);
       }
     }
   }
@@ -145,13 +145,27 @@ class Engine {
     }
     Event event(Slot slot) const {
       const Plan& plan = engine.plans_[slot];
-      if (!plan.crosses_first()) return engine.contact_of(slot);
+      if (!plan.crosses_first()) return engine.prospect_of(slot);
       return {plan.crossing, EventKind::enter, engine.world_.id(slot), 0, {}};
     }
   };
 
   Plans plans() const { return {*this}; }
 
+  bool is_stale(const Plan& plan) const {
+    return plan.kind == EventKind::collision && plan.partner_revision != plans_[plan.partner].revision;
+  }
+
+  // The prospect's place in the order of events. Of a stale one the old path of the partner is gone, and with
+  // it the copy that was meant: it comes before all contacts of its moment, which only makes the sphere look
+  // again early.
+  Event prospect_of(Slot slot) const {
+    const Plan& plan = plans_[slot];
+    if (is_stale(plan)) return {plan.contact, EventKind::enter, world_.id(slot), 0, {}};
+    return contact_of(slot);
+  }
+
+  // Precondition: the prospect is not stale.
   Event contact_of(Slot slot) const {
     const Plan& plan = plans_[slot];
     if (plan.kind == EventKind::wall) return {plan.contact, plan.kind, world_.id(slot), plan.partner, {}};
@@ -188,7 +202,7 @@ class Engine {
       cross(slot);
       return true;
     }
-    if (plan.kind == EventKind::collision && plan.partner_revision != plans_[plan.partner].revision) {
+    if (is_stale(plan)) {
       ++counters_.stale;
       queue_.pop();
       predict(slot);
@@ -209,7 +223,7 @@ class Engine {
     if (found.time < plan.contact) {
       take(plan, found);
     } else if (found.time == plan.contact && found.happens()) [[unlikely]] {
-      const Event before = contact_of(slot);
+      const Event before = prospect_of(slot);
       const Plan kept = plan;
       take(plan, found);
       if (!(contact_of(slot) < before)) plan = kept;

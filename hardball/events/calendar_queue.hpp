@@ -134,11 +134,17 @@ class CalendarQueue {
       sorted_.pop_back();
       note_taken();
     }
-    while (!late_.empty() && (agenda.time(late_.front().owner) != late_.front().event.time ||
-                              agenda.event(late_.front().owner) != late_.front().event)) {
+    while (!late_.empty()) {
+      const Owner owner = late_.front().owner;
+      const bool is_dead = agenda.time(owner) != late_.front().event.time;
+      if (!is_dead && agenda.event(owner) == late_.front().event) return;
       std::pop_heap(late_.begin(), late_.end(), comes_later);
       late_.pop_back();
-      note_taken();
+      if (is_dead) {
+        note_taken();
+      } else {
+        put_late(owner, agenda);  // another event at the same moment
+      }
     }
   }
 
