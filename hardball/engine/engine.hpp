@@ -12,6 +12,7 @@
 #include "hardball/events/event_queue.hpp"
 #include "hardball/prediction/predictor.hpp"
 #include "hardball/response/execute.hpp"
+#include "hardball/world/world.hpp"
 
 namespace hardball {
 
