@@ -14,6 +14,7 @@
 #include "hardball/memory/prefetch.hpp"
 #include "hardball/prediction/predictor.hpp"
 #include "hardball/response/execute.hpp"
+#include "hardball/world/world.hpp"
 
 namespace hardball {
 
@@ -119,7 +120,7 @@ class Engine {
                                                      : candidates.image(i);
         const Event contact = make_collision(contact_time(world_, slot, other, image), world_.id(slot),
                                              world_.id(other), image);
-        HARDBALL_CHECK(contact_of(slot) <= contact || contact_of(other) <= contact);
+        HARDBALL_CHECK(prospect_of(slot) <= contact || prospect_of(other) <= contact);
       }
     }
   }
@@ -152,20 +153,45 @@ class Engine {
     }
     Event event(Slot slot) const {
       const Plan& plan = engine.plans_[slot];
-      if (!plan.crosses_first()) return engine.contact_of(slot);
+      if (!plan.crosses_first()) return engine.prospect_of(slot);
       return {plan.crossing, EventKind::enter, engine.world_.id(slot), 0, {}};
     }
   };
 
   Plans plans() const { return {*this}; }
 
+  // Whether the partner has another path than the one the prospect was reckoned with. If paths have been
+  // rewritten more than once at one moment, that moment cannot tell: the contact time does, being a function of
+  // both paths.
+  bool is_stale(Slot slot) const {
+    const Plan& plan = plans_[slot];
+    if (plan.kind != EventKind::collision) return false;
+    if (world_.path(plan.partner).time.high != plan.partner_since) return true;
+    if (!has_twin_moments_) return false;
+    return contact_time(world_, slot, plan.partner, image_of_partner(slot)) != plan.contact;
+  }
+
+  // The prospect's place in the order of events. Of a stale one the old path of the partner is gone, and with
+  // it the copy that was meant: it comes before all contacts of its moment, which only makes the sphere look
+  // again early.
+  Event prospect_of(Slot slot) const {
+    const Plan& plan = plans_[slot];
+    if (is_stale(slot)) return {plan.contact, EventKind::enter, world_.id(slot), 0, {}};
+    return contact_of(slot);
+  }
+
+  // Precondition: the prospect is a collision.
+  Image image_of_partner(Slot slot) const {
+    const Plan& plan = plans_[slot];
+    if (!plan.is_nearest_image || !(plan.contact < kNever)) return plan.image;
+    return nearest_image(world_, slot, plan.partner, plan.contact);
+  }
+
+  // Precondition: the prospect is not stale.
   Event contact_of(Slot slot) const {
     const Plan& plan = plans_[slot];
     if (plan.kind == EventKind::wall) return {plan.contact, plan.kind, world_.id(slot), plan.partner, {}};
-    const Image image = plan.is_nearest_image && plan.contact.high < kNever.high
-                            ? nearest_image(world_, slot, plan.partner, plan.contact)
-                            : plan.image;
-    return make_collision(plan.contact, world_.id(slot), world_.id(plan.partner), image);
+    return make_collision(plan.contact, world_.id(slot), world_.id(plan.partner), image_of_partner(slot));
   }
 
   void rebuild(const Time& now) {
@@ -231,24 +257,13 @@ class Engine {
       cross(slot);
       return true;
     }
-    if (plan.kind == EventKind::collision && is_stale(slot)) {
+    if (is_stale(slot)) {
       ++counters_.stale;
       queue_.pop();
       predict(slot);
       return true;
     }
     return false;
-  }
-
-  // Whether the partner has another path than the one the prospect was reckoned with. If paths have been
-  // rewritten more than once at one moment, that moment cannot tell: the contact time does, being a function of
-  // both paths.
-  bool is_stale(Slot slot) const {
-    const Plan& plan = plans_[slot];
-    if (world_.path(plan.partner).time.high != plan.partner_since) return true;
-    if (!has_twin_moments_) return false;
-    const Image image = plan.is_nearest_image ? nearest_image(world_, slot, plan.partner, plan.contact) : plan.image;
-    return contact_time(world_, slot, plan.partner, image) != plan.contact;
   }
 
   void cross(Slot slot) {
@@ -262,7 +277,7 @@ class Engine {
     if (found.time < plan.contact) {
       take(plan, found);
     } else if (found.time == plan.contact && found.happens()) [[unlikely]] {
-      const Event before = contact_of(slot);
+      const Event before = prospect_of(slot);
       const Plan kept = plan;
       take(plan, found);
       if (!(contact_of(slot) < before)) plan = kept;

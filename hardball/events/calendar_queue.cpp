@@ -103,6 +103,19 @@ void CalendarQueue::gather() {
   late_.clear();
 }
 
+// Leaves each owner one entry: one that is dead looks alive if its time is, to the nearest double, that of
+// the owner's event. Precondition: all wait beyond.
+void CalendarQueue::drop_twins() {
+  std::vector<bool> is_known(owner_count_);
+  const std::size_t dropped = std::erase_if(beyond_, [&](const Entry& entry) {
+    if (is_known[entry.owner]) return true;
+    is_known[entry.owner] = true;
+    return false;
+  });
+  entry_count_ -= dropped;
+  counters_.taken += dropped;
+}
+
 // Makes as many days as the entries waiting beyond need, and files those. Precondition: all wait there.
 void CalendarQueue::spread_out() {
   taken_in_year_ = 0;

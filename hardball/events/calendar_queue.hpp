@@ -134,18 +134,15 @@ class CalendarQueue {
       note_taken();
     }
     while (!late_.empty()) {
-      const Scheduled& front = late_.front();
-      const bool is_dead = agenda.time(front.owner) != front.event.time;
-      const Event event = agenda.event(front.owner);
-      if (!is_dead && event == front.event) return;
+      const Owner owner = late_.front().owner;
+      const bool is_dead = agenda.time(owner) != late_.front().event.time;
+      if (!is_dead && agenda.event(owner) == late_.front().event) return;
       std::pop_heap(late_.begin(), late_.end(), comes_later);
+      late_.pop_back();
       if (is_dead) {
-        late_.pop_back();
         note_taken();
       } else {
-        // Another event of its owner at the same moment: it has its own place among the twins.
-        late_.back().event = event;
-        std::push_heap(late_.begin(), late_.end(), comes_later);
+        put_late(owner, agenda);  // another event at the same moment
       }
     }
   }
@@ -190,6 +187,7 @@ class CalendarQueue {
   void lay_out(const A& agenda) {
     gather();
     drop_dead(beyond_, agenda);
+    if (beyond_.size() > owner_count_) drop_twins();
     spread_out();
   }
 
@@ -198,6 +196,7 @@ class CalendarQueue {
   void take_day(std::vector<Entry>& entries);
   bool turn_year();
   void gather();
+  void drop_twins();
   void spread_out();
   std::uint32_t new_block(std::uint32_t next);
 

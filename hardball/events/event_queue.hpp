@@ -22,6 +22,9 @@ inline constexpr Owner kNobody = std::numeric_limits<Owner>::max();
 ///
 /// - `event(owner)` is that event, perhaps one that does not happen.
 /// - `time(owner)` is its time.
+///
+/// Between two calls of `schedule` for an owner its event may become a lesser one at the same time; the queue
+/// shows it no later than the one that was scheduled.
 template <class A>
 concept Agenda = requires(const A& agenda, Owner owner) {
   { agenda.event(owner) } -> std::same_as<Event>;

@@ -22,14 +22,16 @@ double time_to_reach(const Vec3& separation, const Vec3& velocity, double reach)
   const double approach = dot(separation, velocity);
   if (!(approach < 0)) return kForever;
   const double reach_squared = reach * reach;
-  const double excess = dot(separation, separation) - reach_squared;
+  const double distance_squared = dot(separation, separation);
+  const double excess = distance_squared - reach_squared;
   if (excess <= 0) return 0;
   // Lagrange's identity gives approach^2 - speed_squared * excess without its cancellation between far
   // spheres.
-  const double closest = dot(velocity, velocity) * reach_squared;
+  const double speed_squared = dot(velocity, velocity);
+  const double closest = speed_squared * reach_squared;
   const Vec3 moment = cross(separation, velocity);
   const double discriminant = closest - dot(moment, moment);
-  if (discriminant < -kCertainMiss * closest) return kForever;
+  if (discriminant < -kCertainMiss * (speed_squared * distance_squared)) return kForever;
   if (discriminant <= kGrazingCosineSquared * closest) {
     return grazing_time_to_reach(separation.x, separation.y, separation.z, velocity.x, velocity.y, velocity.z,
                                  reach);

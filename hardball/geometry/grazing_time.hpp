@@ -13,9 +13,10 @@ namespace hardball {
 /// the spheres meet. Below this squared cosine [1] its rounding error would show in the contact time.
 inline constexpr double kGrazingCosineSquared = 5.0 / 16;
 
-/// Beyond this fraction of (reach * |velocity|)^2 below zero the discriminant is negative whatever rounding did:
-/// the spheres miss each other [1].
-inline constexpr double kCertainMiss = 0x1p-44;
+/// Of points that are farther apart than reach, rounding changes the discriminant by less than this fraction of
+/// (|separation| * |velocity|)^2 as long as it is no more than grazing [1]: farther below zero it is a certain miss.
+/// Three products and their differences make 15 * 2^-53 at the worst, the separation being the longer one.
+inline constexpr double kCertainMiss = 0x1p-48;
 
 /// What time_to_reach (contact_time.hpp) gives for approaching points, with the coefficients of the quadratic
 /// carried to 106 bits: for grazing contacts.

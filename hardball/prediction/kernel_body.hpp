@@ -41,7 +41,7 @@ template <class Lanes>
 HARDBALL_ALWAYS_INLINE Waits<Lanes> waits_of(const VectorOfLanes<Lanes>& r, const VectorOfLanes<Lanes>& v,
                                              const Lanes& reach) {
   using Mask = typename Lanes::Mask;
-  // More than rounding does to a discriminant or to the square of a distance.
+  // More than rounding does to the square of a distance.
   constexpr double kRounding = 0x1p-44;
   const Lanes zero(0.0);
   const Lanes approach = r.x * v.x + r.y * v.y + r.z * v.z;
@@ -49,18 +49,21 @@ HARDBALL_ALWAYS_INLINE Waits<Lanes> waits_of(const VectorOfLanes<Lanes>& r, cons
   const Lanes reach_squared = reach * reach;
   const Lanes distance_squared = r.x * r.x + r.y * r.y + r.z * r.z;
   const Lanes excess = distance_squared - reach_squared;
-  const Lanes closest = (v.x * v.x + v.y * v.y + v.z * v.z) * reach_squared;
+  const Lanes speed_squared = v.x * v.x + v.y * v.y + v.z * v.z;
+  const Lanes closest = speed_squared * reach_squared;
   const Lanes moment_x = r.y * v.z - r.z * v.y;
   const Lanes moment_y = r.z * v.x - r.x * v.z;
   const Lanes moment_z = r.x * v.y - r.y * v.x;
   const Lanes discriminant = closest - (moment_x * moment_x + moment_y * moment_y + moment_z * moment_z);
+  // More than rounding does to the discriminant.
+  const Lanes noise = Lanes(kCertainMiss) * (speed_squared * distance_squared);
   const Mask apart = excess > zero;
   const Mask grazes = approaches & apart & (discriminant <= Lanes(kGrazingCosineSquared) * closest) &
-                      (Lanes(-kCertainMiss) * closest <= discriminant);
+                      (zero - noise <= discriminant);
   const Mask hits = approaches & ((discriminant > zero) | not_(apart)) & not_(grazes);
   // Of a graze more under the root and less above than can be: too early.
   const Lanes root = square_root(
-      maximum(select(grazes, maximum(discriminant, zero) + Lanes(kRounding) * closest, discriminant), zero));
+      maximum(select(grazes, maximum(discriminant, zero) + noise, discriminant), zero));
   const Lanes distance =
       maximum(select(grazes, excess - Lanes(kRounding) * distance_squared, excess), zero);
   return {distance / (root - approach), hits, grazes};

@@ -3,6 +3,7 @@
 #include "hardball/prediction/predictor.hpp"
 
 #include "hardball/errors/error.hpp"
+#include "hardball/events/event.hpp"
 
 namespace hardball {
 namespace {

@@ -14,6 +14,7 @@
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/events/ordered_queue.hpp"
 #include "hardball/paper/paper_engine.hpp"
+#include "hardball/prediction/predictor.hpp"
 #include "hardball/tuning/moments.hpp"
 
 namespace hardball {

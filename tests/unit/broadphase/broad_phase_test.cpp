@@ -11,6 +11,7 @@
 #include "hardball/broadphase/all_pairs.hpp"
 #include "hardball/broadphase/cell_grid.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/prediction/predictor.hpp"
 #include "support/effort.hpp"
 #include "support/random_world.hpp"
 
@@ -19,15 +20,28 @@ namespace {
 
 using Partner = std::pair<Slot, std::array<std::int32_t, kAxes>>;
 
-// The candidates of a sphere; it is a failure if one is visited twice.
-template <BroadPhase Phase>
-std::set<Partner> candidates_of(const Phase& phase, const World& world, Slot slot) {
-  std::set<Partner> candidates;
-  phase.for_each_candidate(world, slot, [&](Slot other, const Image& image) {
+// What has been collected for a sphere at `now`, each with its copy. These worlds are so small that nothing
+// may be collected twice.
+std::set<Partner> partners(const Candidates& candidates, const World& world, const Time& now) {
+  std::set<Partner> found;
+  const Slot slot = candidates.self();
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Slot other = candidates.slot(i);
+    const Image image =
+        candidates.are_nearest() ? nearest_image(world, slot, other, now) : candidates.image(i);
     EXPECT_NE(other, slot);
-    EXPECT_TRUE(candidates.emplace(other, image.boxes).second) << "visited twice";
-  });
-  return candidates;
+    EXPECT_TRUE(found.emplace(other, image.boxes).second) << "collected twice";
+  }
+  return found;
+}
+
+template <BroadPhase Phase>
+std::set<Partner> candidates_of(const Phase& phase, const World& world, Slot slot,
+                                const Time& now = Time(0)) {
+  Candidates candidates;
+  phase.collect(world, slot, candidates);
+  EXPECT_EQ(candidates.self(), slot);
+  return partners(candidates, world, now);
 }
 
 // All spheres and copies that touch the sphere now, found by looking at several boxes to all sides.
@@ -65,7 +79,12 @@ void fly_about(Phase phase, World world, double until, std::uint64_t seed) {
   Time now(0);
   phase.build(world, now);
   std::vector<std::set<Partner>> known;
-  for (Slot slot = 0; slot < world.size(); ++slot) known.push_back(candidates_of(phase, world, slot));
+  std::vector<Time> crossings;
+  Candidates entered;
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    known.push_back(candidates_of(phase, world, slot, now));
+    crossings.push_back(phase.next_crossing(world, slot, now));
+  }
   const auto mirror = [](Slot slot, const Partner& partner) {
     return Partner{slot, {-partner.second[0], -partner.second[1], -partner.second[2]}};
   };
@@ -74,16 +93,16 @@ void fly_about(Phase phase, World world, double until, std::uint64_t seed) {
     // The next crossing, or a change of path before it.
     Slot slot = 0;
     for (Slot other = 1; other < world.size(); ++other) {
-      if (phase.next_crossing(other) < phase.next_crossing(slot)) slot = other;
+      if (crossings[other] < crossings[slot]) slot = other;
     }
     const Time turn = after(now, until * random.uniform() / kSteps);
-    ASSERT_GE(phase.next_crossing(slot), now);
-    if (phase.next_crossing(slot) <= turn) {
-      now = phase.next_crossing(slot);
-      std::set<Partner> shown;
-      phase.cross(world, slot, now,
-                  [&](Slot other, const Image& image) { shown.emplace(other, image.boxes); });
-      for (const Partner& partner : candidates_of(phase, world, slot)) {
+    ASSERT_GE(crossings[slot], now);
+    if (crossings[slot] <= turn) {
+      now = crossings[slot];
+      phase.cross(world, slot, now, entered);
+      ASSERT_EQ(entered.self(), slot);
+      const std::set<Partner> shown = partners(entered, world, now);
+      for (const Partner& partner : candidates_of(phase, world, slot, now)) {
         ASSERT_TRUE(known[slot].contains(partner) || known[partner.first].contains(mirror(slot, partner)) ||
                     shown.contains(partner));
       }
@@ -95,8 +114,9 @@ void fly_about(Phase phase, World world, double until, std::uint64_t seed) {
       const Image folded = world.change_velocity(slot, now, length(velocity) * random.direction());
       phase.refresh(world, slot, now, folded);
     }
+    crossings[slot] = phase.next_crossing(world, slot, now);
     phase.validate(world, now);
-    for (Slot each = 0; each < world.size(); ++each) known[each] = candidates_of(phase, world, each);
+    for (Slot each = 0; each < world.size(); ++each) known[each] = candidates_of(phase, world, each, now);
     for (Slot each = 0; each < world.size(); ++each) {
       for (const Partner& partner : known[each]) {
         ASSERT_TRUE(known[partner.first].contains(mirror(each, partner))) << "one knows of the other";
@@ -134,7 +154,7 @@ TEST(AllPairs, HasAllOthersAsCandidatesInABoxWithWalls) {
   phase.build(world, Time(0));
   for (Slot slot = 0; slot < 5; ++slot) {
     EXPECT_EQ(candidates_of(phase, world, slot).size(), 4U);
-    EXPECT_EQ(phase.next_crossing(slot), kNever);
+    EXPECT_EQ(phase.next_crossing(world, slot, Time(0)), kNever);
   }
 }
 
@@ -155,9 +175,14 @@ TEST(CellGrid, CountsTheRowsOfCellsThatSpheresLeave) {
   CellGrid grid(1);
   grid.build(world, Time(0));
   constexpr int kCrossings = 10;
-  for (int i = 0; i < kCrossings; ++i) grid.cross(world, 0, grid.next_crossing(0), [](Slot, const Image&) {});
+  Candidates entered;
+  Time next = grid.next_crossing(world, 0, Time(0));
+  for (int i = 0; i < kCrossings; ++i) {
+    grid.cross(world, 0, next, entered);
+    next = grid.next_crossing(world, 0, next);
+  }
   // It enters cell 10 when its front reaches 10; by then it has left cells 0 to 8.
-  EXPECT_NEAR(grid.next_crossing(0).value(), 10.25, 1e-6);
+  EXPECT_NEAR(next.value(), 10.25, 1e-6);
   EXPECT_EQ(grid.left_count(), 9U);
 }
 
@@ -166,8 +191,11 @@ TEST(CellGrid, CountsNoRowAsLeftBecauseAPathIsFolded) {
   world.add({{9.5, 5.5, 5.5}, {1, 0, 0}, 0.25, 1});
   CellGrid grid(1);
   grid.build(world, Time(0));
-  while (grid.next_crossing(0) < Time(2))
-    grid.cross(world, 0, grid.next_crossing(0), [](Slot, const Image&) {});
+  Candidates entered;
+  for (Time next = grid.next_crossing(world, 0, Time(0)); next < Time(2);) {
+    grid.cross(world, 0, next, entered);
+    next = grid.next_crossing(world, 0, next);
+  }
   // At 2 it stands at 11.5: in cell 11, having left cells 9 and, as soon as somebody looks, 10.
   const Image folded = world.change_velocity(0, Time(2), {0, 1, 0});
   ASSERT_EQ(folded, (Image{{1, 0, 0}}));
@@ -175,6 +203,89 @@ TEST(CellGrid, CountsNoRowAsLeftBecauseAPathIsFolded) {
   grid.refresh(world, 0, Time(2), folded);
   EXPECT_EQ(grid.left_count(), left);
   grid.validate(world, Time(2));
+}
+
+TEST(BroadPhase, NextCrossingIsNeverBeforeNow) {
+  World world(Box::periodic({10, 10, 10}));
+  world.add({{5, 5, 5}, {1, 0, 0}, 0.25, 1});
+  CellGrid grid(1);
+  grid.build(world, Time(0));
+  AllPairs pairs;
+  pairs.build(world, Time(0));
+  for (const Time& now : {Time(0), Time(9), Time(9, 1e-20)}) {
+    EXPECT_GE(grid.next_crossing(world, 0, now), now);
+    EXPECT_GE(pairs.next_crossing(world, 0, now), now);
+  }
+}
+
+TEST(CellGrid, TakesNearestCopiesOnlyWhereTheBoxIsManyCellsWide) {
+  // A sphere of diameter 1 touches at most two cells of edge 1.5 along an axis: two that share one lie less
+  // than three cells apart, which is less than half a box of seven.
+  const auto nearest_in = [](const Vec3& size, const std::array<Boundary, kAxes>& boundary) {
+    World world(Box(boundary, size));
+    world.add({{1, 1, 1}, {1, 0, 0}, 0.5, 1});
+    CellGrid grid(1.5);
+    grid.build(world, Time(0));
+    return grid.has_nearest_images();
+  };
+  constexpr std::array kPeriodic = {Boundary::periodic, Boundary::periodic, Boundary::periodic};
+  EXPECT_TRUE(nearest_in({10.5, 10.5, 10.5}, kPeriodic));
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (const double size : {1.5, 3.0, 4.5, 9.0, 10.4}) {
+      Vec3 small{10.5, 10.5, 10.5};
+      small[axis] = size;
+      EXPECT_FALSE(nearest_in(small, kPeriodic)) << size;
+      std::array<Boundary, kAxes> walled = kPeriodic;
+      walled[axis] = Boundary::wall;
+      EXPECT_TRUE(nearest_in(small, walled)) << "no copies along this axis";
+      walled[axis] = Boundary::open;
+      EXPECT_TRUE(nearest_in(small, walled));
+    }
+  }
+}
+
+// Where a box is only a few cells wide a sphere may meet several copies of another, or one that is not the
+// nearest: each contact that all pairs know of before one of the two crosses must be known to the grid.
+TEST(CellGrid, FindsEveryCopyInASmallBox) {
+  std::uint64_t contacts = 0;
+  std::uint64_t with_far_copies = 0;
+  std::uint64_t with_several_copies = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(2000); ++seed) {
+    const support::RandomWorld made =
+        support::make_random_gas(seed, {Boundary::periodic, Boundary::periodic, Boundary::periodic}, 5);
+    const World& world = made.world;
+    if (world.size() == 0) continue;
+    SCOPED_TRACE(made.name);
+    CellGrid grid(2 * world.largest_radius() * (0.4 + 0.3 * static_cast<double>(seed % 7)));
+    AllPairs pairs;
+    grid.build(world, Time(0));
+    pairs.build(world, Time(0));
+    if (grid.has_nearest_images()) continue;
+    std::vector<Time> crossings;
+    for (Slot slot = 0; slot < world.size(); ++slot) {
+      crossings.push_back(
+          earlier(grid.next_crossing(world, slot, Time(0)), pairs.next_crossing(world, slot, Time(0))));
+    }
+    for (Slot slot = 0; slot < world.size(); ++slot) {
+      const std::set<Partner> known = candidates_of(grid, world, slot);
+      for (const auto& [other, boxes] : known)
+        with_several_copies += known.count({other, {boxes[0] + 1, boxes[1], boxes[2]}});
+      Candidates all;
+      pairs.collect(world, slot, all);
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const Slot other = all.slot(i);
+        const Time contact = contact_time(world, slot, other, all.image(i));
+        if (contact == kNever || contact > earlier(crossings[slot], crossings[other])) continue;
+        ++contacts;
+        with_far_copies += all.image(i) == nearest_image(world, slot, other, Time(0)) ? 0U : 1U;
+        ASSERT_TRUE(known.contains({other, all.image(i).boxes})) << "spheres " << slot << " and " << other;
+      }
+    }
+  }
+  // The worlds are such that all this happens.
+  EXPECT_GT(contacts, support::cases(2000) / 4);
+  EXPECT_GT(with_far_copies, support::cases(2000) / 100);
+  EXPECT_GT(with_several_copies, support::cases(2000));
 }
 
 TEST(CellGrid, RefusesCellsThatAreTooSmall) {

@@ -14,12 +14,9 @@
 namespace hardball {
 namespace {
 
-using Entry = std::pair<Slot, std::array<std::int32_t, kAxes>>;
-
-std::vector<Entry> occupants_of(const CellStore& store, const CellIndex& cell) {
-  std::vector<Entry> found;
-  store.for_each(cell,
-                 [&](const Occupant& occupant) { found.emplace_back(occupant.slot, occupant.boxes.boxes); });
+std::vector<Slot> occupants_of(const CellStore& store, const CellIndex& cell) {
+  std::vector<Slot> found;
+  store.for_each(cell, [&](Slot slot) { found.push_back(slot); });
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -33,7 +30,7 @@ TEST(CellStore, AgreesWithAMapWhetherDenseOrHashed) {
     hashed.reset({0, 0, 0}, 10);  // more come than expected
     ASSERT_TRUE(dense.is_dense());
     ASSERT_FALSE(hashed.is_dense());
-    std::multimap<CellIndex, Entry> map;
+    std::multimap<CellIndex, Slot> map;
     Random random(static_cast<std::uint64_t>(cells));
     const auto below = [&random](std::int32_t n) {
       return static_cast<std::int32_t>(random.bits() % static_cast<std::uint64_t>(n));
@@ -43,20 +40,20 @@ TEST(CellStore, AgreesWithAMapWhetherDenseOrHashed) {
       // Fill up and empty in turn, all the way down.
       const bool filling = step / 500 % 2 == 0;
       if (map.empty() || random.uniform() < (filling ? 0.8 : 0.2)) {
-        const Occupant occupant{static_cast<Slot>(below(20)), {{below(3) - 1, 0, below(2)}}};
-        dense.insert(cell, occupant);
-        hashed.insert(cell, occupant);
-        map.emplace(cell, Entry{occupant.slot, occupant.boxes.boxes});
+        // A sphere may stand in a cell several times.
+        const auto slot = static_cast<Slot>(below(20));
+        dense.insert(cell, slot);
+        hashed.insert(cell, slot);
+        map.emplace(cell, slot);
       } else {
         auto chosen = map.lower_bound(cell);
         if (chosen == map.end()) chosen = map.begin();
-        const Occupant occupant{chosen->second.first, {chosen->second.second}};
-        dense.erase(chosen->first, occupant);
-        hashed.erase(chosen->first, occupant);
+        dense.erase(chosen->first, chosen->second);
+        hashed.erase(chosen->first, chosen->second);
         map.erase(chosen);
       }
       const CellIndex looked_at{below(cells), below(cells), below(cells)};
-      std::vector<Entry> expected;
+      std::vector<Slot> expected;
       const auto [begin, end] = map.equal_range(looked_at);
       for (auto it = begin; it != end; ++it) expected.push_back(it->second);
       std::sort(expected.begin(), expected.end());
@@ -74,11 +71,11 @@ TEST(CellStore, HoldsCellsFarFromTheOrigin) {
   for (Slot slot = 0; slot < 3000; ++slot) {
     const auto far = [&] { return static_cast<std::int32_t>(random.bits() >> 35) - (1 << 28); };
     cells.push_back({far(), static_cast<std::int32_t>(slot % 3), far()});
-    store.insert(cells.back(), {slot, {}});
+    store.insert(cells.back(), slot);
   }
   for (Slot slot = 0; slot < cells.size(); ++slot) {
-    ASSERT_EQ(occupants_of(store, cells[slot]), (std::vector<Entry>{{slot, {}}}));
-    store.erase(cells[slot], {slot, {}});
+    ASSERT_EQ(occupants_of(store, cells[slot]), std::vector<Slot>{slot});
+    store.erase(cells[slot], slot);
     ASSERT_TRUE(occupants_of(store, cells[slot]).empty());
   }
 }
@@ -89,11 +86,10 @@ TEST(CellStore, ReusesItsMemory) {
   std::size_t after_first = 0;
   for (std::int32_t round = 0; round < 200; ++round) {
     // A swarm of 100 that wanders through space without end.
-    for (Slot slot = 0; slot < 100; ++slot)
-      store.insert({round, static_cast<std::int32_t>(slot), 0}, {slot, {}});
+    for (Slot slot = 0; slot < 100; ++slot) store.insert({round, static_cast<std::int32_t>(slot), 0}, slot);
     if (round > 0) {
       for (Slot slot = 0; slot < 100; ++slot) {
-        store.erase({round - 1, static_cast<std::int32_t>(slot), 0}, {slot, {}});
+        store.erase({round - 1, static_cast<std::int32_t>(slot), 0}, slot);
       }
     }
     if (round == 1) after_first = store.memory_bytes();
@@ -114,11 +110,11 @@ TEST(CellStore, NoticesThatAnOccupantIsNotThere) {
   for (const std::int32_t cells : {0, 4}) {
     CellStore store;
     store.reset({cells, cells, cells}, 4);
-    store.insert({1, 2, 3}, {7, {}});
-    EXPECT_THROW(store.erase({1, 2, 3}, {8, {}}), BrokenInvariant);
-    EXPECT_THROW(store.erase({1, 2, 3}, {7, {{1, 0, 0}}}), BrokenInvariant);
-    EXPECT_THROW(store.erase({3, 2, 1}, {7, {}}), BrokenInvariant);
-    EXPECT_NO_THROW(store.erase({1, 2, 3}, {7, {}}));
+    store.insert({1, 2, 3}, 7);
+    EXPECT_THROW(store.erase({1, 2, 3}, 8), BrokenInvariant);
+    EXPECT_THROW(store.erase({3, 2, 1}, 7), BrokenInvariant);
+    EXPECT_NO_THROW(store.erase({1, 2, 3}, 7));
+    EXPECT_THROW(store.erase({1, 2, 3}, 7), BrokenInvariant) << "it stood there once";
   }
 }
 

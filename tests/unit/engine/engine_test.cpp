@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <vector>
+
 #include "hardball/broadphase/all_pairs.hpp"
 #include "hardball/broadphase/cell_grid.hpp"
 #include "hardball/events/calendar_queue.hpp"
@@ -92,6 +95,36 @@ TYPED_TEST(EveryEngine, TellsTheNextContactAndDoesNotCarryItOut) {
   }
   EXPECT_EQ(engine.next_contact(Time(0.5)), std::nullopt);
   EXPECT_EQ(engine.counters().contacts(), 0U);
+}
+
+TYPED_TEST(EveryEngine, NamesSpheresByTheirIdsWhereverTheyAreStored) {
+  // Ids 3, 4, 5, ... stand for 0, 1, 2, ..., and slots run the other way.
+  World world(newtons_cradle().box());
+  for (int gone = 0; gone < 3; ++gone) world.add({{5, 1, 1}, {}, 0.5, 1});
+  const World cradle = newtons_cradle();
+  for (Slot slot = 0; slot < cradle.size(); ++slot) {
+    world.add(
+        {cradle.path(slot).position, cradle.path(slot).velocity, cradle.radius(slot), cradle.mass(slot)});
+  }
+  for (SphereId gone = 0; gone < 3; ++gone) world.remove(gone);
+  world.reorder(std::array<Slot, 6>{5, 4, 3, 2, 1, 0});
+  auto engine = TypeParam::make(world);
+  auto plain = TypeParam::make(cradle);
+  EXPECT_EQ(engine.next_contact(Time(10)), (Event{Time(1), EventKind::collision, 4, 5, {}}));
+  std::vector<Contact> expected;
+  plain.run({.until = Time(100)}, [&](const Contact& contact) { expected.push_back(contact); });
+  std::size_t count = 0;
+  engine.run({.until = Time(100)}, [&](const Contact& contact) {
+    ASSERT_LT(count, expected.size());
+    EXPECT_EQ(contact.time, expected[count].time);
+    EXPECT_EQ(contact.first, expected[count].first + 3);
+    EXPECT_EQ(contact.second, expected[count].second + 3);
+    EXPECT_EQ(contact.position, expected[count].position);
+    EXPECT_EQ(contact.image, expected[count].image);
+    ++count;
+  });
+  EXPECT_EQ(count, 100U);
+  engine.validate();
 }
 
 TYPED_TEST(EveryEngine, IsAValueThatCanBeCopied) {

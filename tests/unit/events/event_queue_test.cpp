@@ -7,7 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <tuple>
+#include <array>
+#include <cmath>
 #include <vector>
 
 #include "hardball/errors/error.hpp"
@@ -63,28 +64,36 @@ TEST(Face, IsTwiceTheAxisPlusOneForTheUpper) {
   }
 }
 
-// The plain truth.
+// The plain truth, and the agenda of the queues.
 class ListQueue {
  public:
   explicit ListQueue(std::size_t owners) : entries_(owners) {}
+  Event event(Owner owner) const { return entries_[owner]; }
+  Time time(Owner owner) const { return entries_[owner].time; }
   void schedule(Owner owner, const Event& event) { entries_[owner] = event; }
-  std::optional<Scheduled> least() const {
+  std::optional<Owner> least() const {
     std::optional<Scheduled> least;
     for (Owner owner = 0; owner < entries_.size(); ++owner) {
       if (!entries_[owner].happens()) continue;
       const Scheduled entry{entries_[owner], owner};
       if (!least || entry < *least) least = entry;
     }
-    return least;
+    if (!least) return std::nullopt;
+    return least->owner;
   }
-  void pop() { entries_[least()->owner] = Event{}; }
+  void pop() { entries_[*least()] = Event{}; }
 
  private:
   std::vector<Event> entries_;
 };
+static_assert(Agenda<ListQueue>);
 
 // How long after the present new events lie.
-enum class Waits { even, ties, bursts, all_scales, mostly_now, mostly_never };
+enum class Waits { even, ties, bursts, all_scales, mostly_now, one_moment, low_parts, mostly_never };
+
+constexpr std::array kAllWaits = {Waits::even,       Waits::ties,        Waits::bursts,
+                                  Waits::all_scales, Waits::mostly_now,  Waits::one_moment,
+                                  Waits::low_parts,  Waits::mostly_never};
 
 double random_wait(Random& random, Waits waits) {
   switch (waits) {
@@ -98,6 +107,10 @@ double random_wait(Random& random, Waits waits) {
       return std::exp2(1990 * random.uniform() - 995);
     case Waits::mostly_now:
       return random.uniform() < 0.7 ? 0 : 1e-18 * random.uniform();
+    case Waits::one_moment:
+      return 0;
+    case Waits::low_parts:
+      return 1e-20 * std::floor(4 * random.uniform());
     case Waits::mostly_never:
       break;
   }
@@ -119,32 +132,64 @@ class EveryQueue : public testing::Test {};
 using Queues = testing::Types<CalendarQueue, OrderedQueue>;
 TYPED_TEST_SUITE(EveryQueue, Queues);
 
+// A queue and its agenda, between which a test cannot tear a gap.
+template <class Queue>
+struct Pair {
+  Queue queue;
+  ListQueue list;
+
+  explicit Pair(std::size_t owners, const Time& start = Time(0)) : list(owners) {
+    queue.reset(owners, start);
+  }
+  void reset(std::size_t owners, const Time& start) {
+    list = ListQueue(owners);
+    queue.reset(owners, start);
+  }
+  void schedule(Owner owner, const Event& event) {
+    list.schedule(owner, event);
+    queue.schedule(owner, list);
+  }
+  std::optional<Owner> least() { return queue.least(list); }
+  void pop() {
+    queue.pop();
+    list.pop();
+  }
+  // All that is left, in order.
+  std::vector<Owner> emptied() {
+    std::vector<Owner> owners;
+    for (std::optional<Owner> owner = least(); owner; owner = least()) {
+      EXPECT_EQ(owner, list.least());
+      owners.push_back(*owner);
+      pop();
+    }
+    EXPECT_EQ(list.least(), std::nullopt);
+    return owners;
+  }
+};
+
+Event wall_at(const Time& time, SphereId sphere) {
+  return {time, EventKind::wall, sphere, 0, {}};
+}
+
 TYPED_TEST(EveryQueue, AgreesWithAListUnderRandomTraffic) {
-  TypeParam queue;
+  Pair<TypeParam> pair(0);
   Random random(1);
-  for (const Waits waits :
-       {Waits::even, Waits::ties, Waits::bursts, Waits::all_scales, Waits::mostly_now, Waits::mostly_never}) {
+  for (const Waits waits : kAllWaits) {
     for (const std::size_t owners : {std::size_t{1}, std::size_t{2}, std::size_t{30}, std::size_t{300}}) {
       // The same queue again: reset must leave nothing behind.
-      queue.reset(owners, Time(3));
-      ListQueue list(owners);
-      EXPECT_EQ(queue.least(), std::nullopt);
+      pair.reset(owners, Time(3));
+      EXPECT_EQ(pair.least(), std::nullopt);
       Time now(3);
-      const auto schedule = [&](Owner owner) {
-        const Event event = random_event(random, now, waits);
-        queue.schedule(owner, event);
-        list.schedule(owner, event);
-      };
+      const auto schedule = [&](Owner owner) { pair.schedule(owner, random_event(random, now, waits)); };
       for (Owner owner = 0; owner < owners; ++owner) schedule(owner);
       for (std::uint64_t step = 0; step < support::cases(3000); ++step) {
-        const std::optional<Scheduled> least = list.least();
-        ASSERT_EQ(queue.least(), least) << "step " << step << ", " << owners << " owners";
+        const std::optional<Owner> least = pair.list.least();
+        ASSERT_EQ(pair.least(), least) << "step " << step << ", " << owners << " owners";
         const double what = random.uniform();
         if (least && what < 0.7) {
-          now = least->event.time;
-          queue.pop();
-          list.pop();
-          if (what < 0.6) schedule(least->owner);
+          now = pair.list.time(*least);
+          pair.pop();
+          if (what < 0.6) schedule(*least);
         }
         // Others are replaced, an event or two at a time, or all at once.
         const std::uint64_t others = what < 0.99 ? random.bits() % 3 : owners;
@@ -155,72 +200,205 @@ TYPED_TEST(EveryQueue, AgreesWithAListUnderRandomTraffic) {
 }
 
 TYPED_TEST(EveryQueue, EmptiesInOrder) {
-  TypeParam queue;
-  Random random(2);
   constexpr std::size_t kOwners = 2000;
-  queue.reset(kOwners, Time(0));
+  Pair<TypeParam> pair(kOwners);
+  Random random(2);
   std::vector<Scheduled> expected;
   for (Owner owner = 0; owner < kOwners; ++owner) {
     const Waits waits = owner % 2 == 0 ? Waits::all_scales : Waits::ties;
     expected.push_back({random_event(random, Time(0), waits), owner});
-    queue.schedule(owner, expected.back().event);
+    pair.schedule(owner, expected.back().event);
   }
   std::sort(expected.begin(), expected.end());
   for (const Scheduled& entry : expected) {
-    ASSERT_EQ(queue.least(), entry);
-    queue.pop();
+    ASSERT_EQ(pair.least(), entry.owner);
+    pair.pop();
   }
-  EXPECT_EQ(queue.least(), std::nullopt);
-  EXPECT_EQ(queue.counters().scheduled, kOwners);
-  EXPECT_EQ(queue.counters().taken, kOwners);
+  EXPECT_EQ(pair.least(), std::nullopt);
+  EXPECT_EQ(pair.queue.counters().scheduled, kOwners);
+  EXPECT_EQ(pair.queue.counters().taken, kOwners);
 }
 
 TYPED_TEST(EveryQueue, ForgetsAnEntryThatIsReplacedByNever) {
-  TypeParam queue;
-  queue.reset(2, Time(0));
-  queue.schedule(0, {Time(1), EventKind::wall, 0, 0, {}});
-  queue.schedule(1, {Time(2), EventKind::wall, 1, 0, {}});
-  queue.schedule(0, Event{});
-  ASSERT_TRUE(queue.least());
-  EXPECT_EQ(queue.least()->owner, 1U);
-  queue.schedule(1, Event{});
-  EXPECT_EQ(queue.least(), std::nullopt);
+  Pair<TypeParam> pair(2);
+  pair.schedule(0, wall_at(Time(1), 0));
+  pair.schedule(1, wall_at(Time(2), 1));
+  pair.schedule(0, Event{});
+  EXPECT_EQ(pair.least(), 1U);
+  pair.schedule(1, Event{});
+  EXPECT_EQ(pair.least(), std::nullopt);
 }
 
 TYPED_TEST(EveryQueue, TakesEventsBeforeThoseItHasShown) {
-  TypeParam queue;
-  queue.reset(3, Time(0));
-  queue.schedule(0, {Time(100), EventKind::wall, 0, 0, {}});
-  ASSERT_EQ(queue.least()->owner, 0U);
-  queue.schedule(1, {Time(1), EventKind::wall, 1, 0, {}});
-  ASSERT_EQ(queue.least()->owner, 1U);
-  queue.schedule(2, {Time(0.5), EventKind::wall, 2, 0, {}});
-  ASSERT_EQ(queue.least()->owner, 2U);
-  queue.pop();
-  ASSERT_EQ(queue.least()->owner, 1U);
+  Pair<TypeParam> pair(3);
+  pair.schedule(0, wall_at(Time(100), 0));
+  ASSERT_EQ(pair.least(), 0U);
+  pair.schedule(1, wall_at(Time(1), 1));
+  ASSERT_EQ(pair.least(), 1U);
+  pair.schedule(2, wall_at(Time(0.5), 2));
+  ASSERT_EQ(pair.least(), 2U);
+  pair.pop();
+  ASSERT_EQ(pair.least(), 1U);
+}
+
+// The entry of the event that was replaced is still in the queue, and its time is the owner's time again.
+TYPED_TEST(EveryQueue, MindsOnlyTheEventThatAnOwnerHasNow) {
+  const Time moment(1);
+  const Event early{moment, EventKind::enter, 1, 0, {}};
+  const Event middle{moment, EventKind::collision, 1, 2, {}};
+  const Event late{moment, EventKind::wall, 1, 0, {}};
+  for (const bool shown_before : {false, true}) {
+    for (const bool with_others : {false, true}) {
+      SCOPED_TRACE(testing::Message() << shown_before << with_others);
+      for (const auto& [first, second] : {std::pair(early, late), std::pair(late, early)}) {
+        Pair<TypeParam> pair(40);
+        // Others fill the day, so that the two entries stand in a list or in a heap with them.
+        for (Owner owner = 2; with_others && owner < 40; ++owner) {
+          pair.schedule(owner, wall_at(Time(0.5 + 0.05 * owner), owner));
+        }
+        pair.schedule(0, first);
+        pair.schedule(1, middle);
+        if (shown_before) static_cast<void>(pair.least());
+        pair.schedule(0, second);
+        while (pair.list.time(*pair.list.least()) < moment) {
+          ASSERT_EQ(pair.least(), pair.list.least());
+          pair.pop();
+        }
+        const std::vector<Owner> order =
+            second == early ? std::vector<Owner>{0, 1} : std::vector<Owner>{1, 0};
+        for (const Owner owner : order) {
+          ASSERT_EQ(pair.list.least(), owner) << "the list itself";
+          ASSERT_EQ(pair.least(), owner);
+          pair.pop();
+        }
+        const std::vector<Owner> rest = pair.emptied();
+        EXPECT_EQ(std::count(rest.begin(), rest.end(), 0U), 0) << "its event has come already";
+        EXPECT_EQ(std::count(rest.begin(), rest.end(), 1U), 0);
+      }
+    }
+  }
+}
+
+// To and fro between two events of one moment, popped now and then and scheduled at that moment again.
+TYPED_TEST(EveryQueue, MindsOnlyTheEventThatAnOwnerHasNowHoweverOftenItChanges) {
+  Random random(4);
+  for (std::uint64_t round = 0; round < support::cases(300); ++round) {
+    const std::size_t owners = 1 + random.bits() % 6;
+    Pair<TypeParam> pair(owners);
+    const auto schedule = [&] {
+      const double moment = 1 + static_cast<double>(random.bits() % 2);
+      Event event = random_event(random, Time(moment), Waits::one_moment);
+      event.time.low = random.uniform() < 0.5 ? 0 : 1e-20 * static_cast<double>(random.bits() % 3);
+      pair.schedule(static_cast<Owner>(random.bits() % owners), event);
+    };
+    for (int step = 0; step < 60; ++step) {
+      for (std::uint64_t i = random.bits() % 5; i > 0; --i) schedule();
+      ASSERT_EQ(pair.least(), pair.list.least());
+      if (pair.list.least() && random.uniform() < 0.5) pair.pop();
+    }
+    pair.emptied();
+    if (this->HasFailure()) return;
+  }
+}
+
+// As the prospect of a sphere does when its partner gets another path.
+TYPED_TEST(EveryQueue, KeepsAnOwnerWhoseEventBecomesALesserOneOfTheSameMoment) {
+  Random random(5);
+  for (std::uint64_t round = 0; round < support::cases(2000); ++round) {
+    const std::size_t owners = 2 + random.bits() % 30;
+    Pair<TypeParam> pair(owners);
+    for (Owner owner = 0; owner < owners; ++owner) {
+      const double moment = 1 + static_cast<double>(random.bits() % 3);
+      pair.schedule(owner,
+                    make_collision(Time(moment, 1e-20), static_cast<SphereId>(random.bits() % 9), 10, {}));
+    }
+    std::vector<bool> has_come(owners);
+    Event last{Time(0), EventKind::enter, 0, 0, {}};
+    for (std::size_t left = owners; left > 0; --left) {
+      if (random.uniform() < 0.7) static_cast<void>(pair.least());
+      const auto changed = static_cast<Owner>(random.bits() % owners);
+      const Event scheduled = pair.list.event(changed);
+      if (scheduled.happens()) pair.list.schedule(changed, {scheduled.time, EventKind::enter, 0, 0, {}});
+      const std::optional<Owner> least = pair.least();
+      ASSERT_TRUE(least) << "somebody is missing";
+      ASSERT_FALSE(has_come[*least]);
+      has_come[*least] = true;
+      const Event event = pair.list.event(*least);
+      // Those that have not changed come in order; those that have, at the right moment.
+      ASSERT_GE(event.time, last.time);
+      if (event.kind == EventKind::collision) {
+        ASSERT_GE(event, last);
+        last = event;
+      }
+      pair.queue.pop();
+      pair.list.schedule(*least, Event{});
+    }
+    ASSERT_EQ(pair.least(), std::nullopt);
+  }
+}
+
+TYPED_TEST(EveryQueue, TellsMomentsApartThatRoundToOneDouble) {
+  constexpr std::size_t kOwners = 100;
+  for (const double moment : {1.0, 1e12}) {
+    Pair<TypeParam> pair(kOwners);
+    std::vector<Owner> expected;
+    for (Owner rank = 0; rank < kOwners; ++rank) {
+      // Scattered, and by kind the other way round.
+      const Owner owner = rank * 37 % kOwners;
+      const double low = moment * 0x1p-90 * (static_cast<double>(rank) - 50);
+      pair.schedule(owner, {Time(moment, low), rank < 50 ? EventKind::wall : EventKind::enter, 0, 0, {}});
+      expected.push_back(owner);
+      // A look in between makes the rest come late.
+      if (rank % 30 == 10) {
+        EXPECT_EQ(pair.least(), expected.front());
+      }
+    }
+    EXPECT_EQ(pair.emptied(), expected);
+  }
+}
+
+TYPED_TEST(EveryQueue, KeepsTheOrderOfEventsWhenAllHappenAtOneMoment) {
+  constexpr std::size_t kOwners = 3000;
+  for (const double moment : {0.0, 7.0}) {
+    Pair<TypeParam> pair(kOwners);
+    std::vector<Owner> expected;
+    for (Owner rank = 0; rank < kOwners; ++rank) {
+      const Owner owner = rank * 1009 % kOwners;
+      expected.push_back(owner);
+      pair.schedule(owner, make_collision(Time(moment), rank / 3, 5000 + rank % 3, {}));
+    }
+    std::vector<Owner> found;
+    for (std::optional<Owner> owner = pair.least(); owner; owner = pair.least()) {
+      found.push_back(*owner);
+      pair.queue.pop();
+      pair.list.schedule(*owner, Event{});
+    }
+    EXPECT_EQ(found, expected);
+  }
 }
 
 // Rescheduling without end leaves dead entries behind: they must not pile up, wherever they lie.
 TYPED_TEST(EveryQueue, KeepsItsMemoryInProportionToItsOwners) {
   constexpr std::size_t kOwners = 500;
-  for (const Waits waits : {Waits::even, Waits::bursts, Waits::all_scales, Waits::mostly_now}) {
-    TypeParam queue;
-    queue.reset(kOwners, Time(0));
+  for (const Waits waits : {Waits::even, Waits::bursts, Waits::all_scales, Waits::mostly_now,
+                            Waits::one_moment, Waits::low_parts}) {
+    SCOPED_TRACE(static_cast<int>(waits));
+    Pair<TypeParam> pair(kOwners);
     Random random(3);
     Time now(0);
-    for (Owner owner = 0; owner < kOwners; ++owner) queue.schedule(owner, random_event(random, now, waits));
+    for (Owner owner = 0; owner < kOwners; ++owner) pair.schedule(owner, random_event(random, now, waits));
     for (std::uint64_t step = 0; step < support::cases(200000); ++step) {
-      queue.schedule(static_cast<Owner>(random.bits() % kOwners), random_event(random, now, waits));
+      pair.schedule(static_cast<Owner>(random.bits() % kOwners), random_event(random, now, waits));
       if (step % 5 != 0) continue;
-      const std::optional<Scheduled> least = queue.least();
+      const std::optional<Owner> least = pair.least();
       ASSERT_TRUE(least);
-      now = least->event.time;
-      queue.pop();
-      queue.schedule(least->owner, random_event(random, now, waits));
+      now = pair.list.time(*least);
+      pair.queue.pop();
+      pair.schedule(*least, random_event(random, now, waits));
     }
     // At most 5 entries of some 72 bytes for each owner, in three or four places that may each have grown to
     // hold them all with twice the capacity.
-    EXPECT_LT(queue.memory_bytes(), kOwners * 3500);
+    EXPECT_LT(pair.queue.memory_bytes(), kOwners * 3500);
   }
 }
 

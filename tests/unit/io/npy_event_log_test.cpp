@@ -24,7 +24,7 @@ Contact make_contact(double time) {
   contact.time = Time(time);
   contact.first = 3;
   contact.second = 7;
-  contact.normal = {1, 0, 0};
+  contact.separation = {1, 0, 0};
   contact.first_mass = 2;
   contact.before = {{1, 0, 0}, {-1, 0, 0}};
   contact.after = {{-1, 0.25, 0}, {1, 0, 0}};

@@ -121,7 +121,6 @@ TEST(Tally, NotesTheDeepestOverlap) {
   tally.begin(world, Time(0));
   Contact contact = contact_of(1, 0, 1);
   contact.reach = 2;
-  contact.normal = {1, 0, 0};
   contact.first_mass = contact.second_mass = 1;
   for (const double distance : {2.5, 1.75, 1.875}) {
     contact.separation = {distance, 0, 0};

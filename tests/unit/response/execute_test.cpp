@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "hardball/errors/error.hpp"
 #include "hardball/response/restitution.hpp"
 #include "hardball/world/random.hpp"
@@ -21,15 +23,15 @@ TEST(ContactAt, DescribesACollisionThroughTheEdgeOfAPeriodicBox) {
   world.remove(0);
   world.add({{3, 5, 5}, {-1, 0, 0}, 1, 2});
   world.add({{6, 5, 5}, {1, 0, 0}, 0.5, 3});
-  const Event event = make_collision(contact_time(world, 0, 1, {{-1, 0, 0}}), 0, 1, {{-1, 0, 0}});
+  const Event event = make_collision(contact_time(world, 0, 1, {{-1, 0, 0}}), 1, 2, {{-1, 0, 0}});
   ASSERT_EQ(event.time, Time(2.75));
   std::array<Image, 2> folded;
-  const Contact contact = contact_at(world, event, folded);
+  const Contact contact = contact_at(world, event, participants_of(world, event), folded);
   EXPECT_EQ(contact.first, 1U) << "an id, not a slot";
   EXPECT_EQ(contact.second, 2U);
   EXPECT_EQ(contact.position, (Vec3{0.25, 5, 5}));
   EXPECT_EQ(contact.separation, (Vec3{-1.5, 0, 0}));
-  EXPECT_EQ(contact.normal, (Vec3{-1, 0, 0}));
+  EXPECT_EQ(contact.normal(), (Vec3{-1, 0, 0}));
   EXPECT_EQ(contact.point(), (Vec3{-0.75, 5, 5}));
   EXPECT_EQ(contact.reach, 1.5);
   EXPECT_EQ(contact.overlap(), 0);
@@ -42,6 +44,39 @@ TEST(ContactAt, DescribesACollisionThroughTheEdgeOfAPeriodicBox) {
   EXPECT_EQ(contact.after, contact.before);
 }
 
+TEST(ParticipantsOf, AreTheSlotsOfTheIdsThatAnEventNames) {
+  World world(Box::walls({10, 10, 10}));
+  for (const double x : {2.0, 4.0, 6.0, 8.0}) world.add({{x, 5, 5}, {1, 0, 0}, 0.5, 1});
+  world.remove(1);
+  world.reorder(std::array<Slot, 3>{2, 0, 1});
+  const Participants collision = participants_of(world, make_collision(Time(1), 3, 2, {}));
+  EXPECT_EQ(collision.first, 2U) << "the sphere with the lower id";
+  EXPECT_EQ(collision.second, 0U);
+  // Face 1 is the number of no slot.
+  EXPECT_EQ(participants_of(world, {Time(1), EventKind::wall, 3, 1, {}}).first, 0U);
+  EXPECT_THROW(participants_of(world, make_collision(Time(1), 1, 2, {})), Error) << "it has been removed";
+}
+
+TEST(Contact, NormalPointsAlongTheSeparationOrOutOfTheBox) {
+  Contact contact;
+  contact.separation = {0, -8, 0};
+  EXPECT_EQ(contact.normal(), (Vec3{0, -1, 0}));
+  contact.kind = EventKind::wall;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (const bool upper : {false, true}) {
+      contact.second = face_of(axis, upper);
+      // Whatever rounding has made of the distance, even if it is on the other side.
+      for (const double distance : {-1e-17, 0.0, 1e-17, 2.0}) {
+        contact.separation = {};
+        contact.separation[axis] = distance;
+        Vec3 outwards;
+        outwards[axis] = upper ? 1 : -1;
+        EXPECT_EQ(contact.normal(), outwards);
+      }
+    }
+  }
+}
+
 TEST(ContactAt, CountsTheImageBetweenFoldedCentres) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{9, 5, 5}, {2, 0, 0}, 0.5, 1});
@@ -50,7 +85,7 @@ TEST(ContactAt, CountsTheImageBetweenFoldedCentres) {
   const Event event = make_collision(contact_time(world, 0, 1, {{1, 0, 0}}), 0, 1, {{1, 0, 0}});
   ASSERT_EQ(event.time, Time(2));
   std::array<Image, 2> folded;
-  const Contact contact = contact_at(world, event, folded);
+  const Contact contact = contact_at(world, event, participants_of(world, event), folded);
   EXPECT_EQ(contact.position, (Vec3{3, 5, 5}));
   EXPECT_EQ(contact.image, Image{});
   EXPECT_EQ(contact.separation, (Vec3{1, 0, 0}));
@@ -61,11 +96,12 @@ TEST(ContactAt, DescribesAWall) {
   World world(Box::walls({10, 10, 10}));
   world.add({{5, 5, 5}, {1, 2, 0}, 1, 4});
   std::array<Image, 2> folded;
-  const Contact contact = contact_at(world, next_wall_event(world, 0), folded);
+  const Event event = next_wall_event(world, 0);
+  const Contact contact = contact_at(world, event, participants_of(world, event), folded);
   EXPECT_FALSE(contact.is_collision());
   EXPECT_EQ(contact.second, face_of(1, true));
   EXPECT_EQ(contact.separation, (Vec3{0, 1, 0}));
-  EXPECT_EQ(contact.normal, (Vec3{0, 1, 0}));
+  EXPECT_EQ(contact.normal(), (Vec3{0, 1, 0}));
   EXPECT_EQ(contact.point(), (Vec3{7, 10, 5}));
   EXPECT_EQ(contact.reach, 1);
   EXPECT_EQ(contact.impact_speed(), 2);
@@ -80,7 +116,7 @@ TEST(Execute, WritesBothPathsAndNothingElse) {
   const Path bystander = world.path(2);
   CollapseGuard guard;
   const Event event = make_collision(contact_time(world, 0, 1, {}), 0, 1, {});
-  const Executed done = execute(world, guard, event, Restitution(1));
+  const Executed done = execute(world, guard, event, {0, 1}, Restitution(1));
   EXPECT_EQ(world.path(0), (Path{{2, 0, 0}, {0, 0, 0}, Time(2)}));
   EXPECT_EQ(world.path(1), (Path{{4, 0, 0}, {1, 0, 0}, Time(2)}));
   EXPECT_EQ(world.path(2), bystander);
@@ -96,9 +132,9 @@ TEST(Execute, ChangesNothingIfTheResponseThrows) {
   CollapseGuard guard;
   const Event event = make_collision(contact_time(world, 0, 1, {}), 0, 1, {});
   const auto throws = [](const Contact&) -> Velocities { throw std::runtime_error("no"); };
-  EXPECT_THROW(execute(world, guard, event, throws), std::runtime_error);
+  EXPECT_THROW(execute(world, guard, event, {0, 1}, throws), std::runtime_error);
   const auto through = [](const Contact& contact) { return contact.before; };
-  EXPECT_THROW(execute(world, guard, event, through), Error) << "they still approach";
+  EXPECT_THROW(execute(world, guard, event, {0, 1}, through), Error) << "they still approach";
   EXPECT_TRUE(std::equal(before.begin(), before.end(), world.paths().begin()));
 }
 
@@ -180,6 +216,28 @@ TEST(CollapseGuard, CountsContactsInWhichASphereHasNotMoved) {
   } catch (const RunFailure& failure) {
     EXPECT_NE(std::string(failure.what()).find("inelastic collapse: sphere 0"), std::string::npos);
   }
+}
+
+TEST(CollapseGuard, KnowsSpheresByTheirIds) {
+  World world;
+  world.add({{0, 0, 0}, {1e-3, 0, 0}, 1, 1});
+  world.add({{9, 0, 0}, {1e-3, 0, 0}, 1, 1});
+  CollapseGuard guard;
+  for (int i = 0; i < 9999; ++i) guard.note_contact(world, 0, Time(0));
+  world.reorder(std::array<Slot, 2>{1, 0});
+  EXPECT_NO_THROW(guard.note_contact(world, 0, Time(0))) << "another sphere is stored there now";
+  EXPECT_THROW(guard.note_contact(world, 1, Time(0)), RunFailure);
+}
+
+TEST(CollapseGuard, NeedsMemoryOnlyForSpheresThatAreHitWithoutMoving) {
+  World world;
+  for (int i = 0; i < 1000; ++i) world.add({{3.0 * i, 0, 0}, {1, 0, 0}, 1, 1});
+  CollapseGuard guard;
+  const std::size_t empty = guard.memory_bytes();
+  for (Slot slot = 0; slot < world.size(); ++slot) guard.note_contact(world, slot, Time(1));
+  EXPECT_EQ(guard.memory_bytes(), empty);
+  for (Slot slot = 0; slot < world.size(); ++slot) guard.note_contact(world, slot, Time(0));
+  EXPECT_GT(guard.memory_bytes(), empty);
 }
 
 }  // namespace

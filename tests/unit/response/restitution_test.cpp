@@ -17,9 +17,8 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 Contact random_collision(Random& random) {
   Contact contact;
-  contact.normal = random.direction();
   contact.reach = 0.5 + random.uniform();
-  contact.separation = contact.reach * contact.normal;
+  contact.separation = contact.reach * random.direction();
   contact.first_mass = std::ldexp(1 + random.uniform(), static_cast<int>(random.bits() % 10));
   contact.second_mass = std::ldexp(1 + random.uniform(), static_cast<int>(random.bits() % 10));
   contact.before = {{random.normal(), random.normal(), random.normal()},
@@ -49,11 +48,11 @@ TEST(Restitution, KeepsMomentumAndSeparatesAtTheFractionOfTheApproach) {
     ASSERT_LT(length(gained - lost), 8 * kEpsilon * momenta);
     const double speeds = length(contact.before.first) + length(contact.before.second) + length(after.first) +
                           length(after.second);
-    const double approach = dot(contact.normal, contact.before.first - contact.before.second);
-    const double separation = dot(contact.normal, after.second - after.first);
+    const double approach = dot(contact.normal(), contact.before.first - contact.before.second);
+    const double separation = dot(contact.normal(), after.second - after.first);
     ASSERT_NEAR(separation, coefficient * approach, 8 * kEpsilon * speeds);
     // Nothing happens across the normal.
-    ASSERT_LT(length(cross(gained, contact.normal)), 8 * kEpsilon * momenta);
+    ASSERT_LT(length(cross(gained, contact.normal())), 8 * kEpsilon * momenta);
     // The energy lost is that of the relative motion along the normal.
     const double reduced =
         contact.first_mass * contact.second_mass / (contact.first_mass + contact.second_mass);

@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/world/random.hpp"
+#include "support/history.hpp"
 
 namespace hardball {
 namespace {
@@ -122,6 +125,131 @@ TEST(World, SumsEnergyMomentumAndVolume) {
   EXPECT_EQ(world.momentum(), (Vec3{6, 6, -8}));
   EXPECT_DOUBLE_EQ(world.sphere_volume(), 12 * std::numbers::pi);
   EXPECT_EQ(world.largest_radius(), 2);
+}
+
+std::vector<Slot> random_order(std::size_t size, Random& random) {
+  std::vector<Slot> order(size);
+  std::iota(order.begin(), order.end(), 0U);
+  for (std::size_t i = size; i > 1; --i) std::swap(order[i - 1], order[random.bits() % i]);
+  return order;
+}
+
+// What a world tells of a sphere by its id.
+struct Known {
+  SphereId id = 0;
+  Path path;
+  double radius = 0;
+  double mass = 0;
+  Image image;
+
+  friend bool operator==(const Known&, const Known&) = default;
+};
+
+// By the order of ids; checks that all ways to a sphere lead to the same.
+std::vector<Known> known_by_id(const World& world) {
+  std::vector<Known> known;
+  world.for_each_by_id([&](Slot slot) {
+    EXPECT_EQ(world.slot_of(world.id(slot)), slot);
+    known.push_back({world.id(slot), world.path(slot), world.radius(slot), world.mass(slot),
+                     world.image(slot, world.path(slot).time)});
+  });
+  EXPECT_EQ(known.size(), world.size());
+  EXPECT_EQ(world.paths().size(), world.size());
+  EXPECT_TRUE(
+      std::is_sorted(known.begin(), known.end(), [](const Known& a, const Known& b) { return a.id < b.id; }));
+  return known;
+}
+
+// Worlds in which radii or masses are the same for all, or not.
+class Reorder : public testing::TestWithParam<std::pair<bool, bool>> {
+ protected:
+  Sphere random_sphere(Random& random) const {
+    const auto [mixed_radii, mixed_masses] = GetParam();
+    const Vec3 place{20 * random.normal(), 20 * random.normal(), 20 * random.normal()};
+    return {place,
+            {random.normal(), random.normal(), random.normal()},
+            mixed_radii ? 0.5 + random.uniform() : 0.7,
+            mixed_masses ? 1 + 9 * random.uniform() : 3};
+  }
+};
+
+TEST_P(Reorder, ChangesNothingButTheSlots) {
+  Random random(1);
+  World world(Box::periodic({10, 10, 10}));
+  for (int i = 0; i < 200; ++i) world.add(random_sphere(random), Time(random.uniform()));
+  for (const SphereId gone : {0U, 77U, 199U}) world.remove(gone);
+  const std::vector<Known> before = known_by_id(world);
+  const double energy = world.kinetic_energy();
+  const Vec3 momentum = world.momentum();
+  const double volume = world.sphere_volume();
+  for (int round = 0; round < 5; ++round) {
+    const std::vector<Slot> order = random_order(world.size(), random);
+    std::vector<SphereId> ids;
+    for (const Slot slot : order) ids.push_back(world.id(slot));
+    world.reorder(order);
+    for (Slot slot = 0; slot < world.size(); ++slot) ASSERT_EQ(world.id(slot), ids[slot]);
+    ASSERT_EQ(known_by_id(world), before);
+    // To the last bit: sums are taken in the order of ids.
+    EXPECT_TRUE(support::same_bits(world.kinetic_energy(), energy));
+    EXPECT_TRUE(support::same_bits(world.momentum(), momentum));
+    EXPECT_TRUE(support::same_bits(world.sphere_volume(), volume));
+    EXPECT_EQ(world.radii().is_common(), !GetParam().first);
+    for (const SphereId gone : {0U, 77U, 199U, 200U})
+      EXPECT_THROW(static_cast<void>(world.slot_of(gone)), Error);
+  }
+  // Back to the order of ids.
+  std::vector<Slot> order;
+  world.for_each_by_id([&](Slot slot) { order.push_back(slot); });
+  world.reorder(order);
+  for (Slot slot = 0; slot < world.size(); ++slot) EXPECT_EQ(world.id(slot), before[slot].id);
+  EXPECT_EQ(known_by_id(world), before);
+}
+
+// Spheres come, go and change their paths between one order and the next, in this world and in one whose
+// slots stay in the order of ids.
+TEST_P(Reorder, LetsSpheresComeAndGo) {
+  Random random(2);
+  World world(Box::periodic({10, 10, 10}));
+  World plain = world;
+  for (int step = 0; step < 500; ++step) {
+    const double what = random.uniform();
+    if (what < 0.4 || world.size() == 0) {
+      const Sphere sphere = random_sphere(random);
+      ASSERT_EQ(world.add(sphere, Time(step)), plain.add(sphere, Time(step)));
+    } else if (what < 0.7) {
+      const SphereId id = world.id(static_cast<Slot>(random.bits() % world.size()));
+      world.remove(id);
+      plain.remove(id);
+    } else if (what < 0.85) {
+      const SphereId id = world.id(static_cast<Slot>(random.bits() % world.size()));
+      const Vec3 velocity{random.normal(), random.normal(), random.normal()};
+      ASSERT_EQ(world.change_velocity(world.slot_of(id), Time(step), velocity),
+                plain.change_velocity(plain.slot_of(id), Time(step), velocity));
+    } else {
+      world.reorder(random_order(world.size(), random));
+    }
+    ASSERT_EQ(known_by_id(world), known_by_id(plain)) << "step " << step;
+    ASSERT_EQ(world.largest_radius(), plain.largest_radius());
+    ASSERT_TRUE(support::same_bits(world.kinetic_energy(), plain.kinetic_energy()));
+    ASSERT_TRUE(support::same_bits(world.momentum(), plain.momentum()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(RadiiAndMasses, Reorder,
+                         testing::Values(std::pair(false, false), std::pair(true, false),
+                                         std::pair(false, true), std::pair(true, true)));
+
+TEST(World, HasNoLargestRadiusAfterTheLastSphereIsGone) {
+  World world;
+  world.add({{0, 0, 0}, {}, 2, 1});
+  world.remove(0);
+  EXPECT_EQ(world.largest_radius(), 0);
+  world.add({{0, 0, 0}, {}, 2, 1});
+  world.add({{9, 0, 0}, {}, 1, 1});
+  world.remove(1);
+  EXPECT_EQ(world.largest_radius(), 1);
+  world.remove(2);
+  EXPECT_EQ(world.largest_radius(), 0);
 }
 
 TEST(NextWallEvent, IsTheFirstFaceAheadAndPrefersTheLowerOnATie) {

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/broadphase/candidates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "hardball/world/random.hpp"
+#include "support/effort.hpp"
+
+namespace hardball {
+namespace {
+
+void expect_padding(const Candidates& candidates) {
+  for (std::size_t i = 0; i < Candidates::kPadding; ++i) {
+    EXPECT_EQ(candidates.slots()[candidates.size() + i], candidates.self());
+  }
+}
+
+TEST(Candidates, AreEmptyAfterBeginAndPaddedAfterEnd) {
+  Candidates candidates;
+  for (const Slot self : {0U, 5U, 4000000000U}) {
+    for (const bool nearest : {true, false}) {
+      candidates.begin(self, nearest);
+      candidates.end();
+      EXPECT_EQ(candidates.self(), self);
+      EXPECT_EQ(candidates.are_nearest(), nearest);
+      EXPECT_EQ(candidates.size(), 0U);
+      expect_padding(candidates);
+    }
+  }
+}
+
+TEST(Candidates, KeepTheOrderInWhichTheyWereAddedAndArePadded) {
+  for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 55U, 56U, 57U, 64U, 1000U}) {
+    Candidates candidates;
+    candidates.begin(3, true);
+    for (std::size_t i = 0; i < count; ++i) candidates.add(static_cast<Slot>(10 + 7 * i));
+    candidates.end();
+    ASSERT_EQ(candidates.size(), count);
+    for (std::size_t i = 0; i < count; ++i) {
+      ASSERT_EQ(candidates.slot(i), 10 + 7 * i);
+      ASSERT_EQ(candidates.slots()[i], 10 + 7 * i);
+    }
+    expect_padding(candidates);
+  }
+}
+
+// Blocks of slots as cells hold them, with many repetitions: everybody is there, few are there twice.
+TEST(Candidates, AddOnceLeavesNobodyOutAndLetsFewThroughTwice) {
+  Random random(1);
+  Candidates candidates;
+  std::uint64_t added = 0;
+  std::uint64_t twice = 0;
+  for (std::uint64_t round = 0; round < support::cases(3000); ++round) {
+    const Slot slots = round % 3 == 0 ? 100 : round % 3 == 1 ? 5000 : 4000000000U;
+    std::vector<Slot> pool(1 + random.bits() % 60);
+    for (Slot& slot : pool) slot = static_cast<Slot>(random.bits() % slots);
+    const Slot self = pool.front();
+    candidates.begin(self, true);
+    std::map<Slot, int> given;
+    const std::uint64_t blocks = random.bits() % 12;
+    for (std::uint64_t b = 0; b < blocks; ++b) {
+      std::vector<Slot> block(random.bits() % 15);
+      for (Slot& slot : block) slot = pool[random.bits() % pool.size()];
+      candidates.add_once(block.data(), static_cast<std::uint32_t>(block.size()));
+      for (const Slot slot : block) ++given[slot];
+    }
+    candidates.end();
+    expect_padding(candidates);
+    std::map<Slot, int> found;
+    for (std::size_t i = 0; i < candidates.size(); ++i) ++found[candidates.slot(i)];
+    for (const auto& [slot, count] : given) {
+      if (slot == self) continue;
+      ASSERT_TRUE(found.contains(slot)) << "left out";
+    }
+    for (const auto& [slot, count] : found) {
+      ASSERT_TRUE(given.contains(slot)) << "never given";
+      ASSERT_LE(count, given[slot]);
+      if (slots == 100) {
+        ASSERT_EQ(count, 1) << "slots below 256 never share a place";
+        ASSERT_NE(slot, self);
+      }
+      if (slot == self) continue;
+      ++added;
+      twice += static_cast<std::uint64_t>(count - 1);
+    }
+  }
+  // Of 60 slots on 256 places one in nine shares its place with the one that matters; one given some three
+  // times then comes some two times too often.
+  EXPECT_LT(static_cast<double>(twice), 0.3 * static_cast<double>(added));
+  EXPECT_GT(twice, 0U) << "the cache is put to the test";
+}
+
+TEST(Candidates, AddOnceForgetsEarlierRounds) {
+  Candidates candidates;
+  const std::array<Slot, 3> block = {1, 2, 3};
+  for (int round = 0; round < 1000; ++round) {
+    candidates.begin(9, true);
+    EXPECT_TRUE(candidates.is_new(1));
+    EXPECT_FALSE(candidates.is_new(9)) << "the sphere itself";
+    candidates.add_once(block.data(), 3);
+    candidates.add_once(block.data(), 3);
+    candidates.end();
+    ASSERT_EQ(candidates.size(), 3U);
+    EXPECT_FALSE(candidates.is_new(1));
+  }
+}
+
+TEST(Candidates, MarkTellsOneSphereFromAnotherOnTheSamePlace) {
+  Candidates candidates;
+  candidates.begin(0, false);
+  candidates.mark(5);
+  EXPECT_FALSE(candidates.is_new(5));
+  EXPECT_TRUE(candidates.is_new(5 + 256));
+  candidates.mark(5 + 256);
+  EXPECT_FALSE(candidates.is_new(5 + 256));
+}
+
+TEST(Candidates, ListedImagesAndShiftsAgree) {
+  Random random(2);
+  const Box box({Boundary::periodic, Boundary::wall, Boundary::periodic}, {10, 7, 3});
+  Candidates candidates;
+  for (std::uint64_t round = 0; round < support::cases(300); ++round) {
+    candidates.begin(2, false);
+    std::vector<std::pair<Slot, Image>> expected(random.bits() % 200);
+    for (auto& [slot, image] : expected) {
+      slot = 3 + static_cast<Slot>(random.bits() % 50);
+      image[0] = static_cast<std::int32_t>(random.bits() % 5) - 2;
+      image[2] = static_cast<std::int32_t>(random.bits() % 5) - 2;
+      candidates.add(slot, image, box);
+    }
+    candidates.end();
+    ASSERT_FALSE(candidates.are_nearest());
+    ASSERT_EQ(candidates.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      ASSERT_EQ(candidates.slot(i), expected[i].first);
+      ASSERT_EQ(candidates.image(i), expected[i].second);
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        ASSERT_EQ(candidates.shifts(axis)[i], box.shift(expected[i].second)[axis]);
+      }
+    }
+    expect_padding(candidates);
+    // In between, a round without images.
+    candidates.begin(1, true);
+    for (Slot slot = 2; slot < 400; ++slot) candidates.add(slot);
+    candidates.end();
+  }
+}
+
+}  // namespace
+}  // namespace hardball

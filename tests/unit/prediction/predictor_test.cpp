@@ -1,0 +1,510 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Every set of instructions against the plain loop over contact_time and the order of events, bit for bit.
+#include "hardball/prediction/predictor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/world/random.hpp"
+#include "support/effort.hpp"
+#include "support/history.hpp"
+
+namespace hardball {
+namespace {
+
+using support::same_bits;
+
+constexpr Boundary kPeriodic = Boundary::periodic;
+constexpr Boundary kWall = Boundary::wall;
+constexpr Boundary kOpen = Boundary::open;
+
+std::vector<InstructionSet> available_sets() {
+  std::vector<InstructionSet> sets;
+  for (const InstructionSet set : {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (is_available(set)) sets.push_back(set);
+  }
+  return sets;
+}
+
+TEST(InstructionSet, PortableIsAlwaysAvailableAndTheWidestIsToo) {
+  EXPECT_TRUE(is_available(InstructionSet::portable));
+  EXPECT_TRUE(is_available(widest_instruction_set()));
+  EXPECT_EQ(widest_instruction_set(), available_sets().back());
+}
+
+TEST(InstructionSet, IsRefusedWhereItIsNotAvailable) {
+  for (const InstructionSet set : {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (is_available(set)) {
+      EXPECT_NO_THROW(Predictor{set});
+    } else {
+      EXPECT_THROW(Predictor{set}, Error);
+    }
+  }
+}
+
+// The least of the contacts by the order of events, one after another.
+struct Expected {
+  Event event;
+  Slot partner = 0;
+};
+
+Event contact_of(const World& world, Slot self, Slot other, const Image& image) {
+  return make_collision(contact_time(world, self, other, image), world.id(self), world.id(other), image);
+}
+
+Expected plain_loop(const World& world, const Candidates& candidates, const Time& now) {
+  Expected least;
+  const Slot self = candidates.self();
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Slot other = candidates.slot(i);
+    const Image image =
+        candidates.are_nearest() ? nearest_image(world, self, other, now) : candidates.image(i);
+    const Event event = contact_of(world, self, other, image);
+    if (event.happens() && event < least.event) least = {event, other};
+  }
+  return least;
+}
+
+// What has been put to the test.
+struct Coverage {
+  std::uint64_t queries = 0;
+  std::uint64_t contacts = 0;
+  std::uint64_t at_once = 0;  // contacts at the later of the two paths' moments
+  std::uint64_t ties = 0;
+};
+
+// Holds all instructions against the plain loop.
+class Comparison {
+ public:
+  Comparison() {
+    for (const InstructionSet set : available_sets()) predictors_.emplace_back(set);
+  }
+
+  void compare(const World& world, const Candidates& candidates, const Time& now) {
+    const Expected expected = plain_loop(world, candidates, now);
+    note(world, candidates, now, expected);
+    const double high = expected.event.time.high;
+    for (Predictor& predictor : predictors_) {
+      expect_same(world, candidates, now, expected, predictor.earliest(world, candidates, now));
+      // A limit at the contact or after it changes nothing.
+      if (expected.event.happens()) {
+        for (const Time& limit : {expected.event.time, Time(high), Time(std::nextafter(high, 1e300))}) {
+          expect_same(world, candidates, now, expected, predictor.earliest(world, candidates, now, limit));
+        }
+        // Of what comes after the limit, only that it does so.
+        const Time limit(std::nextafter(high, -1e300));
+        ASSERT_GT(predictor.earliest(world, candidates, now, limit).time.high, limit.high);
+      }
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+
+  const Coverage& coverage() const { return coverage_; }
+
+ private:
+  void note(const World& world, const Candidates& candidates, const Time& now, const Expected& expected) {
+    ++coverage_.queries;
+    if (!expected.event.happens()) return;
+    ++coverage_.contacts;
+    const Slot self = candidates.self();
+    coverage_.at_once +=
+        expected.event.time == later(world.path(self).time, world.path(expected.partner).time) ? 1U : 0U;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const Slot other = candidates.slot(i);
+      const Image image =
+          candidates.are_nearest() ? nearest_image(world, self, other, now) : candidates.image(i);
+      const Event event = contact_of(world, self, other, image);
+      coverage_.ties += event.time == expected.event.time && event != expected.event ? 1U : 0U;
+    }
+  }
+
+  static void expect_same(const World& world, const Candidates& candidates, const Time& now,
+                          const Expected& expected, const Prospect& found) {
+    ASSERT_EQ(found.happens(), expected.event.happens());
+    ASSERT_TRUE(same_bits(found.time.high, expected.event.time.high))
+        << to_text(found.time.high) << " instead of " << to_text(expected.event.time.high);
+    if (!found.happens()) return;
+    ASSERT_TRUE(same_bits(found.time.low, expected.event.time.low));
+    ASSERT_EQ(found.partner, expected.partner);
+    const Slot self = candidates.self();
+    const Image image =
+        candidates.are_nearest() ? nearest_image(world, self, found.partner, now) : found.image;
+    ASSERT_EQ(make_collision(found.time, world.id(self), world.id(found.partner), image), expected.event);
+  }
+
+  std::vector<Predictor> predictors_;
+  Coverage coverage_;
+};
+
+// Lets slots and ids run in different orders, so that ties are not decided by slots.
+void shuffle(World& world, Random& random) {
+  std::vector<Slot> order(world.size());
+  std::iota(order.begin(), order.end(), 0U);
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.bits() % i]);
+  world.reorder(order);
+}
+
+double spread(Random& random, double low_exponent, double high_exponent) {
+  return std::exp2(low_exponent + random.uniform() * (high_exponent - low_exponent));
+}
+
+// Worlds in which spheres may overlap: nothing runs in them.
+struct Settings {
+  std::array<Boundary, kAxes> boundary{};
+  bool mixed_radii = false;
+  double start = 0;  // near which paths begin [T]
+};
+
+// A sphere in the middle of things, and others that it may meet in every way there is.
+class PairMaker {
+ public:
+  PairMaker(const Settings& settings, std::uint64_t seed)
+      : settings_(settings), random_(seed), now_(with_low_part(settings.start + 3)) {
+    world_ = World(Box(settings.boundary, {kSize, kSize, kSize}));
+  }
+
+  World make(std::size_t others) {
+    self_radius_ = radius();
+    self_velocity_ = normal();
+    self_now_ = Vec3{kSize / 2, kSize / 2, kSize / 2} + 3 * random_.direction();
+    add(self_now_, self_velocity_, self_radius_);
+    for (std::size_t i = 0; i < others; ++i) add_other();
+    return world_;
+  }
+
+  const Time& now() const { return now_; }
+
+ private:
+  static constexpr double kSize = 128;
+
+  // A moment about halfway between two doubles.
+  static Time with_low_part(double high) { return {high, 0.4 * (std::nextafter(high, 1e300) - high)}; }
+
+  Vec3 normal() { return {random_.normal(), random_.normal(), random_.normal()}; }
+  double radius() { return settings_.mixed_radii ? 0.5 + random_.uniform() : 0.75; }
+
+  // A sphere that is at `place` now, on a path that began a while ago.
+  void add(const Vec3& place, const Vec3& velocity, double radius) {
+    double age = 0;
+    Time begin = now_;
+    switch (random_.bits() % 4) {
+      case 0:
+        break;
+      case 1:  // at another moment that only the low part tells from now
+        begin.low *= random_.uniform();
+        break;
+      default:
+        age = 3 * random_.uniform();
+        begin = after(now_, -age);
+    }
+    world_.add({place - age * velocity, velocity, radius, 1}, begin);
+  }
+
+  void add_other() {
+    const double other_radius = radius();
+    const double reach = self_radius_ + other_radius;
+    const Vec3 along = random_.direction();
+    Vec3 across;
+    do {
+      across = cross(along, random_.direction());
+    } while (length(across) < 0.1);
+    across = (1 / length(across)) * across;
+    const double speed = spread(random_, -3, 3);
+    // Meeting with this squared cosine, seen from this far.
+    const auto meeting = [&](double impact, double distance) {
+      const double before = std::sqrt(std::max(0.0, 1 - impact * impact)) + distance;
+      add(self_now_ + reach * (impact * across - before * along), self_velocity_ + speed * along,
+          other_radius);
+    };
+    const double distance = random_.uniform() < 0.2 ? spread(random_, -50, 0) : 8 * random_.uniform();
+    switch (random_.bits() % 9) {
+      case 0:  // anything
+        add(self_now_ + 8 * Vec3{random_.normal(), random_.normal(), random_.normal()}, normal(),
+            other_radius);
+        break;
+      case 1:  // a squared cosine from 0 to 1/2, about where more digits are taken
+        meeting(std::sqrt(1 - 0.5 * random_.uniform()), distance);
+        break;
+      case 2:
+        meeting(std::sqrt(11.0 / 16 + spread(random_, -52, -10) * (random_.uniform() - 0.5)), distance);
+        break;
+      case 3:  // grazing, or missing, by a hair's breadth
+        meeting(1 + spread(random_, -54, -3) * (random_.uniform() < 0.5 ? 1 : -1), distance);
+        break;
+      case 4:  // head on, or nearly
+        meeting(random_.uniform() < 0.5 ? 0 : 0.8 * random_.uniform(), distance);
+        break;
+      case 5:  // overlapping, approaching or receding
+        add(self_now_ + reach * random_.uniform() * random_.direction(), self_velocity_ + normal(),
+            other_radius);
+        break;
+      case 6:  // touching, up to rounding
+        add(self_now_ + reach * random_.direction(), self_velocity_ + normal(), other_radius);
+        break;
+      case 7:  // at relative rest, or nearly
+        add(self_now_ + 2 * reach * random_.uniform() * random_.direction(),
+            self_velocity_ + (random_.uniform() < 0.5 ? 0 : 1e-15) * normal(), other_radius);
+        break;
+      default:  // receding
+        meeting(random_.uniform(), -4 - distance);
+    }
+  }
+
+  Settings settings_;
+  Random random_;
+  Time now_;
+  World world_;
+  double self_radius_ = 0;
+  Vec3 self_velocity_;
+  Vec3 self_now_;
+};
+
+// Some of the others, in any order.
+std::vector<Slot> some_others(const World& world, Slot self, Random& random) {
+  std::vector<Slot> others;
+  const double kept = random.uniform() < 0.5 ? 1 : random.uniform();
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    if (slot != self && random.uniform() < kept) others.push_back(slot);
+  }
+  for (std::size_t i = others.size(); i > 1; --i) std::swap(others[i - 1], others[random.bits() % i]);
+  return others;
+}
+
+void collect_nearest(Candidates& candidates, Slot self, const std::vector<Slot>& others) {
+  candidates.begin(self, true);
+  for (const Slot other : others) candidates.add(other);
+  candidates.end();
+}
+
+// The nearest copies among others that are not, in any order.
+void collect_listed(Candidates& candidates, const World& world, Slot self, const std::vector<Slot>& others,
+                    const Time& now, Random& random) {
+  candidates.begin(self, false);
+  for (const Slot other : others) {
+    Image image = nearest_image(world, self, other, now);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (!world.box().is_periodic(axis)) image[axis] = 0;
+    }
+    candidates.add(other, image, world.box());
+    if (random.uniform() < 0.7) continue;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (world.box().is_periodic(axis)) image[axis] += static_cast<std::int32_t>(random.bits() % 3) - 1;
+    }
+    candidates.add(other, image, world.box());
+  }
+  candidates.end();
+}
+
+class EveryPredictor : public testing::TestWithParam<Settings> {};
+
+TEST_P(EveryPredictor, AgreesWithThePlainLoop) {
+  Comparison comparison;
+  Candidates candidates;
+  for (std::uint64_t seed = 0; seed < support::cases(1000); ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    PairMaker maker(GetParam(), seed);
+    World world = maker.make(random.bits() % 71);
+    ASSERT_EQ(world.radii().is_common(), world.size() == 1 || !GetParam().mixed_radii);
+    shuffle(world, random);
+    // Most meet sphere 0 in the middle; another one sees them otherwise.
+    for (const Slot self : {world.slot_of(0), static_cast<Slot>(random.bits() % world.size())}) {
+      const std::vector<Slot> others = some_others(world, self, random);
+      collect_nearest(candidates, self, others);
+      comparison.compare(world, candidates, maker.now());
+      collect_listed(candidates, world, self, others, maker.now(), random);
+      comparison.compare(world, candidates, maker.now());
+      if (HasFatalFailure()) return;
+      // One at a time, so that each kind of pair counts, in a lane of its own.
+      for (std::size_t i = 0; i < std::min<std::size_t>(others.size(), 8); ++i) {
+        std::vector<Slot> lanes(i + 1, self);
+        lanes[i] = others[i];
+        collect_nearest(candidates, self, lanes);
+        comparison.compare(world, candidates, maker.now());
+      }
+      if (HasFatalFailure()) return;
+    }
+  }
+  const Coverage& coverage = comparison.coverage();
+  EXPECT_GT(coverage.contacts, coverage.queries / 3);
+  EXPECT_GT(coverage.at_once, coverage.queries / 10);
+  EXPECT_GT(coverage.queries, support::cases(1000) * 10);
+}
+
+constexpr std::array kAllPeriodic = {kPeriodic, kPeriodic, kPeriodic};
+constexpr std::array kAllWalls = {kWall, kWall, kWall};
+constexpr std::array kAllOpen = {kOpen, kOpen, kOpen};
+constexpr std::array kMixture = {kOpen, kPeriodic, kWall};
+INSTANTIATE_TEST_SUITE_P(Settings, EveryPredictor,
+                         testing::Values(Settings{kAllPeriodic, false, 0}, Settings{kAllPeriodic, true, 0},
+                                         Settings{kAllPeriodic, false, 1e12}, Settings{kAllWalls, false, 0},
+                                         Settings{kAllWalls, true, 1e12}, Settings{kAllOpen, true, 0},
+                                         Settings{kAllOpen, false, 1e12}, Settings{kMixture, false, 0},
+                                         Settings{kMixture, true, 1e12}));
+
+// Reach 13, all numbers dyadic: a sphere that comes from any side with an impact parameter of 0, 5 or 12
+// stands 13, 12 or 5 away along its way when it touches. So whole groups of contacts happen at one moment
+// exactly, by the plain and by the grazing formula. An impact parameter of 13 is an exact graze, which is no
+// contact.
+TEST(Predictor, DecidesExactTiesByTheOrderOfEvents) {
+  constexpr std::array<std::array<double, 2>, 4> kMeetings = {{{0, 13}, {5, 12}, {12, 5}, {13, 0}}};
+  Comparison comparison;
+  Candidates candidates;
+  for (std::uint64_t seed = 0; seed < support::cases(4000); ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const auto below = [&random](std::uint64_t n) { return static_cast<double>(random.bits() % n); };
+    const bool periodic = seed % 2 == 0;
+    const bool mixed_radii = seed % 3 == 0;
+    const double start = seed % 5 == 0 ? 1e12 : 0;
+    const double low = seed % 10 == 0 ? 0x1p-60 : 0;
+    const Time now(start + 8, low);
+    World world(Box(periodic ? kAllPeriodic : kAllOpen, {512, 512, 512}));
+    const Vec3 place{below(512), below(512), below(512)};
+    const Vec3 velocity{below(3) - 1, below(3) - 1, below(3) - 1};
+    // On a path that began at any whole time before; places in the box, so that nothing is folded twice.
+    const auto add = [&](const Vec3& place_now, const Vec3& v, double radius) {
+      const double age = below(9);
+      world.add({place_now - age * v, v, radius, 1}, Time(start + 8 - age, low));
+    };
+    add(place, velocity, 6.5);
+    const std::uint64_t others = random.bits() % 71;
+    const double few_moments = 1 + below(4);
+    for (std::uint64_t i = 0; i < others; ++i) {
+      const std::size_t axis = random.bits() % 3;
+      const double side = random.bits() % 2 == 0 ? 1 : -1;
+      const auto [impact, ahead] = kMeetings[random.bits() % 4];
+      const double speed = std::ldexp(1, static_cast<int>(random.bits() % 3));
+      const double wait = std::floor(below(32) / 32 * few_moments);
+      Vec3 apart;
+      apart[axis] = side * (ahead + speed * wait);
+      apart[(axis + 1 + random.bits() % 2) % 3] = random.bits() % 2 == 0 ? impact : -impact;
+      Vec3 v;
+      v[axis] = -side * speed;
+      const double radius = 6.5;
+      add(place + apart, velocity + v, radius);
+    }
+    // Somebody else, far away, has another radius.
+    if (mixed_radii) add(place + Vec3{200, 0, 0}, velocity, 1);
+    shuffle(world, random);
+    const Slot self = world.slot_of(0);
+    const std::vector<Slot> all = some_others(world, self, random);
+    collect_nearest(candidates, self, all);
+    comparison.compare(world, candidates, now);
+    collect_listed(candidates, world, self, all, now, random);
+    comparison.compare(world, candidates, now);
+    // The same candidate twice does no harm.
+    std::vector<Slot> twice = all;
+    twice.insert(twice.begin(), all.rbegin(), all.rend());
+    collect_nearest(candidates, self, twice);
+    comparison.compare(world, candidates, now);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(comparison.coverage().ties, 10 * support::cases(4000));
+}
+
+// An exact graze is no contact, whoever else is in the vector; a unit in the last place closer, it is one.
+TEST(Predictor, KnowsExactGrazes) {
+  Comparison comparison;
+  Candidates candidates;
+  Random random(3);
+  for (std::uint64_t i = 0; i < support::cases(3000); ++i) {
+    const double reach = std::floor(64 + 1000 * random.uniform()) / 64;
+    const double distance = std::floor(1 + 1000 * random.uniform()) / 16;
+    const double speed = std::floor(1 + 1000 * random.uniform()) / 32;
+    World world;
+    world.add({{0, 0, 0}, {}, reach / 2, 1});
+    const double impact = i % 3 == 0   ? reach
+                          : i % 3 == 1 ? std::nextafter(reach, 0)
+                                       : std::nextafter(reach, 1e9);
+    world.add({{distance, impact, 0}, {-speed, 0, 0}, reach / 2, 1});
+    world.add({{2 * distance, 0, -impact}, {-speed, 0, 0}, reach / 2, 1});
+    collect_nearest(candidates, 0, {1, 2});
+    comparison.compare(world, candidates, Time(0));
+    ASSERT_FALSE(HasFailure());
+    ASSERT_EQ(plain_loop(world, candidates, Time(0)).event.happens(), i % 3 == 1);
+  }
+}
+
+// The kernels reckon grazes only if they may come before the earliest other contact: here one comes just
+// after, or just before, at every distance.
+TEST(Predictor, LosesNoGrazeJustBeforeAnotherContact) {
+  Comparison comparison;
+  Candidates candidates;
+  Random random(4);
+  std::uint64_t grazes = 0;
+  for (std::uint64_t i = 0; i < support::cases(30000); ++i) {
+    const double distance = spread(random, -3, 24);
+    const double impact = 1 - spread(random, -50, -1);
+    const Vec3 along = random.direction();
+    Vec3 across = cross(along, random.direction());
+    across = (1 / length(across)) * across;
+    World world;
+    world.add({{}, {}, 0.5, 1});
+    world.add({impact * across - (std::sqrt(std::max(0.0, 1 - impact * impact)) + distance) * along, along,
+               0.5, 1});
+    const Time graze = contact_time(world, 0, 1, {});
+    if (graze == kNever) continue;
+    // Head on, so that it touches a little later or earlier.
+    const double wait = graze.high * (1 + spread(random, -52, -20) * (random.uniform() < 0.7 ? 1 : -1));
+    world.add({{1 + wait, 0, 0}, {-1, 0, 0}, 0.5, 1});
+    collect_nearest(candidates, 0, i % 2 == 0 ? std::vector<Slot>{1, 2} : std::vector<Slot>{2, 1});
+    comparison.compare(world, candidates, Time(0));
+    ASSERT_FALSE(HasFailure()) << "case " << i << ", distance " << distance;
+    grazes += plain_loop(world, candidates, Time(0)).partner == 1 ? 1U : 0U;
+  }
+  EXPECT_GT(grazes, support::cases(30000) / 4);
+}
+
+TEST(Predictor, FindsNothingAmongNobody) {
+  World world;
+  world.add({{0, 0, 0}, {1, 0, 0}, 1, 1});
+  Candidates candidates;
+  for (const InstructionSet set : available_sets()) {
+    Predictor predictor(set);
+    collect_nearest(candidates, 0, {});
+    EXPECT_FALSE(predictor.earliest(world, candidates, Time(0)).happens());
+    EXPECT_EQ(predictor.memory_bytes(), 0U);
+  }
+}
+
+TEST(NearestImage, IsTheNearestAndTheOppositeSeenFromTheOther) {
+  Random random(5);
+  for (std::uint64_t i = 0; i < support::cases(20000); ++i) {
+    const Box box(i % 2 == 0 ? kAllPeriodic : kMixture, {3 + random.uniform(), 4, 5 + random.uniform()});
+    World world(box);
+    const auto place = [&] {
+      return Vec3{0.5 + 2 * random.uniform(), 4 * random.uniform(), 0.5 + 4 * random.uniform()};
+    };
+    const auto velocity = [&] { return Vec3{random.normal(), random.normal(), random.normal()}; };
+    world.add({place(), velocity(), 0.25, 1}, Time(1));
+    world.add({place(), velocity(), 0.25, 1}, Time(2));
+    const Time moment(2 + 10 * random.uniform());
+    const Image image = nearest_image(world, 0, 1, moment);
+    ASSERT_EQ(nearest_image(world, 1, 0, moment), -image);
+    const Vec3 apart = position_at(world.path(1), moment) - position_at(world.path(0), moment);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (!box.is_periodic(axis)) {
+        ASSERT_EQ(image[axis], 0);
+        continue;
+      }
+      for (const int step : {-1, 1}) {
+        Image other = image;
+        other[axis] += step;
+        ASSERT_LE(std::fabs((apart + box.shift(image))[axis]),
+                  std::fabs((apart + box.shift(other))[axis]) * (1 + 1e-14));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hardball
