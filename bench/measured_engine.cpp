@@ -45,6 +45,7 @@ struct Named {
 constexpr Named<EngineKind> kEngines[] = {
     {"auto", EngineKind::automatic},
     {"cells", EngineKind::cells},
+    {"neighbors", EngineKind::neighbors},
     {"all-pairs", EngineKind::all_pairs},
     {"paper", EngineKind::paper},
 };

@@ -39,11 +39,14 @@ void add_unit_costs_option(CLI::App& command, Options& options) {
 }
 
 void add_engine_options(CLI::App& command, Options& options) {
-  command.add_option("--engine", options.engine, "auto, cells, all-pairs or paper; changes the speed alone");
+  command.add_option("--engine", options.engine,
+                     "auto, cells, neighbors, all-pairs or paper; changes the speed alone");
   command.add_option("--cell-edge", options.cell_edge,
                      "Edge of the cells, auto or paper; changes the speed alone");
   add_unit_costs_option(command, options);
   command.add_option("--queue", options.queue, "calendar or ordered; changes the speed alone");
+  command.add_option("--instructions", options.instructions,
+                     "Vector instructions: auto, portable, avx2 or avx512; changes the speed alone");
 }
 
 // Error: something on the command line was not understood. `command` may be missing.

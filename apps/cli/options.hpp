@@ -18,6 +18,7 @@ struct Options {
   std::string cell_edge = "auto";
   std::string unit_costs = "auto";
   std::string queue = "calendar";
+  std::string instructions = "auto";
   std::optional<std::string> out;
   bool json = false;
   bool quiet = false;

@@ -17,8 +17,9 @@
 namespace hardball::cli {
 namespace {
 
-// In the order of EngineKind and QueueKind.
-constexpr std::array<std::string_view, 4> kEngineNames{"auto", "cells", "all-pairs", "paper"};
+// In the order of EngineKind, InstructionSet and QueueKind.
+constexpr std::array<std::string_view, 5> kEngineNames{"auto", "cells", "neighbors", "all-pairs", "paper"};
+constexpr std::array<std::string_view, 4> kInstructionNames{"auto", "portable", "avx2", "avx512"};
 constexpr std::array<std::string_view, 2> kQueueNames{"calendar", "ordered"};
 
 std::size_t choose(const std::string& text, std::span<const std::string_view> names,
@@ -66,6 +67,8 @@ EngineOptions read_engine_options(const Options& options, const Scenario& scenar
   engine_options.engine = static_cast<EngineKind>(choose(options.engine, kEngineNames, "--engine"));
   engine_options.queue = static_cast<QueueKind>(choose(options.queue, kQueueNames, "--queue"));
   engine_options.restitution = scenario.restitution;
+  const std::size_t instructions = choose(options.instructions, kInstructionNames, "--instructions");
+  if (instructions > 0) engine_options.instructions = static_cast<InstructionSet>(instructions - 1);
   const bool has_cells = engine_options.engine != EngineKind::all_pairs;
   if (options.unit_costs != "auto") {
     engine_options.unit_costs = read_unit_costs(options.unit_costs);

@@ -85,7 +85,7 @@ Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options) {
   const Moments moments = moments_of(start.world(), start.now());
   if (!(moments.mean_speed > 0)) throw Error("nothing moves", "tune", "give the spheres velocities");
   std::vector<Contender> contenders;
-  const double chosen_edge = choose_cell_edge(start.world(), options, start.now());
+  const double chosen_edge = choose_length(start.world(), EngineKind::cells, options, start.now());
   const std::size_t chosen = *add(contenders, start, options, chosen_edge);
   contenders[chosen].point.is_chosen = true;
   const std::optional<std::size_t> paper =

@@ -49,7 +49,7 @@ Outcome run_with(const Scenario& scenario, const World& start, const EngineOptio
   outcome.cell_edge = simulation.cell_edge();
   simulation.run_until(*scenario.until);
   outcome.hash = simulation.event_log_hash();
-  outcome.paths.assign(simulation.world().paths().begin(), simulation.world().paths().end());
+  simulation.world().for_each_by_id([&](Slot slot) { outcome.paths.push_back(simulation.world().path(slot)); });
   const Audit found = audit(simulation.world(), simulation.now());
   outcome.max_overlap = std::max({simulation.tally().max_overlap(), found.max_overlap, found.max_escape});
   outcome.is_sound = found.is_sound() && outcome.max_overlap <= kOverlapTolerance;
@@ -108,6 +108,20 @@ void compare_cell_edges(Comparison& comparison, const EngineOptions& options) {
   }
 }
 
+void compare_instruction_sets(Comparison& comparison, EngineOptions options) {
+  constexpr std::array kSets{std::pair{InstructionSet::portable, "cells, portable"},
+                             std::pair{InstructionSet::avx2, "cells, AVX2"},
+                             std::pair{InstructionSet::avx512, "cells, AVX-512"}};
+  for (const auto& [instructions, name] : kSets) {
+    options.instructions = instructions;
+    if (is_available(instructions)) {
+      comparison.run(name, options);
+    } else {
+      comparison.leave_out(name, "this machine does not have them");
+    }
+  }
+}
+
 // About how many pairs the engine of all pairs would have to predict.
 double all_pairs_work(const Comparison& comparison, double until) {
   const World& world = comparison.start();
@@ -141,6 +155,15 @@ ExitCode verify(const Options& options) {
   comparison.run("cells, ordered queue", engine_options);
   engine_options.queue = QueueKind::calendar;
   compare_cell_edges(comparison, engine_options);
+
+  engine_options.engine = EngineKind::neighbors;
+  if (choose_engine(comparison.start(), engine_options, Time(0)) == EngineKind::neighbors) {
+    comparison.run("neighbors", engine_options);
+  } else {
+    comparison.leave_out("neighbors", "the box is too small for lists of neighbours");
+  }
+  engine_options.engine = EngineKind::cells;
+  compare_instruction_sets(comparison, engine_options);
 
   constexpr std::uint64_t kMostPaperContacts = 1'000'000;
   const std::uint64_t contacts = comparison.first().counters.contacts();

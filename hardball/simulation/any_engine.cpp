@@ -15,7 +15,9 @@
 #include "hardball/events/ordered_queue.hpp"
 #include "hardball/paper/paper_engine.hpp"
 #include "hardball/prediction/predictor.hpp"
+#include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/moments.hpp"
+#include "hardball/tuning/neighbor_counts.hpp"
 
 namespace hardball {
 namespace {
@@ -55,15 +57,15 @@ class EngineModel final : public AnyEngine {
     return 0;
   }
 
-  void rebuild(const Time& now, double cell_edge) override {
+  void rebuild(const Time& now, double length) override {
     if constexpr (requires { engine_.rebuild(now, AllPairs()); }) {
       engine_.rebuild(now, AllPairs());
-    } else if constexpr (requires { engine_.rebuild(now, NeighborList(cell_edge)); }) {
-      engine_.rebuild(now, NeighborList(cell_edge));
-    } else if constexpr (requires { engine_.rebuild(now, CellGrid(cell_edge)); }) {
-      engine_.rebuild(now, CellGrid(cell_edge));
+    } else if constexpr (requires { engine_.rebuild(now, NeighborList(length)); }) {
+      engine_.rebuild(now, NeighborList(length));
+    } else if constexpr (requires { engine_.rebuild(now, CellGrid(length)); }) {
+      engine_.rebuild(now, CellGrid(length));
     } else {
-      engine_.rebuild(now, cell_edge);
+      engine_.rebuild(now, length);
     }
   }
 
@@ -77,42 +79,56 @@ std::unique_ptr<AnyEngine> make_model(Arguments&&... arguments) {
 }
 
 template <EventQueue Queue>
-std::unique_ptr<AnyEngine> make_queued(World world, const EngineOptions& options, double cell_edge,
-                                       const Time& now) {
+std::unique_ptr<AnyEngine> make_queued(World world, EngineKind engine, const EngineOptions& options,
+                                       double length, const Time& now) {
   const AnyResponse response{Restitution(options.restitution)};
   Predictor predictor(options.instructions.value_or(widest_instruction_set()));
-  if (options.engine == EngineKind::all_pairs) {
+  if (engine == EngineKind::all_pairs) {
     return make_model<Engine<Queue, AllPairs, AnyResponse>>(std::move(world), AllPairs(), response, now,
                                                             std::move(predictor));
   }
-  if (options.engine == EngineKind::neighbors) {
-    return make_model<Engine<Queue, NeighborList, AnyResponse>>(std::move(world), NeighborList(cell_edge),
-                                                                response, now, std::move(predictor));
+  if (engine == EngineKind::neighbors) {
+    return make_model<Engine<Queue, NeighborList, AnyResponse>>(std::move(world), NeighborList(length), response,
+                                                                now, std::move(predictor));
   }
-  return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(cell_edge), response, now,
+  return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(length), response, now,
                                                           std::move(predictor));
 }
 
 }  // namespace
 
-std::unique_ptr<AnyEngine> make_engine(World world, const EngineOptions& options, double cell_edge,
-                                       const Time& now) {
-  if (options.engine == EngineKind::paper) {
+std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
+                                       double length, const Time& now) {
+  if (engine == EngineKind::paper) {
     const AnyResponse response{Restitution(options.restitution)};
-    return make_model<PaperEngine<AnyResponse>>(std::move(world), cell_edge, response, now);
+    return make_model<PaperEngine<AnyResponse>>(std::move(world), length, response, now);
   }
   if (options.queue == QueueKind::ordered) {
-    return make_queued<OrderedQueue>(std::move(world), options, cell_edge, now);
+    return make_queued<OrderedQueue>(std::move(world), engine, options, length, now);
   }
-  return make_queued<CalendarQueue>(std::move(world), options, cell_edge, now);
+  return make_queued<CalendarQueue>(std::move(world), engine, options, length, now);
 }
 
-double choose_cell_edge(const World& world, const EngineOptions& options, const Time& moment) {
+EngineKind choose_engine(const World& world, const EngineOptions& options, const Time& moment,
+                         EngineKind current) {
+  if (options.engine == EngineKind::neighbors && !NeighborList::suits(world)) return EngineKind::cells;
+  if (options.engine != EngineKind::automatic) return options.engine;
+  if (options.cell_edge || !NeighborList::suits(world)) return EngineKind::cells;
+  const Moments moments = moments_of(world, moment);
+  const UnitCosts& costs = options.unit_costs;
+  const double cells = cost_rate(expected_counts(moments, optimal_cell_edge(moments, costs)), costs);
+  const double neighbors = cost_rate(expected_neighbor_counts(moments, optimal_slack(moments, costs)), costs);
+  constexpr double kSurpass = 0.9;
+  if (current == EngineKind::cells) return neighbors < kSurpass * cells ? EngineKind::neighbors : current;
+  if (current == EngineKind::neighbors) return cells < kSurpass * neighbors ? EngineKind::cells : current;
+  return neighbors < cells ? EngineKind::neighbors : EngineKind::cells;
+}
+
+double choose_length(const World& world, EngineKind engine, const EngineOptions& options, const Time& moment) {
+  if (engine == EngineKind::all_pairs) return 1;
+  if (engine == EngineKind::neighbors) return optimal_slack(moments_of(world, moment), options.unit_costs);
   if (options.cell_edge) return *options.cell_edge;
-  if (options.engine == EngineKind::all_pairs) return 1;
-  if (options.engine == EngineKind::neighbors) return 0.45 * world.largest_radius();
-  return allowed_cell_edge(world, options.engine,
-                           optimal_cell_edge(moments_of(world, moment), options.unit_costs));
+  return allowed_cell_edge(world, engine, optimal_cell_edge(moments_of(world, moment), options.unit_costs));
 }
 
 double allowed_cell_edge(const World& world, EngineKind engine, double edge) {

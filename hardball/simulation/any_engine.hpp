@@ -76,19 +76,26 @@ class AnyEngine {
   virtual RunStatus run(const RunLimits& limits, const Observe& observe) = 0;
   virtual std::optional<Event> next_contact(const Time& until) = 0;
   virtual void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) = 0;
-  /// Makes all regions and predictions anew, with this cell edge [L] where there are cells.
-  virtual void rebuild(const Time& now, double cell_edge) = 0;
+  /// Makes all regions and predictions anew, with this cell edge or slack [L] where there is one.
+  virtual void rebuild(const Time& now, double length) = 0;
   virtual void replace_response(std::function<Velocities(const Contact&)> custom) = 0;
   virtual void validate() const = 0;
 };
 
-/// Makes the engine the options ask for, with cells of this edge [L]; `automatic` is made into cells.
-std::unique_ptr<AnyEngine> make_engine(World world, const EngineOptions& options, double cell_edge,
-                                       const Time& now);
+/// Makes an engine with the length [L] that choose_length has chosen for it. Precondition: `engine` is one that
+/// choose_engine has chosen.
+std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
+                                       double length, const Time& now);
 
-/// The cell edge [L] that suits a world as it is at `moment`: the one that the options fix, or the best;
-/// engines without cells are given any.
-double choose_cell_edge(const World& world, const EngineOptions& options, const Time& moment);
+/// The engine for a world as it is at `moment`: the one that the options fix, if it suits the world, or that
+/// which kinetic theory expects to be the fastest; never `automatic`. `current` is the one at work, which another
+/// must surpass by a tenth.
+EngineKind choose_engine(const World& world, const EngineOptions& options, const Time& moment,
+                         EngineKind current = EngineKind::automatic);
+
+/// The length [L] that such an engine takes: the cell edge that the options fix, or the best; for neighbour
+/// lists the slack; for all pairs, any.
+double choose_length(const World& world, EngineKind engine, const EngineOptions& options, const Time& moment);
 
 /// The same for an edge that somebody has proposed: the paper's engine takes none below the largest diameter.
 double allowed_cell_edge(const World& world, EngineKind engine, double edge);

@@ -24,7 +24,8 @@ namespace {
 using CellEngine = Engine<CalendarQueue, CellGrid, Restitution>;
 using Steps = std::array<double, 4>;  // contacts, crossings, cells, predictions
 
-constexpr std::size_t kSpheres = 500;  // a cubic crystal has 4 k^3
+// A cubic crystal has 4 k^3; in a smaller box cells would be so few that several copies of a sphere are in reach.
+constexpr std::size_t kSpheres = 1372;
 
 World make_gas(double packing_fraction) {
   constexpr double kRadius = 0.5;
@@ -131,7 +132,7 @@ UnitCosts measure_unit_costs(const std::function<double()>& seconds) {
   std::vector<Trial> trials;
   for (const double packing_fraction : {0.003, 0.05, 0.3}) {
     const double spacing = std::cbrt(std::numbers::pi / 6 / packing_fraction);
-    for (const double relative_edge : {0.5, 0.8, 1.2, 2.4}) {
+    for (const double relative_edge : {0.5, 0.75, 1.1, 1.5}) {
       trials.emplace_back(make_gas(packing_fraction), relative_edge * spacing);
     }
   }

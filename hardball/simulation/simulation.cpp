@@ -9,15 +9,25 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/tuning/moments.hpp"
 #include "hardball/world/audit.hpp"
+#include "hardball/world/curve_order.hpp"
 
 namespace hardball {
 namespace {
 
-// The cell edge is looked at again after this many crossings per sphere.
-constexpr std::uint64_t kCrossingsPerLook = 8;
+// Engine and cell edge are looked at again after this many crossings and contacts per sphere.
+constexpr std::uint64_t kEventsPerLook = 8;
 
 // Steps between two looks, at the least.
 constexpr std::uint64_t kSliceSteps = 1024;
+
+// Fewer spheres stay in the caches however they lie in memory.
+constexpr std::size_t kSpheresToOrder = 10000;
+
+// The paper's engine and all pairs gain nothing from it.
+void put_in_order(World& world, EngineKind engine, const Time& moment) {
+  const bool gains = engine == EngineKind::cells || engine == EngineKind::neighbors;
+  if (gains && world.size() >= kSpheresToOrder) world.reorder(order_along_curve(world, moment));
+}
 
 Time latest_change(const World& world) {
   Time latest(0);
@@ -38,18 +48,22 @@ Simulation::Simulation(World world, const EngineOptions& options)
     : options_(options), watch_(options.unit_costs) {
   now_ = latest_change(world);
   refuse_overlaps(world, now_);
-  if (options_.engine == EngineKind::automatic) options_.engine = EngineKind::cells;
-  const double edge = choose_cell_edge(world, options_, now_);
-  engine_ = make_engine(std::move(world), options_, edge, now_);
-  watch_.begin(edge);
+  kind_ = choose_engine(world, options_, now_);
+  const double length = choose_length(world, kind_, options_, now_);
+  put_in_order(world, kind_, now_);
+  engine_ = make_engine(std::move(world), kind_, options_, length, now_);
+  watch_.begin(length);
   last_look_ = now_;
-  next_look_ = kCrossingsPerLook * size();
+  next_look_ = kEventsPerLook * size();
   tally_.begin(this->world(), now_);
 }
 
 Simulation::Simulation(const Simulation& other)
     : options_(other.options_),
+      kind_(other.kind_),
       engine_(other.engine_->clone()),
+      response_(other.response_),
+      counters_before_(other.counters_before_),
       listener_(other.listener_),
       now_(other.now_),
       hash_(other.hash_),
@@ -64,7 +78,10 @@ Simulation::~Simulation() = default;
 
 Simulation& Simulation::operator=(Simulation other) noexcept {
   options_ = other.options_;
+  kind_ = other.kind_;
   engine_ = std::move(other.engine_);
+  response_ = std::move(other.response_);
+  counters_before_ = other.counters_before_;
   listener_ = std::move(other.listener_);
   now_ = other.now_;
   hash_ = other.hash_;
@@ -81,7 +98,8 @@ void Simulation::on_contact(std::function<void(const Contact&)> listener) {
 }
 
 void Simulation::respond_with(std::function<Velocities(const Contact&)> response) {
-  engine_->replace_response(std::move(response));
+  response_ = std::move(response);
+  engine_->replace_response(response_);
 }
 
 void Simulation::run_until(double time) {
@@ -187,7 +205,7 @@ const World& Simulation::world() const {
 }
 
 Counters Simulation::counters() const {
-  return engine_->counters();
+  return counters_before_ + engine_->counters();
 }
 
 double Simulation::cell_edge() const {
@@ -210,22 +228,44 @@ void Simulation::check_not_past(double time) const {
 
 void Simulation::apply_edits() {
   if (!edited_) return;
-  const double edge = choose_cell_edge(world(), options_, now_);
-  engine_->rebuild(now_, edge);
-  watch_.begin(edge);
-  last_look_ = now_;
+  rebuild(now_);
   edited_ = false;
 }
 
 void Simulation::retune_if_due() {
-  if (options_.cell_edge || options_.engine == EngineKind::all_pairs || options_.engine == EngineKind::neighbors) return;
-  const std::uint64_t crossings = counters().enter;
-  if (crossings < next_look_) return;
-  next_look_ = crossings + kCrossingsPerLook * size();
+  const Counters done = counters();
+  if (done.enter + done.contacts() < next_look_) return;
+  next_look_ = done.enter + done.contacts() + kEventsPerLook * size();
   const Time moment = later(now_, engine_->now());
+  if (choose_engine(world(), options_, moment, kind_) != kind_) {
+    rebuild(moment);
+    return;
+  }
+  const bool has_cells = kind_ == EngineKind::cells || kind_ == EngineKind::paper;
+  if (!has_cells || options_.cell_edge) return;
   const std::optional<double> better = watch_.look(moments_of(world(), moment), duration(last_look_, moment));
   last_look_ = moment;
-  if (better) engine_->rebuild(moment, allowed_cell_edge(world(), options_.engine, *better));
+  if (!better) return;
+  put_in_order(engine_->world_to_edit(), kind_, moment);
+  engine_->rebuild(moment, allowed_cell_edge(world(), kind_, *better));
+}
+
+// Makes all regions and predictions anew, by another engine if that suits the world better.
+void Simulation::rebuild(const Time& moment) {
+  const EngineKind kind = choose_engine(world(), options_, moment, kind_);
+  const double length = choose_length(world(), kind, options_, moment);
+  put_in_order(engine_->world_to_edit(), kind, moment);
+  if (kind == kind_) {
+    engine_->rebuild(moment, length);
+  } else {
+    counters_before_ = counters();
+    ++counters_before_.rebuilds;
+    engine_ = make_engine(std::move(engine_->world_to_edit()), kind, options_, length, moment);
+    if (response_) engine_->replace_response(response_);
+    kind_ = kind;
+  }
+  watch_.begin(length);
+  last_look_ = moment;
 }
 
 }  // namespace hardball

@@ -89,7 +89,7 @@ class Simulation {
   std::uint64_t event_log_hash() const { return hash_.value(); }
   const Tally& tally() const { return tally_; }
   /// The engine that runs, never `automatic`.
-  EngineKind engine() const { return options_.engine; }
+  EngineKind engine() const { return kind_; }
   /// Mean edge of the cells [L]; zero if the engine has none.
   double cell_edge() const;
   std::size_t memory_bytes() const;
@@ -100,16 +100,20 @@ class Simulation {
   void check_not_past(double time) const;
   void apply_edits();
   void retune_if_due();
+  void rebuild(const Time& moment);
 
   EngineOptions options_;
+  EngineKind kind_ = EngineKind::cells;  // what the options make of it
   std::unique_ptr<AnyEngine> engine_;
+  std::function<Velocities(const Contact&)> response_;  // the user's own, if there is one
+  Counters counters_before_;                            // of engines given up
   std::function<void(const Contact&)> listener_;
   Time now_;
   EventLogHash hash_;
   Tally tally_;
   CellEdgeWatch watch_;
   bool edited_ = false;          // the engine's structures do not know the world any more
-  std::uint64_t next_look_ = 0;  // the number of enter events at which to look at the cell edge again
+  std::uint64_t next_look_ = 0;  // the number of crossings and contacts at which to look again
   Time last_look_;
 };
 

@@ -101,7 +101,8 @@ CellCounts expected_counts(const Moments& moments, double edge) {
     counts.enter += rate;
     counts.cells_entered += rate * mean_section(axes, none, one, axis) * axes[axis].edge / cell;
     counts.candidates_after_enter +=
-        rate * pairs_in(axes[axis].edge * mean_section(axes, surplus, sum_powers(one, one), axis));
+        rate * pairs_in((axes[axis].edge * (1 + surplus.along[axis]) + one[1]) *
+                        mean_section(axes, surplus, sum_powers(one, one), axis));
   }
   if (counts.enter > 0) {
     counts.cells_entered /= counts.enter;

@@ -12,10 +12,10 @@ namespace hardball {
 /// What the steps of the event loop cost: nanoseconds on some machine, of which only the ratios matter to the
 /// choice of the cell edge. The defaults are those of one core at 2.8 GHz with 20,000 spheres.
 struct UnitCosts {
-  double contact = 1400;   ///< Whatever the cells: new velocities, two new regions, two entries in the queue.
-  double enter = 550;      ///< A crossing, whatever it finds: taken from the queue and scheduled anew.
-  double cell = 190;       ///< Each cell that a sphere looks into or enters.
-  double prediction = 55;  ///< Each pair.
+  double contact = 900;    ///< Whatever the cells: new velocities, two new regions, two entries in the queue.
+  double enter = 750;      ///< A crossing, whatever it finds: taken from the queue and scheduled anew.
+  double cell = 50;        ///< Each cell that a sphere looks into or enters.
+  double prediction = 15;  ///< Each pair.
 
   friend bool operator==(const UnitCosts&, const UnitCosts&) = default;
 };

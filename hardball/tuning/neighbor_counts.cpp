@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/tuning/neighbor_counts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "hardball/tuning/kinetic_theory.hpp"
+
+namespace hardball {
+
+NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
+  NeighborCounts counts;
+  if (moments.spheres == 0) return counts;
+  const auto& m = moments.radius_power;
+  const double density = moments.number_density();
+  const double path = mean_free_path(moments);
+  counts.collision = 1 / mean_free_time(moments);
+  counts.wall = wall_rate(moments);
+  // Every second collision leaves another sphere's prospect stale that comes to its turn.
+  counts.stale = counts.collision / 4;
+  // A sphere flies straight out of a ball small against its free path; of a larger one it diffuses. The factor
+  // is measured: docs/theory.md.
+  constexpr double kDiffusion = 0.2;
+  counts.rebuild = moments.mean_speed / (slack * (1 + kDiffusion * slack / path));
+  // The mean of (sum of two radii + 2 slack) cubed.
+  const double sum = 2 * m[1];
+  const double sum_squared = 2 * m[2] + 2 * m[1] * m[1];
+  const double sum_cubed = 2 * m[3] + 6 * m[1] * m[2];
+  const double cubed =
+      sum_cubed + 6 * slack * sum_squared + 12 * slack * slack * sum + 8 * slack * slack * slack;
+  counts.neighbors =
+      std::max(1.0, 4 * std::numbers::pi / 3 * density * cubed + excess_about_sphere(moments));
+  counts.searched = density * std::pow(6 * (moments.largest_radius + slack), 3);
+  return counts;
+}
+
+double cost_rate(const NeighborCounts& counts, const UnitCosts& costs) {
+  // A rebuild visits 27 cells, half of them in one line of memory with others; to see whether an anchor is near
+  // takes a fraction of a prediction.
+  constexpr double kCellsOfRebuild = 14;
+  constexpr double kSearch = 0.125;
+  const double look = costs.cell + costs.prediction * counts.neighbors;
+  const double rebuild =
+      costs.enter + kCellsOfRebuild * costs.cell + kSearch * costs.prediction * counts.searched;
+  return costs.contact * (counts.collision / 2 + counts.wall) +
+         (counts.collision + counts.wall + counts.stale) * look + counts.rebuild * rebuild;
+}
+
+double optimal_slack(const Moments& moments, const UnitCosts& costs) {
+  if (moments.spheres == 0) return 1;
+  Moments moving = moments;
+  if (!(moving.mean_speed > 0)) moving.mean_speed = 1;  // the optimum does not depend on it
+  constexpr double kStep = 1.1;
+  constexpr int kSteps = 48;  // up to 97 times the smallest
+  double best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  double slack = 0.05 * moments.largest_radius;
+  for (int i = 0; i < kSteps; ++i, slack *= kStep) {
+    const double cost = cost_rate(expected_neighbor_counts(moving, slack), costs);
+    if (cost >= least) continue;
+    least = cost;
+    best = slack;
+  }
+  return best;
+}
+
+}  // namespace hardball

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/world/curve_order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace hardball {
+namespace {
+
+// Bits of a place along each axis.
+constexpr int kBits = 21;
+
+// Spreads bits apart so that two zeros stand between them.
+std::uint64_t spread(std::uint64_t bits) {
+  bits = (bits | bits << 32) & 0x1f00000000ffff;
+  bits = (bits | bits << 16) & 0x1f0000ff0000ff;
+  bits = (bits | bits << 8) & 0x100f00f00f00f00f;
+  bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
+  bits = (bits | bits << 2) & 0x1249249249249249;
+  return bits;
+}
+
+}  // namespace
+
+std::vector<Slot> order_along_curve(const World& world, const Time& moment) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Vec3 low{kInfinity, kInfinity, kInfinity};
+  Vec3 high = -low;
+  std::vector<Vec3> centers(world.size());
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    centers[slot] = world.position(slot, moment);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      low[axis] = std::min(low[axis], centers[slot][axis]);
+      high[axis] = std::max(high[axis], centers[slot][axis]);
+    }
+  }
+  const double longest = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  const double places = longest > 0 ? ((1 << kBits) - 1) / longest : 0;
+  std::vector<std::pair<std::uint64_t, Slot>> keyed(world.size());
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    const Vec3 place = places * (centers[slot] - low);
+    keyed[slot] = {spread(static_cast<std::uint64_t>(place.x)) << 2 |
+                       spread(static_cast<std::uint64_t>(place.y)) << 1 |
+                       spread(static_cast<std::uint64_t>(place.z)),
+                   slot};
+  }
+  std::sort(keyed.begin(), keyed.end());
+  std::vector<Slot> order;
+  order.reserve(world.size());
+  for (const auto& [key, slot] : keyed) order.push_back(slot);
+  return order;
+}
+
+}  // namespace hardball
