@@ -115,7 +115,7 @@ class SlotLists {
 
   std::uint32_t new_line() {
     if (free_line_ == kNone) {
-      lines_.emplace_back();
+      append_sparingly(lines_, Line{});
       return static_cast<std::uint32_t>(lines_.size() - 1);
     }
     const std::uint32_t line = free_line_;

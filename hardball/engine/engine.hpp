@@ -151,6 +151,9 @@ class Engine {
       const Plan& plan = engine.plans_[slot];
       return plan.crosses_first() ? plan.crossing : plan.contact;
     }
+    void prefetch_event(Slot slot) const {
+      if (engine.prefetches_) prefetch(&engine.plans_[slot]);
+    }
     Event event(Slot slot) const {
       const Plan& plan = engine.plans_[slot];
       if (!plan.crosses_first()) return engine.prospect_of(slot);

@@ -143,7 +143,7 @@ std::uint32_t CalendarQueue::new_block(std::uint32_t next) {
   std::uint32_t block = free_block_;
   if (block == kNone) {
     block = static_cast<std::uint32_t>(blocks_.size());
-    blocks_.emplace_back();
+    append_sparingly(blocks_, Block{});
   } else {
     free_block_ = blocks_[block].next;
   }

@@ -164,7 +164,22 @@ class CalendarQueue {
       take_day(sorted_);
       drop_dead(sorted_, agenda);
       std::sort(sorted_.begin(), sorted_.end(), [](const Entry& a, const Entry& b) { return a.time > b.time; });
+      prefetch_tomorrow(agenda);
       return true;
+    }
+  }
+
+  // Asks for the events of all entries of the next day: when it begins, those that are dead are told by them.
+  template <Agenda A>
+  void prefetch_tomorrow(const A& agenda) {
+    if constexpr (requires { agenda.prefetch_event(Owner{}); }) {
+      const Day& tomorrow = day(today_ + 1);
+      if (tomorrow.count == 0) return;
+      std::uint32_t in_block = (tomorrow.count - 1) % Block::kRoom + 1;
+      for (std::uint32_t b = tomorrow.last_block; b != kNone; b = blocks_[b].next) {
+        for (std::uint32_t i = 0; i < in_block; ++i) agenda.prefetch_event(blocks_[b].owners[i]);
+        in_block = Block::kRoom;
+      }
     }
   }
 

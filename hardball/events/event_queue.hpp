@@ -23,6 +23,8 @@ inline constexpr Owner kNobody = std::numeric_limits<Owner>::max();
 /// - `event(owner)` is that event, perhaps one that does not happen.
 /// - `time(owner)` is its time.
 ///
+/// - `prefetch_event(owner)`, if there is one, asks for the memory of both, which will be needed soon.
+///
 /// Between two calls of `schedule` for an owner its event may become a lesser one at the same time; the queue
 /// shows it no later than the one that was scheduled.
 template <class A>

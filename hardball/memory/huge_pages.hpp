@@ -35,4 +35,13 @@ struct HugePageAllocator {
 template <class T>
 using LargeVector = std::vector<T, HugePageAllocator<T>>;
 
+/// Adds an element to a large vector that grows by an eighth, not twofold: of hundreds of megabytes half would
+/// stay unused.
+template <class T>
+void append_sparingly(LargeVector<T>& vector, const T& element) {
+  constexpr std::size_t kLeast = 16;
+  if (vector.size() == vector.capacity()) vector.reserve(vector.size() + vector.size() / 8 + kLeast);
+  vector.push_back(element);
+}
+
 }  // namespace hardball

@@ -15,7 +15,7 @@ struct UnitCosts {
   double contact = 900;    ///< Whatever the cells: new velocities, two new regions, two entries in the queue.
   double enter = 750;      ///< A crossing, whatever it finds: taken from the queue and scheduled anew.
   double cell = 50;        ///< Each cell that a sphere looks into or enters.
-  double prediction = 15;  ///< Each pair.
+  double prediction = 18;  ///< Each pair.
 
   friend bool operator==(const UnitCosts&, const UnitCosts&) = default;
 };

@@ -38,9 +38,8 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
 }
 
 double cost_rate(const NeighborCounts& counts, const UnitCosts& costs) {
-  // A rebuild visits 27 cells, half of them in one line of memory with others; to see whether an anchor is near
-  // takes a fraction of a prediction.
-  constexpr double kCellsOfRebuild = 14;
+  // A rebuild visits 27 cells; to see whether an anchor is near takes a fraction of a prediction.
+  constexpr double kCellsOfRebuild = 27;
   constexpr double kSearch = 0.125;
   const double look = costs.cell + costs.prediction * counts.neighbors;
   const double rebuild =
