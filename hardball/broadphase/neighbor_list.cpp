@@ -58,7 +58,9 @@ void NeighborList::build(const World& world, const Time& now) {
   const double radius = world.largest_radius();
   const double room = (kLargestShare * smallest_period(world.box()) - 2 * radius) / 4;
   slack_ = std::max(kLeastSlack * radius, std::min(wanted_slack_, room));
-  cells_ = Subdivision(world.box(), 2 * (radius + slack_) * (1 + 2 * kMargin), kMostCellsPerAxis);
+  // Where there is no sphere any edge will do, but zero.
+  const double least_edge = world.size() > 0 ? 2 * (radius + slack_) * (1 + 2 * kMargin) : 1;
+  cells_ = Subdivision(world.box(), least_edge, kMostCellsPerAxis);
   CellIndex shape{};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (world.box().is_wall(axis)) shape[axis] = cells_.last(axis) + 1;

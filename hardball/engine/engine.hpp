@@ -141,6 +141,8 @@ class Engine {
     bool is_nearest_image = false;  // the copy of the partner is the one that is nearest when they touch
 
     bool crosses_first() const { return crossing <= contact; }
+    // Nothing may lie ahead of a sphere at rest, not even cells.
+    bool will_cross_first() const { return crosses_first() && crossing < kNever; }
     bool meets_first() const { return !crosses_first() && kind == EventKind::collision; }
   };
 
@@ -234,13 +236,13 @@ class Engine {
       }
       if (const Slot slot = queue_.upcoming(kLists); slot != kNobody) {
         const Plan& plan = plans_[slot];
-        phase_.prefetch_lists(slot, plan.crosses_first());
+        phase_.prefetch_lists(slot, plan.will_cross_first());
         if (plan.meets_first()) phase_.prefetch_lists(plan.partner, false);
       }
       if (const Slot slot = queue_.upcoming(kPaths); slot != kNobody) {
         const auto prefetch_path = [this](Slot other) { prefetch(&world_.path(other)); };
         const Plan& plan = plans_[slot];
-        phase_.for_each_prefetched(slot, plan.crosses_first(), prefetch_path);
+        phase_.for_each_prefetched(slot, plan.will_cross_first(), prefetch_path);
         if (plan.meets_first()) phase_.for_each_prefetched(plan.partner, false, prefetch_path);
       }
     }

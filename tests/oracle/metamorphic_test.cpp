@@ -21,13 +21,18 @@ using support::RandomWorld;
 constexpr std::uint64_t kWorlds = 1500;
 constexpr std::uint64_t kContacts = 150;
 
-EngineOptions some_options(std::uint64_t seed, double restitution) {
-  constexpr std::array<EngineKind, 3> kEngines = {EngineKind::cells, EngineKind::all_pairs,
+EngineOptions some_options(std::uint64_t seed, const RandomWorld& made) {
+  constexpr std::array<EngineKind, 5> kEngines = {EngineKind::cells, EngineKind::neighbors,
+                                                  EngineKind::all_pairs, EngineKind::neighbors,
                                                   EngineKind::paper};
   EngineOptions options;
-  options.engine = kEngines[seed % 3];
+  options.engine = kEngines[seed % kEngines.size()];
+  if (options.engine == EngineKind::neighbors &&
+      (made.world.size() == 0 || !NeighborList::suits(made.world))) {
+    options.engine = EngineKind::cells;
+  }
   options.queue = seed % 2 == 0 ? QueueKind::calendar : QueueKind::ordered;
-  options.restitution = restitution;
+  options.restitution = made.restitution;
   return options;
 }
 
@@ -60,8 +65,8 @@ TEST(Renaming, ChangesNothingButNames) {
     for (const Slot slot : old_name) renamed.add(sphere_of(made.world, slot));
 
     const RunLimits limits{.until = Time(made.until), .contacts = kContacts};
-    Simulation original(made.world, some_options(seed, made.restitution));
-    Simulation other(renamed, some_options(seed, made.restitution));
+    Simulation original(made.world, some_options(seed, made));
+    Simulation other(renamed, some_options(seed, made));
     const std::vector<Contact> log = support::record(original, limits);
     const std::vector<Contact> other_log = support::record(other, limits);
     // Of simultaneous contacts, names decide which comes first.
@@ -129,7 +134,7 @@ TEST(Detours, ChangeNothing) {
   for (std::uint64_t seed = 0; seed < support::cases(kWorlds); ++seed) {
     const RandomWorld made = support::make_random_world(seed);
     SCOPED_TRACE(made.name);
-    const Simulation start(made.world, some_options(seed, made.restitution));
+    const Simulation start(made.world, some_options(seed, made));
     Simulation straight(start);
     const History expected = support::run_on(straight, {.until = Time(made.until), .contacts = kContacts});
     Random random(seed);
@@ -142,7 +147,7 @@ TEST(Copies, GoOnAlikeAndApart) {
   for (std::uint64_t seed = 0; seed < support::cases(kWorlds) / 3; ++seed) {
     const RandomWorld made = support::make_random_world(seed);
     SCOPED_TRACE(made.name);
-    Simulation original(made.world, some_options(seed, made.restitution));
+    Simulation original(made.world, some_options(seed, made));
     if (!support::run_on(original, {.until = Time(made.until), .contacts = 40}).failure.empty()) continue;
     Simulation copy(original);
     Simulation assigned{World()};
@@ -169,8 +174,8 @@ TEST(Units, ThatArePowersOfTwoChangeOnlyExponents) {
       scaled.add(
           {length * sphere.position, speed * sphere.velocity, length * sphere.radius, mass * sphere.mass});
     }
-    Simulation original(made.world, some_options(seed, made.restitution));
-    Simulation other(scaled, some_options(seed, made.restitution));
+    Simulation original(made.world, some_options(seed, made));
+    Simulation other(scaled, some_options(seed, made));
     const std::vector<Contact> log =
         support::record(original, {.until = Time(made.until), .contacts = kContacts});
     const std::vector<Contact> other_log =
@@ -241,9 +246,9 @@ TEST(Edits, AreTheSameForAllEnginesWhetherOrNotQuestionsWereAsked) {
     SCOPED_TRACE(made.name);
     std::optional<History> expected;
     for (const bool ask : {false, true}) {
-      for (std::uint64_t engine = 0; engine < 6; ++engine) {
+      for (std::uint64_t engine = 0; engine < 10; ++engine) {
         SCOPED_TRACE("engine " + to_text(engine) + (ask ? ", asked" : ""));
-        Simulation simulation(made.world, some_options(engine, made.restitution));
+        Simulation simulation(made.world, some_options(engine, made));
         const History history = run_with_edits(simulation, made, seed, ask);
         if (!expected) expected = history;
         ASSERT_EQ(support::difference(*expected, history), "");

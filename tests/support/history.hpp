@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "hardball/broadphase/neighbor_list.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/simulation/simulation.hpp"
 
@@ -19,14 +20,16 @@ struct EngineVariant {
   std::string name;
 };
 
-/// All engines and queues, and cells from half a diameter to larger than the box.
+/// All engines and queues, cells from half a diameter to larger than the box, and lists of neighbours where
+/// they suit the world.
 inline std::vector<EngineVariant> engine_variants(const World& world, double restitution) {
   std::vector<EngineVariant> variants;
   const auto add = [&](EngineKind engine, QueueKind queue, std::optional<double> edge) {
     EngineVariant variant{{engine, queue, edge, restitution}, ""};
-    variant.name = engine == EngineKind::all_pairs ? "all pairs"
-                   : engine == EngineKind::paper   ? "paper"
-                                                   : "cells";
+    variant.name = engine == EngineKind::all_pairs   ? "all pairs"
+                   : engine == EngineKind::paper     ? "paper"
+                   : engine == EngineKind::neighbors ? "neighbors"
+                                                     : "cells";
     variant.name += queue == QueueKind::ordered ? ", ordered queue" : ", calendar queue";
     if (edge) variant.name += ", edge " + to_text(*edge);
     variants.push_back(variant);
@@ -43,6 +46,11 @@ inline std::vector<EngineVariant> engine_variants(const World& world, double res
   for (const double edge : {0.5 * diameter, diameter, 1.3 * diameter, 3.1 * diameter, extent}) {
     add(EngineKind::cells, QueueKind::calendar, edge);
     add(EngineKind::cells, QueueKind::ordered, edge);
+  }
+  if (world.size() > 0 && NeighborList::suits(world)) {
+    add(EngineKind::neighbors, QueueKind::calendar, std::nullopt);
+    add(EngineKind::neighbors, QueueKind::ordered, 0.05 * diameter);
+    add(EngineKind::neighbors, QueueKind::calendar, diameter);
   }
   add(EngineKind::automatic, QueueKind::calendar, std::nullopt);
   return variants;

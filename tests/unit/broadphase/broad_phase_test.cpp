@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// What both broad phases owe the engine, on worlds in which spheres fly about and change their paths at will.
+// What all broad phases owe the engine, on worlds in which spheres fly about and change their paths at will.
 #include "hardball/broadphase/broad_phase.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
+#include <vector>
 
 #include "hardball/broadphase/all_pairs.hpp"
 #include "hardball/broadphase/cell_grid.hpp"
+#include "hardball/broadphase/neighbor_list.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/prediction/predictor.hpp"
 #include "support/effort.hpp"
@@ -83,7 +86,7 @@ void fly_about(Phase phase, World world, double until, std::uint64_t seed) {
   Candidates entered;
   for (Slot slot = 0; slot < world.size(); ++slot) {
     known.push_back(candidates_of(phase, world, slot, now));
-    crossings.push_back(phase.next_crossing(world, slot, now));
+    crossings.push_back(phase.next_crossing(world, slot, now, kNever));
   }
   const auto mirror = [](Slot slot, const Partner& partner) {
     return Partner{slot, {-partner.second[0], -partner.second[1], -partner.second[2]}};
@@ -114,7 +117,7 @@ void fly_about(Phase phase, World world, double until, std::uint64_t seed) {
       const Image folded = world.change_velocity(slot, now, length(velocity) * random.direction());
       phase.refresh(world, slot, now, folded);
     }
-    crossings[slot] = phase.next_crossing(world, slot, now);
+    crossings[slot] = phase.next_crossing(world, slot, now, kNever);
     phase.validate(world, now);
     for (Slot each = 0; each < world.size(); ++each) known[each] = candidates_of(phase, world, each, now);
     for (Slot each = 0; each < world.size(); ++each) {
@@ -147,6 +150,22 @@ TEST(CellGrid, KnowsWhoMayTouch) {
   }
 }
 
+TEST(NeighborList, KnowsWhoMayTouch) {
+  std::uint64_t suited = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(1000); ++seed) {
+    const support::RandomWorld made = support::make_random_world(seed);
+    if (made.world.size() == 0 || !NeighborList::suits(made.world)) continue;
+    ++suited;
+    SCOPED_TRACE(made.name);
+    // From the least slack to as much as the box has room for.
+    constexpr std::array kSlacks = {0.01, 0.1, 0.5, 2.0, 20.0};
+    const double slack = made.world.largest_radius() * kSlacks[seed % kSlacks.size()];
+    fly_about(NeighborList(slack), made.world, made.until, seed);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(suited, support::cases(1000) / 3);
+}
+
 TEST(AllPairs, HasAllOthersAsCandidatesInABoxWithWalls) {
   World world(Box::walls({50, 50, 50}));
   for (int i = 0; i < 5; ++i) world.add({{5.0 + 9 * i, 25, 25}, {1, 0, 0}, 1, 1});
@@ -154,7 +173,7 @@ TEST(AllPairs, HasAllOthersAsCandidatesInABoxWithWalls) {
   phase.build(world, Time(0));
   for (Slot slot = 0; slot < 5; ++slot) {
     EXPECT_EQ(candidates_of(phase, world, slot).size(), 4U);
-    EXPECT_EQ(phase.next_crossing(world, slot, Time(0)), kNever);
+    EXPECT_EQ(phase.next_crossing(world, slot, Time(0), kNever), kNever);
   }
 }
 
@@ -169,6 +188,132 @@ TEST(CellGrid, HasOnlyNeighborsAsCandidates) {
   for (Slot slot = 0; slot < 5; ++slot) EXPECT_EQ(candidates_of(coarse, world, slot).size(), 4U);
 }
 
+TEST(NeighborList, HasThoseAsCandidatesWhoseShellsMeet) {
+  const auto count_at = [](double distance, double radius, double slack) {
+    World world(Box::walls({50, 50, 50}));
+    world.add({{5, 25, 25}, {1, 0, 0}, 1, 1});
+    world.add({{5 + distance, 25, 25}, {1, 0, 0}, radius, 1});
+    NeighborList list(slack);
+    list.build(world, Time(0));
+    EXPECT_EQ(list.slack(), slack);
+    EXPECT_EQ(candidates_of(list, world, 0).size(), candidates_of(list, world, 1).size());
+    return candidates_of(list, world, 0).size();
+  };
+  for (const double slack : {0.1, 0.5, 3.0}) {
+    EXPECT_EQ(count_at(2 + 2 * slack - 1e-6, 1, slack), 1U);
+    EXPECT_EQ(count_at(2 + 2 * slack + 1e-6, 1, slack), 0U);
+    EXPECT_EQ(count_at(1.25 + 2 * slack - 1e-6, 0.25, slack), 1U);
+    EXPECT_EQ(count_at(1.25 + 2 * slack + 1e-6, 0.25, slack), 0U);
+  }
+}
+
+TEST(NeighborList, ChangesBothListsWhenASphereCrosses) {
+  World world(Box::periodic({20, 20, 20}));
+  world.add({{15, 5, 5}, {1, 0, 0}, 0.5, 1});
+  world.add({{16, 6, 5}, {}, 0.5, 1});
+  world.add({{3, 5, 5}, {}, 0.5, 1});
+  NeighborList list(0.5);
+  list.build(world, Time(0));
+  EXPECT_EQ(candidates_of(list, world, 1), (std::set<Partner>{{0, {0, 0, 0}}}));
+  EXPECT_TRUE(candidates_of(list, world, 2).empty());
+  Candidates entered;
+  Time now(0);
+  std::vector<Slot> met;
+  while (now < Time(7.2)) {
+    now = list.next_crossing(world, 0, now, kNever);
+    list.cross(world, 0, now, entered);
+    list.validate(world, now);
+    for (std::size_t i = 0; i < entered.size(); ++i) met.push_back(entered.slot(i));
+  }
+  // A ball of radius 0.5 after another: the anchor is at 15 + 7.5 = 2.5, behind the edge of the box.
+  EXPECT_NEAR(now.value(), 7.5, 1e-6);
+  EXPECT_EQ(met, std::vector<Slot>{2}) << "only what is new is shown";
+  EXPECT_TRUE(candidates_of(list, world, 1, now).empty());
+  EXPECT_EQ(candidates_of(list, world, 2, now), (std::set<Partner>{{0, {-1, 0, 0}}}));
+}
+
+TEST(NeighborList, TellsACrossingThatComesBeforeTheLimit) {
+  Random random(1);
+  for (int i = 0; i < 2000; ++i) {
+    World world(Box::periodic({20, 20, 20}));
+    const double speed = std::exp2(20 * random.uniform() - 10);
+    world.add({{19.9, 5, 5}, speed * random.direction(), 0.5, 1});
+    NeighborList list(0.4);
+    list.build(world, Time(0));
+    const Time crossing = list.next_crossing(world, 0, Time(0), kNever);
+    ASSERT_NEAR(crossing.value() * speed, 0.4, 1e-8);
+    for (const double part : {0.0, 0.3, 0.9}) {
+      // Seen from anywhere on the way, the crossing is at the same place.
+      const Time now(part * crossing.value());
+      ASSERT_NEAR(list.next_crossing(world, 0, now, kNever).value(), crossing.value(),
+                  1e-12 * crossing.value());
+      ASSERT_EQ(list.next_crossing(world, 0, now, after(crossing, 1e-3 / speed)),
+                list.next_crossing(world, 0, now, kNever));
+      const Time early = list.next_crossing(world, 0, now, Time(0.95 * crossing.value()));
+      ASSERT_TRUE(early == kNever || early == list.next_crossing(world, 0, now, kNever));
+    }
+    // It turns within its ball: the way to the edge is a chord.
+    const Time turn(0.7 * crossing.value());
+    world.change_velocity(0, turn, speed * random.direction());
+    const Time edge = list.next_crossing(world, 0, turn, kNever);
+    ASSERT_NO_THROW(list.validate(world, edge));
+    ASSERT_THROW(list.validate(world, after(edge, 1e-6 / speed)), BrokenInvariant);
+  }
+}
+
+TEST(NeighborList, NeverLeavesItsBallAtRest) {
+  World world;
+  world.add({{1, 2, 3}, {}, 0.5, 1});
+  NeighborList list(0.1);
+  list.build(world, Time(0));
+  for (const Time& limit : {Time(0), Time(1e300), kNever}) {
+    EXPECT_EQ(list.next_crossing(world, 0, Time(0), limit), kNever);
+  }
+}
+
+TEST(NeighborList, SuitsBoxesInWhichNoTwoCopiesOfANeighborComeNear) {
+  const auto suits = [](const Box& box, double radius) {
+    World world(box);
+    world.add({{1, 1, 1}, {}, radius, 1});
+    return NeighborList::suits(world);
+  };
+  // Two diameters of 0.5 and four slacks of a fiftieth of a radius: 1.04 within 0.33 of the box.
+  EXPECT_TRUE(suits(Box::periodic({3.2, 3.2, 3.2}), 0.5));
+  EXPECT_FALSE(suits(Box::periodic({3.1, 3.2, 3.2}), 0.5));
+  EXPECT_FALSE(suits(Box::periodic({3.2, 3.2, 3.1}), 0.5));
+  EXPECT_TRUE(suits(Box::walls({2.5, 2.5, 2.5}), 0.5)) << "no copies";
+  EXPECT_TRUE(suits(Box(), 0.5));
+  EXPECT_TRUE(suits(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {2.5, 3.2, 0}), 0.5));
+  EXPECT_FALSE(suits(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {2.5, 3.1, 0}), 0.5));
+  World narrow(Box::periodic({3, 3, 3}));
+  narrow.add({{1, 1, 1}, {}, 0.5, 1});
+  NeighborList list(0.1);
+  EXPECT_THROW(list.build(narrow, Time(0)), BrokenInvariant);
+}
+
+TEST(NeighborList, TakesAsMuchSlackAsTheBoxHasRoomForAndNeverNone) {
+  const auto slack_in = [](double size, double wanted) {
+    World world(Box::periodic({size, 100, 100}));
+    world.add({{1, 1, 1}, {}, 0.5, 1});
+    NeighborList list(wanted);
+    list.build(world, Time(0));
+    return list.slack();
+  };
+  EXPECT_EQ(slack_in(10, 0.3), 0.3);
+  EXPECT_DOUBLE_EQ(slack_in(10, 100), (3.3 - 1) / 4);
+  EXPECT_DOUBLE_EQ(slack_in(10, 0), 0.01);
+  EXPECT_DOUBLE_EQ(slack_in(10, -1), 0.01);
+}
+
+TEST(NeighborList, NoticesASphereThatLeftItsBallUnseen) {
+  World world(Box::periodic({20, 20, 20}));
+  world.add({{19.9, 5, 5}, {1, 0, 0}, 0.5, 1});
+  NeighborList list(0.5);
+  list.build(world, Time(0));
+  EXPECT_NO_THROW(list.validate(world, Time(0.499)));
+  EXPECT_THROW(list.validate(world, Time(0.501)), BrokenInvariant);
+}
+
 TEST(CellGrid, CountsTheRowsOfCellsThatSpheresLeave) {
   World world;
   world.add({{0.5, 0.5, 0.5}, {1, 0, 0}, 0.25, 1});
@@ -176,10 +321,10 @@ TEST(CellGrid, CountsTheRowsOfCellsThatSpheresLeave) {
   grid.build(world, Time(0));
   constexpr int kCrossings = 10;
   Candidates entered;
-  Time next = grid.next_crossing(world, 0, Time(0));
+  Time next = grid.next_crossing(world, 0, Time(0), kNever);
   for (int i = 0; i < kCrossings; ++i) {
     grid.cross(world, 0, next, entered);
-    next = grid.next_crossing(world, 0, next);
+    next = grid.next_crossing(world, 0, next, kNever);
   }
   // It enters cell 10 when its front reaches 10; by then it has left cells 0 to 8.
   EXPECT_NEAR(next.value(), 10.25, 1e-6);
@@ -192,9 +337,9 @@ TEST(CellGrid, CountsNoRowAsLeftBecauseAPathIsFolded) {
   CellGrid grid(1);
   grid.build(world, Time(0));
   Candidates entered;
-  for (Time next = grid.next_crossing(world, 0, Time(0)); next < Time(2);) {
+  for (Time next = grid.next_crossing(world, 0, Time(0), kNever); next < Time(2);) {
     grid.cross(world, 0, next, entered);
-    next = grid.next_crossing(world, 0, next);
+    next = grid.next_crossing(world, 0, next, kNever);
   }
   // At 2 it stands at 11.5: in cell 11, having left cells 9 and, as soon as somebody looks, 10.
   const Image folded = world.change_velocity(0, Time(2), {0, 1, 0});
@@ -212,9 +357,12 @@ TEST(BroadPhase, NextCrossingIsNeverBeforeNow) {
   grid.build(world, Time(0));
   AllPairs pairs;
   pairs.build(world, Time(0));
+  NeighborList list(0.5);
+  list.build(world, Time(0));
   for (const Time& now : {Time(0), Time(9), Time(9, 1e-20)}) {
-    EXPECT_GE(grid.next_crossing(world, 0, now), now);
-    EXPECT_GE(pairs.next_crossing(world, 0, now), now);
+    EXPECT_GE(list.next_crossing(world, 0, now, kNever), now);
+    EXPECT_GE(grid.next_crossing(world, 0, now, kNever), now);
+    EXPECT_GE(pairs.next_crossing(world, 0, now, kNever), now);
   }
 }
 
@@ -263,8 +411,8 @@ TEST(CellGrid, FindsEveryCopyInASmallBox) {
     if (grid.has_nearest_images()) continue;
     std::vector<Time> crossings;
     for (Slot slot = 0; slot < world.size(); ++slot) {
-      crossings.push_back(
-          earlier(grid.next_crossing(world, slot, Time(0)), pairs.next_crossing(world, slot, Time(0))));
+      crossings.push_back(earlier(grid.next_crossing(world, slot, Time(0), kNever),
+                                  pairs.next_crossing(world, slot, Time(0), kNever)));
     }
     for (Slot slot = 0; slot < world.size(); ++slot) {
       const std::set<Partner> known = candidates_of(grid, world, slot);

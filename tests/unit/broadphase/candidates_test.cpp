@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <map>
 #include <set>
 #include <vector>
@@ -50,10 +49,11 @@ TEST(Candidates, KeepTheOrderInWhichTheyWereAddedAndArePadded) {
   }
 }
 
-// Blocks of slots as cells hold them, with many repetitions: everybody is there, few are there twice.
-TEST(Candidates, AddOnceLeavesNobodyOutAndLetsFewThroughTwice) {
+// Lines of slots as cells hold them, with many repetitions: everybody is there, few are there twice.
+TEST(Candidates, DropRepeatedLeavesNobodyOutAndLetsFewThroughTwice) {
   Random random(1);
   Candidates candidates;
+  constexpr Slot kNotGiven = 4000000001U;
   std::uint64_t added = 0;
   std::uint64_t twice = 0;
   for (std::uint64_t round = 0; round < support::cases(3000); ++round) {
@@ -63,13 +63,17 @@ TEST(Candidates, AddOnceLeavesNobodyOutAndLetsFewThroughTwice) {
     const Slot self = pool.front();
     candidates.begin(self, true);
     std::map<Slot, int> given;
-    const std::uint64_t blocks = random.bits() % 12;
-    for (std::uint64_t b = 0; b < blocks; ++b) {
-      std::vector<Slot> block(random.bits() % 15);
-      for (Slot& slot : block) slot = pool[random.bits() % pool.size()];
-      candidates.add_once(block.data(), static_cast<std::uint32_t>(block.size()));
-      for (const Slot slot : block) ++given[slot];
+    const std::uint64_t lines = random.bits() % 12;
+    for (std::uint64_t l = 0; l < lines; ++l) {
+      SlotLists::LineOfSlots line;
+      const auto count = static_cast<std::uint32_t>(random.bits() % (line.size() + 1));
+      for (std::uint32_t i = 0; i < line.size(); ++i) {
+        line[i] = i < count ? pool[random.bits() % pool.size()] : kNotGiven;
+        if (i < count) ++given[line[i]];
+      }
+      candidates.add(line, count);
     }
+    candidates.drop_repeated();
     candidates.end();
     expect_padding(candidates);
     std::map<Slot, int> found;
@@ -96,15 +100,37 @@ TEST(Candidates, AddOnceLeavesNobodyOutAndLetsFewThroughTwice) {
   EXPECT_GT(twice, 0U) << "the cache is put to the test";
 }
 
-TEST(Candidates, AddOnceForgetsEarlierRounds) {
+TEST(Candidates, AddTheFirstOfALineInItsOrder) {
   Candidates candidates;
-  const std::array<Slot, 3> block = {1, 2, 3};
+  SlotLists::LineOfSlots line;
+  for (std::uint32_t i = 0; i < line.size(); ++i) line[i] = 100 + i;
+  for (std::uint32_t count = 0; count <= line.size(); ++count) {
+    candidates.begin(5, true);
+    for (Slot before = 0; before < 60; ++before) {
+      // Lines end wherever the memory does.
+      candidates.add(before);
+      candidates.add(line, count);
+    }
+    candidates.end();
+    ASSERT_EQ(candidates.size(), 60 * (1 + count));
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const std::size_t place = i % (1 + count);
+      ASSERT_EQ(candidates.slot(i), place == 0 ? i / (1 + count) : 99 + place);
+    }
+    expect_padding(candidates);
+  }
+}
+
+TEST(Candidates, DropRepeatedForgetsEarlierRounds) {
+  Candidates candidates;
+  const SlotLists::LineOfSlots line = {1, 2, 3};
   for (int round = 0; round < 1000; ++round) {
     candidates.begin(9, true);
     EXPECT_TRUE(candidates.is_new(1));
     EXPECT_FALSE(candidates.is_new(9)) << "the sphere itself";
-    candidates.add_once(block.data(), 3);
-    candidates.add_once(block.data(), 3);
+    candidates.add(line, 3);
+    candidates.add(line, 3);
+    candidates.drop_repeated();
     candidates.end();
     ASSERT_EQ(candidates.size(), 3U);
     EXPECT_FALSE(candidates.is_new(1));

@@ -16,7 +16,7 @@ namespace {
 
 std::vector<Slot> occupants_of(const CellStore& store, const CellIndex& cell) {
   std::vector<Slot> found;
-  store.for_each(cell, [&](Slot slot) { found.push_back(slot); });
+  store.lists().for_each(store.list(cell), [&](Slot slot) { found.push_back(slot); });
   std::sort(found.begin(), found.end());
   return found;
 }

@@ -7,14 +7,19 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "hardball/broadphase/all_pairs.hpp"
 #include "hardball/broadphase/cell_grid.hpp"
+#include "hardball/broadphase/neighbor_list.hpp"
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/events/ordered_queue.hpp"
 #include "hardball/paper/paper_engine.hpp"
 #include "hardball/response/restitution.hpp"
+#include "hardball/world/placement.hpp"
+#include "hardball/world/random.hpp"
 
 namespace hardball {
 namespace {
@@ -48,12 +53,25 @@ struct AllPairsWithCalendar {
                                                         Time(0));
   }
 };
+struct NeighborsWithCalendar {
+  static auto make(World world) {
+    return Engine<CalendarQueue, NeighborList, Restitution>(std::move(world), NeighborList(0.3),
+                                                            Restitution(1), Time(0));
+  }
+};
+struct NeighborsWithTree {
+  static auto make(World world) {
+    return Engine<OrderedQueue, NeighborList, Restitution>(std::move(world), NeighborList(0.1),
+                                                           Restitution(1), Time(0));
+  }
+};
 struct Paper {
   static auto make(World world) {
     return PaperEngine<Restitution>(std::move(world), 1.5, Restitution(1), Time(0));
   }
 };
-using Makers = testing::Types<CellsWithCalendar, CellsWithTree, AllPairsWithCalendar, Paper>;
+using Makers = testing::Types<CellsWithCalendar, CellsWithTree, AllPairsWithCalendar, NeighborsWithCalendar,
+                              NeighborsWithTree, Paper>;
 TYPED_TEST_SUITE(EveryEngine, Makers);
 
 constexpr auto kIgnore = [](const Contact&) {};
@@ -168,6 +186,90 @@ TYPED_TEST(EveryEngine, NeedsMemoryInProportionToTheSpheres) {
   };
   EXPECT_LT(bytes(4000), 6 * bytes(1000)) << "some capacities are powers of two";
   EXPECT_LT(bytes(4000), 4000U * 3000);
+}
+
+// Dense enough for spheres to be caged now and then; mixed radii make long lists.
+World mixed_gas(const std::array<Boundary, kAxes>& boundary, std::uint64_t seed, double smallest_radius) {
+  constexpr std::size_t kSpheres = 300;
+  Random random(seed);
+  std::vector<double> radii(kSpheres);
+  double volume = 0;
+  for (double& radius : radii) {
+    radius = smallest_radius + (0.5 - smallest_radius) * random.uniform();
+    volume += 4 * std::numbers::pi / 3 * radius * radius * radius;
+  }
+  const double edge = std::cbrt(volume / 0.25);
+  World world(Box(boundary, {edge, edge, edge}));
+  const std::vector<Vec3> centers =
+      place_randomly(world.box(), {{}, {edge, edge, edge}}, radii, random, "gas");
+  for (std::size_t i = 0; i < kSpheres; ++i) {
+    const Vec3 velocity{random.normal(), random.normal(), random.normal()};
+    world.add({centers[i], velocity, radii[i], radii[i] * radii[i] * radii[i]});
+  }
+  return world;
+}
+
+template <class Checked>
+void run_and_validate(Checked engine) {
+  ASSERT_NO_THROW(engine.validate());
+  for (int stop = 0; stop < 30; ++stop) {
+    // In open space contacts end, and crossings do not.
+    engine.run({.contacts = 50, .steps = 3000}, kIgnore);
+    ASSERT_NO_THROW(engine.validate()) << "after " << engine.counters().contacts() << " contacts";
+    // A change from outside, too.
+    engine.change_velocity(static_cast<Slot>(7 * stop), engine.now(), {1, 2, -3});
+    ASSERT_NO_THROW(engine.validate());
+  }
+  EXPECT_GT(engine.counters().enter, 0U);
+}
+
+TEST(Engine, KeepsItsStructuresSoundInEveryKindOfBox) {
+  constexpr Boundary kPeriodic = Boundary::periodic;
+  constexpr Boundary kWall = Boundary::wall;
+  constexpr Boundary kOpen = Boundary::open;
+  using Kinds = std::array<Boundary, kAxes>;
+  for (const Kinds& boundary : {Kinds{kPeriodic, kPeriodic, kPeriodic}, Kinds{kWall, kWall, kWall},
+                                Kinds{kOpen, kOpen, kOpen}, Kinds{kOpen, kPeriodic, kWall}}) {
+    for (const double smallest_radius : {0.5, 0.3, 0.1}) {
+      SCOPED_TRACE(testing::Message() << static_cast<int>(boundary[0]) << static_cast<int>(boundary[1])
+                                      << static_cast<int>(boundary[2]) << ", " << smallest_radius);
+      const World world = mixed_gas(boundary, 5, smallest_radius);
+      for (const double slack : {0.02, 0.2, 1.0}) {
+        run_and_validate(Engine<CalendarQueue, NeighborList, Restitution>(world, NeighborList(slack),
+                                                                          Restitution(1), Time(0)));
+      }
+      run_and_validate(
+          Engine<CalendarQueue, CellGrid, Restitution>(world, CellGrid(1.3), Restitution(1), Time(0)));
+      if (HasFailure()) return;
+    }
+  }
+}
+
+// Prefetching looks at spheres whose entries in the queue are dead: those stopped have no crossing ahead, and
+// there are no cells behind a wall.
+template <class Phase>
+void stop_spheres_in_a_large_gas(Phase phase) {
+  Random random(6);
+  constexpr int kPerAxis = 23;
+  World world(Box::walls({3.0 * kPerAxis, 3.0 * kPerAxis, 3.0 * kPerAxis}));
+  for (int i = 0; i < kPerAxis * kPerAxis * kPerAxis; ++i) {
+    const Vec3 place{1.5 + 3.0 * (i % kPerAxis), 1.5 + 3.0 * (i / kPerAxis % kPerAxis),
+                     1.5 + 3.0 * (i / kPerAxis / kPerAxis)};
+    world.add({place, random.direction(), 0.25, 1});
+  }
+  Engine<CalendarQueue, Phase, Restitution> engine(std::move(world), std::move(phase), Restitution(1),
+                                                   Time(0));
+  engine.run({.until = Time(0.01)}, kIgnore);
+  for (Slot slot = 0; slot < engine.world().size(); slot += 2) {
+    engine.change_velocity(slot, Time(0.01), {0, 0, 0});
+  }
+  EXPECT_NO_THROW(engine.run({.until = Time(3)}, kIgnore));
+  EXPECT_GT(engine.counters().contacts(), 100U);
+}
+
+TEST(Engine, LooksAheadOfSpheresThatHaveBeenStopped) {
+  stop_spheres_in_a_large_gas(CellGrid(3));
+  stop_spheres_in_a_large_gas(NeighborList(0.5));
 }
 
 }  // namespace

@@ -71,17 +71,15 @@ class ListQueue {
   Event event(Owner owner) const { return entries_[owner]; }
   Time time(Owner owner) const { return entries_[owner].time; }
   void schedule(Owner owner, const Event& event) { entries_[owner] = event; }
-  std::optional<Owner> least() const {
-    std::optional<Scheduled> least;
+  Owner least() const {
+    Scheduled least{Event{}, kNobody};
     for (Owner owner = 0; owner < entries_.size(); ++owner) {
-      if (!entries_[owner].happens()) continue;
       const Scheduled entry{entries_[owner], owner};
-      if (!least || entry < *least) least = entry;
+      if (entry.event.happens() && entry < least) least = entry;
     }
-    if (!least) return std::nullopt;
-    return least->owner;
+    return least.owner;
   }
-  void pop() { entries_[*least()] = Event{}; }
+  void pop() { entries_[least()] = Event{}; }
 
  private:
   std::vector<Event> entries_;
@@ -149,7 +147,7 @@ struct Pair {
     list.schedule(owner, event);
     queue.schedule(owner, list);
   }
-  std::optional<Owner> least() { return queue.least(list); }
+  Owner least() { return queue.least(list); }
   void pop() {
     queue.pop();
     list.pop();
@@ -157,12 +155,12 @@ struct Pair {
   // All that is left, in order.
   std::vector<Owner> emptied() {
     std::vector<Owner> owners;
-    for (std::optional<Owner> owner = least(); owner; owner = least()) {
+    for (Owner owner = least(); owner != kNobody; owner = least()) {
       EXPECT_EQ(owner, list.least());
-      owners.push_back(*owner);
+      owners.push_back(owner);
       pop();
     }
-    EXPECT_EQ(list.least(), std::nullopt);
+    EXPECT_EQ(list.least(), kNobody);
     return owners;
   }
 };
@@ -178,18 +176,18 @@ TYPED_TEST(EveryQueue, AgreesWithAListUnderRandomTraffic) {
     for (const std::size_t owners : {std::size_t{1}, std::size_t{2}, std::size_t{30}, std::size_t{300}}) {
       // The same queue again: reset must leave nothing behind.
       pair.reset(owners, Time(3));
-      EXPECT_EQ(pair.least(), std::nullopt);
+      EXPECT_EQ(pair.least(), kNobody);
       Time now(3);
       const auto schedule = [&](Owner owner) { pair.schedule(owner, random_event(random, now, waits)); };
       for (Owner owner = 0; owner < owners; ++owner) schedule(owner);
       for (std::uint64_t step = 0; step < support::cases(3000); ++step) {
-        const std::optional<Owner> least = pair.list.least();
+        const Owner least = pair.list.least();
         ASSERT_EQ(pair.least(), least) << "step " << step << ", " << owners << " owners";
         const double what = random.uniform();
-        if (least && what < 0.7) {
-          now = pair.list.time(*least);
+        if (least != kNobody && what < 0.7) {
+          now = pair.list.time(least);
           pair.pop();
-          if (what < 0.6) schedule(*least);
+          if (what < 0.6) schedule(least);
         }
         // Others are replaced, an event or two at a time, or all at once.
         const std::uint64_t others = what < 0.99 ? random.bits() % 3 : owners;
@@ -214,7 +212,7 @@ TYPED_TEST(EveryQueue, EmptiesInOrder) {
     ASSERT_EQ(pair.least(), entry.owner);
     pair.pop();
   }
-  EXPECT_EQ(pair.least(), std::nullopt);
+  EXPECT_EQ(pair.least(), kNobody);
   EXPECT_EQ(pair.queue.counters().scheduled, kOwners);
   EXPECT_EQ(pair.queue.counters().taken, kOwners);
 }
@@ -226,7 +224,7 @@ TYPED_TEST(EveryQueue, ForgetsAnEntryThatIsReplacedByNever) {
   pair.schedule(0, Event{});
   EXPECT_EQ(pair.least(), 1U);
   pair.schedule(1, Event{});
-  EXPECT_EQ(pair.least(), std::nullopt);
+  EXPECT_EQ(pair.least(), kNobody);
 }
 
 TYPED_TEST(EveryQueue, TakesEventsBeforeThoseItHasShown) {
@@ -260,7 +258,7 @@ TYPED_TEST(EveryQueue, MindsOnlyTheEventThatAnOwnerHasNow) {
         pair.schedule(1, middle);
         if (shown_before) static_cast<void>(pair.least());
         pair.schedule(0, second);
-        while (pair.list.time(*pair.list.least()) < moment) {
+        while (pair.list.time(pair.list.least()) < moment) {
           ASSERT_EQ(pair.least(), pair.list.least());
           pair.pop();
         }
@@ -294,7 +292,7 @@ TYPED_TEST(EveryQueue, MindsOnlyTheEventThatAnOwnerHasNowHoweverOftenItChanges) 
     for (int step = 0; step < 60; ++step) {
       for (std::uint64_t i = random.bits() % 5; i > 0; --i) schedule();
       ASSERT_EQ(pair.least(), pair.list.least());
-      if (pair.list.least() && random.uniform() < 0.5) pair.pop();
+      if (pair.list.least() != kNobody && random.uniform() < 0.5) pair.pop();
     }
     pair.emptied();
     if (this->HasFailure()) return;
@@ -319,11 +317,11 @@ TYPED_TEST(EveryQueue, KeepsAnOwnerWhoseEventBecomesALesserOneOfTheSameMoment) {
       const auto changed = static_cast<Owner>(random.bits() % owners);
       const Event scheduled = pair.list.event(changed);
       if (scheduled.happens()) pair.list.schedule(changed, {scheduled.time, EventKind::enter, 0, 0, {}});
-      const std::optional<Owner> least = pair.least();
-      ASSERT_TRUE(least) << "somebody is missing";
-      ASSERT_FALSE(has_come[*least]);
-      has_come[*least] = true;
-      const Event event = pair.list.event(*least);
+      const Owner least = pair.least();
+      ASSERT_NE(least, kNobody) << "somebody is missing";
+      ASSERT_FALSE(has_come[least]);
+      has_come[least] = true;
+      const Event event = pair.list.event(least);
       // Those that have not changed come in order; those that have, at the right moment.
       ASSERT_GE(event.time, last.time);
       if (event.kind == EventKind::collision) {
@@ -331,9 +329,9 @@ TYPED_TEST(EveryQueue, KeepsAnOwnerWhoseEventBecomesALesserOneOfTheSameMoment) {
         last = event;
       }
       pair.queue.pop();
-      pair.list.schedule(*least, Event{});
+      pair.list.schedule(least, Event{});
     }
-    ASSERT_EQ(pair.least(), std::nullopt);
+    ASSERT_EQ(pair.least(), kNobody);
   }
 }
 
@@ -368,10 +366,10 @@ TYPED_TEST(EveryQueue, KeepsTheOrderOfEventsWhenAllHappenAtOneMoment) {
       pair.schedule(owner, make_collision(Time(moment), rank / 3, 5000 + rank % 3, {}));
     }
     std::vector<Owner> found;
-    for (std::optional<Owner> owner = pair.least(); owner; owner = pair.least()) {
-      found.push_back(*owner);
+    for (Owner owner = pair.least(); owner != kNobody; owner = pair.least()) {
+      found.push_back(owner);
       pair.queue.pop();
-      pair.list.schedule(*owner, Event{});
+      pair.list.schedule(owner, Event{});
     }
     EXPECT_EQ(found, expected);
   }
@@ -390,11 +388,11 @@ TYPED_TEST(EveryQueue, KeepsItsMemoryInProportionToItsOwners) {
     for (std::uint64_t step = 0; step < support::cases(200000); ++step) {
       pair.schedule(static_cast<Owner>(random.bits() % kOwners), random_event(random, now, waits));
       if (step % 5 != 0) continue;
-      const std::optional<Owner> least = pair.least();
-      ASSERT_TRUE(least);
-      now = pair.list.time(*least);
+      const Owner least = pair.least();
+      ASSERT_NE(least, kNobody);
+      now = pair.list.time(least);
       pair.queue.pop();
-      pair.schedule(*least, random_event(random, now, waits));
+      pair.schedule(least, random_event(random, now, waits));
     }
     // At most 5 entries of some 72 bytes for each owner, in three or four places that may each have grown to
     // hold them all with twice the capacity.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include "hardball/geometry/double_double.hpp"
@@ -130,16 +131,83 @@ TEST(DoubleDouble, SumsAndProductsOfDoublesAreExact) {
   }
 }
 
+Exact exactly(const DoubleDouble& a) {
+  return Exact(a.high) + a.low;
+}
+
+bool is_normalized(const DoubleDouble& a) {
+  return a.high == static_cast<double>(exactly(a));
+}
+
+TEST(DoubleDouble, NormalizedIsTheSameNumberWithTheNearestDoubleInFront) {
+  Random random(8);
+  for (int i = 0; i < 20000; ++i) {
+    const double high = random.normal() * spread(random, -60, 60);
+    const double low = high * (2 * random.uniform() - 1) * spread(random, -80, 0);
+    const DoubleDouble found = normalized(high, low);
+    ASSERT_EQ(exactly(found), Exact(high) + low);
+    ASSERT_TRUE(is_normalized(found));
+  }
+  EXPECT_EQ(normalized(1, -1).high, 0);
+  EXPECT_EQ(normalized(0, 0).low, 0);
+}
+
 TEST(DoubleDouble, ArithmeticKeepsAbout106Bits) {
   Random random(7);
-  const auto exact = [](const DoubleDouble& a) { return Exact(a.high) + a.low; };
   for (int i = 0; i < 20000; ++i) {
     const DoubleDouble a = sum(random.normal(), random.normal() * 0x1p-54);
-    const DoubleDouble b = sum(random.normal() * spread(random, -30, 30), random.normal() * 0x1p-90);
-    const Exact magnitude = abs(exact(a)) + abs(exact(b));
-    ASSERT_LE(abs(exact(a + b) - (exact(a) + exact(b))), magnitude * Exact(0x1p-103));
-    ASSERT_LE(abs(exact(a - b) - (exact(a) - exact(b))), magnitude * Exact(0x1p-103));
-    ASSERT_LE(abs(exact(a * b) - exact(a) * exact(b)), abs(exact(a) * exact(b)) * Exact(0x1p-101));
+    DoubleDouble b = sum(random.normal() * spread(random, -30, 30), random.normal() * 0x1p-90);
+    // Now and then of the same size, so that most of a difference cancels.
+    if (i % 3 == 0) b = normalized(a.high * (1 + random.normal() * spread(random, -60, -2)), b.low * 0x1p-30);
+    const Exact magnitude = abs(exactly(a)) + abs(exactly(b));
+    ASSERT_LE(abs(exactly(a - b) - (exactly(a) - exactly(b))), magnitude * Exact(0x1p-103));
+    ASSERT_LE(abs(exactly(a * b) - exactly(a) * exactly(b)), abs(exactly(a) * exactly(b)) * Exact(0x1p-101));
+    ASSERT_TRUE(is_normalized(a - b));
+    ASSERT_TRUE(is_normalized(a * b));
+  }
+}
+
+TEST(DoubleDouble, DifferenceOfProductsIsRightTo104BitsOfTheLargerProduct) {
+  Random random(9);
+  for (int i = 0; i < 50000; ++i) {
+    const double a = random.normal() * spread(random, -40, 40);
+    const double b = random.normal() * spread(random, -40, 40);
+    const double c = random.normal() * spread(random, -40, 40);
+    double d = random.normal() * spread(random, -40, 40);
+    // Two thirds of the time of like size, or with most of the difference cancelling.
+    if (i % 3 == 1) d = a * b / c * (random.uniform() < 0.5 ? -1 : 1) * (0.5 + random.uniform());
+    if (i % 3 == 2) d = a * b / c * (1 + random.normal() * spread(random, -56, -2));
+    const DoubleDouble found = difference_of_products(a, b, c, d);
+    const Exact exact = Exact(a) * b - Exact(c) * d;
+    const Exact magnitude = std::max(abs(Exact(a) * b), abs(Exact(c) * d));
+    ASSERT_LE(abs(exactly(found) - exact), magnitude * Exact(0x1p-104)) << "case " << i;
+    ASSERT_TRUE(is_normalized(found)) << "case " << i;
+  }
+  const DoubleDouble nothing = difference_of_products(0.1, 0.3, 0.3, 0.1);
+  EXPECT_EQ(nothing.high, 0);
+  EXPECT_EQ(nothing.low, 0);
+}
+
+TEST(DoubleDouble, SumOfThreeIsRightTo103BitsOfTheLargest) {
+  Random random(10);
+  const auto any = [&random] {
+    const double high = random.normal() * spread(random, -8, 8);
+    return sum(high, high * random.normal() * 0x1p-55);
+  };
+  for (int i = 0; i < 50000; ++i) {
+    const DoubleDouble a = any();
+    const DoubleDouble b = any();
+    DoubleDouble c = any();
+    // Half of the time most of the sum cancels.
+    if (i % 2 == 1) {
+      const double whole = -(a.high + b.high) * (1 + random.normal() * spread(random, -60, -2));
+      c = sum(whole, whole * random.normal() * 0x1p-55);
+    }
+    const DoubleDouble found = sum_of_three(a, b, c);
+    const Exact exact = exactly(a) + exactly(b) + exactly(c);
+    const Exact magnitude = std::max({abs(exactly(a)), abs(exactly(b)), abs(exactly(c))});
+    ASSERT_LE(abs(exactly(found) - exact), magnitude * Exact(0x1p-103)) << "case " << i;
+    ASSERT_TRUE(is_normalized(found)) << "case " << i;
   }
 }
 

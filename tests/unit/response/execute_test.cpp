@@ -25,8 +25,9 @@ TEST(ContactAt, DescribesACollisionThroughTheEdgeOfAPeriodicBox) {
   world.add({{6, 5, 5}, {1, 0, 0}, 0.5, 3});
   const Event event = make_collision(contact_time(world, 0, 1, {{-1, 0, 0}}), 1, 2, {{-1, 0, 0}});
   ASSERT_EQ(event.time, Time(2.75));
-  std::array<Image, 2> folded;
-  const Contact contact = contact_at(world, event, participants_of(world, event), folded);
+  Executed done;
+  contact_at(world, event, participants_of(world, event), done);
+  const Contact& contact = done.contact;
   EXPECT_EQ(contact.first, 1U) << "an id, not a slot";
   EXPECT_EQ(contact.second, 2U);
   EXPECT_EQ(contact.position, (Vec3{0.25, 5, 5}));
@@ -39,8 +40,8 @@ TEST(ContactAt, DescribesACollisionThroughTheEdgeOfAPeriodicBox) {
   EXPECT_EQ(contact.second_mass, 3);
   EXPECT_EQ(contact.impact_speed(), 2);
   EXPECT_EQ(contact.image, (Image{{-1, 0, 0}}));
-  EXPECT_EQ(folded[0], Image{});
-  EXPECT_EQ(folded[1], Image{});
+  EXPECT_EQ(done.folded[0], Image{});
+  EXPECT_EQ(done.folded[1], Image{});
   EXPECT_EQ(contact.after, contact.before);
 }
 
@@ -84,20 +85,22 @@ TEST(ContactAt, CountsTheImageBetweenFoldedCentres) {
   // The first flies on to the second's next copy, over the edge of the box: from 9 to 13.
   const Event event = make_collision(contact_time(world, 0, 1, {{1, 0, 0}}), 0, 1, {{1, 0, 0}});
   ASSERT_EQ(event.time, Time(2));
-  std::array<Image, 2> folded;
-  const Contact contact = contact_at(world, event, participants_of(world, event), folded);
+  Executed done;
+  contact_at(world, event, participants_of(world, event), done);
+  const Contact& contact = done.contact;
   EXPECT_EQ(contact.position, (Vec3{3, 5, 5}));
   EXPECT_EQ(contact.image, Image{});
   EXPECT_EQ(contact.separation, (Vec3{1, 0, 0}));
-  EXPECT_EQ(folded[0], (Image{{1, 0, 0}}));
+  EXPECT_EQ(done.folded[0], (Image{{1, 0, 0}}));
 }
 
 TEST(ContactAt, DescribesAWall) {
   World world(Box::walls({10, 10, 10}));
   world.add({{5, 5, 5}, {1, 2, 0}, 1, 4});
-  std::array<Image, 2> folded;
+  Executed done;
   const Event event = next_wall_event(world, 0);
-  const Contact contact = contact_at(world, event, participants_of(world, event), folded);
+  contact_at(world, event, participants_of(world, event), done);
+  const Contact& contact = done.contact;
   EXPECT_FALSE(contact.is_collision());
   EXPECT_EQ(contact.second, face_of(1, true));
   EXPECT_EQ(contact.separation, (Vec3{0, 1, 0}));
@@ -116,7 +119,8 @@ TEST(Execute, WritesBothPathsAndNothingElse) {
   const Path bystander = world.path(2);
   CollapseGuard guard;
   const Event event = make_collision(contact_time(world, 0, 1, {}), 0, 1, {});
-  const Executed done = execute(world, guard, event, {0, 1}, Restitution(1));
+  Executed done;
+  execute(world, guard, event, {0, 1}, Restitution(1), done);
   EXPECT_EQ(world.path(0), (Path{{2, 0, 0}, {0, 0, 0}, Time(2)}));
   EXPECT_EQ(world.path(1), (Path{{4, 0, 0}, {1, 0, 0}, Time(2)}));
   EXPECT_EQ(world.path(2), bystander);
@@ -132,9 +136,10 @@ TEST(Execute, ChangesNothingIfTheResponseThrows) {
   CollapseGuard guard;
   const Event event = make_collision(contact_time(world, 0, 1, {}), 0, 1, {});
   const auto throws = [](const Contact&) -> Velocities { throw std::runtime_error("no"); };
-  EXPECT_THROW(execute(world, guard, event, {0, 1}, throws), std::runtime_error);
+  Executed done;
+  EXPECT_THROW(execute(world, guard, event, {0, 1}, throws, done), std::runtime_error);
   const auto through = [](const Contact& contact) { return contact.before; };
-  EXPECT_THROW(execute(world, guard, event, {0, 1}, through), Error) << "they still approach";
+  EXPECT_THROW(execute(world, guard, event, {0, 1}, through, done), Error) << "they still approach";
   EXPECT_TRUE(std::equal(before.begin(), before.end(), world.paths().begin()));
 }
 

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/broadphase/slot_lists.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "hardball/world/random.hpp"
+#include "support/effort.hpp"
+
+namespace hardball {
+namespace {
+
+std::multiset<Slot> slots_of(const SlotLists& lists, std::uint32_t list) {
+  std::multiset<Slot> found;
+  lists.for_each(list, [&found](Slot slot) { found.insert(slot); });
+  return found;
+}
+
+// The slots of a list line by line; only the first line of several may be empty.
+std::multiset<Slot> slots_by_lines(const SlotLists& lists, std::uint32_t list) {
+  std::multiset<Slot> found;
+  std::size_t lines = 0;
+  lists.for_each_line(list, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
+    EXPECT_LE(count, SlotLists::kRoom);
+    EXPECT_TRUE(count > 0 || lines == 0);
+    found.insert(slots.begin(), slots.begin() + count);
+    ++lines;
+  });
+  EXPECT_GE(lines, 1U);
+  return found;
+}
+
+std::size_t lines_of(const SlotLists& lists, std::uint32_t list) {
+  std::size_t lines = 0;
+  lists.for_each_line(list, [&lines](const SlotLists::LineOfSlots&, std::uint32_t) { ++lines; });
+  return lines;
+}
+
+TEST(SlotLists, AreEmptyAfterReset) {
+  SlotLists lists;
+  for (const std::size_t count : {3U, 0U, 20U}) {
+    lists.reset(count);
+    for (std::uint32_t list = 0; list < count; ++list) {
+      EXPECT_TRUE(lists.is_empty(list));
+      EXPECT_TRUE(slots_of(lists, list).empty());
+      for (Slot slot = 0; slot < 40; ++slot) lists.insert(list, slot);
+      EXPECT_FALSE(lists.is_empty(list));
+    }
+  }
+}
+
+TEST(SlotLists, NoListHasNoSlots) {
+  SlotLists lists;
+  lists.reset(1);
+  lists.insert(0, 7);
+  EXPECT_TRUE(slots_of(lists, SlotLists::kNone).empty());
+}
+
+TEST(SlotLists, ChainAsManyLinesAsTheyNeed) {
+  SlotLists lists;
+  lists.reset(2);
+  lists.insert(1, 1000);
+  std::multiset<Slot> expected;
+  for (Slot slot = 0; slot < 100; ++slot) {
+    lists.insert(0, slot);
+    expected.insert(slot);
+    ASSERT_EQ(slots_by_lines(lists, 0), expected);
+    ASSERT_EQ(lines_of(lists, 0), slot / SlotLists::kRoom + 1);
+  }
+  // Emptied line by line, the first line first: the list goes on behind an empty line.
+  for (Slot slot = 0; slot < 100; ++slot) {
+    EXPECT_FALSE(lists.is_empty(0));
+    lists.erase(0, slot);
+    expected.erase(slot);
+    ASSERT_EQ(slots_by_lines(lists, 0), expected);
+  }
+  EXPECT_TRUE(lists.is_empty(0));
+  EXPECT_EQ(slots_of(lists, 1), std::multiset<Slot>{1000});
+}
+
+TEST(SlotLists, FirstLineIsAPartOfTheList) {
+  SlotLists lists;
+  lists.reset(1);
+  for (Slot slot = 0; slot < 30; ++slot) {
+    lists.insert(0, slot);
+    std::vector<Slot> first;
+    lists.for_each_first(0, [&first](Slot each) { first.push_back(each); });
+    ASSERT_EQ(first.size(), std::min<std::size_t>(slot + 1, SlotLists::kRoom));
+  }
+}
+
+// Lists that are there from the start, lists that come and go, slots that stand in a list several times.
+TEST(SlotLists, AgreeWithMultisetsUnderRandomTraffic) {
+  SlotLists lists;
+  Random random(1);
+  const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random.bits() % n); };
+  for (const std::size_t fixed : {1U, 8U}) {
+    lists.reset(fixed);
+    struct Known {
+      std::uint32_t list;
+      std::multiset<Slot> slots;
+    };
+    std::vector<Known> known;
+    for (std::uint32_t list = 0; list < fixed; ++list) known.push_back({list, {}});
+    std::size_t longest = 0;
+    for (std::uint64_t step = 0; step < support::cases(40000); ++step) {
+      // Fill up and empty in turn, all the way down.
+      const bool filling = step / 1000 % 2 == 0;
+      const std::size_t at = below(known.size());
+      Known& chosen = known[at];
+      const double what = random.uniform();
+      if (what < 0.01) {
+        lists.clear(chosen.list);
+        chosen.slots.clear();
+      } else if (what < 0.02 && known.size() < 12) {
+        known.push_back({lists.make(), {}});
+        ASSERT_TRUE(lists.is_empty(known.back().list)) << "made from memory given up before";
+      } else if (what < 0.04 && at >= fixed) {
+        lists.clear(chosen.list);
+        lists.give_up(chosen.list);
+        known.erase(known.begin() + static_cast<std::ptrdiff_t>(at));
+      } else if (chosen.slots.empty() || random.uniform() < (filling ? 0.8 : 0.2)) {
+        const auto slot = static_cast<Slot>(below(30));
+        lists.insert(chosen.list, slot);
+        chosen.slots.insert(slot);
+      } else {
+        const auto erased =
+            std::next(chosen.slots.begin(), static_cast<std::ptrdiff_t>(below(chosen.slots.size())));
+        lists.erase(chosen.list, *erased);
+        chosen.slots.erase(erased);
+      }
+      for (const Known& each : known) {
+        ASSERT_EQ(slots_by_lines(lists, each.list), each.slots) << "step " << step;
+        ASSERT_EQ(lists.is_empty(each.list), each.slots.empty() && lines_of(lists, each.list) == 1);
+        longest = std::max(longest, lines_of(lists, each.list));
+      }
+    }
+    EXPECT_GT(longest, 3U);
+  }
+}
+
+TEST(SlotLists, ReuseTheirMemory) {
+  SlotLists lists;
+  lists.reset(1);
+  std::size_t after_first = 0;
+  for (int round = 0; round < 200; ++round) {
+    std::vector<std::uint32_t> made;
+    for (int i = 0; i < 10; ++i) made.push_back(lists.make());
+    for (const std::uint32_t list : made) {
+      for (Slot slot = 0; slot < 100; ++slot) lists.insert(list, slot);
+    }
+    for (const std::uint32_t list : made) {
+      // Cleared at once or slot by slot.
+      if (round % 2 == 0) lists.clear(list);
+      for (Slot slot = 0; slot < 100 && round % 2 == 1; ++slot) lists.erase(list, slot);
+      lists.give_up(list);
+    }
+    if (round == 0) after_first = lists.memory_bytes();
+  }
+  EXPECT_EQ(lists.memory_bytes(), after_first);
+}
+
+TEST(SlotLists, BeginOnACacheLine) {
+  SlotLists lists;
+  lists.reset(100);
+  for (std::uint32_t list = 0; list < 100; ++list) {
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(lists.address(list)) % 64, 0U);
+  }
+}
+
+TEST(SlotLists, NoticeThatASlotIsNotThere) {
+  SlotLists lists;
+  lists.reset(2);
+  EXPECT_THROW(lists.erase(0, 0), BrokenInvariant) << "unused room is filled with zeros";
+  for (Slot slot = 1; slot < 40; ++slot) lists.insert(0, slot);
+  EXPECT_THROW(lists.erase(0, 40), BrokenInvariant);
+  EXPECT_THROW(lists.erase(1, 5), BrokenInvariant);
+  EXPECT_NO_THROW(lists.erase(0, 39));
+  EXPECT_THROW(lists.erase(0, 39), BrokenInvariant) << "it stood there once";
+}
+
+}  // namespace
+}  // namespace hardball
