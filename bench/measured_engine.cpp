@@ -43,11 +43,8 @@ struct Named {
 };
 
 constexpr Named<EngineKind> kEngines[] = {
-    {"auto", EngineKind::automatic},
-    {"cells", EngineKind::cells},
-    {"neighbors", EngineKind::neighbors},
-    {"all-pairs", EngineKind::all_pairs},
-    {"paper", EngineKind::paper},
+    {"auto", EngineKind::automatic},      {"cells", EngineKind::cells}, {"neighbors", EngineKind::neighbors},
+    {"all-pairs", EngineKind::all_pairs}, {"paper", EngineKind::paper},
 };
 
 constexpr Named<Placement> kPlacements[] = {{"fcc", Placement::fcc}, {"random", Placement::random}};

@@ -49,7 +49,8 @@ Outcome run_with(const Scenario& scenario, const World& start, const EngineOptio
   outcome.cell_edge = simulation.cell_edge();
   simulation.run_until(*scenario.until);
   outcome.hash = simulation.event_log_hash();
-  simulation.world().for_each_by_id([&](Slot slot) { outcome.paths.push_back(simulation.world().path(slot)); });
+  simulation.world().for_each_by_id(
+      [&](Slot slot) { outcome.paths.push_back(simulation.world().path(slot)); });
   const Audit found = audit(simulation.world(), simulation.now());
   outcome.max_overlap = std::max({simulation.tally().max_overlap(), found.max_overlap, found.max_escape});
   outcome.is_sound = found.is_sound() && outcome.max_overlap <= kOverlapTolerance;

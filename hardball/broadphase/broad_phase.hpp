@@ -19,7 +19,8 @@ namespace hardball {
 /// they touch. A broad phase reads paths and never changes them.
 ///
 /// - `build(world, now)` gives all spheres regions.
-/// - `refresh(world, slot, now, folded)` gives a region to a sphere whose path has been rewritten at `now`, its
+/// - `refresh(world, slot, now, folded)` gives a region to a sphere whose path has been rewritten at `now`,
+/// its
 ///   centre having been folded back by `folded` boxes.
 /// - `collect(world, slot, candidates)` collects every candidate of a sphere, as a rule once.
 /// - `next_crossing(world, slot, now, limit)` is when the sphere reaches the edge of its region, not before

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -58,9 +59,14 @@ class Candidates {
     size_ += count;
   }
 
-  /// Takes out candidates that have been added before, and the sphere itself. A few are left twice, which does
-  /// no harm; none is lost.
+  /// Takes out candidates that have been added before, and the sphere itself. A few are left twice, which
+  /// does no harm; none is lost. To be called once, when all have been added.
   void drop_repeated() {
+    if (2 * size_ > seen_.size()) {
+      seen_.resize(std::bit_ceil(4 * size_));
+      mark(self_);
+    }
+    const std::size_t places = seen_.size() - 1;
     Slot* const begin = slots_.data();
     Slot* end = begin;
     std::uint64_t* const seen = seen_.data();
@@ -68,7 +74,7 @@ class Candidates {
     for (std::size_t i = 0; i < size_; ++i) {
       // Without a branch: whether a candidate is new cannot be foreseen.
       const Slot other = begin[i];
-      std::uint64_t& place = seen[other % kSeen];
+      std::uint64_t& place = seen[other & places];
       *end = other;
       end += place != (round | other) ? 1 : 0;
       place = round | other;
@@ -90,8 +96,8 @@ class Candidates {
   }
 
   /// Whether `other` has not lately been marked since begin().
-  bool is_new(Slot other) const { return seen_[other % kSeen] != key(other); }
-  void mark(Slot other) { seen_[other % kSeen] = key(other); }
+  bool is_new(Slot other) const { return seen_[other & (seen_.size() - 1)] != key(other); }
+  void mark(Slot other) { seen_[other & (seen_.size() - 1)] = key(other); }
 
   /// Fills the room behind the last candidate. To be called before the arrays are read.
   void end() {
@@ -99,8 +105,6 @@ class Candidates {
   }
 
  private:
-  static constexpr std::size_t kSeen = 256;
-
   std::uint64_t key(Slot other) const { return std::uint64_t{round_} << 32 | other; }
 
   void make_room(std::size_t count) {
@@ -114,8 +118,9 @@ class Candidates {
   std::vector<Slot> slots_ = std::vector<Slot>(64);
   std::vector<Image> images_;
   std::array<std::vector<double>, kAxes> shifts_;
-  // A cache of the candidates marked, one place for each remainder; the round tells those of earlier calls.
-  std::array<std::uint64_t, kSeen> seen_{};
+  // A cache of the candidates marked, one place for each remainder, a power of two of them; the round tells
+  // those of earlier calls.
+  std::vector<std::uint64_t> seen_ = std::vector<std::uint64_t>(256);
 };
 
 }  // namespace hardball

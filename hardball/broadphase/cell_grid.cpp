@@ -62,7 +62,8 @@ void CellGrid::build(const World& world, const Time& now) {
   for (Slot slot = 0; slot < world.size(); ++slot) {
     const CellRange range = range_at(world, slot, now);
     residents_[slot].take(range);
-    cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& cell) { store_.insert(cell, slot); });
+    cells_.for_each_folded(range,
+                           [&](const CellIndex&, const CellIndex& cell) { store_.insert(cell, slot); });
   }
 }
 
@@ -127,14 +128,14 @@ void CellGrid::cross(const World& world, Slot slot, const Time& now, Candidates&
   const CellRange old = resident.range();
   CellRange kept = old;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    kept.low[axis] = velocity[axis] > 0 ? std::clamp(exact.low[axis], old.low[axis], old.high[axis]) : old.low[axis];
+    kept.low[axis] =
+        velocity[axis] > 0 ? std::clamp(exact.low[axis], old.low[axis], old.high[axis]) : old.low[axis];
     kept.high[axis] =
         velocity[axis] < 0 ? std::clamp(exact.high[axis], old.low[axis], old.high[axis]) : old.high[axis];
   }
   leave(slot, old, kept);
   const std::size_t crossed = axis_of(resident.crossed_face);
-  const std::int32_t row =
-      is_upper(resident.crossed_face) ? kept.high[crossed] + 1 : kept.low[crossed] - 1;
+  const std::int32_t row = is_upper(resident.crossed_face) ? kept.high[crossed] + 1 : kept.low[crossed] - 1;
   CellRange entered = kept;
   entered.low[crossed] = entered.high[crossed] = row;
   kept.low[crossed] = std::min(kept.low[crossed], row);
@@ -143,7 +144,8 @@ void CellGrid::cross(const World& world, Slot slot, const Time& now, Candidates&
   candidates.begin(slot, nearest_);
   collect_from(world, entered, candidates);
   candidates.end();
-  cells_.for_each_folded(entered, [&](const CellIndex&, const CellIndex& cell) { store_.insert(cell, slot); });
+  cells_.for_each_folded(entered,
+                         [&](const CellIndex&, const CellIndex& cell) { store_.insert(cell, slot); });
 }
 
 CellRange CellGrid::range_at(const World& world, Slot slot, const Time& now) const {
@@ -154,10 +156,9 @@ CellRange CellGrid::range_at(const World& world, Slot slot, const Time& now) con
 void CellGrid::collect_from(const World& world, const CellRange& range, Candidates& candidates) const {
   if (nearest_) {
     cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& cell) {
-      store_.lists().for_each_line(store_.list(cell),
-                                   [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
-                                     candidates.add(slots, count);
-                                   });
+      store_.lists().for_each_line(
+          store_.list(cell),
+          [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) { candidates.add(slots, count); });
     });
     candidates.drop_repeated();
     return;
@@ -199,7 +200,8 @@ void CellGrid::leave(Slot slot, const CellRange& old, const CellRange& kept) {
     cells_.for_each_folded(left, [&](const CellIndex&, const CellIndex& cell) { store_.erase(cell, slot); });
   });
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    left_count_ += static_cast<std::uint64_t>((kept.low[axis] - old.low[axis]) + (old.high[axis] - kept.high[axis]));
+    left_count_ +=
+        static_cast<std::uint64_t>((kept.low[axis] - old.low[axis]) + (old.high[axis] - kept.high[axis]));
   }
 }
 
@@ -221,11 +223,11 @@ void CellGrid::validate(const World& world, const Time& now) const {
     }
     cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& folded) {
       std::size_t expected = 0;
-      cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& same) {
-        expected += same == folded ? 1U : 0U;
-      });
+      cells_.for_each_folded(
+          range, [&](const CellIndex&, const CellIndex& same) { expected += same == folded ? 1U : 0U; });
       std::size_t found = 0;
-      store_.lists().for_each(store_.list(folded), [&](Slot occupant) { found += occupant == slot ? 1U : 0U; });
+      store_.lists().for_each(store_.list(folded),
+                              [&](Slot occupant) { found += occupant == slot ? 1U : 0U; });
       HARDBALL_CHECK(found == expected);
     });
   }

@@ -15,8 +15,8 @@ namespace {
 // How much farther shells reach than they need to, and how much earlier balls end: by far more than rounding.
 constexpr double kMargin = 1e-9;
 
-// Distances of neighbours stay below this fraction of a periodic box: then no two copies of one come near, and
-// there are at least three cells along each axis.
+// Distances of neighbours stay below this fraction of a periodic box: then no two copies of one come near,
+// and there are at least three cells along each axis.
 constexpr double kLargestShare = 0.33;
 
 // The slack is at least this fraction of the largest radius.
@@ -139,8 +139,8 @@ Vec3 NeighborList::from_anchor(const World& world, Slot slot, const Time& now) c
   return nearest(world.box(), position_at(world.path(slot), now) - anchors_[slot]);
 }
 
-// The spheres whose shells meet a sphere's own, from the anchors in the cells around its own. Beyond the edge of a
-// periodic box it is the sphere that is displaced, once for each row of cells.
+// The spheres whose shells meet a sphere's own, from the anchors in the cells around its own. Beyond the edge
+// of a periodic box it is the sphere that is displaced, once for each row of cells.
 void NeighborList::find_near(const World& world, Slot slot, std::vector<Slot>& near) const {
   struct Row {
     std::int32_t cell;

@@ -15,15 +15,15 @@ namespace hardball {
 
 /// A list of neighbours for each sphere, for dense systems, where spheres are caged by their neighbours.
 ///
-/// A sphere's region is a ball around its anchor, a place where it once was. Spheres are in each other's lists
-/// when the shells around their anchors meet, each the sphere's radius and the ball's together. When a sphere
-/// comes to the edge of its ball, it drops anchor anew, and its neighbours' lists change with its own.
+/// A sphere's region is a ball around its anchor, a place where it once was. Spheres are in each other's
+/// lists when the shells around their anchors meet, each the sphere's radius and the ball's together. When a
+/// sphere comes to the edge of its ball, it drops anchor anew, and its neighbours' lists change with its own.
 /// Anchors are found through cells, each anchor lying in one.
 /// Source: Donev, Torquato and Stillinger, J. Comput. Phys. 202 (2005) 737, section 3.
 class NeighborList {
  public:
-  /// `slack` [L] is the wanted radius of the ball in which a sphere's centre moves; small boxes make it smaller.
-  /// Precondition: suits(world).
+  /// `slack` [L] is the wanted radius of the ball in which a sphere's centre moves; small boxes make it
+  /// smaller. Precondition: suits(world).
   explicit NeighborList(double slack) : wanted_slack_(slack) {}
 
   /// Whether neighbours can be listed: a periodic box must be so large that of two neighbours no two copies
@@ -58,10 +58,10 @@ class NeighborList {
   double wanted_slack_;
   double slack_ = 0;
   Subdivision cells_;
-  CellStore store_;           // anchors
+  CellStore store_;            // anchors
   LargeVector<Vec3> anchors_;  // by slot, folded into the box
-  SlotLists neighbors_;       // by slot
-  std::vector<Slot> near_;  // of the sphere at hand
+  SlotLists neighbors_;        // by slot
+  std::vector<Slot> near_;     // of the sphere at hand
   std::vector<Slot> lost_;
 };
 

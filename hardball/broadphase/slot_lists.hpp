@@ -39,7 +39,8 @@ class SlotLists {
   bool is_empty(std::uint32_t list) const { return lines_[list].count == 0 && lines_[list].next == kNone; }
 
   void insert(std::uint32_t list, Slot slot) {
-    if (lines_[list].count == kRoom) [[unlikely]] list = line_with_room(list);
+    if (lines_[list].count == kRoom) [[unlikely]]
+      list = line_with_room(list);
     Line& line = lines_[list];
     line.slots[line.count++] = slot;
   }

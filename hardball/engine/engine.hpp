@@ -53,7 +53,7 @@ class Engine {
 
   std::size_t memory_bytes() const {
     return world_.memory_bytes() + phase_.memory_bytes() + queue_.memory_bytes() + guard_.memory_bytes() +
-           predictor_.memory_bytes() + plans_.capacity() * sizeof(Plan) ;
+           predictor_.memory_bytes() + plans_.capacity() * sizeof(Plan);
   }
 
   /// Handles events in order, calling observe(contact) after every collision and wall contact.
@@ -116,8 +116,8 @@ class Engine {
       phase_.collect(world_, slot, candidates);
       for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Slot other = candidates.slot(i);
-        const Image image = candidates.are_nearest() ? nearest_image(world_, slot, other, now_)
-                                                     : candidates.image(i);
+        const Image image =
+            candidates.are_nearest() ? nearest_image(world_, slot, other, now_) : candidates.image(i);
         const Event contact = make_collision(contact_time(world_, slot, other, image), world_.id(slot),
                                              world_.id(other), image);
         HARDBALL_CHECK(prospect_of(slot) <= contact || prospect_of(other) <= contact);
@@ -134,9 +134,9 @@ class Engine {
   struct alignas(64) Plan {
     Time crossing = kNever;  // or anything after the contact
     Time contact = kNever;
-    double partner_since = 0;  // when the partner's path began
+    double partner_since = 0;   // when the partner's path began
     std::uint32_t partner = 0;  // a slot, or a face of the box
-    Image image;                 // the copy of the partner
+    Image image;                // the copy of the partner
     EventKind kind = EventKind::wall;
     bool is_nearest_image = false;  // the copy of the partner is the one that is nearest when they touch
 
@@ -166,8 +166,8 @@ class Engine {
   Plans plans() const { return {*this}; }
 
   // Whether the partner has another path than the one the prospect was reckoned with. If paths have been
-  // rewritten more than once at one moment, that moment cannot tell: the contact time does, being a function of
-  // both paths.
+  // rewritten more than once at one moment, that moment cannot tell: the contact time does, being a function
+  // of both paths.
   bool is_stale(Slot slot) const {
     const Plan& plan = plans_[slot];
     if (plan.kind != EventKind::collision) return false;
@@ -215,8 +215,8 @@ class Engine {
     return next == kNobody || plans().time(next).high > until.high ? kNobody : next;
   }
 
-  // The calendar knows what comes next: its memory is asked for in stages, each a few events before the next, as
-  // each tells where the next one's memory is.
+  // The calendar knows what comes next: its memory is asked for in stages, each a few events before the next,
+  // as each tells where the next one's memory is.
   void prefetch_ahead() {
     if (!prefetches_) return;
     if constexpr (requires { queue_.upcoming(0); }) {
@@ -314,9 +314,7 @@ class Engine {
     if (world_.path(slot).time.high == moment.high) has_twin_moments_ = true;
   }
 
-  void note_new_path(Slot slot, const Image& folded) {
-    phase_.refresh(world_, slot, now_, folded);
-  }
+  void note_new_path(Slot slot, const Image& folded) { phase_.refresh(world_, slot, now_, folded); }
 
   // Looks at all candidates of a sphere and at the walls.
   void predict(Slot slot) {
@@ -365,8 +363,8 @@ class Engine {
   LargeVector<Plan> plans_;  // per slot
   bool has_twin_moments_ = false;
   bool prefetches_ = false;
-  Candidates candidates_;    // of the sphere at hand
-  Executed done_;            // the last contact
+  Candidates candidates_;  // of the sphere at hand
+  Executed done_;          // the last contact
   Counters counters_;
 };
 

@@ -40,9 +40,7 @@ struct Counters {
 
   std::uint64_t contacts() const { return collision + wall; }
   friend bool operator==(const Counters&, const Counters&) = default;
-  friend Counters operator+(const Counters& a, const Counters& b) {
-    return a - (Counters{} - b);
-  }
+  friend Counters operator+(const Counters& a, const Counters& b) { return a - (Counters{} - b); }
   /// What has been done between two moments. Precondition: `before` is of the earlier one.
   friend Counters operator-(Counters after, const Counters& before) {
     after.collision -= before.collision;

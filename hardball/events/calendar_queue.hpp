@@ -17,11 +17,11 @@ namespace hardball {
 /// The production queue: a ring of equal days, each an unsorted list, sorted only when it becomes today.
 ///
 /// An entry is a time and an owner. Replacing an event leaves the old entry where it lies, dead: the agenda
-/// has another time for its owner. Entries for today go to a small heap beside the sorted list, entries beyond
-/// the ring wait aside until it comes round. Entries at one and the same time, to the nearest double, meet in
-/// the heap, which alone knows the whole order of events. When days turn out too full or too empty, they are
-/// laid out anew. Cost: O(1) amortised per operation as long as rates change slowly; never worse than
-/// O(log n) plus a sort. Source: Brown, Comm. ACM 31 (1988) 1220; Paul, J. Comput. Phys. 221 (2007) 615.
+/// has another time for its owner. Entries for today go to a small heap beside the sorted list, entries
+/// beyond the ring wait aside until it comes round. Entries at one and the same time, to the nearest double,
+/// meet in the heap, which alone knows the whole order of events. When days turn out too full or too empty,
+/// they are laid out anew. Cost: O(1) amortised per operation as long as rates change slowly; never worse
+/// than O(log n) plus a sort. Source: Brown, Comm. ACM 31 (1988) 1220; Paul, J. Comput. Phys. 221 (2007) 615.
 class CalendarQueue {
  public:
   void reset(std::size_t owners, Time start);
@@ -111,8 +111,8 @@ class CalendarQueue {
 
   static bool comes_later(const Scheduled& a, const Scheduled& b) { return b < a; }
 
-  // Days are counted from one; the result, rounded down, is one less. Uses the leading part of the time alone:
-  // rounding then keeps the order of times.
+  // Days are counted from one; the result, rounded down, is one less. Uses the leading part of the time
+  // alone: rounding then keeps the order of times.
   double days_before(double time) const { return std::max(0.0, (time - origin_) * days_per_time_); }
   bool is_today(double time) const { return days_before(time) < static_cast<double>(today_); }
   Day& day(std::uint64_t number) { return days_[number & (days_.size() - 1)]; }
@@ -163,7 +163,8 @@ class CalendarQueue {
       if (day(today_).count == 0) continue;
       take_day(sorted_);
       drop_dead(sorted_, agenda);
-      std::sort(sorted_.begin(), sorted_.end(), [](const Entry& a, const Entry& b) { return a.time > b.time; });
+      std::sort(sorted_.begin(), sorted_.end(),
+                [](const Entry& a, const Entry& b) { return a.time > b.time; });
       prefetch_tomorrow(agenda);
       return true;
     }
@@ -216,9 +217,10 @@ class CalendarQueue {
   std::uint32_t new_block(std::uint32_t next);
 
   std::size_t owner_count_ = 0;
-  std::vector<Entry> sorted_;    // today's, latest first, so that the least is at the back
-  std::vector<Scheduled> late_;  // filed for today when it had begun; std::push_heap order, the least in front
-  std::vector<Day> days_;        // a ring, a power of two
+  std::vector<Entry> sorted_;  // today's, latest first, so that the least is at the back
+  std::vector<Scheduled>
+      late_;               // filed for today when it had begun; std::push_heap order, the least in front
+  std::vector<Day> days_;  // a ring, a power of two
   LargeVector<Block> blocks_;
   std::uint32_t free_block_ = kNone;
   std::vector<Entry> beyond_;  // after the end of the ring

@@ -64,14 +64,14 @@ struct AnyAgenda {
 /// - `pop()` removes the event that `least()` has just shown; its owner has none until the next `schedule`,
 ///   before which the agenda must not show it any more.
 template <class Queue>
-concept EventQueue =
-    requires(Queue queue, const Queue& view, std::size_t owners, Time start, Owner owner, AnyAgenda agenda) {
-      queue.reset(owners, start);
-      queue.schedule(owner, agenda);
-      { queue.least(agenda) } -> std::same_as<Owner>;
-      queue.pop();
-      { view.counters() } -> std::convertible_to<QueueCounters>;
-      { view.memory_bytes() } -> std::convertible_to<std::size_t>;
-    };
+concept EventQueue = requires(Queue queue, const Queue& view, std::size_t owners, Time start, Owner owner,
+                              AnyAgenda agenda) {
+  queue.reset(owners, start);
+  queue.schedule(owner, agenda);
+  { queue.least(agenda) } -> std::same_as<Owner>;
+  queue.pop();
+  { view.counters() } -> std::convertible_to<QueueCounters>;
+  { view.memory_bytes() } -> std::convertible_to<std::size_t>;
+};
 
 }  // namespace hardball

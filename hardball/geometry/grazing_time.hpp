@@ -9,13 +9,15 @@
 
 namespace hardball {
 
-/// The discriminant of a contact is (reach * |velocity| * cosine)^2, the cosine being that of the angle at which
-/// the spheres meet. Below this squared cosine [1] its rounding error would show in the contact time.
+/// The discriminant of a contact is (reach * |velocity| * cosine)^2, the cosine being that of the angle at
+/// which the spheres meet. Below this squared cosine [1] its rounding error would show in the contact time.
 inline constexpr double kGrazingCosineSquared = 5.0 / 16;
 
-/// Of points that are farther apart than reach, rounding changes the discriminant by less than this fraction of
-/// (|separation| * |velocity|)^2 as long as it is no more than grazing [1]: farther below zero it is a certain miss.
-/// Three products and their differences make 15 * 2^-53 at the worst, the separation being the longer one.
+/// Of points that are farther apart than reach, rounding changes the discriminant by less than this fraction
+/// of
+/// (|separation| * |velocity|)^2 as long as it is no more than grazing [1]: farther below zero it is a
+/// certain miss. Three products and their differences make 15 * 2^-53 at the worst, the separation being the
+/// longer one.
 inline constexpr double kCertainMiss = 0x1p-48;
 
 /// What time_to_reach (contact_time.hpp) gives for approaching points, with the coefficients of the quadratic
@@ -29,8 +31,7 @@ HARDBALL_ALWAYS_INLINE double grazing_time_to_reach(double rx, double ry, double
   const DoubleDouble speed_squared = sum_of_three(product(vx, vx), product(vy, vy), product(vz, vz));
   const DoubleDouble discriminant = speed_squared * reach_squared - sum_of_three(x * x, y * y, z * z);
   if (!(discriminant.high > 0)) return std::numeric_limits<double>::infinity();
-  const DoubleDouble excess =
-      sum_of_three(product(rx, rx), product(ry, ry), product(rz, rz)) - reach_squared;
+  const DoubleDouble excess = sum_of_three(product(rx, rx), product(ry, ry), product(rz, rz)) - reach_squared;
   if (excess.high <= 0) return 0;
   const DoubleDouble approach = sum_of_three(product(rx, vx), product(ry, vy), product(rz, vz));
   return excess.high / (std::sqrt(discriminant.high) - approach.high);

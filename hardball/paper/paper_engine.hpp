@@ -132,8 +132,8 @@ class PaperEngine {
     CellRange subspaces;         // those intersecting it
     std::set<Event> candidates;  // its events in the event tree
   };
-  // A sphere in a subspace. Its range may reach over the edge of a periodic box: `boxes` says how many boxes it
-  // lies beyond here.
+  // A sphere in a subspace. Its range may reach over the edge of a periodic box: `boxes` says how many boxes
+  // it lies beyond here.
   struct Member {
     Slot slot = 0;
     Image boxes;

@@ -17,17 +17,17 @@ struct KernelQuery {
   std::uint32_t self;           ///< Its slot.
   const std::uint32_t* others;  ///< Slots of the candidates, and the sphere itself behind them.
   std::size_t count;            ///< Of the candidates.
-  const double* shifts[3];      ///< Displacement of each candidate's copy along each axis [L]; null if nearest.
-  double period[3];             ///< Of the box [L]; zero along axes that are not periodic.
-  double inverse_period[3];     ///< Zero along axes that are not periodic.
-  double now_high;              ///< At this moment copies are the nearest; any moment if they are given.
+  const double* shifts[3];   ///< Displacement of each candidate's copy along each axis [L]; null if nearest.
+  double period[3];          ///< Of the box [L]; zero along axes that are not periodic.
+  double inverse_period[3];  ///< Zero along axes that are not periodic.
+  double now_high;           ///< At this moment copies are the nearest; any moment if they are given.
   double now_low;
   double limit;  ///< Contacts after this time do not matter.
 };
 
 /// What a kernel finds.
 struct KernelResult {
-  double high;          ///< Time of the earliest contact; infinite, or after the limit, if there is none before.
+  double high;  ///< Time of the earliest contact; infinite, or after the limit, if there is none before.
   double low;
   std::uint32_t index;  ///< The candidate.
   bool is_tied;         ///< Perhaps another candidate has a contact at the very same moment.

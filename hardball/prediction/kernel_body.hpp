@@ -62,10 +62,9 @@ HARDBALL_ALWAYS_INLINE Waits<Lanes> waits_of(const VectorOfLanes<Lanes>& r, cons
                       (zero - noise <= discriminant);
   const Mask hits = approaches & ((discriminant > zero) | not_(apart)) & not_(grazes);
   // Of a graze more under the root and less above than can be: too early.
-  const Lanes root = square_root(
-      maximum(select(grazes, maximum(discriminant, zero) + noise, discriminant), zero));
-  const Lanes distance =
-      maximum(select(grazes, excess - Lanes(kRounding) * distance_squared, excess), zero);
+  const Lanes root =
+      square_root(maximum(select(grazes, maximum(discriminant, zero) + noise, discriminant), zero));
+  const Lanes distance = maximum(select(grazes, excess - Lanes(kRounding) * distance_squared, excess), zero);
   return {distance / (root - approach), hits, grazes};
 }
 
@@ -190,9 +189,9 @@ MomentOfLanes<Lanes> grazing_contact(const KernelQuery& query, std::uint32_t ind
                              grazing_time_to_reach(r[0], r[1], r[2], v[0], v[1], v[2], reach));
 }
 
-/// Looks again, with more digits, at the candidates whose contact times have bounds no later than the earliest.
-/// The loops over lanes leave this to the end: a branch there that cannot be foreseen would undo the work already
-/// begun on the next lanes.
+/// Looks again, with more digits, at the candidates whose contact times have bounds no later than the
+/// earliest. The loops over lanes leave this to the end: a branch there that cannot be foreseen would undo
+/// the work already begun on the next lanes.
 template <class Lanes, bool kNearest>
 void look_again(const KernelQuery& query, const double* bounds, KernelResult& result) {
   for (std::size_t begin = 0; begin < query.count; begin += Lanes::kWidth) {
@@ -201,7 +200,8 @@ void look_again(const KernelQuery& query, const double* bounds, KernelResult& re
     unsigned lanes = bits((bound <= Lanes(result.high)) & (bound <= Lanes(query.limit)) &
                           (bound < Lanes(std::numeric_limits<double>::infinity())));
     for (; lanes != 0; lanes &= lanes - 1) {
-      const auto index = static_cast<std::uint32_t>(begin) + static_cast<std::uint32_t>(std::countr_zero(lanes));
+      const auto index =
+          static_cast<std::uint32_t>(begin) + static_cast<std::uint32_t>(std::countr_zero(lanes));
       if (bounds[index] > result.high) continue;
       const MomentOfLanes<Lanes> moment = grazing_contact<Lanes, kNearest>(query, index);
       if (moment.high > result.high || !(moment.high < std::numeric_limits<double>::infinity())) continue;
@@ -227,7 +227,8 @@ KernelResult earliest_contact(const KernelQuery& query, double* bounds) {
   const Lanes forever(kForever);
   Earliest<Lanes> best{forever, zero, zero};
   Lanes index = Lanes::counting();
-  for (std::size_t begin = 0; begin < query.count; begin += Lanes::kWidth, index = index + Lanes(Lanes::kWidth)) {
+  for (std::size_t begin = 0; begin < query.count;
+       begin += Lanes::kWidth, index = index + Lanes(Lanes::kWidth)) {
     PathsOfLanes<Lanes> other;
     Lanes::load(query.paths, query.others + begin, other);
 
@@ -291,7 +292,8 @@ KernelResult earliest_contact_from_now(const KernelQuery& query, double* bounds)
   const Lanes forever(kForever);
   Earliest<Lanes> best{forever, zero, zero};
   Lanes index = Lanes::counting();
-  for (std::size_t begin = 0; begin < query.count; begin += Lanes::kWidth, index = index + Lanes(Lanes::kWidth)) {
+  for (std::size_t begin = 0; begin < query.count;
+       begin += Lanes::kWidth, index = index + Lanes(Lanes::kWidth)) {
     PathsOfLanes<Lanes> other;
     Lanes::load(query.paths, query.others + begin, other);
     const Lanes age = (own_high - other.high) + (own_low - other.low);

@@ -30,8 +30,7 @@ double round_to_integer(double number) {
 Event contact_with(const World& world, const Candidates& candidates, std::size_t i, const Time& now) {
   const Slot self = candidates.self();
   const Slot other = candidates.slot(i);
-  const Image image =
-      candidates.are_nearest() ? nearest_image(world, self, other, now) : candidates.image(i);
+  const Image image = candidates.are_nearest() ? nearest_image(world, self, other, now) : candidates.image(i);
   return make_collision(contact_time(world, self, other, image), world.id(self), world.id(other), image);
 }
 
@@ -41,14 +40,16 @@ Image nearest_image(const World& world, Slot a, Slot b, const Time& moment) {
   const Vec3 apart = position_at(world.path(a), moment) - position_at(world.path(b), moment);
   Image image;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    image[axis] = static_cast<std::int32_t>(round_to_integer(apart[axis] * world.box().inverse_period()[axis]));
+    image[axis] =
+        static_cast<std::int32_t>(round_to_integer(apart[axis] * world.box().inverse_period()[axis]));
   }
   return image;
 }
 
 Predictor::Predictor(InstructionSet instructions) : kernel_(kernel_of(instructions)) {}
 
-Prospect Predictor::earliest(const World& world, const Candidates& candidates, const Time& now, const Time& limit) {
+Prospect Predictor::earliest(const World& world, const Candidates& candidates, const Time& now,
+                             const Time& limit) {
   if (candidates.size() == 0) return {};
   if (bounds_.size() < candidates.size() + Candidates::kPadding) {
     bounds_.resize(2 * candidates.size() + Candidates::kPadding);

@@ -39,9 +39,7 @@ class Predictor {
   Prospect earliest(const World& world, const Candidates& candidates, const Time& now,
                     const Time& limit = kNever);
 
-  std::size_t memory_bytes() const {
-    return bounds_.capacity() * sizeof(double);
-  }
+  std::size_t memory_bytes() const { return bounds_.capacity() * sizeof(double); }
 
  private:
   Kernel kernel_;

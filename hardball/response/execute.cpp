@@ -85,7 +85,8 @@ void contact_at(const World& world, const Event& event, const Participants& part
     contact.image = {};
     contact.separation = {};
     const std::size_t axis = axis_of(event.second);
-    contact.separation[axis] = (is_upper(event.second) ? world.box().size()[axis] : 0) - contact.position[axis];
+    contact.separation[axis] =
+        (is_upper(event.second) ? world.box().size()[axis] : 0) - contact.position[axis];
   }
   contact.after = contact.before;
 }

@@ -88,8 +88,8 @@ std::unique_ptr<AnyEngine> make_queued(World world, EngineKind engine, const Eng
                                                             std::move(predictor));
   }
   if (engine == EngineKind::neighbors) {
-    return make_model<Engine<Queue, NeighborList, AnyResponse>>(std::move(world), NeighborList(length), response,
-                                                                now, std::move(predictor));
+    return make_model<Engine<Queue, NeighborList, AnyResponse>>(std::move(world), NeighborList(length),
+                                                                response, now, std::move(predictor));
   }
   return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(length), response, now,
                                                           std::move(predictor));
@@ -124,7 +124,8 @@ EngineKind choose_engine(const World& world, const EngineOptions& options, const
   return neighbors < cells ? EngineKind::neighbors : EngineKind::cells;
 }
 
-double choose_length(const World& world, EngineKind engine, const EngineOptions& options, const Time& moment) {
+double choose_length(const World& world, EngineKind engine, const EngineOptions& options,
+                     const Time& moment) {
   if (engine == EngineKind::all_pairs) return 1;
   if (engine == EngineKind::neighbors) return optimal_slack(moments_of(world, moment), options.unit_costs);
   if (options.cell_edge) return *options.cell_edge;

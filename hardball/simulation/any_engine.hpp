@@ -82,14 +82,14 @@ class AnyEngine {
   virtual void validate() const = 0;
 };
 
-/// Makes an engine with the length [L] that choose_length has chosen for it. Precondition: `engine` is one that
-/// choose_engine has chosen.
+/// Makes an engine with the length [L] that choose_length has chosen for it. Precondition: `engine` is one
+/// that choose_engine has chosen.
 std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
                                        double length, const Time& now);
 
 /// The engine for a world as it is at `moment`: the one that the options fix, if it suits the world, or that
-/// which kinetic theory expects to be the fastest; never `automatic`. `current` is the one at work, which another
-/// must surpass by a tenth.
+/// which kinetic theory expects to be the fastest; never `automatic`. `current` is the one at work, which
+/// another must surpass by a tenth.
 EngineKind choose_engine(const World& world, const EngineOptions& options, const Time& moment,
                          EngineKind current = EngineKind::automatic);
 

@@ -24,7 +24,8 @@ namespace {
 using CellEngine = Engine<CalendarQueue, CellGrid, Restitution>;
 using Steps = std::array<double, 4>;  // contacts, crossings, cells, predictions
 
-// A cubic crystal has 4 k^3; in a smaller box cells would be so few that several copies of a sphere are in reach.
+// A cubic crystal has 4 k^3; in a smaller box cells would be so few that several copies of a sphere are in
+// reach.
 constexpr std::size_t kSpheres = 1372;
 
 World make_gas(double packing_fraction) {

@@ -100,13 +100,14 @@ CellCounts expected_counts(const Moments& moments, double edge) {
     const double rate = moments.mean_speed / 2 * axes[axis].crossings;
     counts.enter += rate;
     counts.cells_entered += rate * mean_section(axes, none, one, axis) * axes[axis].edge / cell;
-    counts.candidates_after_enter +=
-        rate * pairs_in((axes[axis].edge * (1 + surplus.along[axis]) + one[1]) *
-                        mean_section(axes, surplus, sum_powers(one, one), axis));
+    counts.candidates_after_enter += rate * pairs_in((axes[axis].edge * (1 + surplus.along[axis]) + one[1]) *
+                                                     mean_section(axes, surplus, sum_powers(one, one), axis));
   }
   if (counts.enter > 0) {
     counts.cells_entered /= counts.enter;
-    counts.candidates_after_enter /= counts.enter;
+    // Half of the room about a sphere, in which it excludes others, lies in the row ahead.
+    counts.candidates_after_enter =
+        std::max(0.0, counts.candidates_after_enter / counts.enter + excess_about_sphere(moments) / 2);
   }
   // Measured in simulations from dilute to dense: docs/theory.md.
   const double mean_edge = std::cbrt(cell);

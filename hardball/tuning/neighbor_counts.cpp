@@ -21,8 +21,8 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
   counts.wall = wall_rate(moments);
   // Every second collision leaves another sphere's prospect stale that comes to its turn.
   counts.stale = counts.collision / 4;
-  // A sphere flies straight out of a ball small against its free path; of a larger one it diffuses. The factor
-  // is measured: docs/theory.md.
+  // A sphere flies straight out of a ball small against its free path; of a larger one it diffuses. The
+  // factor is measured: docs/theory.md.
   constexpr double kDiffusion = 0.2;
   counts.rebuild = moments.mean_speed / (slack * (1 + kDiffusion * slack / path));
   // The mean of (sum of two radii + 2 slack) cubed.
@@ -31,8 +31,7 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
   const double sum_cubed = 2 * m[3] + 6 * m[1] * m[2];
   const double cubed =
       sum_cubed + 6 * slack * sum_squared + 12 * slack * slack * sum + 8 * slack * slack * slack;
-  counts.neighbors =
-      std::max(1.0, 4 * std::numbers::pi / 3 * density * cubed + excess_about_sphere(moments));
+  counts.neighbors = std::max(1.0, 4 * std::numbers::pi / 3 * density * cubed + excess_about_sphere(moments));
   counts.searched = density * std::pow(6 * (moments.largest_radius + slack), 3);
   return counts;
 }

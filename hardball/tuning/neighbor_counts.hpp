@@ -25,8 +25,8 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack);
 /// What one sphere costs in unit time [cost/T].
 double cost_rate(const NeighborCounts& counts, const UnitCosts& costs);
 
-/// The radius [L] of the balls with which neighbour lists cost least: small ones are left more often, large ones
-/// make longer lists. Cost: O(1).
+/// The radius [L] of the balls with which neighbour lists cost least: small ones are left more often, large
+/// ones make longer lists. Cost: O(1).
 double optimal_slack(const Moments& moments, const UnitCosts& costs = {});
 
 }  // namespace hardball

@@ -73,7 +73,8 @@ class World {
     for (std::size_t rank = 0; rank < size(); ++rank) visit(slot_of_rank(rank));
   }
 
-  /// Stores the sphere of slot order[k] in slot k; ids stay. `order` holds every slot once. Cost: O(ids ever given).
+  /// Stores the sphere of slot order[k] in slot k; ids stay. `order` holds every slot once. Cost: O(ids ever
+  /// given).
   void reorder(std::span<const Slot> order);
 
   /// The centre at `moment` [L], folded into a periodic box.

@@ -80,7 +80,9 @@ void expect_counts(const World& world, double edge, const std::string& name) {
   EXPECT_NEAR(counted.after_contact / after_contact(expected), 1, 0.05) << name;
   // Few are found at a time where it is thin: then each of them counts.
   const double found = counted.enters * std::min(1.0, counted.after_enter);
-  EXPECT_NEAR(counted.after_enter / expected.candidates_after_enter, 1, tolerance(found)) << name;
+  // Those in a row are known less well: the spheres near the one that enters, and rows not yet given up.
+  EXPECT_NEAR(counted.after_enter / expected.candidates_after_enter, 1, std::max(0.08, tolerance(found)))
+      << name;
   EXPECT_NEAR(counted.collision / expected.collision, 1, 0.05) << name;
 }
 
@@ -142,7 +144,7 @@ TEST(CellCounts, BetweenWallsAreThoseExpected) {
       // What walls do to spheres nearby is known to first order only.
       EXPECT_NEAR(counted.wall / expected.wall, 1, 0.08);
       EXPECT_NEAR(counted.after_contact / after_contact(expected), 1, 0.08);
-      EXPECT_NEAR(counted.after_enter / expected.candidates_after_enter, 1, 0.05);
+      EXPECT_NEAR(counted.after_enter / expected.candidates_after_enter, 1, 0.08);
     }
   }
 }

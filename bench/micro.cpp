@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// What the parts of an event cost by themselves, in the nearest caches: contact times by each set of
+// instructions, the calendar, and what the broad phases do at a crossing.
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "hardball/broadphase/cell_grid.hpp"
+#include "hardball/broadphase/neighbor_list.hpp"
+#include "hardball/events/calendar_queue.hpp"
+#include "hardball/events/ordered_queue.hpp"
+#include "hardball/prediction/predictor.hpp"
+#include "hardball/world/placement.hpp"
+#include "hardball/world/random.hpp"
+
+namespace {
+
+using namespace hardball;
+
+constexpr std::size_t kSpheres = 2048;
+constexpr double kRadius = 0.5;
+
+World make_gas(double packing_fraction) {
+  const double edge = std::cbrt(kSpheres * std::numbers::pi / 6 / packing_fraction);
+  const Vec3 size{edge, edge, edge};
+  World world(Box::periodic(size));
+  Random random(1);
+  for (const Vec3& center : place_on_lattice(world.box(), {{}, size}, kSpheres, kRadius, "gas")) {
+    const Vec3 velocity{random.normal(), random.normal(), random.normal()};
+    world.add({.position = center, .velocity = velocity, .radius = kRadius});
+  }
+  return world;
+}
+
+// The earliest contact among as many candidates as the argument says, different ones each time.
+void predict(benchmark::State& state, InstructionSet instructions, bool from_now) {
+  if (!is_available(instructions)) {
+    state.SkipWithError("this machine does not have these instructions");
+    return;
+  }
+  const World world = make_gas(0.3);
+  const auto count = static_cast<std::size_t>(state.range(0));
+  constexpr std::size_t kQueries = 2000;
+  Random random(2);
+  std::vector<Candidates> queries(kQueries);
+  for (Candidates& query : queries) {
+    const auto slot = static_cast<Slot>(random.bits() % kSpheres);
+    query.begin(slot, true);
+    // Neighbours along the lattice.
+    for (std::size_t i = 1; i <= count; ++i) query.add(static_cast<Slot>((slot + i) % kSpheres));
+    query.end();
+  }
+  Predictor predictor(instructions);
+  const Time now(from_now ? 0 : 0.01);
+  std::size_t next = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(predictor.earliest(world, queries[next], now));
+    next = next + 1 < kQueries ? next + 1 : 0;
+  }
+  state.counters["pairs"] =
+      benchmark::Counter(static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+// Each owner's next event, in the order of a gas: the least is taken and comes again after a while.
+struct Agenda {
+  std::vector<Event> events;
+  Event event(Owner owner) const { return events[owner]; }
+  Time time(Owner owner) const { return events[owner].time; }
+};
+
+template <class Queue>
+void take_and_schedule(benchmark::State& state) {
+  const auto owners = static_cast<Owner>(state.range(0));
+  Random random(3);
+  Agenda agenda{std::vector<Event>(owners)};
+  Queue queue;
+  queue.reset(owners, Time(0));
+  const auto schedule = [&](Owner owner, const Time& now) {
+    agenda.events[owner] = {after(now, -std::log(1 - random.uniform())), EventKind::wall, owner, 0, {}};
+    queue.schedule(owner, agenda);
+  };
+  for (Owner owner = 0; owner < owners; ++owner) schedule(owner, Time(0));
+  for (auto _ : state) {
+    const Owner least = queue.least(agenda);
+    const Time now = agenda.time(least);
+    queue.pop();
+    schedule(least, now);
+    // A collision gives another sphere a new event, too.
+    schedule(static_cast<Owner>(random.bits() % owners), now);
+  }
+}
+
+template <class Phase>
+void cross_and_collect(benchmark::State& state, double packing_fraction, double length) {
+  const World world = make_gas(packing_fraction);
+  Phase phase(length);
+  phase.build(world, Time(0));
+  Candidates candidates;
+  std::vector<Time> crossings(kSpheres);
+  for (Slot slot = 0; slot < kSpheres; ++slot) {
+    crossings[slot] = phase.next_crossing(world, slot, Time(0), kNever);
+  }
+  // Spheres fly on without meeting, each crossing in its turn; the state begins anew before they are far
+  // apart.
+  const Phase start = phase;
+  const std::vector<Time> first_crossings = crossings;
+  Slot slot = 0;
+  for (auto _ : state) {
+    phase.cross(world, slot, crossings[slot], candidates);
+    crossings[slot] = phase.next_crossing(world, slot, crossings[slot], kNever);
+    benchmark::DoNotOptimize(candidates.size());
+    if (++slot < kSpheres) continue;
+    slot = 0;
+    state.PauseTiming();
+    phase = start;
+    crossings = first_crossings;
+    state.ResumeTiming();
+  }
+}
+
+void register_all() {
+  const std::array sets{std::pair{InstructionSet::portable, "portable"},
+                        std::pair{InstructionSet::avx2, "avx2"}, std::pair{InstructionSet::avx512, "avx512"}};
+  for (const auto& [instructions, name] : sets) {
+    for (const bool from_now : {true, false}) {
+      const std::string title =
+          std::string("predict/") + name + (from_now ? "/path_begins_now" : "/older_path");
+      benchmark::RegisterBenchmark(title.c_str(), predict, instructions, from_now)->Arg(8)->Arg(13)->Arg(32);
+    }
+  }
+  benchmark::RegisterBenchmark("queue/calendar", take_and_schedule<CalendarQueue>)->Arg(4000)->Arg(1000000);
+  benchmark::RegisterBenchmark("queue/ordered", take_and_schedule<OrderedQueue>)->Arg(4000)->Arg(1000000);
+  benchmark::RegisterBenchmark("cross/cells/dilute", cross_and_collect<CellGrid>, 0.02, 4.5);
+  benchmark::RegisterBenchmark("cross/cells/dense", cross_and_collect<CellGrid>, 0.25, 1.4);
+  benchmark::RegisterBenchmark("cross/neighbors/dense", cross_and_collect<NeighborList>, 0.49, 0.25);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  register_all();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
