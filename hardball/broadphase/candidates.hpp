@@ -62,10 +62,7 @@ class Candidates {
   /// Takes out candidates that have been added before, and the sphere itself. A few are left twice, which
   /// does no harm; none is lost. To be called once, when all have been added.
   void drop_repeated() {
-    if (2 * size_ > seen_.size()) {
-      seen_.resize(std::bit_ceil(4 * size_));
-      mark(self_);
-    }
+    expect(size_);
     const std::size_t places = seen_.size() - 1;
     Slot* const begin = slots_.data();
     Slot* end = begin;
@@ -93,6 +90,14 @@ class Candidates {
     for (std::size_t axis = 0; axis < kAxes; ++axis) shifts_[axis][size_] = shift[axis];
     images_[size_] = image;
     slots_[size_++] = other;
+  }
+
+  /// Makes room to tell apart so many. To be called before any but the sphere itself is marked.
+  void expect(std::size_t count) {
+    constexpr std::size_t kMost = std::size_t{1} << 16;
+    if (2 * count <= seen_.size() || seen_.size() == kMost) return;
+    seen_.resize(std::min(kMost, std::bit_ceil(4 * count)));
+    mark(self_);
   }
 
   /// Whether `other` has not lately been marked since begin().
