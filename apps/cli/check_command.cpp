@@ -55,6 +55,7 @@ ExitCode check(const Options& options) {
   add("mean free time", readable(mean_free_time(moments)));
   add("engine", name_of(simulation.engine()));
   if (edge > 0) add("cell edge", readable(edge));
+  if (simulation.slack() > 0) add("slack of lists", readable(simulation.slack()));
   add("memory", fmt::format("{:.4g} MB, {:.0f} bytes per sphere", bytes / 1e6, bytes / spheres));
   add("until", readable(until));
   text += "expected from the density and speed at the start:\n";

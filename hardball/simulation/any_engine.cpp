@@ -57,6 +57,11 @@ class EngineModel final : public AnyEngine {
     return 0;
   }
 
+  double slack() const override {
+    if constexpr (requires { engine_.phase().slack(); }) return engine_.phase().slack();
+    return 0;
+  }
+
   void rebuild(const Time& now, double length) override {
     if constexpr (requires { engine_.rebuild(now, AllPairs()); }) {
       engine_.rebuild(now, AllPairs());

@@ -212,6 +212,10 @@ double Simulation::cell_edge() const {
   return engine_->cell_edge();
 }
 
+double Simulation::slack() const {
+  return engine_->slack();
+}
+
 std::size_t Simulation::memory_bytes() const {
   return engine_->memory_bytes();
 }

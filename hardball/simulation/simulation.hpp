@@ -92,6 +92,9 @@ class Simulation {
   EngineKind engine() const { return kind_; }
   /// Mean edge of the cells [L]; zero if the engine has none.
   double cell_edge() const;
+  /// Radius of the ball in which a sphere moves before its list of neighbours changes [L]; zero if there are
+  /// no lists.
+  double slack() const;
   std::size_t memory_bytes() const;
   /// Checks all structures; throws BrokenInvariant. Cost: that of predicting all pairs of candidates.
   void validate() const;

@@ -48,7 +48,8 @@ TEST(CellCounts, CandidatesAreThoseOfTheCellsTouchedAndSomeLeft) {
     const double at_once = moments.number_density() * std::pow(edge + 2, 3);
     EXPECT_GT(counts.candidates_after_collision, at_once + excess_about_pair(moments));
     EXPECT_LT(counts.candidates_after_collision, 2 * at_once + 1);
-    const double met_at_once = moments.number_density() * edge * std::pow(edge + 2, 2);
+    const double met_at_once =
+        moments.number_density() * (edge + 1) * std::pow(edge + 2, 2) + excess_about_sphere(moments) / 2;
     EXPECT_GT(counts.candidates_after_enter, met_at_once);
     EXPECT_LT(counts.candidates_after_enter, 2 * met_at_once);
     EXPECT_GT(counts.candidates_when_stale, counts.candidates_after_collision - 1);

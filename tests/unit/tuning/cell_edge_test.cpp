@@ -135,7 +135,7 @@ TEST(CellEdgeWatch, RebuildsOnceWhatWasLostPaysForIt) {
   const double edge = optimal_cell_edge(dense, costs);
   watch.begin(edge);
   EXPECT_EQ(watch.look(dense, 1e6), std::nullopt) << "nothing is better";
-  const Moments thin = gas_moments(100000, 0.1 / 27, 0.5);  // the cube has grown threefold
+  const Moments thin = gas_moments(100000, 0.1 / 8, 0.5);  // the cube has grown twofold
   const double better = optimal_cell_edge(thin, costs);
   const CellCounts best = expected_counts(thin, better);
   const double loss = cost_at(thin, edge, costs) - cost_rate(best, costs);
