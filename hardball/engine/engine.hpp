@@ -206,6 +206,8 @@ class Engine {
     plans_.assign(world_.size(), Plan{});
     has_twin_moments_ = false;
     prefetches_ = world_.size() > kCachedSpheres;
+    const Box& box = world_.box();
+    has_walls_ = box.is_wall(0) || box.is_wall(1) || box.is_wall(2);
     for (Slot slot = 0; slot < world_.size(); ++slot) predict(slot);
   }
 
@@ -322,13 +324,16 @@ class Engine {
     counters_.predictions += candidates_.size();
     Plan& plan = plans_[slot];
     take(plan, predictor_.earliest(world_, candidates_, now_));
-    const Event wall = next_wall_event(world_, slot);
-    if (wall.time < plan.contact) {
-      plan.contact = wall.time;
-      plan.kind = EventKind::wall;
-      plan.partner = wall.second;
-    }
+    if (has_walls_) look_at_walls(slot, plan);
     schedule(slot);
+  }
+
+  void look_at_walls(Slot slot, Plan& plan) const {
+    const Event wall = next_wall_event(world_, slot);
+    if (!(wall.time < plan.contact)) return;
+    plan.contact = wall.time;
+    plan.kind = EventKind::wall;
+    plan.partner = wall.second;
   }
 
   // A crossing matters only if it comes before the contact.
@@ -363,6 +368,7 @@ class Engine {
   LargeVector<Plan> plans_;  // per slot
   bool has_twin_moments_ = false;
   bool prefetches_ = false;
+  bool has_walls_ = false;
   Candidates candidates_;  // of the sphere at hand
   Executed done_;          // the last contact
   Counters counters_;

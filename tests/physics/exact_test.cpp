@@ -23,6 +23,7 @@ std::vector<EngineOptions> all_ways() {
       ways.push_back({.engine = EngineKind::cells, .queue = queue, .cell_edge = edge});
     }
     ways.push_back({.engine = EngineKind::cells, .queue = queue});
+    ways.push_back({.engine = EngineKind::neighbors, .queue = queue});
     ways.push_back({.engine = EngineKind::all_pairs, .queue = queue});
   }
   for (const double edge : {1.0, 1.1, 2.75, 11.0, 100.0}) {
@@ -35,6 +36,7 @@ std::vector<EngineOptions> all_ways() {
 // What GoogleTest prints beside a failure.
 std::string name_of(const EngineOptions& options) {
   const std::string engine = options.engine == EngineKind::cells       ? "cells"
+                             : options.engine == EngineKind::neighbors ? "neighbors"
                              : options.engine == EngineKind::all_pairs ? "all pairs"
                                                                        : "paper";
   const std::string edge = options.cell_edge ? std::to_string(*options.cell_edge) : "chosen";

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "hardball/response/restitution.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
 
@@ -46,6 +47,45 @@ TEST(Retuning, LeavesAGasAloneThatOnlyCools) {
   simulation.run_contacts(20000);
   EXPECT_LT(simulation.world().kinetic_energy(), 1e-3 * world.kinetic_energy());
   EXPECT_EQ(simulation.counters().rebuilds, 0U);
+}
+
+// Dense, spheres are best found by lists of neighbours; thin, by cells. The user's response goes along.
+TEST(Retuning, ChangesTheEngineWhenADenseCloudFliesApart) {
+  const auto dense = [] {
+    return support::make_gas({.count = 800,
+                              .packing_fraction = 0.45,
+                              .seed = 405,
+                              .boundary = Boundary::open,
+                              .start = support::Start::simple_cubic});
+  };
+  Simulation chosen(dense());
+  EXPECT_EQ(chosen.engine(), EngineKind::neighbors);
+  EXPECT_GT(chosen.slack(), 0);
+  EXPECT_EQ(chosen.cell_edge(), 0);
+  Simulation cells(dense(), {.engine = EngineKind::cells});
+  std::uint64_t asked = 0;
+  for (Simulation* simulation : {&chosen, &cells}) {
+    simulation->respond_with([&asked](const Contact& contact) {
+      ++asked;
+      return Restitution(0.95)(contact);
+    });
+    simulation->run_until(300);
+  }
+  EXPECT_EQ(chosen.engine(), EngineKind::cells);
+  EXPECT_EQ(chosen.slack(), 0);
+  EXPECT_GT(chosen.cell_edge(), 0);
+  EXPECT_GT(chosen.counters().rebuilds, 0U);
+  EXPECT_EQ(chosen.event_log_hash(), cells.event_log_hash());
+  EXPECT_EQ(chosen.counters().contacts(), cells.counters().contacts()) << "those of both engines are counted";
+  EXPECT_EQ(asked, chosen.counters().contacts() + cells.counters().contacts());
+}
+
+TEST(Retuning, TakesCellsWhereABoxIsTooSmallForLists) {
+  World world(Box::periodic({3, 3, 3}));
+  world.add({{0.5, 0.5, 0.5}, {1, 0.3, 0.2}, 0.5, 1});
+  world.add({{2, 2, 2}, {-1, 0.1, 0.7}, 0.5, 1});
+  const Simulation simulation(world, {.engine = EngineKind::neighbors});
+  EXPECT_EQ(simulation.engine(), EngineKind::cells);
 }
 
 TEST(Retuning, IsForEnginesWithCells) {

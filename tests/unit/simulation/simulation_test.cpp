@@ -24,7 +24,7 @@ World head_on_pair() {
 }
 
 std::vector<EngineKind> all_engines() {
-  return {EngineKind::cells, EngineKind::all_pairs, EngineKind::paper};
+  return {EngineKind::cells, EngineKind::neighbors, EngineKind::all_pairs, EngineKind::paper};
 }
 
 TEST(Simulation, IsEmbeddedInAFewLines) {
