@@ -342,7 +342,7 @@ TYPED_TEST(EveryQueue, TellsMomentsApartThatRoundToOneDouble) {
     std::vector<Owner> expected;
     for (Owner rank = 0; rank < kOwners; ++rank) {
       // Scattered, and by kind the other way round.
-      const Owner owner = rank * 37 % kOwners;
+      const auto owner = static_cast<Owner>(rank * 37 % kOwners);
       const double low = moment * 0x1p-90 * (static_cast<double>(rank) - 50);
       pair.schedule(owner, {Time(moment, low), rank < 50 ? EventKind::wall : EventKind::enter, 0, 0, {}});
       expected.push_back(owner);
@@ -361,7 +361,7 @@ TYPED_TEST(EveryQueue, KeepsTheOrderOfEventsWhenAllHappenAtOneMoment) {
     Pair<TypeParam> pair(kOwners);
     std::vector<Owner> expected;
     for (Owner rank = 0; rank < kOwners; ++rank) {
-      const Owner owner = rank * 1009 % kOwners;
+      const auto owner = static_cast<Owner>(rank * 1009 % kOwners);
       expected.push_back(owner);
       pair.schedule(owner, make_collision(Time(moment), rank / 3, 5000 + rank % 3, {}));
     }
