@@ -25,12 +25,20 @@ class Candidates {
   /// The widest vector that reads these arrays.
   static constexpr std::size_t kPadding = 8;
 
+  /// `rounds` is how many calls of begin() there have been, so to speak: long runs come to the end of
+  /// counting.
+  explicit Candidates(std::uint32_t rounds = 0) : round_(rounds) {}
+
   /// Begins anew for the sphere in `slot`; `nearest` says whether copies are the nearest ones.
   void begin(Slot slot, bool nearest) {
     self_ = slot;
     nearest_ = nearest;
     size_ = 0;
-    ++round_;
+    if (++round_ == 0) {
+      // Counting begins again: no mark of the rounds before may be taken for one of those to come.
+      std::fill(seen_.begin(), seen_.end(), 0);
+      round_ = 1;
+    }
     mark(slot);
   }
 
@@ -119,7 +127,7 @@ class Candidates {
   Slot self_ = 0;
   bool nearest_ = true;
   std::size_t size_ = 0;
-  std::uint32_t round_ = 0;
+  std::uint32_t round_;
   std::vector<Slot> slots_ = std::vector<Slot>(64);
   std::vector<Image> images_;
   std::array<std::vector<double>, kAxes> shifts_;

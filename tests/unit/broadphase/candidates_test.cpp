@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <map>
 #include <set>
 #include <vector>
@@ -175,6 +176,23 @@ TEST(Candidates, ListedImagesAndShiftsAgree) {
     candidates.begin(1, true);
     for (Slot slot = 2; slot < 400; ++slot) candidates.add(slot);
     candidates.end();
+  }
+}
+
+// Rounds are counted in 32 bits, which an hour of events exhausts: an old mark must not hide a new candidate.
+TEST(Candidates, LoseNobodyWhenTheCountOfRoundsBeginsAgain) {
+  constexpr std::uint32_t kLast = std::numeric_limits<std::uint32_t>::max();
+  for (const std::uint32_t rounds : {kLast - 1, kLast}) {
+    Candidates candidates(rounds);
+    for (int round = 0; round < 4; ++round) {
+      candidates.begin(7, true);
+      for (const Slot slot : {0U, 1U, 0U}) candidates.add(slot);
+      candidates.drop_repeated();
+      candidates.end();
+      ASSERT_EQ(candidates.size(), 2U) << "round " << round;
+      EXPECT_EQ(candidates.slot(0), 0U);
+      EXPECT_EQ(candidates.slot(1), 1U);
+    }
   }
 }
 
