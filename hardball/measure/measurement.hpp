@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace hardball {
+
+/// A measured number.
+struct Quantity {
+  std::string name;  ///< As in "compressibility".
+  std::string unit;  ///< A product of powers of L, T and M, as in "L^2 T^-1"; "1" for a pure number.
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double error = std::numeric_limits<double>::quiet_NaN();   ///< Standard error; NaN if it is not known.
+  double theory = std::numeric_limits<double>::quiet_NaN();  ///< Expected value; NaN if there is no theory.
+};
+
+/// What the numbers of a column are.
+enum class ColumnRole {
+  argument,  ///< What the columns after it are functions of.
+  value,
+  error,   ///< Standard errors of the value column before it.
+  theory,  ///< What the value column before it is expected to be.
+};
+
+/// One column of a measured table; NaN stands where there is no number.
+struct Column {
+  std::string name;
+  std::string unit;  ///< As in Quantity.
+  ColumnRole role = ColumnRole::value;
+  std::vector<double> values;
+};
+
+/// What one measure has found: numbers, and a function as a table.
+struct Measurement {
+  std::string name;                  ///< As in scenarios and file names: "radial_distribution".
+  std::string title;                 ///< For people: "Radial distribution function".
+  std::string formula;               ///< How the numbers are defined, in plain text.
+  std::string source;                ///< Where the definition or the theory is from.
+  std::vector<Quantity> quantities;  ///< May be empty.
+  std::vector<Column> columns;       ///< May be empty; all of one length, the first an argument.
+  bool is_logarithmic_in_argument = false;  ///< How the function is best drawn.
+  bool is_logarithmic_in_value = false;
+};
+
+}  // namespace hardball
