@@ -50,13 +50,8 @@ void CellGrid::Resident::take(const CellRange& range) {
 void CellGrid::build(const World& world, const Time& now) {
   cells_ = Subdivision(world.box(), wanted_edge_, kMostCellsPerAxis);
   refuse_tiny_cells(world);
-  CellIndex shape{};
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (world.box().is_wall(axis)) shape[axis] = cells_.last(axis) + 1;
-    if (world.box().is_periodic(axis)) shape[axis] = cells_.period(axis);
-  }
   nearest_ = images_are_nearest(world);
-  store_.reset(shape, world.size());
+  store_.reset(cells_.shape(), world.size());
   residents_.assign(world.size(), Resident{});
   left_count_ = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {

@@ -61,12 +61,7 @@ void NeighborList::build(const World& world, const Time& now) {
   // Where there is no sphere any edge will do, but zero.
   const double least_edge = world.size() > 0 ? 2 * (radius + slack_) * (1 + 2 * kMargin) : 1;
   cells_ = Subdivision(world.box(), least_edge, kMostCellsPerAxis);
-  CellIndex shape{};
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (world.box().is_wall(axis)) shape[axis] = cells_.last(axis) + 1;
-    if (world.box().is_periodic(axis)) shape[axis] = cells_.period(axis);
-  }
-  store_.reset(shape, world.size());
+  store_.reset(cells_.shape(), world.size());
   anchors_.assign(world.size(), Vec3{});
   neighbors_.reset(world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {

@@ -35,7 +35,7 @@ Subdivision::Subdivision(const Box& box, double edge, std::int32_t most_cells) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     Axis& cells = axes_[axis];
     if (box.is_open(axis)) {
-      cells = {edge, 1 / edge, -most_cells / 2, most_cells / 2 - 1, 0};
+      cells = {edge, 1 / edge, -most_cells / 2, most_cells / 2 - 1, 0, 0};
       continue;
     }
     const double count = std::clamp<double>(std::floor(box.size()[axis] / edge), 1, most_cells);
@@ -43,6 +43,7 @@ Subdivision::Subdivision(const Box& box, double edge, std::int32_t most_cells) {
     cells.edge = box.size()[axis] / count;
     cells.inverse_edge = 1 / cells.edge;
     cells.last = whole - 1;
+    cells.count = whole;
     if (!box.is_periodic(axis)) continue;
     cells.period = whole;
     cells.first = std::numeric_limits<std::int32_t>::min() / 4;

@@ -68,6 +68,9 @@ class Subdivision {
   /// How many cells make the box along a periodic axis; zero along the others.
   std::int32_t period(std::size_t axis) const { return axes_[axis].period; }
 
+  /// How many cells the box has along each axis, zero where it is open.
+  CellIndex shape() const { return {axes_[0].count, axes_[1].count, axes_[2].count}; }
+
   /// The cells that a sphere at `position` touches. Error (RunFailure): it has crossed the box too many
   /// times.
   CellRange range_at(const Vec3& position, double radius) const;
@@ -121,6 +124,7 @@ class Subdivision {
     std::int32_t first = 0;
     std::int32_t last = 0;
     std::int32_t period = 0;
+    std::int32_t count = 0;  // of the cells that make the box; zero if it is open
   };
 
   std::array<Axis, kAxes> axes_;

@@ -154,6 +154,13 @@ class Engine {
       const Plan& plan = engine.plans_[slot];
       return plan.crosses_first() ? plan.crossing : plan.contact;
     }
+    // Two spheres that are to meet each other; if one of them is out of date, it will be found so.
+    bool share_event(Slot a, Slot b) const {
+      const Plan& one = engine.plans_[a];
+      const Plan& other = engine.plans_[b];
+      return one.meets_first() && other.meets_first() && one.partner == b && other.partner == a &&
+             one.contact == other.contact && one.is_nearest_image && other.is_nearest_image;
+    }
     void prefetch_event(Slot slot) const {
       if (engine.prefetches_) prefetch(&engine.plans_[slot]);
     }

@@ -53,7 +53,7 @@ class CalendarQueue {
       }
       const bool has_twin = (!late_.empty() && late_.front().event.time.high == sorted_.back().time) ||
                             (sorted_.size() > 1 && sorted_[sorted_.size() - 2].time == sorted_.back().time);
-      if (!has_twin) return sorted_.back().owner;
+      if (!has_twin || is_shared(agenda)) return sorted_.back().owner;
       const double moment = sorted_.back().time;
       for (; !sorted_.empty() && sorted_.back().time == moment; sorted_.pop_back()) {
         const Owner owner = sorted_.back().owner;
@@ -125,6 +125,17 @@ class CalendarQueue {
   void put_late(Owner owner, const A& agenda) {
     late_.push_back({agenda.event(owner), owner});
     std::push_heap(late_.begin(), late_.end(), comes_later);
+  }
+
+  // Whether the least two entries, and no others, are of its moment, and stand for one event.
+  template <Agenda A>
+  bool is_shared(const A& agenda) const {
+    const double moment = sorted_.back().time;
+    const std::size_t size = sorted_.size();
+    if (!late_.empty() && late_.front().event.time.high == moment) return false;
+    if (size > 2 && sorted_[size - 3].time == moment) return false;
+    const Owner twin = sorted_[size - 2].owner;
+    return agenda.time(twin).high == moment && share_event(agenda, sorted_.back().owner, twin);
   }
 
   template <Agenda A>

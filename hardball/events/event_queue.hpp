@@ -25,6 +25,9 @@ inline constexpr Owner kNobody = std::numeric_limits<Owner>::max();
 ///
 /// - `prefetch_event(owner)`, if there is one, asks for the memory of both, which will be needed soon.
 ///
+/// - `share_event(a, b)`, if there is one, may tell of two owners whose events have one time, to the nearest
+///   double, that they are one event, as those of two spheres that are to meet.
+///
 /// Between two calls of `schedule` for an owner its event may become a lesser one at the same time; the queue
 /// shows it no later than the one that was scheduled.
 template <class A>
@@ -32,6 +35,16 @@ concept Agenda = requires(const A& agenda, Owner owner) {
   { agenda.event(owner) } -> std::same_as<Event>;
   { agenda.time(owner) } -> std::same_as<Time>;
 };
+
+/// Whether two owners of the same time are known to have one event: then either may stand for both.
+template <Agenda A>
+bool share_event(const A& agenda, Owner a, Owner b) {
+  if constexpr (requires { agenda.share_event(a, b); }) {
+    return agenda.share_event(a, b);
+  } else {
+    return false;
+  }
+}
 
 /// An event and its owner.
 struct Scheduled {

@@ -197,6 +197,44 @@ TYPED_TEST(EveryQueue, AgreesWithAListUnderRandomTraffic) {
   }
 }
 
+// An agenda that can tell that two owners have one event.
+struct SharingList : ListQueue {
+  using ListQueue::ListQueue;
+  bool share_event(Owner a, Owner b) const { return event(a) == event(b); }
+};
+
+TYPED_TEST(EveryQueue, ShowsEitherOfTwoOwnersThatShareTheLeastEvent) {
+  for (const Waits waits : kAllWaits) {
+    constexpr Owner kOwners = 60;
+    Random random(2);
+    TypeParam queue;
+    SharingList list(kOwners);
+    queue.reset(kOwners, Time(0));
+    Time now(0);
+    const auto schedule_pair = [&](Owner a, Owner b) {
+      const Event event = random_event(random, now, waits);
+      for (const Owner owner : {a, b}) {
+        list.schedule(owner, event);
+        queue.schedule(owner, list);
+      }
+    };
+    for (Owner owner = 0; owner < kOwners; owner += 2) schedule_pair(owner, owner + 1);
+    for (std::uint64_t step = 0; step < support::cases(3000); ++step) {
+      const Owner expected = list.least();
+      const Owner shown = queue.least(list);
+      ASSERT_EQ(shown == kNobody, expected == kNobody);
+      if (shown == kNobody) break;
+      ASSERT_EQ(list.event(shown), list.event(expected)) << "step " << step;
+      now = list.time(shown);
+      queue.pop();
+      list.schedule(shown, Event{});
+      // The partner goes on to meet somebody else, or is left alone with an event that nobody shares.
+      const auto other = static_cast<Owner>(random.bits() % kOwners);
+      schedule_pair(shown, other == shown ? (other + 1) % kOwners : other);
+    }
+  }
+}
+
 TYPED_TEST(EveryQueue, EmptiesInOrder) {
   constexpr std::size_t kOwners = 2000;
   Pair<TypeParam> pair(kOwners);
