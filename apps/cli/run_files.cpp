@@ -9,6 +9,7 @@
 #include "apps/cli/directory.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/extended_xyz.hpp"
+#include "hardball/measure/csv.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -16,6 +17,20 @@ namespace {
 constexpr const char* kTrajectory = "trajectory.xyz";
 constexpr const char* kEvents = "events.npy";
 constexpr const char* kSummary = "summary.json";
+constexpr const char* kMeasures = "measures";
+constexpr const char* kQuantities = "quantities.csv";
+
+std::filesystem::path table_of(std::string_view measure) {
+  return std::string(measure) + ".csv";
+}
+
+// Removes what an earlier run has measured, and the folder if it holds nothing else.
+void remove_measures(const std::filesystem::path& folder) {
+  std::filesystem::remove(folder / kQuantities);
+  for (const std::string_view name : measure_names()) std::filesystem::remove(folder / table_of(name));
+  std::error_code not_empty;
+  std::filesystem::remove(folder, not_empty);
+}
 
 void remove_all(const std::vector<std::filesystem::path>& paths) {
   std::error_code ignored;
@@ -24,7 +39,8 @@ void remove_all(const std::vector<std::filesystem::path>& paths) {
 
 }  // namespace
 
-RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario) : directory_(directory) {
+RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario)
+    : directory_(directory), has_measures_(!scenario.measures.names.empty()) {
   const std::filesystem::path trajectory = directory / kTrajectory;
   std::error_code missing;
   if (scenario.start_file && std::filesystem::equivalent(*scenario.start_file, trajectory, missing)) {
@@ -53,6 +69,11 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
       std::filesystem::remove(events);
     }
     std::filesystem::remove(directory / kSummary);
+    remove_measures(directory / kMeasures);
+    if (has_measures_) {
+      const std::vector<std::filesystem::path> made = make_directory(directory / kMeasures);
+      created.insert(created.begin(), made.begin(), made.end());
+    }
   } catch (const std::filesystem::filesystem_error& error) {
     remove_all(created);
     throw Error(error.code().message(), directory.string(), "name another directory for the output");
@@ -70,11 +91,22 @@ void RunFiles::note(const Contact& contact) {
   if (events_) events_->append(contact);
 }
 
-void RunFiles::finish(const std::string& summary) {
+void RunFiles::finish(std::span<const Measurement> measurements, const std::string& summary) {
   if (trajectory_) trajectory_->close();
   if (events_) events_->close();
-  OutputFile file(directory_ / kSummary);
-  file.append(summary);
+  if (has_measures_) {
+    const std::filesystem::path folder = kMeasures;
+    for (const Measurement& measurement : measurements) {
+      if (!measurement.columns.empty()) write(folder / table_of(measurement.name), columns_csv(measurement));
+    }
+    write(folder / kQuantities, quantities_csv(measurements));
+  }
+  write(kSummary, summary);
+}
+
+void RunFiles::write(const std::filesystem::path& name, const std::string& text) const {
+  OutputFile file(directory_ / name);
+  file.append(text);
   file.close();
 }
 

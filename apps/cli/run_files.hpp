@@ -4,18 +4,20 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "hardball/io/npy_event_log.hpp"
 #include "hardball/io/output_file.hpp"
+#include "hardball/measure/measurement.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
 
 namespace hardball::cli {
 
-/// The files of one run in its output directory: trajectory.xyz, events.npy and summary.json, the first two
-/// if the scenario asks for them.
+/// The files of one run in its output directory: trajectory.xyz and events.npy, if the scenario asks for
+/// them, measures/, unless it asks for none, and summary.json.
 class RunFiles {
  public:
   /// Creates the directory, if need be, and the files, and removes those of an earlier run.
@@ -27,13 +29,17 @@ class RunFiles {
   void write_snapshot(const Simulation& simulation);
   /// Adds a record, if there is an event log. Error (RunFailure): it cannot be written.
   void note(const Contact& contact);
-  /// Completes all files and writes the summary. Error (RunFailure): they cannot be written.
-  void finish(const std::string& summary);
+  /// Completes all files and writes what was measured and the summary. Error (RunFailure): they cannot be
+  /// written.
+  void finish(std::span<const Measurement> measurements, const std::string& summary);
 
   bool has_event_log() const { return events_.has_value(); }
 
  private:
+  void write(const std::filesystem::path& name, const std::string& text) const;
+
   std::filesystem::path directory_;
+  bool has_measures_;
   std::optional<OutputFile> trajectory_;
   std::optional<NpyEventLog> events_;
 };

@@ -97,4 +97,31 @@ double BlockAverage::ratio_error(std::size_t bin, std::size_t over) const {
       [&](std::size_t block) { return sum(over, block); });
 }
 
+Estimate BlockAverage::estimate(const FunctionOfMeans& quantity) const {
+  const std::span<const double> sums(sums_);
+  const std::span<const double> weights(weights_);
+  return jackknife(sums.first(blocks() * bins_), weights.first(blocks()), quantity);
+}
+
+std::vector<double> BlockAverage::history(const FunctionOfMeans& quantity) const {
+  std::vector<double> values;
+  std::vector<double> means(bins_);
+  for (std::size_t block = 0; block < full_blocks_; ++block) {
+    if (weights_[block] == 0) continue;
+    for (std::size_t bin = 0; bin < bins_; ++bin) means[bin] = sum(bin, block) / weights_[block];
+    values.push_back(quantity(means));
+  }
+  return values;
+}
+
+std::vector<double> BlockAverage::middles() const {
+  std::vector<double> values;
+  double before = 0;
+  for (std::size_t block = 0; block < full_blocks_; ++block) {
+    if (weights_[block] > 0) values.push_back(before + weights_[block] / 2);
+    before += weights_[block];
+  }
+  return values;
+}
+
 }  // namespace hardball

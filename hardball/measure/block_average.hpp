@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "hardball/measure/estimate.hpp"
+
 namespace hardball {
 
 /// Means of one or several quantities over a run, with standard errors that allow for correlation in time.
@@ -52,6 +54,16 @@ class BlockAverage {
   /// Standard error of ratio(bin, over), to first order; NaN if there are fewer than two blocks.
   /// Source: Cochran, Sampling Techniques, 3rd edition (1977), section 6.3.
   double ratio_error(std::size_t bin, std::size_t over) const;
+
+  /// A function of the means of all bins, as a pressure is of several sums, with its standard error.
+  /// Cost: O(bins) and a call of `quantity` for each block.
+  Estimate estimate(const FunctionOfMeans& quantity) const;
+
+  /// The history: `quantity` of the means over one full block after the other, of those that have weight.
+  std::vector<double> history(const FunctionOfMeans& quantity) const;
+  /// The weight before the middle of each of these blocks: its time since the beginning, if weights are
+  /// times.
+  std::vector<double> middles() const;
 
  private:
   double sum(std::size_t bin, std::size_t block) const { return sums_[block * bins_ + bin]; }

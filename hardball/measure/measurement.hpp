@@ -39,8 +39,8 @@ struct Measurement {
   std::string title;                        ///< For people: "Radial distribution function".
   std::string formula;                      ///< How the numbers are defined, in plain text.
   std::string source;                       ///< Where the definition or the theory is from.
-  std::vector<Quantity> quantities;         ///< May be empty.
-  std::vector<Column> columns;              ///< May be empty; all of one length, the first an argument.
+  std::vector<Quantity> quantities = {};    ///< May be empty.
+  std::vector<Column> columns = {};         ///< May be empty; all of one length, the first an argument.
   bool is_logarithmic_in_argument = false;  ///< How the function is best drawn.
   bool is_logarithmic_in_value = false;
 };
