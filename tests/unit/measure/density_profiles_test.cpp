@@ -22,10 +22,11 @@ Measurement profiles_of(const World& world, double bin_width) {
   return measure.result(Time(0));
 }
 
-// A sphere of radius 1 across the end of a periodic axis, in slabs 0.5 thick.
+// A sphere of radius 1 across the upper end of one periodic axis and the lower end of another, in slabs 0.5
+// thick.
 TEST(DensityProfiles, SliceASphereExactly) {
   World world(Box::periodic({6, 4, 5}));
-  world.add({.position = {5.75, 2, 2.25}, .radius = 1});
+  world.add({.position = {5.75, 0.5, 2.25}, .radius = 1});
   const Measurement found = profiles_of(world, 0.5);
   EXPECT_EQ(support::column(found, "position").size(), 12U);
   const std::vector<double>& along_x = support::column(found, "packing_fraction_x");
@@ -45,7 +46,8 @@ TEST(DensityProfiles, SliceASphereExactly) {
   EXPECT_EQ(number_x[10], 0);
   // The shorter axes have fewer slabs.
   const std::vector<double>& along_y = support::column(found, "packing_fraction_y");
-  EXPECT_NEAR(along_y[3], slice(-0.5, 0) / (0.5 * 30), 1e-12);
+  EXPECT_NEAR(along_y[0], slice(-0.5, 0) / (0.5 * 30), 1e-12);
+  EXPECT_NEAR(along_y[7], slice(-1, -0.5) / (0.5 * 30), 1e-12);
   EXPECT_TRUE(std::isnan(along_y[8]));
 }
 

@@ -95,6 +95,41 @@ INSTANTIATE_TEST_SUITE_P(
                       IdealCase{"Walls", {Boundary::wall, Boundary::wall, Boundary::wall}}),
     [](const auto& box) { return box.param.name; });
 
+// Of a single pair g is one over what the ideal gas has in that bin: two pairs in order of four, and the mean
+// over all directions of the share of places from which a displacement does not cross a wall.
+TEST(RadialDistribution, KnowsTheIdealGasBetweenWallsExactly) {
+  constexpr double kRadius = 0.25;
+  constexpr double kBin = 0.04;
+  World world(Box::walls({4, 5, 6}));
+  world.add({.position = {1, 1, 1}, .radius = kRadius});
+  world.add({.position = {1, 1, 2.85}, .radius = kRadius});
+  RadialDistribution measure(world, Time(0), 5, kBin / (2 * kRadius));
+  measure.sample(world, Time(0));
+  const Measurement found = measure.result(Time(0));
+  const std::vector<double>& g = support::column(found, "g");
+  const auto bin = static_cast<std::size_t>((1.85 - 2 * kRadius) / kBin);
+  const double low = 2 * kRadius + static_cast<double>(bin) * kBin;
+  const Vec3 free{3.5, 4.5, 5.5};
+  constexpr int kSteps = 200;
+  constexpr int kShells = 10;
+  double ideal = 0;
+  for (int shell = 0; shell < kShells; ++shell) {
+    const double r = low + (shell + 0.5) * kBin / kShells;
+    double mean = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const double z = (i + 0.5) / kSteps;
+      for (int j = 0; j < kSteps; ++j) {
+        const double angle = std::numbers::pi / 2 * (j + 0.5) / kSteps;
+        const double across = std::sqrt(1 - z * z);
+        mean += (1 - r * across * std::cos(angle) / free.x) * (1 - r * across * std::sin(angle) / free.y) *
+                (1 - r * z / free.z) / (kSteps * kSteps);
+      }
+    }
+    ideal += 4 * std::numbers::pi * r * r * mean * kBin / kShells / (free.x * free.y * free.z);
+  }
+  EXPECT_NEAR(g[bin] * 2 * ideal, 1, 1e-4);
+}
+
 TEST(RadialDistribution, KnowsPairsOfSpecies) {
   const Box box = Box::periodic({10, 10, 10});
   std::vector<double> radii(300, 0.2);
