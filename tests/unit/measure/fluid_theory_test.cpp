@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/fluid_theory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/gas.hpp"
+
+namespace hardball {
+namespace {
+
+World dense_gas(std::size_t count, double packing_fraction, double diameter, Boundary boundary) {
+  const double edge = diameter * support::cube_edge(count, packing_fraction);
+  const Box box({boundary, boundary, boundary}, {edge, edge, edge});
+  World world(box);
+  for (std::size_t i = 0; i < count; ++i) {
+    world.add({.position = {edge / 2, edge / 2, edge / 2}, .radius = diameter / 2, .mass = 2});
+  }
+  return world;
+}
+
+FluidTheory theory_of(const World& world) {
+  return {world, Species(world)};
+}
+
+// Monte Carlo results of Wu and Sadus, AIChE J. 51 (2005) 309, at densities of 0.6 and 0.75, and rows of the
+// table of Heyes et al.'s coefficients.
+TEST(FluidTheory, HasTheCompressibilityOfSimulations) {
+  EXPECT_NEAR(fluid_compressibility(0.6 * std::numbers::pi / 6), 4.2952, 4e-4);
+  EXPECT_NEAR(fluid_compressibility(0.75 * std::numbers::pi / 6), 6.6566, 2e-3);
+  EXPECT_NEAR(fluid_compressibility(0.2), 2.40940, 1e-5);
+  EXPECT_NEAR(fluid_compressibility(0.494), 12.50009, 1e-5);
+  // The second virial coefficient is four times the volume of a sphere.
+  EXPECT_NEAR((fluid_compressibility(1e-6) - 1) / 1e-6, 4, 1e-4);
+}
+
+TEST(FluidTheory, ScalesWithTheUnits) {
+  constexpr double kDiameter = 3;
+  constexpr double kMass = 2;
+  constexpr double kTemperature = 5;
+  const FluidTheory theory = theory_of(dense_gas(200, 0.2, kDiameter, Boundary::periodic));
+  const double speed = std::sqrt(kTemperature / kMass);
+  EXPECT_NEAR(theory.compressibility(), 2.40940, 1e-5);
+  EXPECT_NEAR(theory.collision_rate(kTemperature) * kDiameter / speed, 4.77102, 1e-4);
+  EXPECT_NEAR(theory.mean_speed(kTemperature), std::sqrt(8 / std::numbers::pi) * speed, 1e-12);
+  EXPECT_NEAR(theory.enskog_diffusion(kTemperature) / (kDiameter * speed), 0.3204, 1e-3);
+  EXPECT_NEAR(theory.diffusion(kTemperature) / (kDiameter * speed), 0.3744, 1e-4);
+}
+
+TEST(FluidTheory, HoldsNeitherBetweenWallsNorInACrystal) {
+  EXPECT_TRUE(theory_of(dense_gas(200, 0.49, 1, Boundary::periodic)).holds());
+  for (const World& world :
+       {dense_gas(200, 0.2, 1, Boundary::wall), dense_gas(200, 0.5, 1, Boundary::periodic), World()}) {
+    const FluidTheory theory = theory_of(world);
+    EXPECT_FALSE(theory.holds());
+    EXPECT_TRUE(std::isnan(theory.compressibility()));
+    EXPECT_TRUE(std::isnan(theory.diffusion(1)));
+    EXPECT_TRUE(std::isnan(theory.mean_speed(1)));
+  }
+}
+
+// A mixture of spheres that hardly differ is a fluid of equal ones, within the difference of the two
+// equations.
+TEST(FluidTheory, OfAMixtureOfAlmostEqualSpheresIsThatOfEqualOnes) {
+  World world = dense_gas(100, 0.1, 1, Boundary::periodic);
+  for (int i = 0; i < 100; ++i) world.add({.position = {1, 1, 1}, .radius = 0.5000001, .mass = 2});
+  const FluidTheory theory = theory_of(world);
+  const FluidTheory equal = theory_of(dense_gas(200, 0.2, 1, Boundary::periodic));
+  EXPECT_NEAR(theory.compressibility(), 2.40625, 1e-5) << "Carnahan and Starling";
+  EXPECT_NEAR(theory.contact_value(0, 1), (2.40625 - 1) / 0.8, 1e-5);
+  EXPECT_NEAR(theory.collision_rate(2) / equal.collision_rate(2), 1, 4e-3);
+  EXPECT_NEAR(theory.collision_rate(0, 1, 2) / theory.collision_rate(2), 0.5, 1e-6);
+  EXPECT_TRUE(std::isnan(theory.diffusion(1)));
+}
+
+TEST(Species, AreKindsInTheOrderOfIds) {
+  World world;
+  world.add({.position = {0, 0, 0}, .radius = 2, .mass = 1});
+  world.add({.position = {9, 0, 0}, .radius = 1, .mass = 1});
+  world.add({.position = {18, 0, 0}, .radius = 2, .mass = 1});
+  world.add({.position = {27, 0, 0}, .radius = 2, .mass = 3});
+  const Species species(world);
+  ASSERT_EQ(species.size(), 3U);
+  EXPECT_EQ(species.of(2), 0U);
+  EXPECT_EQ(species.of(1), 1U);
+  EXPECT_EQ(species.of(3), 2U);
+  EXPECT_EQ(species.count(0), 2U);
+  EXPECT_EQ(species.radius(0), 2);
+  EXPECT_EQ(species.mass(2), 3);
+  EXPECT_EQ(species.fraction(0), 0.5);
+  EXPECT_EQ(species.suffix(2), "_3");
+  EXPECT_FALSE(species.is_one_kind());
+}
+
+TEST(Species, OfTooManyKindsAreOne) {
+  World world;
+  for (int i = 0; i < 9; ++i) world.add({.position = {50.0 * i, 0, 0}, .radius = 1.0 + i});
+  const Species species(world);
+  EXPECT_EQ(species.size(), 1U);
+  EXPECT_EQ(species.count(0), 9U);
+  EXPECT_EQ(species.of(8), 0U);
+  EXPECT_TRUE(std::isnan(species.radius(0)));
+  EXPECT_EQ(species.suffix(0), "");
+  EXPECT_FALSE(species.is_one_kind());
+}
+
+}  // namespace
+}  // namespace hardball

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Averages over pairs of moments, and the two measures made of them.
+#include "hardball/measure/lag_average.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "hardball/measure/mean_square_displacement.hpp"
+#include "hardball/measure/velocity_autocorrelation.hpp"
+#include "hardball/world/random.hpp"
+#include "support/found.hpp"
+
+namespace hardball {
+namespace {
+
+using support::column;
+using support::has_quantity;
+using support::quantity;
+
+double sum_of_products(std::span<const Vec3> earlier, std::span<const Vec3> later) {
+  double sum = 0;
+  for (std::size_t i = 0; i < later.size(); ++i) sum += dot(earlier[i], later[i]);
+  return sum;
+}
+
+// Spheres on a line that never meet.
+World row(std::size_t count) {
+  World world(Box::periodic({1000, 10, 10}));
+  for (std::size_t i = 0; i < count; ++i) world.add({{2.0 * static_cast<double>(i), 5, 5}, {}, 0.5});
+  return world;
+}
+
+// What a series of samples holds at a moment: a number for each sphere and tick that nothing is alike.
+double value_of(SphereId id, int tick) {
+  Random random(1000 * std::uint64_t{id} + static_cast<std::uint64_t>(tick));
+  return random.uniform();
+}
+
+TEST(LagAverage, IsADirectSumOverItsOrigins) {
+  constexpr int kTicks = 75;
+  const World world = row(5);
+  LagAverage average(world, Time(2), 0.5, LagAverage::kMostSpheres, sum_of_products);
+  for (int tick = 0; tick <= kTicks; ++tick) {
+    average.sample(world, Time(2 + 0.5 * tick), [&](Slot slot) {
+      return Vec3{value_of(world.id(slot), tick), 0, 0};
+    });
+  }
+  const std::vector<double> lags = average.lags();
+  const std::vector<int> expected_ticks = {0,  1,  2,  3,  4,  5,  6,  7,  8,  10,
+                                           12, 14, 16, 20, 24, 28, 32, 40, 48, 56};
+  ASSERT_EQ(lags.size(), expected_ticks.size());
+  for (std::size_t lag = 0; lag < lags.size(); ++lag) {
+    const int ticks = expected_ticks[lag];
+    EXPECT_EQ(lags[lag], 0.5 * ticks);
+    int step = 1;
+    while (ticks >= 8 * step) step *= 2;
+    double sum = 0;
+    double count = 0;
+    // Of all but the finest lags the beginning is no origin.
+    for (int origin = step == 1 ? 0 : step; origin + ticks <= kTicks; origin += step) {
+      for (SphereId id = 0; id < 5; ++id) {
+        sum += value_of(id, origin) * value_of(id, origin + ticks);
+        ++count;
+      }
+    }
+    EXPECT_NEAR(average.at(0, lag).value, sum / count, 1e-13) << ticks;
+  }
+}
+
+TEST(LagAverage, PassesOverMomentsBetweenItsTicksAndLinksNothingAcrossAGap) {
+  const World world = row(1);
+  LagAverage average(world, Time(0), 1, 10, sum_of_products);
+  const auto one = [](Slot) { return Vec3{1, 0, 0}; };
+  for (const double time : {0.0, 1.0, 1.5, 2.0, 2.0, 20.0, 21.0}) average.sample(world, Time(time), one);
+  EXPECT_EQ(average.lags(), (std::vector<double>{0, 1, 2}));
+  EXPECT_EQ(average.at(0, 1).value, 1);
+}
+
+TEST(LagAverage, FollowsSpheresChosenEvenly) {
+  const World world = row(100);
+  LagAverage average(world, Time(0), 1, 7, sum_of_products);
+  std::vector<SphereId> followed;
+  average.sample(world, Time(0), [&](Slot slot) {
+    followed.push_back(world.id(slot));
+    return Vec3{};
+  });
+  EXPECT_EQ(followed, (std::vector<SphereId>{0, 15, 29, 43, 58, 72, 86}));
+}
+
+TEST(LagAverage, HasTheErrorOfIndependentSpheres) {
+  const World world = row(4);
+  LagAverage average(world, Time(0), 1, 10, sum_of_products);
+  average.sample(world, Time(0), [&](Slot slot) { return Vec3{std::sqrt(1.0 + slot), 0, 0}; });
+  // The mean of 1, 2, 3 and 4.
+  EXPECT_NEAR(average.at(0, 0).value, 2.5, 1e-12);
+  EXPECT_NEAR(average.at(0, 0).error, std::sqrt(5.0 / 12), 1e-12);
+}
+
+// Two kinds fly freely in opposite directions, through the periodic ends of the box many times.
+World two_streams() {
+  World world(Box::periodic({10, 10, 10}));
+  world.add({{1, 2, 2}, {3, 0, 0}, 0.5, 1});
+  world.add({{1, 4, 4}, {0, 3, 0}, 0.25, 1});
+  world.add({{1, 6, 8}, {-3, 0, 0}, 0.5, 1});
+  world.add({{5, 8, 6}, {0, -3, 0}, 0.25, 1});
+  return world;
+}
+
+TEST(MeanSquareDisplacement, OfFreeFlightIsItsSquare) {
+  const World world = two_streams();
+  MeanSquareDisplacement displacement(world, Time(0), 0.75);
+  for (int tick = 0; tick <= 40; ++tick) displacement.sample(world, Time(0.75 * tick));
+  const Measurement found = displacement.result(Time(30));
+  const Column& lags = column(found, "lag");
+  EXPECT_EQ(lags.values.front(), 0.75);
+  EXPECT_EQ(lags.values.back(), 0.75 * 32);
+  for (std::size_t i = 0; i < lags.values.size(); ++i) {
+    const double way = 3 * lags.values[i];
+    EXPECT_NEAR(column(found, "mean_square_displacement_1").values[i], way * way, 1e-9 * way * way);
+    EXPECT_NEAR(column(found, "mean_square_displacement_2").values[i], way * way, 1e-9 * way * way);
+  }
+}
+
+TEST(MeanSquareDisplacement, DoesNotCountTheDrift) {
+  World world(Box::periodic({10, 10, 10}));
+  world.add({{1, 2, 2}, {4, 1, 0}, 0.5});
+  world.add({{1, 6, 8}, {4, -1, 0}, 0.5});
+  MeanSquareDisplacement displacement(world, Time(0), 1);
+  for (int tick = 0; tick <= 7; ++tick) displacement.sample(world, Time(tick));
+  const Measurement found = displacement.result(Time(7));
+  EXPECT_NEAR(column(found, "mean_square_displacement").values[6], 49, 1e-9);
+  EXPECT_TRUE(std::isnan(quantity(found, "diffusion_constant").value)) << "free flight has no linear part";
+}
+
+TEST(VelocityAutocorrelation, OfFreeFlightStaysAndItsIntegralGrows) {
+  const World world = two_streams();
+  VelocityAutocorrelation velocities(world, Time(0), 0.5);
+  for (int tick = 0; tick <= 20; ++tick) velocities.sample(world, Time(0.5 * tick));
+  const Measurement found = velocities.result(Time(10));
+  const Column& lags = column(found, "lag");
+  EXPECT_EQ(lags.values.front(), 0);
+  for (std::size_t i = 0; i < lags.values.size(); ++i) {
+    EXPECT_NEAR(column(found, "velocity_autocorrelation_1").values[i], 9, 1e-12);
+    EXPECT_NEAR(column(found, "diffusion_integral_2").values[i], 3 * lags.values[i], 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace hardball

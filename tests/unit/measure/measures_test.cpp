@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/measures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/measure/csv.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "support/found.hpp"
+#include "support/gas.hpp"
+
+namespace hardball {
+namespace {
+
+using support::column;
+using support::quantity;
+
+// Everything that measures have found, to the last bit.
+std::string text_of(const std::vector<Measurement>& measurements) {
+  std::string text = quantities_csv(measurements);
+  for (const Measurement& measurement : measurements) text += columns_csv(measurement);
+  return text;
+}
+
+std::vector<std::string> names_of(const std::vector<Measurement>& measurements) {
+  std::vector<std::string> names;
+  for (const Measurement& measurement : measurements) names.push_back(measurement.name);
+  return names;
+}
+
+TEST(Measures, AreThoseThatAreWanted) {
+  const World world = support::make_gas({.count = 20});
+  Measures all;
+  all.sample(world, Time(0));
+  const std::vector<std::string> names = names_of(all.results(Time(1)));
+  EXPECT_EQ(names, std::vector<std::string>(measure_names().begin(), measure_names().end()));
+  Measures two({.names = {"temperature", "pressure", "pressure"}});
+  two.sample(world, Time(0));
+  EXPECT_EQ(names_of(two.results(Time(1))), (std::vector<std::string>{"pressure", "temperature"}));
+}
+
+TEST(Measures, WantNothingIfThereAreNone) {
+  Measures none({.names = {}});
+  EXPECT_EQ(none.next_sample(), kNever);
+  none.sample(support::make_gas({.count = 20}), Time(0));
+  EXPECT_TRUE(none.results(Time(1)).empty());
+}
+
+TEST(Measures, RefuseWhatMakesNoSense) {
+  EXPECT_THROW(Measures({.names = {"presure"}}), Error);
+  EXPECT_THROW(Measures({.every = 0.0}), Error);
+  EXPECT_THROW(Measures({.every = std::nan("")}), Error);
+  EXPECT_THROW(Measures({.from = std::numeric_limits<double>::infinity()}), Error);
+}
+
+TEST(Measures, BeginWhenTheyAreToldTo) {
+  Simulation simulation(support::make_gas({.count = 100, .packing_fraction = 0.2}));
+  Measures measures({.names = {"collision_rate", "temperature"}, .every = 0.5, .from = 2});
+  EXPECT_EQ(measures.next_sample(), Time(2));
+  simulation.run_until(1.9, measures);
+  EXPECT_TRUE(measures.results(simulation.now()).empty());
+  const std::uint64_t before = [&] {
+    Simulation copy = simulation;
+    copy.run_until(2);
+    return copy.counters().collision;
+  }();
+  simulation.run_until(3.2, measures);
+  EXPECT_EQ(measures.next_sample(), Time(3.5));
+  const std::vector<Measurement> found = measures.results(simulation.now());
+  EXPECT_EQ(column(found[0], "time").values, (std::vector<double>{2, 2.5, 3}));
+  EXPECT_EQ(quantity(found[1], "collisions").value,
+            static_cast<double>(simulation.counters().collision - before));
+}
+
+TEST(Measures, TakeASampleThatWasPassedByAtOnce) {
+  Simulation simulation(support::make_gas({.count = 20}));
+  Measures measures({.names = {"temperature"}, .every = 1.0});
+  simulation.run_until(2.5);
+  simulation.run_until(4, measures);
+  EXPECT_EQ(column(measures.results(simulation.now()).front(), "time").values,
+            (std::vector<double>{2.5, 3.5}));
+}
+
+// Laws 1 and 4: the contacts are the same with measures and without.
+TEST(Measures, ChangeNoContact) {
+  for (const Boundary boundary : {Boundary::periodic, Boundary::wall, Boundary::open}) {
+    const World world = support::make_gas({.count = 300, .packing_fraction = 0.2, .boundary = boundary});
+    Simulation alone(world);
+    alone.run_until(3);
+    Simulation watched(world);
+    Measures measures({.every = 0.013});
+    watched.run_until(3, measures);
+    EXPECT_EQ(watched.event_log_hash(), alone.event_log_hash());
+    EXPECT_EQ(watched.positions(), alone.positions());
+    EXPECT_EQ(watched.counters(), alone.counters());
+  }
+}
+
+TEST(Measures, FindTheSameBitsByEveryEngine) {
+  const World world = support::make_gas({.count = 500, .packing_fraction = 0.25, .seed = 8});
+  const auto found_by = [&](EngineKind engine, double piece) {
+    Simulation simulation(world, {.engine = engine});
+    Measures measures;
+    for (double time = piece; time < 2; time += piece) simulation.run_until(time, measures);
+    simulation.run_until(2, measures);
+    return text_of(measures.results(simulation.now()));
+  };
+  const std::string expected = found_by(EngineKind::all_pairs, 2);
+  EXPECT_GT(expected.size(), 10000U);
+  EXPECT_EQ(found_by(EngineKind::cells, 2), expected);
+  EXPECT_EQ(found_by(EngineKind::neighbors, 2), expected);
+  EXPECT_EQ(found_by(EngineKind::paper, 2), expected);
+  EXPECT_EQ(found_by(EngineKind::cells, 0.017), expected) << "run in pieces";
+}
+
+// So many spheres are stored in an order of the engine's own.
+TEST(Measures, FindTheSameBitsHoweverSpheresAreStored) {
+  const World world = support::make_gas({.count = 12000, .packing_fraction = 0.1, .seed = 9});
+  const auto found_by = [&](EngineKind engine) {
+    Simulation simulation(world, {.engine = engine});
+    Measures measures;
+    simulation.run_until(1, measures);
+    return text_of(measures.results(simulation.now()));
+  };
+  EXPECT_EQ(found_by(EngineKind::cells), found_by(EngineKind::paper));
+}
+
+TEST(Measures, ComposeWithLimitsOnContactsAndSteps) {
+  const World world = support::make_gas({.count = 100, .packing_fraction = 0.2});
+  Simulation simulation(world);
+  Measures measures({.every = 0.01});
+  EXPECT_EQ(simulation.run({.until = Time(100), .contacts = 1000}, measures), RunStatus::contacts_reached);
+  EXPECT_EQ(simulation.counters().contacts(), 1000U);
+  EXPECT_EQ(simulation.run({.until = Time(100), .steps = 100}, measures), RunStatus::steps_reached);
+  EXPECT_LE(simulation.counters().contacts(), 1100U);
+}
+
+TEST(Measures, LookAtSpheresAtRestNowAndThen) {
+  World world(Box::periodic({10, 10, 10}));
+  world.add({{2, 2, 2}, {}, 0.5});
+  Simulation simulation(world);
+  Measures measures;
+  simulation.run_until(1e9, measures);
+  EXPECT_EQ(simulation.time(), 1e9);
+  // Eight samples for each doubling of the interval, 30 of them.
+  EXPECT_LE(column(measures.results(simulation.now())[1], "time").values.size(), 64U);
+}
+
+TEST(Cadence, IsAPowerOfTwoThatTheRunCanAfford) {
+  const Pace pace{.free_time = 0.3, .cost = 1e6, .contact_cost = 1000};
+  EXPECT_EQ(Cadence(Time(0), 0.3, 1, pace).interval(), 0.5) << "no more often than it makes sense";
+  // At a cost of 1e5 a sample may be taken for each 1e5 / (0.015 * 1e6) = 6.7 units of time.
+  EXPECT_EQ(Cadence(Time(0), 0.3, 1e5, pace).interval(), 8);
+  EXPECT_EQ(power_of_two_from(0.25), 0.25);
+  EXPECT_EQ(power_of_two_from(0.26), 0.5);
+}
+
+TEST(Cadence, DoublesWhereContactsBecomeRare) {
+  const Pace pace{.free_time = 1, .cost = 1e6, .contact_cost = 1000};
+  Cadence cadence(Time(1), 1, 1e5, pace);
+  // A sample is worth 1e5 / (0.015 * 1000) = 6667 contacts.
+  std::uint64_t contacts = 0;
+  for (int i = 0; i < 8; ++i) cadence.advance(cadence.next(), contacts += 6667);
+  EXPECT_EQ(cadence.interval(), 8);
+  EXPECT_EQ(cadence.next(), Time(1 + 8 * 8));
+  for (int i = 0; i < 9; ++i) cadence.advance(cadence.next(), contacts += 3000);
+  EXPECT_EQ(cadence.interval(), 16);
+  EXPECT_EQ(cadence.next(), Time(1 + 16 * 9));
+}
+
+TEST(Cadence, OfTheUserDoesNotChange) {
+  Cadence cadence(Time(0), 0.1);
+  for (int i = 0; i < 100; ++i) cadence.advance(cadence.next(), 0);
+  EXPECT_EQ(cadence.next(), Time(100 * 0.1));
+  EXPECT_EQ(Cadence().next(), kNever);
+}
+
+TEST(Csv, NamesColumnsWithTheirUnitsAndRoundTrips) {
+  const double third = 1.0 / 3;
+  const Measurement measurement{
+      .name = "things",
+      .title = "Things",
+      .formula = "",
+      .source = "",
+      .quantities = {{"size", "L", third, 0.5, std::nan("")}},
+      .columns = {{"radius", "L", ColumnRole::argument, {1, 2}},
+                  {"count", "1", ColumnRole::value, {third, -std::nan("")}}},
+  };
+  EXPECT_EQ(columns_csv(measurement), "radius [L],count [1]\n1,0.3333333333333333\n2,nan\n");
+  EXPECT_EQ(quantities_csv(std::vector{measurement}),
+            "measure,name,value,error,theory,unit\nthings,size,0.3333333333333333,0.5,nan,L\n");
+  EXPECT_EQ(columns_csv({.name = "none", .title = "", .formula = "", .source = ""}), "");
+}
+
+}  // namespace
+}  // namespace hardball
