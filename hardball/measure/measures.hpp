@@ -9,13 +9,19 @@
 #include <tuple>
 #include <vector>
 
+#include "hardball/measure/bond_order.hpp"
 #include "hardball/measure/cadence.hpp"
 #include "hardball/measure/collision_rate.hpp"
+#include "hardball/measure/coordination.hpp"
+#include "hardball/measure/density_profiles.hpp"
 #include "hardball/measure/impact_speeds.hpp"
 #include "hardball/measure/mean_square_displacement.hpp"
 #include "hardball/measure/measure_settings.hpp"
 #include "hardball/measure/measurement.hpp"
+#include "hardball/measure/nearest_neighbor.hpp"
 #include "hardball/measure/pressure.hpp"
+#include "hardball/measure/radial_distribution.hpp"
+#include "hardball/measure/structure_factor.hpp"
 #include "hardball/measure/temperature.hpp"
 #include "hardball/measure/velocity_autocorrelation.hpp"
 #include "hardball/measure/velocity_distribution.hpp"
@@ -55,7 +61,9 @@ class Measures {
   };
   using Entries =
       std::tuple<Entry<Pressure>, Entry<Temperature>, Entry<CollisionRate>, Entry<ImpactSpeeds>,
-                 Entry<VelocityDistribution>, Entry<MeanSquareDisplacement>, Entry<VelocityAutocorrelation>>;
+                 Entry<VelocityDistribution>, Entry<MeanSquareDisplacement>, Entry<VelocityAutocorrelation>,
+                 Entry<RadialDistribution>, Entry<StructureFactor>, Entry<DensityProfiles>,
+                 Entry<Coordination>, Entry<NearestNeighbor>, Entry<BondOrder>>;
   friend std::span<const std::string_view> measure_names();
 
   // Calls visit(entry) for every entry.

@@ -30,12 +30,13 @@ Neighborhood::Neighborhood(const Box& box, std::size_t capacity, double largest_
 void Neighborhood::insert(const Vec3& center, double radius) {
   Level& level = level_for(radius);
   if (level.head.empty()) level.head.assign(std::bit_ceil(std::max<std::size_t>(capacity_, 1)), kNone);
-  Cell cell = cell_at(level, center);
-  fold(level, cell);
-  std::uint32_t& head = level.head[bucket(level, cell)];
+  const Cell cell = cell_at(level, center);
+  std::uint64_t key = 0;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) key = mix(key, fold(cell[axis], level.count[axis]).index);
+  std::uint32_t& head = level.head[bucket(level, key)];
   next_.push_back(head);
   head = static_cast<std::uint32_t>(spheres_.size());
-  spheres_.push_back({center, radius});
+  spheres_.push_back({center, radius, key});
 }
 
 Neighborhood::Cell Neighborhood::cell_at(const Level& level, const Vec3& place) const {
@@ -47,27 +48,6 @@ Neighborhood::Cell Neighborhood::cell_at(const Level& level, const Vec3& place) 
     cell[axis] = static_cast<std::int64_t>(std::clamp(index, -kFarthest, kFarthest));
   }
   return cell;
-}
-
-Image Neighborhood::fold(const Level& level, Cell& cell) {
-  Image image;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const std::int64_t count = level.count[axis];
-    if (count == 0) continue;
-    const std::int64_t boxes = cell[axis] >= 0 ? cell[axis] / count : -((count - 1 - cell[axis]) / count);
-    image[axis] = static_cast<std::int32_t>(boxes);
-    cell[axis] -= boxes * count;
-  }
-  return image;
-}
-
-std::size_t Neighborhood::bucket(const Level& level, const Cell& cell) {
-  std::uint64_t hash = 0;
-  for (const std::int64_t index : cell) {
-    hash = (hash ^ static_cast<std::uint64_t>(index)) * 0x9e3779b97f4a7c15;
-    hash ^= hash >> 32;
-  }
-  return hash & (level.head.size() - 1);
 }
 
 Neighborhood::Level& Neighborhood::level_for(double radius) {

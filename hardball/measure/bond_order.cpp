@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/bond_order.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hardball/measure/surroundings.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr std::size_t kBins = 100;  // of q4 and q6, which lie between 0 and 1
+
+// Sums over bonds of the spherical harmonics of one even degree, order 0 up to the degree; those of negative
+// order are their conjugates. They are normalised so that the squares for one bond add up to one.
+template <std::size_t kDegree>
+struct Harmonics {
+  std::array<double, kDegree + 1> real{};
+  std::array<double, kDegree + 1> imaginary{};
+
+  void add(const Harmonics& other) {
+    for (std::size_t m = 0; m <= kDegree; ++m) {
+      real[m] += other.real[m];
+      imaginary[m] += other.imaginary[m];
+    }
+  }
+  /// The root of the sum of squares, for a mean over so many bonds: 1 if all have one direction.
+  double invariant(double bonds) const {
+    double sum = real[0] * real[0];
+    for (std::size_t m = 1; m <= kDegree; ++m) sum += 2 * (real[m] * real[m] + imaginary[m] * imaginary[m]);
+    return std::sqrt(sum) / bonds;
+  }
+};
+
+// sqrt((l - m)! / (l + m)!), for m from 0 to l.
+template <std::size_t kDegree>
+std::array<double, kDegree + 1> normalisation() {
+  std::array<double, kDegree + 1> factor{};
+  double square = 1;
+  for (std::size_t m = 0; m <= kDegree; ++m) {
+    if (m > 0) square /= static_cast<double>((kDegree + m) * (kDegree - m + 1));
+    factor[m] = std::sqrt(square);
+  }
+  return factor;
+}
+
+// What has been seen of the bonds of one sphere, or of all.
+struct Bonds {
+  double count = 0;
+  Harmonics<4> four;
+  Harmonics<6> six;
+
+  // Adds the bond along a unit vector. Associated Legendre functions without their powers of sin(theta) are
+  // polynomials in z, which go with powers of x + i y. Source: Abramowitz and Stegun, Handbook of
+  // Mathematical Functions, 8.5.3 (recurrence by degree).
+  void add(const Vec3& direction) {
+    static const std::array<double, 5> kFour = normalisation<4>();
+    static const std::array<double, 7> kSix = normalisation<6>();
+    ++count;
+    const double z = direction.z;
+    double real = 1;  // of (x + i y)^m
+    double imaginary = 0;
+    double diagonal = 1;  // the polynomial of degree m and order m, (2 m - 1)!!
+    for (std::size_t m = 0; m <= 6; ++m) {
+      const auto order = static_cast<double>(m);
+      double before = 0;
+      double legendre = diagonal;
+      for (std::size_t degree = m; degree <= 6; ++degree) {
+        if (degree == 4) {
+          four.real[m] += kFour[m] * legendre * real;
+          four.imaginary[m] += kFour[m] * legendre * imaginary;
+        }
+        const auto l = static_cast<double>(degree);
+        const double next = ((2 * l + 1) * z * legendre - (l + order) * before) / (l + 1 - order);
+        if (degree == 6) break;
+        before = legendre;
+        legendre = next;
+      }
+      six.real[m] += kSix[m] * legendre * real;
+      six.imaginary[m] += kSix[m] * legendre * imaginary;
+      diagonal *= 2 * order + 1;
+      const double turned = real * direction.x - imaginary * direction.y;
+      imaginary = real * direction.y + imaginary * direction.x;
+      real = turned;
+    }
+  }
+  void add(const Bonds& other) {
+    count += other.count;
+    four.add(other.four);
+    six.add(other.six);
+  }
+  double invariant_four() const { return four.invariant(count); }
+  double invariant_six() const { return six.invariant(count); }
+};
+
+std::size_t bin_of(double invariant) {
+  return std::min(static_cast<std::size_t>(invariant * kBins), kBins - 1);
+}
+
+}  // namespace
+
+BondOrder::BondOrder(const World& world, const Time& now, double reach)
+    : reach_(reach), averages_(5), four_(kBins), six_(kBins) {
+  constexpr double kEachBond = 100;
+  if (world.size() == 0) return;
+  const Surroundings bonds(world, now, 2 * reach_ * world.largest_radius());
+  sample_cost_ = bonds.cost() + kEachBond * bonds.neighbors();
+}
+
+void BondOrder::sample(const World& world, const Time& now) {
+  if (world.size() == 0) return;
+  const Surroundings surroundings(world, now, 2 * reach_ * world.largest_radius());
+  Bonds all;
+  double centers = 0;
+  double bonded = 0;  // spheres that have any bond
+  double sum_four = 0;
+  double sum_six = 0;
+  std::vector<double> density_four(kBins);
+  std::vector<double> density_six(kBins);
+  surroundings.for_each_center([&](std::size_t center) {
+    Bonds bonds;
+    surroundings.for_each_neighbor(center, [&](std::size_t neighbor, const Vec3& separation, double square) {
+      const double farthest = reach_ * (surroundings.radius(center) + surroundings.radius(neighbor));
+      if (square <= farthest * farthest) bonds.add(1 / std::sqrt(square) * separation);
+    });
+    ++centers;
+    if (bonds.count == 0) return;
+    ++bonded;
+    all.add(bonds);
+    sum_four += bonds.invariant_four();
+    sum_six += bonds.invariant_six();
+    density_four[bin_of(bonds.invariant_four())] += kBins;
+    density_six[bin_of(bonds.invariant_six())] += kBins;
+  });
+  if (bonded == 0) return;
+  averages_.add(std::array{all.invariant_four(), all.invariant_six(), sum_four / bonded, sum_six / bonded,
+                           all.count / centers});
+  for (double& density : density_four) density /= bonded;
+  for (double& density : density_six) density /= bonded;
+  four_.add(density_four);
+  six_.add(density_six);
+}
+
+Measurement BondOrder::result(const Time& /*now*/) const {
+  Measurement found{.name = std::string(kName),
+                    .title = "Bond-orientational order",
+                    .formula =
+                        "Q_l = sqrt(4 pi / (2 l + 1) * sum over m of |mean of Y_lm over bonds|^2), over all "
+                        "bonds; q_l the same over the bonds of one sphere",
+                    .source = "Steinhardt, Nelson and Ronchetti, Phys. Rev. B 28 (1983) 784"};
+  const auto quantity = [&](const std::string& name, std::size_t bin) {
+    return Quantity{name, "1", averages_.mean(bin), averages_.error(bin)};
+  };
+  found.quantities = {quantity("Q4", 0),      quantity("Q6", 1),         quantity("mean_q4", 2),
+                      quantity("mean_q6", 3), quantity("mean_bonds", 4), {"neighbor_reach", "1", reach_}};
+  Column invariant{"invariant", "1", ColumnRole::argument, {}};
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    invariant.values.push_back((static_cast<double>(bin) + 0.5) / kBins);
+  }
+  found.columns.push_back(std::move(invariant));
+  const auto add_density = [&](const std::string& name, const BlockAverage& densities) {
+    Column value{name, "1", ColumnRole::value, {}};
+    Column error{name + "_error", "1", ColumnRole::error, {}};
+    for (std::size_t bin = 0; bin < kBins; ++bin) {
+      value.values.push_back(densities.mean(bin));
+      error.values.push_back(densities.error(bin));
+    }
+    found.columns.push_back(std::move(value));
+    found.columns.push_back(std::move(error));
+  };
+  add_density("q6_density", six_);
+  add_density("q4_density", four_);
+  return found;
+}
+
+}  // namespace hardball

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+#include "hardball/measure/block_average.hpp"
+#include "hardball/measure/measurement.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// How the directions to neighbours are ordered: the invariants Q4 and Q6 of all bonds, and q4 and q6 of the
+/// bonds of each sphere.
+///
+/// Neighbours are centres not farther away than 1.4 times the distance at which the two touch. Q6 of all
+/// bonds is 0.575 for a face-centred, 0.511 for a body-centred and 0.354 for a simple cubic crystal, 0.485
+/// for a hexagonal close packing, and goes to zero as one over the root of the number of bonds for a fluid.
+class BondOrder {
+ public:
+  static constexpr std::string_view kName = "bond_order";
+
+  /// `reach` [1]: how far away neighbours are at most, as a multiple of the sum of the radii.
+  BondOrder(const World& world, const Time& now, double reach = 1.4);
+
+  /// What a sample costs [ns]: 700 to 2000 ns for each sphere looked at, see Surroundings.
+  double sample_cost() const { return sample_cost_; }
+  void sample(const World& world, const Time& now);
+  Measurement result(const Time& now) const;
+
+ private:
+  double reach_;
+  double sample_cost_ = 0;  // [ns]
+  BlockAverage averages_;   // Q4 and Q6 of all bonds, the means of q4 and of q6, and of the number of bonds
+  BlockAverage four_;       // probability density of q4, by bins
+  BlockAverage six_;        // and of q6
+};
+
+}  // namespace hardball

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+#include "hardball/measure/block_average.hpp"
+#include "hardball/measure/measurement.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// How many neighbours spheres have: centres not farther away than 1.2 times the distance at which the two
+/// touch.
+class Coordination {
+ public:
+  static constexpr std::string_view kName = "coordination";
+
+  /// `reach` [1]: how far away neighbours are at most, as a multiple of the sum of the radii.
+  Coordination(const World& world, const Time& now, double reach = 1.2);
+
+  /// What a sample costs [ns]: 300 to 1200 ns for each sphere looked at, see Surroundings.
+  double sample_cost() const { return sample_cost_; }
+  void sample(const World& world, const Time& now);
+  Measurement result(const Time& now) const;
+
+ private:
+  double reach_;
+  double sample_cost_ = 0;  // [ns]
+  BlockAverage fractions_;  // of the spheres, by their number of neighbours
+  BlockAverage mean_;
+};
+
+}  // namespace hardball

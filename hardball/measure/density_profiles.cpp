@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/density_profiles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace hardball {
+namespace {
+
+constexpr double kMostBins = 2000;
+constexpr const char* kAxisNames[] = {"x", "y", "z"};
+
+double mean_radius(const World& world) {
+  double sum = 0;
+  world.for_each_by_id([&](Slot slot) { sum += world.radius(slot); });
+  return sum / static_cast<double>(world.size());
+}
+
+// Of a ball of this radius, the volume on the lower side of a plane this far from its centre.
+double volume_below(double plane, double radius) {
+  const double h = std::clamp(plane, -radius, radius) + radius;
+  return std::numbers::pi * h * h * (radius - h / 3);
+}
+
+double walled_axes(const Box& box) {
+  double axes = 0;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) axes += box.is_wall(axis) ? 1 : 0;
+  return axes;
+}
+
+// kT of the motion towards walls [M L^2 T^-2]: along other axes the spheres may stream.
+double temperature_between_walls(const World& world) {
+  double sum = 0;
+  world.for_each_by_id([&](Slot slot) {
+    const Vec3& velocity = world.path(slot).velocity;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (world.box().is_wall(axis)) sum += world.mass(slot) * velocity[axis] * velocity[axis];
+    }
+  });
+  return sum / (walled_axes(world.box()) * static_cast<double>(world.size()));
+}
+
+}  // namespace
+
+DensityProfiles::DensityProfiles(const World& world, const Time& /*now*/, double bin_width)
+    : box_(world.box()),
+      contact_(2 * ContactExtrapolation::kReach * mean_radius(world),
+               std::numeric_limits<double>::infinity()) {
+  if (world.size() == 0 || !std::isfinite(box_.volume())) return;
+  const double longest = std::max({box_.size().x, box_.size().y, box_.size().z});
+  const double wanted = std::ceil(longest / (bin_width * mean_radius(world)) * (1 - 1e-12));
+  bin_width_ = longest / std::min(wanted, kMostBins);
+  most_bins_ = static_cast<std::size_t>(std::min(wanted, kMostBins));
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    bins_[axis] = static_cast<std::size_t>(std::ceil(box_.size()[axis] / bin_width_ * (1 - 1e-12)));
+  }
+  profiles_ = BlockAverage(2 * kAxes * most_bins_);
+  const double bins_across = 2 + 2 * mean_radius(world) / bin_width_;
+  sample_cost_ = static_cast<double>(world.size()) * (50 + 5 * kAxes * bins_across);
+}
+
+double DensityProfiles::slab_width(std::size_t axis, std::size_t bin) const {
+  return std::min(bin_width_, box_.size()[axis] - static_cast<double>(bin) * bin_width_);
+}
+
+// Adds the volumes of a sphere within the slabs across an axis.
+void DensityProfiles::add_slices(double center, double radius, std::size_t axis,
+                                 std::vector<double>& filled) const {
+  const double size = box_.size()[axis];
+  const auto count = static_cast<std::ptrdiff_t>(bins_[axis]);
+  const auto bin_of = [&](double place) {
+    return std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(place / bin_width_), 0, count - 1);
+  };
+  // A sphere that crosses a periodic end reaches into the box a second time, as its copy.
+  for (const double boxes : {-1.0, 0.0, 1.0}) {
+    const double place = center + boxes * size;
+    if (place + radius <= 0 || place - radius >= size || (boxes != 0 && !box_.is_periodic(axis))) continue;
+    const std::ptrdiff_t last = bin_of(place + radius);
+    for (std::ptrdiff_t bin = bin_of(place - radius); bin <= last; ++bin) {
+      const auto index = static_cast<std::size_t>(bin);
+      const double low = static_cast<double>(bin) * bin_width_ - place;
+      const double high = low + slab_width(axis, index);
+      filled[axis * most_bins_ + index] += volume_below(high, radius) - volume_below(low, radius);
+    }
+  }
+}
+
+void DensityProfiles::sample(const World& world, const Time& now) {
+  if (most_bins_ == 0 || world.size() == 0) return;
+  std::vector<double> centers(kAxes * most_bins_);
+  std::vector<double> filled(kAxes * most_bins_);
+  ContactExtrapolation::Bins near_walls{};
+  world.for_each_by_id([&](Slot slot) {
+    const Vec3 center = world.position(slot, now);
+    const double radius = world.radius(slot);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const auto bin = static_cast<std::size_t>(std::max(center[axis] / bin_width_, 0.0));
+      ++centers[axis * most_bins_ + std::min(bin, bins_[axis] - 1)];
+      add_slices(center[axis], radius, axis, filled);
+      if (!box_.is_wall(axis)) continue;
+      for (const double gap : {center[axis] - radius, box_.size()[axis] - center[axis] - radius}) {
+        const std::size_t near = contact_.bin(gap);
+        if (near < near_walls.size()) ++near_walls[near];
+      }
+    }
+  });
+  double wall_area = 0;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const double area = box_.volume() / box_.size()[axis];
+    if (box_.is_wall(axis)) wall_area += 2 * area;
+    for (std::size_t bin = 0; bin < bins_[axis]; ++bin) {
+      const double volume = area * slab_width(axis, bin);
+      const std::size_t index = axis * most_bins_ + bin;
+      profiles_.put(index, centers[index] / volume);
+      profiles_.put(kAxes * most_bins_ + index, filled[index] / volume);
+    }
+  }
+  profiles_.close_sample();
+  if (wall_area == 0) return;
+  for (double& count : near_walls) count /= wall_area * contact_.bin_width();
+  const double density = contact_.at_contact(near_walls);
+  at_walls_.add(std::array{density, density * temperature_between_walls(world)});
+}
+
+Measurement DensityProfiles::result(const Time& /*now*/) const {
+  Measurement found{
+      .name = std::string(kName),
+      .title = "Density profiles",
+      .formula =
+          "number density = centres in a slab / its volume; packing fraction = volume of spheres in a slab / "
+          "its volume; pressure = kT * density of centres that touch a wall",
+      .source = "Henderson, Blum and Lebowitz, J. Electroanal. Chem. 102 (1979) 315 (contact theorem)"};
+  if (most_bins_ == 0) return found;
+  if (walled_axes(box_) > 0) {
+    found.quantities = {
+        {"density_at_walls", "L^-3", at_walls_.mean(0), at_walls_.error(0)},
+        {"pressure_at_walls", "M L^-1 T^-2", at_walls_.mean(1), at_walls_.error(1)},
+    };
+  }
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  Column position{"position", "L", ColumnRole::argument, {}};
+  for (std::size_t bin = 0; bin < most_bins_; ++bin) {
+    position.values.push_back((static_cast<double>(bin) + 0.5) * bin_width_);
+  }
+  found.columns.push_back(std::move(position));
+  const auto add_profile = [&](const std::string& name, const std::string& unit, std::size_t axis,
+                               std::size_t first) {
+    Column value{name + "_" + kAxisNames[axis], unit, ColumnRole::value, {}};
+    Column error{value.name + "_error", unit, ColumnRole::error, {}};
+    for (std::size_t bin = 0; bin < most_bins_; ++bin) {
+      const bool is_in_box = bin < bins_[axis];
+      value.values.push_back(is_in_box ? profiles_.mean(first + bin) : none);
+      error.values.push_back(is_in_box ? profiles_.error(first + bin) : none);
+    }
+    found.columns.push_back(std::move(value));
+    found.columns.push_back(std::move(error));
+  };
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    add_profile("number_density", "L^-3", axis, axis * most_bins_);
+    add_profile("packing_fraction", "1", axis, (kAxes + axis) * most_bins_);
+  }
+  return found;
+}
+
+}  // namespace hardball

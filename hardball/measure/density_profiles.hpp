@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "hardball/measure/block_average.hpp"
+#include "hardball/measure/contact_extrapolation.hpp"
+#include "hardball/measure/measurement.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// How number density and packing fraction change along each axis that is not open, and the density of
+/// centres that touch a wall.
+///
+/// A bin is a slab across the whole box. The number density counts centres; the packing fraction, the volume
+/// of the slab that lies within spheres, exactly. If an axis is open a slab has no volume, and the
+/// measurement is empty.
+class DensityProfiles {
+ public:
+  static constexpr std::string_view kName = "density_profiles";
+
+  /// In bins of `bin_width` mean radii, or wider so that there are no more than 2000.
+  DensityProfiles(const World& world, const Time& now, double bin_width = 0.1);
+
+  /// What a sample costs [ns]: 5 ns for each sphere and bin it reaches into, along each axis.
+  double sample_cost() const { return sample_cost_; }
+  void sample(const World& world, const Time& now);
+  Measurement result(const Time& now) const;
+
+ private:
+  double slab_width(std::size_t axis, std::size_t bin) const;
+  void add_slices(double center, double radius, std::size_t axis, std::vector<double>& filled) const;
+
+  Box box_;
+  double bin_width_ = 0;  // [L]; the last bin along an axis may be thinner
+  std::array<std::size_t, kAxes> bins_{};
+  std::size_t most_bins_ = 0;  // the largest of these
+  ContactExtrapolation contact_;
+  double sample_cost_ = 0;  // [ns]
+  // Sums to average: by axis and bin, first the number densities [L^-3] and then the packing fractions.
+  BlockAverage profiles_{0};
+  // Of centres that touch a wall, in the mean over all walls: the density [L^-3], and times kT of the world
+  // the pressure [M L^-1 T^-2].
+  BlockAverage at_walls_{2};
+};
+
+}  // namespace hardball

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/fluid_structure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hardball/measure/fluid_theory.hpp"
+#include "hardball/measure/species.hpp"
+
+namespace hardball {
+
+double fluid_packing_fraction(const World& world) {
+  const bool holds = world.radii().is_common() && FluidTheory(world, Species(world)).holds();
+  return holds ? world.sphere_volume() / world.box().volume() : std::numeric_limits<double>::quiet_NaN();
+}
+
+double percus_yevick_structure_factor(double packing_fraction, double wave_number) {
+  // Closer to zero the closed form loses its digits, and the structure factor does not change any more.
+  const double q = std::max(wave_number, 0.02);
+  const double sine = std::sin(q);
+  const double cosine = std::cos(q);
+  // Integrals of x sin(q x), x^2 sin(q x) and x^4 sin(q x) over the overlap, x from 0 to 1.
+  const double first = (sine - q * cosine) / (q * q);
+  const double second = (2 * q * sine + (2 - q * q) * cosine - 2) / (q * q * q);
+  const double fourth =
+      (4 * q * (q * q - 6) * sine - (q * q * (q * q - 12) + 24) * cosine + 24) / (q * q * q * q * q);
+  const double free = 1 - packing_fraction;
+  const double constant = std::pow(1 + 2 * packing_fraction, 2) / std::pow(free, 4);
+  const double linear = -std::pow(1 + packing_fraction / 2, 2) / std::pow(free, 4);
+  // Density times the Fourier transform of the direct correlation function.
+  const double direct =
+      -24 * packing_fraction / q *
+      (constant * first + 6 * packing_fraction * linear * second + packing_fraction / 2 * constant * fourth);
+  return 1 / (1 - direct);
+}
+
+double nearest_neighbor_beyond(double packing_fraction, double distance) {
+  const double p = packing_fraction;
+  const double x = std::max(distance, 1.0);
+  const double cube = std::pow(1 - p, 3);
+  // Spheres at the surface of an empty ball of radius x stand a0 + a1 / x + a2 / x^2 times as densely as in
+  // the mean.
+  const double a0 = (1 + p + p * p - p * p * p) / cube;
+  const double a1 = p * (3 * p * p - 4 * p - 3) / (2 * cube);
+  const double a2 = p * p * (2 - p) / (2 * cube);
+  return std::exp(-p * (8 * a0 * (x * x * x - 1) + 12 * a1 * (x * x - 1) + 24 * a2 * (x - 1)));
+}
+
+}  // namespace hardball

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hardball/world/world.hpp"
+
+/// The structure of the fluid of equal hard spheres in equilibrium: what the measures of structure are
+/// compared with. Lengths are in diameters.
+namespace hardball {
+
+/// Packing fraction of a world to which this theory applies: a FluidTheory that holds, of spheres of equal
+/// radius; NaN for any other. Cost: O(n).
+double fluid_packing_fraction(const World& world);
+
+/// The static structure factor in the approximation of Percus and Yevick [1]; `wave_number` in 1 / diameter.
+/// Source: Wertheim, Phys. Rev. Lett. 10 (1963) 321; Hansen and McDonald, Theory of Simple Liquids, section
+/// 4.4.
+double percus_yevick_structure_factor(double packing_fraction, double wave_number);
+
+/// The probability that no other centre is closer than `distance` to that of a sphere [1].
+/// Source: Torquato, Phys. Rev. E 51 (1995) 3170.
+double nearest_neighbor_beyond(double packing_fraction, double distance);
+
+}  // namespace hardball

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/nearest_neighbor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hardball/measure/fluid_structure.hpp"
+#include "hardball/measure/surroundings.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr double kExpected = 10;
+constexpr double kWidestInOpenSpace = 10;
+
+}  // namespace
+
+NearestNeighbor::NearestNeighbor(const World& world, const Time& now, std::size_t bins)
+    : diameter_(2 * world.largest_radius()),
+      packing_fraction_(fluid_packing_fraction(world)),
+      density_(bins) {
+  if (world.size() < 2) return;
+  widest_ = kWidestInOpenSpace * diameter_;
+  if (std::isfinite(world.box().volume())) {
+    const double volume_each = world.box().volume() / static_cast<double>(world.size());
+    widest_ =
+        std::cbrt(diameter_ * diameter_ * diameter_ + kExpected * volume_each * 3 / (4 * std::numbers::pi)) -
+        diameter_;
+  }
+  sample_cost_ = Surroundings(world, now, diameter_ + widest_).cost();
+}
+
+void NearestNeighbor::sample(const World& world, const Time& now) {
+  if (widest_ == 0 || world.size() < 2) return;
+  packing_fraction_ = fluid_packing_fraction(world);
+  const Surroundings surroundings(world, now, diameter_ + widest_);
+  const auto bins = static_cast<double>(density_.bins());
+  double centers = 0;
+  double found = 0;
+  double sum = 0;
+  std::vector<double> density(density_.bins());
+  surroundings.for_each_center([&](std::size_t center) {
+    double nearest = widest_;
+    surroundings.for_each_neighbor(center, [&](std::size_t neighbor, const Vec3&, double square) {
+      const double reach = surroundings.radius(center) + surroundings.radius(neighbor);
+      nearest = std::min(nearest, std::sqrt(square) - reach);
+    });
+    ++centers;
+    if (nearest == widest_) return;
+    ++found;
+    sum += nearest;
+    const auto bin = static_cast<std::size_t>(std::max(nearest, 0.0) / widest_ * bins);
+    ++density[std::min(bin, density.size() - 1)];
+  });
+  for (double& count : density) count /= centers * widest_ / bins;
+  density_.add(density);
+  if (found > 0) mean_.add(sum / found, found);
+}
+
+Measurement NearestNeighbor::result(const Time& /*now*/) const {
+  Measurement result{
+      .name = std::string(kName),
+      .title = "Gaps between nearest neighbours",
+      .formula = "probability density of the gap between a sphere and the one whose surface is nearest",
+      .source = "Torquato, Phys. Rev. E 51 (1995) 3170"};
+  if (widest_ == 0) return result;
+  Column gap{"gap", "L", ColumnRole::argument, {}};
+  Column value{"probability_density", "L^-1", ColumnRole::value, {}};
+  Column error{"probability_density_error", "L^-1", ColumnRole::error, {}};
+  Column theory{"probability_density_theory", "L^-1", ColumnRole::theory, {}};
+  const double width = widest_ / static_cast<double>(density_.bins());
+  const auto none_within = [&](double gap_width) {
+    return nearest_neighbor_beyond(packing_fraction_, 1 + gap_width / diameter_);
+  };
+  double mean_by_theory = 0;
+  for (std::size_t bin = 0; bin < density_.bins(); ++bin) {
+    const double low = static_cast<double>(bin) * width;
+    const double middle = low + width / 2;
+    const double high = low + width;
+    gap.values.push_back(middle);
+    value.values.push_back(density_.mean(bin));
+    error.values.push_back(density_.error(bin));
+    theory.values.push_back((none_within(low) - none_within(high)) / width);
+    // The mean is the integral of the probability that the gap is wider; by Simpson's rule.
+    mean_by_theory += (none_within(low) + 4 * none_within(middle) + none_within(high)) * width / 6;
+  }
+  result.quantities = {{"mean_gap", "L", mean_.mean(), mean_.error(), mean_by_theory}};
+  result.columns = {std::move(gap), std::move(value), std::move(error)};
+  if (std::isfinite(packing_fraction_)) result.columns.push_back(std::move(theory));
+  return result;
+}
+
+}  // namespace hardball

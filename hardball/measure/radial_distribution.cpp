@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/radial_distribution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "hardball/measure/fluid_theory.hpp"
+#include "hardball/measure/surroundings.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr std::size_t kMostSpecies = 3;
+
+// How far the space about a sphere is known: to half the smallest edge, for beyond it a periodic box closes
+// upon itself; and between walls no farther than centres can be apart.
+double largest_range(const World& world) {
+  const Box& box = world.box();
+  double range = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    range = std::min(range, box.size()[axis] / 2);
+    if (box.is_wall(axis)) range = std::min(range, box.size()[axis] - 2 * world.largest_radius());
+  }
+  return range;
+}
+
+}  // namespace
+
+RadialDistribution::RadialDistribution(const World& world, const Time& now, double range, double bin_width)
+    : box_(world.box()),
+      species_(world),
+      is_by_species_(species_.size() <= kMostSpecies && !std::isnan(species_.radius(0))) {
+  if (world.size() < 2 || !std::isfinite(box_.volume())) return;
+  double mean_diameter = 0;
+  low_ = 2 * world.largest_radius();
+  world.for_each_by_id([&](Slot slot) {
+    mean_diameter += 2 * world.radius(slot) / static_cast<double>(world.size());
+    low_ = std::min(low_, 2 * world.radius(slot));
+  });
+  const std::size_t species = is_by_species_ ? species_.size() : 1;
+  const FluidTheory theory(world, species_);
+  kind_of_.resize(species * species);
+  for (std::size_t a = 0; a < species; ++a) {
+    for (std::size_t b = a; b < species; ++b) {
+      kind_of_[a * species + b] = kind_of_[b * species + a] = kinds_.size();
+      const double reach = is_by_species_ ? species_.radius(a) + species_.radius(b) : mean_diameter;
+      kinds_.push_back({reach, is_by_species_ ? theory.contact_value(a, b) : 0,
+                        species == 1 ? "" : "_" + std::to_string(a + 1) + "_" + std::to_string(b + 1),
+                        ContactExtrapolation(ContactExtrapolation::kReach * reach, reach)});
+    }
+  }
+  bin_width_ = mean_diameter * bin_width;
+  const double high = std::min(mean_diameter * range, largest_range(world));
+  bins_ = high > low_ ? static_cast<std::size_t>((high - low_) / bin_width_) : 0;
+  function_ = BlockAverage(kinds_.size() * bins_);
+  contact_ = BlockAverage(kinds_.size());
+  if (has_meaning()) sample_cost_ = Surroundings(world, now, high).cost();
+}
+
+// Whether the bins reach as far beyond contact as extrapolating to it takes.
+bool RadialDistribution::has_contact() const {
+  const double high = low_ + static_cast<double>(bins_) * bin_width_;
+  return is_by_species_ && std::all_of(kinds_.begin(), kinds_.end(), [&](const Kind& kind) {
+           return kind.reach * (1 + ContactExtrapolation::kReach) <= high;
+         });
+}
+
+// How much space, as a fraction of that in which centres can be, lies within this distance of a centre, in
+// the mean over all its places there. A place is lost for a displacement u if it lies less than |u_x| from
+// one wall along x: hence the mean over all directions of the product over axes of 1 - |u_x| / L.
+double RadialDistribution::ideal_share(double distance, double reach) const {
+  double volume = 1;
+  double ones = 0;    // the sum over walls of 1 / L,
+  double pairs = 0;   // over pairs of them,
+  double triple = 1;  // and the product of all three
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const double free = box_.size()[axis] - (box_.is_wall(axis) ? reach : 0);
+    volume *= free;
+    const double inverse = box_.is_wall(axis) ? 1 / free : 0;
+    pairs += inverse * ones;
+    ones += inverse;
+    triple *= inverse;
+  }
+  // Over directions, |u_x| has the mean 1/2, |u_x u_y| 2/(3 pi) and |u_x u_y u_z| 1/(4 pi).
+  const double r = distance;
+  const double inside = 4 * std::numbers::pi / 3 - r * std::numbers::pi / 2 * ones + r * r * 8 / 15 * pairs -
+                        r * r * r / 6 * triple;
+  return r * r * r * inside / volume;
+}
+
+void RadialDistribution::sample(const World& world, const Time& now) {
+  if (!has_meaning()) return;
+  const double high = low_ + static_cast<double>(bins_) * bin_width_;
+  const Surroundings surroundings(world, now, high);
+  const std::size_t many = is_by_species_ ? species_.size() : 1;
+  std::vector<std::size_t> species;  // of each sphere
+  std::vector<double> spheres(many);
+  world.for_each_by_id([&](Slot slot) {
+    species.push_back(species_of(world.id(slot)));
+    ++spheres[species.back()];
+  });
+  std::vector<double> centers(many);
+  std::vector<std::uint32_t> counts(kinds_.size() * bins_);
+  std::vector<ContactExtrapolation::Bins> near_contact(kinds_.size());
+  surroundings.for_each_center([&](std::size_t center) {
+    ++centers[species[center]];
+    const std::size_t* const kind_with = &kind_of_[species[center] * many];
+    surroundings.for_each_neighbor(center, [&](std::size_t neighbor, const Vec3&, double square) {
+      const std::size_t index = kind_with[species[neighbor]];
+      const Kind& kind = kinds_[index];
+      const double distance = std::sqrt(square);
+      // Spheres in contact may overlap by rounding.
+      const double place = (distance - low_) / bin_width_;
+      if (place <= -ContactExtrapolation::kRounding) return;
+      const auto bin = static_cast<std::size_t>(std::max(place, 0.0));
+      if (bin < bins_) ++counts[index * bins_ + bin];
+      const std::size_t near = kind.contact.bin(distance - kind.reach);
+      if (near < ContactExtrapolation::kBins) ++near_contact[index][near];
+    });
+  });
+
+  for (std::size_t a = 0; a < many; ++a) {
+    for (std::size_t b = a; b < many; ++b) {
+      const std::size_t index = kind_of_[a * many + b];
+      const Kind& kind = kinds_[index];
+      const double pairs = centers[a] * spheres[b] + (a == b ? 0 : centers[b] * spheres[a]);
+      if (pairs == 0) continue;
+      const auto ideal_pairs = [&](double begin, double width) {
+        return pairs * (ideal_share(begin + width, kind.reach) - ideal_share(begin, kind.reach));
+      };
+      for (std::size_t bin = 0; bin < bins_; ++bin) {
+        const double begin = low_ + static_cast<double>(bin) * bin_width_;
+        const std::size_t place = index * bins_ + bin;
+        function_.put(place, counts[place] / ideal_pairs(begin, bin_width_));
+      }
+      ContactExtrapolation::Bins& near = near_contact[index];
+      const double width = kind.contact.bin_width();
+      for (std::size_t bin = 0; bin < near.size(); ++bin) {
+        near[bin] /= ideal_pairs(kind.reach + static_cast<double>(bin) * width, width);
+      }
+      contact_.put(index, kind.contact.at_contact(near));
+    }
+  }
+  function_.close_sample();
+  contact_.close_sample();
+}
+
+Measurement RadialDistribution::result(const Time& /*now*/) const {
+  Measurement found{.name = std::string(kName),
+                    .title = "Radial distribution function",
+                    .formula = "g(r) = pairs at the distance r / such pairs of an ideal gas in the same box",
+                    .source =
+                        "Allen and Tildesley, Computer Simulation of Liquids, section 2.6; contact value of "
+                        "equal spheres: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) "
+                        "2335; of mixtures: Mansoori et al., J. Chem. Phys. 54 (1971) 1523"};
+  if (!has_meaning()) return found;
+  Column distance{"distance", "L", ColumnRole::argument, {}};
+  for (std::size_t bin = 0; bin < bins_; ++bin) {
+    distance.values.push_back(low_ + (static_cast<double>(bin) + 0.5) * bin_width_);
+  }
+  found.columns.push_back(std::move(distance));
+  for (std::size_t index = 0; index < kinds_.size(); ++index) {
+    const Kind& kind = kinds_[index];
+    if (has_contact()) {
+      found.quantities.push_back(
+          {"contact_value" + kind.suffix, "1", contact_.mean(index), contact_.error(index), kind.theory});
+    }
+    Column value{"g" + kind.suffix, "1", ColumnRole::value, {}};
+    Column error{value.name + "_error", "1", ColumnRole::error, {}};
+    for (std::size_t bin = index * bins_; bin < (index + 1) * bins_; ++bin) {
+      value.values.push_back(function_.mean(bin));
+      error.values.push_back(function_.error(bin));
+    }
+    found.columns.push_back(std::move(value));
+    found.columns.push_back(std::move(error));
+  }
+  return found;
+}
+
+}  // namespace hardball

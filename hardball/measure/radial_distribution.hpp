@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hardball/measure/block_average.hpp"
+#include "hardball/measure/contact_extrapolation.hpp"
+#include "hardball/measure/measurement.hpp"
+#include "hardball/measure/species.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// The radial distribution function g(r): how much more densely spheres stand at the distance r from a sphere
+/// than an ideal gas of as many points would in the same box; and its value at contact.
+///
+/// Of two or three species there is a function for each pair of species; of more, one for all spheres, for
+/// which contact has no meaning. The ideal gas fills the space in which centres can be: between walls it ends
+/// a radius before them, and shells about a sphere near a wall end there, too, which is allowed for exactly
+/// (for two species, to the difference of their radii over the size of the box). In a box open along an axis
+/// there is no density to compare with, and the measurement is empty. Source: Allen and Tildesley, Computer
+/// Simulation of Liquids, section 2.6.
+class RadialDistribution {
+ public:
+  static constexpr std::string_view kName = "radial_distribution";
+
+  /// Reaches out to `range` mean diameters, at most to half the smallest edge of the box, in bins of
+  /// `bin_width` mean diameters.
+  RadialDistribution(const World& world, const Time& now, double range = 5, double bin_width = 0.02);
+
+  /// What a sample costs [ns]: mostly 30 ns for each neighbour within the range, see Surroundings.
+  double sample_cost() const { return sample_cost_; }
+  /// Precondition: the spheres are those of the beginning.
+  void sample(const World& world, const Time& now);
+  Measurement result(const Time& now) const;
+
+ private:
+  // A pair of species, or all spheres.
+  struct Kind {
+    double reach;        // the sum of the radii [L]
+    double theory;       // the contact value [1]; NaN if there is none
+    std::string suffix;  // of names: "", or "_1_2"
+    ContactExtrapolation contact;
+  };
+
+  bool has_meaning() const { return bins_ > 0; }
+  bool has_contact() const;
+  std::size_t species_of(SphereId id) const { return is_by_species_ ? species_.of(id) : 0; }
+  double ideal_share(double distance, double reach) const;
+
+  Box box_;
+  Species species_;
+  bool is_by_species_;
+  std::vector<Kind> kinds_;
+  std::vector<std::size_t> kind_of_;  // shape (species, species)
+  double low_ = 0;                    // where the bins begin: the least distance at contact [L]
+  double bin_width_ = 0;              // [L]
+  std::size_t bins_ = 0;              // of each kind
+  double sample_cost_ = 0;            // [ns]
+  BlockAverage function_{0};          // g by kind and bin
+  BlockAverage contact_{0};           // g at contact, by kind
+};
+
+}  // namespace hardball

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/structure_factor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "hardball/measure/fluid_structure.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr std::size_t kShells = 64;
+
+// So many spheres are treated at once, by vector instructions.
+constexpr std::size_t kLanes = 8;
+
+// One complex number for each lane.
+struct Phases {
+  std::array<double, kLanes> real;
+  std::array<double, kLanes> imaginary;
+};
+
+void set_to_product(Phases& product, const Phases& a, const Phases& b) {
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    const double real = a.real[lane] * b.real[lane] - a.imaginary[lane] * b.imaginary[lane];
+    const double imaginary = a.real[lane] * b.imaginary[lane] + a.imaginary[lane] * b.real[lane];
+    product.real[lane] = real;
+    product.imaginary[lane] = imaginary;
+  }
+}
+
+// Adds x y z, y and z conjugated if their signs say so.
+void add_product(Phases& sum, const Phases& x, const Phases& y, double sign_y, const Phases& z,
+                 double sign_z) {
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    const double y_imaginary = sign_y * y.imaginary[lane];
+    const double z_imaginary = sign_z * z.imaginary[lane];
+    const double real = x.real[lane] * y.real[lane] - x.imaginary[lane] * y_imaginary;
+    const double imaginary = x.real[lane] * y_imaginary + x.imaginary[lane] * y.real[lane];
+    sum.real[lane] += real * z.real[lane] - imaginary * z_imaginary;
+    sum.imaginary[lane] += real * z_imaginary + imaginary * z.real[lane];
+  }
+}
+
+double total(const std::array<double, kLanes>& lanes) {
+  double sum = 0;
+  for (const double lane : lanes) sum += lane;
+  return sum;
+}
+
+// Directions that fill the sphere ever more evenly. Source: Roberts, The unreasonable effectiveness of
+// quasirandom sequences (2018), the sequence R2.
+Vec3 direction(std::size_t index) {
+  constexpr double kPlastic = 1.32471795724474602596;
+  const double along = static_cast<double>(index) / kPlastic;
+  const double around = static_cast<double>(index) / (kPlastic * kPlastic);
+  const double z = 2 * (along - std::floor(along)) - 1;
+  const double angle = 2 * std::numbers::pi * (around - std::floor(around));
+  const double across = std::sqrt(1 - z * z);
+  return {across * std::cos(angle), across * std::sin(angle), z};
+}
+
+}  // namespace
+
+StructureFactor::StructureFactor(const World& world, const Time& /*now*/, double longest,
+                                 std::size_t vectors_in_shell)
+    : packing_fraction_(fluid_packing_fraction(world)) {
+  if (world.size() == 0) return;
+  unit_ = 2 * std::numbers::pi * world.box().inverse_period();
+  world.for_each_by_id([&](Slot slot) { diameter_ += 2 * world.radius(slot); });
+  diameter_ /= static_cast<double>(world.size());
+  const double thickness = longest / diameter_ / kShells;
+  for (std::size_t shell = 0; shell < kShells; ++shell) {
+    choose_waves(shell, static_cast<double>(shell) * thickness, static_cast<double>(shell + 1) * thickness,
+                 vectors_in_shell);
+    const std::size_t before = shell_ends_.empty() ? 0 : shell_ends_.back();
+    if (waves_.size() > before) shell_ends_.push_back(waves_.size());
+  }
+  shells_ = BlockAverage(shell_ends_.size());
+  if (waves_.empty()) return;
+  // Besides the wave vectors, the powers along each axis, and the first of them.
+  const double powers = longest_[0] + longest_[1] + longest_[2];
+  sample_cost_ =
+      static_cast<double>(world.size()) * (100 + 3 * (static_cast<double>(waves_.size()) + powers));
+}
+
+// Tries directions until enough of the nearest wave vectors lie within the shell.
+void StructureFactor::choose_waves(std::size_t shell, double low, double high, std::size_t most) {
+  const std::size_t first = waves_.size();
+  const auto is_chosen = [&](const Wave& wave) {
+    return std::find(waves_.begin() + static_cast<std::ptrdiff_t>(first), waves_.end(), wave) != waves_.end();
+  };
+  const std::size_t attempts = 50 * most;
+  for (std::size_t attempt = 0; attempt < attempts && waves_.size() < first + most; ++attempt) {
+    Vec3 toward = direction(shell * attempts + attempt);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (unit_[axis] == 0) toward[axis] = 0;
+    }
+    // Shells may be thinner than the spacing of wave vectors: aim at several depths.
+    const double aim = low + (high - low) * (0.125 + 0.25 * static_cast<double>(attempt % 4));
+    Wave wave{};
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (toward[axis] == 0) continue;
+      wave[axis] = static_cast<int>(std::lround(aim * toward[axis] / (length(toward) * unit_[axis])));
+    }
+    // Opposite vectors see the same.
+    if (wave < Wave{}) wave = {-wave[0], -wave[1], -wave[2]};
+    const double reached = length_of(wave);
+    if (wave == Wave{} || reached < low || reached >= high || is_chosen(wave)) continue;
+    waves_.push_back(wave);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      longest_[axis] = std::max(longest_[axis], std::abs(wave[axis]));
+    }
+  }
+}
+
+double StructureFactor::length_of(const Wave& wave) const {
+  return length({wave[0] * unit_.x, wave[1] * unit_.y, wave[2] * unit_.z});
+}
+
+void StructureFactor::sample(const World& world, const Time& now) {
+  if (waves_.empty() || world.size() == 0) return;
+  packing_fraction_ = fluid_packing_fraction(world);
+  std::vector<Vec3> centers;
+  centers.reserve(world.size());
+  world.for_each_by_id([&](Slot slot) { centers.push_back(world.position(slot, now)); });
+
+  std::array<std::vector<Phases>, kAxes> powers;  // of exp(i unit x), by axis
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    powers[axis].resize(static_cast<std::size_t>(longest_[axis]) + 1);
+  }
+  std::vector<Phases> sums(waves_.size(), Phases{});
+  for (std::size_t begin = 0; begin < centers.size(); begin += kLanes) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      Phases phase{};
+      powers[axis][0] = {};
+      for (std::size_t lane = 0; lane < std::min(kLanes, centers.size() - begin); ++lane) {
+        const double angle = unit_[axis] * centers[begin + lane][axis];
+        phase.real[lane] = std::cos(angle);
+        phase.imaginary[lane] = std::sin(angle);
+        powers[axis][0].real[lane] = 1;
+      }
+      for (std::size_t m = 1; m < powers[axis].size(); ++m) {
+        set_to_product(powers[axis][m], powers[axis][m - 1], phase);
+      }
+    }
+    for (std::size_t k = 0; k < waves_.size(); ++k) {
+      const auto power = [&](std::size_t axis) -> const Phases& {
+        return powers[axis][static_cast<std::size_t>(std::abs(waves_[k][axis]))];
+      };
+      add_product(sums[k], power(0), power(1), waves_[k][1] < 0 ? -1 : 1, power(2),
+                  waves_[k][2] < 0 ? -1 : 1);
+    }
+  }
+
+  std::size_t k = 0;
+  for (std::size_t shell = 0; shell < shell_ends_.size(); ++shell) {
+    const auto vectors = static_cast<double>(shell_ends_[shell] - k);
+    for (; k < shell_ends_[shell]; ++k) {
+      const double real = total(sums[k].real);
+      const double imaginary = total(sums[k].imaginary);
+      const double intensity = real * real + imaginary * imaginary;
+      shells_.put(shell, intensity / static_cast<double>(world.size()) / vectors);
+    }
+  }
+  shells_.close_sample();
+}
+
+Measurement StructureFactor::result(const Time& /*now*/) const {
+  Measurement found{
+      .name = std::string(kName),
+      .title = "Static structure factor",
+      .formula = "S(k) = |sum over spheres of exp(i k.x)|^2 / n",
+      .source = "Hansen and McDonald, Theory of Simple Liquids, sections 4.1 and 4.4 (Percus and Yevick)"};
+  if (waves_.empty()) return found;
+  Column wave_number{"wave_number", "L^-1", ColumnRole::argument, {}};
+  Column value{"structure_factor", "1", ColumnRole::value, {}};
+  Column error{"structure_factor_error", "1", ColumnRole::error, {}};
+  Column theory{"structure_factor_theory", "1", ColumnRole::theory, {}};
+  std::size_t k = 0;
+  for (std::size_t shell = 0; shell < shell_ends_.size(); ++shell) {
+    const auto vectors = static_cast<double>(shell_ends_[shell] - k);
+    double mean_length = 0;
+    double expected = 0;
+    for (; k < shell_ends_[shell]; ++k) {
+      const double wave_length = length_of(waves_[k]);
+      mean_length += wave_length / vectors;
+      expected += percus_yevick_structure_factor(packing_fraction_, wave_length * diameter_) / vectors;
+    }
+    wave_number.values.push_back(mean_length);
+    value.values.push_back(shells_.mean(shell));
+    error.values.push_back(shells_.error(shell));
+    theory.values.push_back(expected);
+  }
+  if (shells_.samples() > 0) {
+    const auto peak = static_cast<std::size_t>(std::max_element(value.values.begin(), value.values.end()) -
+                                               value.values.begin());
+    found.quantities = {
+        {"highest_peak", "1", value.values[peak], error.values[peak], theory.values[peak]},
+        {"highest_peak_wave_number", "L^-1", wave_number.values[peak]},
+    };
+  }
+  found.columns = {std::move(wave_number), std::move(value), std::move(error)};
+  if (std::isfinite(packing_fraction_)) found.columns.push_back(std::move(theory));
+  return found;
+}
+
+}  // namespace hardball

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "hardball/measure/block_average.hpp"
+#include "hardball/measure/measurement.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// The static structure factor S(k) = |sum over spheres of exp(i k.x)|^2 / n: what a diffraction experiment
+/// sees of the spheres' centres.
+///
+/// Wave vectors fit the periodic axes and vanish along the others; without a periodic axis the measurement is
+/// empty. They are gathered in shells of about equal length, from each of which a few are chosen, spread
+/// evenly over directions: the sharp peaks of a large crystal may fall between them.
+class StructureFactor {
+ public:
+  static constexpr std::string_view kName = "structure_factor";
+
+  /// Wave vectors are at most `longest` over the mean diameter long; of each of 64 shells up to
+  /// `vectors_in_shell` are chosen.
+  StructureFactor(const World& world, const Time& now, double longest = 20, std::size_t vectors_in_shell = 6);
+
+  /// What a sample costs [ns]: 3 ns for each sphere and wave vector.
+  double sample_cost() const { return sample_cost_; }
+  void sample(const World& world, const Time& now);
+  Measurement result(const Time& now) const;
+
+ private:
+  // A wave vector in units of 2 pi / period.
+  using Wave = std::array<int, kAxes>;
+
+  void choose_waves(std::size_t shell, double low, double high, std::size_t most);
+  double length_of(const Wave& wave) const;
+
+  Vec3 unit_;       // 2 pi / period along periodic axes, zero along the others [1/L]
+  Wave longest_{};  // the largest component along each axis
+  std::vector<Wave> waves_;
+  std::vector<std::size_t> shell_ends_;  // in waves_, of the shells that hold any
+  double diameter_ = 0;                  // the mean [L]
+  double packing_fraction_;              // of a fluid of one species, see fluid_packing_fraction
+  double sample_cost_ = 0;               // [ns]
+  BlockAverage shells_{0};
+};
+
+}  // namespace hardball

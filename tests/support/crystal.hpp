@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hardball/world/random.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball::support {
+
+/// A crystal by its orthogonal cell, the distance of nearest neighbours being one.
+struct Lattice {
+  Vec3 cell;                ///< Edges.
+  std::vector<Vec3> basis;  ///< In units of the edges.
+};
+
+inline Lattice simple_cubic() {
+  return {{1, 1, 1}, {{0, 0, 0}}};
+}
+inline Lattice body_centered_cubic() {
+  const double a = 2 / std::sqrt(3);
+  return {{a, a, a}, {{0, 0, 0}, {0.5, 0.5, 0.5}}};
+}
+inline Lattice face_centered_cubic() {
+  const double a = std::sqrt(2);
+  return {{a, a, a}, {{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}}};
+}
+inline Lattice hexagonal_close_packing() {
+  return {{1, std::sqrt(3), std::sqrt(8.0 / 3)},
+          {{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 5.0 / 6, 0.5}, {0, 1.0 / 3, 0.5}}};
+}
+
+/// So many cells along each axis in a periodic box, spheres of diameter one resting at `spacing` from their
+/// nearest neighbours.
+inline World make_crystal(const Lattice& lattice, std::size_t cells, double spacing) {
+  const Vec3 edge = spacing * lattice.cell;
+  World world(Box::periodic(static_cast<double>(cells) * edge));
+  for (std::size_t x = 0; x < cells; ++x) {
+    for (std::size_t y = 0; y < cells; ++y) {
+      for (std::size_t z = 0; z < cells; ++z) {
+        for (const Vec3& site : lattice.basis) {
+          const Vec3 place =
+              site + Vec3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+          world.add({.position = {place.x * edge.x, place.y * edge.y, place.z * edge.z}, .radius = 0.5});
+        }
+      }
+    }
+  }
+  return world;
+}
+
+/// Spheres of these radii at places that know nothing of each other, overlaps allowed: an ideal gas, whose
+/// every average is known. Between walls centres keep their radius away from them.
+inline World make_ideal_gas(const Box& box, const std::vector<double>& radii, std::uint64_t seed) {
+  Random random(seed);
+  World world(box);
+  for (const double radius : radii) {
+    Vec3 place;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const double inset = box.is_wall(axis) ? radius : 0;
+      place[axis] = inset + random.uniform() * (box.size()[axis] - 2 * inset);
+    }
+    world.add({.position = place, .radius = radius});
+  }
+  return world;
+}
+
+}  // namespace hardball::support
