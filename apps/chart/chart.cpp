@@ -22,7 +22,8 @@ constexpr double kFrameLeft = 84;
 constexpr double kFrameTop = 48;
 constexpr double kFrameWidth = 380;
 constexpr double kFrameHeight = 290;
-constexpr double kLegendGap = 60;  // from the frame to the legend, for labels
+constexpr double kLegendGap = 60;   // from the frame to the legend, for labels
+constexpr double kAxisLabels = 44;  // the same to the end of the labels
 constexpr double kLegendRow = 18;
 constexpr double kLegendKey = 34;   // from the left end of a legend's line to its name
 constexpr double kCharacter = 7.1;  // mean width, generously
@@ -35,10 +36,13 @@ constexpr double kCapHalf = 2.5;  // the ends of error bars
 constexpr int kFontSize = 14;
 constexpr int kSmallFontSize = 13;
 
-constexpr double kPadding = 0.04;   // between the points and the frame, of the range
-constexpr double kErrorRoom = 1;  // by which error bars may widen the range, of that of the points
+constexpr double kPadding = 0.04;  // between the points and the frame, of the range
+constexpr double kErrorRoom = 1;   // by which error bars may widen the range, of that of the points
 constexpr double kTicksWanted = 6;
 constexpr int kMostDecadeLabels = 8;
+
+// Of dashed lines; references go through them in turn.
+constexpr std::array<std::string_view, 3> kDashes = {"6 4", "2 3", "9 3 2 3"};
 
 // What a picture is drawn with.
 struct Palette {
@@ -225,14 +229,24 @@ void add_title(std::string& svg, const Chart& chart) {
                      kFontSize + 1, escaped(chart.title));
 }
 
+// On which side of its line a marker's name stands: in the middle, unless it would run into another.
+std::string_view anchor_of(const Chart& chart, const Marker& marker, const Scale& x) {
+  for (const Marker& other : chart.markers) {
+    if (other.x == marker.x || !is_drawable(chart.x, other.x)) continue;
+    const double width = kCharacter * (static_cast<double>(marker.name.size() + other.name.size()) / 2 + 1);
+    if (std::abs(x.pixel(other.x) - x.pixel(marker.x)) < width) return marker.x < other.x ? "end" : "start";
+  }
+  return "middle";
+}
+
 void add_markers(std::string& svg, const Chart& chart, const Palette& palette, const Scale& x) {
   for (const Marker& marker : chart.markers) {
     if (!is_drawable(chart.x, marker.x)) continue;
     svg += fmt::format(
         "<path d=\"M{0:.2f} {1}v{2}\" stroke=\"{5}\" stroke-dasharray=\"2 3\"/>\n"
-        "<text x=\"{0:.2f}\" y=\"{3}\" text-anchor=\"middle\" font-size=\"{6}\" fill=\"{5}\">{4}</text>\n",
+        "<text x=\"{0:.2f}\" y=\"{3}\" text-anchor=\"{7}\" font-size=\"{6}\" fill=\"{5}\">{4}</text>\n",
         x.pixel(marker.x), kFrameTop, kFrameHeight, kMarkerBaseline, escaped(marker.name), palette.muted,
-        kSmallFontSize);
+        kSmallFontSize, anchor_of(chart, marker, x));
   }
 }
 
@@ -248,6 +262,14 @@ std::size_t style_of(const Chart& chart, std::size_t index) {
   return style;
 }
 
+std::string_view dashes_of(const Chart& chart, std::size_t index) {
+  if (!chart.series[index].reference) return kDashes[0];
+  const auto references =
+      std::count_if(chart.series.begin(), chart.series.begin() + static_cast<std::ptrdiff_t>(index),
+                    [](const Series& series) { return series.reference; });
+  return kDashes[static_cast<std::size_t>(references) % kDashes.size()];
+}
+
 struct Look {
   std::string line;
   std::string mark;  // all but where it is
@@ -260,7 +282,7 @@ struct Look {
     const std::string_view color =
         series.reference ? palette.ink : palette.series[style % palette.series.size()];
     line = fmt::format(" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"{}", color,
-                       series.dashed ? " stroke-dasharray=\"6 4\"" : "");
+                       series.dashed ? fmt::format(" stroke-dasharray=\"{}\"", dashes_of(chart, index)) : "");
     mark = fmt::format(" d=\"{}\" fill=\"{}\"", kShapes[style % kShapes.size()], color);
     bars = fmt::format(" fill=\"none\" stroke=\"{}\"", color);
     band = fmt::format(" fill=\"{}\" fill-opacity=\"0.25\"", color);
@@ -369,7 +391,9 @@ std::size_t named_series(const Chart& chart) {
 double panel_height(const Chart& chart) {
   const std::size_t columns = legend_columns(chart);
   const std::size_t rows = (named_series(chart) + columns - 1) / columns;
-  return kFrameTop + kFrameHeight + kLegendGap + kLegendRow * static_cast<double>(rows) + kBottom;
+  // The gap above a row is to its middle.
+  const double legend = rows > 0 ? kLegendGap + kLegendRow * static_cast<double>(rows) : kAxisLabels;
+  return kFrameTop + kFrameHeight + legend + kBottom;
 }
 
 // Names stand row by row below the frame, where they cover nothing.

@@ -17,6 +17,7 @@ constexpr std::string_view kMinus = "−";
 // Beyond these, a power of ten is set apart.
 constexpr int kLeastExponent = -4;
 constexpr int kMostExponent = 5;
+constexpr int kMostExactExponent = 8;  // of a number all of whose digits count
 
 std::string raised(std::string_view digits) {
   constexpr std::array<std::string_view, 10> kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -30,6 +31,13 @@ std::string raised(std::string_view digits) {
 
 std::string with_true_minus(std::string text) {
   if (text.starts_with('-')) text.replace(0, 1, kMinus);
+  return text;
+}
+
+std::string without_end_zeros(std::string text) {
+  if (text.find('.') == std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
   return text;
 }
 
@@ -50,16 +58,13 @@ std::string number_text(double value, int digits) {
   if (std::isinf(value)) return value > 0 ? "∞" : std::string(kMinus) + "∞";
   if (value == 0) return "0";
   const int exponent = exponent_of(value, digits);
-  if (exponent >= kLeastExponent && exponent <= std::max(kMostExponent, digits - 1)) {
-    return with_true_minus(fmt::format("{:.{}g}", value, digits));
+  if (exponent >= kLeastExponent && exponent <= kMostExponent) {
+    return with_true_minus(
+        without_end_zeros(fmt::format("{:.{}f}", value, std::max(0, digits - 1 - exponent))));
   }
   std::string text = fmt::format("{:.{}e}", value, digits - 1);
   text.erase(text.find('e'));
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-  }
-  return with_true_minus(text) + "·" + power_of_ten(exponent);
+  return with_true_minus(without_end_zeros(text)) + "·" + power_of_ten(exponent);
 }
 
 std::string count_text(std::uint64_t count) {
@@ -72,14 +77,19 @@ std::string measured_text(double value, double error) {
   constexpr int kErrorDigits = 2;
   if (!std::isfinite(value) || !std::isfinite(error) || !(error > 0)) return number_text(value);
   const int error_exponent = exponent_of(error, kErrorDigits);
-  int exponent = value == 0 ? error_exponent : std::max(exponent_of(value, 3), error_exponent);
-  const bool is_plain = exponent >= kLeastExponent && exponent <= kMostExponent;
+  const int exponent =
+      value == 0 ? error_exponent : std::max(exponent_of(value, kErrorDigits), error_exponent);
+  // Set apart as well where the last digit of the error stands left of the point.
+  const bool is_plain =
+      exponent >= kLeastExponent && exponent <= kMostExactExponent && error_exponent < kErrorDigits;
   const int shift = is_plain ? 0 : exponent;
   const int decimals = std::max(0, kErrorDigits - 1 - (error_exponent - shift));
   const double scale = std::pow(10, shift);
+  // An error beyond one keeps its point: "123.4(5.6)".
+  const double unit = error_exponent - shift < 0 ? std::pow(10, -decimals) : 1;
   const std::string text = with_true_minus(fmt::format("{:.{}f}", value / scale, decimals)) +
-                           fmt::format(" ± {:.{}f}", error / scale, decimals);
-  return is_plain ? text : "(" + text + ")·" + power_of_ten(exponent);
+                           fmt::format("({:.{}f})", error / scale / unit, unit == 1 ? decimals : 0);
+  return is_plain ? text : text + "·" + power_of_ten(shift);
 }
 
 std::string deviation_text(double value, double error, double theory) {
@@ -118,6 +128,12 @@ std::string bytes_text(double bytes) {
     ++unit;
   }
   return fmt::format("{:.3g} {}", bytes, kUnits[unit]);
+}
+
+std::string rate_text(double rate) {
+  const double power = rate > 1000 ? std::pow(10, std::floor(std::log10(rate)) - 2) : 0;
+  return power > 0 ? count_text(static_cast<std::uint64_t>(std::llround(std::round(rate / power) * power)))
+                   : number_text(rate, 3);
 }
 
 std::string seconds_text(double seconds) {

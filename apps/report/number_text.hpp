@@ -15,7 +15,8 @@ std::string number_text(double value, int digits = 6);
 /// A count, its thousands apart: "1,234,567".
 std::string count_text(std::uint64_t count);
 
-/// A measured value to two digits of its standard error: "7.752 ± 0.034"; without an error, to six digits.
+/// A measured value to two digits of its standard error, which stands in parentheses in units of the last
+/// digit: "7.752(34)" for 7.752 ± 0.034; without an error, to six digits.
 std::string measured_text(double value, double error);
 
 /// How far a value is from its theory: in standard errors, "+1.3 σ", or without an error in percent,
@@ -27,6 +28,9 @@ std::string unit_text(std::string_view unit);
 
 /// A size in memory: "12.3 MB".
 std::string bytes_text(double bytes);
+
+/// How often something happened in a second, to three digits, its thousands apart: "988,000".
+std::string rate_text(double rate);
 
 /// A stretch of time by the clock: "0.42 s", "3 min 20 s".
 std::string seconds_text(double seconds);

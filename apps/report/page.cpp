@@ -4,12 +4,32 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "apps/chart/escaped.hpp"
 #include "hardball/errors/error.hpp"
 
 namespace hardball::report {
 
 using chart::escaped;
+
+std::string typeset(std::string_view text) {
+  constexpr std::array<std::string_view, 11> kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵",
+                                                        "⁶", "⁷", "⁸", "⁹", "⁻"};
+  constexpr std::array<std::string_view, 11> kPlain = {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "−"};
+  std::string html = escaped(text);
+  for (std::size_t i = 0; i < kRaised.size(); ++i) {
+    const std::string set = fmt::format("<sup>{}</sup>", kPlain[i]);
+    for (std::size_t at = html.find(kRaised[i]); at != std::string::npos; at = html.find(kRaised[i], at)) {
+      html.replace(at, kRaised[i].size(), set);
+    }
+  }
+  constexpr std::string_view kSeam = "</sup><sup>";
+  for (std::size_t at = html.find(kSeam); at != std::string::npos; at = html.find(kSeam, at)) {
+    html.erase(at, kSeam.size());
+  }
+  return html;
+}
 
 std::string paragraph(std::string_view css_class, std::string_view html) {
   return fmt::format("<p class=\"{}\">{}</p>\n", css_class, html);
@@ -20,10 +40,8 @@ std::string section(std::string_view id, std::string_view heading, std::string_v
                      escaped(heading), html);
 }
 
-std::string figure(std::string_view svg_html, std::string_view caption) {
-  const std::string below =
-      caption.empty() ? "" : fmt::format("<figcaption>{}</figcaption>\n", escaped(caption));
-  return fmt::format("<figure>\n{}{}</figure>\n", svg_html, below);
+std::string figure(std::string_view svg_html) {
+  return fmt::format("<figure>\n{}</figure>\n", svg_html);
 }
 
 Table::Table(std::string_view css_class, std::string_view caption, const std::vector<std::string>& heads)

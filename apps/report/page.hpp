@@ -11,14 +11,17 @@
 /// text.
 namespace hardball::report {
 
+/// A text with its raised exponents set as such.
+std::string typeset(std::string_view text);
+
 /// A paragraph of a class.
 std::string paragraph(std::string_view css_class, std::string_view html);
 
 /// A section with its heading, to be linked to as `id`.
 std::string section(std::string_view id, std::string_view heading, std::string_view html);
 
-/// A plot with its caption, which may be empty.
-std::string figure(std::string_view svg_html, std::string_view caption);
+/// A plot.
+std::string figure(std::string_view svg_html);
 
 /// A table whose rows begin with their name.
 class Table {

@@ -30,8 +30,7 @@ std::string_view without_license(std::string_view file) {
 }
 
 std::string in_unit(const std::string& number, std::string_view unit) {
-  const std::string text = unit_text(unit);
-  return text.empty() ? number : fmt::format("{} <span class=\"unit\">{}</span>", number, escaped(text));
+  return fmt::format("{} <span class=\"unit\">{}</span>", typeset(number), typeset(unit_text(unit)));
 }
 
 std::string code(std::string_view text) {
@@ -106,9 +105,10 @@ std::string verdict(const Report& report) {
   const bool is_sound = !overlaps && !drifts;
   std::string text;
   if (report.is_complete) {
-    text = "the run reached its end";
+    text = "The run reached its end";
   } else {
-    text = fmt::format("interrupted at time {} of {}", number_text(report.time), number_text(report.until));
+    text = fmt::format("A signal ended the run at time {} of {}", number_text(report.time),
+                       number_text(report.until));
   }
   if (overlaps) {
     text += fmt::format("; spheres overlap by {} diameters", number_text(report.max_overlap, 2));
@@ -123,9 +123,9 @@ std::string verdict(const Report& report) {
     text += "; the energy is conserved";
   }
   const std::string_view word = !is_sound ? "Not sound" : report.is_complete ? "Sound" : "Interrupted";
-  return fmt::format("<p class=\"verdict {}\"><strong>{}</strong><span>{}.{}</span></p>\n",
-                     is_sound && report.is_complete ? "good" : "bad", word,
-                     static_cast<char>(std::toupper(text[0])) + text.substr(1), agreement_sentence(report));
+  return fmt::format("<p class=\"verdict {}\"><strong>{}.</strong> <span>{}.{}</span></p>\n",
+                     is_sound && report.is_complete ? "good" : "bad", word, typeset(text),
+                     agreement_sentence(report));
 }
 
 std::string key_figures(const Report& report) {
@@ -142,7 +142,7 @@ std::string key_figures(const Report& report) {
   } else {
     add("wall contacts", count_text(report.events.wall));
   }
-  add("change of the energy, relative", number_text(energy_change(report), 2));
+  add("relative change of the energy", typeset(number_text(energy_change(report), 2)));
   add("computed in", seconds_text(report.setup_seconds + report.run_seconds));
   add("event log hash", hash_text(report.event_log_hash), "hash");
   return html + "</dl>\n";
@@ -151,49 +151,54 @@ std::string key_figures(const Report& report) {
 // --- sections ---
 
 std::string certificate(const Report& report) {
-  Table table("facts", "");
-  table.add_row("event log hash", {code(hash_text(report.event_log_hash))});
-  table.add_row("energy at the start", {in_unit(number_text(report.initial_energy, 10), "M L^2 T^-2")});
-  table.add_row("energy at the end", {in_unit(number_text(report.final_energy, 10), "M L^2 T^-2")});
-  table.add_row("relative change", {number_text(energy_change(report), 3)});
+  Table conserved("facts", "What is conserved");
+  conserved.add_row("energy at the start", {in_unit(number_text(report.initial_energy, 10), "M L^2 T^-2")});
+  conserved.add_row("energy at the end", {in_unit(number_text(report.final_energy, 10), "M L^2 T^-2")});
+  conserved.add_row("relative change", {typeset(number_text(energy_change(report), 2))});
   const Vec3& momentum = report.momentum;
-  table.add_row("momentum at the end",
-                {in_unit(fmt::format("({}, {}, {})", number_text(momentum.x, 3), number_text(momentum.y, 3),
-                                     number_text(momentum.z, 3)),
-                         "M L T^-1")});
-  table.add_row("deepest overlap", {number_text(report.max_overlap, 2) + " diameters"});
-  table.add_row("collisions", {count_text(report.events.collision)});
-  table.add_row("wall contacts", {count_text(report.events.wall)});
-  table.add_row("cells entered, left",
-                {count_text(report.events.enter) + ", " + count_text(report.events.leave)});
-  table.add_row("stale events", {count_text(report.events.stale)});
-  table.add_row("engine", {escaped(report.engine)});
-  table.add_row("seed", {std::to_string(report.seed)});
-  table.add_row("restitution", {number_text(report.restitution)});
-  return table.html() +
+  conserved.add_row("momentum at the end",
+                    {in_unit(fmt::format("({}, {}, {})", number_text(momentum.x, 2),
+                                         number_text(momentum.y, 2), number_text(momentum.z, 2)),
+                             "M L T^-1")});
+  conserved.add_row("deepest overlap", {typeset(number_text(report.max_overlap, 2)) + " diameters"});
+  conserved.add_row("restitution", {number_text(report.restitution)});
+  conserved.add_row("seed", {std::to_string(report.seed)});
+  Table events("facts", "What happened");
+  events.add_row("event log hash", {code(hash_text(report.event_log_hash))});
+  events.add_row("collisions", {count_text(report.events.collision)});
+  events.add_row("wall contacts", {count_text(report.events.wall)});
+  events.add_row("cells entered", {count_text(report.events.enter)});
+  events.add_row("cells left", {count_text(report.events.leave)});
+  events.add_row("stale events", {count_text(report.events.stale)});
+  events.add_row("pair predictions", {count_text(report.events.predictions)});
+  return "<div class=\"pair\">\n" + conserved.html() + events.html() + "</div>\n" +
          paragraph(
              "note",
              "The hash is the fingerprint of all collisions and wall contacts in order: the last bit of "
              "each time, the kind, and the partners. Engine, cells and output do not change it.");
 }
 
-std::string quantities_table(std::string_view caption, const std::vector<Quantity>& quantities) {
-  Table table("numbers", caption, {"quantity", "measured", "theory", "deviation"});
+std::string quantities_table(const std::vector<Quantity>& quantities) {
+  Table table("numbers", "", {"quantity", "measured", "theory", "deviation"});
   for (const Quantity& quantity : quantities) {
+    const std::string unit = unit_text(quantity.unit);
+    const std::string name = escaped(readable(quantity.name)) +
+                             (unit.empty() ? "" : " <span class=\"unit\">[" + typeset(unit) + "]</span>");
     const std::string deviation = deviation_text(quantity.value, quantity.error, quantity.theory);
-    table.add_row(in_unit(escaped(readable(quantity.name)), quantity.unit),
-                  {measured_text(quantity.value, quantity.error), number_text(quantity.theory),
-                   is_far(quantity) ? "<span class=\"far\">" + deviation + "</span>" : deviation});
+    table.add_row(
+        name, {typeset(measured_text(quantity.value, quantity.error)), typeset(number_text(quantity.theory)),
+               is_far(quantity) ? "<span class=\"far\">" + deviation + "</span>" : deviation});
   }
   return table.html();
 }
 
-std::string rates(const Report& report) {
-  return quantities_table("", report.rates) +
-         paragraph(
-             "note",
-             "σ is the standard error; where it is not known, deviations are in percent. More than three "
-             "standard errors stand in bold; theories are approximations themselves.");
+// How to read the tables of quantities.
+std::string reading() {
+  return paragraph(
+      "note",
+      "A standard error stands in parentheses, in units of the last digit: 1.234(56) is 1.234 ± 0.056. "
+      "Deviations from theory are in standard errors, σ, or in percent where no error is known; those "
+      "of more than three σ are bold. Many theories are approximations.");
 }
 
 std::string article(const Measurement& measurement) {
@@ -204,11 +209,10 @@ std::string article(const Measurement& measurement) {
   const std::vector<chart::Chart> charts = charts_of(measurement);
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const std::string id = fmt::format("plot-{}-{}", measurement.name, i + 1);
-    figures += figure(chart::to_inline_svg(charts[i], id), charts.size() > 1 ? charts[i].title : "");
+    figures += figure(chart::to_inline_svg(charts[i], id));
   }
-  html += "<div class=\"pair\">\n";
-  if (!figures.empty()) html += "<div>\n" + figures + "</div>\n";
-  if (!measurement.quantities.empty()) html += quantities_table("", measurement.quantities);
+  html += "<div class=\"pair\">\n" + figures;
+  if (!measurement.quantities.empty()) html += quantities_table(measurement.quantities);
   html += "</div>\n";
   if (figures.empty() && measurement.quantities.empty())
     html += paragraph("note", "The run gave no numbers.");
@@ -224,12 +228,12 @@ std::string articles(const Report& report) {
 
 std::string choice(const CostCurve& curve) {
   chart::Chart chart;
-  chart.title = curve.title + ": predicted cost";
-  chart.x = {.label = curve.title + "  [L]", .logarithmic = true};
+  chart.title = "Predicted cost against " + curve.quantity;
+  chart.x = {.label = curve.quantity + "  [L]", .logarithmic = true};
   chart.y = {.label = "predicted cost, over the least"};
   chart.series = {{.x = curve.length, .y = curve.cost, .marks = false}};
   chart.markers = curve.marks;
-  Table table("numbers", "", {"", curve.title, "cost, over the least"});
+  Table table("numbers", "", {"", curve.quantity, "cost, over the least"});
   for (const chart::Marker& mark : curve.marks) {
     double cost = std::nan("");
     for (std::size_t i = 0; i + 1 < curve.length.size(); ++i) {
@@ -239,20 +243,15 @@ std::string choice(const CostCurve& curve) {
     }
     table.add_row(escaped(mark.name), {in_unit(number_text(mark.x, 4), "L"), number_text(cost, 4)});
   }
-  return "<div class=\"pair\">\n" + figure(chart::to_inline_svg(chart, "plot-choice"), "") + "<div>\n" +
-         table.html() +
-         paragraph("note",
-                   "Smaller cells are left more often, larger ones hold more spheres to look at. The choice "
-                   "changes "
-                   "the speed and no contact. <code>hardball tune</code> measures what is predicted here.") +
-         "</div>\n</div>\n";
+  return "<div class=\"pair\">\n" + figure(chart::to_inline_svg(chart, "plot-choice")) + "<div>\n" +
+         table.html() + paragraph("note", escaped(curve.explanation)) + "</div>\n</div>\n";
 }
 
 std::string speed(const Report& report) {
   Table table("facts", "");
   const auto add_per_second = [&](std::string_view name, std::uint64_t count) {
     if (report.run_seconds > 0) {
-      table.add_row(name, {number_text(static_cast<double>(count) / report.run_seconds, 4)});
+      table.add_row(name, {rate_text(static_cast<double>(count) / report.run_seconds)});
     }
   };
   table.add_row("setup", {seconds_text(report.setup_seconds)});
@@ -308,8 +307,10 @@ std::string to_html(const Report& report) {
     sections += section(id, heading, html);
   };
   add("certificate", "Certificate", certificate(report));
-  if (!report.rates.empty()) add("rates", "Rates and kinetic theory", rates(report));
-  if (!report.measurements.empty()) add("measures", "Measures", articles(report));
+  if (!report.rates.empty())
+    add("rates", "Rates and kinetic theory", quantities_table(report.rates) + reading());
+  if (!report.measurements.empty())
+    add("measures", "Measures", (report.rates.empty() ? reading() : "") + articles(report));
   if (!report.choice.length.empty()) add("choice", report.choice.title, choice(report.choice));
   add("speed", "Speed and memory", speed(report));
   add("scenario", "Scenario", scenario(report));

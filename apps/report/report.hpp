@@ -16,7 +16,9 @@ namespace hardball::report {
 
 /// What was predicted of the choice of the engine's cells or lists.
 struct CostCurve {
-  std::string title;  ///< Of what the engine chose: "Edge of the cells".
+  std::string title;        ///< "Choice of the cells".
+  std::string quantity;     ///< What was chosen: "edge of the cells".
+  std::string explanation;  ///< Why it matters, in a sentence or two.
   std::vector<double>
       length;  ///< The edges, or radii, compared, in rising order [L]; empty if there was no choice.
   std::vector<double> cost;          ///< What each would cost, over the least [1].

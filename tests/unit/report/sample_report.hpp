@@ -51,7 +51,9 @@ inline Report sample_report() {
     report.choice.length.push_back(edge);
     report.choice.cost.push_back((edge + 1 / edge) / 2);
   }
-  report.choice.title = "Edge of the cells";
+  report.choice.title = "Choice of the cells";
+  report.choice.quantity = "edge of the cells";
+  report.choice.explanation = "Smaller cells are left more often, larger ones hold more candidates.";
   report.choice.marks = {{.x = 1.02, .name = "auto"}, {.x = 1.4, .name = "paper"}};
 
   Measurement radial;
