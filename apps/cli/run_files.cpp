@@ -16,6 +16,8 @@ namespace {
 constexpr const char* kTrajectory = "trajectory.xyz";
 constexpr const char* kEvents = "events.npy";
 constexpr const char* kSummary = "summary.json";
+constexpr const char* kReport = "report.html";
+constexpr const char* kUnfinishedReport = "report.html.part";
 
 void remove_all(const std::vector<std::filesystem::path>& paths) {
   std::error_code ignored;
@@ -33,7 +35,7 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
   }
   std::vector<std::filesystem::path> created = make_directory(directory);
   try {
-    for (const char* name : {kTrajectory, kEvents, kSummary}) {
+    for (const char* name : {kTrajectory, kEvents, kSummary, kReport, kUnfinishedReport}) {
       const std::filesystem::path path = directory / name;
       if (std::filesystem::is_directory(path)) {
         throw Error("is a directory", path.string(), "name another directory for the output");
@@ -52,7 +54,7 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
     } else {
       std::filesystem::remove(events);
     }
-    std::filesystem::remove(directory / kSummary);
+    for (const char* name : {kSummary, kReport, kUnfinishedReport}) std::filesystem::remove(directory / name);
   } catch (const std::filesystem::filesystem_error& error) {
     remove_all(created);
     throw Error(error.code().message(), directory.string(), "name another directory for the output");
@@ -70,12 +72,29 @@ void RunFiles::note(const Contact& contact) {
   if (events_) events_->append(contact);
 }
 
-void RunFiles::finish(const std::string& summary) {
+void RunFiles::finish(const std::string& summary, const std::string& report) {
   if (trajectory_) trajectory_->close();
   if (events_) events_->close();
   OutputFile file(directory_ / kSummary);
   file.append(summary);
   file.close();
+  if (!report.empty()) write_report(report);
+}
+
+void RunFiles::write_report(const std::string& report) {
+  // Under its own name it is never half written, not even if the machine stops.
+  const std::filesystem::path unfinished = directory_ / kUnfinishedReport;
+  std::error_code failure;
+  try {
+    OutputFile file(unfinished);
+    file.append(report);
+    file.close();
+  } catch (...) {
+    std::filesystem::remove(unfinished, failure);
+    throw;
+  }
+  std::filesystem::rename(unfinished, directory_ / kReport, failure);
+  if (failure) throw RunFailure("cannot write " + (directory_ / kReport).string() + ": " + failure.message());
 }
 
 }  // namespace hardball::cli

@@ -14,8 +14,8 @@
 
 namespace hardball::cli {
 
-/// The files of one run in its output directory: trajectory.xyz, events.npy and summary.json, the first two
-/// if the scenario asks for them.
+/// The files of one run in its output directory: trajectory.xyz, events.npy, summary.json and report.html,
+/// all but the summary if the scenario asks for them.
 class RunFiles {
  public:
   /// Creates the directory, if need be, and the files, and removes those of an earlier run.
@@ -27,12 +27,15 @@ class RunFiles {
   void write_snapshot(const Simulation& simulation);
   /// Adds a record, if there is an event log. Error (RunFailure): it cannot be written.
   void note(const Contact& contact);
-  /// Completes all files and writes the summary. Error (RunFailure): they cannot be written.
-  void finish(const std::string& summary);
+  /// Completes all files and writes the summary, and the report unless it is empty, each whole or not at all.
+  /// Error (RunFailure): they cannot be written.
+  void finish(const std::string& summary, const std::string& report);
 
   bool has_event_log() const { return events_.has_value(); }
 
  private:
+  void write_report(const std::string& report);
+
   std::filesystem::path directory_;
   std::optional<OutputFile> trajectory_;
   std::optional<NpyEventLog> events_;

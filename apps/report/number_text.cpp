@@ -127,7 +127,7 @@ std::string bytes_text(double bytes) {
     bytes /= 1000;
     ++unit;
   }
-  return fmt::format("{:.3g} {}", bytes, kUnits[unit]);
+  return number_text(bytes, 3) + " " + std::string(kUnits[unit]);
 }
 
 std::string rate_text(double rate) {

@@ -73,12 +73,10 @@ struct Agreement {
 
 std::string agreement_sentence(const Report& report) {
   Agreement agreement;
-  agreement.note(report.rates);
   for (const Measurement& measurement : report.measurements) agreement.note(measurement.quantities);
   if (agreement.compared == 0) return {};
   return fmt::format(
-      " Of {} measured numbers with a standard error and a theory, {} lie within three standard errors of "
-      "it.",
+      " Of {} measures with a standard error and a theory, {} lie within three standard errors of it.",
       agreement.compared, agreement.near == agreement.compared ? "all" : std::to_string(agreement.near));
 }
 
@@ -151,7 +149,7 @@ std::string key_figures(const Report& report) {
 // --- sections ---
 
 std::string certificate(const Report& report) {
-  Table conserved("facts", "What is conserved");
+  Table conserved("facts", "State");
   conserved.add_row("energy at the start", {in_unit(number_text(report.initial_energy, 10), "M L^2 T^-2")});
   conserved.add_row("energy at the end", {in_unit(number_text(report.final_energy, 10), "M L^2 T^-2")});
   conserved.add_row("relative change", {typeset(number_text(energy_change(report), 2))});
@@ -163,7 +161,7 @@ std::string certificate(const Report& report) {
   conserved.add_row("deepest overlap", {typeset(number_text(report.max_overlap, 2)) + " diameters"});
   conserved.add_row("restitution", {number_text(report.restitution)});
   conserved.add_row("seed", {std::to_string(report.seed)});
-  Table events("facts", "What happened");
+  Table events("facts", "Events");
   events.add_row("event log hash", {code(hash_text(report.event_log_hash))});
   events.add_row("collisions", {count_text(report.events.collision)});
   events.add_row("wall contacts", {count_text(report.events.wall)});
@@ -201,6 +199,15 @@ std::string reading() {
       "of more than three σ are bold. Many theories are approximations.");
 }
 
+std::string rates(const Report& report) {
+  return quantities_table(report.rates) +
+         paragraph(
+             "note",
+             "What is measured are means over the whole run, the way from the start to equilibrium included; "
+             "the theory is that of equilibrium. Errors are those of contacts independent of each other.") +
+         reading();
+}
+
 std::string article(const Measurement& measurement) {
   std::string html = "<article>\n<h3 id=\"measure-" + escaped(measurement.name) + "\">" +
                      escaped(measurement.title) + "</h3>\n";
@@ -230,7 +237,7 @@ std::string choice(const CostCurve& curve) {
   chart::Chart chart;
   chart.title = "Predicted cost against " + curve.quantity;
   chart.x = {.label = curve.quantity + "  [L]", .logarithmic = true};
-  chart.y = {.label = "predicted cost, over the least"};
+  chart.y = {.label = "predicted cost, over the least", .logarithmic = true};
   chart.series = {{.x = curve.length, .y = curve.cost, .marks = false}};
   chart.markers = curve.marks;
   Table table("numbers", "", {"", curve.quantity, "cost, over the least"});
@@ -307,8 +314,7 @@ std::string to_html(const Report& report) {
     sections += section(id, heading, html);
   };
   add("certificate", "Certificate", certificate(report));
-  if (!report.rates.empty())
-    add("rates", "Rates and kinetic theory", quantities_table(report.rates) + reading());
+  if (!report.rates.empty()) add("rates", "Rates and kinetic theory", rates(report));
   if (!report.measurements.empty())
     add("measures", "Measures", (report.rates.empty() ? reading() : "") + articles(report));
   if (!report.choice.length.empty()) add("choice", report.choice.title, choice(report.choice));

@@ -53,6 +53,7 @@ struct Scenario {
   };
 
   std::string name;  ///< The file, for messages.
+  std::string text;  ///< What it says, without overrides.
   std::array<Axis, kAxes> box;
   std::vector<SphereGroup> spheres;                 ///< In the order of ids.
   std::optional<std::filesystem::path> start_file;  ///< An extended XYZ file, instead of `spheres`.
@@ -62,6 +63,7 @@ struct Scenario {
   std::optional<std::filesystem::path> output_directory;
   std::optional<double> snapshots_every;  ///< [T]
   bool event_log = false;
+  bool report = true;  ///< Where there is an output directory.
 };
 
 /// Reads a scenario file. A start file is named relative to the scenario file, an output directory relative
