@@ -4,6 +4,8 @@
 
 /// Everything a program needs that lets spheres move and collide.
 #include "hardball/errors/error.hpp"
+#include "hardball/measure/csv.hpp"
+#include "hardball/measure/measures.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/response/restitution.hpp"
 #include "hardball/simulation/measure_unit_costs.hpp"

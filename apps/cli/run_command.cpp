@@ -14,6 +14,7 @@
 #include "apps/cli/summary.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/measure/measures.hpp"
 #include "hardball/scenario/make_world.hpp"
 
 namespace hardball::cli {
@@ -34,9 +35,10 @@ std::uint64_t steps_per_slice(const Simulation& simulation) {
 }
 
 // Runs to `until`; false if a signal came before.
-bool run_to(Simulation& simulation, double until, Progress& progress) {
+bool run_to(Simulation& simulation, double until, Measures& measures, Progress& progress) {
   while (!is_interrupted()) {
-    const RunStatus status = simulation.run({.until = Time(until), .steps = steps_per_slice(simulation)});
+    const RunLimits slice{.until = Time(until), .steps = steps_per_slice(simulation)};
+    const RunStatus status = simulation.run(slice, measures);
     progress.show(simulation);
     if (status == RunStatus::time_reached) return true;
   }
@@ -52,27 +54,27 @@ double snapshot_time(std::uint64_t k, double interval, double until) {
 }
 
 // Runs to the end and writes snapshots on the way; false if a signal came before.
-bool run_with_snapshots(Simulation& simulation, const Scenario& scenario, RunFiles& files,
+bool run_with_snapshots(Simulation& simulation, const Scenario& scenario, RunFiles& files, Measures& measures,
                         Progress& progress) {
   const double until = *scenario.until;
   if (scenario.snapshots_every) {
     for (std::uint64_t k = 0;; ++k) {
       const double time = snapshot_time(k, *scenario.snapshots_every, until);
       if (time > until) break;
-      if (!run_to(simulation, time, progress)) return false;
+      if (!run_to(simulation, time, measures, progress)) return false;
       files.write_snapshot(simulation);
       if (time == until) return true;
     }
   }
-  return run_to(simulation, until, progress);
+  return run_to(simulation, until, measures, progress);
 }
 
 bool run_to_end(Simulation& simulation, const Scenario& scenario, std::optional<RunFiles>& files,
-                bool quiet) {
+                Measures& measures, bool quiet) {
   Progress progress(!quiet, *scenario.until);
   try {
-    if (files) return run_with_snapshots(simulation, scenario, *files, progress);
-    return run_to(simulation, *scenario.until, progress);
+    if (files) return run_with_snapshots(simulation, scenario, *files, measures, progress);
+    return run_to(simulation, *scenario.until, measures, progress);
   } catch (const RunFailure& failure) {
     throw RunFailure(std::string(failure.what()) + "; the run reached time " + to_text(simulation.time()));
   }
@@ -96,19 +98,23 @@ ExitCode run(const Options& options) {
   if (files && files->has_event_log()) {
     simulation.on_contact([&files](const Contact& contact) { files->note(contact); });
   }
+  // What is measured goes to files.
+  Measures measures(files ? scenario.measures : MeasureSettings{.names = {}});
   const Clock::time_point set_up = Clock::now();
-  const bool is_complete = run_to_end(simulation, scenario, files, options.quiet);
+  const bool is_complete = run_to_end(simulation, scenario, files, measures, options.quiet);
   const Seconds seconds{seconds_between(begin, set_up), seconds_between(set_up, Clock::now())};
   const Summary summary(simulation, seconds);
   const std::string json = summary.json();
   if (files) {
+    const std::vector<Measurement> measurements = measures.results(simulation.now());
     std::string html;
     if (scenario.report) {
       report::Report report = run_report(options, scenario, engine_options, simulation, summary);
       report.is_complete = is_complete;
+      report.measurements = measurements;
       html = to_html(report);
     }
-    files->finish(json, html);
+    files->finish(measurements, json, html);
   }
   write_output(options.json ? json : summary.table());
   if (is_complete) return ExitCode::done;

@@ -9,6 +9,7 @@
 #include "apps/cli/directory.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/extended_xyz.hpp"
+#include "hardball/measure/csv.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -17,7 +18,20 @@ constexpr const char* kTrajectory = "trajectory.xyz";
 constexpr const char* kEvents = "events.npy";
 constexpr const char* kSummary = "summary.json";
 constexpr const char* kReport = "report.html";
-constexpr const char* kUnfinishedReport = "report.html.part";
+constexpr const char* kMeasures = "measures";
+constexpr const char* kQuantities = "quantities.csv";
+
+std::filesystem::path table_of(std::string_view measure) {
+  return std::string(measure) + ".csv";
+}
+
+// Removes what an earlier run has measured, and the folder if it holds nothing else.
+void remove_measures(const std::filesystem::path& folder) {
+  std::filesystem::remove(folder / kQuantities);
+  for (const std::string_view name : measure_names()) std::filesystem::remove(folder / table_of(name));
+  std::error_code not_empty;
+  std::filesystem::remove(folder, not_empty);
+}
 
 void remove_all(const std::vector<std::filesystem::path>& paths) {
   std::error_code ignored;
@@ -26,7 +40,8 @@ void remove_all(const std::vector<std::filesystem::path>& paths) {
 
 }  // namespace
 
-RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario) : directory_(directory) {
+RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario)
+    : directory_(directory), has_measures_(!scenario.measures.names.empty()) {
   const std::filesystem::path trajectory = directory / kTrajectory;
   std::error_code missing;
   if (scenario.start_file && std::filesystem::equivalent(*scenario.start_file, trajectory, missing)) {
@@ -35,7 +50,7 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
   }
   std::vector<std::filesystem::path> created = make_directory(directory);
   try {
-    for (const char* name : {kTrajectory, kEvents, kSummary, kReport, kUnfinishedReport}) {
+    for (const char* name : {kTrajectory, kEvents, kSummary, kReport}) {
       const std::filesystem::path path = directory / name;
       if (std::filesystem::is_directory(path)) {
         throw Error("is a directory", path.string(), "name another directory for the output");
@@ -54,7 +69,12 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
     } else {
       std::filesystem::remove(events);
     }
-    for (const char* name : {kSummary, kReport, kUnfinishedReport}) std::filesystem::remove(directory / name);
+    for (const char* name : {kSummary, kReport}) std::filesystem::remove(directory / name);
+    remove_measures(directory / kMeasures);
+    if (has_measures_) {
+      const std::vector<std::filesystem::path> made = make_directory(directory / kMeasures);
+      created.insert(created.begin(), made.begin(), made.end());
+    }
   } catch (const std::filesystem::filesystem_error& error) {
     remove_all(created);
     throw Error(error.code().message(), directory.string(), "name another directory for the output");
@@ -72,29 +92,35 @@ void RunFiles::note(const Contact& contact) {
   if (events_) events_->append(contact);
 }
 
-void RunFiles::finish(const std::string& summary, const std::string& report) {
+void RunFiles::finish(std::span<const Measurement> measurements, const std::string& summary,
+                      const std::string& report) {
   if (trajectory_) trajectory_->close();
   if (events_) events_->close();
-  OutputFile file(directory_ / kSummary);
-  file.append(summary);
-  file.close();
-  if (!report.empty()) write_report(report);
+  if (has_measures_) {
+    const std::filesystem::path folder = kMeasures;
+    for (const Measurement& measurement : measurements) {
+      if (!measurement.columns.empty()) write(folder / table_of(measurement.name), columns_csv(measurement));
+    }
+    write(folder / kQuantities, quantities_csv(measurements));
+  }
+  write(kSummary, summary);
+  if (!report.empty()) write(kReport, report);
 }
 
-void RunFiles::write_report(const std::string& report) {
-  // Under its own name it is never half written, not even if the machine stops.
-  const std::filesystem::path unfinished = directory_ / kUnfinishedReport;
+void RunFiles::write(const std::filesystem::path& name, const std::string& text) const {
+  const std::filesystem::path path = directory_ / name;
+  const std::filesystem::path unfinished = path.string() + ".part";
   std::error_code failure;
   try {
     OutputFile file(unfinished);
-    file.append(report);
+    file.append(text);
     file.close();
   } catch (...) {
     std::filesystem::remove(unfinished, failure);
     throw;
   }
-  std::filesystem::rename(unfinished, directory_ / kReport, failure);
-  if (failure) throw RunFailure("cannot write " + (directory_ / kReport).string() + ": " + failure.message());
+  std::filesystem::rename(unfinished, path, failure);
+  if (failure) throw RunFailure("cannot write " + path.string() + ": " + failure.message());
 }
 
 }  // namespace hardball::cli

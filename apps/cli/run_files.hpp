@@ -4,18 +4,20 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "hardball/io/npy_event_log.hpp"
 #include "hardball/io/output_file.hpp"
+#include "hardball/measure/measurement.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
 
 namespace hardball::cli {
 
-/// The files of one run in its output directory: trajectory.xyz, events.npy, summary.json and report.html,
-/// all but the summary if the scenario asks for them.
+/// The files of one run in its output directory: trajectory.xyz and events.npy, if the scenario asks for
+/// them, measures/ and report.html, unless it asks for none, and summary.json.
 class RunFiles {
  public:
   /// Creates the directory, if need be, and the files, and removes those of an earlier run.
@@ -27,16 +29,19 @@ class RunFiles {
   void write_snapshot(const Simulation& simulation);
   /// Adds a record, if there is an event log. Error (RunFailure): it cannot be written.
   void note(const Contact& contact);
-  /// Completes all files and writes the summary, and the report unless it is empty, each whole or not at all.
+  /// Completes all files and writes what was measured, the summary, and the report unless it is empty.
   /// Error (RunFailure): they cannot be written.
-  void finish(const std::string& summary, const std::string& report);
+  void finish(std::span<const Measurement> measurements, const std::string& summary,
+              const std::string& report);
 
   bool has_event_log() const { return events_.has_value(); }
 
  private:
-  void write_report(const std::string& report);
+  // Writes a file that under its own name is whole or not there at all.
+  void write(const std::filesystem::path& name, const std::string& text) const;
 
   std::filesystem::path directory_;
+  bool has_measures_;
   std::optional<OutputFile> trajectory_;
   std::optional<NpyEventLog> events_;
 };

@@ -35,12 +35,12 @@ struct Column {
 
 /// What one measure has found: numbers, and a function as a table.
 struct Measurement {
-  std::string name;                  ///< As in scenarios and file names: "radial_distribution".
-  std::string title;                 ///< For people: "Radial distribution function".
-  std::string formula;               ///< How the numbers are defined, in plain text.
-  std::string source;                ///< Where the definition or the theory is from.
-  std::vector<Quantity> quantities;  ///< May be empty.
-  std::vector<Column> columns;       ///< May be empty; all of one length, the first an argument.
+  std::string name;                         ///< As in scenarios and file names: "radial_distribution".
+  std::string title;                        ///< For people: "Radial distribution function".
+  std::string formula;                      ///< How the numbers are defined, in plain text.
+  std::string source;                       ///< Where the definition or the theory is from.
+  std::vector<Quantity> quantities = {};    ///< May be empty.
+  std::vector<Column> columns = {};         ///< May be empty; all of one length, the first an argument.
   bool is_logarithmic_in_argument = false;  ///< How the function is best drawn.
   bool is_logarithmic_in_value = false;
 };

@@ -379,7 +379,8 @@ class Section {
 
 // --- the tables of a scenario ---
 
-constexpr std::array<std::string_view, 6> kTables{"box", "spheres", "start", "response", "run", "output"};
+constexpr std::array<std::string_view, 7> kTables{"box", "spheres", "start",   "response",
+                                                  "run", "output",  "measures"};
 constexpr std::array<std::string_view, 3> kBoxKeys{"size", "boundary", "gravity"};
 constexpr std::array<std::string_view, 9> kSpheresKeys{
     "count", "radius", "mass", "placement", "mean_speed", "temperature", "speed", "positions", "velocities"};
@@ -387,6 +388,7 @@ constexpr std::array<std::string_view, 1> kStartKeys{"file"};
 constexpr std::array<std::string_view, 1> kResponseKeys{"restitution"};
 constexpr std::array<std::string_view, 2> kRunKeys{"until", "seed"};
 constexpr std::array<std::string_view, 4> kOutputKeys{"directory", "snapshots_every", "event_log", "report"};
+constexpr std::array<std::string_view, 3> kMeasuresKeys{"names", "every", "from"};
 
 // In the order of Boundary, Placement and VelocityRule.
 constexpr std::array<std::string_view, 3> kBoundaryNames{"wall", "periodic", "open"};
@@ -524,6 +526,19 @@ void read_output(const Section& section, Scenario& scenario) {
   if (const auto report = section.find("report")) scenario.report = report->truth();
 }
 
+void read_measures(const Section& section, MeasureSettings& measures) {
+  if (const auto names = section.find("names")) {
+    std::vector<std::string_view> known{"all"};
+    known.insert(known.end(), measure_names().begin(), measure_names().end());
+    measures.names.clear();
+    for (const Value& name : names->entries("give names in brackets, such as [\"pressure\"] or [\"all\"]")) {
+      measures.names.emplace_back(known[name.choice(known)]);
+    }
+  }
+  if (const auto every = section.find("every")) measures.every = every->positive();
+  if (const auto from = section.find("from")) measures.from = from->not_negative();
+}
+
 Scenario read_scenario(const Document& document) {
   Scenario scenario;
   scenario.name = document.name;
@@ -546,6 +561,8 @@ Scenario read_scenario(const Document& document) {
   }
   if (const auto run = root.section("run", kRunKeys)) read_run(*run, scenario);
   if (const auto output = root.section("output", kOutputKeys)) read_output(*output, scenario);
+  if (const auto measures = root.section("measures", kMeasuresKeys))
+    read_measures(*measures, scenario.measures);
   return scenario;
 }
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/measure/measure_settings.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -63,7 +64,8 @@ struct Scenario {
   std::optional<std::filesystem::path> output_directory;
   std::optional<double> snapshots_every;  ///< [T]
   bool event_log = false;
-  bool report = true;  ///< Where there is an output directory.
+  bool report = true;        ///< Where there is an output directory.
+  MeasureSettings measures;  ///< Of all measures if the scenario has no table [measures].
 };
 
 /// Reads a scenario file. A start file is named relative to the scenario file, an output directory relative

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/measure/measures.hpp"
 #include "hardball/tuning/moments.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/curve_order.hpp"
@@ -106,6 +107,10 @@ void Simulation::run_until(double time) {
   run({.until = Time(time)});
 }
 
+void Simulation::run_until(double time, Measures& measures) {
+  run({.until = Time(time)}, measures);
+}
+
 std::uint64_t Simulation::run_contacts(std::uint64_t count, double until) {
   const std::uint64_t before = counters().contacts();
   run({.until = Time(until), .contacts = count});
@@ -113,12 +118,35 @@ std::uint64_t Simulation::run_contacts(std::uint64_t count, double until) {
 }
 
 RunStatus Simulation::run(const RunLimits& limits) {
+  return run_observed(limits, nullptr);
+}
+
+RunStatus Simulation::run(const RunLimits& limits, Measures& measures) {
+  RunLimits left = limits;
+  for (;;) {
+    // A sample that a run without these measures has passed by is taken now.
+    const Time sample = later(measures.next_sample(), now_);
+    const bool is_next = sample <= limits.until && sample < kNever;
+    left.until = is_next ? sample : limits.until;
+    const Counters before = counters();
+    const RunStatus status = run_observed(left, &measures);
+    if (status != RunStatus::time_reached || !is_next) return status;
+    const Counters done = counters() - before;
+    left.contacts -= done.contacts();
+    left.steps -= std::min(left.steps, done.contacts() + done.enter + done.leave + done.stale);
+    measures.sample(world(), now_);
+  }
+}
+
+// Runs until the first of the limits is met and tells `measures`, if there are any, of every contact.
+RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) {
   check_not_past(limits.until.value());
   apply_edits();
-  const auto observe = [this](const Contact& contact) {
+  const auto observe = [this, measures](const Contact& contact) {
     now_ = contact.time;
     tally_.note(contact);
     hash_.note(contact);
+    if (measures) measures->note(contact);
     if (listener_) listener_(contact);
   };
   const std::uint64_t slice = std::max<std::uint64_t>(kSliceSteps, size());

@@ -18,6 +18,8 @@
 
 namespace hardball {
 
+class Measures;
+
 /// A contact that lies ahead.
 struct NextContact {
   double time = 0;  ///< [T]
@@ -51,11 +53,15 @@ class Simulation {
 
   /// Runs to `time` [T], events at that very moment included. Error: `time` is before now, or NaN.
   void run_until(double time);
+  /// The same, and lets `measures` look on; see Measures.
+  void run_until(double time, Measures& measures);
   /// Runs until `count` contacts have happened, and not past `until` [T]; returns how many did happen.
   /// Where spheres may part for ever, in open space or a periodic box, give a finite time.
   std::uint64_t run_contacts(std::uint64_t count, double until = std::numeric_limits<double>::infinity());
   /// Runs until the first of the limits is met. Error: RunLimits::until is before now, or NaN.
   RunStatus run(const RunLimits& limits);
+  /// The same, and lets `measures` look on.
+  RunStatus run(const RunLimits& limits, Measures& measures);
 
   /// The next collision or wall contact up to `until` [T], which does not yet happen. In a periodic box
   /// spheres may miss each other for ever: then give a finite time. Error: `until` is before now, or NaN.
@@ -100,6 +106,7 @@ class Simulation {
   void validate() const;
 
  private:
+  RunStatus run_observed(const RunLimits& limits, Measures* measures);
   void check_not_past(double time) const;
   void apply_edits();
   void retune_if_due();

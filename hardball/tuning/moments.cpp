@@ -35,14 +35,15 @@ Moments moments_of(const World& world, const Time& moment) {
   moments.box = world.box();
   if (world.size() == 0) return moments;
   moments.radius_power = {};
-  for (Slot slot = 0; slot < world.size(); ++slot) {
+  // By ids, so that the sums are the same bits however the spheres are stored.
+  world.for_each_by_id([&](Slot slot) {
     double power = 1;
     for (double& sum : moments.radius_power) {
       sum += power;
       power *= world.radius(slot);
     }
     moments.mean_speed += length(world.path(slot).velocity);
-  }
+  });
   const double per_sphere = 1 / static_cast<double>(world.size());
   for (double& sum : moments.radius_power) sum *= per_sphere;
   moments.mean_speed *= per_sphere;

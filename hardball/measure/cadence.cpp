@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/cadence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hardball/tuning/cell_edge.hpp"
+#include "hardball/tuning/kinetic_theory.hpp"
+
+namespace hardball {
+
+Pace expected_pace(const World& world, const Time& now) {
+  constexpr double kAnyContactCost = 3000;
+  const Moments moments = moments_of(world, now);
+  // Nothing moves, or there is nothing: time has no measure, and the first doublings of the interval find
+  // one.
+  if (!(moments.mean_speed > 0)) return {1, 0, kAnyContactCost};
+  const double crossing =
+      std::max({moments.extent.x, moments.extent.y, moments.extent.z}) / moments.mean_speed;
+  const double free_time = mean_free_time(moments);
+  const auto spheres = static_cast<double>(world.size());
+  const double contacts = spheres * (0.5 / free_time + wall_rate(moments));
+  const double cost = spheres * cost_rate(expected_counts(moments, optimal_cell_edge(moments)), UnitCosts{});
+  const double contact_cost = cost / contacts;
+  return {std::min(free_time, crossing), cost, std::isfinite(contact_cost) ? contact_cost : kAnyContactCost};
+}
+
+double power_of_two_from(double length) {
+  int exponent = 0;
+  const double fraction = std::frexp(length, &exponent);
+  return std::ldexp(fraction == 0.5 ? 0.5 : 1, exponent);
+}
+
+Cadence::Cadence(const Time& begin, double finest, double sample_cost, const Pace& pace)
+    : Cadence(begin, finest) {
+  const double affordable = pace.cost > 0 ? sample_cost / (kShare * pace.cost) : finest;
+  interval_ = power_of_two_from(std::max(finest, affordable));
+  contacts_wanted_ = sample_cost / (kShare * pace.contact_cost);
+}
+
+Time Cadence::next() const {
+  return next_ == kNoSample ? kNever : Time(begin_ + static_cast<double>(next_) * interval_);
+}
+
+void Cadence::advance(const Time& now, std::uint64_t contacts) {
+  constexpr int kSamplesPerCount = 8;
+  constexpr double kTolerance = 0.5;
+  while (next() <= now) ++next_;
+  if (++samples_ < kSamplesPerCount) return;
+  const auto seen = static_cast<double>(contacts - contacts_before_);
+  if (seen < kTolerance * kSamplesPerCount * contacts_wanted_) {
+    interval_ *= 2;
+    next_ = (next_ + 1) / 2;
+  }
+  contacts_before_ = contacts;
+  samples_ = 0;
+}
+
+}  // namespace hardball

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "hardball/measure/block_average.hpp"
+#include "hardball/measure/fluid_theory.hpp"
+#include "hardball/measure/measurement.hpp"
+#include "hardball/measure/species.hpp"
+#include "hardball/measure/thermal_motion.hpp"
+#include "hardball/response/contact.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// How often spheres collide, with whom, how long and how far they fly freely, and how often they hit a wall.
+/// Source: Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, sections 5.2 and 16.2.
+class CollisionRate {
+ public:
+  static constexpr std::string_view kName = "collision_rate";
+  /// What a sample costs for each sphere [ns].
+  static constexpr double kCostPerSphere = 8;
+
+  CollisionRate(const World& world, const Time& now);
+
+  /// Cost: O(1).
+  void note(const Contact& contact);
+  /// Looks at the speeds, from which the free path follows. Cost: O(n).
+  void sample(const World& world, const Time& now);
+  /// What was found up to `now`.
+  Measurement result(const Time& now) const;
+
+ private:
+  // Bins: collisions of all, wall contacts, then collisions of each pair of species.
+  static constexpr std::size_t kCollisions = 0;
+  static constexpr std::size_t kWalls = 1;
+  static constexpr std::size_t kPairs = 2;
+  std::size_t pair_bin(std::size_t a, std::size_t b) const;
+  void advance(const Time& now);
+
+  Species species_;
+  FluidTheory theory_;
+  EnergyBalance energy_;
+  double spheres_;
+  bool has_walls_;
+  Time begin_;
+  Time last_;
+  BlockAverage contacts_;  // each count per time [1/T]
+  BlockAverage speed_;     // the mean over all spheres [L/T]
+};
+
+}  // namespace hardball

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "hardball/measure/measurement.hpp"
+
+namespace hardball {
+
+/// The columns of a measurement as comma-separated values. The first line names them, each with its unit, as
+/// in "radius [L]"; numbers read back to the same bits, and "nan" stands where there is none.
+std::string columns_csv(const Measurement& measurement);
+
+/// The quantities of all measurements, a line for each: measure, name, value, error, theory, unit.
+std::string quantities_csv(std::span<const Measurement> measurements);
+
+}  // namespace hardball

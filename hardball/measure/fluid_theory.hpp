@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hardball/measure/species.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// Z = P V / N k T of the fluid of equal spheres [1], within 4e-5 of simulations up to freezing, at a packing
+/// fraction of 0.494. Source: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) 2335.
+double fluid_compressibility(double packing_fraction);
+
+/// What is known of hard spheres in equilibrium that fill a periodic box as a fluid. Where that does not
+/// hold, as with walls, or beyond freezing, everything is NaN. Temperatures are k T [M L^2 T^-2].
+class FluidTheory {
+ public:
+  /// The densest fluid of equal spheres. Source: Hoover and Ree, J. Chem. Phys. 49 (1968) 3609.
+  static constexpr double kFreezing = 0.494;
+
+  FluidTheory(const World& world, const Species& species);
+
+  bool holds() const { return holds_; }
+  /// Z = P V / N k T [1]: that of equal radii by fluid_compressibility, of others by the equation of Carnahan
+  /// and Starling, extended to mixtures. Source: Mansoori, Carnahan, Starling and Leland, J. Chem. Phys. 54
+  /// (1971) 1523.
+  double compressibility() const { return compressibility_; }
+  /// How much likelier than in a dilute gas spheres of two species touch [1]. Source: as compressibility.
+  double contact_value(std::size_t a, std::size_t b) const;
+  /// How often one sphere of species `a` meets spheres of species `b` [1/T]. Source: Chapman and Cowling, The
+  /// Mathematical Theory of Non-Uniform Gases, section 16.2.
+  double collision_rate(std::size_t a, std::size_t b, double temperature) const;
+  /// How often a sphere collides, in the mean over all spheres [1/T].
+  double collision_rate(double temperature) const;
+  /// Mean speed of all spheres [L/T].
+  double mean_speed(double temperature) const;
+  /// Diffusion constant of equal spheres by Enskog's theory [L^2 T^-1]; NaN for mixtures. Source: Chapman and
+  /// Cowling, section 16.3.
+  double enskog_diffusion(double temperature) const;
+  /// Diffusion constant of equal spheres as simulations of some hundred found it, to a few per cent
+  /// [L^2 T^-1]; NaN for mixtures. Source: Speedy, Mol. Phys. 62 (1987) 509.
+  double diffusion(double temperature) const;
+
+ private:
+  Species species_;
+  bool holds_;
+  bool has_equal_radii_;
+  double density_;  // [L^-3]
+  double packing_fraction_ = 0;
+  double surface_ = 0;  // pi / 6 times number density times mean square diameter [1/L]
+  double compressibility_;
+};
+
+}  // namespace hardball

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/impact_speeds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace hardball {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// Along any direction in the space of all velocities, scaled by the roots of the masses, the motion of an
+// isolated system has one component, u, distributed as (1 - u^2 / 2E)^((f - 3) / 2): uniform on a sphere in f
+// dimensions. Pairs meet in proportion to it. For large f this is Rayleigh's distribution, u exp(-u^2 / 2kT)
+// / kT.
+class MeetingSpeed {
+ public:
+  explicit MeetingSpeed(const ThermalMotion& motion)
+      : twice_energy_(2 * motion.energy), freedom_(motion.degrees_of_freedom) {}
+
+  double mean() const {
+    const double gammas = std::exp(std::lgamma((freedom_ + 1) / 2) - std::lgamma(freedom_ / 2));
+    return std::sqrt(twice_energy_ * std::numbers::pi) / freedom_ * gammas;
+  }
+  double mean_square() const { return 2 * twice_energy_ / (freedom_ + 1); }
+  /// The chance of less than `u`.
+  double below(double u) const {
+    const double share = std::min(u * u / twice_energy_, 1.0);
+    return 1 - std::exp((freedom_ - 1) / 2 * std::log1p(-share));
+  }
+
+ private:
+  double twice_energy_;
+  double freedom_;
+};
+
+double reduced_mass(const Species& species, std::size_t a, std::size_t b) {
+  return species.mass(a) * species.mass(b) / (species.mass(a) + species.mass(b));
+}
+
+// Wide enough for all but one in 10^7 of the lightest pair.
+double histogram_width(const World& world, const ThermalMotion& motion) {
+  constexpr double kDeviations = 6;
+  double lightest = std::numeric_limits<double>::infinity();
+  for (Slot slot = 0; slot < world.size(); ++slot) lightest = std::min(lightest, world.mass(slot));
+  const double width = kDeviations * std::sqrt(motion.temperature() * 2 / lightest);
+  return width > 0 ? width : 1;
+}
+
+}  // namespace
+
+ImpactSpeeds::ImpactSpeeds(const World& world, const Time&)
+    : species_(world),
+      energy_(world),
+      has_open_axis_(world.box().is_open(0) || world.box().is_open(1) || world.box().is_open(2)),
+      width_(histogram_width(world, energy_.start()) / kBins),
+      average_(kPairs + species_.size() * species_.size()) {}
+
+void ImpactSpeeds::note(const Contact& contact) {
+  energy_.note(contact);
+  if (!contact.is_collision()) return;
+  const double speed = contact.impact_speed();
+  const double bin = speed / width_;
+  if (bin < kBins) average_.put(static_cast<std::size_t>(bin), 1);
+  average_.put(kSpeed, speed);
+  average_.put(kSpeedSquare, speed * speed);
+  average_.put(kPairs + species_.of(contact.first) * species_.size() + species_.of(contact.second), 1);
+  average_.close_sample();
+}
+
+Measurement ImpactSpeeds::result(const Time&) const {
+  Measurement found{.name = std::string(kName),
+                    .title = "Impact speeds",
+                    .formula =
+                        "p(u) of the speed u at which two surfaces meet; theory: Rayleigh's distribution, "
+                        "(m / 2kT) u exp(-m u^2 / 4kT) for equal masses, mean sqrt(pi kT / m), mean "
+                        "square 4 kT / m; exact for a fixed energy",
+                    .source =
+                        "Kinetic theory: pairs meet in proportion to their normal relative speed; "
+                        "docs/measures.md"};
+  const MeetingSpeed theory(energy_.start());
+  // The sum over pairs of species, as often as they met, of a function of their reduced mass.
+  const bool is_equilibrium = energy_.is_conserved() && !has_open_axis_;
+  const auto over_pairs = [&](const auto& of_mass) {
+    double sum = 0;
+    for (std::size_t a = 0; a < species_.size(); ++a) {
+      for (std::size_t b = 0; b < species_.size(); ++b) {
+        const double share = average_.mean(kPairs + a * species_.size() + b);
+        if (share != 0) sum += share * of_mass(reduced_mass(species_, a, b));
+      }
+    }
+    return is_equilibrium && average_.samples() > 0 ? sum : kNone;
+  };
+  found.quantities.push_back({"mean_impact_speed", "L T^-1", average_.mean(kSpeed), average_.error(kSpeed),
+                              over_pairs([&](double mass) { return theory.mean() / std::sqrt(mass); })});
+  found.quantities.push_back({"mean_square_impact_speed", "L^2 T^-2", average_.mean(kSpeedSquare),
+                              average_.error(kSpeedSquare),
+                              over_pairs([&](double mass) { return theory.mean_square() / mass; })});
+  Column speed{"impact_speed", "L T^-1", ColumnRole::argument, {}};
+  Column density{"probability_density", "L^-1 T", ColumnRole::value, {}};
+  Column error{"probability_density_error", "L^-1 T", ColumnRole::error, {}};
+  Column expected{"probability_density_theory", "L^-1 T", ColumnRole::theory, {}};
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    const double low = static_cast<double>(bin) * width_;
+    const double high = static_cast<double>(bin + 1) * width_;
+    speed.values.push_back((low + high) / 2);
+    density.values.push_back(average_.mean(bin) / width_);
+    error.values.push_back(average_.error(bin) / width_);
+    expected.values.push_back(over_pairs([&](double mass) {
+      return (theory.below(high * std::sqrt(mass)) - theory.below(low * std::sqrt(mass))) / width_;
+    }));
+  }
+  found.columns = {std::move(speed), std::move(density), std::move(error), std::move(expected)};
+  return found;
+}
+
+}  // namespace hardball

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "hardball/measure/block_average.hpp"
+#include "hardball/measure/measurement.hpp"
+#include "hardball/measure/species.hpp"
+#include "hardball/measure/thermal_motion.hpp"
+#include "hardball/response/contact.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// How fast spheres meet along their line of centres. In equilibrium the distribution is Rayleigh's at every
+/// density, in the gas, the liquid and the crystal: the sharpest test that velocities and contacts are right.
+/// Source: docs/measures.md.
+class ImpactSpeeds {
+ public:
+  static constexpr std::string_view kName = "impact_speeds";
+
+  ImpactSpeeds(const World& world, const Time& now);
+
+  /// Cost: O(1).
+  void note(const Contact& contact);
+  /// What was found up to `now`.
+  Measurement result(const Time& now) const;
+
+ private:
+  static constexpr std::size_t kBins = 120;
+  // Further bins of the averages.
+  static constexpr std::size_t kSpeed = kBins;             // [L/T]
+  static constexpr std::size_t kSpeedSquare = kSpeed + 1;  // [L^2 T^-2]
+  static constexpr std::size_t kPairs = kSpeedSquare + 1;  // share of each pair of species
+
+  Species species_;
+  EnergyBalance energy_;
+  bool has_open_axis_;
+  double width_;  // of a bin [L/T]
+  BlockAverage average_;
+};
+
+}  // namespace hardball

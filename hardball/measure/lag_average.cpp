@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/lag_average.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+
+LagAverage::LagAverage(const World& world, const Time& now, double interval, std::size_t most_spheres,
+                       Link link)
+    : species_(world), begin_(now), interval_(interval), link_(link) {
+  HARDBALL_CHECK(interval > 0);
+  const std::size_t count = std::min(world.size(), most_spheres);
+  // Of the spheres followed, in the order of ids, the species.
+  std::vector<std::size_t> kinds;
+  std::size_t rank = 0;
+  world.for_each_by_id([&](Slot slot) {
+    // The k-th to follow is the first whose rank is at least k n / count.
+    if (rank * count >= followed_.size() * world.size() && followed_.size() < count) {
+      followed_.push_back({rank, 0});
+      kinds.push_back(species_.of(world.id(slot)));
+    }
+    ++rank;
+  });
+  std::size_t place = 0;
+  for (std::size_t kind = 0; kind < species_.size(); ++kind) {
+    const std::size_t begin = place;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      if (kinds[i] == kind) followed_[i].place = place++;
+    }
+    const std::size_t spheres = place - begin;
+    const std::size_t groups = std::min(spheres, kMostGroups);
+    for (std::size_t g = 0; g < groups; ++g) {
+      groups_.push_back({kind, begin + g * spheres / groups, begin + (g + 1) * spheres / groups});
+    }
+  }
+  vectors_.resize(count);
+}
+
+bool LagAverage::is_due(const Time& now) {
+  constexpr double kRounding = 1e-6;
+  const double ticks = duration(begin_, now) / interval_;
+  const std::int64_t tick = std::llround(ticks);
+  if (std::fabs(ticks - static_cast<double>(tick)) > kRounding || tick <= tick_) return false;
+  tick_ = tick;
+  return true;
+}
+
+std::size_t LagAverage::lag_of(std::size_t level, std::size_t steps) {
+  return level == 0 ? steps : kLevelLags + (level - 1) * (kLevelLags - kFirstLag) + steps - kFirstLag;
+}
+
+void LagAverage::link_to_earlier() {
+  for (std::size_t k = 0; k < kLevels; ++k) {
+    const std::int64_t index = tick_ >> k;
+    // Only multiples of 2^k belong to level k, and the beginning belongs to the first level alone.
+    if (index << k != tick_ || (k > 0 && index == 0)) return;
+    if (k == levels_.size()) {
+      levels_.emplace_back();
+      levels_.back().index.fill(std::numeric_limits<std::int64_t>::min());
+      levels_.back().vectors.resize(kLevelLags * vectors_.size());
+      origins_.resize(lag_of(k, kLevelLags - 1) + 1);
+      sums_.resize(origins_.size() * groups_.size());
+    }
+    Level& level = levels_[k];
+    const std::size_t newest = static_cast<std::size_t>(index) % kLevelLags;
+    level.index[newest] = index;
+    std::copy(vectors_.begin(), vectors_.end(),
+              level.vectors.begin() + static_cast<std::ptrdiff_t>(newest * vectors_.size()));
+    for (std::size_t steps = k == 0 ? 0 : kFirstLag; steps < kLevelLags; ++steps) {
+      const std::size_t earlier = (newest + kLevelLags - steps) % kLevelLags;
+      if (level.index[earlier] != index - static_cast<std::int64_t>(steps)) continue;
+      const std::size_t lag = lag_of(k, steps);
+      ++origins_[lag];
+      const std::span<const Vec3> before(&level.vectors[earlier * vectors_.size()], vectors_.size());
+      const std::span<const Vec3> now(vectors_);
+      for (std::size_t g = 0; g < groups_.size(); ++g) {
+        const Group& group = groups_[g];
+        const std::size_t size = group.end - group.begin;
+        sums_[lag * groups_.size() + g] +=
+            link_(before.subspan(group.begin, size), now.subspan(group.begin, size));
+      }
+    }
+  }
+}
+
+std::vector<double> LagAverage::lags() const {
+  std::vector<double> lags;
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    for (std::size_t steps = k == 0 ? 0 : kFirstLag; steps < kLevelLags; ++steps) {
+      if (origins_[lag_of(k, steps)] > 0)
+        lags.push_back(std::ldexp(static_cast<double>(steps), static_cast<int>(k)) * interval_);
+    }
+  }
+  return lags;
+}
+
+Estimate LagAverage::estimate(std::size_t species, const FunctionOfMeans& quantity) const {
+  std::vector<double> sums;
+  std::vector<double> spheres;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    if (groups_[g].species != species) continue;
+    spheres.push_back(static_cast<double>(groups_[g].end - groups_[g].begin));
+    for (std::size_t lag = 0; lag < origins_.size(); ++lag) {
+      if (origins_[lag] == 0) continue;
+      sums.push_back(sums_[lag * groups_.size() + g] / static_cast<double>(origins_[lag]));
+    }
+  }
+  return jackknife(sums, spheres, quantity);
+}
+
+}  // namespace hardball

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hardball/measure/estimate.hpp"
+#include "hardball/measure/species.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// Means over spheres and moments of what links a vector of a sphere to the same vector some time later, the
+/// lag: the square of a displacement, or the product of two velocities.
+///
+/// Samples are taken at multiples of an interval. Lags are 0 to 7 intervals, then 8, 10, 12, 14, then 16, 20,
+/// 24, 28 and so on, four for each doubling; those of the k-th doubling begin at every 2^k-th sample. So the
+/// work for each sample and sphere is bounded, and memory grows with the logarithm of the run: 192 bytes for
+/// a sphere and doubling. Source: Frenkel and Smit, Understanding Molecular Simulation, 2nd edition, section
+/// 4.4.2.
+///
+/// Errors are from the scatter among up to 32 groups of spheres of a species: different spheres are nearly
+/// independent, the same sphere at different moments is not.
+class LagAverage {
+ public:
+  /// Spheres that are followed at the most; of more, some are chosen evenly by their ids.
+  static constexpr std::size_t kMostSpheres = 10000;
+
+  /// The sum over spheres of what links the earlier vectors to the later ones.
+  using Link = double (*)(std::span<const Vec3> earlier, std::span<const Vec3> later);
+
+  /// Begins at `now`; `interval` [T] is positive. Cost: O(n).
+  LagAverage(const World& world, const Time& now, double interval, std::size_t most_spheres, Link link);
+
+  /// Adds a sample; `vector_of` gives the vector of the sphere in a slot. A moment that is no multiple of the
+  /// interval, or not later than the last, is passed over. Cost: O(n), and some 10 links for each sphere
+  /// followed.
+  template <class VectorOf>
+  void sample(const World& world, const Time& now, const VectorOf& vector_of) {
+    if (!is_due(now)) return;
+    std::size_t rank = 0;
+    auto next = followed_.begin();
+    world.for_each_by_id([&](Slot slot) {
+      if (next != followed_.end() && rank++ == next->rank) vectors_[(next++)->place] = vector_of(slot);
+    });
+    link_to_earlier();
+  }
+
+  const Species& species() const { return species_; }
+  /// The lags for which there are samples, in rising order, zero first [T].
+  std::vector<double> lags() const;
+  /// A function of the means at these lags of one species.
+  Estimate estimate(std::size_t species, const FunctionOfMeans& quantity) const;
+  /// The mean at one of these lags.
+  Estimate at(std::size_t species, std::size_t lag) const {
+    return estimate(species, [lag](std::span<const double> means) { return means[lag]; });
+  }
+
+ private:
+  static constexpr std::size_t kLevelLags = 8;  // samples of a level that are kept
+  static constexpr std::size_t kFirstLag =
+      4;  // of all levels but the first: shorter ones the level before has
+  static constexpr std::size_t kLevels = 32;
+  static constexpr std::size_t kMostGroups = 32;
+
+  struct Followed {
+    std::size_t rank;   // among all spheres, by id
+    std::size_t place;  // among those followed, which stand group by group
+  };
+  struct Group {
+    std::size_t species;
+    std::size_t begin;
+    std::size_t end;
+  };
+  // The last samples at multiples of 2^k intervals; sample i is stored as i modulo kLevelLags.
+  struct Level {
+    std::array<std::int64_t, kLevelLags> index;
+    std::vector<Vec3> vectors;
+  };
+
+  bool is_due(const Time& now);
+  void link_to_earlier();
+  static std::size_t lag_of(std::size_t level, std::size_t steps);
+
+  Species species_;
+  Time begin_;
+  double interval_;
+  Link link_;
+  std::int64_t tick_ = -1;  // the last sample, in intervals since the beginning
+  std::vector<Followed> followed_;
+  std::vector<Group> groups_;
+  std::vector<Vec3> vectors_;  // of the last sample
+  std::vector<Level> levels_;
+  std::vector<std::uint64_t> origins_;  // of each lag
+  std::vector<double> sums_;            // shape (lags, groups)
+};
+
+}  // namespace hardball

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+#include "hardball/measure/fluid_theory.hpp"
+#include "hardball/measure/lag_average.hpp"
+#include "hardball/measure/measurement.hpp"
+#include "hardball/measure/thermal_motion.hpp"
+#include "hardball/response/contact.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// How far spheres come in a time, and the diffusion constant. Paths are followed through periodic
+/// boundaries; a common drift along axes without walls does not count. Source: Einstein, Ann. Phys. 322
+/// (1905) 549; Allen and Tildesley, Computer Simulation of Liquids, 2nd edition, section 2.7.
+class MeanSquareDisplacement {
+ public:
+  static constexpr std::string_view kName = "mean_square_displacement";
+  /// What a sample costs for each sphere followed [ns].
+  static constexpr double kCostPerSphereFollowed = 60;
+
+  /// Positions are compared every `interval` [T]; at most `most_spheres` are followed.
+  MeanSquareDisplacement(const World& world, const Time& now, double interval,
+                         std::size_t most_spheres = LagAverage::kMostSpheres);
+
+  /// Watches whether the energy is conserved. Cost: O(1).
+  void note(const Contact& contact) { energy_.note(contact); }
+  /// A moment that is no multiple of the interval after the beginning is passed over. Cost: see LagAverage.
+  void sample(const World& world, const Time& now);
+  /// What was found up to `now`.
+  Measurement result(const Time& now) const;
+
+ private:
+  Estimate diffusion(std::size_t species) const;
+
+  FluidTheory theory_;
+  EnergyBalance energy_;
+  bool is_periodic_;
+  double mean_free_time_;  // expected [T]
+  Time begin_;
+  LagAverage average_;
+};
+
+}  // namespace hardball

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hardball {
+
+/// The names of all measures, in the order of their results.
+std::span<const std::string_view> measure_names();
+
+/// What is to be measured in a run, and when.
+struct MeasureSettings {
+  /// Some of measure_names(); "all" stands for all of them.
+  std::vector<std::string> names = {"all"};
+  /// The time between samples [T]; if absent, each measure has its own, see Cadence.
+  std::optional<double> every = {};
+  /// When measuring begins [T].
+  double from = 0;
+};
+
+}  // namespace hardball

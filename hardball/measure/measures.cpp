@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/measures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/world/range.hpp"
+
+namespace hardball {
+namespace {
+
+// What a sample costs however few spheres there are [ns].
+constexpr double kFixedCost = 1000;
+
+template <class Measure>
+concept NotesContacts = requires(Measure measure, const Contact& contact) {
+  measure.note(contact);
+};
+
+template <class Measure>
+concept Samples = requires(Measure measure, const World& world, const Time& now) {
+  measure.sample(world, now);
+};
+
+/// Follows some spheres from sample to sample.
+template <class Measure>
+concept FollowsSpheres = requires {
+  Measure::kCostPerSphereFollowed;
+};
+
+// How many spheres a measure may follow at samples an interval apart. Fewer tell too little.
+std::size_t affordable_spheres(double cost_per_sphere, double interval, const Pace& pace) {
+  constexpr double kFewest = 250;
+  const double affordable = (Cadence::kShare * pace.cost * interval - kFixedCost) / cost_per_sphere;
+  return static_cast<std::size_t>(
+      std::clamp(affordable, kFewest, static_cast<double>(LagAverage::kMostSpheres)));
+}
+
+}  // namespace
+
+std::span<const std::string_view> measure_names() {
+  static constexpr auto kNames = []<class... Entry>(std::type_identity<std::tuple<Entry...>>) {
+    return std::array<std::string_view, sizeof...(Entry)>{Entry::Type::kName...};
+  }(std::type_identity<Measures::Entries>());
+  return kNames;
+}
+
+Measures::Measures(const MeasureSettings& settings) : settings_(settings) {
+  if (settings.every) check_positive(*settings.every, "every", "measures");
+  check_finite(settings.from, "from", "measures");
+  for (const std::string& name : settings.names) {
+    bool is_known = name == "all";
+    for_each([&](auto& entry) {
+      if (name != "all" && name != std::remove_reference_t<decltype(entry)>::Type::kName) return;
+      entry.is_wanted = true;
+      is_known = true;
+    });
+    if (is_known) {
+      is_any_wanted_ = true;
+      continue;
+    }
+    std::string all = "all";
+    for (const std::string_view known : measure_names()) all += ", " + std::string(known);
+    throw Error("there is no measure '" + name + "'", "measures", "choose among " + all);
+  }
+}
+
+void Measures::note(const Contact& contact) {
+  if (!has_begun_) return;
+  ++contacts_;
+  for_each([&](auto& entry) {
+    if constexpr (NotesContacts<typename std::remove_reference_t<decltype(entry)>::Type>) {
+      if (entry.measure) entry.measure->note(contact);
+    }
+  });
+}
+
+Time Measures::next_sample() const {
+  if (!is_any_wanted_) return kNever;
+  if (!has_begun_) return Time(settings_.from);
+  Time next = kNever;
+  for_each([&](const auto& entry) { next = earlier(next, entry.cadence.next()); });
+  return next;
+}
+
+template <class Measure>
+void Measures::begin(Entry<Measure>& entry, const World& world, const Time& now, const Pace& pace) const {
+  // So many samples in a free time show how a velocity is forgotten.
+  constexpr double kSamplesPerFreeTime = 4;
+  if constexpr (FollowsSpheres<Measure>) {
+    const double finest = power_of_two_from(pace.free_time / kSamplesPerFreeTime);
+    const std::size_t affordable = affordable_spheres(Measure::kCostPerSphereFollowed, finest, pace);
+    const std::size_t spheres =
+        std::min(world.size(), settings_.every ? LagAverage::kMostSpheres : affordable);
+    const double cost = kFixedCost + Measure::kCostPerSphereFollowed * static_cast<double>(spheres);
+    entry.cadence = settings_.every ? Cadence(now, *settings_.every) : Cadence(now, finest, cost, pace);
+    entry.measure.emplace(world, now, entry.cadence.interval(), spheres);
+  } else {
+    entry.measure.emplace(world, now);
+    if constexpr (Samples<Measure>) {
+      const double cost = kFixedCost + Measure::kCostPerSphere * static_cast<double>(world.size());
+      entry.cadence =
+          settings_.every ? Cadence(now, *settings_.every) : Cadence(now, pace.free_time, cost, pace);
+    }
+  }
+}
+
+void Measures::sample(const World& world, const Time& now) {
+  if (!is_any_wanted_) return;
+  if (!has_begun_) {
+    const Pace pace = expected_pace(world, now);
+    for_each([&](auto& entry) {
+      if (entry.is_wanted) begin(entry, world, now, pace);
+    });
+    has_begun_ = true;
+  }
+  for_each([&](auto& entry) {
+    if constexpr (Samples<typename std::remove_reference_t<decltype(entry)>::Type>) {
+      if (entry.cadence.next() > now) return;
+      entry.measure->sample(world, now);
+      entry.cadence.advance(now, contacts_);
+    }
+  });
+}
+
+std::vector<Measurement> Measures::results(const Time& now) const {
+  std::vector<Measurement> results;
+  for_each([&](const auto& entry) {
+    if (entry.measure) results.push_back(entry.measure->result(now));
+  });
+  return results;
+}
+
+}  // namespace hardball

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "hardball/measure/cadence.hpp"
+#include "hardball/measure/collision_rate.hpp"
+#include "hardball/measure/impact_speeds.hpp"
+#include "hardball/measure/mean_square_displacement.hpp"
+#include "hardball/measure/measure_settings.hpp"
+#include "hardball/measure/measurement.hpp"
+#include "hardball/measure/pressure.hpp"
+#include "hardball/measure/temperature.hpp"
+#include "hardball/measure/velocity_autocorrelation.hpp"
+#include "hardball/measure/velocity_distribution.hpp"
+#include "hardball/response/contact.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// The measures of a run, those that are switched on.
+///
+/// They are told of every contact and are given the world at moments of their choice; Simulation does both.
+/// They see the world as const and compute where spheres are without storing it, so that no contact changes.
+/// The spheres must stay those of the beginning, and only contacts may change velocities. Results depend on
+/// nothing but the scenario: they are the same bits for every engine.
+class Measures {
+ public:
+  /// Error: no measure has this name; `every` is not positive, or `from` not finite.
+  explicit Measures(const MeasureSettings& settings = {});
+
+  void note(const Contact& contact);
+  /// When the world is wanted next; kNever if not at all.
+  Time next_sample() const;
+  /// Looks at the world, and begins when it does so first. Precondition: `now` is not before next_sample()
+  /// and no contact lies between the stored paths and it.
+  void sample(const World& world, const Time& now);
+  /// What each measure has found up to `now`, those that are switched on in the order of measure_names();
+  /// none before the beginning. Precondition: `now` is not before the last contact.
+  std::vector<Measurement> results(const Time& now) const;
+
+ private:
+  template <class Measure>
+  struct Entry {
+    using Type = Measure;
+    bool is_wanted = false;
+    std::optional<Measure> measure;  // once it has begun
+    Cadence cadence;
+  };
+  using Entries =
+      std::tuple<Entry<Pressure>, Entry<Temperature>, Entry<CollisionRate>, Entry<ImpactSpeeds>,
+                 Entry<VelocityDistribution>, Entry<MeanSquareDisplacement>, Entry<VelocityAutocorrelation>>;
+  friend std::span<const std::string_view> measure_names();
+
+  // Calls visit(entry) for every entry.
+  template <class Visit>
+  void for_each(Visit&& visit) {
+    std::apply([&](auto&... entries) { (visit(entries), ...); }, entries_);
+  }
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    std::apply([&](const auto&... entries) { (visit(entries), ...); }, entries_);
+  }
+  template <class Measure>
+  void begin(Entry<Measure>& entry, const World& world, const Time& now, const Pace& pace) const;
+
+  MeasureSettings settings_;
+  bool is_any_wanted_ = false;
+  bool has_begun_ = false;
+  std::uint64_t contacts_ = 0;
+  Entries entries_;
+};
+
+}  // namespace hardball

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "hardball/measure/block_average.hpp"
+#include "hardball/measure/fluid_theory.hpp"
+#include "hardball/measure/measurement.hpp"
+#include "hardball/measure/species.hpp"
+#include "hardball/measure/thermal_motion.hpp"
+#include "hardball/response/contact.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// The pressure tensor from what spheres carry and what collisions hand on, the compressibility, and the
+/// pressure on the walls. An open axis leaves nothing to say: without a volume there is no pressure.
+/// Source: Allen and Tildesley, Computer Simulation of Liquids, 2nd edition, section 2.4; for walls the
+/// virial theorem.
+class Pressure {
+ public:
+  static constexpr std::string_view kName = "pressure";
+
+  /// Begins at `now`. Cost: O(n).
+  Pressure(const World& world, const Time& now);
+
+  /// Cost: O(1).
+  void note(const Contact& contact);
+  /// What was found up to `now`.
+  Measurement result(const Time& now) const;
+
+ private:
+  static constexpr std::size_t kComponents = 6;  // xx, yy, zz, xy, xz, yz
+  // Bins of the averages.
+  static constexpr std::size_t kKinetic = 0;                           // sum of m v v [M L^2 T^-2]
+  static constexpr std::size_t kCollisional = kKinetic + kComponents;  // [M L^2 T^-2]
+  static constexpr std::size_t kFaces = kCollisional + kComponents;    // force on each face [M L T^-2]
+  static constexpr std::size_t kRadii = kFaces + 2 * kAxes;            // force times radius [M L^2 T^-2]
+  static constexpr std::size_t kBins = kRadii + kAxes;
+
+  using Tensor = std::array<double, kComponents>;
+
+  void advance(const Time& now);
+  void add_walls(Measurement& measurement, const BlockAverage& average) const;
+
+  Box box_;
+  FluidTheory theory_;
+  EnergyBalance energy_;
+  double spheres_;
+  Time begin_;
+  Time last_;
+  Tensor kinetic_{};  // relative to the drift [M L^2 T^-2]
+  BlockAverage average_{kBins};
+};
+
+}  // namespace hardball

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/species.hpp"
+
+#include <limits>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+
+Species::Species(const World& world) {
+  world.for_each_by_id([&](Slot slot) {
+    const double radius = world.radius(slot);
+    const double mass = world.mass(slot);
+    std::size_t kind = 0;
+    while (kind < kinds_.size() && (kinds_[kind].radius != radius || kinds_[kind].mass != mass)) ++kind;
+    if (kind > kMostSpecies) return;
+    if (kind == kinds_.size()) kinds_.push_back({radius, mass, 0});
+    ++kinds_[kind].count;
+    species_.resize(world.id(slot) + std::size_t{1});
+    species_.back() = static_cast<std::uint8_t>(kind);
+  });
+  is_one_kind_ = kinds_.size() <= 1;
+  if (kinds_.empty() || kinds_.size() > kMostSpecies) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    kinds_ = {{kNone, kNone, world.size()}};
+  }
+  if (kinds_.size() == 1) species_ = {};
+}
+
+double Species::fraction(std::size_t species) const {
+  std::size_t all = 0;
+  for (const Kind& kind : kinds_) all += kind.count;
+  return static_cast<double>(kinds_[species].count) / static_cast<double>(all);
+}
+
+std::string Species::suffix(std::size_t species) const {
+  return size() > 1 ? "_" + to_text(species + 1) : "";
+}
+
+}  // namespace hardball

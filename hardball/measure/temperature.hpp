@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "hardball/measure/block_average.hpp"
+#include "hardball/measure/measurement.hpp"
+#include "hardball/measure/species.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// Temperature k T, of all spheres, along each axis and of each species, and its history. In equilibrium all
+/// are equal. A common drift along axes without walls does not count.
+class Temperature {
+ public:
+  static constexpr std::string_view kName = "temperature";
+  /// What a sample costs for each sphere [ns].
+  static constexpr double kCostPerSphere = 16;
+
+  Temperature(const World& world, const Time& now);
+
+  /// Cost: O(n).
+  void sample(const World& world, const Time& now);
+  /// What was found up to `now`.
+  Measurement result(const Time& now) const;
+
+ private:
+  Species species_;
+  std::vector<double> masses_;  // of all spheres of a species [M]
+  Box box_;
+  Time begin_;
+  BlockAverage average_;
+};
+
+}  // namespace hardball

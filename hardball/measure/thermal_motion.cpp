@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/thermal_motion.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace hardball {
+
+ThermalMotion thermal_motion(const World& world) {
+  ThermalMotion motion;
+  if (world.size() == 0) return motion;
+  Vec3 momentum;
+  double mass = 0;
+  world.for_each_by_id([&](Slot slot) {
+    momentum += world.mass(slot) * world.path(slot).velocity;
+    mass += world.mass(slot);
+  });
+  motion.degrees_of_freedom = static_cast<double>(kAxes * world.size());
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (world.box().is_wall(axis)) continue;
+    motion.drift[axis] = momentum[axis] / mass;
+    --motion.degrees_of_freedom;
+  }
+  world.for_each_by_id([&](Slot slot) {
+    const Vec3 velocity = world.path(slot).velocity - motion.drift;
+    motion.energy += world.mass(slot) * dot(velocity, velocity) / 2;
+  });
+  return motion;
+}
+
+void EnergyBalance::note(const Contact& contact) {
+  const auto square_change = [](const Vec3& after, const Vec3& before) {
+    return dot(after - before, after + before);
+  };
+  change_ += contact.first_mass * square_change(contact.after.first, contact.before.first);
+  if (contact.is_collision()) {
+    change_ += contact.second_mass * square_change(contact.after.second, contact.before.second);
+  }
+}
+
+bool EnergyBalance::is_conserved() const {
+  constexpr double kRounding = 1e-9;
+  return std::fabs(change_) <= kRounding * 2 * start_.energy;
+}
+
+}  // namespace hardball

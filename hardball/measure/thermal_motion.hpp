@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hardball/response/contact.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// The motion of the spheres at one moment, split into that of all together and that of each for itself.
+struct ThermalMotion {
+  /// Velocity of the centre of mass along axes without walls, where it is conserved; zero along the others
+  /// [L/T].
+  Vec3 drift;
+  /// Kinetic energy relative to the drift [M L^2 T^-2].
+  double energy = 0;
+  /// How many independent components of velocity there are: three for each sphere, less one for each axis
+  /// without walls.
+  double degrees_of_freedom = 0;
+
+  /// k T: twice the energy by the degrees of freedom [M L^2 T^-2]; NaN if there are none.
+  double temperature() const { return 2 * energy / degrees_of_freedom; }
+};
+
+/// Cost: O(n).
+ThermalMotion thermal_motion(const World& world);
+
+/// Whether the energy is still what it was in the beginning, so that there can be equilibrium.
+class EnergyBalance {
+ public:
+  /// Cost: O(n).
+  explicit EnergyBalance(const World& world) : start_(thermal_motion(world)) {}
+
+  void note(const Contact& contact);
+
+  /// The motion in the beginning.
+  const ThermalMotion& start() const { return start_; }
+  /// Whether all contacts together changed the energy by no more than rounding does.
+  bool is_conserved() const;
+
+ private:
+  ThermalMotion start_;
+  double change_ = 0;  // twice that of the energy
+};
+
+}  // namespace hardball

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/velocity_autocorrelation.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hardball/tuning/kinetic_theory.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+double sum_of_products(std::span<const Vec3> earlier, std::span<const Vec3> later) {
+  double sum = 0;
+  for (std::size_t i = 0; i < later.size(); ++i) sum += dot(earlier[i], later[i]);
+  return sum;
+}
+
+// A third of the integral up to one of the lags, by the trapezoidal rule.
+double green_kubo(std::span<const double> lags, std::span<const double> means, std::size_t last) {
+  double sum = 0;
+  for (std::size_t i = 1; i <= last; ++i) sum += (means[i - 1] + means[i]) / 2 * (lags[i] - lags[i - 1]);
+  return sum / 3;
+}
+
+}  // namespace
+
+VelocityAutocorrelation::VelocityAutocorrelation(const World& world, const Time& now, double interval,
+                                                 std::size_t most_spheres)
+    : theory_(world, Species(world)),
+      energy_(world),
+      mean_free_time_(mean_free_time(moments_of(world, now))),
+      average_(world, now, interval, most_spheres, sum_of_products) {}
+
+void VelocityAutocorrelation::sample(const World& world, const Time& now) {
+  average_.sample(world, now, [&](Slot slot) { return world.path(slot).velocity - energy_.start().drift; });
+}
+
+Measurement VelocityAutocorrelation::result(const Time&) const {
+  // Beyond, there is little but noise; what is left of the slow decay is a few per cent of D in a dense
+  // fluid.
+  constexpr double kFreeTimes = 50;
+  Measurement found{.name = std::string(kName),
+                    .title = "Velocity autocorrelation",
+                    .formula =
+                        "C(t) = <v(s).v(s + t)> over spheres and moments s; D(t): a third of its integral "
+                        "up to t, D at 50 mean free times; theory: 3 (kT / m) exp(-t / T), T = m D / kT, "
+                        "with D of Enskog's theory",
+                    .source =
+                        "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; D: Speedy, Mol. "
+                        "Phys. 62 (1987) 509; Enskog: Chapman and Cowling, section 16.3"};
+  const double temperature = energy_.is_conserved() ? energy_.start().temperature() : kNone;
+  const double enskog = theory_.enskog_diffusion(temperature);
+  const double expected = theory_.diffusion(temperature);
+  const Species& species = average_.species();
+  const std::vector<double> lags = average_.lags();
+  std::size_t last = 0;
+  while (last + 1 < lags.size() && lags[last + 1] <= kFreeTimes * mean_free_time_) ++last;
+  found.columns.push_back({"lag", "T", ColumnRole::argument, lags});
+  for (std::size_t s = 0; s < species.size(); ++s) {
+    const auto integral_to = [&](std::size_t lag) {
+      return average_.estimate(s,
+                               [&](std::span<const double> means) { return green_kubo(lags, means, lag); });
+    };
+    if (last > 0) {
+      const Estimate constant = integral_to(last);
+      found.quantities.push_back(
+          {"diffusion_constant" + species.suffix(s), "L^2 T^-1", constant.value, constant.error, expected});
+      if (species.is_one_kind()) {
+        found.quantities.push_back({"diffusion_constant_over_enskog", "1", constant.value / enskog,
+                                    constant.error / enskog, expected / enskog});
+      }
+    }
+    const std::string name = "velocity_autocorrelation" + species.suffix(s);
+    const std::string integral_name = "diffusion_integral" + species.suffix(s);
+    Column value{name, "L^2 T^-2", ColumnRole::value, {}};
+    Column error{name + "_error", "L^2 T^-2", ColumnRole::error, {}};
+    Column theory{name + "_theory", "L^2 T^-2", ColumnRole::theory, {}};
+    Column integral{integral_name, "L^2 T^-1", ColumnRole::value, {}};
+    Column integral_error{integral_name + "_error", "L^2 T^-1", ColumnRole::error, {}};
+    const double square_speed = 3 * temperature / species.mass(s);
+    for (std::size_t lag = 0; lag < lags.size(); ++lag) {
+      const Estimate product = average_.at(s, lag);
+      const Estimate up_to = integral_to(lag);
+      value.values.push_back(product.value);
+      error.values.push_back(product.error);
+      theory.values.push_back(square_speed * std::exp(-lags[lag] * square_speed / (3 * enskog)));
+      integral.values.push_back(up_to.value);
+      integral_error.values.push_back(up_to.error);
+    }
+    found.columns.push_back(std::move(value));
+    found.columns.push_back(std::move(error));
+    if (species.is_one_kind()) found.columns.push_back(std::move(theory));
+    found.columns.push_back(std::move(integral));
+    found.columns.push_back(std::move(integral_error));
+  }
+  return found;
+}
+
+}  // namespace hardball
