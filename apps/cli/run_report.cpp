@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
-#include <numbers>
 
 #include "apps/cli/start.hpp"
 #include "hardball/tuning/cell_counts.hpp"
@@ -66,48 +65,35 @@ double expected_wall_pressure(const Moments& moments, double kinetic_energy) {
   return spheres * wall_rate(moments) * 4 * temperature / (moments.mean_speed * area);
 }
 
-// What has been counted over the whole run. Standard errors are those of contacts independent of each other;
-// the speeds at which spheres meet, and with them the impulses, have a mean square of 4 / pi times the square
-// of the mean.
+// What has been counted over the whole run.
 std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments,
                             const EngineOptions& options, const Summary& summary) {
   std::vector<Quantity> all;
   const bool theory = has_theory(moments, options);
-  const auto add = [&](const std::string& name, const std::string& unit, double value, double relative_error,
-                       double expected) {
-    if (!std::isfinite(value)) return;
-    all.push_back({name, unit, value, std::abs(value) * relative_error, theory ? expected : kNone});
+  const auto add = [&](const std::string& name, const std::string& unit, double value, double expected) {
+    if (std::isfinite(value)) all.push_back({name, unit, value, kNone, theory ? expected : kNone});
   };
   const Counters counters = simulation.counters();
   const double span = static_cast<double>(simulation.size()) * simulation.time();
   const auto rate = [&](std::uint64_t count) { return static_cast<double>(count) / span; };
-  const auto error = [](std::uint64_t count) { return 1 / std::sqrt(static_cast<double>(count)); };
-  const double impulse_spread = std::sqrt(4 / std::numbers::pi);
-
   const double collision_rate = 2 * rate(counters.collision);
-  const double collision_error = error(counters.collision);
-  add("collisions per sphere and time", "T^-1", collision_rate, collision_error, 1 / mean_free_time(moments));
-  add("mean free time", "T", 1 / collision_rate, collision_error, mean_free_time(moments));
+  add("collisions per sphere and time", "T^-1", collision_rate, 1 / mean_free_time(moments));
+  add("mean free time", "T", 1 / collision_rate, mean_free_time(moments));
   if (options.restitution == 1) {
-    add("mean free path", "L", moments.mean_speed / collision_rate, collision_error, mean_free_path(moments));
+    add("mean free path", "L", moments.mean_speed / collision_rate, mean_free_path(moments));
   }
-  const double excess = summary.compressibility() - 1;
   add("compressibility", "1", summary.compressibility(),
-      collision_error * impulse_spread * excess / summary.compressibility(),
       are_equal_spheres(moments) ? compressibility(moments) : kNone);
   if (std::isfinite(summary.wall_pressure())) {
-    add("wall contacts per sphere and time", "T^-1", rate(counters.wall), error(counters.wall),
-        wall_rate(moments));
+    add("wall contacts per sphere and time", "T^-1", rate(counters.wall), wall_rate(moments));
     add("pressure on the walls", "M L^-1 T^-2", summary.wall_pressure(),
-        error(counters.wall) * impulse_spread,
         expected_wall_pressure(moments, simulation.world().kinetic_energy()));
   }
   if (simulation.engine() == EngineKind::cells && counters.rebuilds == 0) {
     const CellCounts expected = expected_counts(moments, simulation.cell_edge());
-    add("cells entered per sphere and time", "T^-1", rate(counters.enter), kNone, expected.enter);
-    add("stale events per sphere and time", "T^-1", rate(counters.stale), kNone, expected.stale);
-    add("pair predictions per sphere and time", "T^-1", rate(counters.predictions), kNone,
-        expected.predictions());
+    add("cells entered per sphere and time", "T^-1", rate(counters.enter), expected.enter);
+    add("stale events per sphere and time", "T^-1", rate(counters.stale), expected.stale);
+    add("pair predictions per sphere and time", "T^-1", rate(counters.predictions), expected.predictions());
   }
   return all;
 }

@@ -73,9 +73,14 @@ std::string count_text(std::uint64_t count) {
   return text;
 }
 
+bool is_known_error(double value, double error) {
+  constexpr double kRounding = 1e-12;
+  return std::isfinite(error) && error > kRounding * std::abs(value);
+}
+
 std::string measured_text(double value, double error) {
   constexpr int kErrorDigits = 2;
-  if (!std::isfinite(value) || !std::isfinite(error) || !(error > 0)) return number_text(value);
+  if (!std::isfinite(value) || !is_known_error(value, error)) return number_text(value);
   const int error_exponent = exponent_of(error, kErrorDigits);
   const int exponent =
       value == 0 ? error_exponent : std::max(exponent_of(value, kErrorDigits), error_exponent);
@@ -94,7 +99,7 @@ std::string measured_text(double value, double error) {
 
 std::string deviation_text(double value, double error, double theory) {
   const double difference = value - theory;
-  if (error > 0 && std::isfinite(difference / error)) {
+  if (is_known_error(value, error) && std::isfinite(difference)) {
     return with_true_minus(fmt::format("{:+.1f} σ", difference / error));
   }
   if (std::isfinite(difference / theory)) {

@@ -15,8 +15,11 @@ std::string number_text(double value, int digits = 6);
 /// A count, its thousands apart: "1,234,567".
 std::string count_text(std::uint64_t count);
 
+/// Whether a standard error is known, and more than rounding.
+bool is_known_error(double value, double error);
+
 /// A measured value to two digits of its standard error, which stands in parentheses in units of the last
-/// digit: "7.752(34)" for 7.752 ± 0.034; without an error, to six digits.
+/// digit: "7.752(34)" for 7.752 ± 0.034; to six digits if there is no such error.
 std::string measured_text(double value, double error);
 
 /// How far a value is from its theory: in standard errors, "+1.3 σ", or without an error in percent,

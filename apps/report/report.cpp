@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -22,6 +23,7 @@ using chart::escaped;
 // Rounding changes the energy of elastic spheres by less, however long the run.
 constexpr double kEnergyTolerance = 1e-10;
 constexpr double kFarInErrors = 3;
+constexpr double kManyTimes = 4;  // from which on costs are best compared on a logarithmic axis
 constexpr std::size_t kMostScenarioBytes = 20'000;
 
 // A file of ours without the lines at its head that say whose it is.
@@ -54,7 +56,8 @@ double energy_change(const Report& report) {
 // --- how much is near its theory ---
 
 bool is_far(const Quantity& quantity) {
-  return quantity.error > 0 && std::abs(quantity.value - quantity.theory) > kFarInErrors * quantity.error;
+  return is_known_error(quantity.value, quantity.error) &&
+         std::abs(quantity.value - quantity.theory) > kFarInErrors * quantity.error;
 }
 
 struct Agreement {
@@ -63,7 +66,7 @@ struct Agreement {
 
   void note(const std::vector<Quantity>& quantities) {
     for (const Quantity& quantity : quantities) {
-      if (!(quantity.error > 0) || !std::isfinite((quantity.value - quantity.theory) / quantity.error))
+      if (!is_known_error(quantity.value, quantity.error) || std::isnan(quantity.value - quantity.theory))
         continue;
       ++compared;
       if (!is_far(quantity)) ++near;
@@ -200,12 +203,10 @@ std::string reading() {
 }
 
 std::string rates(const Report& report) {
-  return quantities_table(report.rates) +
-         paragraph(
-             "note",
-             "What is measured are means over the whole run, the way from the start to equilibrium included; "
-             "the theory is that of equilibrium. Errors are those of contacts independent of each other.") +
-         reading();
+  return quantities_table(report.rates) + paragraph("note",
+                                                    "Means over the whole run, the way from the start to "
+                                                    "equilibrium included; the theory is that of "
+                                                    "equilibrium.");
 }
 
 std::string article(const Measurement& measurement) {
@@ -237,7 +238,8 @@ std::string choice(const CostCurve& curve) {
   chart::Chart chart;
   chart.title = "Predicted cost against " + curve.quantity;
   chart.x = {.label = curve.quantity + "  [L]", .logarithmic = true};
-  chart.y = {.label = "predicted cost, over the least", .logarithmic = true};
+  const double highest = *std::max_element(curve.cost.begin(), curve.cost.end());
+  chart.y = {.label = "predicted cost, over the least", .logarithmic = highest > kManyTimes};
   chart.series = {{.x = curve.length, .y = curve.cost, .marks = false}};
   chart.markers = curve.marks;
   Table table("numbers", "", {"", curve.quantity, "cost, over the least"});
@@ -315,8 +317,7 @@ std::string to_html(const Report& report) {
   };
   add("certificate", "Certificate", certificate(report));
   if (!report.rates.empty()) add("rates", "Rates and kinetic theory", rates(report));
-  if (!report.measurements.empty())
-    add("measures", "Measures", (report.rates.empty() ? reading() : "") + articles(report));
+  if (!report.measurements.empty()) add("measures", "Measures", reading() + articles(report));
   if (!report.choice.length.empty()) add("choice", report.choice.title, choice(report.choice));
   add("speed", "Speed and memory", speed(report));
   add("scenario", "Scenario", scenario(report));

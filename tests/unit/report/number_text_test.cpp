@@ -67,6 +67,7 @@ TEST(MeasuredText, GivesValueAndErrorOnePowerOfTen) {
 TEST(MeasuredText, IsANumberWhereNoErrorIsKnown) {
   EXPECT_EQ(measured_text(1.5, kNone), "1.5");
   EXPECT_EQ(measured_text(1.5, 0), "1.5");
+  EXPECT_EQ(measured_text(1.5, 2e-16), "1.5") << "rounding is no error";
   EXPECT_EQ(measured_text(1.5, kInfinity), "1.5");
   EXPECT_EQ(measured_text(kNone, 0.1), "–");
 }
@@ -78,6 +79,7 @@ TEST(DeviationText, IsInErrorsOrElseInPercent) {
   EXPECT_EQ(deviation_text(-1.5, kNone, -1), "−50.0%");
   EXPECT_EQ(deviation_text(0.5, 0.25, 0), "+2.0 σ") << "a theory of zero";
   EXPECT_EQ(deviation_text(0.5, kNone, 0), "–");
+  EXPECT_EQ(deviation_text(1.5, 2e-16, 1), "+50.0%") << "rounding is no error";
   EXPECT_EQ(deviation_text(1, 0.1, kNone), "–");
   EXPECT_EQ(deviation_text(kNone, 0.1, 1), "–");
 }
