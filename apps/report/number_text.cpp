@@ -100,11 +100,16 @@ std::string measured_text(double value, double error) {
 std::string deviation_text(double value, double error, double theory) {
   const double difference = value - theory;
   if (is_known_error(value, error) && std::isfinite(difference)) {
-    return with_true_minus(fmt::format("{:+.1f} σ", difference / error));
+    const std::string text = fmt::format("{:+.1f} σ", difference / error);
+    return text.substr(1) == "0.0 σ" ? text.substr(1) : with_true_minus(text);
   }
   if (std::isfinite(difference / theory)) {
     const double percent = 100 * difference / std::abs(theory);
-    return with_true_minus(fmt::format("{:+.{}f}%", percent, std::abs(percent) < 1 ? 2 : 1));
+    const std::string sign = percent > 0 ? "+" : "";
+    return sign +
+           (std::abs(percent) < 1 ? number_text(percent, 2)
+                                  : with_true_minus(fmt::format("{:.1f}", percent))) +
+           "%";
   }
   return std::string(kNone);
 }

@@ -79,7 +79,8 @@ std::string agreement_sentence(const Report& report) {
   for (const Measurement& measurement : report.measurements) agreement.note(measurement.quantities);
   if (agreement.compared == 0) return {};
   return fmt::format(
-      " Of {} measures with a standard error and a theory, {} lie within three standard errors of it.",
+      " Of {} measured numbers with a standard error and a theory, {} lie within three standard errors of "
+      "it.",
       agreement.compared, agreement.near == agreement.compared ? "all" : std::to_string(agreement.near));
 }
 

@@ -76,6 +76,9 @@ TEST(DeviationText, IsInErrorsOrElseInPercent) {
   EXPECT_EQ(deviation_text(1.013, 0.01, 1), "+1.3 σ");
   EXPECT_EQ(deviation_text(0.9, 0.01, 1), "−10.0 σ");
   EXPECT_EQ(deviation_text(1.0021, kNone, 1), "+0.21%");
+  EXPECT_EQ(deviation_text(1 - 1.4e-5, kNone, 1), "−0.0014%");
+  EXPECT_EQ(deviation_text(1, kNone, 1), "0%");
+  EXPECT_EQ(deviation_text(0.9999, 0.01, 1), "0.0 σ") << "not minus nothing";
   EXPECT_EQ(deviation_text(-1.5, kNone, -1), "−50.0%");
   EXPECT_EQ(deviation_text(0.5, 0.25, 0), "+2.0 σ") << "a theory of zero";
   EXPECT_EQ(deviation_text(0.5, kNone, 0), "–");

@@ -79,7 +79,7 @@ TEST(Report, HasEveryMeasurementWithItsNumbers) {
   expect_in(html, "<td><span class=\"far\">+5.4 σ</span></td>");
   EXPECT_EQ(count(html, "<svg "), 4U) << "one plot of one measure, two of another, and that of the cells";
   EXPECT_EQ(count(html, "The run gave no numbers."), 1U);
-  expect_in(html, "Of 3 measures with a standard error and a theory, 1 lie");
+  expect_in(html, "Of 3 measured numbers with a standard error and a theory, 1 lie");
 }
 
 TEST(Report, MarksTheCellsInUse) {
