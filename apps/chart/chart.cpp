@@ -11,6 +11,8 @@
 #include <limits>
 #include <string_view>
 
+#include "apps/chart/escaped.hpp"
+
 namespace hardball::chart {
 namespace {
 
@@ -20,21 +22,45 @@ constexpr double kFrameLeft = 84;
 constexpr double kFrameTop = 48;
 constexpr double kFrameWidth = 380;
 constexpr double kFrameHeight = 290;
-constexpr double kLegendGap = 60;  // from the frame to the legend, for labels
+constexpr double kLegendGap = 60;   // from the frame to the legend, for labels
+constexpr double kAxisLabels = 44;  // the same to the end of the labels
 constexpr double kLegendRow = 18;
 constexpr double kLegendKey = 34;   // from the left end of a legend's line to its name
-constexpr double kCharacter = 6.6;  // mean width, generously
+constexpr double kCharacter = 7.1;  // mean width, generously
 constexpr double kBottom = 12;
+constexpr double kMarkerBaseline = kFrameTop - 7;
+constexpr double kLabelHeight = 14;
 constexpr double kMajorTick = 7;
 constexpr double kMinorTick = 4;
+constexpr double kCapHalf = 2.5;  // the ends of error bars
+constexpr int kFontSize = 14;
+constexpr int kSmallFontSize = 13;
 
 constexpr double kPadding = 0.04;  // between the points and the frame, of the range
+constexpr double kErrorRoom = 1;   // by which error bars may widen the range, of that of the points
 constexpr double kTicksWanted = 6;
 constexpr int kMostDecadeLabels = 8;
 
+// Of dashed lines; references go through them in turn.
+constexpr std::array<std::string_view, 3> kDashes = {"6 4", "2 3", "9 3 2 3"};
+
+// What a picture is drawn with.
+struct Palette {
+  std::string_view ink;
+  std::string_view muted;
+  std::array<std::string_view, 8> series;
+};
+
 // Okabe and Ito's colours, which the colour-blind can tell apart, without the yellow that white drowns.
-constexpr std::array<std::string_view, 8> kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                     "#e69f00", "#56b4e9", "#000000", "#777777"};
+constexpr Palette kOnWhite = {
+    "black",
+    "#555555",
+    {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#777777"}};
+
+constexpr Palette kOfPage = {"currentColor",
+                             "var(--muted)",
+                             {"var(--series-1)", "var(--series-2)", "var(--series-3)", "var(--series-4)",
+                              "var(--series-5)", "var(--series-6)", "var(--series-7)", "var(--series-8)"}};
 
 // Outlines around the origin: disc, square, triangle, diamond, triangle on its tip, cross, plus.
 constexpr std::array<std::string_view, 7> kShapes = {
@@ -45,29 +71,6 @@ constexpr std::array<std::string_view, 7> kShapes = {
     "M0 4.8L4.5-3.2H-4.5Z",
     "M-4-2.2L-2.2-4L0-1.8L2.2-4L4-2.2L1.8 0L4 2.2L2.2 4L0 1.8L-2.2 4L-4 2.2L-1.8 0Z",
     "M-1.3-4.4H1.3V-1.3H4.4V1.3H1.3V4.4H-1.3V1.3H-4.4V-1.3H-1.3Z"};
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= ' ') result += c;
-    }
-  }
-  return result;
-}
 
 // Ten to a power, as SVG text.
 std::string power_of_ten(int exponent) {
@@ -98,8 +101,10 @@ struct Tick {
 // The way from values to a stretch of pixels.
 class Scale {
  public:
-  // Covers the values, all drawable; `first` and `last` are the pixels at its ends.
-  Scale(const Axis& axis, const std::vector<double>& values, double first, double last)
+  // Covers the values, all drawable, and of the extremes, drawable too, as much as leaves the values room;
+  // `first` and `last` are the pixels at its ends.
+  Scale(const Axis& axis, const std::vector<double>& values, const std::vector<double>& extremes,
+        double first, double last)
       : logarithmic_(axis.logarithmic), first_(first), last_(last) {
     low_ = std::numeric_limits<double>::infinity();
     high_ = -low_;
@@ -109,6 +114,12 @@ class Scale {
     };
     for (const double value : values) include(value);
     if (low_ > high_) low_ = 0, high_ = 1;
+    const double room = high_ > low_ ? kErrorRoom * (high_ - low_) : std::numeric_limits<double>::infinity();
+    const double lowest = low_ - room;
+    const double highest = high_ + room;
+    for (const double extreme : extremes) include(extreme);
+    low_ = std::max(low_, lowest);
+    high_ = std::min(high_, highest);
     // A single value stands in the middle.
     const double least_extent = logarithmic_ ? 0.5 : 1e-9 * std::max(std::abs(low_), std::abs(high_));
     if (!(high_ - low_ > least_extent)) {
@@ -123,6 +134,13 @@ class Scale {
 
   double pixel(double value) const {
     return first_ + (transformed(value) - low_) / (high_ - low_) * (last_ - first_);
+  }
+
+  // The same for any number: what lies beyond an end, or has no logarithm, is put at that end.
+  double pixel_within(double value) const {
+    if (logarithmic_ && !(value > 0)) return first_;
+    const auto [least, most] = std::minmax(first_, last_);
+    return std::clamp(pixel(value), least, most);
   }
 
   std::vector<Tick> ticks() const { return logarithmic_ ? logarithmic_ticks() : linear_ticks(low_, high_); }
@@ -173,13 +191,13 @@ class Scale {
   double high_ = 0;  // transformed
 };
 
-void add_frame(std::string& svg) {
+void add_frame(std::string& svg, const Palette& palette) {
   svg += fmt::format(
-      "<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"black\"/>\n",
-      kFrameLeft, kFrameTop, kFrameWidth, kFrameHeight);
+      "<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"{}\"/>\n",
+      kFrameLeft, kFrameTop, kFrameWidth, kFrameHeight, palette.ink);
 }
 
-void add_axes(std::string& svg, const Chart& chart, const Scale& x, const Scale& y) {
+void add_axes(std::string& svg, const Chart& chart, const Palette& palette, const Scale& x, const Scale& y) {
   constexpr double kRight = kFrameLeft + kFrameWidth;
   constexpr double kFloor = kFrameTop + kFrameHeight;
   std::string paths;
@@ -199,43 +217,75 @@ void add_axes(std::string& svg, const Chart& chart, const Scale& x, const Scale&
     svg += fmt::format("<text class=\"y\" x=\"{}\" y=\"{:.2f}\" text-anchor=\"end\">{}</text>\n",
                        kFrameLeft - 7, at + 4.5, tick.label);
   }
-  svg += fmt::format("<path d=\"{}\" stroke=\"black\" fill=\"none\"/>\n", paths);
+  svg += fmt::format("<path d=\"{}\" stroke=\"{}\" fill=\"none\"/>\n", paths, palette.ink);
   svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
                      kFrameLeft + kFrameWidth / 2, kFloor + 40, escaped(chart.x.label));
   svg += fmt::format("<text transform=\"translate(18 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
                      kFrameTop + kFrameHeight / 2, escaped(chart.y.label));
-  svg += fmt::format("<text x=\"{}\" y=\"20\" font-size=\"14\" font-weight=\"bold\">{}</text>\n", kFrameLeft,
-                     escaped(chart.title));
 }
 
-void add_markers(std::string& svg, const Chart& chart, const Scale& x) {
+void add_title(std::string& svg, const Chart& chart) {
+  svg += fmt::format("<text x=\"{}\" y=\"20\" font-size=\"{}\" font-weight=\"bold\">{}</text>\n", kFrameLeft,
+                     kFontSize + 1, escaped(chart.title));
+}
+
+// On which side of its line a marker's name stands: in the middle, unless it would run into another.
+std::string_view anchor_of(const Chart& chart, const Marker& marker, const Scale& x) {
+  for (const Marker& other : chart.markers) {
+    if (other.x == marker.x || !is_drawable(chart.x, other.x)) continue;
+    const double width = kCharacter * (static_cast<double>(marker.name.size() + other.name.size()) / 2 + 1);
+    if (std::abs(x.pixel(other.x) - x.pixel(marker.x)) < width) return marker.x < other.x ? "end" : "start";
+  }
+  return "middle";
+}
+
+void add_markers(std::string& svg, const Chart& chart, const Palette& palette, const Scale& x) {
   for (const Marker& marker : chart.markers) {
     if (!is_drawable(chart.x, marker.x)) continue;
     svg += fmt::format(
-        "<path d=\"M{0:.2f} {1}v{2}\" stroke=\"#555555\" stroke-dasharray=\"2 3\"/>\n"
-        "<text x=\"{0:.2f}\" y=\"{3}\" text-anchor=\"middle\" font-size=\"12\" fill=\"#555555\">{4}</text>\n",
-        x.pixel(marker.x), kFrameTop, kFrameHeight, kFrameTop - 7, escaped(marker.name));
+        "<path d=\"M{0:.2f} {1}v{2}\" stroke=\"{5}\" stroke-dasharray=\"2 3\"/>\n"
+        "<text x=\"{0:.2f}\" y=\"{3}\" text-anchor=\"{7}\" font-size=\"{6}\" fill=\"{5}\">{4}</text>\n",
+        x.pixel(marker.x), kFrameTop, kFrameHeight, kMarkerBaseline, escaped(marker.name), palette.muted,
+        kSmallFontSize, anchor_of(chart, marker, x));
   }
 }
 
 // The colour and shape of a series among others, counted from zero.
 std::size_t style_of(const Chart& chart, std::size_t index) {
   std::size_t style = 0;
-  for (std::size_t i = 1; i <= index; ++i) {
-    if (!chart.series[i].like_previous) ++style;
+  bool is_first = true;
+  for (std::size_t i = 0; i <= index; ++i) {
+    if (chart.series[i].reference) continue;
+    if (!is_first && !chart.series[i].like_previous) ++style;
+    is_first = false;
   }
   return style;
+}
+
+std::string_view dashes_of(const Chart& chart, std::size_t index) {
+  if (!chart.series[index].reference) return kDashes[0];
+  const auto references =
+      std::count_if(chart.series.begin(), chart.series.begin() + static_cast<std::ptrdiff_t>(index),
+                    [](const Series& series) { return series.reference; });
+  return kDashes[static_cast<std::size_t>(references) % kDashes.size()];
 }
 
 struct Look {
   std::string line;
   std::string mark;  // all but where it is
+  std::string bars;
+  std::string band;
 
-  Look(const Series& series, std::size_t style) {
-    const std::string_view color = kColors[style % kColors.size()];
+  Look(const Chart& chart, std::size_t index, const Palette& palette) {
+    const Series& series = chart.series[index];
+    const std::size_t style = style_of(chart, index);
+    const std::string_view color =
+        series.reference ? palette.ink : palette.series[style % palette.series.size()];
     line = fmt::format(" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"{}", color,
-                       series.dashed ? " stroke-dasharray=\"6 4\"" : "");
+                       series.dashed ? fmt::format(" stroke-dasharray=\"{}\"", dashes_of(chart, index)) : "");
     mark = fmt::format(" d=\"{}\" fill=\"{}\"", kShapes[style % kShapes.size()], color);
+    bars = fmt::format(" fill=\"none\" stroke=\"{}\"", color);
+    band = fmt::format(" fill=\"{}\" fill-opacity=\"0.25\"", color);
   }
 };
 
@@ -247,9 +297,57 @@ bool is_drawn(const Chart& chart, const Series& series, std::size_t i) {
   return is_drawable(chart.x, series.x[i]) && is_drawable(chart.y, series.y[i]);
 }
 
-void add_series(std::string& svg, const Chart& chart, std::size_t index, const Scale& x, const Scale& y) {
+// The error of a point; zero if it has none.
+double error_of(const Series& series, std::size_t i) {
+  const bool has_error = i < series.y_error.size() && std::isfinite(series.y_error[i]);
+  return has_error ? std::abs(series.y_error[i]) : 0;
+}
+
+bool has_errors(const Series& series) {
+  for (std::size_t i = 0; i < size_of(series); ++i) {
+    if (error_of(series, i) > 0) return true;
+  }
+  return false;
+}
+
+void add_error_bars(std::string& svg, const Chart& chart, const Series& series, const Look& look,
+                    const Scale& x, const Scale& y) {
+  std::string bars;
+  for (std::size_t i = 0; i < size_of(series); ++i) {
+    const double error = error_of(series, i);
+    if (!is_drawn(chart, series, i) || error == 0) continue;
+    bars += fmt::format("M{0:.2f} {1:.2f}h{3}m-{4} 0V{2:.2f}m-{4} 0h{3}", x.pixel(series.x[i]) - kCapHalf,
+                        y.pixel_within(series.y[i] + error), y.pixel_within(series.y[i] - error),
+                        2 * kCapHalf, kCapHalf);
+  }
+  svg += fmt::format("<path class=\"errors\" d=\"{}\"{}/>\n", bars, look.bars);
+}
+
+// One area for each run of points without a gap.
+void add_error_band(std::string& svg, const Chart& chart, const Series& series, const Look& look,
+                    const Scale& x, const Scale& y) {
+  std::string areas;
+  std::string upper;
+  std::string lower;
+  for (std::size_t i = 0; i <= size_of(series); ++i) {
+    if (i == size_of(series) || !is_drawn(chart, series, i)) {
+      if (!upper.empty()) areas += "M" + upper.substr(1) + lower + "Z";
+      upper.clear();
+      lower.clear();
+      continue;
+    }
+    const double at = x.pixel(series.x[i]);
+    const double error = error_of(series, i);
+    upper += fmt::format("L{:.2f} {:.2f}", at, y.pixel_within(series.y[i] + error));
+    lower = fmt::format("L{:.2f} {:.2f}", at, y.pixel_within(series.y[i] - error)) + lower;
+  }
+  svg += fmt::format("<path class=\"errors\" d=\"{}\"{}/>\n", areas, look.band);
+}
+
+void add_series(std::string& svg, const Chart& chart, std::size_t index, const Palette& palette,
+                const Scale& x, const Scale& y) {
   const Series& series = chart.series[index];
-  const Look look(series, style_of(chart, index));
+  const Look look(chart, index, palette);
   std::string line;
   std::string marks;
   bool pen_is_down = false;
@@ -264,6 +362,10 @@ void add_series(std::string& svg, const Chart& chart, std::size_t index, const S
     marks += fmt::format("<path class=\"mark\" transform=\"translate({:.2f} {:.2f})\"{}/>\n", at_x, at_y,
                          look.mark);
     pen_is_down = true;
+  }
+  if (has_errors(series)) {
+    const auto add_errors = series.error_band ? add_error_band : add_error_bars;
+    add_errors(svg, chart, series, look, x, y);
   }
   if (series.line && !line.empty()) {
     svg += fmt::format("<path class=\"line\" d=\"{}\"{}/>\n", line, look.line);
@@ -289,33 +391,40 @@ std::size_t named_series(const Chart& chart) {
 double panel_height(const Chart& chart) {
   const std::size_t columns = legend_columns(chart);
   const std::size_t rows = (named_series(chart) + columns - 1) / columns;
-  return kFrameTop + kFrameHeight + kLegendGap + kLegendRow * static_cast<double>(rows) + kBottom;
+  // The gap above a row is to its middle.
+  const double legend = rows > 0 ? kLegendGap + kLegendRow * static_cast<double>(rows) : kAxisLabels;
+  return kFrameTop + kFrameHeight + legend + kBottom;
 }
 
 // Names stand row by row below the frame, where they cover nothing.
-void add_legend(std::string& svg, const Chart& chart) {
+void add_legend(std::string& svg, const Chart& chart, const Palette& palette) {
   const std::size_t columns = legend_columns(chart);
   std::size_t place = 0;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const Series& series = chart.series[i];
     if (series.name.empty()) continue;
-    const Look look(series, style_of(chart, i));
+    const Look look(chart, i, palette);
     const double left = kFrameLeft + kFrameWidth / 2 * static_cast<double>(place % columns);
     const std::size_t row = place / columns;
     const double middle = kFrameTop + kFrameHeight + kLegendGap + kLegendRow * static_cast<double>(row);
     ++place;
+    if (series.error_band && has_errors(series)) {
+      svg += fmt::format("<path d=\"M{:.2f} {:.2f}h26v10h-26Z\"{}/>\n", left, middle - 5, look.band);
+    }
     if (series.line) svg += fmt::format("<path d=\"M{:.2f} {:.2f}h26\"{}/>\n", left, middle, look.line);
     if (series.marks) {
       svg += fmt::format("<path transform=\"translate({:.2f} {:.2f})\"{}/>\n", left + 13, middle, look.mark);
     }
-    svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"12\">{}</text>\n", left + kLegendKey,
-                       middle + 4, escaped(series.name));
+    svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\">{}</text>\n", left + kLegendKey,
+                       middle + 4.5, kSmallFontSize, escaped(series.name));
   }
 }
 
-void add_panel(std::string& svg, const Chart& chart) {
+// All of a chart but its title.
+void add_panel(std::string& svg, const Chart& chart, const Palette& palette) {
   std::vector<double> all_x;
   std::vector<double> all_y;
+  std::vector<double> error_ends;
   for (const Marker& marker : chart.markers) {
     if (is_drawable(chart.x, marker.x)) all_x.push_back(marker.x);
   }
@@ -324,15 +433,28 @@ void add_panel(std::string& svg, const Chart& chart) {
       if (!is_drawn(chart, series, i)) continue;
       all_x.push_back(series.x[i]);
       all_y.push_back(series.y[i]);
+      for (const double end : {series.y[i] - error_of(series, i), series.y[i] + error_of(series, i)}) {
+        if (is_drawable(chart.y, end)) error_ends.push_back(end);
+      }
     }
   }
-  const Scale x(chart.x, all_x, kFrameLeft, kFrameLeft + kFrameWidth);
-  const Scale y(chart.y, all_y, kFrameTop + kFrameHeight, kFrameTop);
-  add_markers(svg, chart, x);
-  for (std::size_t i = 0; i < chart.series.size(); ++i) add_series(svg, chart, i, x, y);
-  add_axes(svg, chart, x, y);
-  add_frame(svg);
-  add_legend(svg, chart);
+  const Scale x(chart.x, all_x, {}, kFrameLeft, kFrameLeft + kFrameWidth);
+  const Scale y(chart.y, all_y, error_ends, kFrameTop + kFrameHeight, kFrameTop);
+  add_markers(svg, chart, palette, x);
+  for (std::size_t i = 0; i < chart.series.size(); ++i) add_series(svg, chart, i, palette, x, y);
+  add_axes(svg, chart, palette, x, y);
+  add_frame(svg, palette);
+  add_legend(svg, chart, palette);
+}
+
+// What the picture shows, for those who do not see it.
+std::string description(const Chart& chart) {
+  std::string names;
+  for (const Series& series : chart.series) {
+    if (!series.name.empty()) names += (names.empty() ? ": " : ", ") + series.name;
+  }
+  for (const Marker& marker : chart.markers) names += fmt::format("; {} at {:.4g}", marker.name, marker.x);
+  return chart.y.label + " against " + chart.x.label + names;
 }
 
 }  // namespace
@@ -346,7 +468,8 @@ std::string to_svg(const std::vector<Chart>& panels) {
     for (std::size_t i = first; i < std::min(first + columns, panels.size()); ++i) {
       body += fmt::format("<g class=\"panel\" transform=\"translate({} {})\">\n",
                           kPanelWidth * static_cast<double>(i - first), top);
-      add_panel(body, panels[i]);
+      add_panel(body, panels[i], kOnWhite);
+      add_title(body, panels[i]);
       body += "</g>\n";
       height = std::max(height, panel_height(panels[i]));
     }
@@ -355,9 +478,23 @@ std::string to_svg(const std::vector<Chart>& panels) {
   const double width = kPanelWidth * static_cast<double>(columns);
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-      "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" font-size=\"13\">\n"
+      "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" font-size=\"{3}\">\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n{2}</svg>\n",
-      width, top, body);
+      width, top, body, kFontSize);
+}
+
+std::string to_inline_svg(const Chart& chart, std::string_view id) {
+  // The page says the title; only marker names need room above the frame.
+  const double top = (chart.markers.empty() ? kFrameTop : kMarkerBaseline) - kLabelHeight;
+  std::string svg = fmt::format(
+      "<svg class=\"chart\" role=\"img\" aria-labelledby=\"{0}-title {0}-description\" viewBox=\"0 {1} {2} "
+      "{3}\" "
+      "fill=\"currentColor\" font-size=\"{4}\">\n"
+      "<title id=\"{0}-title\">{5}</title>\n<desc id=\"{0}-description\">{6}</desc>\n",
+      escaped(id), top, kPanelWidth, panel_height(chart) - top, kFontSize, escaped(chart.title),
+      escaped(description(chart)));
+  add_panel(svg, chart, kOfPage);
+  return svg + "</svg>\n";
 }
 
 }  // namespace hardball::chart

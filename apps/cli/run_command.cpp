@@ -9,6 +9,7 @@
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/progress.hpp"
 #include "apps/cli/run_files.hpp"
+#include "apps/cli/run_report.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/summary.hpp"
 #include "apps/cli/terminal.hpp"
@@ -104,7 +105,17 @@ ExitCode run(const Options& options) {
   const Seconds seconds{seconds_between(begin, set_up), seconds_between(set_up, Clock::now())};
   const Summary summary(simulation, seconds);
   const std::string json = summary.json();
-  if (files) files->finish(measures.results(simulation.now()), json);
+  if (files) {
+    const std::vector<Measurement> measurements = measures.results(simulation.now());
+    std::string html;
+    if (scenario.report) {
+      report::Report report = run_report(options, scenario, engine_options, simulation, summary);
+      report.is_complete = is_complete;
+      report.measurements = measurements;
+      html = to_html(report);
+    }
+    files->finish(measurements, json, html);
+  }
   write_output(options.json ? json : summary.table());
   if (is_complete) return ExitCode::done;
   write_message("interrupted at time " + to_text(simulation.time()) + " of " + to_text(*scenario.until));

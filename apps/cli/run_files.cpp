@@ -17,6 +17,7 @@ namespace {
 constexpr const char* kTrajectory = "trajectory.xyz";
 constexpr const char* kEvents = "events.npy";
 constexpr const char* kSummary = "summary.json";
+constexpr const char* kReport = "report.html";
 constexpr const char* kMeasures = "measures";
 constexpr const char* kQuantities = "quantities.csv";
 
@@ -49,7 +50,7 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
   }
   std::vector<std::filesystem::path> created = make_directory(directory);
   try {
-    for (const char* name : {kTrajectory, kEvents, kSummary}) {
+    for (const char* name : {kTrajectory, kEvents, kSummary, kReport}) {
       const std::filesystem::path path = directory / name;
       if (std::filesystem::is_directory(path)) {
         throw Error("is a directory", path.string(), "name another directory for the output");
@@ -68,7 +69,7 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
     } else {
       std::filesystem::remove(events);
     }
-    std::filesystem::remove(directory / kSummary);
+    for (const char* name : {kSummary, kReport}) std::filesystem::remove(directory / name);
     remove_measures(directory / kMeasures);
     if (has_measures_) {
       const std::vector<std::filesystem::path> made = make_directory(directory / kMeasures);
@@ -91,7 +92,8 @@ void RunFiles::note(const Contact& contact) {
   if (events_) events_->append(contact);
 }
 
-void RunFiles::finish(std::span<const Measurement> measurements, const std::string& summary) {
+void RunFiles::finish(std::span<const Measurement> measurements, const std::string& summary,
+                      const std::string& report) {
   if (trajectory_) trajectory_->close();
   if (events_) events_->close();
   if (has_measures_) {
@@ -102,12 +104,23 @@ void RunFiles::finish(std::span<const Measurement> measurements, const std::stri
     write(folder / kQuantities, quantities_csv(measurements));
   }
   write(kSummary, summary);
+  if (!report.empty()) write(kReport, report);
 }
 
 void RunFiles::write(const std::filesystem::path& name, const std::string& text) const {
-  OutputFile file(directory_ / name);
-  file.append(text);
-  file.close();
+  const std::filesystem::path path = directory_ / name;
+  const std::filesystem::path unfinished = path.string() + ".part";
+  std::error_code failure;
+  try {
+    OutputFile file(unfinished);
+    file.append(text);
+    file.close();
+  } catch (...) {
+    std::filesystem::remove(unfinished, failure);
+    throw;
+  }
+  std::filesystem::rename(unfinished, path, failure);
+  if (failure) throw RunFailure("cannot write " + path.string() + ": " + failure.message());
 }
 
 }  // namespace hardball::cli

@@ -17,7 +17,7 @@
 namespace hardball::cli {
 
 /// The files of one run in its output directory: trajectory.xyz and events.npy, if the scenario asks for
-/// them, measures/, unless it asks for none, and summary.json.
+/// them, measures/ and report.html, unless it asks for none, and summary.json.
 class RunFiles {
  public:
   /// Creates the directory, if need be, and the files, and removes those of an earlier run.
@@ -29,13 +29,15 @@ class RunFiles {
   void write_snapshot(const Simulation& simulation);
   /// Adds a record, if there is an event log. Error (RunFailure): it cannot be written.
   void note(const Contact& contact);
-  /// Completes all files and writes what was measured and the summary. Error (RunFailure): they cannot be
-  /// written.
-  void finish(std::span<const Measurement> measurements, const std::string& summary);
+  /// Completes all files and writes what was measured, the summary, and the report unless it is empty.
+  /// Error (RunFailure): they cannot be written.
+  void finish(std::span<const Measurement> measurements, const std::string& summary,
+              const std::string& report);
 
   bool has_event_log() const { return events_.has_value(); }
 
  private:
+  // Writes a file that under its own name is whole or not there at all.
   void write(const std::filesystem::path& name, const std::string& text) const;
 
   std::filesystem::path directory_;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-long peak_rss_bytes() {
+long measure_peak_rss() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   constexpr long kBytesPerUnit = 1024;  // Linux counts kilobytes
@@ -58,7 +58,7 @@ Summary::Summary(const Simulation& simulation, const Seconds& seconds)
   wall_pressure_ = is_bounded && has(box, Boundary::wall)
                        ? simulation.tally().wall_pressure(box, simulation.now())
                        : kNone;
-  peak_rss_bytes_ = peak_rss_bytes();
+  peak_rss_bytes_ = measure_peak_rss();
 }
 
 std::string Summary::json() const {

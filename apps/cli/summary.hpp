@@ -25,6 +25,18 @@ class Summary {
   /// A table to be read.
   std::string table() const;
 
+  /// In diameters [1].
+  double max_overlap() const { return max_overlap_; }
+  // NaN where it has no meaning.
+  double packing_fraction() const { return packing_fraction_; }
+  double compressibility() const { return compressibility_; }
+  double wall_pressure() const { return wall_pressure_; }  ///< [M L^-1 T^-2]
+  double cell_edge() const { return cell_edge_; }          ///< [L]
+
+  const Seconds& seconds() const { return seconds_; }
+  double bytes_per_sphere() const { return bytes_per_sphere_; }
+  long peak_rss_bytes() const { return peak_rss_bytes_; }
+
  private:
   std::size_t spheres_;
   double time_;

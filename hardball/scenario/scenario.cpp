@@ -387,7 +387,7 @@ constexpr std::array<std::string_view, 9> kSpheresKeys{
 constexpr std::array<std::string_view, 1> kStartKeys{"file"};
 constexpr std::array<std::string_view, 1> kResponseKeys{"restitution"};
 constexpr std::array<std::string_view, 2> kRunKeys{"until", "seed"};
-constexpr std::array<std::string_view, 3> kOutputKeys{"directory", "snapshots_every", "event_log"};
+constexpr std::array<std::string_view, 4> kOutputKeys{"directory", "snapshots_every", "event_log", "report"};
 constexpr std::array<std::string_view, 3> kMeasuresKeys{"names", "every", "from"};
 
 // In the order of Boundary, Placement and VelocityRule.
@@ -523,6 +523,7 @@ void read_output(const Section& section, Scenario& scenario) {
   if (const auto directory = section.find("directory")) scenario.output_directory = directory->text();
   if (const auto every = section.find("snapshots_every")) scenario.snapshots_every = every->positive();
   if (const auto event_log = section.find("event_log")) scenario.event_log = event_log->truth();
+  if (const auto report = section.find("report")) scenario.report = report->truth();
 }
 
 void read_measures(const Section& section, MeasureSettings& measures) {
@@ -582,7 +583,9 @@ Scenario parse_scenario(std::string_view text, const std::string& name,
                         std::span<const std::string> overrides) {
   Document document{name, parse_toml(text, name), {}};
   for (const std::string& override_text : overrides) apply_override(document, override_text);
-  return read_scenario(document);
+  Scenario scenario = read_scenario(document);
+  scenario.text = text;
+  return scenario;
 }
 
 }  // namespace hardball

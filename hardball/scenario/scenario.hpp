@@ -54,6 +54,7 @@ struct Scenario {
   };
 
   std::string name;  ///< The file, for messages.
+  std::string text;  ///< What it says, without overrides.
   std::array<Axis, kAxes> box;
   std::vector<SphereGroup> spheres;                 ///< In the order of ids.
   std::optional<std::filesystem::path> start_file;  ///< An extended XYZ file, instead of `spheres`.
@@ -63,6 +64,7 @@ struct Scenario {
   std::optional<std::filesystem::path> output_directory;
   std::optional<double> snapshots_every;  ///< [T]
   bool event_log = false;
+  bool report = true;        ///< Where there is an output directory.
   MeasureSettings measures;  ///< Of all measures if the scenario has no table [measures].
 };
 

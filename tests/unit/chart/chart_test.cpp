@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <regex>
 #include <string>
@@ -151,7 +152,7 @@ TEST(Chart, MarkersStandAtTheirPlaceAndWidenTheRange) {
 }
 
 TEST(Chart, EscapesTexts) {
-  const std::string svg = to_svg({{.title = "a < b & \"c\"\n",
+  const std::string svg = to_svg({{.title = "a < b & \"c\"\x01",
                                    .x = {.label = "<x>"},
                                    .y = {.label = "&"},
                                    .series = {{.name = "</svg>"}},
@@ -173,6 +174,85 @@ TEST(Chart, PanelsStandInTwoColumns) {
   EXPECT_EQ(panels[0][1], panels[2][1]);
   EXPECT_NE(panels[0][1], panels[1][1]);
   EXPECT_NE(panels[0][2], panels[2][2]);
+}
+
+// Where the error bars or the band go, as pairs of numbers.
+std::vector<double> error_numbers(const std::string& svg) {
+  const std::vector<std::smatch> path = matches(svg, R"re(class="errors" d="([^"]*)")re");
+  std::vector<double> numbers;
+  if (path.size() != 1) return numbers;
+  const std::string data = path[0][1];
+  for (const std::smatch& match : matches(data, R"re(-?\d+(\.\d+)?)re"))
+    numbers.push_back(std::stod(match[0]));
+  return numbers;
+}
+
+TEST(Chart, ErrorBarsReachOneErrorUpAndDown) {
+  const std::string svg = draw({.x = {0, 1, 2}, .y = {0, 4, 8}, .y_error = {0, 2, 0}});
+  const std::vector<Pixel> at = marks(svg);
+  ASSERT_EQ(at.size(), 3U);
+  const double unit = (at[0].y - at[2].y) / 8;
+  // M left upper h width m back 0 V lower m back 0 h width
+  const std::vector<double> bar = error_numbers(svg);
+  ASSERT_EQ(bar.size(), 9U) << "points without an error have no bar";
+  EXPECT_NEAR(bar[0] + bar[2] / 2, at[1].x, kRounding);
+  EXPECT_NEAR(bar[1], at[1].y - 2 * unit, 2 * kRounding);
+  EXPECT_NEAR(bar[5], at[1].y + 2 * unit, 2 * kRounding);
+}
+
+TEST(Chart, ErrorBandsGoForthAboveAndBackBelow) {
+  const std::string svg = draw({.x = {0, 1, 2}, .y = {4, 4, 8}, .y_error = {1, 2, 0}, .error_band = true});
+  const std::vector<Pixel> at = marks(svg);
+  ASSERT_EQ(at.size(), 3U);
+  const double unit = (at[0].y - at[2].y) / 4;
+  const std::vector<double> band = error_numbers(svg);
+  ASSERT_EQ(band.size(), 12U);
+  EXPECT_NEAR(band[0], at[0].x, kRounding);
+  EXPECT_NEAR(band[1], at[0].y - unit, 2 * kRounding);
+  EXPECT_NEAR(band[5], at[2].y, kRounding);
+  EXPECT_NEAR(band[8], at[1].x, kRounding);
+  EXPECT_NEAR(band[9], at[1].y + 2 * unit, 2 * kRounding);
+  EXPECT_NEAR(band[11], at[0].y + unit, 2 * kRounding);
+}
+
+TEST(Chart, ErrorsEndAtTheFrameAndLeaveThePointsRoom) {
+  for (const bool logarithmic : {false, true}) {
+    for (const bool band : {false, true}) {
+      const std::string svg =
+          draw({.x = {1, 2}, .y = {1, 10}, .y_error = {1e9, 1e9}, .error_band = band}, logarithmic);
+      const std::vector<Pixel> at = marks(svg);
+      const std::vector<std::smatch> frame =
+          matches(svg, R"re(class="frame".* y="(\S+)".* height="(\S+)")re");
+      ASSERT_EQ(frame.size(), 1U);
+      const double top = std::stod(frame[0][1]);
+      const double height = std::stod(frame[0][2]);
+      const std::vector<double> numbers = error_numbers(svg);
+      ASSERT_GT(numbers.size(), 5U);
+      EXPECT_NEAR(numbers[1], top, kRounding);
+      EXPECT_GT(at[0].y - at[1].y, height / 4) << "errors out of all measure hide no points";
+    }
+  }
+  EXPECT_TRUE(error_numbers(draw({.x = {1}, .y = {1}, .y_error = {std::nan("")}})).empty());
+}
+
+TEST(Chart, InlineChartsTakeTheirColoursFromThePage) {
+  const std::string svg =
+      to_inline_svg({.title = "a & b",
+                     .x = {.label = "x"},
+                     .y = {.label = "y"},
+                     .series = {{.name = "theory", .x = {1, 2}, .y = {1, 2}, .reference = true},
+                                {.name = "measured", .x = {1, 2}, .y = {1, 2}}},
+                     .markers = {{.x = 1.5, .name = "here"}}},
+                    "first");
+  EXPECT_EQ(svg.find("#0"), std::string::npos) << "no colour of its own";
+  EXPECT_EQ(svg.find("black"), std::string::npos);
+  EXPECT_NE(svg.find("<title id=\"first-title\">a &amp; b</title>"), std::string::npos);
+  EXPECT_NE(svg.find(">y against x: theory, measured; here at 1.5</desc>"), std::string::npos);
+  EXPECT_NE(svg.find("aria-labelledby=\"first-title first-description\""), std::string::npos);
+  const std::vector<std::smatch> line = matches(svg, R"re(class="line" [^>]*stroke="([^"]+)")re");
+  ASSERT_EQ(line.size(), 2U);
+  EXPECT_EQ(line[0][1], "currentColor") << "a reference is drawn like the axes";
+  EXPECT_EQ(line[1][1], "var(--series-1)") << "and takes no colour from the others";
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ seed = 7
 directory = "out"
 snapshots_every = 0.5
 event_log = true
+report = false
 )";
 
 Scenario parse(const std::string& text, const std::vector<std::string>& overrides = {}) {
@@ -81,6 +82,7 @@ TEST(ParseScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.output_directory, "out");
   EXPECT_EQ(scenario.snapshots_every, 0.5);
   EXPECT_TRUE(scenario.event_log);
+  EXPECT_FALSE(scenario.report);
 }
 
 const std::string kLeast = R"(
@@ -103,7 +105,12 @@ TEST(ParseScenario, HasDefaults) {
   EXPECT_FALSE(scenario.output_directory);
   EXPECT_FALSE(scenario.snapshots_every);
   EXPECT_FALSE(scenario.event_log);
+  EXPECT_TRUE(scenario.report);
   EXPECT_FALSE(scenario.start_file);
+}
+
+TEST(ParseScenario, KeepsTheTextWithoutOverrides) {
+  EXPECT_EQ(parse(kLeast, {"run.seed=9"}).text, kLeast);
 }
 
 TEST(ParseScenario, TakesSizesOfBoundedAxesAlone) {

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace hardball::chart {
+
+/// The text as the content of an element or an attribute of XML or HTML. What is no UTF-8 becomes U+FFFD, and
+/// what XML does not allow, such as control characters, is left out.
+std::string escaped(std::string_view text);
+
+}  // namespace hardball::chart

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/cli/run_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <functional>
+#include <limits>
+
+#include "apps/cli/start.hpp"
+#include "hardball/tuning/cell_counts.hpp"
+#include "hardball/tuning/kinetic_theory.hpp"
+#include "hardball/tuning/moments.hpp"
+#include "hardball/tuning/neighbor_counts.hpp"
+
+namespace hardball::cli {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+std::string date_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &parts)};
+}
+
+std::vector<std::string> changes(const Options& options) {
+  std::vector<std::string> all;
+  for (const std::string& change : options.overrides) all.push_back("--set " + change);
+  if (options.until) all.push_back("--until " + *options.until);
+  if (options.seed) all.push_back("--seed " + *options.seed);
+  return all;
+}
+
+// --- rates and kinetic theory ---
+
+// Whether the theory of fluids in equilibrium has a say: many elastic spheres, enclosed, too few to freeze.
+bool has_theory(const Moments& moments, const EngineOptions& options) {
+  constexpr std::size_t kFewSpheres = 100;
+  constexpr double kFreezing = 0.494;
+  const Box& box = moments.box;
+  return options.restitution == 1 && moments.spheres >= kFewSpheres &&
+         moments.packing_fraction() <= kFreezing && !box.is_open(0) && !box.is_open(1) && !box.is_open(2);
+}
+
+bool are_equal_spheres(const Moments& moments) {
+  constexpr double kRounding = 1e-9;
+  const double square = moments.radius_power[1] * moments.radius_power[1];
+  return moments.radius_power[2] <= square * (1 + kRounding);
+}
+
+// The mean pressure on the walls [M L^-1 T^-2]: each contact hands over 4 k T / v in the mean.
+double expected_wall_pressure(const Moments& moments, double kinetic_energy) {
+  double area = 0;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const Vec3& size = moments.box.size();
+    if (moments.box.is_wall(axis)) area += 2 * size[(axis + 1) % kAxes] * size[(axis + 2) % kAxes];
+  }
+  const auto spheres = static_cast<double>(moments.spheres);
+  const double temperature = kinetic_energy / (1.5 * spheres);
+  return spheres * wall_rate(moments) * 4 * temperature / (moments.mean_speed * area);
+}
+
+// What has been counted over the whole run.
+std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments,
+                            const EngineOptions& options, const Summary& summary) {
+  std::vector<Quantity> all;
+  const bool theory = has_theory(moments, options);
+  const auto add = [&](const std::string& name, const std::string& unit, double value, double expected) {
+    if (std::isfinite(value)) all.push_back({name, unit, value, kNone, theory ? expected : kNone});
+  };
+  const Counters counters = simulation.counters();
+  const double span = static_cast<double>(simulation.size()) * simulation.time();
+  const auto rate = [&](std::uint64_t count) { return static_cast<double>(count) / span; };
+  const double collision_rate = 2 * rate(counters.collision);
+  add("collisions per sphere and time", "T^-1", collision_rate, 1 / mean_free_time(moments));
+  add("mean free time", "T", 1 / collision_rate, mean_free_time(moments));
+  if (options.restitution == 1) {
+    add("mean free path", "L", moments.mean_speed / collision_rate, mean_free_path(moments));
+  }
+  add("compressibility", "1", summary.compressibility(),
+      are_equal_spheres(moments) ? compressibility(moments) : kNone);
+  if (std::isfinite(summary.wall_pressure())) {
+    add("wall contacts per sphere and time", "T^-1", rate(counters.wall), wall_rate(moments));
+    add("pressure on the walls", "M L^-1 T^-2", summary.wall_pressure(),
+        expected_wall_pressure(moments, simulation.world().kinetic_energy()));
+  }
+  if (simulation.engine() == EngineKind::cells && counters.rebuilds == 0) {
+    const CellCounts expected = expected_counts(moments, simulation.cell_edge());
+    add("cells entered per sphere and time", "T^-1", rate(counters.enter), expected.enter);
+    add("stale events per sphere and time", "T^-1", rate(counters.stale), expected.stale);
+    add("pair predictions per sphere and time", "T^-1", rate(counters.predictions), expected.predictions());
+  }
+  return all;
+}
+
+// --- the choice of cells or lists ---
+
+report::CostCurve cost_curve(const std::function<double(double)>& cost, double chosen, double best) {
+  constexpr int kPoints = 121;
+  constexpr double kReach = 3;
+  const double first = std::min(chosen, best) / kReach;
+  const double last = std::max(chosen, best) * kReach;
+  const double least = cost(best);
+  report::CostCurve curve;
+  for (int i = 0; i < kPoints; ++i) {
+    const double length = first * std::pow(last / first, static_cast<double>(i) / (kPoints - 1));
+    curve.length.push_back(length);
+    curve.cost.push_back(cost(length) / least);
+  }
+  curve.marks.push_back({.x = chosen, .name = "in use"});
+  return curve;
+}
+
+report::CostCurve choice(const Simulation& simulation, const Moments& moments, const UnitCosts& costs) {
+  if (!(moments.mean_speed > 0)) return {};
+  if (simulation.slack() > 0) {
+    const double best = optimal_slack(moments, costs);
+    report::CostCurve curve =
+        cost_curve([&](double slack) { return cost_rate(expected_neighbor_counts(moments, slack), costs); },
+                   simulation.slack(), best);
+    curve.title = "Choice of the lists";
+    curve.quantity = "slack of the lists";
+    curve.explanation =
+        "A sphere keeps its list of neighbours while it moves by less than the slack: with little slack "
+        "lists are "
+        "made anew more often, with much they are longer. The choice changes the speed and no contact.";
+    return curve;
+  }
+  if (simulation.cell_edge() > 0) {
+    const double best = optimal_cell_edge(moments, costs);
+    report::CostCurve curve =
+        cost_curve([&](double edge) { return cost_rate(expected_counts(moments, edge), costs); },
+                   simulation.cell_edge(), best);
+    curve.marks.push_back({.x = paper_cell_edge(moments, costs), .name = "paper"});
+    curve.title = "Choice of the cells";
+    curve.quantity = "edge of the cells";
+    curve.explanation =
+        "Spheres enter small cells more often, and find more candidates in large ones. The choice changes "
+        "the "
+        "speed and no contact; hardball tune measures what is predicted here.";
+    return curve;
+  }
+  return {};
+}
+
+}  // namespace
+
+report::Report run_report(const Options& options, const Scenario& scenario,
+                          const EngineOptions& engine_options, const Simulation& simulation,
+                          const Summary& summary) {
+  report::Report report;
+  report.name = std::filesystem::path(scenario.name).stem().string();
+  report.scenario = scenario.text;
+  report.changes = changes(options);
+  report.program = "hardball " HARDBALL_VERSION;
+  report.date = date_now();
+  report.until = *scenario.until;
+  report.seed = scenario.seed;
+  report.restitution = scenario.restitution;
+
+  report.time = simulation.time();
+  report.event_log_hash = simulation.event_log_hash();
+  report.spheres = simulation.size();
+  report.events = simulation.counters();
+  report.packing_fraction = summary.packing_fraction();
+  report.initial_energy = simulation.tally().initial_energy();
+  report.final_energy = simulation.world().kinetic_energy();
+  report.momentum = simulation.world().momentum();
+  report.max_overlap = summary.max_overlap();
+
+  report.engine = name_of(simulation.engine());
+  report.cell_edge = summary.cell_edge();
+  report.slack = simulation.slack();
+  report.setup_seconds = summary.seconds().setup;
+  report.run_seconds = summary.seconds().run;
+  report.bytes_per_sphere = summary.bytes_per_sphere();
+  report.peak_bytes = static_cast<double>(summary.peak_rss_bytes());
+
+  const Moments moments = moments_of(simulation.world(), simulation.now());
+  report.rates = rates(simulation, moments, engine_options, summary);
+  report.choice = choice(simulation, moments, engine_options.unit_costs);
+  return report;
+}
+
+}  // namespace hardball::cli

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/report/measurement_charts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/report/number_text.hpp"
+
+namespace hardball::report {
+namespace {
+
+constexpr std::size_t kMostMarks = 60;
+constexpr std::size_t kLongestLabel = 44;
+
+std::string label_of(const std::string& name, const std::string& unit) {
+  const std::string text = unit_text(unit);
+  return text.empty() ? name : name + "  [" + text + "]";
+}
+
+// A chart in the making.
+struct Group {
+  const Column* argument;
+  std::string unit;
+  std::vector<const Column*> values;
+  chart::Chart chart;
+};
+
+Group& group_of(std::vector<Group>& groups, const Column* argument, const std::string& unit) {
+  for (Group& group : groups) {
+    if (group.argument == argument && group.unit == unit) return group;
+  }
+  groups.push_back({argument, unit, {}, {}});
+  return groups.back();
+}
+
+bool is_drawn(const chart::Chart& chart, double x, double y) {
+  return std::isfinite(x) && std::isfinite(y) && (!chart.x.logarithmic || x > 0) &&
+         (!chart.y.logarithmic || y > 0);
+}
+
+bool has_points(const chart::Chart& chart) {
+  for (const chart::Series& series : chart.series) {
+    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+      if (is_drawn(chart, series.x[i], series.y[i])) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string readable(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::vector<chart::Chart> charts_of(const Measurement& measurement) {
+  std::vector<Group> groups;
+  const Column* argument = nullptr;
+  Group* group = nullptr;    // that of the value column before
+  std::size_t measured = 0;  // its series there
+  for (const Column& column : measurement.columns) {
+    switch (column.role) {
+      case ColumnRole::argument:
+        argument = &column;
+        group = nullptr;
+        break;
+      case ColumnRole::value: {
+        if (!argument) break;
+        group = &group_of(groups, argument, column.unit);
+        group->values.push_back(&column);
+        const bool is_sparse = column.values.size() <= kMostMarks;
+        measured = group->chart.series.size();
+        group->chart.series.push_back({.name = readable(column.name),
+                                       .x = argument->values,
+                                       .y = column.values,
+                                       .line = !is_sparse,
+                                       .marks = is_sparse,
+                                       .error_band = !is_sparse});
+        break;
+      }
+      case ColumnRole::error:
+        if (group) group->chart.series[measured].y_error = column.values;
+        break;
+      case ColumnRole::theory:
+        if (!group) break;
+        group->chart.series.push_back({.name = readable(column.name),
+                                       .x = argument->values,
+                                       .y = column.values,
+                                       .marks = false,
+                                       .dashed = true,
+                                       .reference = true});
+        break;
+    }
+  }
+  std::vector<chart::Chart> charts;
+  for (Group& each : groups) {
+    std::string names;
+    for (const Column* value : each.values) names += (names.empty() ? "" : ", ") + readable(value->name);
+    const bool is_only = groups.size() == 1;
+    each.chart.title = is_only ? measurement.title : measurement.title + ": " + names;
+    if (names.size() > kLongestLabel) names = measurement.title;
+    each.chart.x = {.label = label_of(readable(each.argument->name), each.argument->unit),
+                    .logarithmic = measurement.is_logarithmic_in_argument};
+    each.chart.y = {.label = label_of(names, each.unit), .logarithmic = measurement.is_logarithmic_in_value};
+    // Points that no curve goes through are joined.
+    const auto is_reference = [](const chart::Series& series) { return series.reference; };
+    if (std::none_of(each.chart.series.begin(), each.chart.series.end(), is_reference)) {
+      for (chart::Series& series : each.chart.series) series.line = true;
+    }
+    // A single curve needs no legend: the axis has its name.
+    if (each.chart.series.size() == 1) each.chart.series.front().name.clear();
+    if (has_points(each.chart)) charts.push_back(std::move(each.chart));
+  }
+  return charts;
+}
+
+}  // namespace hardball::report

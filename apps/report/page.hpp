@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The pieces that a page is made of. Arguments called `html` are markup, taken as it is; all others are
+/// text.
+namespace hardball::report {
+
+/// A text with its raised exponents set as such.
+std::string typeset(std::string_view text);
+
+/// A paragraph of a class.
+std::string paragraph(std::string_view css_class, std::string_view html);
+
+/// A section with its heading, to be linked to as `id`.
+std::string section(std::string_view id, std::string_view heading, std::string_view html);
+
+/// A plot.
+std::string figure(std::string_view svg_html);
+
+/// A table whose rows begin with their name.
+class Table {
+ public:
+  /// `css_class` is "facts" for names and what they are, "numbers" for columns of numbers. With no heads
+  /// there is no row of heads; the first stands above the names.
+  Table(std::string_view css_class, std::string_view caption, const std::vector<std::string>& heads = {});
+
+  void add_row(std::string_view name_html, const std::vector<std::string>& cells_html);
+  bool is_empty() const { return rows_.empty(); }
+  std::string html() const;
+
+ private:
+  std::string css_class_;
+  std::string caption_;
+  std::string head_;
+  std::string rows_;
+};
+
+/// A skeleton in which each {{name}} has become what `pieces` says for it, as it is. Precondition: they have
+/// it.
+std::string fill(std::string_view skeleton, const std::map<std::string, std::string, std::less<>>& pieces);
+
+}  // namespace hardball::report

@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "apps/chart/escaped.hpp"
+#include "apps/report/measurement_charts.hpp"
+#include "apps/report/number_text.hpp"
+#include "apps/report/page.hpp"
+#include "hardball/world/audit.hpp"
+#include "hardball_report_files.hpp"
+
+namespace hardball::report {
+namespace {
+
+using chart::escaped;
+
+// Rounding changes the energy of elastic spheres by less, however long the run.
+constexpr double kEnergyTolerance = 1e-10;
+constexpr double kFarInErrors = 3;
+constexpr double kManyTimes = 4;  // from which on costs are best compared on a logarithmic axis
+constexpr std::size_t kMostScenarioBytes = 20'000;
+
+// A file of ours without the lines at its head that say whose it is.
+std::string_view without_license(std::string_view file) {
+  return file.substr(file.find("\n\n") + 2);
+}
+
+std::string in_unit(const std::string& number, std::string_view unit) {
+  return fmt::format("{} <span class=\"unit\">{}</span>", typeset(number), typeset(unit_text(unit)));
+}
+
+std::string code(std::string_view text) {
+  return "<code>" + escaped(text) + "</code>";
+}
+
+std::string hash_text(std::uint64_t hash) {
+  return fmt::format("{:016x}", hash);
+}
+
+bool is_elastic(const Report& report) {
+  return report.restitution == 1;
+}
+
+// Relative to that at the start; zero if there was none.
+double energy_change(const Report& report) {
+  const double change = report.final_energy - report.initial_energy;
+  return report.initial_energy > 0 ? change / report.initial_energy : change;
+}
+
+// --- how much is near its theory ---
+
+bool is_far(const Quantity& quantity) {
+  return is_known_error(quantity.value, quantity.error) &&
+         std::abs(quantity.value - quantity.theory) > kFarInErrors * quantity.error;
+}
+
+struct Agreement {
+  int compared = 0;
+  int near = 0;
+
+  void note(const std::vector<Quantity>& quantities) {
+    for (const Quantity& quantity : quantities) {
+      if (!is_known_error(quantity.value, quantity.error) || std::isnan(quantity.value - quantity.theory))
+        continue;
+      ++compared;
+      if (!is_far(quantity)) ++near;
+    }
+  }
+};
+
+std::string agreement_sentence(const Report& report) {
+  Agreement agreement;
+  for (const Measurement& measurement : report.measurements) agreement.note(measurement.quantities);
+  if (agreement.compared == 0) return {};
+  return fmt::format(
+      " Of {} measured numbers with a standard error and a theory, {} lie within three standard errors of "
+      "it.",
+      agreement.compared, agreement.near == agreement.compared ? "all" : std::to_string(agreement.near));
+}
+
+// --- summary ---
+
+// The first paragraph of the comment at the head of a scenario.
+std::string description_of(std::string_view scenario) {
+  std::string text;
+  while (scenario.starts_with('#')) {
+    const std::size_t end = std::min(scenario.find('\n'), scenario.size());
+    std::string_view line = scenario.substr(1, end - 1);
+    while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
+    while (!line.empty() && (line.back() == ' ' || line.back() == '\r')) line.remove_suffix(1);
+    if (line.empty()) break;
+    text += (text.empty() ? "" : " ") + std::string(line);
+    scenario.remove_prefix(std::min(end + 1, scenario.size()));
+  }
+  return text;
+}
+
+std::string verdict(const Report& report) {
+  const bool overlaps = !(report.max_overlap <= kOverlapTolerance);
+  const bool drifts = is_elastic(report) && !(std::abs(energy_change(report)) <= kEnergyTolerance);
+  const bool is_sound = !overlaps && !drifts;
+  std::string text;
+  if (report.is_complete) {
+    text = "The run reached its end";
+  } else {
+    text = fmt::format("A signal ended the run at time {} of {}", number_text(report.time),
+                       number_text(report.until));
+  }
+  if (overlaps) {
+    text += fmt::format("; spheres overlap by {} diameters", number_text(report.max_overlap, 2));
+  } else {
+    text += "; no spheres overlap by more than rounding";
+  }
+  if (!is_elastic(report)) {
+    text += fmt::format("; collisions took {}% of the energy", number_text(-100 * energy_change(report), 4));
+  } else if (drifts) {
+    text += fmt::format("; the energy changed by {} of its value", number_text(energy_change(report), 2));
+  } else {
+    text += "; the energy is conserved";
+  }
+  const std::string_view word = !is_sound ? "Not sound" : report.is_complete ? "Sound" : "Interrupted";
+  return fmt::format("<p class=\"verdict {}\"><strong>{}.</strong> <span>{}.{}</span></p>\n",
+                     is_sound && report.is_complete ? "good" : "bad", word, typeset(text),
+                     agreement_sentence(report));
+}
+
+std::string key_figures(const Report& report) {
+  std::string html = "<dl class=\"figures\">\n";
+  const auto add = [&](std::string_view name, const std::string& value, std::string_view css_class = "") {
+    const std::string attribute = css_class.empty() ? "" : fmt::format(" class=\"{}\"", css_class);
+    html += fmt::format("<div{}><dt>{}</dt><dd>{}</dd></div>\n", attribute, name, value);
+  };
+  add("spheres", count_text(report.spheres));
+  add("time simulated", in_unit(number_text(report.time), "T"));
+  add("collisions", count_text(report.events.collision));
+  if (std::isfinite(report.packing_fraction)) {
+    add("packing fraction", number_text(report.packing_fraction, 4));
+  } else {
+    add("wall contacts", count_text(report.events.wall));
+  }
+  add("relative change of the energy", typeset(number_text(energy_change(report), 2)));
+  add("computed in", seconds_text(report.setup_seconds + report.run_seconds));
+  add("event log hash", hash_text(report.event_log_hash), "hash");
+  return html + "</dl>\n";
+}
+
+// --- sections ---
+
+std::string certificate(const Report& report) {
+  Table conserved("facts", "State");
+  conserved.add_row("energy at the start", {in_unit(number_text(report.initial_energy, 10), "M L^2 T^-2")});
+  conserved.add_row("energy at the end", {in_unit(number_text(report.final_energy, 10), "M L^2 T^-2")});
+  conserved.add_row("relative change", {typeset(number_text(energy_change(report), 2))});
+  const Vec3& momentum = report.momentum;
+  conserved.add_row("momentum at the end",
+                    {in_unit(fmt::format("({}, {}, {})", number_text(momentum.x, 2),
+                                         number_text(momentum.y, 2), number_text(momentum.z, 2)),
+                             "M L T^-1")});
+  conserved.add_row("deepest overlap", {typeset(number_text(report.max_overlap, 2)) + " diameters"});
+  conserved.add_row("restitution", {number_text(report.restitution)});
+  conserved.add_row("seed", {std::to_string(report.seed)});
+  Table events("facts", "Events");
+  events.add_row("event log hash", {code(hash_text(report.event_log_hash))});
+  events.add_row("collisions", {count_text(report.events.collision)});
+  events.add_row("wall contacts", {count_text(report.events.wall)});
+  events.add_row("cells entered", {count_text(report.events.enter)});
+  events.add_row("cells left", {count_text(report.events.leave)});
+  events.add_row("stale events", {count_text(report.events.stale)});
+  events.add_row("pair predictions", {count_text(report.events.predictions)});
+  return "<div class=\"pair\">\n" + conserved.html() + events.html() + "</div>\n" +
+         paragraph(
+             "note",
+             "The hash is the fingerprint of all collisions and wall contacts in order: the last bit of "
+             "each time, the kind, and the partners. Engine, cells and output do not change it.");
+}
+
+std::string quantities_table(const std::vector<Quantity>& quantities) {
+  Table table("numbers", "", {"quantity", "measured", "theory", "deviation"});
+  for (const Quantity& quantity : quantities) {
+    const std::string unit = unit_text(quantity.unit);
+    const std::string name = escaped(readable(quantity.name)) +
+                             (unit.empty() ? "" : " <span class=\"unit\">[" + typeset(unit) + "]</span>");
+    const std::string deviation = deviation_text(quantity.value, quantity.error, quantity.theory);
+    table.add_row(
+        name, {typeset(measured_text(quantity.value, quantity.error)), typeset(number_text(quantity.theory)),
+               is_far(quantity) ? "<span class=\"far\">" + deviation + "</span>" : deviation});
+  }
+  return table.html();
+}
+
+// How to read the tables of quantities.
+std::string reading() {
+  return paragraph(
+      "note",
+      "A standard error stands in parentheses, in units of the last digit: 1.234(56) is 1.234 ± 0.056. "
+      "Deviations from theory are in standard errors, σ, or in percent where no error is known; those "
+      "of more than three σ are bold. Many theories are approximations.");
+}
+
+std::string rates(const Report& report) {
+  return quantities_table(report.rates) + paragraph("note",
+                                                    "Means over the whole run, the way from the start to "
+                                                    "equilibrium included; the theory is that of "
+                                                    "equilibrium.");
+}
+
+std::string article(const Measurement& measurement) {
+  std::string html = "<article>\n<h3 id=\"measure-" + escaped(measurement.name) + "\">" +
+                     escaped(measurement.title) + "</h3>\n";
+  if (!measurement.formula.empty()) html += paragraph("formula", escaped(measurement.formula));
+  std::string figures;
+  const std::vector<chart::Chart> charts = charts_of(measurement);
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    const std::string id = fmt::format("plot-{}-{}", measurement.name, i + 1);
+    figures += figure(chart::to_inline_svg(charts[i], id));
+  }
+  html += "<div class=\"pair\">\n" + figures;
+  if (!measurement.quantities.empty()) html += quantities_table(measurement.quantities);
+  html += "</div>\n";
+  if (figures.empty() && measurement.quantities.empty())
+    html += paragraph("note", "The run gave no numbers.");
+  if (!measurement.source.empty()) html += paragraph("source", escaped(measurement.source));
+  return html + "</article>\n";
+}
+
+std::string articles(const Report& report) {
+  std::string html;
+  for (const Measurement& measurement : report.measurements) html += article(measurement);
+  return html;
+}
+
+std::string choice(const CostCurve& curve) {
+  chart::Chart chart;
+  chart.title = "Predicted cost against " + curve.quantity;
+  chart.x = {.label = curve.quantity + "  [L]", .logarithmic = true};
+  const double highest = *std::max_element(curve.cost.begin(), curve.cost.end());
+  chart.y = {.label = "predicted cost, over the least", .logarithmic = highest > kManyTimes};
+  chart.series = {{.x = curve.length, .y = curve.cost, .marks = false}};
+  chart.markers = curve.marks;
+  Table table("numbers", "", {"", curve.quantity, "cost, over the least"});
+  for (const chart::Marker& mark : curve.marks) {
+    double cost = std::nan("");
+    for (std::size_t i = 0; i + 1 < curve.length.size(); ++i) {
+      if (mark.x < curve.length[i] || mark.x > curve.length[i + 1]) continue;
+      const double share = (mark.x - curve.length[i]) / (curve.length[i + 1] - curve.length[i]);
+      cost = curve.cost[i] + share * (curve.cost[i + 1] - curve.cost[i]);
+    }
+    table.add_row(escaped(mark.name), {in_unit(number_text(mark.x, 4), "L"), number_text(cost, 4)});
+  }
+  return "<div class=\"pair\">\n" + figure(chart::to_inline_svg(chart, "plot-choice")) + "<div>\n" +
+         table.html() + paragraph("note", escaped(curve.explanation)) + "</div>\n</div>\n";
+}
+
+std::string speed(const Report& report) {
+  Table table("facts", "");
+  const auto add_per_second = [&](std::string_view name, std::uint64_t count) {
+    if (report.run_seconds > 0) {
+      table.add_row(name, {rate_text(static_cast<double>(count) / report.run_seconds)});
+    }
+  };
+  table.add_row("setup", {seconds_text(report.setup_seconds)});
+  table.add_row("run", {seconds_text(report.run_seconds)});
+  add_per_second("collisions per second", report.events.collision);
+  add_per_second("events per second", report.events.contacts() + report.events.enter + report.events.leave);
+  table.add_row("pair predictions", {count_text(report.events.predictions)});
+  if (report.events.contacts() > 0) {
+    table.add_row("predictions per contact", {number_text(static_cast<double>(report.events.predictions) /
+                                                              static_cast<double>(report.events.contacts()),
+                                                          4)});
+  }
+  table.add_row("engine", {escaped(report.engine)});
+  if (report.cell_edge > 0)
+    table.add_row("edge of the cells", {in_unit(number_text(report.cell_edge, 4), "L")});
+  if (report.slack > 0) table.add_row("slack of the lists", {in_unit(number_text(report.slack, 4), "L")});
+  table.add_row("memory of the spheres", {number_text(report.bytes_per_sphere, 4) + " bytes per sphere"});
+  table.add_row("memory of the program", {bytes_text(report.peak_bytes) + " at the peak"});
+  return table.html();
+}
+
+// A text up to a line end near the most bytes to be shown.
+std::string_view beginning_of(std::string_view text) {
+  if (text.size() <= kMostScenarioBytes) return text;
+  return text.substr(0, std::min(text.rfind('\n', kMostScenarioBytes), kMostScenarioBytes));
+}
+
+std::string scenario(const Report& report) {
+  std::string html;
+  if (report.changes.empty()) {
+    html += paragraph("note", "As the file says, without changes on the command line.");
+  } else {
+    html += paragraph("note", "As the file says; the command line changed:") + "<ul class=\"changes\">\n";
+    for (const std::string& change : report.changes) html += "<li>" + code(change) + "</li>\n";
+    html += "</ul>\n";
+  }
+  const std::string_view shown = beginning_of(report.scenario);
+  html += "<pre tabindex=\"0\"><code>" + escaped(shown) + "</code></pre>\n";
+  if (shown.size() < report.scenario.size()) {
+    html += paragraph("note", fmt::format("The file goes on for another {} bytes.",
+                                          count_text(report.scenario.size() - shown.size())));
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string to_html(const Report& report) {
+  std::string contents;
+  std::string sections;
+  const auto add = [&](std::string_view id, std::string_view heading, const std::string& html) {
+    contents += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", id, escaped(heading));
+    sections += section(id, heading, html);
+  };
+  add("certificate", "Certificate", certificate(report));
+  if (!report.rates.empty()) add("rates", "Rates and kinetic theory", rates(report));
+  if (!report.measurements.empty()) add("measures", "Measures", reading() + articles(report));
+  if (!report.choice.length.empty()) add("choice", report.choice.title, choice(report.choice));
+  add("speed", "Speed and memory", speed(report));
+  add("scenario", "Scenario", scenario(report));
+  const std::string description = description_of(report.scenario);
+  return fill(without_license(report_html()),
+              {{"name", escaped(report.name)},
+               {"program", escaped(report.program)},
+               {"date", report.date.empty() ? "" : ", " + escaped(report.date)},
+               {"style", std::string(without_license(report_css()))},
+               {"description", description.empty() ? "" : paragraph("lead", escaped(description))},
+               {"summary", verdict(report) + key_figures(report)},
+               {"contents", contents},
+               {"sections", sections}});
+}
+
+}  // namespace hardball::report

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "apps/chart/chart.hpp"
+#include "hardball/engine/run.hpp"
+#include "hardball/geometry/vec3.hpp"
+#include "hardball/measure/measurement.hpp"
+
+namespace hardball::report {
+
+/// What was predicted of the choice of the engine's cells or lists.
+struct CostCurve {
+  std::string title;        ///< "Choice of the cells".
+  std::string quantity;     ///< What was chosen: "edge of the cells".
+  std::string explanation;  ///< Why it matters, in a sentence or two.
+  std::vector<double>
+      length;  ///< The edges, or radii, compared, in rising order [L]; empty if there was no choice.
+  std::vector<double> cost;          ///< What each would cost, over the least [1].
+  std::vector<chart::Marker> marks;  ///< The one in use, and others of interest.
+};
+
+/// All that a report says of a run. A number that has no meaning for the run is NaN.
+struct Report {
+  // What was asked for.
+  std::string name;                  ///< Of the scenario.
+  std::string scenario;              ///< Its text (TOML).
+  std::vector<std::string> changes;  ///< What the command line changed in it, as "--until 5".
+  std::string program;               ///< Name and version.
+  std::string date;                  ///< When the run ended, to be read.
+  double until = 0;                  ///< When the run should end [T].
+  std::uint64_t seed = 0;
+  double restitution = 1;  ///< [1]
+
+  // What came of it.
+  double time = 0;  ///< When it ended [T].
+  bool is_complete = true;
+  std::uint64_t event_log_hash = 0;
+  std::size_t spheres = 0;
+  Counters events;
+  double packing_fraction = std::numeric_limits<double>::quiet_NaN();  ///< [1]
+  double initial_energy = 0;                                           ///< [M L^2 T^-2]
+  double final_energy = 0;                                             ///< [M L^2 T^-2]
+  Vec3 momentum;                                                       ///< [M L T^-1]
+  double max_overlap = 0;                                              ///< In diameters [1].
+
+  // How it went.
+  std::string engine;
+  double cell_edge = std::numeric_limits<double>::quiet_NaN();  ///< [L]
+  double slack = std::numeric_limits<double>::quiet_NaN();      ///< Of neighbour lists [L].
+  double setup_seconds = 0;
+  double run_seconds = 0;
+  double bytes_per_sphere = 0;
+  double peak_bytes = 0;
+
+  std::vector<Quantity> rates;  ///< With what kinetic theory predicts.
+  CostCurve choice;
+  std::vector<Measurement> measurements;
+};
+
+/// The report as one HTML page that needs nothing else, no network and no script; it is well-formed XML too.
+std::string to_html(const Report& report);
+
+}  // namespace hardball::report

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// The page that a run ends in.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "cli/program.hpp"
+#include "support/page.hpp"
+
+namespace hardball {
+namespace {
+
+using nlohmann::json;
+using support::Arguments;
+using support::Outcome;
+using support::Program;
+using support::read_text;
+using support::run_program;
+using support::ScratchFolder;
+using support::write_text;
+
+const std::string kPeriodicGas = R"(# A gas of <300> spheres & more.
+[box]
+size = [10.0, 10.0, 10.0]
+boundary = ["periodic", "periodic", "periodic"]
+[[spheres]]
+count = 300
+radius = 0.5
+placement = "random"
+temperature = 1.0
+[run]
+until = 5.0
+)";
+
+class ReportFile : public testing::Test {
+ protected:
+  ReportFile() { write_text(folder_ / "gas.toml", kPeriodicGas); }
+
+  json run(const Arguments& more, const std::string& scenario = "gas.toml") {
+    Arguments arguments{"run", scenario, "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run_program(folder_, arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+    return json::parse(outcome.output);
+  }
+
+  bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+
+  void expect_in_report(const std::string& part) const {
+    EXPECT_NE(read_text(folder_ / "out/report.html").find(part), std::string::npos) << part;
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(ReportFile, IsWrittenBesideTheOthers) {
+  const json summary = run({"--out", "out", "--seed", "7", "--set", "run.until=4"});
+  EXPECT_EQ(support::faults_of_page(folder_ / "out/report.html"), "");
+  expect_in_report("<h1>gas</h1>");
+  expect_in_report("A gas of &lt;300&gt; spheres &amp; more.</p>");
+  expect_in_report("<strong>Sound.</strong>");
+  expect_in_report("<dd>" + summary["event_log_hash"].get<std::string>() + "</dd>");
+  expect_in_report("<code>--seed 7</code>");
+  expect_in_report("<code>--set run.until=4</code>");
+  expect_in_report("<th scope=\"row\">seed</th><td>7</td>");
+  expect_in_report("mean free time");
+  expect_in_report("compressibility");
+  expect_in_report("<h2 id=\"choice\">");
+  EXPECT_FALSE(exists("out/report.html.part"));
+}
+
+TEST_F(ReportFile, ChangesNoContact) {
+  const json with = run({"--out", "out"});
+  const json without = run({"--out", "out", "--set", "output.report=false"});
+  EXPECT_EQ(with["event_log_hash"], without["event_log_hash"]);
+  EXPECT_EQ(with["events"], without["events"]);
+  EXPECT_EQ(with["energy"], without["energy"]);
+}
+
+TEST_F(ReportFile, CanBeSwitchedOff) {
+  run({"--out", "out"});
+  EXPECT_TRUE(exists("out/report.html"));
+  run({"--out", "out", "--set", "output.report=false"});
+  EXPECT_FALSE(exists("out/report.html")) << "nor is there that of an earlier run";
+  EXPECT_TRUE(exists("out/summary.json"));
+  run({});
+  EXPECT_FALSE(exists("report.html"));
+}
+
+TEST_F(ReportFile, OfEveryKindOfRunIsSound) {
+  int number = 0;
+  for (const Arguments& kind :
+       std::vector<Arguments>{{"--set", R"(box.boundary=["wall", "wall", "wall"])"},
+                              {"--set", R"(box.boundary=["open", "open", "open"])"},
+                              {"--set", R"(box.boundary=["wall", "periodic", "open"])", "--engine", "paper"},
+                              {"--engine", "neighbors"},
+                              {"--engine", "all-pairs"},
+                              {"--set", "response.restitution=0.5"},
+                              {"--set", "spheres.0.count=1"},
+                              {"--set", "spheres.0.temperature=0"},
+                              {"--until", "0"}}) {
+    const std::string out = "out" + std::to_string(number++);
+    Arguments arguments = kind;
+    arguments.insert(arguments.end(), {"--out", out});
+    run(arguments);
+    EXPECT_EQ(support::faults_of_page(folder_ / (out + "/report.html")), "") << kind[1];
+    const std::string html = read_text(folder_ / (out + "/report.html"));
+    EXPECT_NE(html.find("<strong>Sound.</strong>"), std::string::npos) << kind[1];
+    for (const char* word : {"nan", "inf<", "inf "})
+      EXPECT_EQ(html.find(word), std::string::npos) << kind[1] << word;
+  }
+}
+
+TEST_F(ReportFile, EscapesTheNameOfTheScenario) {
+  write_text(folder_ / "a<b>&'c'\xff.toml", kPeriodicGas);
+  run({"--out", "out"}, "a<b>&'c'\xff.toml");
+  EXPECT_EQ(support::faults_of_page(folder_ / "out/report.html"), "");
+  expect_in_report("<h1>a&lt;b&gt;&amp;'c'\uFFFD</h1>");
+}
+
+TEST_F(ReportFile, SaysThatTheRunWasInterrupted) {
+  using namespace std::chrono_literals;
+  const Program program(
+      folder_, {"run", "gas.toml", "--until", "1e6", "--out", "out", "--set", "output.event_log=true"});
+  const std::filesystem::path events = folder_ / "out/events.npy";
+  for (int i = 0; i < 2000; ++i) {
+    if (exists("out/events.npy") && std::filesystem::file_size(events) > 1000) break;
+    std::this_thread::sleep_for(10ms);
+  }
+  kill(program.process(), SIGINT);
+  EXPECT_EQ(program.wait().exit_code, 1);
+  EXPECT_EQ(support::faults_of_page(folder_ / "out/report.html"), "");
+  expect_in_report("<strong>Interrupted.</strong>");
+  expect_in_report(" of 1·10<sup>6</sup>");
+}
+
+TEST_F(ReportFile, IsWholeOrAbsent) {
+  run({"--out", "out"});
+  const std::uintmax_t size = std::filesystem::file_size(folder_ / "out/report.html");
+  const Outcome outcome =
+      Program(folder_, {"run", "gas.toml", "--out", "out"}, HARDBALL_PROGRAM, size / 2).wait();
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.messages.find("report.html"), std::string::npos) << outcome.messages;
+  EXPECT_FALSE(exists("out/report.html"));
+  EXPECT_FALSE(exists("out/report.html.part"));
+  EXPECT_TRUE(exists("out/summary.json"));
+}
+
+TEST_F(ReportFile, DoesNotReplaceADirectory) {
+  std::filesystem::create_directories(folder_ / "out/report.html");
+  const Outcome outcome = run_program(folder_, {"run", "gas.toml", "--out", "out"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.messages.find("out/report.html: is a directory"), std::string::npos) << outcome.messages;
+}
+
+}  // namespace
+}  // namespace hardball

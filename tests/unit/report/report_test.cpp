@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/report/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/page.hpp"
+#include "support/scratch_folder.hpp"
+#include "unit/report/sample_report.hpp"
+
+namespace hardball::report {
+namespace {
+
+std::string faults_of(const Report& report) {
+  const support::ScratchFolder folder;
+  support::write_text(folder / "report.html", to_html(report));
+  return support::faults_of_page(folder / "report.html");
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+void expect_in(const std::string& html, const std::string& part) {
+  EXPECT_NE(html.find(part), std::string::npos) << part;
+}
+
+void expect_not_in(const std::string& html, const std::string& part) {
+  EXPECT_EQ(html.find(part), std::string::npos) << part;
+}
+
+TEST(Report, IsWellFormedAndAccessibleAndAsksForNothing) {
+  EXPECT_EQ(faults_of(sample_report()), "");
+}
+
+TEST(Report, OfAnEmptyRunIsSoToo) {
+  Report report;
+  report.name = "empty";
+  EXPECT_EQ(faults_of(report), "");
+}
+
+TEST(Report, SaysWhatRanAndWhatCameOfIt) {
+  const std::string html = to_html(sample_report());
+  expect_in(html, "<h1>dense_gas</h1>");
+  expect_in(
+      html,
+      "A dense gas in a periodic box: 49% of space is filled, just below where hard spheres freeze.</p>");
+  expect_in(html, "<dt>event log hash</dt><dd>0123456789abcdef</dd>");
+  expect_in(html, "<dd>1,234,567</dd>");
+  expect_in(html, "<td>765,432</td>");
+  expect_in(html, "<td>3.1·10<sup>−15</sup> diameters</td>");
+  expect_in(html, "<td>988,000</td>");
+  expect_in(html, "<td>23.4 MB at the peak</td>");
+  expect_in(html, "<th scope=\"row\">seed</th><td>1</td>");
+  expect_in(html, "<li><code>--until 20</code></li>");
+  expect_in(html, "<li><code>--set output.directory=&quot;out&quot;</code></li>");
+  expect_in(html, "\n[run]\nuntil = 1.0\nseed = 1\n</code></pre>");
+  expect_in(html, "hardball 0.1.0, 2026-11-21 11:08 UTC");
+}
+
+TEST(Report, HasEveryMeasurementWithItsNumbers) {
+  const Report report = sample_report();
+  const std::string html = to_html(report);
+  for (const Measurement& measurement : report.measurements) {
+    expect_in(html, "id=\"measure-" + measurement.name + "\"");
+  }
+  expect_in(html, "Mean square displacement &amp; diffusion</h3>");
+  expect_in(html, "&lt;|x(t) - x(0)|^2&gt; of all spheres</p>");
+  expect_in(html, "Percus and Yevick, Phys. Rev. 110 (1958) 1</p>");
+  expect_in(html, "<th scope=\"row\">contact value</th><td>5.710(40)</td><td>5.69</td><td>+0.5 σ</td>");
+  expect_in(html, "<th scope=\"row\">coordination number</th><td>12.010(20)</td><td>–</td><td>–</td>");
+  expect_in(
+      html,
+      "self diffusion <span class=\"unit\">[L<sup>2</sup> T<sup>−1</sup>]</span></th><td>0.010230(80)</td>");
+  expect_in(html, "<td><span class=\"far\">+5.4 σ</span></td>");
+  EXPECT_EQ(count(html, "<svg "), 4U) << "one plot of one measure, two of another, and that of the cells";
+  EXPECT_EQ(count(html, "The run gave no numbers."), 1U);
+  expect_in(html, "Of 3 measured numbers with a standard error and a theory, 1 lie");
+}
+
+TEST(Report, MarksTheCellsInUse) {
+  const std::string html = to_html(sample_report());
+  expect_in(html, "<h2 id=\"choice\">Choice of the cells</h2>");
+  expect_in(html, "auto at 1.02; paper at 1.4</desc>");
+  expect_in(html, "<th scope=\"row\">paper</th><td>1.4 <span class=\"unit\">L</span></td><td>1.057</td>");
+  Report without = sample_report();
+  without.choice = {};
+  expect_not_in(to_html(without), "id=\"choice\"");
+}
+
+TEST(Report, EscapesAllThatComesFromOutside) {
+  const std::string hostile = "</style></pre><script>alert('{{style}}')</script> & \xff\x01 \"x\"";
+  Report report = sample_report();
+  report.name = report.program = report.date = report.engine = hostile;
+  report.scenario = "# " + hostile + "\n" + hostile;
+  report.changes = {hostile};
+  report.rates[0].name = report.rates[0].unit = hostile;
+  report.choice.title = report.choice.quantity = report.choice.explanation = hostile;
+  report.choice.marks[0].name = hostile;
+  Measurement& measurement = report.measurements[0];
+  measurement.title = measurement.formula = measurement.source = hostile;
+  measurement.quantities[0].name = measurement.quantities[0].unit = hostile;
+  for (Column& column : measurement.columns) column.name = column.unit = hostile;
+  const std::string html = to_html(report);
+  expect_not_in(html, "<script");
+  EXPECT_EQ(count(html, "</style>"), 1U);
+  EXPECT_EQ(faults_of(report), "");
+}
+
+std::string verdict_of(const Report& report) {
+  const std::string html = to_html(report);
+  const std::size_t begin = html.find("<p class=\"verdict");
+  return html.substr(begin, html.find("</p>", begin) - begin);
+}
+
+TEST(Report, JudgesTheRun) {
+  const std::string sound = verdict_of(sample_report());
+  expect_in(sound, "verdict good\"><strong>Sound.</strong>");
+  expect_in(sound, "the energy is conserved");
+}
+
+TEST(Report, SaysThatARunWasInterrupted) {
+  Report report = sample_report();
+  report.is_complete = false;
+  report.time = 3.25;
+  const std::string verdict = verdict_of(report);
+  expect_in(verdict, "verdict bad\"><strong>Interrupted.</strong>");
+  expect_in(verdict, "at time 3.25 of 20");
+}
+
+TEST(Report, SaysThatARunIsNotSound) {
+  Report drifting = sample_report();
+  drifting.final_energy = drifting.initial_energy * (1 + 1e-6);
+  expect_in(verdict_of(drifting), "<strong>Not sound.</strong>");
+  expect_in(verdict_of(drifting), "the energy changed by 1·10<sup>−6</sup>");
+  Report overlapping = sample_report();
+  overlapping.max_overlap = 0.01;
+  expect_in(verdict_of(overlapping), "<strong>Not sound.</strong>");
+  expect_in(verdict_of(overlapping), "overlap by 0.01 diameters");
+  overlapping.is_complete = false;
+  expect_in(verdict_of(overlapping), "<strong>Not sound.</strong>");
+  Report broken = sample_report();
+  broken.final_energy = std::numeric_limits<double>::quiet_NaN();
+  expect_in(verdict_of(broken), "<strong>Not sound.</strong>");
+}
+
+TEST(Report, ExpectsInelasticSpheresToLoseEnergy) {
+  Report report = sample_report();
+  report.restitution = 0.9;
+  report.final_energy = report.initial_energy / 4;
+  expect_in(verdict_of(report), "<strong>Sound.</strong>");
+  expect_in(verdict_of(report), "collisions took 75% of the energy");
+}
+
+TEST(Report, ShowsTheBeginningOfALongScenario) {
+  Report report = sample_report();
+  const std::string line = "[0.125, 0.25, 0.5],\n";
+  report.scenario.clear();
+  for (int i = 0; i < 5000; ++i) report.scenario += line;
+  const std::string html = to_html(report);
+  const std::size_t shown = count(html, "[0.125, 0.25, 0.5],");
+  EXPECT_GT(shown, 500U);
+  EXPECT_LT(shown, 1100U);
+  expect_in(html, "The file goes on for another ");
+  EXPECT_EQ(faults_of(report), "");
+}
+
+}  // namespace
+}  // namespace hardball::report
