@@ -26,6 +26,7 @@ import { findSpecies, quantile, roundUp } from './statistics/speeds.js';
 
 const kFewEnoughForFlashes = 3000; // spheres; of more, contacts would hide everything else
 const kFlashSeconds = 0.6; // how long a flash lasts while playing
+const kManyForSoftware = 2000; // spheres; of more, an emulated graphics card draws points from the start
 const kContactsOfTrail = 24;
 const kSecondsBetweenPanels = 0.1;
 const kSecondsBetweenPlots = 0.5;
@@ -205,6 +206,7 @@ export class Viewer {
     this.player.speed = this.scales.playing;
     this.plots.update(this.playback);
     this.view.resize();
+    if (this.view.isSoftware && this.source.header.spheres > kManyForSoftware) this.quality.begin('points');
     this.view.fit(this.playback, [0.62, 0.42, 1]);
     element('show-events').checked = this.source.header.spheres <= kFewEnoughForFlashes;
     this.showCellEdge();
@@ -221,19 +223,19 @@ export class Viewer {
       const center = this.center(followed);
       uniforms.followedCenter.value.set(...center);
       if (element('camera-follows').checked) this.view.lookAlong(center);
-      this.updateTrail();
+      this.updateTrail(center);
     }
     uniforms.reach.value = followed >= 0 && element('near-only').checked ? this.reach : 0;
     this.flashes.object.visible = element('show-events').checked;
     if (this.flashes.object.visible) this.flashes.update(this.playback, window);
     this.cellLayer.object.visible = element('show-cells').checked && this.cells !== null;
     if (this.cellLayer.object.visible) this.updateCells(followed, window);
-    uniforms.pixels.value = this.flashes.uniforms.pixels.value = this.view.pixels;
+    for (const { pixels } of [uniforms, this.flashes.rings.uniforms, this.trail.rings.uniforms]) pixels.value = this.view.pixels;
     this.view.prepare(uniforms.haze.value);
     this.view.render();
   }
 
-  updateTrail() {
+  updateTrail(center) {
     const { playback, followed, store } = this;
     const began = playback.paths[kPathNumbers * followed + 6];
     const known = knownUntil(store, playback.number);
@@ -243,7 +245,7 @@ export class Viewer {
       this.past = recentPaths(store, followed, playback.number, playback.cursor, kContactsOfTrail);
       this.next = nextContact(store, followed, playback.number, playback.cursor);
     }
-    this.trail.update(this.past, playback.time, this.next?.time ?? known);
+    this.trail.update(this.past, playback.time, this.next?.time ?? known, center, this.source.radii[followed]);
   }
 
   updateCells(followed, window) {
@@ -323,7 +325,7 @@ export class Viewer {
     const parts = (name) => [1, 3, 5].map((start) => parseInt(value(name).slice(start, start + 2), 16) / 255);
     this.view.style(value('--space'), value('--ink'));
     this.spheres.uniforms.background.value.set(...parts('--space'));
-    this.trail.style(value('--ink'), this.largestRadius / 2);
+    this.trail.style(parts('--ink'), this.largestRadius / 2);
     this.cellLayer.ink = parts('--quiet');
     this.cellLayer.accent = parts('--accent');
     this.plots.resize();
@@ -399,6 +401,11 @@ export class Viewer {
     new ResizeObserver(() => this.view.resize()).observe(canvas);
     new ResizeObserver(() => this.plots.resize()).observe(element('plots'));
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.style());
+
+    document.addEventListener('visibilitychange', () => {
+      this.last.frame = performance.now();
+      this.quality.restart();
+    });
 
     let pressed = null;
     canvas.addEventListener('pointerdown', ({ clientX, clientY, isPrimary }) => (pressed = isPrimary ? [clientX, clientY] : null));

@@ -3,7 +3,6 @@
 import uPlot from 'uplot';
 import { summarize } from '../statistics/chunk_summary.js';
 import { density, maxwellDensity, quantile, readSpeeds, roundUp } from '../statistics/speeds.js';
-import { show } from './numbers.js';
 
 const kHeight = 132;
 const kMostPoints = 1500;
@@ -13,6 +12,7 @@ const kFewestSpheres = 20; // fewer have no distribution of speeds worth a plot
 /** The plots beside the picture: collision rate, speeds, and the energy where it is lost. */
 export class Plots {
   constructor({ header, masses }, species) {
+    this.begin = header.begin;
     this.masses = masses;
     this.species = species;
     this.summaries = new Map();
@@ -22,6 +22,7 @@ export class Plots {
     const hasWalls = header.box.boundary.includes('wall');
     this.rate = timePlot('plot-rate', hasWalls ? ['Collisions', 'Wall contacts'] : ['Collisions'], ['--accent', '--second']);
     this.hasWalls = hasWalls;
+    document.getElementById('rate-key').hidden = !hasWalls;
     this.energy = header.restitution < 1 ? timePlot('plot-energy', ['Energy'], ['--accent']) : null;
     document.getElementById('figure-energy').hidden = this.energy === null;
     this.histogram = masses.length >= kFewestSpheres ? histogramPlot('plot-speeds') : null;
@@ -39,7 +40,7 @@ export class Plots {
   /** Takes over what happens in chunk `number`. */
   add(chunk, number) {
     if (this.summaries.has(number)) return;
-    this.summaries.set(number, summarize(chunk, this.masses));
+    this.summaries.set(number, summarize(chunk, this.masses, this.begin));
     this.isStale = true;
   }
 
@@ -132,8 +133,8 @@ function create(id, series, options) {
       cursor: { show: false },
       series: [{}, ...series],
       axes: [
-        axis({ size: 22, values: (_, values) => values.map((value) => show(value, 3).replace(/\.0+$/, '')) }),
-        axis({ size: 44, values: (_, values) => values.map((value) => short(value)) }),
+        axis({ size: 22, values: (_, values) => values.map(short) }),
+        axis({ size: 44, values: (_, values) => values.map(short) }),
       ],
       ...options,
     },

@@ -27,7 +27,11 @@ export class SavedSource {
     this.masses = masses;
     this.chunks = chunks;
     this.ends = chunks.map((chunk) => chunk.end);
-    this.status = { finished: true, failed: null, reached: this.ends.at(-1) ?? header.begin };
+    let [collisions, walls] = [0, 0];
+    for (const chunk of chunks) {
+      for (let k = 0; k < chunk.contacts; ++k) chunk.second(k) < 0 ? ++walls : ++collisions;
+    }
+    this.status = { finished: true, failed: null, reached: this.ends.at(-1) ?? header.begin, collisions, walls };
     this.replayAddress = null;
   }
 

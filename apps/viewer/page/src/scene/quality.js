@@ -3,6 +3,8 @@
 
 const kSlow = 1 / 18; // seconds of a frame
 const kFramesLooked = 24;
+const kFewestFrames = 3;
+const kSecondsLooked = 2;
 
 /** Ways of drawing, the best first. */
 export const kWays = [
@@ -30,17 +32,22 @@ export class Quality {
     return kWays[this.level];
   }
 
+  /** Begins with the way called `name`. */
+  begin(name) {
+    this.choose(kWays.findIndex((way) => way.name === name));
+  }
+
   /** Keeps to the way called `name` from here on. */
   fix(name) {
     this.isFixed = true;
-    this.choose(kWays.findIndex((way) => way.name === name));
+    this.begin(name);
   }
 
   /** Takes note of a frame that came `seconds` after the one before it. */
   note(seconds) {
-    if (seconds > 1) return;
     this.seconds += seconds;
-    if (++this.frames < kFramesLooked) return;
+    ++this.frames;
+    if (this.frames < kFewestFrames || (this.frames < kFramesLooked && this.seconds < kSecondsLooked)) return;
     const mean = this.seconds / this.frames;
     this.framesPerSecond = 1 / mean;
     this.seconds = this.frames = 0;

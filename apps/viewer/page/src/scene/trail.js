@@ -5,6 +5,7 @@ import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import { piecesInBox } from '../motion/path.js';
+import { Rings } from './rings.js';
 
 /** The path of the followed sphere: where it came from, contact by contact, and where it goes to. */
 export class Trail {
@@ -13,21 +14,27 @@ export class Trail {
     this.past = line({ linewidth: 2.5 });
     this.ahead = line({ linewidth: 2, dashed: true });
     this.object = new Group();
-    this.object.add(this.past, this.ahead);
+    this.rings = new Rings(1);
+    this.object.add(this.past, this.ahead, this.rings.object);
     this.object.visible = false;
   }
 
-  /** The lines' color, as "rgb(…)", and the length of their dashes [L]. */
+  /** The color, red, green, blue from 0 to 1, and the length of dashes [L]. */
   style(color, dash) {
-    for (const object of [this.past, this.ahead]) object.material.color.set(color);
+    this.color = color;
+    for (const { material } of [this.past, this.ahead]) material.color.setRGB(...color, 'srgb');
     this.ahead.material.dashSize = dash;
     this.ahead.material.gapSize = 0.7 * dash;
   }
 
   /**
-   * Shows the motion along `paths` (see recentPaths) up to `time` [T], and on along the latest until `until` [T].
+   * Shows the motion along `paths` (see recentPaths) up to `time` [T], and on along the latest until `until` [T];
+   * and a ring around the sphere, of radius `radius`, at `center` [L].
    */
-  update(paths, time, until) {
+  update(paths, time, until, center, radius) {
+    this.rings.clear();
+    this.rings.add(center, 2.2 * radius, this.color, 0);
+    this.rings.send();
     const past = [];
     for (const { numbers, until: end } of [...paths].reverse()) {
       past.push(...piecesInBox(numbers, numbers[6], Math.min(end, time), this.box));

@@ -10,7 +10,9 @@ export class View {
   constructor(canvas, box) {
     this.canvas = canvas;
     this.box = box;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    /** Whether the graphics card is only emulated. */
+    this.isSoftware = isSoftware();
+    this.renderer = new WebGLRenderer({ canvas, antialias: !this.isSoftware, powerPreference: 'high-performance' });
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(32, 1, 0.1, 1000);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -24,14 +26,6 @@ export class View {
     /** Whether the picture has to be drawn again. */
     this.isStale = true;
     this.mostPixelRatio = 2;
-  }
-
-  /** Whether the graphics card is only emulated. */
-  get isSoftware() {
-    const gl = this.renderer.getContext();
-    const details = gl.getExtension('WEBGL_debug_renderer_info');
-    const name = String(gl.getParameter(details ? details.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-    return /swiftshader|llvmpipe|software/i.test(name);
   }
 
   /** Takes over the colors of the page. */
@@ -181,4 +175,13 @@ export class View {
   get pixelTangent() {
     return (2 * Math.tan((this.camera.fov * Math.PI) / 360)) / this.canvas.clientHeight;
   }
+}
+
+function isSoftware() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  if (!gl) throw new Error('this browser has no WebGL 2');
+  const details = gl.getExtension('WEBGL_debug_renderer_info');
+  const name = String(gl.getParameter(details ? details.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
 }

@@ -3,16 +3,18 @@
 import { kPathNumbers } from '../recording/chunk.js';
 
 const kMostIntervals = 8;
-const kContactsOfInterval = 40;
+const kContactsOfInterval = 200;
+const kFewestContacts = 50; // a chunk that was closed early may hold too few to tell a rate
 
 /**
  * What happens in a chunk, in intervals of equal length: a list of {time, collisions, walls, energy}, the rates
- * [1/T] about `time` and the kinetic energy [M L^2 T^-2] there. Cost: O(spheres + contacts).
+ * [1/T] about `time` and the kinetic energy [M L^2 T^-2] there. `begin` [T] is that of the recording.
+ * Cost: O(spheres + contacts).
  */
-export function summarize(chunk, masses) {
+export function summarize(chunk, masses, begin) {
   const count = Math.max(1, Math.min(kMostIntervals, Math.floor(chunk.contacts / kContactsOfInterval)));
   const length = (chunk.end - chunk.begin) / count;
-  if (!(length > 0)) return [];
+  if (!(length > 0) || (chunk.contacts < kFewestContacts && chunk.begin > begin)) return [];
 
   const spheres = masses.length;
   const energies = new Float64Array(spheres);
