@@ -147,8 +147,8 @@ export class Viewer {
     this.spheres.uniforms.colorBy.value = kColorBy.indexOf(name);
     if (name === 'species') this.legend.showSpecies(this.species.list);
     this.colorBy = name;
-    if (this.playback.chunk) this.updateColors();
     this.view.isStale = true;
+    if (this.scales) this.updateColors();
   }
 
   /** Draws in one of the ways of Quality, and keeps to it. */
@@ -196,7 +196,7 @@ export class Viewer {
     if (hasMoved || this.view.isStale) this.drawMoment();
     if (this.player.isPlaying && hasMoved) this.quality.note(seconds);
     else this.quality.restart();
-    this.tell(now / 1000, hasMoved);
+    this.tell(now / 1000);
   }
 
   // The first moment: what typical scales decide.
@@ -267,10 +267,11 @@ export class Viewer {
     if (this.colorBy === 'collisions') range.set(0, Math.max(4, roundUp(quantile(this.playback.collisions, 0.99))));
     if (this.colorBy === 'last contact') range.set(roundUp(this.scales.rate > 0 ? 1 / this.scales.rate : this.player.speed), 0);
     this.legend.showRange(range.x, range.y);
+    this.view.isStale = true;
   }
 
   // Brings numbers and plots up to date, as often as people can read them.
-  tell(seconds, hasMoved) {
+  tell(seconds) {
     this.transport.update();
     this.plots.mark(this.playback.time);
     const { player } = this;
@@ -284,8 +285,7 @@ export class Viewer {
     }
     if (seconds - this.last.plots > kSecondsBetweenPlots) {
       this.last.plots = seconds;
-      this.plots.update(this.playback);
-      if (hasMoved) this.updateColors();
+      if (this.plots.update(this.playback)) this.updateColors();
     }
   }
 

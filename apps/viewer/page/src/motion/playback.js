@@ -7,8 +7,9 @@ import { kPathNumbers } from '../recording/chunk.js';
  * Moving on by a few contacts touches only the spheres that are in them.
  */
 export class Playback {
-  /** `spheres`: how many. */
-  constructor(spheres) {
+  /** `spheres`: how many. `chunkAt(number)`: a chunk if it is in memory. */
+  constructor(spheres, chunkAt) {
+    this.chunkAt = chunkAt;
     this.spheres = spheres;
     /** Shape (spheres, kPathNumbers). */
     this.paths = new Float64Array(kPathNumbers * spheres);
@@ -54,19 +55,34 @@ export class Playback {
 
   enter(chunk, number) {
     this.paths.set(chunk.keyframe);
-    const known = this.collisionsAtBegin.find(number);
-    if (known) {
-      this.collisions.set(known.collisions);
-      this.countedFrom = known.from;
-    } else {
-      this.collisions.fill(0);
-      this.countedFrom = chunk.begin;
-      this.collisionsAtBegin.restart(number, chunk.begin, this.collisions);
-    }
+    this.countBefore(chunk, number);
     this.chunk = chunk;
     this.number = number;
     this.cursor = 0;
     this.allTouched = true;
+  }
+
+  // Counts the collisions before chunk `number`: from the last chunk for which they are known, if all chunks between
+  // are in memory, otherwise from the first of those that are.
+  countBefore(chunk, number) {
+    let from = number;
+    while (from > 0 && !this.collisionsAtBegin.has(from) && this.chunkAt(from - 1)) --from;
+    if (!this.collisionsAtBegin.has(from)) {
+      const first = from === number ? chunk : this.chunkAt(from);
+      this.collisionsAtBegin.restart(from, first.begin, this.collisions.fill(0));
+    }
+    this.collisions.set(this.collisionsAtBegin.get(from));
+    this.countedFrom = this.collisionsAtBegin.from;
+    for (; from < number; ++from) {
+      const passed = this.chunkAt(from);
+      for (let k = 0; k < passed.contacts; ++k) this.count(passed, k);
+    }
+  }
+
+  count(chunk, k) {
+    if (chunk.second(k) < 0) return;
+    ++this.collisions[chunk.first(k)];
+    ++this.collisions[chunk.second(k)];
   }
 
   // Lets all contacts of the chunk at or before `time` happen.
@@ -78,11 +94,8 @@ export class Playback {
       const first = chunk.first(k);
       const second = chunk.second(k);
       this.store(first, chunk, chunk.firstPlace(k), chunk.time(k));
-      if (second >= 0) {
-        this.store(second, chunk, chunk.secondPlace(k), chunk.time(k));
-        ++this.collisions[first];
-        ++this.collisions[second];
-      }
+      if (second >= 0) this.store(second, chunk, chunk.secondPlace(k), chunk.time(k));
+      this.count(chunk, k);
     }
   }
 
@@ -115,8 +128,11 @@ class CollisionsAtBegin {
     this.kept.set(number, collisions.slice());
   }
 
-  find(number) {
-    const collisions = this.kept.get(number);
-    return collisions && { collisions, from: this.from };
+  has(number) {
+    return this.kept.has(number);
+  }
+
+  get(number) {
+    return this.kept.get(number);
   }
 }

@@ -12,7 +12,7 @@ export class Player {
   constructor(source, store) {
     this.source = source;
     this.store = store;
-    this.playback = new Playback(source.header.spheres);
+    this.playback = new Playback(source.header.spheres, (number) => store.get(number));
     /** Time per second [T]. */
     this.speed = 1;
     this.isPlaying = false;

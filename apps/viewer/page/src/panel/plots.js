@@ -44,16 +44,17 @@ export class Plots {
     this.isStale = true;
   }
 
-  /** Takes over the speeds at the moment of `playback`, and draws what has changed. */
+  /** Draws what has changed up to the moment of `playback`; returns whether the speeds have. */
   update(playback) {
     if (this.isStale) this.drawTimes();
     this.isStale = false;
-    if (playback.time === this.time) return;
+    if (playback.time === this.time) return false;
     this.time = playback.time;
     const energy = readSpeeds(playback.paths, this.masses, this.speeds);
     this.fastest = steady(this.fastest, 1.15 * quantile(this.speeds, 0.99));
     this.fast = steady(this.fast, quantile(this.speeds, 0.94));
     if (this.histogram) this.drawSpeeds(energy);
+    return true;
   }
 
   /** Moves the mark of the present to `time`. */

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 
 const kLoadsAtOnce = 2;
-const kChunksAhead = 6;
 
 /**
  * The chunks held in memory: those around the moment shown, within a budget of bytes.
@@ -48,17 +47,20 @@ export class ChunkStore {
     return loading;
   }
 
-  /** Makes `number` the middle of what is held, and loads the chunks that will be needed next. */
+  /** Makes `number` the middle of what is held, and loads what is near and fits, first what will be needed first. */
   focus(number) {
     this.center = number;
     if (this.isSuspended) return;
     const size = this.chunks.size > 0 ? this.bytes / this.chunks.size : 0;
     const room = size > 0 ? Math.floor(this.budget / size) - 2 : 1;
-    const ahead = Math.max(1, Math.min(kChunksAhead, room));
-    for (let next = number; next <= number + ahead && this.loading.size < kLoadsAtOnce; ++next) {
-      if (next >= this.source.ends.length) break;
-      if (!this.chunks.has(next) && !this.loading.has(next)) this.start(next).catch(() => {});
-    }
+    const chunks = this.source.ends.length;
+    for (let next = number; next <= number + Math.max(1, room) && next < chunks; ++next) this.want(next);
+    if (chunks <= room) for (let next = number - 1; next >= 0; --next) this.want(next);
+  }
+
+  want(number) {
+    if (this.loading.size >= kLoadsAtOnce || this.chunks.has(number) || this.loading.has(number)) return;
+    this.start(number).catch(() => {});
   }
 
   start(number) {

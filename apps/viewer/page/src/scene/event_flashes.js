@@ -10,7 +10,7 @@ export class EventFlashes {
   constructor(radii, box) {
     this.radii = radii;
     this.box = box;
-    this.rings = new Rings(kMost);
+    this.rings = new Rings(kMost, 0.3);
     this.object = this.rings.object;
     this.place = [0, 0, 0];
   }

@@ -11,35 +11,40 @@ const kVertex = /* glsl */ `
   uniform mat4 modelViewMatrix;
   uniform float pixels;
   out vec4 light;
+  flat out float line;       // how wide, with the radius of the ring as unit
 
   void main() {
     light = flash;
     vec4 seen = modelViewMatrix * vec4(position, 1.0);
     gl_Position = projectionMatrix * seen;
     float size = extent * projectionMatrix[1][1] * pixels / max(-seen.z, 1e-6);
-    gl_PointSize = clamp(size * (0.5 + 0.9 * flash.a), 7.0, 160.0);
+    gl_PointSize = clamp(size * (1.0 + flash.a), 8.0, 400.0);
+    line = 6.0 / gl_PointSize;
   }
 `;
 
 const kFragment = /* glsl */ `
   precision highp float;
   in vec4 light;
+  flat in float line;
+  uniform float filling;
   out vec4 outColor;
 
   void main() {
     float radius = length(2.0 * gl_PointCoord - 1.0);
     float width = fwidth(radius);
     float disk = 1.0 - smoothstep(1.0 - width, 1.0, radius);
-    float ring = disk * smoothstep(0.72 - width, 0.72, radius);
-    float alpha = (1.0 - light.a) * max(0.9 * ring, 0.25 * disk);
+    float ring = disk * smoothstep(1.0 - line - width, 1.0 - line, radius);
+    float alpha = (1.0 - light.a) * max(ring, filling * disk);
     if (alpha < 0.01) discard;
     outColor = vec4(light.rgb, alpha);
   }
 `;
 
-/** Rings that face the camera and are seen through everything, at most `most` of them. */
+/** Rings that face the camera and are seen through everything. */
 export class Rings {
-  constructor(most) {
+  /** At most `most` of them; `filling`: how opaque their inside is, from 0 to 1. */
+  constructor(most, filling) {
     this.most = most;
     this.count = 0;
     this.places = new BufferAttribute(new Float32Array(3 * most), 3).setUsage(DynamicDrawUsage);
@@ -50,7 +55,7 @@ export class Rings {
     geometry.setAttribute('flash', this.flashes);
     geometry.setAttribute('extent', this.extents);
     /** `pixels`: height of the drawing in its own pixels. */
-    this.uniforms = { pixels: { value: 1 } };
+    this.uniforms = { pixels: { value: 1 }, filling: { value: filling } };
     const material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: kVertex,

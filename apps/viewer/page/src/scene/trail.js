@@ -14,7 +14,7 @@ export class Trail {
     this.past = line({ linewidth: 2.5 });
     this.ahead = line({ linewidth: 2, dashed: true });
     this.object = new Group();
-    this.rings = new Rings(1);
+    this.rings = new Rings(1, 0);
     this.object.add(this.past, this.ahead, this.rings.object);
     this.object.visible = false;
   }
@@ -33,7 +33,7 @@ export class Trail {
    */
   update(paths, time, until, center, radius) {
     this.rings.clear();
-    this.rings.add(center, 2.2 * radius, this.color, 0);
+    this.rings.add(center, 1.3 * radius, this.color, 0);
     this.rings.send();
     const past = [];
     for (const { numbers, until: end } of [...paths].reverse()) {
