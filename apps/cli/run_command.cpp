@@ -88,11 +88,11 @@ ExitCode run(const Options& options) {
   catch_signals();
   std::optional<RunFiles> files;
   if (options.out) {
-    files.emplace(*options.out, scenario);
+    files.emplace(*options.out, scenario, simulation);
   } else if (scenario.output_directory) {
-    files.emplace(*scenario.output_directory, scenario);
+    files.emplace(*scenario.output_directory, scenario, simulation);
   }
-  if (files && files->has_event_log()) {
+  if (files && files->has_contacts()) {
     simulation.on_contact([&files](const Contact& contact) { files->note(contact); });
   }
   const Clock::time_point set_up = Clock::now();
@@ -100,7 +100,7 @@ ExitCode run(const Options& options) {
   const Seconds seconds{seconds_between(begin, set_up), seconds_between(set_up, Clock::now())};
   const Summary summary(simulation, seconds);
   const std::string json = summary.json();
-  if (files) files->finish(json);
+  if (files) files->finish(simulation, json);
   write_output(options.json ? json : summary.table());
   if (is_complete) return ExitCode::done;
   write_message("interrupted at time " + to_text(simulation.time()) + " of " + to_text(*scenario.until));

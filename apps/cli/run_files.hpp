@@ -8,34 +8,37 @@
 
 #include "hardball/io/npy_event_log.hpp"
 #include "hardball/io/output_file.hpp"
+#include "hardball/io/recording_writer.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
 
 namespace hardball::cli {
 
-/// The files of one run in its output directory: trajectory.xyz, events.npy and summary.json, the first two
-/// if the scenario asks for them.
+/// The files of one run in its output directory: trajectory.xyz, events.npy, recording.hbr and summary.json,
+/// all but the last if the scenario asks for them.
 class RunFiles {
  public:
   /// Creates the directory, if need be, and the files, and removes those of an earlier run.
   /// Error: that cannot be done, or the scenario starts from a file that would be overwritten; then nothing
   /// that was made is left.
-  RunFiles(const std::filesystem::path& directory, const Scenario& scenario);
+  RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const Simulation& simulation);
 
   /// Adds a frame as of now, if there is a trajectory. Error (RunFailure): it cannot be written.
   void write_snapshot(const Simulation& simulation);
-  /// Adds a record, if there is an event log. Error (RunFailure): it cannot be written.
+  /// Adds to the event log and the recording, if there are any. Error (RunFailure): they cannot be written.
   void note(const Contact& contact);
-  /// Completes all files and writes the summary. Error (RunFailure): they cannot be written.
-  void finish(const std::string& summary);
+  /// Completes all files as of now and writes the summary. Error (RunFailure): they cannot be written.
+  void finish(const Simulation& simulation, const std::string& summary);
 
-  bool has_event_log() const { return events_.has_value(); }
+  /// Whether there is a file that `note` adds to.
+  bool has_contacts() const { return events_ || recording_; }
 
  private:
   std::filesystem::path directory_;
   std::optional<OutputFile> trajectory_;
   std::optional<NpyEventLog> events_;
+  std::optional<RecordingWriter> recording_;
 };
 
 }  // namespace hardball::cli

@@ -62,6 +62,7 @@ struct Scenario {
   std::optional<std::filesystem::path> output_directory;
   std::optional<double> snapshots_every;  ///< [T]
   bool event_log = false;
+  bool recording = false;
 };
 
 /// Reads a scenario file. A start file is named relative to the scenario file, an output directory relative

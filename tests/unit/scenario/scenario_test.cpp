@@ -44,6 +44,7 @@ seed = 7
 directory = "out"
 snapshots_every = 0.5
 event_log = true
+recording = true
 )";
 
 Scenario parse(const std::string& text, const std::vector<std::string>& overrides = {}) {
@@ -81,6 +82,7 @@ TEST(ParseScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.output_directory, "out");
   EXPECT_EQ(scenario.snapshots_every, 0.5);
   EXPECT_TRUE(scenario.event_log);
+  EXPECT_TRUE(scenario.recording);
 }
 
 const std::string kLeast = R"(
@@ -103,6 +105,7 @@ TEST(ParseScenario, HasDefaults) {
   EXPECT_FALSE(scenario.output_directory);
   EXPECT_FALSE(scenario.snapshots_every);
   EXPECT_FALSE(scenario.event_log);
+  EXPECT_FALSE(scenario.recording);
   EXPECT_FALSE(scenario.start_file);
 }
 
