@@ -59,7 +59,7 @@ export class Viewer {
     for (const { object } of [this.spheres, this.flashes, this.trail, this.cellLayer]) this.view.scene.add(object);
 
     this.notices = new Notices();
-    this.plots = new Plots(source, this.species.list);
+    this.plots = new Plots(source, this.player, this.species.list);
     this.legend = new ColorLegend();
     this.transport = new Transport(this);
     this.spherePanel = new SpherePanel(this);
@@ -374,13 +374,13 @@ export class Viewer {
     this.approach();
   }
 
-  // So slow that the followed sphere, or a typical one, crosses a cell in two seconds.
+  // So slow that the followed sphere, or a typical one, takes at least four seconds to cross a cell.
   slowDown() {
     const edge = this.cells ? this.cells.edge[0] : 4 * this.largestRadius;
     const start = kPathNumbers * (this.followed ?? 0) + 3;
     const { paths } = this.playback;
     const own = this.followed === null ? 0 : Math.hypot(paths[start], paths[start + 1], paths[start + 2]);
-    this.setSpeed(edge / (2 * (own || this.scales.speed || 1)));
+    this.setSpeed(Math.min(this.player.speed, edge / (4 * (own || this.scales.speed || 1))));
   }
 
   listen() {

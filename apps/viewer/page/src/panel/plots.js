@@ -11,7 +11,8 @@ const kFewestSpheres = 20; // fewer have no distribution of speeds worth a plot
 
 /** The plots beside the picture: collision rate, speeds, and the energy where it is lost. */
 export class Plots {
-  constructor({ header, masses }, species) {
+  /** `player` tells how far the recording is known; `species` as findSpecies lists them. */
+  constructor({ header, masses }, player, species) {
     this.begin = header.begin;
     this.masses = masses;
     this.species = species;
@@ -19,11 +20,13 @@ export class Plots {
     this.speeds = new Float64Array(masses.length);
     this.time = NaN;
 
+    this.knownEnd = NaN;
+    this.player = player;
     const hasWalls = header.box.boundary.includes('wall');
-    this.rate = timePlot('plot-rate', hasWalls ? ['Collisions', 'Wall contacts'] : ['Collisions'], ['--accent', '--second']);
+    this.rate = timePlot('plot-rate', hasWalls ? ['Collisions', 'Wall contacts'] : ['Collisions'], ['--accent', '--second'], player);
     this.hasWalls = hasWalls;
     document.getElementById('rate-key').hidden = !hasWalls;
-    this.energy = header.restitution < 1 ? timePlot('plot-energy', ['Energy'], ['--accent']) : null;
+    this.energy = header.restitution < 1 ? timePlot('plot-energy', ['Energy'], ['--accent'], player) : null;
     document.getElementById('figure-energy').hidden = this.energy === null;
     this.histogram = masses.length >= kFewestSpheres ? histogramPlot('plot-speeds') : null;
     document.getElementById('figure-speeds').hidden = this.histogram === null;
@@ -46,8 +49,9 @@ export class Plots {
 
   /** Draws what has changed up to the moment of `playback`; returns whether the speeds have. */
   update(playback) {
-    if (this.isStale) this.drawTimes();
+    if (this.isStale || this.player.knownEnd !== this.knownEnd) this.drawTimes();
     this.isStale = false;
+    this.knownEnd = this.player.knownEnd;
     if (playback.time === this.time) return false;
     this.time = playback.time;
     const energy = readSpeeds(playback.paths, this.masses, this.speeds);
@@ -153,7 +157,7 @@ function short(value) {
   return size > 0 && size < 1e-3 ? value.toExponential(0) : trim(value);
 }
 
-function timePlot(id, labels, colors) {
+function timePlot(id, labels, colors, player) {
   const series = labels.map((label, k) => ({
     label,
     stroke: () => property(colors[k]),
@@ -161,7 +165,10 @@ function timePlot(id, labels, colors) {
     points: { show: (plot) => plot.data[0].length === 1 },
   }));
   const plot = create(id, series, {
-    scales: { x: { time: false }, y: { range: (_, low, high) => [Math.min(0, low ?? 0), high > 0 ? 1.08 * high : 1] } },
+    scales: {
+      x: { time: false, range: () => [player.source.header.begin, player.knownEnd] },
+      y: { range: (_, low, high) => [0, high > 0 ? 1.08 * high : 1] },
+    },
   });
   plot.present = document.createElement('div');
   plot.present.className = 'present';

@@ -21,6 +21,7 @@ const kMotion = /* glsl */ `
   uniform sampler2D speciesColors;
   uniform int followed;      // id, or -1
   uniform vec3 followedCenter;
+  uniform float pixels;      // height of the drawing
   uniform float reach;       // spheres farther from the followed one are not drawn; 0: all are
 
   flat out vec3 color;
@@ -77,10 +78,12 @@ export const kImpostorVertex = /* glsl */ `
 
   void main() {
     vec3 center = centerNow();
-    ball = vec4((modelViewMatrix * vec4(center, 1.0)).xyz, kind.x);
+    ball.xyz = (modelViewMatrix * vec4(center, 1.0)).xyz;
+    float distance = length(ball.xyz);
+    // None is smaller than a pixel, lest it vanish.
+    ball.w = max(kind.x, 1.2 * distance / (projectionMatrix[1][1] * pixels));
     color = colorNow();
     isFollowed = gl_InstanceID == followed ? 1.0 : 0.0;
-    float distance = length(ball.xyz);
     if (isHidden(center, gl_InstanceID) || distance <= 1.01 * ball.w) {
       gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
       return;
@@ -118,7 +121,6 @@ export const kImpostorFragment = /* glsl */ `
 export const kPointVertex = /* glsl */ `
   ${kMotion}
   in vec3 position;
-  uniform float pixels;      // height of the drawing
 
   void main() {
     vec3 center = centerNow();
@@ -126,7 +128,7 @@ export const kPointVertex = /* glsl */ `
     color = colorNow();
     isFollowed = gl_VertexID == followed ? 1.0 : 0.0;
     gl_Position = isHidden(center, gl_VertexID) ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * seen;
-    gl_PointSize = max(1.0, kind.x * projectionMatrix[1][1] * pixels / max(-seen.z, 1e-6));
+    gl_PointSize = max(1.2, kind.x * projectionMatrix[1][1] * pixels / max(-seen.z, 1e-6));
   }
 `;
 
