@@ -1,6 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import { chromium } from 'playwright-core';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+
+// The build installs packages in a folder of its own; otherwise they lie beside the tests.
+const packages = process.env.HARDBALL_TEST_PACKAGES;
+const { chromium } = createRequire(packages ? join(packages, 'package.json') : import.meta.url)('playwright-core');
 
 const kArguments = [
   '--no-sandbox',

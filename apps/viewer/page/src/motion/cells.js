@@ -65,7 +65,7 @@ export class Cells {
 
   /**
    * Calls `visit(indices, enter, leave)` for each cell that a sphere on `path` touches between `from` and `until`
-   * [T], at most `most` of them; `indices` lives only as long as the call.
+   * [T]; `indices` lives only as long as the call. Returns false, and visits none, if that may be more than `most`.
    */
   visit(path, radius, from, until, visit, most = 512) {
     const low = [0, 0, 0];
@@ -78,7 +78,7 @@ export class Cells {
       high[axis] = this.index(Math.max(start, end) + radius, axis);
       cells *= high[axis] - low[axis] + 1;
     }
-    if (cells > most) return;
+    if (cells > most) return false;
     const indices = [0, 0, 0];
     for (indices[0] = low[0]; indices[0] <= high[0]; ++indices[0]) {
       for (indices[1] = low[1]; indices[1] <= high[1]; ++indices[1]) {
@@ -88,6 +88,7 @@ export class Cells {
         }
       }
     }
+    return true;
   }
 
   /** The first moment after `time` at which a sphere on `path` enters or leaves a layer of cells. */

@@ -127,11 +127,13 @@ export class CellLayer {
     const path = paths.subarray(kPathNumbers * id, kPathNumbers * (id + 1));
     // What happened before the path began happened on another path.
     const from = Math.max(path[6], time - window);
-    cells.visit(path, this.radii[id], from, time, (indices, enter, leave) => {
+    const show = (indices, enter, leave) => {
       if (leave <= time) this.put(cells, indices, kEventColors.leave, 1 - (time - leave) / window);
       else if (enter > from) this.put(cells, indices, kEventColors.enter, 1, color, (time - enter) / window, strength);
       else this.put(cells, indices, color, strength);
-    });
+    };
+    // Of a sphere so fast that it has crossed too many, only those are shown that it touches.
+    if (!cells.visit(path, this.radii[id], from, time, show)) cells.visit(path, this.radii[id], time, time, show);
   }
 
   // From `color`, `strength` strong, the cell fades to `later` as `share` goes to 1.
