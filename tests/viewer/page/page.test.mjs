@@ -155,7 +155,7 @@ test('centers are those that the library writes into its trajectory', async () =
 test('spheres are drawn where they are, in their colors and sizes, in both ways of drawing', async () => {
   await withRun(kPair, async (page) => {
     const area = await page.locator('#canvas').boundingBox();
-    const isBlue = (red, green, blue) => blue > red + 40 && blue > 60;
+    const isBlue = (red, green, blue) => blue > red + 25;
     const isOrange = (red, green, blue) => red > blue + 60;
     const background = (image) => [...image.data.subarray(4 * ((area.y + 30) * image.width + area.x + area.width - 30)).subarray(0, 3)];
     await page.evaluate(() => (document.getElementById('color-by').value = 'species'));

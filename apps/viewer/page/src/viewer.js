@@ -51,7 +51,7 @@ export class Viewer {
     this.species = findSpecies(radii, masses);
     this.largestRadius = radii.reduce((largest, radius) => Math.max(largest, radius), 0);
 
-    this.view = new View(element('canvas'), this.box);
+    this.view = new View(element('canvas'), this.box, this.largestRadius);
     this.spheres = new Spheres(radii, this.species.of, this.box);
     this.flashes = new EventFlashes(radii, this.box);
     this.trail = new Trail(this.box);
@@ -348,8 +348,7 @@ export class Viewer {
 
   setCellEdge(edge) {
     const { header } = this.source;
-    const longest = Math.max(...this.view.bounds(this.playback)[1].map((high, axis) => high - this.view.bounds(this.playback)[0][axis]));
-    if (edge > 0) this.cells = Cells.fitting(Math.max(edge, longest / 4096), this.box);
+    if (edge > 0) this.cells = Cells.fitting(Math.max(edge, this.largestRadius / 100), this.box);
     else this.cells = header.cell_edge[0] > 0 ? new Cells(header.cell_edge, header.cell_origin, this.box) : null;
     this.showCellEdge();
     this.cellsGathered = null;

@@ -7,9 +7,11 @@ import { BoxFrame } from './box_frame.js';
 
 /** The picture: camera, box, and what else is added to `scene`. */
 export class View {
-  constructor(canvas, box) {
+  /** `largestRadius`: of the spheres [L]. */
+  constructor(canvas, box, largestRadius) {
     this.canvas = canvas;
     this.box = box;
+    this.largestRadius = largestRadius;
     /** Whether the graphics card is only emulated. */
     this.isSoftware = isSoftware();
     this.renderer = new WebGLRenderer({ canvas, antialias: !this.isSoftware, powerPreference: 'high-performance' });
@@ -47,7 +49,7 @@ export class View {
     this.isStale = true;
   }
 
-  /** Where the spheres of `playback` are: the box, and along open axes all centers; two corners [L]. */
+  /** Where the spheres of `playback` are: the box, and along open axes all spheres; two corners [L]. */
   bounds({ paths, spheres, time }) {
     const low = [0, 0, 0];
     const high = [...this.box.size];
@@ -61,9 +63,8 @@ export class View {
         low[axis] = Math.min(low[axis], place);
         high[axis] = Math.max(high[axis], place);
       }
-      const margin = Math.max(0.02 * (high[axis] - low[axis]), 1e-9 * Math.abs(high[axis]), 1e-12);
-      low[axis] -= margin;
-      high[axis] += margin;
+      low[axis] -= this.largestRadius;
+      high[axis] += this.largestRadius;
     }
     return [low, high];
   }
