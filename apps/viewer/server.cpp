@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -97,13 +96,13 @@ std::string file_name(const RecordingHeader& header) {
 
 }  // namespace
 
-Server::Server(const SharedRecording& recording, const Page& page, int port)
+Server::Server(const SharedRecording& recording, const Page& page, int port, std::chrono::seconds patience)
     : recording_(&recording),
       page_(page),
       token_(make_token()),
       index_(with_token(page, token_)),
       server_(std::make_unique<httplib::Server>()) {
-  set_rules();
+  set_rules(patience);
   add_page();
   add_recording();
   if (port == 0) {
@@ -130,14 +129,14 @@ std::string Server::url() const {
   return "http://" + std::string(kHost) + ":" + to_text(port_) + "/?token=" + token_;
 }
 
-void Server::set_rules() {
+void Server::set_rules(std::chrono::seconds patience) {
   using namespace std::chrono_literals;
   server_->new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
   // Clients that say nothing, read nothing or have gone give their thread back soon.
   server_->set_keep_alive_max_count(1000);
-  server_->set_keep_alive_timeout(2);
+  server_->set_keep_alive_timeout(1);
   server_->set_read_timeout(2s);
-  server_->set_write_timeout(5s);
+  server_->set_write_timeout(patience);
   server_->set_payload_max_length(0);
   // The library would let two programs share one port.
   server_->set_socket_options([](socket_t socket) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <thread>
@@ -23,10 +24,12 @@ namespace hardball::viewer {
 /// gives the page and the recording, nothing else, and changes nothing. docs/viewer.md says what is served.
 class Server {
  public:
-  /// Begins to serve at `port`, or at any that is free if it is zero. `recording` and what `page` refers to
-  /// must outlive it. Error: the port is taken.
-  Server(const SharedRecording& recording, const Page& page, int port = 0);
-  /// Ends every answer that is on its way.
+  /// Begins to serve at `port`, or at any that is free if it is zero. A client that reads nothing for longer
+  /// than `patience` is given up. `recording` and what `page` refers to must outlive the server. Error: the
+  /// port is taken.
+  Server(const SharedRecording& recording, const Page& page, int port = 0,
+         std::chrono::seconds patience = std::chrono::seconds(5));
+  /// Ends every answer that is on its way, which takes no longer than `patience`.
   ~Server();
   Server(const Server&) = delete;
 
@@ -36,7 +39,7 @@ class Server {
   std::string url() const;
 
  private:
-  void set_rules();
+  void set_rules(std::chrono::seconds patience);
   void add_page();
   void add_recording();
   // Otherwise the response says why not.

@@ -9,6 +9,8 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <barrier>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
@@ -301,23 +303,25 @@ TEST_F(ServerTest, ListensAtThisMachineAlone) {
   close(listener);
 }
 
-// Twenty clients fetch everything from a run that goes on, while twenty connections say nothing, five clients
-// vanish in the middle of a download and five read nothing of theirs. Neither the run nor the twenty may be
-// held up.
+// Twenty clients download a replay from a run that goes on, and none of them goes on before all have begun.
+// Meanwhile twenty connections say nothing, five clients vanish in the middle of their download and five read
+// nothing of theirs. Neither the twenty nor the run may be held up.
 TEST(ServerOfALiveRun, ServesACrowdAndDoesNotHoldUpTheRun) {
+  constexpr int kClients = 20;
+  constexpr std::uint64_t kFurther = 20'000;
+  // More than systems keep on the way to a client that does not read.
+  constexpr std::uint64_t kLongReplay = 5'000'000;
   const ScratchFolder folder;
   const SmallRun run(folder / "live.hbr", make_gas({.count = 10'000, .packing_fraction = 0.2}), 1e9,
                      300'000'000);
-  const Server server(run.recording(), kSmallPage);
-  const std::string token = "token=" + server.token();
-  const auto chunks = [&run] {
-    return json::parse(run.recording().header_json())["chunks"].get<std::uint64_t>();
-  };
-  while (chunks() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  const std::string request = "GET /api/replay.html?" + token +
-                              " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(server.port()) + "\r\n\r\n";
+  constexpr std::chrono::seconds kPatience(30);
+  const Server server(run.recording(), kSmallPage, 0, kPatience);
+  while (run.recording().length() < kLongReplay) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const std::string request = "GET /api/replay.html?token=" + server.token() +
+                              " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(server.port()) +
+                              "\r\nConnection: close\r\n\r\n";
   std::vector<std::unique_ptr<Connection>> idle;
-  for (int k = 0; k < 20; ++k) idle.push_back(std::make_unique<Connection>(server.port()));
+  for (int k = 0; k < kClients; ++k) idle.push_back(std::make_unique<Connection>(server.port()));
   std::vector<std::unique_ptr<Connection>> deaf;
   for (int k = 0; k < 5; ++k) {
     deaf.push_back(std::make_unique<Connection>(server.port()));
@@ -333,28 +337,26 @@ TEST(ServerOfALiveRun, ServesACrowdAndDoesNotHoldUpTheRun) {
     return progress.collisions + progress.walls;
   };
   const std::uint64_t contacts_before = contacts();
+  std::barrier all_have_begun(kClients);
   std::atomic<int> served = 0;
   std::vector<std::thread> crowd;
-  for (int k = 0; k < 20; ++k) {
+  for (int k = 0; k < kClients; ++k) {
     crowd.emplace_back([&] {
-      httplib::Client client("127.0.0.1", server.port());
-      client.set_keep_alive(true);
-      bool is_right = true;
-      for (std::uint64_t number = 0; number < 2; ++number) {
-        const auto chunk = client.Get("/api/chunk?number=" + std::to_string(number) + "&" + token);
-        is_right = is_right && chunk && chunk->status == 200 &&
-                   chunk->body == run.recording().read(*run.recording().chunk(number));
-      }
-      if (is_right) ++served;
+      const Connection connection(server.port());
+      connection.say(request);
+      std::string answer = connection.hear(100);
+      all_have_begun.arrive_and_wait();
+      answer += connection.hear_all();
+      const bool is_whole = answer.size() > kLongReplay && answer.ends_with(OnePiece(kSmallPage).tail);
+      if (is_whole) ++served;
     });
   }
   for (std::thread& client : crowd) client.join();
-  EXPECT_EQ(served, 20);
-  // The deaf and the idle are still there.
-  while (contacts() < contacts_before + 20'000 && !run.recording().progress().is_finished) {
+  EXPECT_EQ(served, kClients);
+  while (contacts() < contacts_before + kFurther && !run.recording().progress().is_finished) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  EXPECT_GE(contacts(), contacts_before + 20'000);
+  EXPECT_GE(contacts(), contacts_before + kFurther);
 }
 
 }  // namespace
