@@ -64,17 +64,17 @@ for (const [name, { scenario, settings, scheme, prepare }] of Object.entries(kPi
     const path = join(kRoot, 'scenarios', scenario);
     await run('run', path, '--out', folder, '--quiet', '--set', 'output.recording=true', ...settings);
     const program = await view(folder);
-    const page = await browser.open(program.url, { width: 1200, height: 750, scheme });
+    const page = await browser.open(program.url, { width: 1280, height: 780, scheme });
     await prepare(page);
     await page.waitForFunction(() => {
       const { chunks, chunksInMemory, isBuffering } = window.hardball.state();
-      return !isBuffering && chunksInMemory >= Math.min(chunks, 20);
+      return !isBuffering && chunksInMemory === chunks;
     });
     // Plots follow in their own time.
     await page.waitForTimeout(1500);
     const file = join(kRoot, 'docs', 'figures', `${name}.png`);
     await page.screenshot({ path: file });
-    execFileSync('pngquant', ['--force', '--strip', '--ext', '.png', '128', file]);
+    execFileSync('pngquant', ['--force', '--strip', '--ext', '.png', '200', file]);
     await program.stop();
   });
 }

@@ -142,6 +142,7 @@ test('centers are those that the library writes into its trajectory', async () =
       );
       positions.forEach((place, id) =>
         place.forEach((coordinate, axis) => {
+          assert.ok(shown[id][axis] >= 0 && shown[id][axis] <= 12);
           const apart = Math.abs(coordinate - shown[id][axis]);
           farthest = Math.max(farthest, axis === 1 ? apart : Math.min(apart, 12 - apart));
         }),

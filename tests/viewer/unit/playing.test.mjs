@@ -231,6 +231,13 @@ test('the recent paths of a sphere follow each other, and its next contact comes
   assert.equal(pathOf(source, 9, next.time)[6], next.time);
 });
 
+test('a center is folded into the box along periodic axes, and only there', () => {
+  const box = new Box({ size: [10, 10, 10], boundary: ['periodic', 'open', 'periodic'] });
+  const path = [9, 5, 1, 2, 3, -1, 100];
+  assert.deepEqual(readCenter(path, 0, 100, box, []), [9, 5, 1]);
+  assert.deepEqual(readCenter(path, 0, 112, box, []), [3, 41, 9]);
+});
+
 test('a motion across periodic faces is cut there', () => {
   const box = new Box({ size: [10, 10, 10], boundary: ['periodic', 'wall', 'periodic'] });
   const path = [9, 5, 1, 2, 0, -1, 0];
