@@ -6,7 +6,9 @@ import { copyFile, mkdir, readFile } from 'node:fs/promises';
 import { build } from 'esbuild';
 
 const licenses = await Promise.all(
-  ['three', 'uplot'].map(async (name) => `${name}:\n${await readFile(`node_modules/${name}/LICENSE`, 'utf8')}`),
+  ['three', 'uplot'].map(
+    async (name) => `${name}:\n${await readFile(`node_modules/${name}/LICENSE`, 'utf8')}`,
+  ),
 );
 const notice = `/*\nHardball: SPDX-License-Identifier: MIT\n\nContains\n\n${licenses.join('\n').replaceAll('*/', '')}*/`;
 

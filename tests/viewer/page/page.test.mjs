@@ -100,7 +100,9 @@ test('a finished run plays, pauses, is scrubbed and stepped through, without an 
     await page.click('#play');
     const paused = (await state(page)).time;
     assert.ok(paused < 8);
-    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    await page.evaluate(
+      () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+    );
     assert.equal((await state(page)).time, paused);
 
     await page.locator('#scrub').fill('50000');
@@ -111,7 +113,10 @@ test('a finished run plays, pauses, is scrubbed and stepped through, without an 
     await page.click('#forward');
     await page.waitForFunction((time) => window.hardball.time === time, next);
     await page.click('#back');
-    await page.waitForFunction((time) => window.hardball.time === time, times.filter((time) => time < next).at(-1));
+    await page.waitForFunction(
+      (time) => window.hardball.time === time,
+      times.filter((time) => time < next).at(-1),
+    );
 
     await page.locator('#canvas').focus();
     await page.keyboard.press('End');
@@ -124,7 +129,10 @@ test('a finished run plays, pauses, is scrubbed and stepped through, without an 
     await page.keyboard.press('-');
     assert.ok((await state(page)).speed < speed);
     await page.keyboard.press(' ');
-    await page.waitForFunction((time) => window.hardball.state().isPlaying && window.hardball.time > time, times[0]);
+    await page.waitForFunction(
+      (time) => window.hardball.state().isPlaying && window.hardball.time > time,
+      times[0],
+    );
     assert.deepEqual(page.errors, []);
   });
 });
@@ -137,7 +145,8 @@ test('centers are those that the library writes into its trajectory', async () =
     for (const { time, positions } of snapshots) {
       assert.equal(positions.length, 300);
       const shown = await page.evaluate(
-        ([time, count]) => Promise.all(Array.from({ length: count }, (_, id) => window.hardball.position(id, time))),
+        ([time, count]) =>
+          Promise.all(Array.from({ length: count }, (_, id) => window.hardball.position(id, time))),
         [time, positions.length],
       );
       positions.forEach((place, id) =>
@@ -158,7 +167,9 @@ test('spheres are drawn where they are, in their colors and sizes, in both ways 
     const area = await page.locator('#canvas').boundingBox();
     const isBlue = (red, green, blue) => blue > red + 25;
     const isOrange = (red, green, blue) => red > blue + 60;
-    const background = (image) => [...image.data.subarray(4 * ((area.y + 30) * image.width + area.x + area.width - 30)).subarray(0, 3)];
+    const background = (image) => [
+      ...image.data.subarray(4 * ((area.y + 30) * image.width + area.x + area.width - 30)).subarray(0, 3),
+    ];
     await page.evaluate(() => (document.getElementById('color-by').value = 'species'));
     for (const way of ['full', 'points']) {
       await page.evaluate((way) => window.hardball.setQuality(way), way);
@@ -173,8 +184,14 @@ test('spheres are drawn where they are, in their colors and sizes, in both ways 
           // What is near the rim of a picture looks like an ellipse, its middle beside the center.
           const tolerance = 1 + 0.06 * radius;
           assert.ok(seen[id].count > 100, `${way}: sphere ${id} covers ${seen[id].count} pixels`);
-          assert.ok(Math.abs(seen[id].x - places[id].x) < tolerance, `${way}: ${seen[id].x} is not ${places[id].x}`);
-          assert.ok(Math.abs(seen[id].y - places[id].y) < tolerance, `${way}: ${seen[id].y} is not ${places[id].y}`);
+          assert.ok(
+            Math.abs(seen[id].x - places[id].x) < tolerance,
+            `${way}: ${seen[id].x} is not ${places[id].x}`,
+          );
+          assert.ok(
+            Math.abs(seen[id].y - places[id].y) < tolerance,
+            `${way}: ${seen[id].y} is not ${places[id].y}`,
+          );
         }
         // Of radii 0.5 and 1.2, at about the same distance.
         const ratio = Math.sqrt(seen[1].count / seen[0].count);
@@ -193,12 +210,17 @@ test('a sphere that is clicked is followed: its numbers, its path, its cells', a
     await page.waitForFunction(() => document.getElementById('sphere-speed').textContent === '0.7280');
     assert.equal(await page.textContent('#sphere-position'), '2.400  −1.600  1.100');
     await page.check('#show-cells');
-    await page.waitForFunction(() => /^(enter|leave) along [xyz]/.test(document.getElementById('sphere-crossing').textContent));
+    await page.waitForFunction(() =>
+      /^(enter|leave) along [xyz]/.test(document.getElementById('sphere-crossing').textContent),
+    );
     await page.check('#camera-follows');
     await page.evaluate(() => window.hardball.setTime(3));
     const area = await page.locator('#canvas').boundingBox();
     const followed = await page.evaluate(() => window.hardball.screenPosition(1));
-    assert.ok(Math.abs(followed.x - area.x - area.width / 2) < 1 && Math.abs(followed.y - area.y - area.height / 2) < 1);
+    assert.ok(
+      Math.abs(followed.x - area.x - area.width / 2) < 1 &&
+        Math.abs(followed.y - area.y - area.height / 2) < 1,
+    );
     await page.keyboard.press('Escape');
     assert.equal((await state(page)).followed, null);
     assert.deepEqual(page.errors, []);
@@ -234,7 +256,9 @@ test('a run is watched while it goes on', async () => {
     const program = await view(await writeScenario(folder, kGas), '--until', '20');
     try {
       const page = await browser.open(program.url);
-      await page.waitForFunction(() => window.hardball.state().status.finished && window.hardball.state().knownEnd === 20);
+      await page.waitForFunction(
+        () => window.hardball.state().status.finished && window.hardball.state().knownEnd === 20,
+      );
       await page.evaluate(() => window.hardball.setTime(19.5));
       assert.equal((await state(page)).time, 19.5);
       assert.deepEqual(page.errors, []);
@@ -297,7 +321,8 @@ test('the page fits a phone, and all controls have names', async () => {
       for (const role of ['button', 'slider', 'checkbox', 'spinbutton', 'combobox', 'link']) {
         for (const control of await page.getByRole(role).all()) {
           const name = await control.evaluate(
-            (element) => element.ariaLabel || element.labels?.[0]?.textContent.trim() || element.textContent.trim(),
+            (element) =>
+              element.ariaLabel || element.labels?.[0]?.textContent.trim() || element.textContent.trim(),
           );
           assert.ok(name, await control.evaluate((element) => element.outerHTML));
         }

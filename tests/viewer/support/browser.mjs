@@ -5,7 +5,9 @@ import { join } from 'node:path';
 
 // The build installs packages in a folder of its own; otherwise they lie beside the tests.
 const packages = process.env.HARDBALL_TEST_PACKAGES;
-const { chromium } = createRequire(packages ? join(packages, 'package.json') : import.meta.url)('playwright-core');
+const { chromium } = createRequire(packages ? join(packages, 'package.json') : import.meta.url)(
+  'playwright-core',
+);
 
 const kArguments = [
   '--no-sandbox',
@@ -68,7 +70,8 @@ export class Browser {
       context.drawImage(bitmap, 0, 0);
       const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
       let text = '';
-      for (let start = 0; start < data.length; start += 8192) text += String.fromCharCode(...data.subarray(start, start + 8192));
+      for (let start = 0; start < data.length; start += 8192)
+        text += String.fromCharCode(...data.subarray(start, start + 8192));
       return { width: bitmap.width, height: bitmap.height, data: btoa(text) };
     }, image);
     return { width, height, data: Buffer.from(data, 'base64') };

@@ -29,7 +29,9 @@ export async function run(...words) {
 
 /** Lets the program serve `what`, a scenario or the folder of a run: {url, stop}. */
 export async function view(what, ...options) {
-  const process = spawn(kProgram, ['view', what, '--no-open', ...options], { stdio: ['ignore', 'pipe', 'ignore'] });
+  const process = spawn(kProgram, ['view', what, '--no-open', ...options], {
+    stdio: ['ignore', 'pipe', 'ignore'],
+  });
   const ended = once(process, 'exit');
   const lines = createInterface({ input: process.stdout });
   const url = await Promise.race([
@@ -54,7 +56,7 @@ export async function writeScenario(folder, text) {
 export function readTrajectory(text) {
   const lines = text.split('\n');
   const snapshots = [];
-  for (let line = 0; lines[line]; ) {
+  for (let line = 0; lines[line];) {
     const count = Number(lines[line]);
     const time = Number(/Time=(\S+)/.exec(lines[line + 1])[1]);
     const positions = [];

@@ -6,8 +6,23 @@
  * slow, short, and independent of the program. `box`: as in the header of a recording. Returns the bytes of a
  * recording, with `contactsOfChunk` contacts in each chunk or, where some happen at one moment, a few more.
  */
-export function recordSmallGas({ box, radii, masses, positions, velocities, until, contactsOfChunk, cellEdge = 0 }) {
-  const gas = { box, radii, masses, positions: positions.map((place) => [...place]), velocities: velocities.map((v) => [...v]) };
+export function recordSmallGas({
+  box,
+  radii,
+  masses,
+  positions,
+  velocities,
+  until,
+  contactsOfChunk,
+  cellEdge = 0,
+}) {
+  const gas = {
+    box,
+    radii,
+    masses,
+    positions: positions.map((place) => [...place]),
+    velocities: velocities.map((v) => [...v]),
+  };
   const times = radii.map(() => 0);
   const keyframe = () => radii.flatMap((_, id) => [...gas.positions[id], ...gas.velocities[id], times[id]]);
   const chunks = [];
@@ -20,7 +35,8 @@ export function recordSmallGas({ box, radii, masses, positions, velocities, unti
   for (;;) {
     const next = earliest(gas, times, last);
     if (next.time > until) break;
-    if (chunk.contacts.length >= contactsOfChunk && next.time > chunk.contacts.at(-1).time) close(chunk.contacts.at(-1).time);
+    if (chunk.contacts.length >= contactsOfChunk && next.time > chunk.contacts.at(-1).time)
+      close(chunk.contacts.at(-1).time);
     const { time, first, second } = next;
     for (const id of second < 0 ? [first] : [first, second]) {
       for (let axis = 0; axis < 3; ++axis) gas.positions[id][axis] = place(gas, times, id, axis, time);
@@ -28,7 +44,12 @@ export function recordSmallGas({ box, radii, masses, positions, velocities, unti
     }
     bounce(gas, first, second);
     const after = (id) => [...gas.positions[id], ...gas.velocities[id]];
-    chunk.contacts.push({ time, first, second, numbers: [...after(first), ...(second < 0 ? Array(6).fill(0) : after(second))] });
+    chunk.contacts.push({
+      time,
+      first,
+      second,
+      numbers: [...after(first), ...(second < 0 ? Array(6).fill(0) : after(second))],
+    });
     last = [first, second];
   }
   close(until);
@@ -52,10 +73,17 @@ export function randomSpheres(count, edge, seed = 1) {
   const side = Math.ceil(Math.cbrt(count));
   const spacing = edge / side;
   const positions = Array.from({ length: count }, (_, id) =>
-    [id % side, Math.floor(id / side) % side, Math.floor(id / side ** 2)].map((step) => (step + 0.5) * spacing),
+    [id % side, Math.floor(id / side) % side, Math.floor(id / side ** 2)].map(
+      (step) => (step + 0.5) * spacing,
+    ),
   );
   const velocities = positions.map(() => [0, 1, 2].map(() => 2 * random() - 1));
-  return { positions, velocities, radii: positions.map(() => 0.3 * spacing), masses: positions.map((_, id) => 1 + (id % 2)) };
+  return {
+    positions,
+    velocities,
+    radii: positions.map(() => 0.3 * spacing),
+    masses: positions.map((_, id) => 1 + (id % 2)),
+  };
 }
 
 function place({ box, positions, velocities }, times, id, axis, time) {
@@ -129,7 +157,9 @@ function write(header, radii, masses, chunks) {
   let text = JSON.stringify(header);
   while ((12 + text.length) % 8 !== 0) text += ' ';
   const lengths = chunks.map(({ contacts }) => 32 + 56 * radii.length + 112 * contacts.length);
-  const bytes = new ArrayBuffer(12 + text.length + 16 * radii.length + lengths.reduce((sum, length) => sum + length, 0));
+  const bytes = new ArrayBuffer(
+    12 + text.length + 16 * radii.length + lengths.reduce((sum, length) => sum + length, 0),
+  );
   const view = new DataView(bytes);
   let offset = 0;
   const letters = (word) => [...word].forEach((letter) => view.setUint8(offset++, letter.charCodeAt(0)));

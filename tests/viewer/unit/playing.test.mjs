@@ -39,7 +39,11 @@ function collisionsOf(source, id, time) {
 
 function assertShows(playback, source, time) {
   for (let id = 0; id < playback.spheres; ++id) {
-    assert.deepEqual([...playback.paths.subarray(7 * id, 7 * id + 7)], pathOf(source, id, time), `sphere ${id} at ${time}`);
+    assert.deepEqual(
+      [...playback.paths.subarray(7 * id, 7 * id + 7)],
+      pathOf(source, id, time),
+      `sphere ${id} at ${time}`,
+    );
   }
 }
 
@@ -100,7 +104,8 @@ test('after a leap, collisions are counted through the chunks in memory', () => 
   playback.moveTo(0, source.chunks[0], 0);
   playback.moveTo(source.ends[5], source.chunks[5], 5);
   assert.equal(playback.countedFrom, 0);
-  for (let id = 0; id < 27; ++id) assert.equal(playback.collisions[id], collisionsOf(source, id, source.ends[5]));
+  for (let id = 0; id < 27; ++id)
+    assert.equal(playback.collisions[id], collisionsOf(source, id, source.ends[5]));
 });
 
 test('after a leap into the unknown, collisions are counted from there and say so', () => {
@@ -110,7 +115,10 @@ test('after a leap into the unknown, collisions are counted from there and say s
   playback.moveTo(source.ends[5], source.chunks[5], 5);
   assert.equal(playback.countedFrom, source.ends[4]);
   for (let id = 0; id < 27; ++id) {
-    assert.equal(playback.collisions[id], collisionsOf(source, id, source.ends[5]) - collisionsOf(source, id, source.ends[4]));
+    assert.equal(
+      playback.collisions[id],
+      collisionsOf(source, id, source.ends[5]) - collisionsOf(source, id, source.ends[4]),
+    );
   }
 });
 
@@ -152,7 +160,9 @@ test('playing goes on at its speed, waits for chunks, and ends with the recordin
 
 test('steps stop at each contact, of all spheres or of one, forward and back', async () => {
   const { source, player } = await openPlayer();
-  const times = source.chunks.flatMap((chunk) => Array.from({ length: chunk.contacts }, (_, k) => chunk.time(k)));
+  const times = source.chunks.flatMap((chunk) =>
+    Array.from({ length: chunk.contacts }, (_, k) => chunk.time(k)),
+  );
   const step = async (method, id) => {
     const shown = player[method](id);
     for (let k = 0; k < 12; ++k) {
@@ -165,7 +175,9 @@ test('steps stop at each contact, of all spheres or of one, forward and back', a
   for (let k = 48; k >= 0; --k) assert.equal(await step('stepBack'), times[k]);
   assert.equal(await step('stepBack'), 0);
   const of4 = source.chunks.flatMap((chunk) =>
-    Array.from({ length: chunk.contacts }, (_, k) => k).filter((k) => chunk.involves(k, 4)).map((k) => chunk.time(k)),
+    Array.from({ length: chunk.contacts }, (_, k) => k)
+      .filter((k) => chunk.involves(k, 4))
+      .map((k) => chunk.time(k)),
   );
   for (let k = 0; k < 3; ++k) assert.equal(await step('stepForward', 4), of4[k]);
   assert.equal(await step('stepBack', 4), of4[1]);
@@ -180,7 +192,10 @@ test('memory stays within its budget, and what was dropped is loaded again', asy
     player.advance(0.1);
     await settle();
     assert.ok(store.bytes <= 4 * size);
-    assert.equal(store.bytes, [...store.chunks.values()].reduce((sum, chunk) => sum + chunk.bytes, 0));
+    assert.equal(
+      store.bytes,
+      [...store.chunks.values()].reduce((sum, chunk) => sum + chunk.bytes, 0),
+    );
   }
   assert.equal(player.time, 8);
   assert.equal(store.get(0), undefined);
@@ -223,7 +238,8 @@ test('the recent paths of a sphere follow each other, and its next contact comes
     assert.equal(paths[k].until, paths[k - 1].numbers[6]);
     const box = new Box(kBox);
     const place = readCenter(paths[k].numbers, 0, paths[k].until, box, [0, 0, 0]);
-    for (let axis = 0; axis < 3; ++axis) assert.ok(Math.abs(box.nearest(place[axis] - paths[k - 1].numbers[axis], axis)) < 1e-9);
+    for (let axis = 0; axis < 3; ++axis)
+      assert.ok(Math.abs(box.nearest(place[axis] - paths[k - 1].numbers[axis], axis)) < 1e-9);
   }
   const next = nextContact(store, 9, number, contacts);
   assert.ok(next.time > time);
@@ -243,9 +259,21 @@ test('a motion across periodic faces is cut there', () => {
   const path = [9, 5, 1, 2, 0, -1, 0];
   const pieces = piecesInBox(path, 0, 6, box);
   assert.deepEqual(pieces, [
-    [[9, 5, 1], [10, 5, 0.5]],
-    [[0, 5, 0.5], [1, 5, 0]],
-    [[1, 5, 10], [10, 5, 5.5]],
-    [[0, 5, 5.5], [1, 5, 5]],
+    [
+      [9, 5, 1],
+      [10, 5, 0.5],
+    ],
+    [
+      [0, 5, 0.5],
+      [1, 5, 0],
+    ],
+    [
+      [1, 5, 10],
+      [10, 5, 5.5],
+    ],
+    [
+      [0, 5, 5.5],
+      [1, 5, 5],
+    ],
   ]);
 });

@@ -11,8 +11,14 @@ const kTwo = {
   box: { size: [10, 4, 4], boundary: ['wall', 'wall', 'periodic'] },
   radii: [0.5, 0.5],
   masses: [1, 1],
-  positions: [[3, 2, 1], [7, 2, 1]],
-  velocities: [[1, 0, 0], [-1, 0, 0]],
+  positions: [
+    [3, 2, 1],
+    [7, 2, 1],
+  ],
+  velocities: [
+    [1, 0, 0],
+    [-1, 0, 0],
+  ],
   until: 6,
   contactsOfChunk: 1,
 };
@@ -23,7 +29,13 @@ test('a recording is read as it was written', () => {
   assert.deepEqual(header.box, kTwo.box);
   assert.deepEqual([...radii], kTwo.radii);
   assert.deepEqual([...masses], kTwo.masses);
-  assert.deepEqual(chunks.map(({ begin, end, contacts }) => [begin, end, contacts]), [[0, 1.5, 1], [1.5, 6, 2]]);
+  assert.deepEqual(
+    chunks.map(({ begin, end, contacts }) => [begin, end, contacts]),
+    [
+      [0, 1.5, 1],
+      [1.5, 6, 2],
+    ],
+  );
   const [chunk] = chunks;
   assert.deepEqual([...chunk.keyframe], [3, 2, 1, 1, 0, 0, 0, 7, 2, 1, -1, 0, 0, 0]);
   assert.equal(chunk.time(0), 1.5);
@@ -43,7 +55,8 @@ test('the path of a sphere follows from keyframe and contacts', () => {
 
 test('contacts up to a moment are counted, those at that very moment included', () => {
   const [chunk] = readRecording(recordSmallGas({ ...kTwo, contactsOfChunk: 100 })).chunks;
-  const counted = (time) => Array.from({ length: chunk.contacts }, (_, k) => chunk.time(k)).filter((t) => t <= time).length;
+  const counted = (time) =>
+    Array.from({ length: chunk.contacts }, (_, k) => chunk.time(k)).filter((t) => t <= time).length;
   for (const time of [0, 1.4, 1.5, 1.6, 5.5, 5.9, 6]) assert.equal(chunk.contactsUntil(time), counted(time));
 });
 

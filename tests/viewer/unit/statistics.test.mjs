@@ -5,7 +5,13 @@ import test from 'node:test';
 import { show, showTime } from '../../../apps/viewer/page/src/panel/numbers.js';
 import { Quality } from '../../../apps/viewer/page/src/scene/quality.js';
 import { summarize } from '../../../apps/viewer/page/src/statistics/chunk_summary.js';
-import { density, findSpecies, maxwellDensity, quantile, roundUp } from '../../../apps/viewer/page/src/statistics/speeds.js';
+import {
+  density,
+  findSpecies,
+  maxwellDensity,
+  quantile,
+  roundUp,
+} from '../../../apps/viewer/page/src/statistics/speeds.js';
 import { randomSpheres, recordSmallGas } from '../support/small_gas.mjs';
 import { StoredSource } from '../support/stored_source.mjs';
 
@@ -24,13 +30,22 @@ test('intervals of a chunk hold all its contacts, and the energy that collisions
   const length = (chunk.end - chunk.begin) / intervals.length;
   const total = intervals.reduce((sum, { collisions, walls }) => sum + (collisions + walls) * length, 0);
   assertNear(total, chunk.contacts, 1e-6);
-  const walls = Array.from({ length: chunk.contacts }, (_, k) => chunk.second(k)).filter((second) => second < 0).length;
-  assertNear(intervals.reduce((sum, interval) => sum + interval.walls * length, 0), walls, 1e-6);
+  const walls = Array.from({ length: chunk.contacts }, (_, k) => chunk.second(k)).filter(
+    (second) => second < 0,
+  ).length;
+  assertNear(
+    intervals.reduce((sum, interval) => sum + interval.walls * length, 0),
+    walls,
+    1e-6,
+  );
   for (const { energy } of intervals) assertNear(energy, intervals[0].energy, 1e-9);
 });
 
 test("Maxwell's density has the area one and the mean square of its temperature", () => {
-  const species = [{ mass: 1, count: 30 }, { mass: 4, count: 10 }];
+  const species = [
+    { mass: 1, count: 30 },
+    { mass: 4, count: 10 },
+  ];
   let area = 0;
   let squares = 0;
   for (let k = 0; k < 20000; ++k) {
@@ -51,7 +66,10 @@ test('a density sums to the share of values below its end', () => {
 test('spheres of like radius and mass are one species', () => {
   const { of, list } = findSpecies([1, 2, 1, 1], [1, 1, 1, 3]);
   assert.deepEqual([...of], [0, 1, 0, 2]);
-  assert.deepEqual(list.map(({ count }) => count), [2, 1, 1]);
+  assert.deepEqual(
+    list.map(({ count }) => count),
+    [2, 1, 1],
+  );
 });
 
 test('ends of ranges are round and hold their values', () => {

@@ -56,7 +56,8 @@ export class Viewer {
     this.flashes = new EventFlashes(radii, this.box);
     this.trail = new Trail(this.box);
     this.cellLayer = new CellLayer(radii, this.box);
-    for (const { object } of [this.spheres, this.flashes, this.trail, this.cellLayer]) this.view.scene.add(object);
+    for (const { object } of [this.spheres, this.flashes, this.trail, this.cellLayer])
+      this.view.scene.add(object);
 
     this.notices = new Notices();
     this.plots = new Plots(source, this.player, this.species.list);
@@ -186,7 +187,10 @@ export class Viewer {
     this.last.frame = now;
     this.player.advance(seconds);
     if (!this.playback.chunk) {
-      this.notices.show('wait', this.source.ends.length > 0 ? 'Loading …' : 'Waiting for the first contacts …');
+      this.notices.show(
+        'wait',
+        this.source.ends.length > 0 ? 'Loading …' : 'Waiting for the first contacts …',
+      );
       return;
     }
     if (!this.scales) this.begin();
@@ -230,7 +234,8 @@ export class Viewer {
     if (this.flashes.object.visible) this.flashes.update(this.playback, window);
     this.cellLayer.object.visible = element('show-cells').checked && this.cells !== null;
     if (this.cellLayer.object.visible) this.updateCells(followed, window);
-    for (const { pixels } of [uniforms, this.flashes.rings.uniforms, this.trail.rings.uniforms]) pixels.value = this.view.pixels;
+    for (const { pixels } of [uniforms, this.flashes.rings.uniforms, this.trail.rings.uniforms])
+      pixels.value = this.view.pixels;
     this.view.prepare(uniforms.haze.value);
     this.view.render();
   }
@@ -245,7 +250,13 @@ export class Viewer {
       this.past = recentPaths(store, followed, playback.number, playback.cursor, kContactsOfTrail);
       this.next = nextContact(store, followed, playback.number, playback.cursor);
     }
-    this.trail.update(this.past, playback.time, this.next?.time ?? known, center, this.source.radii[followed]);
+    this.trail.update(
+      this.past,
+      playback.time,
+      this.next?.time ?? known,
+      center,
+      this.source.radii[followed],
+    );
   }
 
   updateCells(followed, window) {
@@ -264,8 +275,10 @@ export class Viewer {
     if (this.colorBy === 'species') return;
     if (this.colorBy === 'speed') range.set(0, this.plots.fast);
     if (this.colorBy === 'radius') range.set(0, roundUp(this.largestRadius));
-    if (this.colorBy === 'collisions') range.set(0, Math.max(4, roundUp(quantile(this.playback.collisions, 0.99))));
-    if (this.colorBy === 'last contact') range.set(roundUp(this.scales.rate > 0 ? 1 / this.scales.rate : this.player.speed), 0);
+    if (this.colorBy === 'collisions')
+      range.set(0, Math.max(4, roundUp(quantile(this.playback.collisions, 0.99))));
+    if (this.colorBy === 'last contact')
+      range.set(roundUp(this.scales.rate > 0 ? 1 / this.scales.rate : this.player.speed), 0);
     this.legend.showRange(range.x, range.y);
     this.view.isStale = true;
   }
@@ -275,8 +288,10 @@ export class Viewer {
     this.transport.update();
     this.plots.mark(this.playback.time);
     const { player } = this;
-    if (player.isBuffering) this.notices.show('wait', this.isLost ? 'This part was not loaded' : 'Buffering …');
-    else if (player.isPlaying && player.isAtEnd && !this.source.status.finished) this.notices.show('wait', 'Waiting for the run …');
+    if (player.isBuffering)
+      this.notices.show('wait', this.isLost ? 'This part was not loaded' : 'Buffering …');
+    else if (player.isPlaying && player.isAtEnd && !this.source.status.finished)
+      this.notices.show('wait', 'Waiting for the run …');
     else this.notices.hide('wait');
     if (seconds - this.last.panels > kSecondsBetweenPanels) {
       this.last.panels = seconds;
@@ -300,15 +315,20 @@ export class Viewer {
     }
     const { finished, failed } = this.source.status;
     if (failed) this.notices.show('failed', `The run failed: ${failed}`, { kind: 'bad' });
-    if (this.isLost || !finished) setTimeout(() => this.poll(), 1000 * (this.isLost ? kRetrySeconds : kPollSeconds));
-    else this.isPolling = false;
+    if (this.isLost) this.pollIn(kRetrySeconds);
+    else if (!finished) this.pollIn(kPollSeconds);
+  }
+
+  pollIn(seconds) {
+    clearTimeout(this.nextPoll);
+    this.nextPoll = setTimeout(() => this.poll(), 1000 * seconds);
   }
 
   lose() {
     if (this.isLost) return;
     this.isLost = this.store.isSuspended = true;
     this.notices.show('lost', 'The program does not answer. What is loaded can be looked at.', { kind: 'bad' });
-    if (this.source.status.finished) setTimeout(() => this.poll(), 1000 * kRetrySeconds);
+    this.pollIn(kRetrySeconds);
   }
 
   recover() {
@@ -349,7 +369,8 @@ export class Viewer {
   setCellEdge(edge) {
     const { header } = this.source;
     if (edge > 0) this.cells = Cells.fitting(Math.max(edge, this.largestRadius / 100), this.box);
-    else this.cells = header.cell_edge[0] > 0 ? new Cells(header.cell_edge, header.cell_origin, this.box) : null;
+    else
+      this.cells = header.cell_edge[0] > 0 ? new Cells(header.cell_edge, header.cell_origin, this.box) : null;
     this.showCellEdge();
     this.cellsGathered = null;
     this.view.isStale = true;
@@ -384,7 +405,9 @@ export class Viewer {
 
   listen() {
     const canvas = element('canvas');
-    element('color-by').replaceChildren(...kColorBy.map((name) => new Option(name[0].toUpperCase() + name.slice(1), name)));
+    element('color-by').replaceChildren(
+      ...kColorBy.map((name) => new Option(name[0].toUpperCase() + name.slice(1), name)),
+    );
     element('color-by').addEventListener('change', (event) => this.setColorBy(event.target.value));
     element('fit').addEventListener('click', () => this.fit());
     element('screenshot').addEventListener('click', () => this.savePicture());
@@ -407,7 +430,10 @@ export class Viewer {
     });
 
     let pressed = null;
-    canvas.addEventListener('pointerdown', ({ clientX, clientY, isPrimary }) => (pressed = isPrimary ? [clientX, clientY] : null));
+    canvas.addEventListener(
+      'pointerdown',
+      ({ clientX, clientY, isPrimary }) => (pressed = isPrimary ? [clientX, clientY] : null),
+    );
     canvas.addEventListener('pointerup', (event) => {
       const isClick = pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 5;
       if (isClick && event.button === 0) this.followAt(event);
@@ -415,7 +441,9 @@ export class Viewer {
     canvas.addEventListener('dblclick', () => this.approach());
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
-      this.notices.show('context', 'The graphics card has lost the picture; reload the page.', { kind: 'bad' });
+      this.notices.show('context', 'The graphics card has lost the picture; reload the page.', {
+        kind: 'bad',
+      });
     });
   }
 

@@ -47,7 +47,8 @@ export class Cells {
       const touches = place + radius >= begin && place - radius < end;
       return touches ? [-Infinity, Infinity] : [Infinity, -Infinity];
     }
-    const [nearFace, farFace] = velocity > 0 ? [begin - radius, end + radius] : [end + radius, begin - radius];
+    const [nearFace, farFace] =
+      velocity > 0 ? [begin - radius, end + radius] : [end + radius, begin - radius];
     return [path[6] + (nearFace - place) / velocity, path[6] + (farFace - place) / velocity];
   }
 

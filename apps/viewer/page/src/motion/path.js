@@ -36,7 +36,9 @@ export function piecesInBox(path, from, until, box, most = 64) {
     }
     if (!(next > time)) break;
     const at = (moment) =>
-      [0, 1, 2].map((axis) => path[axis] + (moment - path[6]) * path[3 + axis] - boxes[axis] * box.period[axis]);
+      [0, 1, 2].map(
+        (axis) => path[axis] + (moment - path[6]) * path[3 + axis] - boxes[axis] * box.period[axis],
+      );
     pieces.push([at(time), at(next)]);
     time = next;
   }

@@ -60,7 +60,9 @@ export class Player {
       if (this.isAtEnd && this.source.status.finished) this.isPlaying = false;
     }
     if (this.wanted !== null) this.show();
-    this.store.focus(this.wanted === null ? Math.max(this.playback.number, 0) : this.store.numberAt(this.wanted));
+    this.store.focus(
+      this.wanted === null ? Math.max(this.playback.number, 0) : this.store.numberAt(this.wanted),
+    );
   }
 
   show() {

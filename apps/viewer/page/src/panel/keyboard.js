@@ -29,6 +29,7 @@ export function listenToKeys(viewer) {
 
 function isUsed({ target, key }) {
   if (target.matches('select, input[type="number"]')) return true;
-  if (target.matches('input[type="range"]')) return key.startsWith('Arrow') || key === 'Home' || key === 'End';
+  if (target.matches('input[type="range"]'))
+    return key.startsWith('Arrow') || key === 'Home' || key === 'End';
   return key === ' ' && target.matches('button, a, input');
 }

@@ -25,9 +25,11 @@ export class ColorLegend {
   showSpecies(list) {
     this.choose('species');
     this.species.replaceChildren(
-      ...list.slice(0, kSpeciesColors.length).map(({ radius, mass, count }, k) =>
-        swatch(kSpeciesColors[k], `${showCount(count)} × radius ${show(radius, 3)}, mass ${show(mass, 3)}`),
-      ),
+      ...list
+        .slice(0, kSpeciesColors.length)
+        .map(({ radius, mass, count }, k) =>
+          swatch(kSpeciesColors[k], `${showCount(count)} × radius ${show(radius, 3)}, mass ${show(mass, 3)}`),
+        ),
     );
   }
 

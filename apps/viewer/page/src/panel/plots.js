@@ -23,7 +23,12 @@ export class Plots {
     this.knownEnd = NaN;
     this.player = player;
     const hasWalls = header.box.boundary.includes('wall');
-    this.rate = timePlot('plot-rate', hasWalls ? ['Collisions', 'Wall contacts'] : ['Collisions'], ['--accent', '--second'], player);
+    this.rate = timePlot(
+      'plot-rate',
+      hasWalls ? ['Collisions', 'Wall contacts'] : ['Collisions'],
+      ['--accent', '--second'],
+      player,
+    );
     this.hasWalls = hasWalls;
     document.getElementById('rate-key').hidden = !hasWalls;
     this.energy = header.restitution < 1 ? timePlot('plot-energy', ['Energy'], ['--accent'], player) : null;
@@ -85,7 +90,13 @@ export class Plots {
     let last = null;
     for (const number of [...this.summaries.keys()].sort((a, b) => a - b)) {
       // A line does not run across what is not known.
-      if (last !== null && number !== last + 1) rows.push({ time: this.summaries.get(number)[0]?.time ?? 0, collisions: null, walls: null, energy: null });
+      if (last !== null && number !== last + 1)
+        rows.push({
+          time: this.summaries.get(number)[0]?.time ?? 0,
+          collisions: null,
+          walls: null,
+          energy: null,
+        });
       rows.push(...this.summaries.get(number));
       last = number;
     }
@@ -102,7 +113,9 @@ export class Plots {
     const shares = density(this.speeds, this.fastest, kIntervals);
     const temperature = (2 * energy) / (3 * this.masses.length);
     const middles = Array.from(shares, (_, k) => ((k + 0.5) * this.fastest) / kIntervals);
-    const curve = middles.map((speed) => (temperature > 0 ? maxwellDensity(speed, this.species, temperature) : null));
+    const curve = middles.map((speed) =>
+      temperature > 0 ? maxwellDensity(speed, this.species, temperature) : null,
+    );
     this.histogram.setData([middles, Array.from(shares), curve]);
   }
 }

@@ -37,8 +37,14 @@ export class SpherePanel {
     text('sphere-kind', `${show(source.radii[followed])}, ${show(source.masses[followed])}`);
     text('sphere-collisions', showCount(playback.collisions[followed]));
     const isWhole = playback.countedFrom <= source.header.begin;
-    text('sphere-collisions-label', isWhole ? 'Collisions' : `Collisions since ${show(playback.countedFrom)}`);
-    text('sphere-next', next ? `${partner(next, followed)} in ${show(next.time - time, 3)}` : 'not known yet');
+    text(
+      'sphere-collisions-label',
+      isWhole ? 'Collisions' : `Collisions since ${show(playback.countedFrom)}`,
+    );
+    text(
+      'sphere-next',
+      next ? `${partner(next, followed)} in ${show(next.time - time, 3)}` : 'not known yet',
+    );
     text('sphere-crossing', this.crossing());
   }
 

@@ -6,12 +6,17 @@ const kScrubSteps = 100000;
 
 /** Play, pause, steps, the scrub bar, and the slider of the speed. */
 export class Transport {
-  /** `scales`: see typicalScales; null until there are some. */
   constructor(viewer) {
     this.viewer = viewer;
     this.player = viewer.player;
     const element = (id) => document.getElementById(id);
-    this.buttons = { play: element('play'), home: element('home'), back: element('back'), forward: element('forward'), end: element('end') };
+    this.buttons = {
+      play: element('play'),
+      home: element('home'),
+      back: element('back'),
+      forward: element('forward'),
+      end: element('end'),
+    };
     this.time = element('time');
     this.scrub = element('scrub');
     this.speed = element('speed');
@@ -68,7 +73,11 @@ export class Transport {
       this.speed.value = Math.log10(player.speed);
       this.speedText.value = `${show(player.speed, 2)} per s`;
       set(this.speed, 'aria-valuetext', `${show(player.speed, 2)} per second`);
-      property(this.speed, '--at', (100 * (this.speed.value - this.speed.min)) / (this.speed.max - this.speed.min));
+      property(
+        this.speed,
+        '--at',
+        (100 * (this.speed.value - this.speed.min)) / (this.speed.max - this.speed.min),
+      );
     }
   }
 }

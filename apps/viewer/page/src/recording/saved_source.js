@@ -31,7 +31,13 @@ export class SavedSource {
     for (const chunk of chunks) {
       for (let k = 0; k < chunk.contacts; ++k) chunk.second(k) < 0 ? ++walls : ++collisions;
     }
-    this.status = { finished: true, failed: null, reached: this.ends.at(-1) ?? header.begin, collisions, walls };
+    this.status = {
+      finished: true,
+      failed: null,
+      reached: this.ends.at(-1) ?? header.begin,
+      collisions,
+      walls,
+    };
     this.replayAddress = null;
   }
 

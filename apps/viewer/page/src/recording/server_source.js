@@ -32,7 +32,9 @@ export class ServerSource {
 
   /** Learns how far the run has come. Error: the server does not answer. */
   async poll() {
-    const { chunk_ends: ends, ...status } = await (await this.ask('status', { from: this.ends.length })).json();
+    const { chunk_ends: ends, ...status } = await (
+      await this.ask('status', { from: this.ends.length })
+    ).json();
     this.ends.push(...ends);
     this.status = status;
   }

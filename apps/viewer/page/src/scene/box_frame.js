@@ -1,6 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import { BackSide, BoxGeometry, Color, Float32BufferAttribute, GLSL3, Mesh, RawShaderMaterial, Vector3 } from 'three';
+import {
+  BackSide,
+  BoxGeometry,
+  Color,
+  Float32BufferAttribute,
+  GLSL3,
+  Mesh,
+  RawShaderMaterial,
+  Vector3,
+} from 'three';
 
 const kVertex = /* glsl */ `
   precision highp float;

@@ -103,7 +103,8 @@ export class CellLayer {
       if (id === followed) continue;
       let apart = 0;
       if (center && count > kFew) {
-        for (let axis = 0; axis < 3; ++axis) apart += this.box.nearest(place(id, axis) - center[axis], axis) ** 2;
+        for (let axis = 0; axis < 3; ++axis)
+          apart += this.box.nearest(place(id, axis) - center[axis], axis) ** 2;
       }
       if (apart <= reach * reach) this.near[this.nearCount++] = id;
     }
@@ -117,7 +118,8 @@ export class CellLayer {
     this.count = 0;
     this.uniforms.edge.value.set(...cells.edge);
     const isFew = this.radii.length <= kFew;
-    for (let k = 0; k < this.nearCount; ++k) this.add(playback, this.near[k], cells, isFew ? window : 0, this.ink, 0.22);
+    for (let k = 0; k < this.nearCount; ++k)
+      this.add(playback, this.near[k], cells, isFew ? window : 0, this.ink, 0.22);
     if (followed >= 0) this.add(playback, followed, cells, window, this.accent, 0.9);
     this.geometry.instanceCount = this.count;
     this.corners.needsUpdate = this.tints.needsUpdate = true;
@@ -129,11 +131,13 @@ export class CellLayer {
     const from = Math.max(path[6], time - window);
     const show = (indices, enter, leave) => {
       if (leave <= time) this.put(cells, indices, kEventColors.leave, 1 - (time - leave) / window);
-      else if (enter > from) this.put(cells, indices, kEventColors.enter, 1, color, (time - enter) / window, strength);
+      else if (enter > from)
+        this.put(cells, indices, kEventColors.enter, 1, color, (time - enter) / window, strength);
       else this.put(cells, indices, color, strength);
     };
     // Of a sphere so fast that it has crossed too many, only those are shown that it touches.
-    if (!cells.visit(path, this.radii[id], from, time, show)) cells.visit(path, this.radii[id], time, time, show);
+    if (!cells.visit(path, this.radii[id], from, time, show))
+      cells.visit(path, this.radii[id], time, time, show);
   }
 
   // From `color`, `strength` strong, the cell fades to `later` as `share` goes to 1.

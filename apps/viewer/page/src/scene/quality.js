@@ -61,7 +61,9 @@ export class Quality {
 
   // A step that changes nothing on this screen is left out.
   nextLevel() {
-    const isWorse = (way) => way.spheres !== this.way.spheres || way.mostPixelRatio < Math.min(this.pixelRatio, this.way.mostPixelRatio);
+    const isWorse = (way) =>
+      way.spheres !== this.way.spheres ||
+      way.mostPixelRatio < Math.min(this.pixelRatio, this.way.mostPixelRatio);
     const next = kWays.findIndex((way, level) => level > this.level && isWorse(way));
     return next < 0 ? this.level : next;
   }

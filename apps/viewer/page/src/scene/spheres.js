@@ -70,7 +70,9 @@ export class Spheres {
     this.object?.material.dispose();
     const asPoints = way === 'points';
     const geometry = asPoints ? new BufferGeometry() : new InstancedBufferGeometry();
-    this.buffer = asPoints ? new InterleavedBuffer(this.paths, kNumbers) : new InstancedInterleavedBuffer(this.paths, kNumbers);
+    this.buffer = asPoints
+      ? new InterleavedBuffer(this.paths, kNumbers)
+      : new InstancedInterleavedBuffer(this.paths, kNumbers);
     geometry.setAttribute('place', new InterleavedBufferAttribute(this.buffer, 4, 0));
     geometry.setAttribute('motion', new InterleavedBufferAttribute(this.buffer, 4, 4));
     const Kinds = asPoints ? BufferAttribute : InstancedBufferAttribute;
@@ -80,7 +82,10 @@ export class Spheres {
       geometry.setAttribute('position', geometry.getAttribute('place'));
     } else {
       geometry.instanceCount = this.count;
-      geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]), 3));
+      geometry.setAttribute(
+        'position',
+        new BufferAttribute(new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]), 3),
+      );
       geometry.setIndex([0, 1, 2, 0, 2, 3]);
     }
     const material = new RawShaderMaterial({

@@ -14,7 +14,11 @@ export class View {
     this.largestRadius = largestRadius;
     /** Whether the graphics card is only emulated. */
     this.isSoftware = isSoftware();
-    this.renderer = new WebGLRenderer({ canvas, antialias: !this.isSoftware, powerPreference: 'high-performance' });
+    this.renderer = new WebGLRenderer({
+      canvas,
+      antialias: !this.isSoftware,
+      powerPreference: 'high-performance',
+    });
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(32, 1, 0.1, 1000);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -102,7 +106,9 @@ export class View {
       const place = [0, 1, 2].map((axis) => ((corner >> axis) & 1 ? high : low)[axis]);
       return new Vector3(...place).sub(this.controls.target).applyQuaternion(turn);
     });
-    const needed = corners.map(({ x, y, z }) => z + Math.max(Math.abs(y), Math.abs(x) / this.camera.aspect) / tangent);
+    const needed = corners.map(
+      ({ x, y, z }) => z + Math.max(Math.abs(y), Math.abs(x) / this.camera.aspect) / tangent,
+    );
     const distance = Math.max(...needed);
     const middle = (places) => (distance * (Math.min(...places) + Math.max(...places))) / 2;
     const aside = middle(corners.map(({ x, z }) => x / (distance - z)));
@@ -167,7 +173,11 @@ export class View {
   /** The ray that runs through the point (x, y) of the canvas, in CSS pixels: origin and unit direction. */
   ray(x, y) {
     this.camera.updateMatrixWorld();
-    const end = new Vector3((2 * x) / this.canvas.clientWidth - 1, 1 - (2 * y) / this.canvas.clientHeight, 0.5);
+    const end = new Vector3(
+      (2 * x) / this.canvas.clientWidth - 1,
+      1 - (2 * y) / this.canvas.clientHeight,
+      0.5,
+    );
     const direction = end.unproject(this.camera).sub(this.camera.position).normalize();
     return { origin: this.camera.position.clone(), direction };
   }

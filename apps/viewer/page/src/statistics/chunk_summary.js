@@ -48,7 +48,12 @@ export function summarize(chunk, masses, begin) {
       }
     }
     if (Number.isNaN(energyThere)) energyThere = energy;
-    intervals.push({ time: middle, collisions: collisions / length, walls: walls / length, energy: energyThere });
+    intervals.push({
+      time: middle,
+      collisions: collisions / length,
+      walls: walls / length,
+      energy: energyThere,
+    });
   }
   return intervals;
 }

@@ -62,13 +62,18 @@ export function maxwellDensity(speed, species, temperature) {
 export function roundUp(value) {
   if (!(value > 0)) return 1;
   const power = 10 ** Math.floor(Math.log10(value));
-  const digit = [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10].find((digit) => digit * power >= value * (1 - 1e-12));
+  const digit = [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10].find(
+    (digit) => digit * power >= value * (1 - 1e-12),
+  );
   return digit * power;
 }
 
 /** The value below which the share `share` of `values` lies; sorts a sample of them. */
 export function quantile(values, share) {
   const step = Math.ceil(values.length / 4096);
-  const sample = Float64Array.from({ length: Math.ceil(values.length / step) }, (_, k) => values[k * step]).sort();
+  const sample = Float64Array.from(
+    { length: Math.ceil(values.length / step) },
+    (_, k) => values[k * step],
+  ).sort();
   return sample[Math.min(sample.length - 1, Math.floor(share * sample.length))];
 }
