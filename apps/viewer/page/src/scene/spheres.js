@@ -44,7 +44,7 @@ export class Spheres {
     this.referenceEnd = NaN;
     this.dirty = new Uint8Array(Math.ceil(this.count / kBlock));
     this.ranges = Array.from(this.dirty, () => ({ start: 0, count: 0 }));
-    this.longest = Math.max(...box.size, 1e-30);
+    this.longest = Math.max(...box.size);
     this.uniforms = {
       elapsed: { value: 0 },
       period: { value: new Vector3(...box.period) },
@@ -119,18 +119,20 @@ export class Spheres {
     this.uniforms.elapsed.value = time - this.reference;
   }
 
-  // Makes the moment of `playback` the reference. It lasts while spheres cross the box but a few times, so that
-  // single precision suffices.
+  // Makes the moment of `playback` the reference. It lasts while spheres cross the space that they take up but a few
+  // times, so that single precision suffices.
   refer(playback) {
     const { paths, time } = playback;
     this.reference = time;
     let fastest = 0;
+    let { longest } = this;
     for (let id = 0; id < this.count; ++id) {
       this.store(playback, id);
+      for (let axis = 0; axis < 3; ++axis) longest = Math.max(longest, Math.abs(this.paths[kNumbers * id + axis]));
       const start = kPathNumbers * id + 3;
       fastest = Math.max(fastest, paths[start] ** 2 + paths[start + 1] ** 2 + paths[start + 2] ** 2);
     }
-    this.referenceEnd = time + (3 * this.longest) / Math.sqrt(fastest);
+    this.referenceEnd = time + (3 * longest) / Math.sqrt(fastest);
     this.dirty.fill(1);
     this.send();
   }
