@@ -18,5 +18,7 @@ ExitCode run(const Options& options);
 ExitCode verify(const Options& options);
 ExitCode check(const Options& options);
 ExitCode tune(const Options& options);
+ExitCode view(const Options& options);
+ExitCode replay(const Options& options);
 
 }  // namespace hardball::cli

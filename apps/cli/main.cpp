@@ -49,6 +49,15 @@ void add_engine_options(CLI::App& command, Options& options) {
                      "Vector instructions: auto, portable, avx2 or avx512; changes the speed alone");
 }
 
+#if HARDBALL_VIEWER
+CLI::App* add_showing_command(CLI::App& app, Options& options, const std::string& name,
+                              const std::string& description) {
+  CLI::App* command = add_command(app, options, name, description);
+  command->get_option("SCENARIO")->description("Scenario file (TOML), or the directory of a recorded run");
+  return command;
+}
+#endif
+
 // Error: something on the command line was not understood. `command` may be missing.
 void refuse_leftovers(const CLI::App& app, const CLI::App* command) {
   const std::vector<std::string> leftovers = app.remaining(true);
@@ -96,6 +105,18 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
       add_command(app, options, "tune", "Compare cells of several sizes: predicted and measured cost");
   add_unit_costs_option(*tune_command, options);
   tune_command->add_option("--out", options.out, "Directory for the table and the figure of it");
+#if HARDBALL_VIEWER
+  CLI::App* view_command =
+      add_showing_command(app, options, "view", "Show a run in the browser, live or recorded");
+  view_command->add_option("--port", options.port, "Port of the server, instead of any that is free");
+  view_command->add_flag("--no-open", options.no_open, "Only print the address, open no browser")
+      ->disable_flag_override();
+  view_command->add_option("--recording-limit", options.recording_limit,
+                           "Bytes of recording at which a live run stops, instead of 4e9");
+  CLI::App* replay_command =
+      add_showing_command(app, options, "replay", "Write a run as one HTML file that shows it offline");
+  replay_command->add_option("--out", options.out, "The HTML file");
+#endif
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {
@@ -108,6 +129,10 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   if (*verify_command) return verify(options);
   if (*check_command) return check(options);
   if (*tune_command) return tune(options);
+#if HARDBALL_VIEWER
+  if (*view_command) return view(options);
+  if (*replay_command) return replay(options);
+#endif
   return run(options);
 }
 

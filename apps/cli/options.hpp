@@ -10,7 +10,7 @@ namespace hardball::cli {
 
 /// What the command line says, as it was written; not every command has every option.
 struct Options {
-  std::string scenario;
+  std::string scenario;                ///< Or the directory of a run.
   std::vector<std::string> overrides;  ///< Of the form key=value.
   std::optional<std::string> until;
   std::optional<std::string> seed;
@@ -20,8 +20,11 @@ struct Options {
   std::string queue = "calendar";
   std::string instructions = "auto";
   std::optional<std::string> out;
+  std::optional<std::string> port;
+  std::optional<std::string> recording_limit;
   bool json = false;
   bool quiet = false;
+  bool no_open = false;
 };
 
 }  // namespace hardball::cli

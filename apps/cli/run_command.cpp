@@ -91,11 +91,11 @@ ExitCode run(const Options& options) {
   catch_signals();
   std::optional<RunFiles> files;
   if (options.out) {
-    files.emplace(*options.out, scenario);
+    files.emplace(*options.out, scenario, simulation);
   } else if (scenario.output_directory) {
-    files.emplace(*scenario.output_directory, scenario);
+    files.emplace(*scenario.output_directory, scenario, simulation);
   }
-  if (files && files->has_event_log()) {
+  if (files && files->has_contacts()) {
     simulation.on_contact([&files](const Contact& contact) { files->note(contact); });
   }
   // What is measured goes to files.
@@ -114,7 +114,7 @@ ExitCode run(const Options& options) {
       report.measurements = measurements;
       html = to_html(report);
     }
-    files->finish(measurements, json, html);
+    files->finish(simulation, measurements, json, html);
   }
   write_output(options.json ? json : summary.table());
   if (is_complete) return ExitCode::done;

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <vector>
 
+#include "apps/cli/begin_recording.hpp"
 #include "apps/cli/directory.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/extended_xyz.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr const char* kTrajectory = "trajectory.xyz";
 constexpr const char* kEvents = "events.npy";
+constexpr const char* kRecording = "recording.hbr";
 constexpr const char* kSummary = "summary.json";
 constexpr const char* kReport = "report.html";
 constexpr const char* kMeasures = "measures";
@@ -40,7 +42,8 @@ void remove_all(const std::vector<std::filesystem::path>& paths) {
 
 }  // namespace
 
-RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario)
+RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario,
+                   const Simulation& simulation)
     : directory_(directory), has_measures_(!scenario.measures.names.empty()) {
   const std::filesystem::path trajectory = directory / kTrajectory;
   std::error_code missing;
@@ -50,25 +53,27 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
   }
   std::vector<std::filesystem::path> created = make_directory(directory);
   try {
-    for (const char* name : {kTrajectory, kEvents, kSummary, kReport}) {
+    for (const char* name : {kTrajectory, kEvents, kRecording, kSummary, kReport}) {
       const std::filesystem::path path = directory / name;
       if (std::filesystem::is_directory(path)) {
         throw Error("is a directory", path.string(), "name another directory for the output");
       }
     }
-    if (scenario.snapshots_every) {
-      if (!std::filesystem::exists(trajectory)) created.insert(created.begin(), trajectory);
-      trajectory_.emplace(trajectory);
-    } else {
-      std::filesystem::remove(trajectory);
-    }
-    const std::filesystem::path events = directory / kEvents;
-    if (scenario.event_log) {
-      if (!std::filesystem::exists(events)) created.insert(created.begin(), events);
-      events_.emplace(events);
-    } else {
-      std::filesystem::remove(events);
-    }
+    const auto begin = [&](const char* name, bool is_wanted, const auto& create) {
+      const std::filesystem::path path = directory / name;
+      if (is_wanted) {
+        if (!std::filesystem::exists(path)) created.insert(created.begin(), path);
+        create(path);
+      } else {
+        std::filesystem::remove(path);
+      }
+    };
+    using Path = std::filesystem::path;
+    begin(kTrajectory, scenario.snapshots_every.has_value(),
+          [&](const Path& path) { trajectory_.emplace(path); });
+    begin(kEvents, scenario.event_log, [&](const Path& path) { events_.emplace(path); });
+    begin(kRecording, scenario.recording,
+          [&](const Path& path) { recording_.emplace(begin_recording(path, scenario, simulation)); });
     for (const char* name : {kSummary, kReport}) std::filesystem::remove(directory / name);
     remove_measures(directory / kMeasures);
     if (has_measures_) {
@@ -90,12 +95,14 @@ void RunFiles::write_snapshot(const Simulation& simulation) {
 
 void RunFiles::note(const Contact& contact) {
   if (events_) events_->append(contact);
+  if (recording_) recording_->note(contact);
 }
 
-void RunFiles::finish(std::span<const Measurement> measurements, const std::string& summary,
-                      const std::string& report) {
+void RunFiles::finish(const Simulation& simulation, std::span<const Measurement> measurements,
+                      const std::string& summary, const std::string& report) {
   if (trajectory_) trajectory_->close();
   if (events_) events_->close();
+  if (recording_) recording_->close(simulation.time());
   if (has_measures_) {
     const std::filesystem::path folder = kMeasures;
     for (const Measurement& measurement : measurements) {

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/io/npy_event_log.hpp"
 
-#include <array>
-#include <bit>
-#include <concepts>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/io/little_endian.hpp"
 
 namespace hardball {
 namespace {
@@ -33,24 +31,6 @@ std::string header(std::uint64_t records) {
   return prefix + text;
 }
 
-// One record, its fields put one after another, each with its least significant byte first.
-class Record {
- public:
-  template <std::unsigned_integral Word>
-  void put(Word word) {
-    for (std::size_t byte = 0; byte < sizeof(Word); ++byte) {
-      bytes_[size_++] = static_cast<char>(static_cast<unsigned char>(word >> (8 * byte)));
-    }
-  }
-  void put(double number) { put(std::bit_cast<std::uint64_t>(number)); }
-
-  std::string_view bytes() const { return {bytes_.data(), size_}; }
-
- private:
-  std::array<char, kRecordBytes> bytes_;
-  std::size_t size_ = 0;
-};
-
 }  // namespace
 
 NpyEventLog::NpyEventLog(std::filesystem::path path) : file_(std::move(path)) {
@@ -69,18 +49,19 @@ NpyEventLog::~NpyEventLog() {
 void NpyEventLog::append(const Contact& contact) {
   constexpr std::uint32_t kMostIds = std::numeric_limits<std::int32_t>::max();
   HARDBALL_CHECK(contact.first <= kMostIds && contact.second <= kMostIds);
-  Record record;
-  record.put(contact.time.value());
-  record.put(contact.first);
+  std::string record;
+  record.reserve(kRecordBytes);
+  append_little_endian(record, contact.time.value());
+  append_little_endian(record, contact.first);
   // The bits of -(face + 1) are those of the face, all inverted.
-  record.put(contact.is_collision() ? contact.second : ~contact.second);
-  record.put(static_cast<std::uint8_t>(contact.is_collision() ? 0 : 1));
+  append_little_endian(record, contact.is_collision() ? contact.second : ~contact.second);
+  append_little_endian(record, static_cast<std::uint8_t>(contact.is_collision() ? 0 : 1));
   const Vec3 impulse = contact.impulse();
-  record.put(impulse.x);
-  record.put(impulse.y);
-  record.put(impulse.z);
-  record.put(contact.impact_speed());
-  file_.append(record.bytes());
+  append_little_endian(record, impulse.x);
+  append_little_endian(record, impulse.y);
+  append_little_endian(record, impulse.z);
+  append_little_endian(record, contact.impact_speed());
+  file_.append(record);
   ++size_;
   if (size_ % kRecordsPerFlush == 0) flush();
 }

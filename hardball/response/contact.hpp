@@ -25,6 +25,8 @@ struct Contact {
   std::uint32_t second = 0;               ///< The id of the other sphere, or the Face of the box.
   Image image;    ///< Which copy of the second sphere was met, both folded into the box.
   Vec3 position;  ///< Centre of the first sphere, folded into the box [L].
+  /// Collision: centre of the second sphere, folded into the box [L]. Wall: zero.
+  Vec3 second_position;
   /// Collision: from the centre of the first sphere to that of the second. Wall: from the centre to the wall,
   /// perpendicular. [L]
   Vec3 separation;

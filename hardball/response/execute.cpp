@@ -75,14 +75,15 @@ void contact_at(const World& world, const Event& event, const Participants& part
     contact.before.second = world.path(participants.second).velocity;
     const Vec3 other_unfolded = position_at(world.path(participants.second), event.time);
     done.folded[1] = world.box().boxes_beyond(other_unfolded);
-    const Vec3 other = other_unfolded - world.box().shift(done.folded[1]);
+    contact.second_position = other_unfolded - world.box().shift(done.folded[1]);
     contact.image = event.image + done.folded[1] - done.folded[0];
-    contact.separation = (other - contact.position) + world.box().shift(contact.image);
+    contact.separation = (contact.second_position - contact.position) + world.box().shift(contact.image);
   } else {
     contact.reach = contact.first_radius;
     contact.second_mass = std::numeric_limits<double>::infinity();
     contact.before.second = {};
     contact.image = {};
+    contact.second_position = {};
     contact.separation = {};
     const std::size_t axis = axis_of(event.second);
     contact.separation[axis] =

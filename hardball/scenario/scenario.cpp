@@ -387,7 +387,8 @@ constexpr std::array<std::string_view, 9> kSpheresKeys{
 constexpr std::array<std::string_view, 1> kStartKeys{"file"};
 constexpr std::array<std::string_view, 1> kResponseKeys{"restitution"};
 constexpr std::array<std::string_view, 2> kRunKeys{"until", "seed"};
-constexpr std::array<std::string_view, 4> kOutputKeys{"directory", "snapshots_every", "event_log", "report"};
+constexpr std::array<std::string_view, 5> kOutputKeys{"directory", "snapshots_every", "event_log", "recording",
+                                                      "report"};
 constexpr std::array<std::string_view, 3> kMeasuresKeys{"names", "every", "from"};
 
 // In the order of Boundary, Placement and VelocityRule.
@@ -523,6 +524,7 @@ void read_output(const Section& section, Scenario& scenario) {
   if (const auto directory = section.find("directory")) scenario.output_directory = directory->text();
   if (const auto every = section.find("snapshots_every")) scenario.snapshots_every = every->positive();
   if (const auto event_log = section.find("event_log")) scenario.event_log = event_log->truth();
+  if (const auto recording = section.find("recording")) scenario.recording = recording->truth();
   if (const auto report = section.find("report")) scenario.report = report->truth();
 }
 

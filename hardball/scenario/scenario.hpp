@@ -64,6 +64,7 @@ struct Scenario {
   std::optional<std::filesystem::path> output_directory;
   std::optional<double> snapshots_every;  ///< [T]
   bool event_log = false;
+  bool recording = false;
   bool report = true;        ///< Where there is an output directory.
   MeasureSettings measures;  ///< Of all measures if the scenario has no table [measures].
 };

@@ -23,8 +23,8 @@ namespace hardball {
 namespace {
 
 template <class Model>
-double mean_edge(const Model& cells) {
-  return (cells.edge(0) + cells.edge(1) + cells.edge(2)) / 3;
+Vec3 edges_of(const Model& cells) {
+  return {cells.edge(0), cells.edge(1), cells.edge(2)};
 }
 
 // Gives any engine the common face.
@@ -51,10 +51,10 @@ class EngineModel final : public AnyEngine {
   }
   void validate() const override { engine_.validate(); }
 
-  double cell_edge() const override {
-    if constexpr (requires { engine_.phase().edge(0); }) return mean_edge(engine_.phase());
-    if constexpr (requires { engine_.edge(0); }) return mean_edge(engine_);
-    return 0;
+  Vec3 cell_edges() const override {
+    if constexpr (requires { engine_.phase().edge(0); }) return edges_of(engine_.phase());
+    if constexpr (requires { engine_.edge(0); }) return edges_of(engine_);
+    return {};
   }
 
   double slack() const override {

@@ -72,7 +72,7 @@ class AnyEngine {
   virtual const Time& now() const = 0;
   virtual Counters counters() const = 0;
   virtual std::size_t memory_bytes() const = 0;
-  virtual double cell_edge() const = 0;
+  virtual Vec3 cell_edges() const = 0;
   virtual double slack() const = 0;
   virtual RunStatus run(const RunLimits& limits, const Observe& observe) = 0;
   virtual std::optional<Event> next_contact(const Time& until) = 0;

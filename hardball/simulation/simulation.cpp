@@ -236,8 +236,13 @@ Counters Simulation::counters() const {
   return counters_before_ + engine_->counters();
 }
 
+Vec3 Simulation::cell_edges() const {
+  return engine_->cell_edges();
+}
+
 double Simulation::cell_edge() const {
-  return engine_->cell_edge();
+  const Vec3 edges = cell_edges();
+  return (edges.x + edges.y + edges.z) / 3;
 }
 
 double Simulation::slack() const {

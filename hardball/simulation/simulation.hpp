@@ -96,6 +96,9 @@ class Simulation {
   const Tally& tally() const { return tally_; }
   /// The engine that runs, never `automatic`.
   EngineKind engine() const { return kind_; }
+  /// Edges of a cell along each axis [L], a corner of one lying at the origin; zero if the engine has no
+  /// cells.
+  Vec3 cell_edges() const;
   /// Mean edge of the cells [L]; zero if the engine has none.
   double cell_edge() const;
   /// Radius of the ball in which a sphere moves before its list of neighbours changes [L]; zero if there are

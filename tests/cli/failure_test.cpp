@@ -12,6 +12,7 @@
 
 #include "cli/program.hpp"
 #include "hardball/io/extended_xyz.hpp"
+#include "hardball/io/recording_reader.hpp"
 
 namespace hardball {
 namespace {
@@ -23,7 +24,8 @@ using support::run_program;
 using support::ScratchFolder;
 using support::write_text;
 
-const std::string kOutput = "[output]\ndirectory = \"out\"\nsnapshots_every = 0.5\nevent_log = true\n";
+const std::string kOutput =
+    "[output]\ndirectory = \"out\"\nsnapshots_every = 0.5\nevent_log = true\nrecording = true\n";
 
 // The number of records that the header of an event log counts.
 std::uint64_t counted_records(const std::filesystem::path& path) {
@@ -54,6 +56,8 @@ class Failure : public testing::Test {
   void expect_readable_files() const {
     EXPECT_GE(read_snapshot(folder_ / "out/trajectory.xyz").spheres.size(), 20U);
     EXPECT_EQ(counted_records(folder_ / "out/events.npy"), records_there(folder_ / "out/events.npy"));
+    const RecordingReader recording(folder_ / "out/recording.hbr");
+    EXPECT_EQ(recording.length(), std::filesystem::file_size(folder_ / "out/recording.hbr"));
   }
 
   ScratchFolder folder_;
@@ -119,6 +123,11 @@ TEST_P(Interruption, LeavesCompleteFiles) {
   const std::uint64_t contacts =
       summary["events"]["collision"].get<std::uint64_t>() + summary["events"]["wall"].get<std::uint64_t>();
   EXPECT_EQ(counted_records(folder_ / "out/events.npy"), contacts);
+  const RecordingReader recording(folder_ / "out/recording.hbr");
+  EXPECT_EQ(recording.reached(), summary["time"]);
+  std::uint64_t recorded = 0;
+  for (const ChunkExtent& chunk : recording.chunks()) recorded += chunk.contacts;
+  EXPECT_EQ(recorded, contacts);
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, Interruption, testing::Values(SIGINT, SIGTERM));

@@ -11,6 +11,7 @@
 
 #include "cli/program.hpp"
 #include "hardball/io/extended_xyz.hpp"
+#include "hardball/io/recording_reader.hpp"
 
 namespace hardball {
 namespace {
@@ -169,6 +170,7 @@ TEST_F(Run, HasOneHistoryWhateverIsWritten) {
   EXPECT_EQ(hash({"--out", "out"}), expected);
   EXPECT_EQ(hash({"--out", "out", "--set", "output.snapshots_every=0.01"}), expected);
   EXPECT_EQ(hash({"--out", "out", "--set", "output.event_log=true"}), expected);
+  EXPECT_EQ(hash({"--out", "out", "--set", "output.recording=true"}), expected);
 }
 
 TEST_F(Run, FollowsItsOptions) {
@@ -197,12 +199,15 @@ TEST_F(Run, OutOptionWinsOverTheScenario) {
 }
 
 TEST_F(Run, RemovesTheFilesOfAnEarlierRun) {
-  run({"--out", "out", "--set", "output.event_log=true", "--set", "output.snapshots_every=1"});
+  run({"--out", "out", "--set", "output.event_log=true", "--set", "output.snapshots_every=1", "--set",
+       "output.recording=true"});
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/events.npy"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/recording.hbr"));
   write_text(folder_ / "out/notes.txt", "mine");
   run({"--out", "out"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/events.npy"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/trajectory.xyz"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/recording.hbr"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/notes.txt"));
 }
 
@@ -210,6 +215,19 @@ std::size_t count(const std::string& text, const std::string& part) {
   std::size_t found = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
   return found;
+}
+
+TEST_F(Run, WritesARecordingOfAllContacts) {
+  use(kPeriodicGas);
+  const json summary = run_json({"--out", "out", "--set", "output.recording=true"});
+  RecordingReader reader(folder_ / "out/recording.hbr");
+  EXPECT_EQ(reader.header().name, "gas");
+  EXPECT_EQ(reader.header().until, 5);
+  EXPECT_EQ(reader.header().box.size(), (Vec3{10, 10, 10}));
+  EXPECT_EQ(reader.reached(), 5);
+  std::uint64_t contacts = 0;
+  for (const ChunkExtent& chunk : reader.chunks()) contacts += chunk.contacts;
+  EXPECT_EQ(contacts, summary["events"]["collision"]);
 }
 
 TEST_F(Run, WritesSnapshotsAtMultiplesOfTheInterval) {

@@ -45,6 +45,7 @@ directory = "out"
 snapshots_every = 0.5
 event_log = true
 report = false
+recording = true
 )";
 
 Scenario parse(const std::string& text, const std::vector<std::string>& overrides = {}) {
@@ -83,6 +84,7 @@ TEST(ParseScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.snapshots_every, 0.5);
   EXPECT_TRUE(scenario.event_log);
   EXPECT_FALSE(scenario.report);
+  EXPECT_TRUE(scenario.recording);
 }
 
 const std::string kLeast = R"(
@@ -106,6 +108,7 @@ TEST(ParseScenario, HasDefaults) {
   EXPECT_FALSE(scenario.snapshots_every);
   EXPECT_FALSE(scenario.event_log);
   EXPECT_TRUE(scenario.report);
+  EXPECT_FALSE(scenario.recording);
   EXPECT_FALSE(scenario.start_file);
 }
 

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "hardball/io/recording_writer.hpp"
+#include "hardball/scenario/scenario.hpp"
+#include "hardball/simulation/simulation.hpp"
+
+namespace hardball::cli {
+
+/// Begins to record a scenario's simulation, which stands at its start. Error: the file cannot be written.
+RecordingWriter begin_recording(const std::filesystem::path& path, const Scenario& scenario,
+                                const Simulation& simulation);
+
+}  // namespace hardball::cli

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "apps/cli/commands.hpp"
+#include "apps/cli/interruption.hpp"
+#include "apps/cli/shown_run.hpp"
+#include "apps/cli/terminal.hpp"
+#include "apps/viewer/built_page.hpp"
+#include "apps/viewer/replay.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/io/output_file.hpp"
+
+namespace hardball::cli {
+
+ExitCode replay(const Options& options) {
+  using namespace std::chrono_literals;
+  if (!options.out) {
+    throw Error("the file to write is missing", "--out", "name it, such as --out replay.html");
+  }
+  catch_signals();
+  const ShownRun shown(options, viewer::kMostReplayedBytes);
+  while (!shown.recording().progress().is_finished) {
+    if (is_interrupted()) throw RunFailure("interrupted; no replay has been written");
+    std::this_thread::sleep_for(20ms);
+  }
+  const viewer::Replay replay(shown.recording(), viewer::built_page());
+  OutputFile file(*options.out);
+  for (std::uint64_t offset = 0; offset < replay.length();) {
+    const std::string piece = replay.piece(offset);
+    file.append(piece);
+    offset += piece.size();
+  }
+  file.close();
+  const viewer::RunProgress progress = shown.recording().progress();
+  if (!progress.failure) return ExitCode::done;
+  write_message(*progress.failure + "; " + *options.out + " shows it as far as that");
+  return ExitCode::failed;
+}
+
+}  // namespace hardball::cli

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/cli/shown_run.hpp"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "apps/cli/begin_recording.hpp"
+#include "apps/cli/start.hpp"
+#include "apps/viewer/recorded_progress.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/scenario/make_world.hpp"
+
+namespace hardball::cli {
+namespace {
+
+// A file that only this user may read, until its name is removed.
+class TemporaryFile {
+ public:
+  TemporaryFile() {
+    const std::filesystem::path directory = std::filesystem::temp_directory_path();
+    std::string name = (directory / "hardball-XXXXXX").string();
+    const int file = mkstemp(name.data());
+    if (file < 0) {
+      throw Error(std::string("no temporary file can be made: ") + std::strerror(errno), directory.string(),
+                  "name another directory in the environment variable TMPDIR");
+    }
+    close(file);
+    path_ = name;
+  }
+  ~TemporaryFile() { unlink(path_.c_str()); }
+  TemporaryFile(const TemporaryFile&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace
+
+ShownRun::ShownRun(const Options& options, std::uint64_t most_bytes) {
+  if (std::filesystem::is_directory(options.scenario)) {
+    open_directory(options);
+  } else {
+    start_scenario(options, most_bytes);
+  }
+}
+
+void ShownRun::open_directory(const Options& options) {
+  const std::filesystem::path directory = options.scenario;
+  const std::filesystem::path path = directory / "recording.hbr";
+  if (options.until || options.seed || !options.overrides.empty()) {
+    throw Error("is the directory of a run, which --until, --set and --seed cannot change", options.scenario,
+                "leave them out, or name a scenario");
+  }
+  if (!std::filesystem::exists(path)) {
+    throw Error("there is no recording.hbr in it", options.scenario,
+                "run the scenario with recording = true in [output], or name the scenario itself");
+  }
+  recording_ = std::make_unique<viewer::SharedRecording>(path);
+  recording_->update(viewer::recorded_progress(path, directory / "summary.json"));
+}
+
+void ShownRun::start_scenario(const Options& options, std::uint64_t most_bytes) {
+  const Scenario scenario = read_scenario(options);
+  World start = make_world(scenario);
+  const EngineOptions engine_options = read_engine_options(options, scenario, start);
+  Simulation simulation = make_simulation(scenario, std::move(start), engine_options);
+  const TemporaryFile file;
+  RecordingWriter writer = begin_recording(file.path(), scenario, simulation);
+  recording_ = std::make_unique<viewer::SharedRecording>(file.path());
+  run_ = std::make_unique<viewer::LiveRun>(std::move(simulation), std::move(writer), *recording_,
+                                           *scenario.until, most_bytes);
+}
+
+}  // namespace hardball::cli

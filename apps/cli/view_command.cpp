@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include <fcntl.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "apps/cli/commands.hpp"
+#include "apps/cli/interruption.hpp"
+#include "apps/cli/parse_number.hpp"
+#include "apps/cli/shown_run.hpp"
+#include "apps/cli/terminal.hpp"
+#include "apps/viewer/built_page.hpp"
+#include "apps/viewer/server.hpp"
+#include "hardball/errors/error.hpp"
+
+namespace hardball::cli {
+namespace {
+
+int read_port(const Options& options) {
+  if (!options.port) return 0;
+  const std::string remedy = "give a number from 1 to 65535";
+  const int port = parse_number<int>(*options.port, "--port", remedy);
+  if (port < 1 || port > 65535) throw Error("there is no port " + to_text(port), "--port", remedy);
+  return port;
+}
+
+std::uint64_t read_recording_limit(const Options& options) {
+  constexpr double kMost = 1e18;
+  if (!options.recording_limit) return 4'000'000'000;
+  const std::string remedy = "give a number of bytes such as 4e9";
+  const double limit = parse_number<double>(*options.recording_limit, "--recording-limit", remedy);
+  if (!(limit > 0 && limit <= kMost))
+    throw Error("the limit is " + to_text(limit), "--recording-limit", remedy);
+  return static_cast<std::uint64_t>(limit);
+}
+
+// Whether there is a screen on which a browser could show something.
+bool has_display() {
+  return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY");
+}
+
+// Asks the desktop to open its browser; where that fails, the address on the standard output remains.
+void open_browser(std::string url) {
+  std::string program = "xdg-open";
+  char* const arguments[] = {program.data(), url.data(), nullptr};
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
+  }
+  pid_t process = 0;
+  posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+}
+
+}  // namespace
+
+ExitCode view(const Options& options) {
+  using namespace std::chrono_literals;
+  const int port = read_port(options);
+  const std::uint64_t most_bytes = read_recording_limit(options);
+  catch_signals();
+  const ShownRun shown(options, most_bytes);
+  const viewer::Server server(shown.recording(), viewer::built_page(), port);
+  write_output(server.url() + "\n");
+  write_message("open this address in a browser; Ctrl-C ends the viewer");
+  if (!options.no_open && has_display()) open_browser(server.url());
+  bool is_told = false;
+  while (!is_interrupted()) {
+    std::this_thread::sleep_for(50ms);
+    const std::optional<std::string> failure = shown.recording().progress().failure;
+    if (failure && !is_told) write_message(*failure);
+    is_told = failure.has_value();
+  }
+  return ExitCode::done;
+}
+
+}  // namespace hardball::cli

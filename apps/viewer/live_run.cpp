@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/viewer/live_run.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball::viewer {
+namespace {
+
+// Steps between two looks at the clock: milliseconds.
+constexpr std::uint64_t kStepsPerSlice = 1 << 14;
+
+// Between two times at which clients see what is new: short for an eye, and so long that keyframes do not
+// keep the disk busy.
+std::chrono::duration<double> time_between_chunks(const RecordingWriter& writer) {
+  constexpr double kSeconds = 0.25;
+  constexpr double kBytesPerSecond = 20e6;
+  return std::chrono::duration<double>(
+      std::max(kSeconds, static_cast<double>(writer.keyframe_bytes()) / kBytesPerSecond));
+}
+
+}  // namespace
+
+LiveRun::LiveRun(Simulation simulation, RecordingWriter writer, SharedRecording& recording, double until,
+                 std::uint64_t most_bytes)
+    : simulation_(std::move(simulation)),
+      writer_(std::move(writer)),
+      recording_(&recording),
+      until_(until),
+      most_bytes_(most_bytes) {
+  simulation_.on_contact([this](const Contact& contact) { writer_.note(contact); });
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+void LiveRun::run(const std::stop_token& stop) {
+  // Whatever fails, the rest is shown as far as it goes; the first failure is told.
+  const auto attempt = [this](const auto& action) {
+    try {
+      action();
+    } catch (const std::exception& error) {
+      if (progress_.failure) return;
+      progress_.failure = std::string(error.what()) + "; the run reached time " + to_text(simulation_.time());
+    }
+  };
+  attempt([&] { advance(stop); });
+  attempt([&] { writer_.close(simulation_.time()); });
+  progress_.is_finished = true;
+  attempt([&] { publish(); });
+}
+
+void LiveRun::advance(const std::stop_token& stop) {
+  // Keyframes of the chunks that a slice closes take no more room than their contacts.
+  const std::uint64_t most_bytes_of_slice =
+      2 * kStepsPerSlice * recording_format::kContactBytes + writer_.keyframe_bytes();
+  Clock::time_point next = begin_;
+  while (!stop.stop_requested()) {
+    if (writer_.bytes() + most_bytes_of_slice > most_bytes_) {
+      progress_.failure = "the recording has reached its limit of " + to_text(most_bytes_) +
+                          " bytes at time " + to_text(simulation_.time());
+      return;
+    }
+    const RunStatus status = simulation_.run({.until = Time(until_), .steps = kStepsPerSlice});
+    if (status == RunStatus::time_reached) return;
+    if (Clock::now() < next) continue;
+    writer_.flush();
+    publish();
+    next = Clock::now() + std::chrono::duration_cast<Clock::duration>(time_between_chunks(writer_));
+  }
+}
+
+void LiveRun::publish() {
+  const Counters counters = simulation_.counters();
+  const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
+  progress_.collisions = counters.collision;
+  progress_.walls = counters.wall;
+  progress_.rate = seconds > 0 ? static_cast<double>(counters.contacts()) / seconds : 0;
+  progress_.hash = simulation_.event_log_hash();
+  recording_->update(progress_);
+}
+
+}  // namespace hardball::viewer

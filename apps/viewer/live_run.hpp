@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <thread>
+
+#include "apps/viewer/shared_recording.hpp"
+#include "hardball/io/recording_writer.hpp"
+#include "hardball/simulation/simulation.hpp"
+
+namespace hardball::viewer {
+
+/// A run in a thread of its own, recorded as it goes.
+class LiveRun {
+ public:
+  /// Begins to run `simulation` to `until` [T] and adds to the recording what happens, until that has
+  /// `most_bytes`. `writer` is at the simulation's start and writes the file that `recording` reads, which
+  /// must outlive the run.
+  LiveRun(Simulation simulation, RecordingWriter writer, SharedRecording& recording, double until,
+          std::uint64_t most_bytes);
+  /// Ends the run where it is.
+  ~LiveRun() = default;
+  LiveRun(const LiveRun&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void run(const std::stop_token& stop);
+  void advance(const std::stop_token& stop);
+  void publish();
+
+  Simulation simulation_;
+  RecordingWriter writer_;
+  SharedRecording* recording_;
+  double until_;
+  std::uint64_t most_bytes_;
+  Clock::time_point begin_ = Clock::now();
+  RunProgress progress_;
+  std::jthread thread_;  // last: what it uses outlives it
+};
+
+}  // namespace hardball::viewer

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Makes dist/: index.html, page.js and page.css, which need nothing else.
+import { copyFile, mkdir, readFile } from 'node:fs/promises';
+import { build } from 'esbuild';
+
+const licenses = await Promise.all(
+  ['three', 'uplot'].map(
+    async (name) => `${name}:\n${await readFile(`node_modules/${name}/LICENSE`, 'utf8')}`,
+  ),
+);
+const notice = `/*\nHardball: SPDX-License-Identifier: MIT\n\nContains\n\n${licenses.join('\n').replaceAll('*/', '')}*/`;
+
+await build({
+  entryPoints: ['src/page.js', 'src/page.css'],
+  outdir: 'dist',
+  bundle: true,
+  minify: true,
+  format: 'iife',
+  target: ['chrome100', 'firefox100', 'safari15.4'],
+  charset: 'utf8',
+  legalComments: 'none',
+  banner: { js: notice },
+  logLevel: 'warning',
+});
+await mkdir('dist', { recursive: true });
+await copyFile('src/index.html', 'dist/index.html');

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+/** window.hardball: what tests and the curious can ask and do from the console. */
+export function createApi(viewer) {
+  const { player, store, view, quality, source } = viewer;
+  return {
+    /** The moment shown [T]. */
+    get time() {
+      return player.time;
+    },
+    /** Shows the moment `time`; the promise is kept once it is drawn, and tells which moment that is. */
+    async setTime(time) {
+      const shown = await player.seek(time);
+      viewer.drawMoment();
+      return shown;
+    },
+    play: () => player.play(),
+    pause: () => player.pause(),
+    /** Center of sphere `id` at `time`, now if none is given; a promise of three numbers [L]. */
+    position: (id, time = player.time) => viewer.centerAt(id, time),
+    /** Where on the page the center of sphere `id` is drawn: {x, y} in CSS pixels; null if behind the camera. */
+    screenPosition(id) {
+      const { left, top } = view.canvas.getBoundingClientRect();
+      const place = view.project(viewer.center(id));
+      return place && { x: place.x + left, y: place.y + top };
+    },
+    /** Follows sphere `id`, or none if it is null. */
+    follow: (id) => viewer.follow(id),
+    /** Draws in the way called `name`: "full", "reduced", "points" or "coarse". */
+    setQuality: (name) => viewer.setQuality(name),
+    /** Everything else, in numbers. */
+    state: () => ({
+      time: player.time,
+      begin: source.header.begin,
+      knownEnd: player.knownEnd,
+      isPlaying: player.isPlaying,
+      isBuffering: player.isBuffering,
+      isReady: viewer.scales !== null,
+      isLost: viewer.isLost,
+      speed: player.speed,
+      followed: viewer.followed,
+      next: viewer.next ?? null,
+      spheres: source.header.spheres,
+      chunks: source.ends.length,
+      chunksInMemory: store.chunks.size,
+      bytesInMemory: store.bytes,
+      colorBy: viewer.colorBy,
+      quality: quality.way.name,
+      framesPerSecond: quality.framesPerSecond,
+      status: source.status,
+    }),
+  };
+}

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+/** The space in which spheres move, as the header of a recording describes it. */
+export class Box {
+  /** `size`: three lengths [L]; `boundary`: three of "wall", "periodic", "open". */
+  constructor({ size, boundary }) {
+    this.boundary = boundary;
+    /** Edge lengths [L]; along open axes they say nothing about the motion. */
+    this.size = size.map((length) => (Number.isFinite(length) ? length : 0));
+    /** Edge lengths along periodic axes, zero along the others [L]. */
+    this.period = this.size.map((length, axis) => (boundary[axis] === 'periodic' ? length : 0));
+  }
+
+  /** `place` along `axis` [L], folded into the box where that is periodic. */
+  fold(place, axis) {
+    const period = this.period[axis];
+    if (period === 0 || (place >= 0 && place < period)) return place;
+    return place - Math.floor(place / period) * period;
+  }
+
+  /** The shortest of the differences `difference` along `axis` between all copies of two places [L]. */
+  nearest(difference, axis) {
+    const period = this.period[axis];
+    return period === 0 ? difference : difference - Math.round(difference / period) * period;
+  }
+}

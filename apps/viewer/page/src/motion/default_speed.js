@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+import { kPathNumbers } from '../recording/chunk.js';
+
+/**
+ * Typical scales of a recording, from its first chunk: how fast spheres are [L/T], how often each collides [1/T],
+ * and the speed of playing at which one sees them move [T per second].
+ */
+export function typicalScales(chunk, radii, { begin, until, box }) {
+  const spheres = radii.length;
+  let squares = 0;
+  let radius = 0;
+  for (let id = 0; id < spheres; ++id) {
+    const start = kPathNumbers * id + 3;
+    squares += chunk.keyframe[start] ** 2 + chunk.keyframe[start + 1] ** 2 + chunk.keyframe[start + 2] ** 2;
+    radius += radii[id] / spheres;
+  }
+  const speed = Math.sqrt(squares / spheres);
+  let collisions = 0;
+  for (let k = 0; k < chunk.contacts; ++k) if (chunk.second(k) >= 0) ++collisions;
+  const duration = chunk.end - chunk.begin;
+  const rate = duration > 0 ? (2 * collisions) / (spheres * duration) : 0;
+
+  // In a second of the viewer's time a sphere collides once; but it moves at least a fifth of its radius, and
+  // at most a twelfth of the way through the box. A whole run takes at least ten seconds.
+  const edges = box.size.filter((size, axis) => box.boundary[axis] !== 'open' && size > 0);
+  const longest = edges.length > 0 ? Math.max(...edges) / 12 : 3 * radius;
+  const wanted = Math.min(Math.max(rate > 0 ? speed / rate : Infinity, radius / 5), longest);
+  let playing = speed > 0 ? wanted / speed : 1;
+  if (until !== null && until > begin) playing = Math.min(playing, (until - begin) / 10);
+  return { speed, rate, playing };
+}

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+import { kPathNumbers } from '../recording/chunk.js';
+
+/**
+ * The paths that hold at one moment, and how they change as the moment moves.
+ * Moving on by a few contacts touches only the spheres that are in them.
+ */
+export class Playback {
+  /** `spheres`: how many. `chunkAt(number)`: a chunk if it is in memory. */
+  constructor(spheres, chunkAt) {
+    this.chunkAt = chunkAt;
+    this.spheres = spheres;
+    /** Shape (spheres, kPathNumbers). */
+    this.paths = new Float64Array(kPathNumbers * spheres);
+    /** Collisions of each sphere since `countedFrom`. */
+    this.collisions = new Uint32Array(spheres);
+    /** [T] */
+    this.countedFrom = 0;
+    this.chunk = null;
+    this.number = -1;
+    /** How many contacts of the chunk have happened. */
+    this.cursor = 0;
+    /** [T] */
+    this.time = NaN;
+    /** The spheres whose paths have changed since they were last taken, `touchedCount` of them, perhaps twice. */
+    this.touched = new Uint32Array(spheres);
+    this.touchedCount = 0;
+    /** Whether all paths may have changed. */
+    this.allTouched = true;
+    this.collisionsAtBegin = new CollisionsAtBegin();
+  }
+
+  /** Goes to `time` in `chunk`, which is chunk `number`. Precondition: `time` lies in it. */
+  moveTo(time, chunk, number) {
+    const goesOn = number === this.number + 1 && this.chunk !== null && time >= this.time;
+    if (goesOn) {
+      this.pass(Infinity);
+      this.collisionsAtBegin.keep(number, this.collisions);
+      this.chunk = chunk;
+      this.number = number;
+      this.cursor = 0;
+    } else if (number !== this.number || time < this.time) {
+      this.enter(chunk, number);
+    }
+    this.pass(time);
+    this.time = time;
+  }
+
+  /** Forgets which spheres were touched. */
+  takeTouched() {
+    this.touchedCount = 0;
+    this.allTouched = false;
+  }
+
+  enter(chunk, number) {
+    this.paths.set(chunk.keyframe);
+    this.countBefore(chunk, number);
+    this.chunk = chunk;
+    this.number = number;
+    this.cursor = 0;
+    this.allTouched = true;
+  }
+
+  // Counts the collisions before chunk `number`: from the last chunk for which they are known, if all chunks between
+  // are in memory, otherwise from the first of those that are.
+  countBefore(chunk, number) {
+    let from = number;
+    while (from > 0 && !this.collisionsAtBegin.has(from) && this.chunkAt(from - 1)) --from;
+    if (!this.collisionsAtBegin.has(from)) {
+      const first = from === number ? chunk : this.chunkAt(from);
+      this.collisionsAtBegin.restart(from, first.begin, this.collisions.fill(0));
+    }
+    this.collisions.set(this.collisionsAtBegin.get(from));
+    this.countedFrom = this.collisionsAtBegin.from;
+    for (; from < number; ++from) {
+      const passed = this.chunkAt(from);
+      for (let k = 0; k < passed.contacts; ++k) this.count(passed, k);
+    }
+  }
+
+  count(chunk, k) {
+    if (chunk.second(k) < 0) return;
+    ++this.collisions[chunk.first(k)];
+    ++this.collisions[chunk.second(k)];
+  }
+
+  // Lets all contacts of the chunk at or before `time` happen.
+  pass(time) {
+    const { chunk } = this;
+    const { contacts } = chunk;
+    while (this.cursor < contacts && chunk.time(this.cursor) <= time) {
+      const k = this.cursor++;
+      const first = chunk.first(k);
+      const second = chunk.second(k);
+      this.store(first, chunk, chunk.firstPlace(k), chunk.time(k));
+      if (second >= 0) this.store(second, chunk, chunk.secondPlace(k), chunk.time(k));
+      this.count(chunk, k);
+    }
+  }
+
+  store(id, chunk, place, time) {
+    const start = kPathNumbers * id;
+    for (let n = 0; n < 6; ++n) this.paths[start + n] = chunk.numbers[place + n];
+    this.paths[start + 6] = time;
+    if (this.touchedCount < this.touched.length) this.touched[this.touchedCount++] = id;
+    else this.allTouched = true;
+  }
+}
+
+const kBytesKept = 64 << 20;
+
+// The collisions of each sphere up to the begin of chunks that were passed, all counted from one moment.
+class CollisionsAtBegin {
+  constructor() {
+    this.kept = new Map();
+    this.from = 0;
+  }
+
+  restart(number, from, collisions) {
+    this.kept.clear();
+    this.from = from;
+    this.keep(number, collisions);
+  }
+
+  keep(number, collisions) {
+    if (this.kept.has(number) || (this.kept.size + 1) * collisions.byteLength > kBytesKept) return;
+    this.kept.set(number, collisions.slice());
+  }
+
+  has(number) {
+    return this.kept.has(number);
+  }
+
+  get(number) {
+    return this.kept.get(number);
+  }
+}

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+import uPlot from 'uplot';
+import { summarize } from '../statistics/chunk_summary.js';
+import { density, maxwellDensity, quantile, readSpeeds, roundUp } from '../statistics/speeds.js';
+
+const kHeight = 132;
+const kMostPoints = 1500;
+const kIntervals = 32;
+const kFewestSpheres = 20; // fewer have no distribution of speeds worth a plot
+
+/** The plots beside the picture: collision rate, speeds, and the energy where it is lost. */
+export class Plots {
+  /** `player` tells how far the recording is known; `species` as findSpecies lists them. */
+  constructor({ header, masses }, player, species) {
+    this.begin = header.begin;
+    this.masses = masses;
+    this.species = species;
+    this.summaries = new Map();
+    this.speeds = new Float64Array(masses.length);
+    this.time = NaN;
+
+    this.knownEnd = NaN;
+    this.player = player;
+    const hasWalls = header.box.boundary.includes('wall');
+    this.rate = timePlot(
+      'plot-rate',
+      hasWalls ? ['Collisions', 'Wall contacts'] : ['Collisions'],
+      ['--accent', '--second'],
+      player,
+    );
+    this.hasWalls = hasWalls;
+    document.getElementById('rate-key').hidden = !hasWalls;
+    this.energy = header.restitution < 1 ? timePlot('plot-energy', ['Energy'], ['--accent'], player) : null;
+    document.getElementById('figure-energy').hidden = this.energy === null;
+    this.histogram = masses.length >= kFewestSpheres ? histogramPlot('plot-speeds') : null;
+    document.getElementById('figure-speeds').hidden = this.histogram === null;
+    /** Hardly any sphere is faster [L/T]. */
+    this.fastest = 0;
+    /** Few spheres are faster [L/T]. */
+    this.fast = 0;
+  }
+
+  get all() {
+    return [this.rate, this.energy, this.histogram].filter((plot) => plot !== null);
+  }
+
+  /** Takes over what happens in chunk `number`. */
+  add(chunk, number) {
+    if (this.summaries.has(number)) return;
+    this.summaries.set(number, summarize(chunk, this.masses, this.begin));
+    this.isStale = true;
+  }
+
+  /** Draws what has changed up to the moment of `playback`; returns whether the speeds have. */
+  update(playback) {
+    if (this.isStale || this.player.knownEnd !== this.knownEnd) this.drawTimes();
+    this.isStale = false;
+    this.knownEnd = this.player.knownEnd;
+    if (playback.time === this.time) return false;
+    this.time = playback.time;
+    const energy = readSpeeds(playback.paths, this.masses, this.speeds);
+    this.fastest = steady(this.fastest, 1.15 * quantile(this.speeds, 0.99));
+    this.fast = steady(this.fast, quantile(this.speeds, 0.94));
+    if (this.histogram) this.drawSpeeds(energy);
+    return true;
+  }
+
+  /** Moves the mark of the present to `time`. */
+  mark(time) {
+    for (const plot of [this.rate, this.energy]) {
+      if (!plot) continue;
+      const { min, max } = plot.scales.x;
+      const left = ((time - min) / (max - min)) * plot.over.clientWidth;
+      const isSeen = time >= min && time <= max;
+      plot.present.style.transform = `translateX(${isSeen ? left.toFixed(1) : -9}px)`;
+    }
+  }
+
+  /** Fits the plots into their places, in the colors of the page. */
+  resize() {
+    for (const plot of this.all) {
+      const width = plot.root.parentElement.clientWidth;
+      if (width > 0) plot.setSize({ width, height: kHeight });
+    }
+  }
+
+  drawTimes() {
+    const rows = [];
+    let last = null;
+    for (const number of [...this.summaries.keys()].sort((a, b) => a - b)) {
+      // A line does not run across what is not known.
+      if (last !== null && number !== last + 1)
+        rows.push({
+          time: this.summaries.get(number)[0]?.time ?? 0,
+          collisions: null,
+          walls: null,
+          energy: null,
+        });
+      rows.push(...this.summaries.get(number));
+      last = number;
+    }
+    const step = Math.ceil(rows.length / kMostPoints);
+    const shown = rows.filter((_, k) => k % step === 0);
+    const column = (name) => shown.map((row) => row[name]);
+    const rates = [column('time'), column('collisions')];
+    if (this.hasWalls) rates.push(column('walls'));
+    this.rate.setData(rates);
+    this.energy?.setData([column('time'), column('energy')]);
+  }
+
+  drawSpeeds(energy) {
+    const shares = density(this.speeds, this.fastest, kIntervals);
+    const temperature = (2 * energy) / (3 * this.masses.length);
+    const middles = Array.from(shares, (_, k) => ((k + 0.5) * this.fastest) / kIntervals);
+    const curve = middles.map((speed) =>
+      temperature > 0 ? maxwellDensity(speed, this.species, temperature) : null,
+    );
+    this.histogram.setData([middles, Array.from(shares), curve]);
+  }
+}
+
+// The end of a range that holds `value` and follows only great changes of it, so that axes stay still.
+function steady(end, value) {
+  return value > 1.1 * end || value < 0.6 * end ? roundUp(value) : end;
+}
+
+function property(name) {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
+
+function axis(extra) {
+  return {
+    stroke: () => property('--quiet'),
+    grid: { stroke: () => property('--line'), width: 1 },
+    ticks: { show: false },
+    font: '11px system-ui, sans-serif',
+    gap: 4,
+    ...extra,
+  };
+}
+
+function create(id, series, options) {
+  const place = document.getElementById(id);
+  return new uPlot(
+    {
+      width: place.clientWidth || 280,
+      height: kHeight,
+      padding: [8, 8, 0, 0],
+      legend: { show: false },
+      cursor: { show: false },
+      series: [{}, ...series],
+      axes: [
+        axis({ size: 22, values: (_, values) => values.map(short) }),
+        axis({ size: 44, values: (_, values) => values.map(short) }),
+      ],
+      ...options,
+    },
+    [[], ...series.map(() => [])],
+    place,
+  );
+}
+
+function short(value) {
+  const size = Math.abs(value);
+  const trim = (number) => String(Number(number.toPrecision(3)));
+  if (size >= 1e9) return `${trim(value / 1e9)}G`;
+  if (size >= 1e6) return `${trim(value / 1e6)}M`;
+  if (size >= 1e4) return `${trim(value / 1e3)}k`;
+  return size > 0 && size < 1e-3 ? value.toExponential(0) : trim(value);
+}
+
+function timePlot(id, labels, colors, player) {
+  const series = labels.map((label, k) => ({
+    label,
+    stroke: () => property(colors[k]),
+    width: 1.5,
+    points: { show: (plot) => plot.data[0].length === 1 },
+  }));
+  const plot = create(id, series, {
+    scales: {
+      x: { time: false, range: () => [player.source.header.begin, player.knownEnd] },
+      y: { range: (_, low, high) => [0, high > 0 ? 1.08 * high : 1] },
+    },
+  });
+  plot.present = document.createElement('div');
+  plot.present.className = 'present';
+  plot.over.append(plot.present);
+  return plot;
+}
+
+function histogramPlot(id) {
+  return create(
+    id,
+    [
+      {
+        label: 'Speeds',
+        fill: () => property('--bars'),
+        stroke: () => property('--bars'),
+        width: 0,
+        paths: uPlot.paths.bars({ size: [0.86, 40], gap: 0 }),
+        points: { show: false },
+      },
+      { label: 'Maxwell', stroke: () => property('--second'), width: 1.8, points: { show: false } },
+    ],
+    { scales: { x: { time: false }, y: { range: (_, low, high) => [0, high > 0 ? 1.08 * high : 1] } } },
+  );
+}

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+import { show, showCount } from './numbers.js';
+
+/** What the header of the page says of the run. */
+export function showRunStatus({ header, status, replayAddress }, isLost) {
+  const put = (id, text) => {
+    const element = document.getElementById(id);
+    if (element.textContent !== text) element.textContent = text;
+  };
+  const [state, words] = describe(status, replayAddress, isLost);
+  document.getElementById('status').dataset.state = state;
+  put('status-text', words);
+  put('count-spheres', showCount(header.spheres));
+  put('count-collisions', count(status.collisions));
+  put('count-walls', count(status.walls));
+  put('count-hash', status.event_log_hash || '–');
+  document.getElementById('counts-walls').hidden = !header.box.boundary.includes('wall');
+  document.getElementById('counts-hash').hidden = !status.event_log_hash;
+}
+
+function describe(status, replayAddress, isLost) {
+  if (isLost) return ['lost', 'Connection lost'];
+  if (status.failed) return ['failed', 'Run failed'];
+  if (replayAddress === null) return ['saved', 'Saved replay'];
+  if (status.finished) return ['finished', `Finished at ${show(status.reached)}`];
+  return ['running', `Running, at ${show(status.reached)}`];
+}
+
+function count(value) {
+  return value === undefined || value === null ? '–' : showCount(value);
+}

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+import { readCenter } from '../motion/path.js';
+import { kPathNumbers } from '../recording/chunk.js';
+import { show, showCount } from './numbers.js';
+
+const kFaces = ['lower x', 'upper x', 'lower y', 'upper y', 'lower z', 'upper z'];
+const kAxes = ['x', 'y', 'z'];
+
+/** All about the sphere followed, in numbers. */
+export class SpherePanel {
+  constructor(viewer) {
+    this.viewer = viewer;
+    this.card = document.getElementById('sphere');
+    this.number = document.getElementById('follow-id');
+    this.number.max = viewer.source.header.spheres - 1;
+    this.number.addEventListener('change', () => {
+      viewer.follow(this.number.value === '' ? null : Number(this.number.value));
+    });
+    document.getElementById('unfollow').addEventListener('click', () => viewer.follow(null));
+    document.getElementById('approach').addEventListener('click', () => viewer.approach());
+  }
+
+  update() {
+    const { playback, followed, source, box, next } = this.viewer;
+    this.card.hidden = followed === null;
+    if (document.activeElement !== this.number) this.number.value = followed ?? '';
+    if (followed === null) return;
+    text('sphere-number', showCount(followed));
+    const start = kPathNumbers * followed;
+    const { paths, time } = playback;
+    const velocity = [0, 1, 2].map((axis) => paths[start + 3 + axis]);
+    const vector = (numbers) => numbers.map((number) => show(number, 4)).join('  ');
+    text('sphere-position', vector(readCenter(paths, start, time, box, [0, 0, 0])));
+    text('sphere-velocity', vector(velocity));
+    text('sphere-speed', show(Math.hypot(...velocity)));
+    text('sphere-kind', `${show(source.radii[followed])}, ${show(source.masses[followed])}`);
+    text('sphere-collisions', showCount(playback.collisions[followed]));
+    const isWhole = playback.countedFrom <= source.header.begin;
+    text(
+      'sphere-collisions-label',
+      isWhole ? 'Collisions' : `Collisions since ${show(playback.countedFrom)}`,
+    );
+    text(
+      'sphere-next',
+      next ? `${partner(next, followed)} in ${show(next.time - time, 3)}` : 'not known yet',
+    );
+    text('sphere-crossing', this.crossing());
+  }
+
+  crossing() {
+    const { cells, playback, followed, source, next } = this.viewer;
+    if (!cells) return '–';
+    const path = playback.paths.subarray(kPathNumbers * followed, kPathNumbers * (followed + 1));
+    const { time, kind, axis } = cells.nextCrossing(path, source.radii[followed], playback.time);
+    if (!Number.isFinite(time)) return 'none: at rest';
+    if (next && time > next.time) return 'after the contact';
+    return `${kind} along ${kAxes[axis]} in ${show(time - playback.time, 3)}`;
+  }
+}
+
+function partner({ first, second }, id) {
+  if (second < 0) return `wall ${kFaces[-second - 1]}`;
+  return `sphere ${first === id ? second : first}`;
+}
+
+function text(id, value) {
+  const element = document.getElementById(id);
+  if (element.textContent !== value) element.textContent = value;
+}

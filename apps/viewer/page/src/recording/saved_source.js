@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+import { readRecording } from './recording_file.js';
+
+const kPiece = 1 << 22; // letters decoded at once; a multiple of 4
+
+/** The bytes that `text`, in base 64, stands for. */
+export function decodeBase64(text) {
+  const letters = text.replace(/\s+/g, '');
+  const padding = letters.endsWith('==') ? 2 : letters.endsWith('=') ? 1 : 0;
+  const bytes = new Uint8Array((letters.length / 4) * 3 - padding);
+  for (let start = 0, end = 0; start < letters.length; start += kPiece) {
+    const piece = atob(letters.slice(start, start + kPiece));
+    for (let k = 0; k < piece.length; ++k) bytes[end++] = piece.charCodeAt(k);
+  }
+  return bytes.buffer;
+}
+
+/** A whole recording that was saved inside the page: it needs no server. */
+export class SavedSource {
+  /** `element` holds the recording in base 64, and is emptied. Error: it is no recording. */
+  constructor(element) {
+    const { header, radii, masses, chunks } = readRecording(decodeBase64(element.textContent));
+    element.textContent = '';
+    this.header = header;
+    this.radii = radii;
+    this.masses = masses;
+    this.chunks = chunks;
+    this.ends = chunks.map((chunk) => chunk.end);
+    let [collisions, walls] = [0, 0];
+    for (const chunk of chunks) {
+      for (let k = 0; k < chunk.contacts; ++k) chunk.second(k) < 0 ? ++walls : ++collisions;
+    }
+    this.status = {
+      finished: true,
+      failed: null,
+      reached: this.ends.at(-1) ?? header.begin,
+      collisions,
+      walls,
+    };
+    this.replayAddress = null;
+  }
+
+  async open() {}
+
+  async poll() {}
+
+  async chunk(number) {
+    return this.chunks[number];
+  }
+}

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+import {
+  BackSide,
+  BoxGeometry,
+  Color,
+  Float32BufferAttribute,
+  GLSL3,
+  Mesh,
+  RawShaderMaterial,
+  Vector3,
+} from 'three';
+
+const kVertex = /* glsl */ `
+  precision highp float;
+  in vec3 position;
+  in vec2 uv;
+  in float boundary;
+  uniform mat4 projectionMatrix;
+  uniform mat4 modelViewMatrix;
+  uniform vec3 size;
+  out vec2 spot;
+  flat out float kind;
+  flat out vec2 extent;
+
+  void main() {
+    spot = uv;
+    kind = boundary;
+    // Lengths of the face along its two directions of uv.
+    extent = gl_VertexID < 8 ? size.zy : gl_VertexID < 16 ? size.xz : size.xy;
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  }
+`;
+
+// Walls are filled and have a whole line around them, periodic faces have a dashed line, open ones corners only.
+const kFragment = /* glsl */ `
+  precision highp float;
+  in vec2 spot;
+  flat in float kind;
+  flat in vec2 extent;
+  uniform vec3 ink;
+  uniform float dash;
+  out vec4 outColor;
+
+  void main() {
+    vec2 pixel = fwidth(spot);
+    vec2 toSide = min(spot, 1.0 - spot);
+    vec2 line = 1.0 - smoothstep(vec2(0.8), vec2(1.8), toSide / pixel);
+    vec2 place = spot * extent;
+    if (kind > 0.5 && kind < 1.5) {
+      // A line runs along the other direction: its dashes are counted there.
+      line *= step(0.45, fract(place.yx / dash));
+    } else if (kind > 1.5) {
+      line *= step(min(place, extent - place).yx, vec2(dash));
+    }
+    float fill = kind < 0.5 ? 0.045 : 0.0;
+    float alpha = max(fill, 0.5 * max(line.x, line.y));
+    if (alpha < 0.01) discard;
+    outColor = vec4(ink, alpha);
+  }
+`;
+
+const kKinds = { wall: 0, periodic: 1, open: 2 };
+
+/** The box, seen from within: its faces toward the viewer are left out, so that one looks inside. */
+export class BoxFrame {
+  /** `boundary`: three of "wall", "periodic", "open". */
+  constructor(boundary) {
+    const geometry = new BoxGeometry(1, 1, 1);
+    // Four vertices for each face, faces in the order of the axes.
+    geometry.setAttribute(
+      'boundary',
+      new Float32BufferAttribute(
+        [0, 1, 2].flatMap((axis) => Array(8).fill(kKinds[boundary[axis]])),
+        1,
+      ),
+    );
+    this.uniforms = { size: { value: new Vector3() }, ink: { value: new Color() }, dash: { value: 1 } };
+    const material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: kVertex,
+      fragmentShader: kFragment,
+      uniforms: this.uniforms,
+      side: BackSide,
+      transparent: true,
+      depthWrite: false,
+    });
+    this.object = new Mesh(geometry, material);
+    this.object.renderOrder = -1;
+  }
+
+  /** Makes the box reach from `low` to `high`, three lengths [L] each. */
+  span(low, high) {
+    const size = high.map((end, axis) => end - low[axis]);
+    this.object.scale.set(...size);
+    this.object.position.set(...low.map((begin, axis) => begin + size[axis] / 2));
+    this.uniforms.size.value.set(...size);
+    this.uniforms.dash.value = Math.max(...size) / 40;
+  }
+}

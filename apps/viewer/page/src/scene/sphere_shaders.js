@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Where a sphere is now, and its color: common to both ways of drawing.
+const kMotion = /* glsl */ `
+  precision highp float;
+  precision highp int;
+
+  in vec4 place;      // center at the reference moment, and when the path began relative to it
+  in vec4 motion;     // velocity, and the collisions so far
+  in vec2 kind;       // radius, species
+
+  uniform mat4 projectionMatrix;
+  uniform mat4 modelViewMatrix;
+  uniform float elapsed;     // since the reference moment
+  uniform vec3 period;       // of the box, zero along axes that are not periodic
+  uniform vec3 inversePeriod; // likewise zero
+  uniform int colorBy;
+  uniform vec2 colorRange;
+  uniform sampler2D colorMap;
+  uniform sampler2D speciesColors;
+  uniform int followed;      // id, or -1
+  uniform vec3 followedCenter;
+  uniform float pixels;      // height of the drawing
+  uniform float reach;       // spheres farther from the followed one are not drawn; 0: all are
+
+  flat out vec3 color;
+  flat out float isFollowed;
+
+  vec3 centerNow() {
+    vec3 center = place.xyz + elapsed * motion.xyz;
+    return center - period * floor(center * inversePeriod);
+  }
+
+  bool isHidden(vec3 center, int id) {
+    if (reach <= 0.0 || id == followed) return false;
+    vec3 apart = center - followedCenter;
+    apart -= period * round(apart * inversePeriod);
+    return dot(apart, apart) > reach * reach;
+  }
+
+  vec3 colorNow() {
+    if (colorBy == 2) return texelFetch(speciesColors, ivec2(int(kind.y), 0), 0).rgb;
+    float value = colorBy == 0 ? length(motion.xyz)
+                : colorBy == 1 ? kind.x
+                : colorBy == 3 ? motion.w
+                : elapsed - place.w;
+    float share = clamp((value - colorRange.x) / (colorRange.y - colorRange.x), 0.0, 1.0);
+    return texture(colorMap, vec2((32.0 * share + 0.5) / 33.0, 0.5)).rgb;
+  }
+`;
+
+const kShading = /* glsl */ `
+  precision highp float;
+  uniform vec3 background;
+  uniform vec2 haze;         // distances at which the depth cue begins and is full
+  flat in vec3 color;
+  flat in float isFollowed;
+  out vec4 outColor;
+
+  vec3 shade(vec3 normal, float distance) {
+    float light = max(dot(normal, normalize(vec3(-0.45, 0.65, 0.75))), 0.0);
+    float rim = normal.z;
+    vec3 lit = color * (0.5 + 0.62 * light) * (0.7 + 0.3 * rim);
+    lit += 0.16 * pow(light, 24.0);
+    if (isFollowed > 0.5) lit = mix(vec3(1.0), lit, smoothstep(0.3, 0.5, rim));
+    float veil = 0.55 * clamp((distance - haze.x) / (haze.y - haze.x), 0.0, 1.0);
+    return mix(lit, background, isFollowed > 0.5 ? 0.0 : veil);
+  }
+`;
+
+/** A square that faces the camera for each sphere, on which rays meet a true sphere, at its true depth. */
+export const kImpostorVertex = /* glsl */ `
+  ${kMotion}
+  in vec3 position;          // a corner of the square, from -1 to 1
+  flat out vec4 ball;        // center in the camera's coordinates, radius
+  out vec3 ray;
+
+  void main() {
+    vec3 center = centerNow();
+    ball.xyz = (modelViewMatrix * vec4(center, 1.0)).xyz;
+    float distance = length(ball.xyz);
+    // None is smaller than a pixel, lest it vanish.
+    ball.w = max(kind.x, 1.2 * distance / (projectionMatrix[1][1] * pixels));
+    color = colorNow();
+    isFollowed = gl_InstanceID == followed ? 1.0 : 0.0;
+    if (isHidden(center, gl_InstanceID) || distance <= 1.01 * ball.w) {
+      gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+      return;
+    }
+    vec3 forward = ball.xyz / distance;
+    vec3 right = normalize(cross(forward, vec3(0.0, 1.0, 0.0)));
+    vec3 up = cross(right, forward);
+    float extent = ball.w * distance / sqrt(distance * distance - ball.w * ball.w);
+    ray = ball.xyz + 1.02 * extent * (position.x * right + position.y * up);
+    gl_Position = projectionMatrix * vec4(ray, 1.0);
+  }
+`;
+
+export const kImpostorFragment = /* glsl */ `
+  ${kShading}
+  uniform mat4 projectionMatrix;
+  flat in vec4 ball;
+  in vec3 ray;
+
+  void main() {
+    vec3 direction = normalize(ray);
+    float along = dot(direction, ball.xyz);
+    vec3 nearest = along * direction - ball.xyz;
+    float miss = dot(nearest, nearest);
+    float within = ball.w * ball.w - miss;
+    if (within <= 0.0) discard;
+    vec3 hit = (along - sqrt(within)) * direction;
+    vec4 clip = projectionMatrix * vec4(hit, 1.0);
+    gl_FragDepth = 0.5 * clip.z / clip.w + 0.5;
+    outColor = vec4(shade((hit - ball.xyz) / ball.w, -hit.z), 1.0);
+  }
+`;
+
+/** A round point for each sphere: cheaper, and of the same size and color, but flat in depth. */
+export const kPointVertex = /* glsl */ `
+  ${kMotion}
+  in vec3 position;
+
+  void main() {
+    vec3 center = centerNow();
+    vec4 seen = modelViewMatrix * vec4(center, 1.0);
+    color = colorNow();
+    isFollowed = gl_VertexID == followed ? 1.0 : 0.0;
+    gl_Position = isHidden(center, gl_VertexID) ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * seen;
+    gl_PointSize = max(1.2, kind.x * projectionMatrix[1][1] * pixels / max(-seen.z, 1e-6));
+  }
+`;
+
+export const kPointFragment = /* glsl */ `
+  ${kShading}
+
+  void main() {
+    vec2 side = vec2(2.0, -2.0) * gl_PointCoord + vec2(-1.0, 1.0);
+    float miss = dot(side, side);
+    if (miss > 1.0) discard;
+    outColor = vec4(shade(vec3(side, sqrt(1.0 - miss)), 1.0 / gl_FragCoord.w), 1.0);
+  }
+`;

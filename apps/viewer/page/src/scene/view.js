@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+import { Color, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { kPathNumbers } from '../recording/chunk.js';
+import { BoxFrame } from './box_frame.js';
+
+/** The picture: camera, box, and what else is added to `scene`. */
+export class View {
+  /** `largestRadius`: of the spheres [L]. */
+  constructor(canvas, box, largestRadius) {
+    this.canvas = canvas;
+    this.box = box;
+    this.largestRadius = largestRadius;
+    /** Whether the graphics card is only emulated. */
+    this.isSoftware = isSoftware();
+    this.renderer = new WebGLRenderer({
+      canvas,
+      antialias: !this.isSoftware,
+      powerPreference: 'high-performance',
+    });
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(32, 1, 0.1, 1000);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = true;
+    this.controls.dampingFactor = 0.12;
+    this.controls.zoomToCursor = true;
+    this.controls.addEventListener('change', () => (this.isStale = true));
+    this.frame = new BoxFrame(box.boundary);
+    this.scene.add(this.frame.object);
+    this.extent = 1;
+    /** Whether the picture has to be drawn again. */
+    this.isStale = true;
+    this.mostPixelRatio = 2;
+  }
+
+  /** Takes over the colors of the page. */
+  style(background, ink) {
+    this.renderer.setClearColor(new Color(background), 1);
+    this.frame.uniforms.ink.value.set(ink);
+    this.frame.uniforms.ink.value.convertLinearToSRGB();
+    this.isStale = true;
+  }
+
+  /** Fits the picture into its place on the page. */
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, this.mostPixelRatio));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.isStale = true;
+  }
+
+  /** Where the spheres of `playback` are: the box, and along open axes all spheres; two corners [L]. */
+  bounds({ paths, spheres, time }) {
+    const low = [0, 0, 0];
+    const high = [...this.box.size];
+    for (let axis = 0; axis < 3; ++axis) {
+      if (this.box.boundary[axis] !== 'open') continue;
+      low[axis] = Infinity;
+      high[axis] = -Infinity;
+      for (let id = 0; id < spheres; ++id) {
+        const start = kPathNumbers * id;
+        const place = paths[start + axis] + (time - paths[start + 6]) * paths[start + 3 + axis];
+        low[axis] = Math.min(low[axis], place);
+        high[axis] = Math.max(high[axis], place);
+      }
+      low[axis] -= this.largestRadius;
+      high[axis] += this.largestRadius;
+    }
+    return [low, high];
+  }
+
+  /** Shows everything from the direction of `from`, or from where the camera is. */
+  fit(playback, from = null) {
+    const [low, high] = this.bounds(playback);
+    this.frame.span(low, high);
+    const size = new Vector3(...high.map((end, axis) => end - low[axis]));
+    this.extent = size.length();
+    const center = new Vector3(...low).addScaledVector(size, 0.5);
+    const direction = from ? new Vector3(...from) : this.camera.position.clone().sub(this.controls.target);
+    direction.normalize();
+    this.controls.target.copy(center);
+    this.camera.position.copy(center).add(direction);
+    this.camera.lookAt(center);
+    // What is near looks larger: the box is moved until it is in the middle of the picture.
+    for (let round = 0; round < 4; ++round) {
+      const [distance, aside, above] = this.frameCorners(low, high);
+      this.controls.target.add(new Vector3(aside, above, 0).applyQuaternion(this.camera.quaternion));
+      this.camera.position.copy(this.controls.target).addScaledVector(direction, distance);
+    }
+    this.controls.minDistance = 1e-4 * this.extent;
+    this.controls.maxDistance = 20 * this.extent;
+    this.controls.update();
+    this.isStale = true;
+  }
+
+  // How far from its target the camera must be, looking as it does, to see all corners of a box; and by how much
+  // what it sees would then be aside of the middle of the picture and above it [L].
+  frameCorners(low, high) {
+    const tangent = Math.tan((this.camera.fov * Math.PI) / 360) * 0.95;
+    const turn = this.camera.quaternion.clone().invert();
+    const corners = Array.from({ length: 8 }, (_, corner) => {
+      const place = [0, 1, 2].map((axis) => ((corner >> axis) & 1 ? high : low)[axis]);
+      return new Vector3(...place).sub(this.controls.target).applyQuaternion(turn);
+    });
+    const needed = corners.map(
+      ({ x, y, z }) => z + Math.max(Math.abs(y), Math.abs(x) / this.camera.aspect) / tangent,
+    );
+    const distance = Math.max(...needed);
+    const middle = (places) => (distance * (Math.min(...places) + Math.max(...places))) / 2;
+    const aside = middle(corners.map(({ x, z }) => x / (distance - z)));
+    const above = middle(corners.map(({ y, z }) => y / (distance - z)));
+    return [distance, aside, above];
+  }
+
+  /** Looks at `center` from the distance at which `length` fills the picture [L]. */
+  zoomTo(center, length) {
+    const direction = this.camera.position.clone().sub(this.controls.target).normalize();
+    const aspect = Math.min(1, this.camera.aspect);
+    const distance = length / (2 * aspect * Math.tan((this.camera.fov * Math.PI) / 360));
+    this.controls.target.set(...center);
+    this.camera.position.copy(this.controls.target).addScaledVector(direction, distance);
+    this.controls.update();
+    this.isStale = true;
+  }
+
+  /** Moves the camera along, so that it looks at `center` [L]. */
+  lookAlong(center) {
+    const shift = new Vector3(...center).sub(this.controls.target);
+    if (shift.lengthSq() === 0) return;
+    this.controls.target.add(shift);
+    this.camera.position.add(shift);
+    this.isStale = true;
+  }
+
+  /** Height of the drawing in its own pixels. */
+  get pixels() {
+    return this.renderer.domElement.height;
+  }
+
+  /** Brings the camera up to date; haze and depth range follow from where it is. */
+  prepare(haze) {
+    this.controls.update();
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    const middle = this.camera.position.distanceTo(this.frame.object.position);
+    this.camera.near = Math.max(middle - this.extent, 0.004 * Math.min(distance, this.extent));
+    this.camera.far = middle + 2 * this.extent;
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+    haze.set(Math.max(0, middle - 0.35 * this.extent), middle + 0.65 * this.extent);
+  }
+
+  render() {
+    this.renderer.render(this.scene, this.camera);
+    this.isStale = false;
+  }
+
+  /** Where `place` [L] is on the canvas, in CSS pixels from its upper left corner; null if it is behind the camera. */
+  project(place) {
+    this.camera.updateMatrixWorld();
+    const seen = new Vector3(...place).applyMatrix4(this.camera.matrixWorldInverse);
+    if (seen.z >= 0) return null;
+    seen.applyMatrix4(this.camera.projectionMatrix);
+    return {
+      x: ((seen.x + 1) / 2) * this.canvas.clientWidth,
+      y: ((1 - seen.y) / 2) * this.canvas.clientHeight,
+    };
+  }
+
+  /** The ray that runs through the point (x, y) of the canvas, in CSS pixels: origin and unit direction. */
+  ray(x, y) {
+    this.camera.updateMatrixWorld();
+    const end = new Vector3(
+      (2 * x) / this.canvas.clientWidth - 1,
+      1 - (2 * y) / this.canvas.clientHeight,
+      0.5,
+    );
+    const direction = end.unproject(this.camera).sub(this.camera.position).normalize();
+    return { origin: this.camera.position.clone(), direction };
+  }
+
+  /** Length in space [L] of one CSS pixel at unit distance. */
+  get pixelTangent() {
+    return (2 * Math.tan((this.camera.fov * Math.PI) / 360)) / this.canvas.clientHeight;
+  }
+}
+
+function isSoftware() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  if (!gl) throw new Error('this browser has no WebGL 2');
+  const details = gl.getExtension('WEBGL_debug_renderer_info');
+  const name = String(gl.getParameter(details ? details.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
+}

@@ -1,0 +1,476 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+import { Cells } from './motion/cells.js';
+import { knownUntil, nextContact, recentPaths } from './motion/contacts_of.js';
+import { typicalScales } from './motion/default_speed.js';
+import { Box } from './motion/box.js';
+import { readCenter } from './motion/path.js';
+import { Player } from './motion/player.js';
+import { ChunkStore } from './recording/chunk_store.js';
+import { kPathNumbers } from './recording/chunk.js';
+import { ColorLegend, showEventLegend } from './panel/legend.js';
+import { show } from './panel/numbers.js';
+import { Notices } from './panel/notices.js';
+import { Plots } from './panel/plots.js';
+import { showRunStatus } from './panel/run_status.js';
+import { SpherePanel } from './panel/sphere_panel.js';
+import { Transport } from './panel/transport.js';
+import { CellLayer, kFew } from './scene/cell_layer.js';
+import { EventFlashes } from './scene/event_flashes.js';
+import { pick } from './scene/pick.js';
+import { Quality } from './scene/quality.js';
+import { kColorBy, Spheres } from './scene/spheres.js';
+import { Trail } from './scene/trail.js';
+import { View } from './scene/view.js';
+import { findSpecies, quantile, roundUp } from './statistics/speeds.js';
+
+const kFewEnoughForFlashes = 3000; // spheres; of more, contacts would hide everything else
+const kFlashSeconds = 0.6; // how long a flash lasts while playing
+const kManyForSoftware = 2000; // spheres; of more, an emulated graphics card draws points from the start
+const kContactsOfTrail = 24;
+const kSecondsBetweenPanels = 0.1;
+const kSecondsBetweenPlots = 0.5;
+const kPollSeconds = 0.7;
+const kRetrySeconds = 2;
+
+const element = (id) => document.getElementById(id);
+
+/** The whole viewer: what is shown of a recording, and what its user does. */
+export class Viewer {
+  /** Precondition: `source` is open. */
+  constructor(source) {
+    this.source = source;
+    const { header, radii, masses } = source;
+    this.box = new Box(header.box);
+    this.store = new ChunkStore(source, {
+      onLoad: (chunk, number) => this.plots.add(chunk, number),
+      onLost: () => this.lose(),
+    });
+    this.player = new Player(source, this.store);
+    this.playback = this.player.playback;
+    this.species = findSpecies(radii, masses);
+    this.largestRadius = radii.reduce((largest, radius) => Math.max(largest, radius), 0);
+
+    this.view = new View(element('canvas'), this.box, this.largestRadius);
+    this.spheres = new Spheres(radii, this.species.of, this.box);
+    this.flashes = new EventFlashes(radii, this.box);
+    this.trail = new Trail(this.box);
+    this.cellLayer = new CellLayer(radii, this.box);
+    for (const { object } of [this.spheres, this.flashes, this.trail, this.cellLayer])
+      this.view.scene.add(object);
+
+    this.notices = new Notices();
+    this.plots = new Plots(source, this.player, this.species.list);
+    this.legend = new ColorLegend();
+    this.transport = new Transport(this);
+    this.spherePanel = new SpherePanel(this);
+    this.quality = new Quality(window.devicePixelRatio, (way) => this.draw(way));
+
+    /** The id of the sphere followed, or null. */
+    this.followed = null;
+    this.next = undefined;
+    this.scales = null;
+    this.cells = header.cell_edge[0] > 0 ? new Cells(header.cell_edge, header.cell_origin, this.box) : null;
+    this.isLost = false;
+    this.last = { frame: 0, panels: -Infinity, plots: -Infinity, time: NaN };
+    this.listen();
+    this.style();
+    this.setColorBy(this.species.list.length > 1 && this.species.list.length <= 8 ? 'species' : 'speed');
+    showEventLegend(header.box.boundary.includes('wall'));
+  }
+
+  /** Shows moment after moment from here on. */
+  start() {
+    this.poll();
+    requestAnimationFrame((now) => this.frame(now));
+  }
+
+  // --- what the user does ---
+
+  togglePlay() {
+    if (this.player.isPlaying) this.player.pause();
+    else this.player.play();
+    this.quality.restart();
+  }
+
+  /** Goes to the next contact, or to the one before if `direction` < 0: any, or one of the sphere followed. */
+  step(direction, isOfFollowed) {
+    const id = isOfFollowed ? this.followed : null;
+    const stepped = direction > 0 ? this.player.stepForward(id) : this.player.stepBack(id);
+    return stepped.catch(() => {});
+  }
+
+  goToBegin() {
+    return this.player.seek(this.source.header.begin);
+  }
+
+  goToEnd() {
+    return this.player.seek(this.player.knownEnd);
+  }
+
+  /** Plays `speed` [T] in a second. */
+  setSpeed(speed) {
+    const low = 10 ** Number(this.transport.speed.min);
+    const high = 10 ** Number(this.transport.speed.max);
+    this.player.speed = Math.min(high, Math.max(low, speed));
+    this.view.isStale = true;
+  }
+
+  /** Follows sphere `id`, or none if it is null. */
+  follow(id) {
+    const isThere = id !== null && Number.isInteger(id) && id >= 0 && id < this.source.header.spheres;
+    this.followed = isThere ? id : null;
+    this.spheres.uniforms.followed.value = this.followed ?? -1;
+    this.trail.object.visible = isThere;
+    this.trailKey = null;
+    this.cellsGathered = null;
+    this.view.isStale = true;
+    this.last.panels = -Infinity;
+  }
+
+  /** Looks at the sphere followed from near by, as the neighborhood of a few cells shows best. */
+  approach() {
+    if (this.followed === null) return;
+    element('near-only').checked = this.source.header.spheres > kFew;
+    this.view.zoomTo(this.center(this.followed), 2.4 * this.reach);
+  }
+
+  /** Shows everything. */
+  fit() {
+    element('near-only').checked = false;
+    element('camera-follows').checked = false;
+    if (this.playback.chunk) this.view.fit(this.playback);
+  }
+
+  /** Colors the spheres by one of kColorBy. */
+  setColorBy(name) {
+    element('color-by').value = name;
+    this.spheres.uniforms.colorBy.value = kColorBy.indexOf(name);
+    if (name === 'species') this.legend.showSpecies(this.species.list);
+    this.colorBy = name;
+    this.view.isStale = true;
+    if (this.scales) this.updateColors();
+  }
+
+  /** Draws in one of the ways of Quality, and keeps to it. */
+  setQuality(name) {
+    this.quality.fix(name);
+    this.notices.hide('quality');
+  }
+
+  // --- where things are ---
+
+  /** Center of sphere `id` at the moment shown, folded into the box [L]. */
+  center(id) {
+    return readCenter(this.playback.paths, kPathNumbers * id, this.playback.time, this.box, [0, 0, 0]);
+  }
+
+  /** Center of sphere `id` at `time` [T], folded into the box [L]. Error: the chunk cannot be loaded. */
+  async centerAt(id, time) {
+    const chunk = await this.store.load(this.store.numberAt(time));
+    const path = new Float64Array(kPathNumbers);
+    chunk.readPath(id, chunk.contactsUntil(time), path);
+    return readCenter(path, 0, time, this.box, [0, 0, 0]);
+  }
+
+  /** How far the neighborhood of the followed sphere reaches [L]. */
+  get reach() {
+    const edge = this.cells ? Math.max(...this.cells.edge) : 0;
+    return Math.max(7 * this.largestRadius, Math.min(1.6 * edge, 25 * this.largestRadius));
+  }
+
+  // --- frame by frame ---
+
+  frame(now) {
+    requestAnimationFrame((next) => this.frame(next));
+    const seconds = (now - this.last.frame) / 1000;
+    this.last.frame = now;
+    this.player.advance(seconds);
+    if (!this.playback.chunk) {
+      this.notices.show(
+        'wait',
+        this.source.ends.length > 0 ? 'Loading …' : 'Waiting for the first contacts …',
+      );
+      return;
+    }
+    if (!this.scales) this.begin();
+    const hasMoved = this.playback.time !== this.last.time;
+    this.last.time = this.playback.time;
+    this.view.controls.update();
+    if (hasMoved || this.view.isStale) this.drawMoment();
+    if (this.player.isPlaying && hasMoved) this.quality.note(seconds);
+    else this.quality.restart();
+    this.tell(now / 1000);
+  }
+
+  // The first moment: what typical scales decide.
+  begin() {
+    this.scales = typicalScales(this.playback.chunk, this.source.radii, this.source.header);
+    this.transport.center(this.scales.playing);
+    this.player.speed = this.scales.playing;
+    this.plots.update(this.playback);
+    this.view.resize();
+    if (this.view.isSoftware && this.source.header.spheres > kManyForSoftware) this.quality.begin('points');
+    this.view.fit(this.playback, [0.62, 0.42, 1]);
+    element('show-events').checked = this.source.header.spheres <= kFewEnoughForFlashes;
+    this.showCellEdge();
+    this.updateColors();
+    this.plots.resize();
+  }
+
+  drawMoment() {
+    const { uniforms } = this.spheres;
+    const followed = this.followed ?? -1;
+    const window = kFlashSeconds * this.player.speed;
+    this.spheres.update(this.playback);
+    if (followed >= 0) {
+      const center = this.center(followed);
+      uniforms.followedCenter.value.set(...center);
+      if (element('camera-follows').checked) this.view.lookAlong(center);
+      this.updateTrail(center);
+    }
+    uniforms.reach.value = followed >= 0 && element('near-only').checked ? this.reach : 0;
+    this.flashes.object.visible = element('show-events').checked;
+    if (this.flashes.object.visible) this.flashes.update(this.playback, window);
+    this.cellLayer.object.visible = element('show-cells').checked && this.cells !== null;
+    if (this.cellLayer.object.visible) this.updateCells(followed, window);
+    for (const { pixels } of [uniforms, this.flashes.rings.uniforms, this.trail.rings.uniforms])
+      pixels.value = this.view.pixels;
+    this.view.prepare(uniforms.haze.value);
+    this.view.render();
+  }
+
+  updateTrail(center) {
+    const { playback, followed, store } = this;
+    const began = playback.paths[kPathNumbers * followed + 6];
+    const known = knownUntil(store, playback.number);
+    const key = `${followed} ${began} ${known} ${playback.number}`;
+    if (key !== this.trailKey) {
+      this.trailKey = key;
+      this.past = recentPaths(store, followed, playback.number, playback.cursor, kContactsOfTrail);
+      this.next = nextContact(store, followed, playback.number, playback.cursor);
+    }
+    this.trail.update(
+      this.past,
+      playback.time,
+      this.next?.time ?? known,
+      center,
+      this.source.radii[followed],
+    );
+  }
+
+  updateCells(followed, window) {
+    const { time } = this.playback;
+    // Which spheres are near changes slowly; their cells are exact all the same.
+    const isDue = !(Math.abs(time - this.cellsGathered) < (0.2 * this.reach) / this.scales.speed);
+    if (isDue && (followed >= 0 || this.source.header.spheres <= kFew)) {
+      this.cellLayer.gather(this.playback, followed, 0.7 * this.reach);
+      this.cellsGathered = time;
+    }
+    this.cellLayer.update(this.playback, followed, this.cells, window);
+  }
+
+  updateColors() {
+    const range = this.spheres.uniforms.colorRange.value;
+    if (this.colorBy === 'species') return;
+    if (this.colorBy === 'speed') range.set(0, this.plots.fast);
+    if (this.colorBy === 'radius') range.set(0, roundUp(this.largestRadius));
+    if (this.colorBy === 'collisions')
+      range.set(0, Math.max(4, roundUp(quantile(this.playback.collisions, 0.99))));
+    if (this.colorBy === 'last contact')
+      range.set(roundUp(this.scales.rate > 0 ? 1 / this.scales.rate : this.player.speed), 0);
+    this.legend.showRange(range.x, range.y);
+    this.view.isStale = true;
+  }
+
+  // Brings numbers and plots up to date, as often as people can read them.
+  tell(seconds) {
+    this.transport.update();
+    this.plots.mark(this.playback.time);
+    const { player } = this;
+    if (player.isBuffering)
+      this.notices.show('wait', this.isLost ? 'This part was not loaded' : 'Buffering …');
+    else if (player.isPlaying && player.isAtEnd && !this.source.status.finished)
+      this.notices.show('wait', 'Waiting for the run …');
+    else this.notices.hide('wait');
+    if (seconds - this.last.panels > kSecondsBetweenPanels) {
+      this.last.panels = seconds;
+      this.spherePanel.update();
+      showRunStatus(this.source, this.isLost);
+    }
+    if (seconds - this.last.plots > kSecondsBetweenPlots) {
+      this.last.plots = seconds;
+      if (this.plots.update(this.playback)) this.updateColors();
+    }
+  }
+
+  // --- the server ---
+
+  async poll() {
+    try {
+      await this.source.poll();
+      if (this.isLost) this.recover();
+    } catch {
+      this.lose();
+    }
+    const { finished, failed } = this.source.status;
+    if (failed) this.notices.show('failed', `The run failed: ${failed}`, { kind: 'bad' });
+    if (this.isLost) this.pollIn(kRetrySeconds);
+    else if (!finished) this.pollIn(kPollSeconds);
+  }
+
+  pollIn(seconds) {
+    clearTimeout(this.nextPoll);
+    this.nextPoll = setTimeout(() => this.poll(), 1000 * seconds);
+  }
+
+  lose() {
+    if (this.isLost) return;
+    this.isLost = this.store.isSuspended = true;
+    this.notices.show('lost', 'The program does not answer. What is loaded can be looked at.', { kind: 'bad' });
+    this.pollIn(kRetrySeconds);
+  }
+
+  recover() {
+    this.isLost = this.store.isSuspended = false;
+    this.notices.hide('lost');
+  }
+
+  // --- the page ---
+
+  // Takes over the colors of the page.
+  style() {
+    const style = getComputedStyle(document.documentElement);
+    const value = (name) => style.getPropertyValue(name).trim();
+    const parts = (name) => [1, 3, 5].map((start) => parseInt(value(name).slice(start, start + 2), 16) / 255);
+    this.view.style(value('--space'), value('--ink'));
+    this.spheres.uniforms.background.value.set(...parts('--space'));
+    this.trail.style(parts('--ink'), this.largestRadius / 2);
+    this.cellLayer.ink = parts('--quiet');
+    this.cellLayer.accent = parts('--accent');
+    this.plots.resize();
+  }
+
+  draw(way) {
+    this.view.mostPixelRatio = way.mostPixelRatio;
+    if (this.spheres.way !== way.spheres) this.spheres.drawAs(way.spheres);
+    this.view.resize();
+    if (this.quality.isFixed) return;
+    this.notices.show('quality', 'Drawn more simply, so that it moves smoothly.', {
+      action: { label: 'Full quality', run: () => this.setQuality('full') },
+    });
+  }
+
+  showCellEdge() {
+    element('cell-edge').value = this.cells ? Number(this.cells.edge[0].toPrecision(5)) : '';
+    element('cell-edge').placeholder = this.cells ? '' : show(4 * this.largestRadius);
+  }
+
+  setCellEdge(edge) {
+    const { header } = this.source;
+    if (edge > 0) this.cells = Cells.fitting(Math.max(edge, this.largestRadius / 100), this.box);
+    else
+      this.cells = header.cell_edge[0] > 0 ? new Cells(header.cell_edge, header.cell_origin, this.box) : null;
+    this.showCellEdge();
+    this.cellsGathered = null;
+    this.view.isStale = true;
+  }
+
+  // Cells are shown around a sphere: if none is followed, one is chosen.
+  showCells(areShown) {
+    this.view.isStale = true;
+    if (!areShown || !this.playback.chunk) return;
+    if (!this.cells) this.setCellEdge(4 * this.largestRadius);
+    if (this.followed !== null || this.source.header.spheres <= kFew) return;
+    const middle = this.view.controls.target;
+    let nearest = 0;
+    let least = Infinity;
+    for (let id = 0; id < this.source.header.spheres; ++id) {
+      const [x, y, z] = this.center(id);
+      const apart = (x - middle.x) ** 2 + (y - middle.y) ** 2 + (z - middle.z) ** 2;
+      if (apart < least) [nearest, least] = [id, apart];
+    }
+    this.follow(nearest);
+    this.approach();
+  }
+
+  // So slow that the followed sphere, or a typical one, takes at least four seconds to cross a cell.
+  slowDown() {
+    const edge = this.cells ? this.cells.edge[0] : 4 * this.largestRadius;
+    const start = kPathNumbers * (this.followed ?? 0) + 3;
+    const { paths } = this.playback;
+    const own = this.followed === null ? 0 : Math.hypot(paths[start], paths[start + 1], paths[start + 2]);
+    this.setSpeed(Math.min(this.player.speed, edge / (4 * (own || this.scales.speed || 1))));
+  }
+
+  listen() {
+    const canvas = element('canvas');
+    element('color-by').replaceChildren(
+      ...kColorBy.map((name) => new Option(name[0].toUpperCase() + name.slice(1), name)),
+    );
+    element('color-by').addEventListener('change', (event) => this.setColorBy(event.target.value));
+    element('fit').addEventListener('click', () => this.fit());
+    element('screenshot').addEventListener('click', () => this.savePicture());
+    element('show-cells').addEventListener('change', (event) => this.showCells(event.target.checked));
+    element('cell-edge').addEventListener('change', (event) => this.setCellEdge(Number(event.target.value)));
+    element('slow').addEventListener('click', () => this.slowDown());
+    for (const id of ['show-events', 'camera-follows', 'near-only']) {
+      element(id).addEventListener('change', () => (this.view.isStale = true));
+    }
+    if (this.source.replayAddress) element('save').href = this.source.replayAddress;
+    else element('save').hidden = true;
+
+    new ResizeObserver(() => this.view.resize()).observe(canvas);
+    new ResizeObserver(() => this.plots.resize()).observe(element('plots'));
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.style());
+
+    document.addEventListener('visibilitychange', () => {
+      this.last.frame = performance.now();
+      this.quality.restart();
+    });
+
+    let pressed = null;
+    canvas.addEventListener(
+      'pointerdown',
+      ({ clientX, clientY, isPrimary }) => (pressed = isPrimary ? [clientX, clientY] : null),
+    );
+    canvas.addEventListener('pointerup', (event) => {
+      const isClick = pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 5;
+      if (isClick && event.button === 0) this.followAt(event);
+    });
+    canvas.addEventListener('dblclick', () => this.approach());
+    canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      this.notices.show('context', 'The graphics card has lost the picture; reload the page.', {
+        kind: 'bad',
+      });
+    });
+  }
+
+  followAt({ clientX, clientY, pointerType }) {
+    if (!this.playback.chunk) return;
+    const { left, top } = element('canvas').getBoundingClientRect();
+    const { origin, direction } = this.view.ray(clientX - left, clientY - top);
+    const tolerance = (pointerType === 'touch' ? 14 : 4) * this.view.pixelTangent;
+    const middle = this.followed === null ? null : this.center(this.followed);
+    const { reach } = this.spheres.uniforms;
+    const isShown = (id, center) => {
+      if (reach.value === 0 || id === this.followed) return true;
+      const apart = Math.hypot(...center.map((place, axis) => this.box.nearest(place - middle[axis], axis)));
+      return apart <= reach.value;
+    };
+    const id = pick(this.playback, this.source.radii, this.box, origin, direction, tolerance, isShown);
+    if (id >= 0) this.follow(id);
+  }
+
+  savePicture() {
+    this.drawMoment();
+    element('canvas').toBlob((blob) => {
+      const link = document.createElement('a');
+      link.href = URL.createObjectURL(blob);
+      link.download = `hardball_${this.playback.time.toPrecision(6)}.png`;
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    });
+  }
+}

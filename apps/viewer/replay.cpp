@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/viewer/replay.hpp"
+
+#include <algorithm>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball::viewer {
+namespace {
+
+// Source: RFC 4648, section 4. Three bytes are four characters.
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t begin = 0; begin < bytes.size(); begin += 3) {
+    const std::size_t there = std::min<std::size_t>(bytes.size() - begin, 3);
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      bits = bits << 8 | (k < there ? static_cast<unsigned char>(bytes[begin + k]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) text += k <= there ? kDigits[(bits >> (18 - 6 * k)) & 0x3f] : '=';
+  }
+  return text;
+}
+
+}  // namespace
+
+Replay::Replay(const SharedRecording& recording, const Page& page)
+    : recording_(&recording), page_(page), recorded_(recording.length()) {
+  if (recorded_ <= kMostReplayedBytes) return;
+  throw Error("the recording has " + to_text(recorded_) + " bytes, and a replay holds at most " +
+                  to_text(kMostReplayedBytes),
+              "replay of " + recording.header().name, "end the run earlier or take fewer spheres");
+}
+
+std::uint64_t Replay::length() const {
+  return page_.head.size() + (recorded_ + 2) / 3 * 4 + page_.tail.size();
+}
+
+std::string Replay::piece(std::uint64_t offset) const {
+  constexpr std::uint64_t kPieceBytes = 3 << 16;
+  if (offset < page_.head.size()) return page_.head.substr(offset);
+  const std::uint64_t character = offset - page_.head.size();
+  const std::uint64_t byte = character / 4 * 3;
+  if (byte < recorded_) {
+    return base64(recording_->read({byte, std::min(kPieceBytes, recorded_ - byte)})).substr(character % 4);
+  }
+  return page_.tail.substr(character - (recorded_ + 2) / 3 * 4);
+}
+
+}  // namespace hardball::viewer

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "apps/viewer/page.hpp"
+#include "apps/viewer/shared_recording.hpp"
+
+namespace hardball::viewer {
+
+/// Longer recordings do not fit into the memory that browsers give to one text.
+inline constexpr std::uint64_t kMostReplayedBytes = 200'000'000;
+
+/// A recording and the page that shows it in one HTML file, which needs no server and no network. It holds
+/// the chunks that are known when it is made.
+class Replay {
+ public:
+  /// `recording` must outlive it. Error: the recording is longer than kMostReplayedBytes.
+  Replay(const SharedRecording& recording, const Page& page);
+
+  /// Of the HTML file, in bytes.
+  std::uint64_t length() const;
+  /// Some bytes of the file from `offset` on, at least one. Precondition: offset < length(). Error
+  /// (RunFailure): the recording cannot be read.
+  std::string piece(std::uint64_t offset) const;
+
+ private:
+  const SharedRecording* recording_;
+  OnePiece page_;
+  std::uint64_t recorded_;  // bytes of the recording
+};
+
+}  // namespace hardball::viewer

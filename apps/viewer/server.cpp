@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/viewer/server.hpp"
+
+#include <httplib.h>
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include "apps/viewer/replay.hpp"
+#include "apps/viewer/token.hpp"
+#include "hardball/errors/error.hpp"
+
+namespace hardball::viewer {
+namespace {
+
+using httplib::Request;
+using httplib::Response;
+
+constexpr const char* kHost = "127.0.0.1";
+
+// Each connection keeps a thread busy until it closes or times out: enough for a crowd of clients, idle ones
+// among them.
+constexpr std::size_t kThreads = 64;
+
+constexpr std::size_t kPieceBytes = 1 << 18;
+
+constexpr int kBadRequest = 400;
+constexpr int kForbidden = 403;
+constexpr int kNotFound = 404;
+constexpr int kMethodNotAllowed = 405;
+constexpr int kTooLarge = 413;
+constexpr int kServerError = 500;
+
+void refuse(Response& response, int status, const std::string& reason) {
+  response.status = status;
+  response.set_content(reason + "\n", "text/plain; charset=utf-8");
+}
+
+// Sends `length` bytes, of which piece(offset) gives some from an offset on. Content that comes in pieces is
+// not compressed, which would take longer than to send it on one machine.
+void send(Response& response, std::uint64_t length, const std::string& type,
+          std::function<std::string(std::uint64_t offset)> piece) {
+  if (length == 0) {
+    response.set_content("", type);
+    return;
+  }
+  const auto provide = [piece = std::move(piece)](std::size_t offset, std::size_t most,
+                                                  httplib::DataSink& sink) {
+    try {
+      const std::string bytes = piece(offset);
+      return sink.write(bytes.data(), std::min(bytes.size(), most));
+    } catch (const RunFailure&) {
+      return false;
+    }
+  };
+  response.set_content_provider(length, type.c_str(), provide);
+}
+
+void send(Response& response, std::string text, const std::string& type) {
+  const std::size_t length = text.size();
+  send(response, length, type,
+       [text = std::move(text)](std::uint64_t offset) { return text.substr(offset, kPieceBytes); });
+}
+
+void send(Response& response, const SharedRecording& recording, const FileExtent& extent) {
+  send(response, extent.length, "application/octet-stream", [&recording, extent](std::uint64_t offset) {
+    return recording.read(
+        {extent.offset + offset, std::min<std::uint64_t>(kPieceBytes, extent.length - offset)});
+  });
+}
+
+// The number that a query gives, or what it is without one; none if it is no number.
+std::optional<std::uint64_t> number_in(const Request& request, const std::string& key,
+                                       std::optional<std::uint64_t> otherwise = {}) {
+  if (!request.has_param(key)) return otherwise;
+  const std::string text = request.get_param_value(key);
+  std::uint64_t number = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+// The name under which a browser saves a replay: letters that no system and no header takes amiss.
+std::string file_name(const RecordingHeader& header) {
+  std::string name = header.name.substr(0, 64);
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+  };
+  std::replace_if(name.begin(), name.end(), std::not_fn(is_plain), '_');
+  return (name.empty() ? "recording" : name) + ".html";
+}
+
+}  // namespace
+
+Server::Server(const SharedRecording& recording, const Page& page, int port, std::chrono::seconds patience)
+    : recording_(&recording),
+      page_(page),
+      token_(make_token()),
+      index_(with_token(page, token_)),
+      server_(std::make_unique<httplib::Server>()) {
+  set_rules(patience);
+  add_page();
+  add_recording();
+  if (port == 0) {
+    port_ = server_->bind_to_any_port(kHost);
+    if (port_ <= 0) throw Error("no port is free", "viewer", "close other programs");
+  } else {
+    if (!server_->bind_to_port(kHost, port)) {
+      throw Error("port " + to_text(port) + " is taken or not allowed", "--port",
+                  "choose another one, or none to take any that is free");
+    }
+    port_ = port;
+  }
+  thread_ = std::thread([this] { server_->listen_after_bind(); });
+  // Before it runs it cannot be stopped.
+  while (!server_->is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+Server::~Server() {
+  server_->stop();
+  thread_.join();
+}
+
+std::string Server::url() const {
+  return "http://" + std::string(kHost) + ":" + to_text(port_) + "/?token=" + token_;
+}
+
+void Server::set_rules(std::chrono::seconds patience) {
+  using namespace std::chrono_literals;
+  server_->new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+  // Clients that say nothing, read nothing or have gone give their thread back soon.
+  server_->set_keep_alive_max_count(1000);
+  server_->set_keep_alive_timeout(1);
+  server_->set_read_timeout(2s);
+  server_->set_write_timeout(patience);
+  server_->set_payload_max_length(0);
+  // The library would let two programs share one port.
+  server_->set_socket_options([](socket_t socket) {
+    const int yes = 1;
+    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+  });
+  server_->set_default_headers({
+      {"Cache-Control", "no-store"},
+      {"Content-Security-Policy",
+       "default-src 'self'; img-src 'self' data: blob:; base-uri 'none'; form-action 'none'; "
+       "frame-ancestors 'none'"},
+      {"Cross-Origin-Opener-Policy", "same-origin"},
+      {"Cross-Origin-Resource-Policy", "same-origin"},
+      {"Referrer-Policy", "no-referrer"},
+      {"X-Content-Type-Options", "nosniff"},
+  });
+  server_->set_pre_routing_handler([this](const Request& request, Response& response) {
+    return is_allowed(request, response) ? httplib::Server::HandlerResponse::Unhandled
+                                         : httplib::Server::HandlerResponse::Handled;
+  });
+  server_->set_exception_handler([](const Request&, Response& response, const std::exception_ptr&) {
+    refuse(response, kServerError, "the request could not be answered");
+  });
+  server_->set_error_handler([](const Request&, Response& response) {
+    if (response.body.empty() && response.status == kNotFound) {
+      refuse(response, kNotFound, "there is nothing here");
+    }
+  });
+}
+
+bool Server::is_allowed(const Request& request, Response& response) const {
+  // A page from elsewhere may make its own name mean this machine: then the name gives it away.
+  const std::string host = request.get_header_value("Host");
+  const std::string port = ":" + to_text(port_);
+  if (host != kHost + port && host != "localhost" + port) {
+    refuse(response, kForbidden, "this server is not called so");
+    return false;
+  }
+  if (!is_same_secret(request.get_param_value("token"), token_)) {
+    refuse(response, kForbidden,
+           "the token is missing or wrong: open the address that hardball view printed");
+    return false;
+  }
+  if (request.method != "GET" && request.method != "HEAD") {
+    response.set_header("Allow", "GET, HEAD");
+    refuse(response, kMethodNotAllowed, "there is nothing to change here");
+    return false;
+  }
+  return true;
+}
+
+void Server::add_page() {
+  server_->Get("/", [this](const Request&, Response& response) {
+    send(response, index_, "text/html; charset=utf-8");
+  });
+  server_->Get("/page\\.css", [this](const Request&, Response& response) {
+    send(response, std::string(page_.style), "text/css; charset=utf-8");
+  });
+  server_->Get("/page\\.js", [this](const Request&, Response& response) {
+    send(response, std::string(page_.script), "text/javascript; charset=utf-8");
+  });
+  server_->Get("/api/replay\\.html", [this](const Request&, Response& response) {
+    try {
+      const auto replay = std::make_shared<const Replay>(*recording_, page_);
+      // To be saved: the rules for the pages of this server would not let it run.
+      response.set_header("Content-Disposition",
+                          "attachment; filename=\"" + file_name(recording_->header()) + "\"");
+      send(response, replay->length(), "text/html; charset=utf-8",
+           [replay](std::uint64_t offset) { return replay->piece(offset); });
+    } catch (const Error& error) {
+      refuse(response, kTooLarge, error.what());
+    }
+  });
+}
+
+void Server::add_recording() {
+  server_->Get("/api/header", [this](const Request&, Response& response) {
+    send(response, recording_->header_json(), "application/json");
+  });
+  server_->Get("/api/spheres", [this](const Request&, Response& response) {
+    send(response, *recording_, recording_->spheres());
+  });
+  server_->Get("/api/status", [this](const Request& request, Response& response) {
+    const std::optional<std::uint64_t> from = number_in(request, "from", 0);
+    if (!from) return refuse(response, kBadRequest, "'from' is no number of a chunk");
+    send(response, recording_->status_json(*from), "application/json");
+  });
+  server_->Get("/api/chunk", [this](const Request& request, Response& response) {
+    const std::optional<std::uint64_t> number = number_in(request, "number");
+    if (!number) return refuse(response, kBadRequest, "'number' is missing or no number of a chunk");
+    const std::optional<FileExtent> chunk = recording_->chunk(*number);
+    if (!chunk) return refuse(response, kNotFound, "there is no such chunk yet");
+    send(response, *recording_, *chunk);
+  });
+}
+
+}  // namespace hardball::viewer

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/viewer/shared_recording.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball::viewer {
+namespace {
+
+std::string hash_text(std::uint64_t hash) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(hash >> shift) & 0xf];
+  return text;
+}
+
+template <class Value>
+nlohmann::json or_null(const std::optional<Value>& value) {
+  return value ? nlohmann::json(*value) : nlohmann::json();
+}
+
+}  // namespace
+
+SharedRecording::SharedRecording(const std::filesystem::path& path)
+    : reader_(path), file_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  if (file_ < 0) {
+    throw Error(std::string("cannot be read: ") + std::strerror(errno), path.string(), "name a recording");
+  }
+}
+
+SharedRecording::~SharedRecording() {
+  close(file_);
+}
+
+void SharedRecording::update(RunProgress progress) {
+  const std::lock_guard lock(mutex_);
+  progress_ = std::move(progress);
+  reader_.refresh();
+}
+
+RunProgress SharedRecording::progress() const {
+  const std::lock_guard lock(mutex_);
+  return progress_;
+}
+
+std::string SharedRecording::header_json() const {
+  const std::string& text = reader_.header_text();
+  const std::lock_guard lock(mutex_);
+  return text.substr(0, text.find_last_of('}')) + ", \"chunks\": " + to_text(reader_.chunks().size()) + "}";
+}
+
+std::string SharedRecording::status_json(std::uint64_t from) const {
+  nlohmann::json status{{"begin", header().begin},
+                        {"until", or_null(header().until)},
+                        {"spheres", header().spheres},
+                        {"chunk_ends", nlohmann::json::array()}};
+  const std::lock_guard lock(mutex_);
+  const std::vector<ChunkExtent>& chunks = reader_.chunks();
+  status["chunks"] = chunks.size();
+  for (std::uint64_t k = from; k < chunks.size(); ++k) status["chunk_ends"].push_back(chunks[k].end);
+  status["reached"] = reader_.reached();
+  status["finished"] = progress_.is_finished;
+  status["failed"] = or_null(progress_.failure);
+  status["collisions"] = progress_.collisions;
+  status["walls"] = progress_.walls;
+  status["rate"] = progress_.rate;
+  status["event_log_hash"] = progress_.hash ? nlohmann::json(hash_text(*progress_.hash)) : nlohmann::json();
+  return status.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::optional<FileExtent> SharedRecording::chunk(std::uint64_t number) const {
+  const std::lock_guard lock(mutex_);
+  if (number >= reader_.chunks().size()) return std::nullopt;
+  return reader_.chunks()[number].bytes;
+}
+
+std::uint64_t SharedRecording::length() const {
+  const std::lock_guard lock(mutex_);
+  return reader_.length();
+}
+
+std::string SharedRecording::read(const FileExtent& extent) const {
+  std::string bytes(extent.length, '\0');
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t got =
+        pread(file_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(extent.offset + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) throw RunFailure("the recording cannot be read");
+    done += static_cast<std::size_t>(got);
+  }
+  return bytes;
+}
+
+}  // namespace hardball::viewer

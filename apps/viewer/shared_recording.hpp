@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "hardball/io/recording_reader.hpp"
+
+namespace hardball::viewer {
+
+/// How far the run of a recording has come.
+struct RunProgress {
+  bool is_finished = false;            ///< It goes on no more.
+  std::optional<std::string> failure;  ///< Why it ended before its time.
+  std::uint64_t collisions = 0;
+  std::uint64_t walls = 0;
+  double rate = 0;                    ///< Contacts per second by the clock on the wall.
+  std::optional<std::uint64_t> hash;  ///< Of the event log.
+};
+
+/// A recording for many readers at once, which may grow meanwhile.
+///
+/// Every member may be called from any thread. A lock is held only while some numbers are copied, never while
+/// a file is read for a client, so that no client holds up the run.
+class SharedRecording {
+ public:
+  /// Error: see RecordingReader.
+  explicit SharedRecording(const std::filesystem::path& path);
+  ~SharedRecording();
+  SharedRecording(const SharedRecording&) = delete;
+
+  /// Looks for chunks that have been added, and says how far the run has come. Error: see
+  /// RecordingReader::refresh.
+  void update(RunProgress progress);
+
+  RunProgress progress() const;
+  const RecordingHeader& header() const { return reader_.header(); }
+  /// The recording's header and the number of chunks: one JSON object.
+  std::string header_json() const;
+  /// How the run goes, and when the chunks from number `from` on end: one JSON object.
+  std::string status_json(std::uint64_t from) const;
+
+  /// Where radii and masses lie in the file.
+  FileExtent spheres() const { return reader_.spheres(); }
+  /// Where a chunk lies in the file; none if it is not there yet.
+  std::optional<FileExtent> chunk(std::uint64_t number) const;
+  /// Length of the recording up to its last complete chunk.
+  std::uint64_t length() const;
+
+  /// Bytes of the file. Error (RunFailure): they cannot be read.
+  std::string read(const FileExtent& extent) const;
+
+ private:
+  RecordingReader reader_;
+  int file_;  // for reading at any place without a lock
+  mutable std::mutex mutex_;
+  RunProgress progress_;
+};
+
+}  // namespace hardball::viewer

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hardball/events/event.hpp"
+#include "hardball/geometry/vec3.hpp"
+#include "hardball/world/box.hpp"
+
+namespace hardball {
+
+/// What a recording says of the run before it shows any motion.
+///
+/// A recording is the whole history of a run in a file: where the spheres were at the begin, and every
+/// contact with the motion that it left. docs/recording.md describes the format.
+struct RecordingHeader {
+  std::size_t spheres = 0;  ///< How many; their ids are 0 to spheres - 1.
+  Box box = {};
+  double begin = 0;                  ///< [T]
+  std::optional<double> until = {};  ///< When the run is to end [T], if that is known.
+  Vec3 cell_edge = {};               ///< Edges of a cell [L]; zero if there are no cells.
+  Vec3 cell_origin = {};             ///< A corner of a cell [L].
+  std::string name = {};             ///< Of the scenario.
+  double restitution = 1;            ///< [1]
+};
+
+/// One JSON object.
+std::string to_json(const RecordingHeader& header);
+
+/// The header that a JSON object describes; keys that are not known are passed over. `where` stands for the
+/// recording in messages. Error: it is no such object, or describes no box that can be.
+RecordingHeader parse_recording_header(std::string_view json, const std::string& where);
+
+/// The motion of a sphere from a contact, or from the begin, on.
+struct RecordedPath {
+  Vec3 position;    ///< Centre at `time`, folded into the box [L].
+  Vec3 velocity;    ///< [L/T]
+  double time = 0;  ///< [T]
+
+  friend bool operator==(const RecordedPath&, const RecordedPath&) = default;
+};
+
+/// A collision or wall contact and the motion that it left.
+struct RecordedContact {
+  double time = 0;  ///< [T]
+  SphereId first = 0;
+  std::int32_t second = 0;  ///< The id of the other sphere, or -(face + 1) for a wall (see Face).
+  Vec3 first_position;      ///< Centre, folded into the box [L].
+  Vec3 first_velocity;      ///< [L/T]
+  Vec3 second_position;     ///< Zero for a wall.
+  Vec3 second_velocity;     ///< Zero for a wall.
+
+  bool is_collision() const { return second >= 0; }
+  /// Makes the paths of the contact's spheres those that it left. `paths`: by id.
+  void rewrite(std::vector<RecordedPath>& paths) const;
+  friend bool operator==(const RecordedContact&, const RecordedContact&) = default;
+};
+
+/// A stretch of a recording that can be shown by itself.
+struct RecordedChunk {
+  double begin = 0;                       ///< [T]
+  double end = 0;                         ///< [T]
+  std::vector<RecordedPath> keyframe;     ///< By id: the paths at `begin`, before any contact of the chunk.
+  std::vector<RecordedContact> contacts;  ///< In order.
+
+  /// By id: the paths after all contacts up to `time` [T]. Precondition: begin <= time <= end.
+  std::vector<RecordedPath> paths_at(double time) const;
+};
+
+/// The layout of the file, see docs/recording.md.
+namespace recording_format {
+inline constexpr std::string_view kMagic = "HBREC001";
+inline constexpr std::uint32_t kChunkMagic = 0x4b4e4843;
+inline constexpr std::uint64_t kLengthBytes = 4;  // of the length of the header's text
+inline constexpr std::uint64_t kSphereBytes = 2 * 8;
+inline constexpr std::uint64_t kChunkHeaderBytes = 4 + 4 + 8 + 2 * 8;
+inline constexpr std::uint64_t kPathBytes = 7 * 8;
+inline constexpr std::uint64_t kContactBytes = 8 + 2 * 4 + 12 * 8;
+
+/// Length of a chunk in bytes. Precondition: both counts are below 2^32.
+inline constexpr std::uint64_t chunk_bytes(std::uint64_t spheres, std::uint64_t contacts) {
+  return kChunkHeaderBytes + kPathBytes * spheres + kContactBytes * contacts;
+}
+}  // namespace recording_format
+
+}  // namespace hardball

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "hardball/io/output_file.hpp"
+#include "hardball/io/recording.hpp"
+#include "hardball/response/contact.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// Writes a recording: an observer that is told of every contact.
+///
+/// The file ends with a whole chunk whenever something has been written. A chunk is closed when it holds as
+/// many contacts as there are spheres, or 1000 if that is more, or 64 MB of them; at flush(); and at close().
+/// Contacts of one moment are never parted.
+/// Memory: 56 bytes for each sphere, and 112 for each contact of the chunk that is open.
+class RecordingWriter {
+ public:
+  /// Creates the file and records the spheres of `world`, whose number and box replace those of `header`.
+  /// Precondition: no contact has happened since header.begin, nor lies between the stored paths and it.
+  /// Error: the file cannot be opened for writing; a sphere has been removed from the world.
+  RecordingWriter(std::filesystem::path path, RecordingHeader header, const World& world);
+
+  /// Precondition: all contacts are noted, in order, and nothing else changes the motion: the world is not
+  /// edited. Error (RunFailure): the file cannot be written.
+  void note(const Contact& contact);
+
+  /// Closes the chunk and hands it to the operating system, so that readers see it. Contacts as late as the
+  /// last one stay for the next chunk, since others may follow at the same moment. Error (RunFailure): as for
+  /// note.
+  void flush();
+
+  /// Ends the recording at `time` [T], or at the last contact if that is later, and closes the file; does
+  /// nothing if it is closed. Error (RunFailure): as for note.
+  void close(double time);
+
+  /// Closes the file, if it is open, at the last contact noted, as far as that can be done; errors are not
+  /// told.
+  ~RecordingWriter();
+  RecordingWriter(RecordingWriter&&) noexcept = default;
+
+  const std::filesystem::path& path() const { return file_.path(); }
+  /// Length of the file if the chunk were closed as it is.
+  std::uint64_t bytes() const;
+  /// Length of a chunk without contacts.
+  std::uint64_t keyframe_bytes() const { return recording_format::chunk_bytes(keyframe_.size(), 0); }
+
+ private:
+  void write_chunk(std::size_t contacts, double end);
+
+  OutputFile file_;
+  std::uint64_t written_ = 0;
+  std::size_t most_contacts_;  // of a chunk, but for those of one moment
+  bool has_chunks_ = false;
+  double begin_;                           // of the chunk that is open
+  std::vector<RecordedPath> keyframe_;     // of the chunk that is open
+  std::vector<RecordedContact> contacts_;  // of the chunk that is open, so far
+};
+
+}  // namespace hardball

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// The viewer as a user starts it: what it prints, serves and leaves behind.
+#include <gtest/gtest.h>
+#include <httplib.h>
+
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "cli/program.hpp"
+#include "hardball/io/recording_reader.hpp"
+
+namespace hardball {
+namespace {
+
+using nlohmann::json;
+using support::Arguments;
+using support::Outcome;
+using support::Program;
+using support::read_text;
+using support::run_program;
+using support::ScratchFolder;
+using support::write_text;
+
+class View : public testing::Test {
+ protected:
+  View() {
+    write_text(folder_ / "gas.toml", support::kSmallGas);
+    std::filesystem::create_directory(folder_ / "temporary");
+  }
+  ~View() override {
+    if (program_) stop(SIGTERM);
+  }
+
+  // Starts the viewer and waits until it has printed its address.
+  void start(const Arguments& more) {
+    Arguments arguments{"TMPDIR=" + (folder_ / "temporary").string(), HARDBALL_PROGRAM, "view", "--no-open"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    program_.emplace(folder_, arguments, "/usr/bin/env");
+    std::string address;
+    for (int k = 0; k < 4000 && !address.ends_with('\n'); ++k) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      address = read_text(folder_ / "program.stdout");
+    }
+    ASSERT_TRUE(address.starts_with("http://127.0.0.1:")) << address;
+    const std::size_t query = address.find("/?token=");
+    ASSERT_EQ(address.size(), query + 8 + 32 + 1) << address;
+    server_ = address.substr(0, query);
+    token_ = address.substr(query + 2, 6 + 32);
+  }
+
+  Outcome stop(int signal) {
+    kill(program_->process(), signal);
+    const Outcome outcome = program_->wait();
+    program_.reset();
+    return outcome;
+  }
+
+  std::string get(const std::string& path) const {
+    httplib::Client client(server_);
+    const auto answer = client.Get(path + (path.find('?') == std::string::npos ? "?" : "&") + token_);
+    if (!answer || answer->status != 200) {
+      ADD_FAILURE() << path;
+      return "null";
+    }
+    return answer->body;
+  }
+
+  // The status when the run has ended.
+  json final_status() const {
+    for (;;) {
+      const json status = json::parse(get("/api/status"));
+      if (status.is_null() || status["finished"]) return status;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+
+  json run_json(const Arguments& more) const {
+    Arguments arguments{"run", "gas.toml", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return json::parse(run_program(folder_, arguments).output);
+  }
+
+  ScratchFolder folder_;
+  std::optional<Program> program_;
+  std::string server_;
+  std::string token_;
+};
+
+TEST_F(View, ShowsTheHistoryThatRunGoesThrough) {
+  const json summary = run_json({"--seed", "3", "--until", "40"});
+  start({"gas.toml", "--seed", "3", "--until", "40"});
+  const json status = final_status();
+  EXPECT_EQ(status["event_log_hash"], summary["event_log_hash"]);
+  EXPECT_EQ(status["collisions"], summary["events"]["collision"]);
+  EXPECT_EQ(status["walls"], summary["events"]["wall"]);
+  EXPECT_EQ(status["reached"], 40);
+  EXPECT_TRUE(status["failed"].is_null());
+  EXPECT_EQ(json::parse(get("/api/header"))["name"], "gas");
+  EXPECT_NE(get("/").find(token_), std::string::npos);
+  EXPECT_GT(get("/page.js").size(), 100'000U);
+  EXPECT_GT(get("/page.css").size(), 1000U);
+}
+
+class StoppedView : public View, public testing::WithParamInterface<int> {};
+
+TEST_P(StoppedView, EndsWellAndLeavesNothing) {
+  start({"gas.toml", "--until", "1e6", "--set", "spheres.0.count=300"});
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "temporary")) << "the recording has no name";
+  const Outcome outcome = stop(GetParam());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "temporary"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, StoppedView, testing::Values(SIGINT, SIGTERM));
+
+TEST_F(View, ShowsARunThatWasRecorded) {
+  const json summary = run_json({"--out", "out", "--set", "output.recording=true", "--until", "40"});
+  start({"out"});
+  const json status = final_status();
+  EXPECT_EQ(status["event_log_hash"], summary["event_log_hash"]);
+  EXPECT_EQ(status["collisions"], summary["events"]["collision"]);
+  EXPECT_EQ(status["walls"], summary["events"]["wall"]);
+  EXPECT_EQ(status["reached"], 40);
+  const RecordingReader reader(folder_ / "out/recording.hbr");
+  const FileExtent& last = reader.chunks().back().bytes;
+  EXPECT_TRUE(get("/api/chunk?number=" + std::to_string(reader.chunks().size() - 1)) ==
+              read_text(folder_ / "out/recording.hbr").substr(last.offset, last.length));
+}
+
+TEST_F(View, StopsTheRunAtTheLimitOfTheRecordingAndShowsIt) {
+  start({"gas.toml", "--until", "1e6", "--recording-limit", "6e6"});
+  const json status = final_status();
+  EXPECT_NE(status["failed"].get<std::string>().find("limit of 6000000 bytes"), std::string::npos);
+  EXPECT_GT(status["chunks"], 0);
+  EXPECT_GT(status["reached"], 0);
+  EXPECT_LT(status["reached"], 1e6);
+  std::string messages;
+  for (int k = 0; k < 4000 && messages.find("limit of 6000000 bytes") == std::string::npos; ++k) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    messages = read_text(folder_ / "program.stderr");
+  }
+  EXPECT_NE(messages.find("limit of 6000000 bytes"), std::string::npos) << messages;
+  EXPECT_EQ(stop(SIGINT).exit_code, 0);
+}
+
+TEST_F(View, NeedsARecordingInADirectory) {
+  run_json({"--out", "out"});
+  const Outcome outcome = run_program(folder_, {"view", "out", "--no-open"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.messages.find("recording = true"), std::string::npos) << outcome.messages;
+}
+
+TEST_F(View, RefusesWhatItCannotDo) {
+  run_json({"--out", "out", "--set", "output.recording=true"});
+  for (const Arguments& arguments :
+       {Arguments{"view", "gas.toml", "--port", "0"}, Arguments{"view", "gas.toml", "--port", "65536"},
+        Arguments{"view", "gas.toml", "--port", "http"},
+        Arguments{"view", "gas.toml", "--recording-limit", "-1"},
+        Arguments{"view", "gas.toml", "--recording-limit", "much"}, Arguments{"view", "out", "--until", "3"},
+        Arguments{"view", "out", "--seed", "3"}, Arguments{"view", "out", "--set", "run.seed=3"},
+        Arguments{"view", "missing.toml"}, Arguments{"view", "gas.toml", "--no-opne"},
+        Arguments{"replay", "gas.toml"}, Arguments{"replay", "gas.toml", "--out", "no/where.html"}}) {
+    const Outcome outcome = run_program(folder_, arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments.back() << outcome.messages;
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_TRUE(outcome.messages.starts_with("hardball: ")) << outcome.messages;
+  }
+}
+
+TEST_F(View, RefusesARecordingThatIsNone) {
+  std::filesystem::create_directory(folder_ / "out");
+  write_text(folder_ / "out/recording.hbr", "HBREC001 and then nonsense");
+  const Outcome outcome = run_program(folder_, {"view", "out", "--no-open"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.messages.find("recording.hbr"), std::string::npos) << outcome.messages;
+}
+
+TEST_F(View, ReplayIsOneFileWithTheWholeRecording) {
+  run_json({"--out", "out", "--set", "output.recording=true"});
+  ASSERT_EQ(run_program(folder_, {"replay", "out", "--out", "recorded.html"}).exit_code, 0);
+  ASSERT_EQ(run_program(folder_, {"replay", "gas.toml", "--out", "live.html"}).exit_code, 0);
+  const std::string recorded = read_text(folder_ / "recorded.html");
+  EXPECT_NE(recorded.find("id=\"recording\">SEJSRUMwMD"), std::string::npos) << "the begin in base 64";
+  EXPECT_GT(recorded.size(), std::filesystem::file_size(folder_ / "out/recording.hbr") * 4 / 3);
+  EXPECT_EQ(recorded.find("src=\"page.js\""), std::string::npos);
+  EXPECT_EQ(recorded.find("href=\"page.css\""), std::string::npos);
+  EXPECT_EQ(read_text(folder_ / "live.html").size(), recorded.size());
+}
+
+TEST_F(View, ReplayOfARunThatFailsShowsItAsFarAsItWent) {
+  write_text(folder_ / "collapse.toml",
+             "[box]\nsize = [20, 20, 20]\nboundary = ['wall', 'wall', 'wall']\n"
+             "[[spheres]]\nradius = 0.5\nspeed = 0\npositions = [[2, 10, 10]]\n"
+             "[[spheres]]\nradius = 0.5\npositions = [[5, 10, 10], [8, 10, 10]]\n"
+             "velocities = [[-1, 0, 0], [-2, 0, 0]]\n"
+             "[response]\nrestitution = 0.01\n[run]\nuntil = 1e9\n");
+  const Outcome outcome = run_program(folder_, {"replay", "collapse.toml", "--out", "collapse.html"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.messages.find("collapse.html shows it as far as that"), std::string::npos)
+      << outcome.messages;
+  EXPECT_NE(read_text(folder_ / "collapse.html").find("id=\"recording\">SEJSRUMwMD"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hardball

@@ -1,0 +1,407 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/io/recording.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/io/recording_reader.hpp"
+#include "hardball/io/recording_writer.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "support/gas.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace hardball {
+namespace {
+
+using support::Gas;
+using support::make_gas;
+using support::read_text;
+using support::ScratchFolder;
+using support::write_text;
+
+World make_mixture() {
+  World world(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {10, 8, 1}));
+  world.add({.position = {2, 1, 0}, .velocity = {1, 0.5, 0.25}, .radius = 0.5, .mass = 2});
+  world.add({.position = {5, 1, 0.1}, .velocity = {-1, 0, 0.125}, .radius = 0.75, .mass = 3});
+  world.add({.position = {8, 7, 0}, .velocity = {-2, 1, 0}, .radius = 0.25, .mass = 1});
+  return world;
+}
+
+Contact contact_at_time(double time) {
+  Contact contact;
+  contact.time = Time(time);
+  contact.first = 0;
+  contact.second = 1;
+  return contact;
+}
+
+// Runs to `until` and records all of it.
+Simulation record(const std::filesystem::path& path, World world, double until) {
+  Simulation simulation(std::move(world));
+  RecordingWriter writer(path, {.until = until, .name = "test"}, simulation.world());
+  simulation.on_contact([&](const Contact& contact) { writer.note(contact); });
+  simulation.run_until(until);
+  writer.close(until);
+  simulation.on_contact({});
+  return simulation;
+}
+
+RecordedPath stored_path(const World& world, SphereId id) {
+  const Path& path = world.path(world.slot_of(id));
+  return {path.position, path.velocity, path.time.value()};
+}
+
+TEST(Recording, TellsTheHeaderAndTheSpheres) {
+  const ScratchFolder folder;
+  const World world = make_mixture();
+  const RecordingHeader header{.begin = 0.5,
+                               .until = 2.25,
+                               .cell_edge = {1, 2, 3},
+                               .cell_origin = {-1, 0, 1},
+                               .name = "a \"name\"\n \\ of \xc3\xa4",
+                               .restitution = 0.9};
+  RecordingWriter(folder / "recording.hbr", header, world).close(1);
+  const RecordingReader reader(folder / "recording.hbr");
+  EXPECT_EQ(reader.header().spheres, 3U);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    EXPECT_EQ(reader.header().box.boundary(axis), world.box().boundary(axis));
+    EXPECT_EQ(reader.header().box.size()[axis], world.box().size()[axis]);
+  }
+  EXPECT_EQ(reader.header().begin, header.begin);
+  EXPECT_EQ(reader.header().until, header.until);
+  EXPECT_EQ(reader.header().cell_edge, header.cell_edge);
+  EXPECT_EQ(reader.header().cell_origin, header.cell_origin);
+  EXPECT_EQ(reader.header().name, header.name);
+  EXPECT_EQ(reader.header().restitution, header.restitution);
+  EXPECT_EQ(reader.radii(), (std::vector<double>{0.5, 0.75, 0.25}));
+  EXPECT_EQ(reader.masses(), (std::vector<double>{2, 3, 1}));
+  const nlohmann::json json = nlohmann::json::parse(reader.header_text());
+  EXPECT_EQ(json["name"], header.name);
+  EXPECT_EQ(json["box"]["boundary"], nlohmann::json::parse(R"(["wall", "periodic", "open"])"));
+  EXPECT_EQ(json["box"]["size"], nlohmann::json::parse("[10, 8, 0]"));
+  EXPECT_EQ(reader.spheres().offset % 8, 0U);
+}
+
+TEST(Recording, AnEndThatIsNotKnownIsNull) {
+  EXPECT_TRUE(nlohmann::json::parse(to_json({}))["until"].is_null());
+  EXPECT_EQ(parse_recording_header(to_json({}), "test").until, std::nullopt);
+}
+
+TEST(Recording, HoldsEveryContactInOrder) {
+  const ScratchFolder folder;
+  Simulation simulation(make_mixture());
+  std::vector<Contact> told;
+  {
+    RecordingWriter writer(folder / "recording.hbr", {}, simulation.world());
+    simulation.on_contact([&](const Contact& contact) {
+      writer.note(contact);
+      told.push_back(contact);
+    });
+    simulation.run_until(40);
+    writer.close(40);
+  }
+  RecordingReader reader(folder / "recording.hbr");
+  ASSERT_EQ(reader.chunks().size(), 1U);
+  EXPECT_EQ(reader.reached(), 40);
+  const RecordedChunk chunk = reader.read(0);
+  ASSERT_EQ(chunk.contacts.size(), told.size());
+  bool has_collision = false;
+  bool has_wall = false;
+  for (std::size_t k = 0; k < told.size(); ++k) {
+    const RecordedContact& recorded = chunk.contacts[k];
+    EXPECT_EQ(recorded.time, told[k].time.value());
+    EXPECT_EQ(recorded.first, told[k].first);
+    EXPECT_EQ(recorded.is_collision(), told[k].is_collision());
+    EXPECT_EQ(recorded.first_position, told[k].position);
+    EXPECT_EQ(recorded.first_velocity, told[k].after.first);
+    if (recorded.is_collision()) {
+      EXPECT_EQ(recorded.second, static_cast<std::int32_t>(told[k].second));
+      EXPECT_EQ(recorded.second_position, told[k].second_position);
+      EXPECT_EQ(recorded.second_velocity, told[k].after.second);
+      has_collision = true;
+    } else {
+      EXPECT_EQ(recorded.second, -static_cast<std::int32_t>(told[k].second) - 1);
+      EXPECT_EQ(recorded.second_position, Vec3{});
+      EXPECT_EQ(recorded.second_velocity, Vec3{});
+      has_wall = true;
+    }
+  }
+  EXPECT_TRUE(has_collision && has_wall);
+}
+
+TEST(Recording, ItsPathsAreTheStoredPathsBitForBit) {
+  const ScratchFolder folder;
+  const Simulation simulation =
+      record(folder / "recording.hbr", make_gas({.count = 200, .packing_fraction = 0.3}), 5);
+  RecordingReader reader(folder / "recording.hbr");
+  ASSERT_GT(reader.chunks().size(), 2U);
+  const std::vector<RecordedPath> paths = reader.read(reader.chunks().size() - 1).paths_at(5);
+  for (SphereId id = 0; id < simulation.size(); ++id) {
+    EXPECT_EQ(paths[id], stored_path(simulation.world(), id)) << id;
+  }
+}
+
+TEST(Recording, EachKeyframeIsWhatTheChunkBeforeLeads) {
+  const ScratchFolder folder;
+  record(folder / "recording.hbr", make_gas({.count = 200, .packing_fraction = 0.3}), 5);
+  RecordingReader reader(folder / "recording.hbr");
+  for (std::size_t chunk = 1; chunk < reader.chunks().size(); ++chunk) {
+    const RecordedChunk before = reader.read(chunk - 1);
+    EXPECT_EQ(reader.read(chunk).keyframe, before.paths_at(before.end)) << chunk;
+  }
+}
+
+// The recording drops the low part of a time t, up to 2^-53 t: at each end of a path, a sphere is misplaced
+// by no more than it flies meanwhile, and by the rounding of its place.
+TEST(Recording, CentresAreThoseOfTheSimulation) {
+  const ScratchFolder folder;
+  constexpr double kMoment = 4.75;
+  constexpr double kHalfUlp = std::numeric_limits<double>::epsilon() / 2;
+  const Simulation simulation =
+      record(folder / "recording.hbr", make_gas({.count = 200, .packing_fraction = 0.3}), kMoment);
+  RecordingReader reader(folder / "recording.hbr");
+  const std::vector<RecordedPath> paths = reader.read(reader.chunks().size() - 1).paths_at(kMoment);
+  const std::vector<Vec3> centers = simulation.positions();
+  const Vec3 size = simulation.world().box().size();
+  for (SphereId id = 0; id < simulation.size(); ++id) {
+    Vec3 center = paths[id].position + (kMoment - paths[id].time) * paths[id].velocity;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      center[axis] -= size[axis] * std::floor(center[axis] / size[axis]);
+      const double flown = kHalfUlp * kMoment * std::fabs(paths[id].velocity[axis]);
+      EXPECT_NEAR(center[axis], centers[id][axis], 2 * flown + 4 * kHalfUlp * size[axis]) << id;
+    }
+  }
+}
+
+TEST(Recording, DoesNotAlterTheMotion) {
+  const ScratchFolder folder;
+  const World world = make_gas({.count = 100, .packing_fraction = 0.2});
+  Simulation alone(world);
+  alone.run_until(5);
+  EXPECT_EQ(record(folder / "recording.hbr", world, 5).event_log_hash(), alone.event_log_hash());
+}
+
+TEST(Recording, ContactsOfOneMomentAreNotParted) {
+  const ScratchFolder folder;
+  {
+    RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
+    for (int k = 0; k < 1500; ++k) writer.note(contact_at_time(1));
+    for (int k = 0; k < 10; ++k) writer.note(contact_at_time(2));
+    writer.close(3);
+  }
+  const RecordingReader reader(folder / "recording.hbr");
+  ASSERT_EQ(reader.chunks().size(), 2U);
+  EXPECT_EQ(reader.chunks()[0].contacts, 1500U);
+  EXPECT_EQ(reader.chunks()[0].end, 1);
+  EXPECT_EQ(reader.chunks()[1].begin, 1);
+  EXPECT_EQ(reader.chunks()[1].contacts, 10U);
+  EXPECT_EQ(reader.chunks()[1].end, 3);
+}
+
+TEST(Recording, FlushLetsReadersSeeWhatIsSurelyPast) {
+  const ScratchFolder folder;
+  RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
+  RecordingReader reader(folder / "recording.hbr");
+  EXPECT_TRUE(reader.chunks().empty());
+  EXPECT_EQ(reader.reached(), 0);
+  for (const double time : {1.0, 2.0, 3.0, 3.0}) writer.note(contact_at_time(time));
+  reader.refresh();
+  EXPECT_TRUE(reader.chunks().empty());
+  writer.flush();
+  reader.refresh();
+  ASSERT_EQ(reader.chunks().size(), 1U);
+  EXPECT_EQ(reader.chunks()[0].contacts, 2U);
+  EXPECT_EQ(reader.reached(), 2);
+  writer.flush();
+  reader.refresh();
+  EXPECT_EQ(reader.chunks().size(), 1U);
+  writer.note(contact_at_time(3));
+  writer.close(3.5);
+  reader.refresh();
+  ASSERT_EQ(reader.chunks().size(), 2U);
+  EXPECT_EQ(reader.chunks()[1].contacts, 3U);
+  EXPECT_EQ(reader.reached(), 3.5);
+  EXPECT_EQ(reader.length(), std::filesystem::file_size(folder / "recording.hbr"));
+}
+
+TEST(Recording, ForetellsItsLength) {
+  const ScratchFolder folder;
+  RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
+  for (const double time : {1.0, 2.0, 3.0}) writer.note(contact_at_time(time));
+  const std::uint64_t bytes = writer.bytes();
+  writer.close(4);
+  EXPECT_EQ(std::filesystem::file_size(folder / "recording.hbr"), bytes);
+}
+
+TEST(Recording, WhatWasNotClosedEndsAtTheLastContact) {
+  const ScratchFolder folder;
+  {
+    RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
+    for (const double time : {1.0, 2.0, 3.0}) writer.note(contact_at_time(time));
+  }
+  const RecordingReader reader(folder / "recording.hbr");
+  EXPECT_EQ(reader.reached(), 3);
+}
+
+TEST(Recording, ARunWithoutContactsHasOneChunk) {
+  const ScratchFolder folder;
+  RecordingWriter(folder / "recording.hbr", {}, World()).close(0);
+  RecordingReader reader(folder / "recording.hbr");
+  ASSERT_EQ(reader.chunks().size(), 1U);
+  EXPECT_TRUE(reader.read(0).keyframe.empty());
+  EXPECT_THROW(reader.read(1), Error);
+}
+
+TEST(Recording, NeedsIdsWithoutGaps) {
+  const ScratchFolder folder;
+  World world = make_mixture();
+  world.remove(1);
+  EXPECT_THROW(RecordingWriter(folder / "recording.hbr", {}, world), Error);
+}
+
+// A file of three spheres in two chunks.
+std::string small_recording(const ScratchFolder& folder) {
+  Simulation simulation(make_mixture());
+  RecordingWriter writer(folder / "small.hbr", {.until = 30, .name = "small"}, simulation.world());
+  simulation.on_contact([&](const Contact& contact) { writer.note(contact); });
+  simulation.run_until(2);
+  writer.flush();
+  simulation.run_until(4);
+  writer.close(4);
+  return read_text(folder / "small.hbr");
+}
+
+// Reads all that the bytes hold; false if an Error refuses them.
+bool is_read(const ScratchFolder& folder, const std::string& bytes) {
+  write_text(folder / "tried.hbr", bytes);
+  try {
+    RecordingReader reader(folder / "tried.hbr");
+    for (std::size_t chunk = 0; chunk < reader.chunks().size(); ++chunk) {
+      const RecordedChunk recorded = reader.read(chunk);
+      EXPECT_EQ(recorded.keyframe.size(), reader.header().spheres);
+      recorded.paths_at(recorded.end);
+    }
+    EXPECT_LE(reader.length(), bytes.size());
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+TEST(Recording, CutAnywhereItShowsTheChunksThatAreWhole) {
+  const ScratchFolder folder;
+  const std::string bytes = small_recording(folder);
+  const RecordingReader whole(folder / "small.hbr");
+  ASSERT_EQ(whole.chunks().size(), 2U);
+  const std::uint64_t first_chunk = whole.chunks()[0].bytes.offset;
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    ASSERT_EQ(is_read(folder, bytes.substr(0, length)), length >= first_chunk) << length;
+    if (length < first_chunk) continue;
+    const RecordingReader cut(folder / "tried.hbr");
+    ASSERT_EQ(cut.chunks().size(), length < whole.chunks()[1].bytes.offset ? 0U : 1U) << length;
+  }
+}
+
+TEST(Recording, WhateverItHoldsIsReadOrRefused) {
+  const ScratchFolder folder;
+  const std::string bytes = small_recording(folder);
+  std::size_t refused = 0;
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    for (const unsigned flip : {0x01U, 0xffU}) {
+      std::string flipped = bytes;
+      flipped[at] = static_cast<char>(static_cast<unsigned char>(flipped[at]) ^ flip);
+      if (!is_read(folder, flipped)) ++refused;
+    }
+  }
+  EXPECT_GT(refused, 0U);
+}
+
+TEST(Recording, RefusesWhatNoRunCanLeadTo) {
+  const ScratchFolder folder;
+  const std::string bytes = small_recording(folder);
+  const RecordingReader whole(folder / "small.hbr");
+  const std::size_t chunk = whole.chunks()[0].bytes.offset;
+  const std::size_t contact = bytes.size() - recording_format::kContactBytes;
+  const auto with = [&](std::size_t at, const std::string& replacement) {
+    std::string changed = bytes;
+    changed.replace(at, replacement.size(), replacement);
+    return changed;
+  };
+  const std::string nan = "\xff\xff\xff\xff\xff\xff\xff\xff";
+  ASSERT_TRUE(is_read(folder, bytes));
+  EXPECT_FALSE(is_read(folder, with(0, "HBREC002")));
+  EXPECT_FALSE(is_read(folder, with(8, "\xff\xff\xff\xff")));
+  EXPECT_FALSE(is_read(folder, with(whole.spheres().offset, nan)));
+  EXPECT_FALSE(is_read(folder, with(chunk, "CHUM")));
+  EXPECT_FALSE(is_read(folder, with(chunk + 4, "\xff\xff\xff\xff")));
+  EXPECT_FALSE(is_read(folder, with(chunk + 8, nan)));
+  EXPECT_FALSE(is_read(folder, with(chunk + 16, nan)));
+  EXPECT_FALSE(is_read(folder, with(chunk + 24, nan)));
+  EXPECT_FALSE(is_read(folder, with(chunk + 32, nan))) << "position";
+  EXPECT_FALSE(is_read(folder, with(chunk + 32 + 48, nan))) << "begin of a path";
+  EXPECT_FALSE(is_read(folder, with(contact, nan))) << "time";
+  EXPECT_FALSE(is_read(folder, with(contact, std::string(8, '\0')))) << "time";
+  EXPECT_FALSE(is_read(folder, with(contact + 8, std::string("\x03\x00\x00\x00", 4)))) << "first";
+  EXPECT_FALSE(is_read(folder, with(contact + 12, std::string("\x03\x00\x00\x00", 4)))) << "second";
+  EXPECT_FALSE(is_read(folder, with(contact + 12, "\xf9\xff\xff\xff"))) << "face";
+  EXPECT_FALSE(is_read(folder, with(contact + 16, nan))) << "position";
+}
+
+// Its header says more than any memory holds.
+TEST(Recording, AsksForNoMoreMemoryThanTheFileJustifies) {
+  const ScratchFolder folder;
+  const std::string json =
+      R"({"spheres": 4000000000, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}})";
+  const std::string length{static_cast<char>(json.size()), '\0', '\0', '\0'};
+  EXPECT_FALSE(is_read(folder, "HBREC001" + length + json + std::string(1000, '\0')));
+}
+
+TEST(Recording, HeadersWithoutSenseAreRefused) {
+  const std::string box = R"("box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
+  EXPECT_EQ(parse_recording_header(R"({"more": {"a": [1, {}, null, "x"]}, "spheres": 2, )" + box + "} ", "x")
+                .spheres,
+            2U);
+  const std::vector<std::string> nonsense{
+      "",
+      "{",
+      "[]",
+      "{}",
+      R"({"spheres": 2})",
+      "{" + box + "}",
+      R"({"spheres": -1, )" + box + "}",
+      R"({"spheres": 1.5, )" + box + "}",
+      R"({"spheres": 1e300, )" + box + "}",
+      R"({"spheres": nan, )" + box + "}",
+      R"({"spheres": "2", )" + box + "}",
+      R"({"spheres": 2, )" + box + "} more",
+      R"({"spheres": 2, "name": "x)",
+      R"({"spheres": 2, "name": "\u12)",
+      R"({"spheres": 2, "name": "\ux000", )" + box + "}",
+      R"({"spheres": 2, "cell_edge": [1, 2], )" + box + "}",
+      R"({"spheres": 2, "cell_edge": [1, 2, 3, 4], )" + box + "}",
+      R"({"spheres": 2, "box": {"size": [0, 1, 1], "boundary": ["wall", "wall", "wall"]}})",
+      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall"]}})",
+      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall", "wall"]}})",
+      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "door"]}})",
+      R"({"deep": )" + std::string(100000, '['),
+  };
+  for (const std::string& json : nonsense) {
+    EXPECT_THROW(parse_recording_header(json, "test"), Error) << json.substr(0, 80);
+  }
+}
+
+TEST(Recording, NoFileAndDirectoriesAreRefused) {
+  const ScratchFolder folder;
+  EXPECT_THROW(RecordingReader(folder / "missing.hbr"), Error);
+  EXPECT_THROW(RecordingReader(folder.path()), Error);
+}
+
+}  // namespace
+}  // namespace hardball

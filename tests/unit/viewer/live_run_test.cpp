@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/viewer/live_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "apps/viewer/recorded_progress.hpp"
+#include "hardball/errors/error.hpp"
+#include "support/scratch_folder.hpp"
+#include "unit/viewer/small_run.hpp"
+
+namespace hardball::viewer {
+namespace {
+
+using support::make_gas;
+using support::read_text;
+using support::ScratchFolder;
+using support::write_text;
+
+const World kGas = make_gas({.count = 100, .packing_fraction = 0.2, .boundary = Boundary::wall});
+
+TEST(LiveRun, GoesThroughTheHistoryOfTheRunAlone) {
+  const ScratchFolder folder;
+  Simulation alone(kGas);
+  alone.run_until(20);
+  const SmallRun run(folder / "live.hbr", kGas, 20);
+  const RunProgress progress = run.finished();
+  EXPECT_EQ(progress.failure, std::nullopt);
+  EXPECT_EQ(progress.hash, alone.event_log_hash());
+  EXPECT_EQ(progress.collisions, alone.counters().collision);
+  EXPECT_EQ(progress.walls, alone.counters().wall);
+  const nlohmann::json status = nlohmann::json::parse(run.recording().status_json(0));
+  EXPECT_EQ(status["reached"], 20);
+  EXPECT_EQ(status["chunk_ends"].size(), status["chunks"]);
+}
+
+// Only the times at which chunks were closed may differ.
+TEST(LiveRun, RecordsWhatAnyOtherRunRecords) {
+  const ScratchFolder folder;
+  record(folder / "plain.hbr", kGas, 20);
+  { SmallRun(folder / "live.hbr", kGas, 20).finished(); }
+  const auto contacts_in = [](const std::filesystem::path& path) {
+    std::vector<RecordedContact> contacts;
+    RecordingReader reader(path);
+    for (std::size_t k = 0; k < reader.chunks().size(); ++k) {
+      const RecordedChunk chunk = reader.read(k);
+      contacts.insert(contacts.end(), chunk.contacts.begin(), chunk.contacts.end());
+    }
+    return contacts;
+  };
+  EXPECT_TRUE(contacts_in(folder / "live.hbr") == contacts_in(folder / "plain.hbr"));
+}
+
+TEST(LiveRun, EndsWhenNobodyWantsItAnyMore) {
+  const ScratchFolder folder;
+  { const SmallRun run(folder / "live.hbr", kGas, 1e9); }
+  const RecordingReader reader(folder / "live.hbr");
+  EXPECT_LT(reader.reached(), 1e9);
+  EXPECT_EQ(reader.length(), std::filesystem::file_size(folder / "live.hbr"));
+}
+
+TEST(LiveRun, KeepsToTheLimitOfItsRecording) {
+  const ScratchFolder folder;
+  constexpr std::uint64_t kLimit = 12'000'000;
+  const SmallRun run(folder / "live.hbr", kGas, 1e9, kLimit);
+  const RunProgress progress = run.finished();
+  ASSERT_TRUE(progress.failure);
+  EXPECT_NE(progress.failure->find("limit of 12000000 bytes"), std::string::npos) << *progress.failure;
+  EXPECT_LE(std::filesystem::file_size(folder / "live.hbr"), kLimit);
+  EXPECT_GE(std::filesystem::file_size(folder / "live.hbr"), kLimit / 2);
+  EXPECT_EQ(run.recording().length(), std::filesystem::file_size(folder / "live.hbr"));
+}
+
+TEST(LiveRun, TellsWhyItFailed) {
+  const ScratchFolder folder;
+  Simulation simulation(kGas);
+  RecordingWriter writer(folder / "live.hbr", {}, simulation.world());
+  simulation.respond_with([](const Contact& contact) -> Velocities {
+    if (contact.time.value() > 1) throw RunFailure("nothing goes on for ever");
+    return Restitution(1)(contact);
+  });
+  SharedRecording recording(folder / "live.hbr");
+  const LiveRun run(std::move(simulation), std::move(writer), recording, 20, kNoLimit);
+  while (!recording.progress().is_finished) std::this_thread::yield();
+  ASSERT_TRUE(recording.progress().failure);
+  EXPECT_TRUE(recording.progress().failure->starts_with("nothing goes on for ever; the run reached time "));
+  const RecordingReader reader(folder / "live.hbr");
+  EXPECT_GT(reader.reached(), 0.9);
+  EXPECT_LE(reader.reached(), 1);
+}
+
+TEST(RecordedProgress, IsThatOfTheRunAndItsSummary) {
+  const ScratchFolder folder;
+  Simulation alone(kGas);
+  alone.run_until(5);
+  record(folder / "recording.hbr", kGas, 5);
+  const auto progress = [&] { return recorded_progress(folder / "recording.hbr", folder / "summary.json"); };
+  EXPECT_TRUE(progress().is_finished);
+  EXPECT_EQ(progress().collisions, alone.counters().collision);
+  EXPECT_EQ(progress().walls, alone.counters().wall);
+  EXPECT_EQ(progress().hash, std::nullopt);
+  EXPECT_EQ(progress().rate, 0);
+  write_text(folder / "summary.json",
+             R"({"event_log_hash": "00000000000000ff", "seconds": {"setup": 1, "run": 0.5}})");
+  EXPECT_EQ(progress().hash, 255U);
+  EXPECT_EQ(progress().rate, 2.0 * static_cast<double>(alone.counters().contacts()));
+  for (const std::string nonsense : {"", "{", "[]", "{\"event_log_hash\": 7, \"seconds\": []}",
+                                     "{\"event_log_hash\": \"xyz\", \"seconds\": {\"run\": \"long\"}}"}) {
+    write_text(folder / "summary.json", nonsense);
+    EXPECT_EQ(progress().hash, std::nullopt) << nonsense;
+    EXPECT_EQ(progress().rate, 0) << nonsense;
+  }
+}
+
+}  // namespace
+}  // namespace hardball::viewer

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <thread>
+
+#include "apps/viewer/live_run.hpp"
+#include "apps/viewer/page.hpp"
+#include "apps/viewer/shared_recording.hpp"
+#include "hardball/io/little_endian.hpp"
+#include "hardball/io/recording_reader.hpp"
+#include "hardball/io/recording_writer.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "support/gas.hpp"
+
+/// A page and runs small enough for tests of what shows them.
+namespace hardball::viewer {
+
+inline constexpr Page kSmallPage{
+    "<html><head><link rel=\"stylesheet\" href=\"page.css\"></head>"
+    "<body><script src=\"page.js\"></script></body></html>",
+    "body { margin: 0 }", "const tags = '</script><!--';"};
+
+inline constexpr std::uint64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
+
+/// Writes a whole recording. Returns the hash of the run's event log.
+inline std::uint64_t record(const std::filesystem::path& path, World world, double until) {
+  Simulation simulation(std::move(world));
+  RecordingWriter writer(path, {.until = until, .name = "gas"}, simulation.world());
+  simulation.on_contact([&](const Contact& contact) { writer.note(contact); });
+  simulation.run_until(until);
+  writer.close(until);
+  return simulation.event_log_hash();
+}
+
+/// Writes a recording longer than a replay may be, of which hardly anything takes room on the disk.
+inline void make_huge_recording(const std::filesystem::path& path) {
+  constexpr std::uint32_t kContacts = 2'000'000;
+  record(path, support::make_gas({.count = 2, .packing_fraction = 0.01}), 0);
+  const std::uint64_t chunk = RecordingReader(path).chunks().at(0).bytes.offset;
+  const std::uint64_t length = recording_format::chunk_bytes(2, kContacts);
+  std::string counts;
+  append_little_endian(counts, kContacts);
+  append_little_endian(counts, length);
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(static_cast<std::streamoff>(chunk + 4));
+  file << counts;
+  file.close();
+  std::filesystem::resize_file(path, chunk + length);
+}
+
+/// A live run and its recording.
+class SmallRun {
+ public:
+  SmallRun(const std::filesystem::path& path, World world, double until, std::uint64_t most_bytes = kNoLimit)
+      : SmallRun(path, Simulation(std::move(world)), until, most_bytes) {}
+
+  const SharedRecording& recording() const { return recording_; }
+
+  /// How it ended. Waits for that.
+  RunProgress finished() const {
+    while (!recording_.progress().is_finished) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return recording_.progress();
+  }
+
+ private:
+  SmallRun(const std::filesystem::path& path, Simulation simulation, double until, std::uint64_t most_bytes)
+      : writer_(path, {.until = until, .name = "gas"}, simulation.world()),
+        recording_(path),
+        run_(std::move(simulation), std::move(writer_), recording_, until, most_bytes) {}
+
+  RecordingWriter writer_;  // until the run has it
+  SharedRecording recording_;
+  LiveRun run_;
+};
+
+}  // namespace hardball::viewer

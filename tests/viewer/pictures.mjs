@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Makes the pictures of the viewer in docs/figures: HARDBALL_PROGRAM=build/release/hardball node pictures.mjs [NAME...]
+// Needs pngquant besides what the tests need.
+import { execFileSync } from 'node:child_process';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { Browser } from './support/browser.mjs';
+import { run, view, withFolder } from './support/program.mjs';
+
+const kRoot = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
+
+const kPictures = {
+  // The experiment of the paper.
+  viewer_paper: {
+    scenario: 'paper.toml',
+    settings: ['--until', '4'],
+    scheme: 'light',
+    async prepare(page) {
+      await page.evaluate(() => window.hardball.setTime(3));
+    },
+  },
+  // Spheres that fill 54.5% of a periodic box stay on the sites of their crystal.
+  viewer_crystal: {
+    scenario: 'dense_gas.toml',
+    settings: ['--until', '1', '--set', 'box.size=[15.66,15.66,15.66]'],
+    scheme: 'dark',
+    async prepare(page) {
+      await page.selectOption('#color-by', 'last contact');
+      await page.evaluate(() => window.hardball.setTime(0.8));
+    },
+  },
+  // A gas that loses energy in each collision does not stay even: its spheres gather in clusters.
+  viewer_cluster: {
+    scenario: 'granular_gas.toml',
+    settings: [
+      ...['--until', '900', '--set', 'response.restitution=0.7'],
+      ...['--set', 'spheres.0.count=8000', '--set', 'box.size=[60,60,12]'],
+    ],
+    scheme: 'light',
+    async prepare(page) {
+      await page.evaluate(() => window.hardball.setTime(900));
+    },
+  },
+  // The cells of the paper, as a sphere enters and leaves them.
+  viewer_cells: {
+    scenario: 'paper.toml',
+    settings: ['--until', '4'],
+    scheme: 'dark',
+    async prepare(page) {
+      await page.evaluate(() => window.hardball.setTime(2));
+      await page.check('#show-cells');
+      await page.evaluate(() => window.hardball.setTime(2.15));
+    },
+  },
+};
+
+const wanted = process.argv.slice(2);
+const browser = await Browser.launch();
+for (const [name, { scenario, settings, scheme, prepare }] of Object.entries(kPictures)) {
+  if (wanted.length > 0 && !wanted.includes(name)) continue;
+  await withFolder(async (folder) => {
+    const path = join(kRoot, 'scenarios', scenario);
+    await run('run', path, '--out', folder, '--quiet', '--set', 'output.recording=true', ...settings);
+    const program = await view(folder);
+    const page = await browser.open(program.url, { width: 1280, height: 780, scheme });
+    await prepare(page);
+    await page.waitForFunction(() => {
+      const { chunks, chunksInMemory, isBuffering } = window.hardball.state();
+      return !isBuffering && chunksInMemory === chunks;
+    });
+    // Plots follow in their own time.
+    await page.waitForTimeout(1500);
+    const file = join(kRoot, 'docs', 'figures', `${name}.png`);
+    await page.screenshot({ path: file });
+    execFileSync('pngquant', ['--force', '--strip', '--ext', '.png', '200', file]);
+    await program.stop();
+  });
+}
+await browser.close();
