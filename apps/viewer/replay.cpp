@@ -40,7 +40,7 @@ std::uint64_t Replay::length() const {
 }
 
 std::string Replay::piece(std::uint64_t offset) const {
-  constexpr std::uint64_t kPieceBytes = 3 << 16;
+  constexpr std::uint64_t kPieceBytes = 3 << 14;
   if (offset < page_.head.size()) return page_.head.substr(offset);
   const std::uint64_t character = offset - page_.head.size();
   const std::uint64_t byte = character / 4 * 3;

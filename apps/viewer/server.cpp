@@ -26,7 +26,7 @@ constexpr const char* kHost = "127.0.0.1";
 // among them.
 constexpr std::size_t kThreads = 64;
 
-constexpr std::size_t kPieceBytes = 1 << 18;
+constexpr std::size_t kPieceBytes = 1 << 16;
 
 constexpr int kBadRequest = 400;
 constexpr int kForbidden = 403;
