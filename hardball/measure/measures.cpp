@@ -101,7 +101,7 @@ void Measures::begin(Entry<Measure>& entry, const World& world, const Time& now,
   } else {
     entry.measure.emplace(world, now);
     if constexpr (Samples<Measure>) {
-      const double cost = kFixedCost + Measure::kCostPerSphere * static_cast<double>(world.size());
+      const double cost = kFixedCost + entry.measure->sample_cost();
       entry.cadence =
           settings_.every ? Cadence(now, *settings_.every) : Cadence(now, pace.free_time, cost, pace);
     }
