@@ -5,25 +5,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/kinetic_theory.hpp"
 
 namespace hardball {
 
 Pace expected_pace(const World& world, const Time& now) {
-  constexpr double kAnyContactCost = 3000;
+  // What a fast engine takes with spheres that the caches hold; samples are to be cheap beside that, too.
+  constexpr double kContactCost = 1000;
   const Moments moments = moments_of(world, now);
   // Nothing moves, or there is nothing: time has no measure, and the first doublings of the interval find
   // one.
-  if (!(moments.mean_speed > 0)) return {1, 0, kAnyContactCost};
+  if (!(moments.mean_speed > 0)) return {1, 0, kContactCost};
   const double crossing =
       std::max({moments.extent.x, moments.extent.y, moments.extent.z}) / moments.mean_speed;
   const double free_time = mean_free_time(moments);
   const auto spheres = static_cast<double>(world.size());
   const double contacts = spheres * (0.5 / free_time + wall_rate(moments));
-  const double cost = spheres * cost_rate(expected_counts(moments, optimal_cell_edge(moments)), UnitCosts{});
-  const double contact_cost = cost / contacts;
-  return {std::min(free_time, crossing), cost, std::isfinite(contact_cost) ? contact_cost : kAnyContactCost};
+  return {std::min(free_time, crossing), contacts * kContactCost, kContactCost};
 }
 
 double power_of_two_from(double length) {

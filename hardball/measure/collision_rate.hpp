@@ -20,13 +20,13 @@ namespace hardball {
 class CollisionRate {
  public:
   static constexpr std::string_view kName = "collision_rate";
-  /// What a sample costs for each sphere [ns].
-  static constexpr double kCostPerSphere = 8;
 
   CollisionRate(const World& world, const Time& now);
 
   /// Cost: O(1).
   void note(const Contact& contact);
+  /// What a sample costs [ns].
+  double sample_cost() const { return 8 * spheres_; }
   /// Looks at the speeds, from which the free path follows. Cost: O(n).
   void sample(const World& world, const Time& now);
   /// What was found up to `now`.

@@ -31,16 +31,6 @@ concept FollowsSpheres = requires {
   Measure::kCostPerSphereFollowed;
 };
 
-// What a sample costs [ns]: the same for each sphere, or as the measure reckons.
-template <class Measure>
-double sample_cost(const Measure& measure, const World& world) {
-  if constexpr (requires { measure.sample_cost(); }) {
-    return kFixedCost + measure.sample_cost();
-  } else {
-    return kFixedCost + Measure::kCostPerSphere * static_cast<double>(world.size());
-  }
-}
-
 // How many spheres a measure may follow at samples an interval apart. Fewer tell too little.
 std::size_t affordable_spheres(double cost_per_sphere, double interval, const Pace& pace) {
   constexpr double kFewest = 250;
@@ -111,7 +101,7 @@ void Measures::begin(Entry<Measure>& entry, const World& world, const Time& now,
   } else {
     entry.measure.emplace(world, now);
     if constexpr (Samples<Measure>) {
-      const double cost = sample_cost(*entry.measure, world);
+      const double cost = kFixedCost + entry.measure->sample_cost();
       entry.cadence =
           settings_.every ? Cadence(now, *settings_.every) : Cadence(now, pace.free_time, cost, pace);
     }

@@ -27,6 +27,7 @@ Temperature::Temperature(const World& world, const Time& now)
     : species_(world),
       masses_(species_.size()),
       box_(world.box()),
+      spheres_(static_cast<double>(world.size())),
       begin_(now),
       average_(kOfSpecies + species_.size()) {
   world.for_each_by_id([&](Slot slot) { masses_[species_.of(world.id(slot))] += world.mass(slot); });
@@ -44,9 +45,8 @@ void Temperature::sample(const World& world, const Time& now) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) values[kAlong + axis] += mass * v[axis] * v[axis];
     values[kOfSpecies + species_.of(world.id(slot))] += mass * dot(v, v);
   });
-  const auto spheres = static_cast<double>(world.size());
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    values[kAlong + axis] /= box_.is_wall(axis) ? spheres : spheres - 1;
+    values[kAlong + axis] /= box_.is_wall(axis) ? spheres_ : spheres_ - 1;
   }
   // Spheres share in the motion of the centre of mass by their mass: what they have beside it is less.
   const double total_mass = std::accumulate(masses_.begin(), masses_.end(), 0.0);

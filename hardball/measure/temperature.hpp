@@ -17,11 +17,11 @@ namespace hardball {
 class Temperature {
  public:
   static constexpr std::string_view kName = "temperature";
-  /// What a sample costs for each sphere [ns].
-  static constexpr double kCostPerSphere = 16;
 
   Temperature(const World& world, const Time& now);
 
+  /// What a sample costs [ns].
+  double sample_cost() const { return 16 * spheres_; }
   /// Cost: O(n).
   void sample(const World& world, const Time& now);
   /// What was found up to `now`.
@@ -31,6 +31,7 @@ class Temperature {
   Species species_;
   std::vector<double> masses_;  // of all spheres of a species [M]
   Box box_;
+  double spheres_;
   Time begin_;
   BlockAverage average_;
 };

@@ -24,13 +24,14 @@ double speed_below(double c) {
 }  // namespace
 
 VelocityDistribution::VelocityDistribution(const World& world, const Time&)
-    : degrees_of_freedom_(thermal_motion(world).degrees_of_freedom) {}
+    : spheres_(static_cast<double>(world.size())),
+      degrees_of_freedom_(thermal_motion(world).degrees_of_freedom) {}
 
 void VelocityDistribution::sample(const World& world, const Time&) {
   const ThermalMotion motion = thermal_motion(world);
   const double temperature = motion.temperature();
   if (!(temperature > 0)) return;
-  const double share = 1 / static_cast<double>(world.size());
+  const double share = 1 / spheres_;
   double square_sum = 0;
   double fourth_sum = 0;
   double speed_sum = 0;

@@ -17,11 +17,11 @@ namespace hardball {
 class VelocityDistribution {
  public:
   static constexpr std::string_view kName = "velocity_distribution";
-  /// What a sample costs for each sphere [ns].
-  static constexpr double kCostPerSphere = 30;
 
   VelocityDistribution(const World& world, const Time& now);
 
+  /// What a sample costs [ns].
+  double sample_cost() const { return 30 * spheres_; }
   /// Cost: O(n).
   void sample(const World& world, const Time& now);
   /// What was found up to `now`.
@@ -40,6 +40,7 @@ class VelocityDistribution {
   static constexpr std::size_t kExpectedSpeed = kMeanSpeed + 1;  // [L/T]
   static constexpr std::size_t kAllBins = kExpectedSpeed + 1;
 
+  double spheres_;
   double degrees_of_freedom_;
   BlockAverage average_{kAllBins};
 };

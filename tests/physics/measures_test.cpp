@@ -10,7 +10,7 @@
 #include "hardball/measure/measures.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "physics/theory.hpp"
-#include "support/found.hpp"
+#include "support/measurement.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"
 

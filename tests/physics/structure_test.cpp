@@ -56,8 +56,8 @@ TEST(RadialDistribution, HasTheContactValueThatThePressureSays) {
   EXPECT_NEAR(contact.value, from_pressure, 4 * contact.error + bias);
   EXPECT_NEAR(contact.value, expected, 4 * contact.error + bias);
   // Farther than four diameters away the fluid has forgotten the sphere, but for a few parts in 1000.
-  const std::vector<double>& distance = support::column(found, "distance");
-  const std::vector<double>& g = support::column(found, "g");
+  const std::vector<double>& distance = support::column(found, "distance").values;
+  const std::vector<double>& g = support::column(found, "g").values;
   double far = 0;
   double bins = 0;
   for (std::size_t i = 0; i < g.size(); ++i) {
@@ -77,9 +77,9 @@ TEST(StructureFactor, AgreesWithPercusAndYevickAtPackingFraction20) {
   StructureFactor measure(simulation.world(), simulation.now());
   watch(simulation, 320, 2, [&](const World& world, const Time& now) { measure.sample(world, now); });
   const Measurement found = measure.result(simulation.now());
-  const std::vector<double>& value = support::column(found, "structure_factor");
-  const std::vector<double>& error = support::column(found, "structure_factor_error");
-  const std::vector<double>& theory = support::column(found, "structure_factor_theory");
+  const std::vector<double>& value = support::column(found, "structure_factor").values;
+  const std::vector<double>& error = support::column(found, "structure_factor_error").values;
+  const std::vector<double>& theory = support::column(found, "structure_factor_theory").values;
   ASSERT_GT(value.size(), 55U);
   double mean = 0;
   double variance = 0;

@@ -5,26 +5,30 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "hardball/measure/measurement.hpp"
 
 namespace hardball::support {
 
-/// The quantity of this name; throws if there is none.
-inline const Quantity& quantity(const Measurement& measurement, const std::string& name) {
-  const auto found = std::find_if(measurement.quantities.begin(), measurement.quantities.end(),
-                                  [&](const Quantity& quantity) { return quantity.name == name; });
-  if (found == measurement.quantities.end()) throw std::out_of_range("no quantity " + name);
-  return *found;
+/// The quantity of this name.
+inline const Quantity& quantity(const Measurement& found, const std::string& name) {
+  for (const Quantity& quantity : found.quantities) {
+    if (quantity.name == name) return quantity;
+  }
+  throw std::out_of_range("no quantity " + name);
 }
 
-/// The numbers of the column of this name; throws if there is none.
-inline const std::vector<double>& column(const Measurement& measurement, const std::string& name) {
-  const auto found = std::find_if(measurement.columns.begin(), measurement.columns.end(),
-                                  [&](const Column& column) { return column.name == name; });
-  if (found == measurement.columns.end()) throw std::out_of_range("no column " + name);
-  return found->values;
+inline bool has_quantity(const Measurement& found, const std::string& name) {
+  return std::any_of(found.quantities.begin(), found.quantities.end(),
+                     [&](const Quantity& quantity) { return quantity.name == name; });
+}
+
+/// The column of this name.
+inline const Column& column(const Measurement& found, const std::string& name) {
+  for (const Column& column : found.columns) {
+    if (column.name == name) return column;
+  }
+  throw std::out_of_range("no column " + name);
 }
 
 }  // namespace hardball::support

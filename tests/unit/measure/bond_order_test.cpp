@@ -40,7 +40,7 @@ TEST(BondOrder, OfCrystalsIsWhatIsPublished) {
     EXPECT_NEAR(support::quantity(found, "Q6").value, crystal.q6, 6e-6);
     EXPECT_NEAR(support::quantity(found, "mean_q4").value, crystal.q4, 6e-6);
     EXPECT_NEAR(support::quantity(found, "mean_q6").value, crystal.q6, 6e-6);
-    const std::vector<double>& density = support::column(found, "q6_density");
+    const std::vector<double>& density = support::column(found, "q6_density").values;
     EXPECT_EQ(density[static_cast<std::size_t>(crystal.q6 * 100)], 100);
   }
 }

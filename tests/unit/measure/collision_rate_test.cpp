@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/found.hpp"
+#include "support/measurement.hpp"
 
 namespace hardball {
 namespace {

@@ -28,9 +28,9 @@ TEST(DensityProfiles, SliceASphereExactly) {
   World world(Box::periodic({6, 4, 5}));
   world.add({.position = {5.75, 0.5, 2.25}, .radius = 1});
   const Measurement found = profiles_of(world, 0.5);
-  EXPECT_EQ(support::column(found, "position").size(), 12U);
-  const std::vector<double>& along_x = support::column(found, "packing_fraction_x");
-  const std::vector<double>& number_x = support::column(found, "number_density_x");
+  EXPECT_EQ(support::column(found, "position").values.size(), 12U);
+  const std::vector<double>& along_x = support::column(found, "packing_fraction_x").values;
+  const std::vector<double>& number_x = support::column(found, "number_density_x").values;
   // Of the unit ball between planes a and b from its centre: pi ((b - b^3 / 3) - (a - a^3 / 3)).
   const auto slice = [](double a, double b) {
     return std::numbers::pi * ((b - b * b * b / 3) - (a - a * a * a / 3));
@@ -45,7 +45,7 @@ TEST(DensityProfiles, SliceASphereExactly) {
   EXPECT_NEAR(number_x[11], 1 / slab, 1e-12);
   EXPECT_EQ(number_x[10], 0);
   // The shorter axes have fewer slabs.
-  const std::vector<double>& along_y = support::column(found, "packing_fraction_y");
+  const std::vector<double>& along_y = support::column(found, "packing_fraction_y").values;
   EXPECT_NEAR(along_y[0], slice(-0.5, 0) / (0.5 * 30), 1e-12);
   EXPECT_NEAR(along_y[7], slice(-1, -0.5) / (0.5 * 30), 1e-12);
   EXPECT_TRUE(std::isnan(along_y[8]));
@@ -56,7 +56,7 @@ TEST(DensityProfiles, AddUpToTheSpheres) {
   const World world = support::make_ideal_gas(
       Box({Boundary::wall, Boundary::periodic, Boundary::wall}, {7.1, 9.3, 8.2}), radii, 55);
   const Measurement found = profiles_of(world, 0.13);
-  const std::vector<double>& position = support::column(found, "position");
+  const std::vector<double>& position = support::column(found, "position").values;
   const double width = position[1] - position[0];
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const std::string name = axis == 0 ? "x" : axis == 1 ? "y" : "z";
@@ -68,8 +68,8 @@ TEST(DensityProfiles, AddUpToTheSpheres) {
       const double low = static_cast<double>(bin) * width;
       if (low >= size * (1 - 1e-9)) continue;
       const double slab = std::min(width, size - low) * area;
-      spheres += support::column(found, "number_density_" + name)[bin] * slab;
-      volume += support::column(found, "packing_fraction_" + name)[bin] * slab;
+      spheres += support::column(found, "number_density_" + name).values[bin] * slab;
+      volume += support::column(found, "packing_fraction_" + name).values[bin] * slab;
     }
     EXPECT_NEAR(spheres, 50, 1e-9) << name;
     EXPECT_NEAR(volume, world.sphere_volume(), 1e-9) << name;

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "support/found.hpp"
+#include "support/measurement.hpp"
 #include "support/gas.hpp"
 
 namespace hardball {

@@ -12,7 +12,7 @@
 #include "hardball/measure/mean_square_displacement.hpp"
 #include "hardball/measure/velocity_autocorrelation.hpp"
 #include "hardball/world/random.hpp"
-#include "support/found.hpp"
+#include "support/measurement.hpp"
 
 namespace hardball {
 namespace {

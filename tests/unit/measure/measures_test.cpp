@@ -12,7 +12,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/csv.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "support/found.hpp"
+#include "support/measurement.hpp"
 #include "support/gas.hpp"
 
 namespace hardball {

@@ -26,9 +26,9 @@ TEST(Coordination, OfCrystalsIsThatOfTheirLattices) {
   const auto neighbors = [](const support::Lattice& lattice) {
     const Measurement found = measured<Coordination>(support::make_crystal(lattice, 4, 1.1));
     const double mean = support::quantity(found, "mean_neighbors").value;
-    const std::vector<double>& fraction = support::column(found, "fraction");
+    const std::vector<double>& fraction = support::column(found, "fraction").values;
     EXPECT_EQ(fraction.back(), 1);
-    EXPECT_EQ(support::column(found, "neighbors").back(), mean);
+    EXPECT_EQ(support::column(found, "neighbors").values.back(), mean);
     return mean;
   };
   EXPECT_EQ(neighbors(support::simple_cubic()), 6);
@@ -43,7 +43,7 @@ TEST(Coordination, ScalesWithTheRadiiOfBothSpheres) {
   world.add({.position = {4.7, 0, 0}, .radius = 3});   // 1.175 times the sum of radii
   world.add({.position = {0, 2.45, 0}, .radius = 1});  // 1.225 times
   const Measurement found = measured<Coordination>(world);
-  const std::vector<double>& fraction = support::column(found, "fraction");
+  const std::vector<double>& fraction = support::column(found, "fraction").values;
   ASSERT_EQ(fraction.size(), 2U);
   EXPECT_DOUBLE_EQ(fraction[0], 1.0 / 3);
   EXPECT_DOUBLE_EQ(fraction[1], 2.0 / 3);
@@ -54,8 +54,8 @@ TEST(NearestNeighbor, OfACrystalIsItsSpacing) {
   const Measurement found =
       measured<NearestNeighbor>(support::make_crystal(support::face_centered_cubic(), 4, 1.1));
   EXPECT_NEAR(support::quantity(found, "mean_gap").value, 0.1, 1e-12);
-  const std::vector<double>& gap = support::column(found, "gap");
-  const std::vector<double>& density = support::column(found, "probability_density");
+  const std::vector<double>& gap = support::column(found, "gap").values;
+  const std::vector<double>& density = support::column(found, "probability_density").values;
   const double width = gap[1] - gap[0];
   for (std::size_t i = 0; i < gap.size(); ++i) {
     const bool holds_it = std::fabs(gap[i] - 0.1) < width / 2;

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "hardball/simulation/simulation.hpp"
-#include "support/found.hpp"
+#include "support/measurement.hpp"
 #include "support/gas.hpp"
 
 namespace hardball {

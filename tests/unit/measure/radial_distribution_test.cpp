@@ -18,8 +18,8 @@ namespace {
 
 // Neighbours nearer than a distance, from g(r) in a periodic box.
 double neighbors_within(const Measurement& found, double density, double bin_width, double distance) {
-  const std::vector<double>& r = support::column(found, "distance");
-  const std::vector<double>& g = support::column(found, "g");
+  const std::vector<double>& r = support::column(found, "distance").values;
+  const std::vector<double>& g = support::column(found, "g").values;
   double sum = 0;
   for (std::size_t i = 0; i < r.size() && r[i] < distance; ++i) {
     const double low = r[i] - bin_width / 2;
@@ -70,8 +70,8 @@ TEST_P(IdealGas, IsUniformInEveryBox) {
     measure.sample(support::make_ideal_gas(box, radii, static_cast<std::uint64_t>(sample)), Time(0));
   }
   const Measurement found = measure.result(Time(0));
-  const std::vector<double>& g = support::column(found, "g");
-  const std::vector<double>& error = support::column(found, "g_error");
+  const std::vector<double>& g = support::column(found, "g").values;
+  const std::vector<double>& error = support::column(found, "g_error").values;
   ASSERT_EQ(g.size(), 100U);
   double squares = 0;
   double mean = 0;
@@ -106,7 +106,7 @@ TEST(RadialDistribution, KnowsTheIdealGasBetweenWallsExactly) {
   RadialDistribution measure(world, Time(0), 5, kBin / (2 * kRadius));
   measure.sample(world, Time(0));
   const Measurement found = measure.result(Time(0));
-  const std::vector<double>& g = support::column(found, "g");
+  const std::vector<double>& g = support::column(found, "g").values;
   const auto bin = static_cast<std::size_t>((1.85 - 2 * kRadius) / kBin);
   const double low = 2 * kRadius + static_cast<double>(bin) * kBin;
   const Vec3 free{3.5, 4.5, 5.5};
@@ -140,8 +140,8 @@ TEST(RadialDistribution, KnowsPairsOfSpecies) {
   }
   const Measurement found = measure.result(Time(0));
   for (const std::string pair : {"_1_1", "_1_2", "_2_2"}) {
-    const std::vector<double>& g = support::column(found, "g" + pair);
-    const std::vector<double>& error = support::column(found, "g" + pair + "_error");
+    const std::vector<double>& g = support::column(found, "g" + pair).values;
+    const std::vector<double>& error = support::column(found, "g" + pair + "_error").values;
     // The outer half of the bins, taken together.
     double sum = 0;
     double variance = 0;
@@ -178,7 +178,7 @@ TEST(RadialDistribution, OfManyRadiiHasNoContact) {
   measure.sample(world, Time(0));
   const Measurement found = measure.result(Time(0));
   EXPECT_TRUE(found.quantities.empty());
-  EXPECT_FALSE(support::column(found, "g").empty());
+  EXPECT_FALSE(support::column(found, "g").values.empty());
 }
 
 TEST(RadialDistribution, HasNoMeaningWithoutADensity) {

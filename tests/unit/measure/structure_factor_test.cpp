@@ -59,8 +59,8 @@ void expect_direct_sum(const World& world, double longest) {
   measure.sample(world, Time(0));
   const Measurement found = measure.result(Time(0));
   const std::vector<Shell> expected = direct_sum(world, longest);
-  const std::vector<double>& wave_number = support::column(found, "wave_number");
-  const std::vector<double>& value = support::column(found, "structure_factor");
+  const std::vector<double>& wave_number = support::column(found, "wave_number").values;
+  const std::vector<double>& value = support::column(found, "structure_factor").values;
   ASSERT_EQ(value.size(), expected.size());
   for (std::size_t shell = 0; shell < expected.size(); ++shell) {
     EXPECT_NEAR(wave_number[shell], expected[shell].wave_number, 1e-9);
@@ -79,8 +79,8 @@ TEST(StructureFactor, OfACrystalHasBraggPeaksAndNothingElse) {
   StructureFactor measure(world, Time(0), 8, 100);
   measure.sample(world, Time(0));
   const Measurement found = measure.result(Time(0));
-  const std::vector<double>& wave_number = support::column(found, "wave_number");
-  const std::vector<double>& value = support::column(found, "structure_factor");
+  const std::vector<double>& wave_number = support::column(found, "wave_number").values;
+  const std::vector<double>& value = support::column(found, "structure_factor").values;
   const double unit = 2 * std::numbers::pi / 1.1;
   for (std::size_t i = 0; i < value.size(); ++i) {
     const double place = wave_number[i] / unit;
@@ -104,8 +104,8 @@ TEST(StructureFactor, OfAnIdealGasIsOne) {
     measure.sample(support::make_ideal_gas(box, radii, sample), Time(0));
   }
   const Measurement found = measure.result(Time(0));
-  const std::vector<double>& value = support::column(found, "structure_factor");
-  const std::vector<double>& error = support::column(found, "structure_factor_error");
+  const std::vector<double>& value = support::column(found, "structure_factor").values;
+  const std::vector<double>& error = support::column(found, "structure_factor_error").values;
   double mean = 0;
   double squares = 0;
   const auto shells = static_cast<double>(value.size());

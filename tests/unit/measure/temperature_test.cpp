@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/found.hpp"
+#include "support/measurement.hpp"
 
 namespace hardball {
 namespace {
