@@ -17,8 +17,8 @@
 
 namespace hardball::cli {
 
-/// The files of one run in its output directory: trajectory.xyz, events.npy and recording.hbr, if the scenario
-/// asks for them, measures/ and report.html, unless it asks for none, and summary.json.
+/// The files of one run in its output directory: trajectory.xyz, events.npy and recording.hbr, if the
+/// scenario asks for them, measures/ and report.html, unless it asks for none, and summary.json.
 class RunFiles {
  public:
   /// Creates the directory, if need be, and the files, and removes those of an earlier run.

@@ -387,8 +387,8 @@ constexpr std::array<std::string_view, 9> kSpheresKeys{
 constexpr std::array<std::string_view, 1> kStartKeys{"file"};
 constexpr std::array<std::string_view, 1> kResponseKeys{"restitution"};
 constexpr std::array<std::string_view, 2> kRunKeys{"until", "seed"};
-constexpr std::array<std::string_view, 5> kOutputKeys{"directory", "snapshots_every", "event_log", "recording",
-                                                      "report"};
+constexpr std::array<std::string_view, 5> kOutputKeys{"directory", "snapshots_every", "event_log",
+                                                      "recording", "report"};
 constexpr std::array<std::string_view, 3> kMeasuresKeys{"names", "every", "from"};
 
 // In the order of Boundary, Placement and VelocityRule.

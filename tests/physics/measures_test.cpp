@@ -10,8 +10,8 @@
 #include "hardball/measure/measures.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "physics/theory.hpp"
-#include "support/measurement.hpp"
 #include "support/gas.hpp"
+#include "support/measurement.hpp"
 #include "support/record.hpp"
 
 namespace hardball {

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "support/measurement.hpp"
 #include "support/gas.hpp"
+#include "support/measurement.hpp"
 
 namespace hardball {
 namespace {

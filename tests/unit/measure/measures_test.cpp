@@ -12,8 +12,8 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/csv.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "support/measurement.hpp"
 #include "support/gas.hpp"
+#include "support/measurement.hpp"
 
 namespace hardball {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "hardball/simulation/simulation.hpp"
-#include "support/measurement.hpp"
 #include "support/gas.hpp"
+#include "support/measurement.hpp"
 
 namespace hardball {
 namespace {
