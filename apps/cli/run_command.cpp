@@ -102,6 +102,7 @@ ExitCode run(const Options& options) {
   Measures measures(files ? scenario.measures : MeasureSettings{.names = {}});
   const Clock::time_point set_up = Clock::now();
   const bool is_complete = run_to_end(simulation, scenario, files, measures, options.quiet);
+  measures.sample_the_rest(simulation.world(), simulation.now());
   const Seconds seconds{seconds_between(begin, set_up), seconds_between(set_up, Clock::now())};
   const Summary summary(simulation, seconds);
   const std::string json = summary.json();

@@ -34,6 +34,7 @@ Cadence::Cadence(const Time& begin, double finest, double sample_cost, const Pac
     : Cadence(begin, finest) {
   const double affordable = pace.cost > 0 ? sample_cost / (kShare * pace.cost) : finest;
   interval_ = power_of_two_from(std::max(finest, affordable));
+  if (affordable > finest) next_ = 1;
   contacts_wanted_ = sample_cost / (kShare * pace.contact_cost);
 }
 

@@ -27,13 +27,14 @@ Pace expected_pace(const World& world, const Time& now);
 class Cadence {
  public:
   /// The share of a run that one measure's samples may take [1].
-  static constexpr double kShare = 0.015;
+  static constexpr double kShare = 0.005;
 
   /// Never.
   Cadence() = default;
   /// Every `interval` [T] from `begin` on, as the user wishes.
   Cadence(const Time& begin, double interval) : begin_(begin.value()), interval_(interval), next_(0) {}
-  /// Of its own choice: no more often than every `finest` [T]. A sample costs `sample_cost` [ns].
+  /// Of its own choice: no more often than every `finest` [T]. A sample costs `sample_cost` [ns]; the first
+  /// is taken at once unless it has to be waited for until the run can afford it.
   Cadence(const Time& begin, double finest, double sample_cost, const Pace& pace);
 
   double interval() const { return interval_; }

@@ -118,12 +118,22 @@ void Measures::sample(const World& world, const Time& now) {
     has_begun_ = true;
   }
   for_each([&](auto& entry) {
-    if constexpr (Samples<typename std::remove_reference_t<decltype(entry)>::Type>) {
-      if (entry.cadence.next() > now) return;
-      entry.measure->sample(world, now);
-      entry.cadence.advance(now, contacts_);
-    }
+    if (entry.cadence.next() > now) return;
+    take_sample(entry, world, now);
+    entry.cadence.advance(now, contacts_);
   });
+}
+
+void Measures::sample_the_rest(const World& world, const Time& now) {
+  for_each([&](auto& entry) {
+    if (entry.measure && !entry.has_sample) take_sample(entry, world, now);
+  });
+}
+
+template <class Measure>
+void Measures::take_sample(Entry<Measure>& entry, const World& world, const Time& now) const {
+  if constexpr (Samples<Measure>) entry.measure->sample(world, now);
+  entry.has_sample = true;
 }
 
 std::vector<Measurement> Measures::results(const Time& now) const {

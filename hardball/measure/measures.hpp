@@ -47,6 +47,9 @@ class Measures {
   /// Looks at the world, and begins when it does so first. Precondition: `now` is not before next_sample()
   /// and no contact lies between the stored paths and it.
   void sample(const World& world, const Time& now);
+  /// Takes a sample for each measure that would take some and has none yet: for the end of a run that was
+  /// too short for them. Precondition: as for sample().
+  void sample_the_rest(const World& world, const Time& now);
   /// What each measure has found up to `now`, those that are switched on in the order of measure_names();
   /// none before the beginning. Precondition: `now` is not before the last contact.
   std::vector<Measurement> results(const Time& now) const;
@@ -57,6 +60,7 @@ class Measures {
     using Type = Measure;
     bool is_wanted = false;
     std::optional<Measure> measure;  // once it has begun
+    bool has_sample = false;
     Cadence cadence;
   };
   using Entries =
@@ -77,6 +81,9 @@ class Measures {
   }
   template <class Measure>
   void begin(Entry<Measure>& entry, const World& world, const Time& now, const Pace& pace) const;
+
+  template <class Measure>
+  void take_sample(Entry<Measure>& entry, const World& world, const Time& now) const;
 
   MeasureSettings settings_;
   bool is_any_wanted_ = false;

@@ -68,16 +68,19 @@ Vec3 direction(std::size_t index) {
 }  // namespace
 
 StructureFactor::StructureFactor(const World& world, const Time& /*now*/, double longest,
-                                 std::size_t vectors_in_shell)
+                                 std::optional<std::size_t> vectors_in_shell)
     : packing_fraction_(fluid_packing_fraction(world)) {
   if (world.size() == 0) return;
   unit_ = 2 * std::numbers::pi * world.box().inverse_period();
   world.for_each_by_id([&](Slot slot) { diameter_ += 2 * world.radius(slot); });
   diameter_ /= static_cast<double>(world.size());
+  constexpr std::size_t kMostInShell = 6;
+  constexpr std::size_t kMostProducts = 150000;  // of spheres and vectors of a shell
+  const std::size_t affordable = std::clamp<std::size_t>(kMostProducts / world.size(), 1, kMostInShell);
   const double thickness = longest / diameter_ / kShells;
   for (std::size_t shell = 0; shell < kShells; ++shell) {
     choose_waves(shell, static_cast<double>(shell) * thickness, static_cast<double>(shell + 1) * thickness,
-                 vectors_in_shell);
+                 vectors_in_shell.value_or(affordable));
     const std::size_t before = shell_ends_.empty() ? 0 : shell_ends_.back();
     if (waves_.size() > before) shell_ends_.push_back(waves_.size());
   }

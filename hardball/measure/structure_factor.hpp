@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -24,8 +25,10 @@ class StructureFactor {
   static constexpr std::string_view kName = "structure_factor";
 
   /// Wave vectors are at most `longest` over the mean diameter long; of each of 64 shells up to
-  /// `vectors_in_shell` are chosen.
-  StructureFactor(const World& world, const Time& now, double longest = 20, std::size_t vectors_in_shell = 6);
+  /// `vectors_in_shell` are chosen. If that is not given they are six, or fewer with more than some 25,000
+  /// spheres, so that a sample is hardly dearer than with those.
+  StructureFactor(const World& world, const Time& now, double longest = 20,
+                  std::optional<std::size_t> vectors_in_shell = {});
 
   /// What a sample costs [ns]: 3 ns for each sphere and wave vector.
   double sample_cost() const { return sample_cost_; }

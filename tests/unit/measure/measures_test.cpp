@@ -87,6 +87,20 @@ TEST(Measures, TakeASampleThatWasPassedByAtOnce) {
             (std::vector<double>{2.5, 3.5}));
 }
 
+TEST(Measures, TakeAtTheEndWhatTheRunWasTooShortFor) {
+  Simulation simulation(support::make_gas({.count = 500, .packing_fraction = 0.2}));
+  Measures measures({.names = {"bond_order", "temperature"}});
+  simulation.run_until(0.01, measures);
+  const auto bonds = [&] { return quantity(measures.results(simulation.now()).back(), "mean_bonds").value; };
+  EXPECT_TRUE(std::isnan(bonds()));
+  measures.sample_the_rest(simulation.world(), simulation.now());
+  EXPECT_GT(bonds(), 0);
+  const double once = bonds();
+  simulation.run_until(0.02);
+  measures.sample_the_rest(simulation.world(), simulation.now());
+  EXPECT_EQ(bonds(), once) << "it has a sample";
+}
+
 // Laws 1 and 4: the contacts are the same with measures and without.
 TEST(Measures, ChangeNoContact) {
   for (const Boundary boundary : {Boundary::periodic, Boundary::wall, Boundary::open}) {
@@ -154,9 +168,13 @@ TEST(Measures, LookAtSpheresAtRestNowAndThen) {
 
 TEST(Cadence, IsAPowerOfTwoThatTheRunCanAfford) {
   const Pace pace{.free_time = 0.3, .cost = 1e6, .contact_cost = 1000};
-  EXPECT_EQ(Cadence(Time(0), 0.3, 1, pace).interval(), 0.5) << "no more often than it makes sense";
-  // At a cost of 1e5 a sample may be taken for each 1e5 / (0.015 * 1e6) = 6.7 units of time.
-  EXPECT_EQ(Cadence(Time(0), 0.3, 1e5, pace).interval(), 8);
+  const Cadence cheap(Time(0), 0.3, 1, pace);
+  EXPECT_EQ(cheap.interval(), 0.5) << "no more often than it makes sense";
+  EXPECT_EQ(cheap.next(), Time(0));
+  // At a cost of 1e5 a sample may be taken for each 1e5 / (0.005 * 1e6) = 20 units of time.
+  const Cadence dear(Time(0), 0.3, 1e5, pace);
+  EXPECT_EQ(dear.interval(), 32);
+  EXPECT_EQ(dear.next(), Time(32)) << "not before the run can afford it";
   EXPECT_EQ(power_of_two_from(0.25), 0.25);
   EXPECT_EQ(power_of_two_from(0.26), 0.5);
 }
@@ -164,14 +182,14 @@ TEST(Cadence, IsAPowerOfTwoThatTheRunCanAfford) {
 TEST(Cadence, DoublesWhereContactsBecomeRare) {
   const Pace pace{.free_time = 1, .cost = 1e6, .contact_cost = 1000};
   Cadence cadence(Time(1), 1, 1e5, pace);
-  // A sample is worth 1e5 / (0.015 * 1000) = 6667 contacts.
+  // A sample is worth 1e5 / (0.005 * 1000) = 20000 contacts.
   std::uint64_t contacts = 0;
-  for (int i = 0; i < 8; ++i) cadence.advance(cadence.next(), contacts += 6667);
-  EXPECT_EQ(cadence.interval(), 8);
-  EXPECT_EQ(cadence.next(), Time(1 + 8 * 8));
-  for (int i = 0; i < 9; ++i) cadence.advance(cadence.next(), contacts += 3000);
-  EXPECT_EQ(cadence.interval(), 16);
-  EXPECT_EQ(cadence.next(), Time(1 + 16 * 9));
+  for (int i = 0; i < 8; ++i) cadence.advance(cadence.next(), contacts += 20000);
+  EXPECT_EQ(cadence.interval(), 32);
+  EXPECT_EQ(cadence.next(), Time(1 + 32 * 9));
+  for (int i = 0; i < 8; ++i) cadence.advance(cadence.next(), contacts += 9000);
+  EXPECT_EQ(cadence.interval(), 64);
+  EXPECT_EQ(cadence.next(), Time(1 + 64 * 9));
 }
 
 TEST(Cadence, OfTheUserDoesNotChange) {
