@@ -39,11 +39,9 @@ bool is_drawn(const chart::Chart& chart, double x, double y) {
          (!chart.y.logarithmic || y > 0);
 }
 
-bool has_points(const chart::Chart& chart) {
-  for (const chart::Series& series : chart.series) {
-    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
-      if (is_drawn(chart, series.x[i], series.y[i])) return true;
-    }
+bool has_points(const chart::Chart& chart, const chart::Series& series) {
+  for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+    if (is_drawn(chart, series.x[i], series.y[i])) return true;
   }
   return false;
 }
@@ -104,6 +102,9 @@ std::vector<chart::Chart> charts_of(const Measurement& measurement) {
     each.chart.x = {.label = label_of(readable(each.argument->name), each.argument->unit),
                     .logarithmic = measurement.is_logarithmic_in_argument};
     each.chart.y = {.label = label_of(names, each.unit), .logarithmic = measurement.is_logarithmic_in_value};
+    std::erase_if(each.chart.series,
+                  [&](const chart::Series& series) { return !has_points(each.chart, series); });
+    if (each.chart.series.empty()) continue;
     // Points that no curve goes through are joined.
     const auto is_reference = [](const chart::Series& series) { return series.reference; };
     if (std::none_of(each.chart.series.begin(), each.chart.series.end(), is_reference)) {
@@ -111,7 +112,7 @@ std::vector<chart::Chart> charts_of(const Measurement& measurement) {
     }
     // A single curve needs no legend: the axis has its name.
     if (each.chart.series.size() == 1) each.chart.series.front().name.clear();
-    if (has_points(each.chart)) charts.push_back(std::move(each.chart));
+    charts.push_back(std::move(each.chart));
   }
   return charts;
 }

@@ -3,270 +3,119 @@
 #include "hardball/io/recording.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "hardball/errors/error.hpp"
 
 namespace hardball {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 // In the order of Boundary.
-constexpr std::array<std::string_view, 3> kBoundaryNames{"wall", "periodic", "open"};
+constexpr std::array<const char*, 3> kBoundaryNames{"wall", "periodic", "open"};
 
-// --- writing ---
-
-std::string json_text(std::string_view text) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string json = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20) {
-      json += {'\\', 'u', '0', '0', kDigits[byte / 16], kDigits[byte % 16]};
-      continue;
-    }
-    if (c == '"' || c == '\\') json += '\\';
-    json += c;
-  }
-  return json + '"';
+Json json_vector(const Vec3& vector) {
+  return {vector.x, vector.y, vector.z};
 }
 
-std::string json_vector(const Vec3& vector) {
-  return "[" + to_text(vector.x) + ", " + to_text(vector.y) + ", " + to_text(vector.z) + "]";
-}
-
-// --- reading ---
-
-// Reads JSON from front to back.
-class JsonReader {
+// Takes the values of a header out of its JSON.
+class HeaderReader {
  public:
-  JsonReader(std::string_view text, const std::string& where) : rest_(text), where_(&where) {}
+  explicit HeaderReader(const std::string& where) : where_(&where) {}
 
   [[noreturn]] void fail(const std::string& problem) const {
     throw Error(problem, *where_ + ": header", "give a recording that hardball has written");
   }
 
-  /// Calls read(key) for every key of an object, which has to read the value.
-  template <class Read>
-  void object(Read&& read) {
-    need('{');
-    if (take('}')) return;
-    do {
-      const std::string key = text();
-      need(':');
-      read(key);
-    } while (take(','));
-    need('}');
+  const Json& member(const Json& object, const char* key) const {
+    if (!object.is_object()) fail("is no object");
+    const auto found = object.find(key);
+    if (found == object.end()) fail(std::string("key '") + key + "' is missing");
+    return *found;
   }
 
-  /// Calls read() for every entry of an array, which has to read it.
-  template <class Read>
-  void array(Read&& read) {
-    need('[');
-    if (take(']')) return;
-    do {
-      read();
-    } while (take(','));
-    need(']');
+  double number(const Json& value) const {
+    if (!value.is_number() || !std::isfinite(value.get<double>())) fail("a number is missing");
+    return value.get<double>();
   }
 
-  std::string text() {
-    need('"');
-    std::string text;
-    for (;;) {
-      const char c = next();
-      if (c == '"') return text;
-      text += c == '\\' ? escaped() : c;
+  Vec3 vector(const Json& value) const {
+    check_triple(value);
+    return {number(value[0]), number(value[1]), number(value[2])};
+  }
+
+  std::array<Boundary, kAxes> boundary(const Json& value) const {
+    check_triple(value);
+    std::array<Boundary, kAxes> boundary{};
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      std::size_t kind = 0;
+      while (kind < kBoundaryNames.size() && value[axis] != kBoundaryNames[kind]) ++kind;
+      if (kind == kBoundaryNames.size()) fail("a boundary is not known");
+      boundary[axis] = static_cast<Boundary>(kind);
     }
-  }
-
-  double number() {
-    skip_blanks();
-    double number = 0;
-    const auto [end, status] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), number);
-    if (status != std::errc() || !std::isfinite(number)) fail("a number is missing");
-    rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
-    return number;
-  }
-
-  bool take_null() {
-    skip_blanks();
-    return take_word("null");
-  }
-
-  Vec3 vector() {
-    Vec3 vector;
-    std::size_t axis = 0;
-    array([&] {
-      if (axis == kAxes) fail("there are more than three entries");
-      vector[axis++] = number();
-    });
-    if (axis < kAxes) fail("there are less than three entries");
-    return vector;
-  }
-
-  void skip_value(int depth = 0) {
-    constexpr int kMostDepth = 32;
-    if (depth > kMostDepth) fail("values are nested too deeply");
-    skip_blanks();
-    if (rest_.starts_with('{')) {
-      object([&](const std::string&) { skip_value(depth + 1); });
-    } else if (rest_.starts_with('[')) {
-      array([&] { skip_value(depth + 1); });
-    } else if (rest_.starts_with('"')) {
-      text();
-    } else if (!take_word("null") && !take_word("true") && !take_word("false")) {
-      number();
-    }
-  }
-
-  /// Error: something follows.
-  void end() {
-    skip_blanks();
-    if (!rest_.empty()) fail("something follows the object");
+    return boundary;
   }
 
  private:
-  void skip_blanks() {
-    while (!rest_.empty() && std::string_view(" \t\r\n").find(rest_.front()) != std::string_view::npos) {
-      rest_.remove_prefix(1);
-    }
+  void check_triple(const Json& value) const {
+    if (!value.is_array() || value.size() != kAxes) fail("there are not three entries");
   }
 
-  bool take(char c) {
-    skip_blanks();
-    if (!rest_.starts_with(c)) return false;
-    rest_.remove_prefix(1);
-    return true;
-  }
-
-  void need(char c) {
-    if (!take(c)) fail(std::string("'") + c + "' is missing");
-  }
-
-  bool take_word(std::string_view word) {
-    if (!rest_.starts_with(word)) return false;
-    rest_.remove_prefix(word.size());
-    return true;
-  }
-
-  char next() {
-    if (rest_.empty()) fail("a text does not end");
-    const char c = rest_.front();
-    rest_.remove_prefix(1);
-    return c;
-  }
-
-  // Of characters by number, those that the writer escapes so: control characters.
-  char escaped() {
-    const char c = next();
-    switch (c) {
-      case 'b':
-        return '\b';
-      case 'f':
-        return '\f';
-      case 'n':
-        return '\n';
-      case 'r':
-        return '\r';
-      case 't':
-        return '\t';
-      case 'u':
-        break;
-      default:
-        return c;
-    }
-    unsigned number = 0;
-    for (int digit = 0; digit < 4; ++digit) {
-      const char text[1] = {next()};
-      unsigned value = 0;
-      if (std::from_chars(text, text + 1, value, 16).ec != std::errc()) fail("a character has no number");
-      number = 16 * number + value;
-    }
-    return number < 0x80 ? static_cast<char>(number) : '?';
-  }
-
-  std::string_view rest_;
   const std::string* where_;
 };
-
-Box read_box(JsonReader& in) {
-  Vec3 size;
-  std::array<Boundary, kAxes> boundary{};
-  std::size_t boundaries = 0;
-  in.object([&](const std::string& key) {
-    if (key == "size") {
-      size = in.vector();
-    } else if (key == "boundary") {
-      in.array([&] {
-        const std::string name = in.text();
-        std::size_t kind = 0;
-        while (kind < kBoundaryNames.size() && kBoundaryNames[kind] != name) ++kind;
-        if (kind == kBoundaryNames.size() || boundaries == kAxes) in.fail("boundary is not known");
-        boundary[boundaries++] = static_cast<Boundary>(kind);
-      });
-    } else {
-      in.skip_value();
-    }
-  });
-  if (boundaries != kAxes) in.fail("box has no boundary");
-  return {boundary, size};
-}
 
 }  // namespace
 
 std::string to_json(const RecordingHeader& header) {
   Vec3 size;
-  std::string boundary;
+  Json boundary = Json::array();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!header.box.is_open(axis)) size[axis] = header.box.size()[axis];
-    const auto kind = static_cast<std::size_t>(header.box.boundary(axis));
-    boundary += (axis == 0 ? "\"" : ", \"") + std::string(kBoundaryNames[kind]) + "\"";
+    boundary.push_back(kBoundaryNames[static_cast<std::size_t>(header.box.boundary(axis))]);
   }
-  return "{\"spheres\": " + to_text(header.spheres) + ", \"box\": {\"size\": " + json_vector(size) +
-         ", \"boundary\": [" + boundary + "]}, \"begin\": " + to_text(header.begin) +
-         ", \"until\": " + (header.until ? to_text(*header.until) : "null") +
-         ", \"cell_edge\": " + json_vector(header.cell_edge) +
-         ", \"cell_origin\": " + json_vector(header.cell_origin) + ", \"name\": " + json_text(header.name) +
-         ", \"restitution\": " + to_text(header.restitution) + "}";
+  Json json;
+  json["spheres"] = header.spheres;
+  json["box"]["size"] = json_vector(size);
+  json["box"]["boundary"] = boundary;
+  json["begin"] = header.begin;
+  json["until"] = header.until ? Json(*header.until) : Json(nullptr);
+  json["cell_edge"] = json_vector(header.cell_edge);
+  json["cell_origin"] = json_vector(header.cell_origin);
+  json["name"] = header.name;
+  json["restitution"] = header.restitution;
+  // A file may have any bytes for its name.
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 RecordingHeader parse_recording_header(std::string_view json, const std::string& where) {
+  const HeaderReader in(where);
+  const Json object = Json::parse(json, nullptr, false);
+  if (object.is_discarded()) in.fail("is no JSON");
   RecordingHeader header;
-  bool has_spheres = false;
-  bool has_box = false;
-  JsonReader in(json, where);
-  in.object([&](const std::string& key) {
-    if (key == "spheres") {
-      const double count = in.number();
-      if (!(count >= 0 && count < std::numeric_limits<SphereId>::max()) || count != std::floor(count)) {
-        in.fail("the number of spheres is " + to_text(count));
-      }
-      header.spheres = static_cast<std::size_t>(count);
-      has_spheres = true;
-    } else if (key == "box") {
-      header.box = read_box(in);
-      has_box = true;
-    } else if (key == "begin") {
-      header.begin = in.number();
-    } else if (key == "until") {
-      if (!in.take_null()) header.until = in.number();
-    } else if (key == "cell_edge") {
-      header.cell_edge = in.vector();
-    } else if (key == "cell_origin") {
-      header.cell_origin = in.vector();
-    } else if (key == "name") {
-      header.name = in.text();
-    } else if (key == "restitution") {
-      header.restitution = in.number();
-    } else {
-      in.skip_value();
-    }
+  const double count = in.number(in.member(object, "spheres"));
+  if (!(count >= 0 && count < std::numeric_limits<SphereId>::max()) || count != std::floor(count)) {
+    in.fail("the number of spheres is " + to_text(count));
+  }
+  header.spheres = static_cast<std::size_t>(count);
+  const Json& box = in.member(object, "box");
+  header.box = Box(in.boundary(in.member(box, "boundary")), in.vector(in.member(box, "size")));
+  const auto read = [&](const char* key, const auto& take) {
+    if (object.contains(key)) take(object[key]);
+  };
+  read("begin", [&](const Json& value) { header.begin = in.number(value); });
+  read("until", [&](const Json& value) {
+    if (!value.is_null()) header.until = in.number(value);
   });
-  in.end();
-  if (!has_spheres) in.fail("key 'spheres' is missing");
-  if (!has_box) in.fail("key 'box' is missing");
+  read("cell_edge", [&](const Json& value) { header.cell_edge = in.vector(value); });
+  read("cell_origin", [&](const Json& value) { header.cell_origin = in.vector(value); });
+  read("name", [&](const Json& value) {
+    if (!value.is_string()) in.fail("the name is no text");
+    header.name = value.get<std::string>();
+  });
+  read("restitution", [&](const Json& value) { header.restitution = in.number(value); });
   return header;
 }
 

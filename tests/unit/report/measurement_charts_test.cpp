@@ -86,7 +86,9 @@ TEST(MeasurementCharts, LeaveOutWhatHasNoPoint) {
   Measurement measurement;
   measurement.columns = {column("r", "L", ColumnRole::argument, {0, 1}),
                          column("g", "1", ColumnRole::value, {1, std::nan("")})};
-  EXPECT_EQ(charts_of(measurement).size(), 1U);
+  measurement.columns.push_back(column("g_theory", "1", ColumnRole::theory, {std::nan(""), std::nan("")}));
+  ASSERT_EQ(charts_of(measurement).size(), 1U);
+  EXPECT_EQ(charts_of(measurement)[0].series.size(), 1U) << "no legend for a curve that is not there";
   measurement.is_logarithmic_in_argument = true;
   EXPECT_TRUE(charts_of(measurement).empty()) << "the only point has no logarithm";
 }
