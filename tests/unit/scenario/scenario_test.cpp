@@ -46,6 +46,11 @@ snapshots_every = 0.5
 event_log = true
 report = false
 recording = true
+
+[measures]
+names = ["pressure", "bond_order"]
+every = 0.25
+from = 2
 )";
 
 Scenario parse(const std::string& text, const std::vector<std::string>& overrides = {}) {
@@ -85,6 +90,9 @@ TEST(ParseScenario, ReadsEveryKey) {
   EXPECT_TRUE(scenario.event_log);
   EXPECT_FALSE(scenario.report);
   EXPECT_TRUE(scenario.recording);
+  EXPECT_EQ(scenario.measures.names, (std::vector<std::string>{"pressure", "bond_order"}));
+  EXPECT_EQ(scenario.measures.every, 0.25);
+  EXPECT_EQ(scenario.measures.from, 2);
 }
 
 const std::string kLeast = R"(
@@ -109,6 +117,9 @@ TEST(ParseScenario, HasDefaults) {
   EXPECT_FALSE(scenario.event_log);
   EXPECT_TRUE(scenario.report);
   EXPECT_FALSE(scenario.recording);
+  EXPECT_EQ(scenario.measures.names, std::vector<std::string>{"all"});
+  EXPECT_FALSE(scenario.measures.every);
+  EXPECT_EQ(scenario.measures.from, 0);
   EXPECT_FALSE(scenario.start_file);
 }
 
@@ -220,6 +231,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"InsideAValue", "spheres.0.radius.x=5", "--set spheres.0.radius.x", "inside a plain value"},
         Refusal{"PartOfAnArray", "box.size.1=-4", "--set box.size.1", "size is -4"},
         Refusal{"WholeArray", "box.size=[1, 2]", "--set box.size", "size has 2 entries"},
+        Refusal{"UnknownMeasure", "measures.names=[\"presure\"]", "--set measures.names",
+                "did you mean \"pressure\"?"},
+        Refusal{"MeasuresInThePast", "measures.from=-1", "--set measures.from", "from is -1"},
+        Refusal{"MeasuresEveryZero", "measures.every=0", "--set measures.every", "every is 0"},
         Refusal{"TableAsNumber", "run=5", "--set run", "make it a table, [run]"}),
     [](const testing::TestParamInfo<Refusal>& test) { return test.param.name; });
 
