@@ -42,7 +42,10 @@ TEST_F(MeasuredRun, WritesAllMeasuresIntoItsDirectoryAndChangesNothing) {
   const std::string expected = hash();
   EXPECT_FALSE(exists("measures"));
   EXPECT_EQ(hash({"--out", "out"}), expected);
+  // No wave fits between walls.
+  EXPECT_FALSE(exists("measures/structure_factor.csv"));
   for (const std::string_view name : measure_names()) {
+    if (name == "structure_factor") continue;
     const std::string table = read_text(folder_ / "out" / "measures" / (std::string(name) + ".csv"));
     EXPECT_NE(table.find("]"), std::string::npos) << name;
     EXPECT_LT(table.find("["), table.find("\n")) << name;
