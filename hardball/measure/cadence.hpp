@@ -27,7 +27,7 @@ Pace expected_pace(const World& world, const Time& now);
 class Cadence {
  public:
   /// The share of a run that one measure's samples may take [1].
-  static constexpr double kShare = 0.005;
+  static constexpr double kShare = 0.0025;
 
   /// Never.
   Cadence() = default;

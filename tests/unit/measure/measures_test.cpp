@@ -171,10 +171,10 @@ TEST(Cadence, IsAPowerOfTwoThatTheRunCanAfford) {
   const Cadence cheap(Time(0), 0.3, 1, pace);
   EXPECT_EQ(cheap.interval(), 0.5) << "no more often than it makes sense";
   EXPECT_EQ(cheap.next(), Time(0));
-  // At a cost of 1e5 a sample may be taken for each 1e5 / (0.005 * 1e6) = 20 units of time.
+  // At a cost of 1e5 a sample may be taken for each 1e5 / (0.0025 * 1e6) = 40 units of time.
   const Cadence dear(Time(0), 0.3, 1e5, pace);
-  EXPECT_EQ(dear.interval(), 32);
-  EXPECT_EQ(dear.next(), Time(32)) << "not before the run can afford it";
+  EXPECT_EQ(dear.interval(), 64);
+  EXPECT_EQ(dear.next(), Time(64)) << "not before the run can afford it";
   EXPECT_EQ(power_of_two_from(0.25), 0.25);
   EXPECT_EQ(power_of_two_from(0.26), 0.5);
 }
@@ -182,14 +182,14 @@ TEST(Cadence, IsAPowerOfTwoThatTheRunCanAfford) {
 TEST(Cadence, DoublesWhereContactsBecomeRare) {
   const Pace pace{.free_time = 1, .cost = 1e6, .contact_cost = 1000};
   Cadence cadence(Time(1), 1, 1e5, pace);
-  // A sample is worth 1e5 / (0.005 * 1000) = 20000 contacts.
+  // A sample is worth 1e5 / (0.0025 * 1000) = 40000 contacts.
   std::uint64_t contacts = 0;
-  for (int i = 0; i < 8; ++i) cadence.advance(cadence.next(), contacts += 20000);
-  EXPECT_EQ(cadence.interval(), 32);
-  EXPECT_EQ(cadence.next(), Time(1 + 32 * 9));
-  for (int i = 0; i < 8; ++i) cadence.advance(cadence.next(), contacts += 9000);
+  for (int i = 0; i < 8; ++i) cadence.advance(cadence.next(), contacts += 40000);
   EXPECT_EQ(cadence.interval(), 64);
   EXPECT_EQ(cadence.next(), Time(1 + 64 * 9));
+  for (int i = 0; i < 8; ++i) cadence.advance(cadence.next(), contacts += 18000);
+  EXPECT_EQ(cadence.interval(), 128);
+  EXPECT_EQ(cadence.next(), Time(1 + 128 * 9));
 }
 
 TEST(Cadence, OfTheUserDoesNotChange) {
