@@ -118,8 +118,8 @@ class Engine {
         const Slot other = candidates.slot(i);
         const Image image =
             candidates.are_nearest() ? nearest_image(world_, slot, other, now_) : candidates.image(i);
-        const Event contact = make_collision(contact_time(world_, slot, other, image), world_.id(slot),
-                                             world_.id(other), image);
+        const Event contact = make_collision(contact_time(world_, slot, other, image), plans_[slot].id,
+                                             plans_[other].id, image);
         const bool is_known = prospect_of(slot) <= contact || prospect_of(other) <= contact;
         HARDBALL_CHECK(is_known || !contact.happens());
       }
@@ -127,7 +127,7 @@ class Engine {
   }
 
  private:
-  // The memory of fewer spheres stays in the caches by itself.
+  // The memory of so many spheres stays in the caches by itself.
   static constexpr std::size_t kCachedSpheres = 10000;
 
   // What lies ahead of a sphere: when it leaves its region, and its prospect, the earliest contact it knows
@@ -138,6 +138,7 @@ class Engine {
     double partner_since = 0;   // when the partner's path began
     std::uint32_t partner = 0;  // a slot, or a face of the box
     Image image;                // the copy of the partner
+    SphereId id = 0;            // of the sphere itself
     EventKind kind = EventKind::wall;
     bool is_nearest_image = false;  // the copy of the partner is the one that is nearest when they touch
 
@@ -161,13 +162,12 @@ class Engine {
       return one.meets_first() && other.meets_first() && one.partner == b && other.partner == a &&
              one.contact == other.contact && one.is_nearest_image && other.is_nearest_image;
     }
-    void prefetch_event(Slot slot) const {
-      if (engine.prefetches_) prefetch(&engine.plans_[slot]);
-    }
+    bool is_cached() const { return engine.is_cached_; }
+    void prefetch_event(Slot slot) const { prefetch(&engine.plans_[slot]); }
     Event event(Slot slot) const {
       const Plan& plan = engine.plans_[slot];
       if (!plan.crosses_first()) return engine.prospect_of(slot);
-      return {plan.crossing, EventKind::enter, engine.world_.id(slot), 0, {}};
+      return {plan.crossing, EventKind::enter, plan.id, 0, {}};
     }
   };
 
@@ -189,7 +189,7 @@ class Engine {
   // again early.
   Event prospect_of(Slot slot) const {
     const Plan& plan = plans_[slot];
-    if (is_stale(slot)) return {plan.contact, EventKind::enter, world_.id(slot), 0, {}};
+    if (is_stale(slot)) return {plan.contact, EventKind::enter, plan.id, 0, {}};
     return contact_of(slot);
   }
 
@@ -203,8 +203,8 @@ class Engine {
   // Precondition: the prospect is not stale.
   Event contact_of(Slot slot) const {
     const Plan& plan = plans_[slot];
-    if (plan.kind == EventKind::wall) return {plan.contact, plan.kind, world_.id(slot), plan.partner, {}};
-    return make_collision(plan.contact, world_.id(slot), world_.id(plan.partner), image_of_partner(slot));
+    if (plan.kind == EventKind::wall) return {plan.contact, plan.kind, plan.id, plan.partner, {}};
+    return make_collision(plan.contact, plan.id, plans_[plan.partner].id, image_of_partner(slot));
   }
 
   void rebuild(const Time& now) {
@@ -212,8 +212,9 @@ class Engine {
     phase_.build(world_, now_);
     queue_.reset(world_.size(), now_);
     plans_.assign(world_.size(), Plan{});
+    for (Slot slot = 0; slot < world_.size(); ++slot) plans_[slot].id = world_.id(slot);
     has_twin_moments_ = false;
-    prefetches_ = world_.size() > kCachedSpheres;
+    is_cached_ = world_.size() <= kCachedSpheres;
     const Box& box = world_.box();
     has_walls_ = box.is_wall(0) || box.is_wall(1) || box.is_wall(2);
     for (Slot slot = 0; slot < world_.size(); ++slot) predict(slot);
@@ -225,41 +226,58 @@ class Engine {
     return next == kNobody || plans().time(next).high > until.high ? kNobody : next;
   }
 
-  // The calendar knows what comes next: its memory is asked for in stages, each a few events before the next,
-  // as each tells where the next one's memory is.
+  // The calendar knows what comes next: its memory is asked for ahead.
   void prefetch_ahead() {
-    if (!prefetches_) return;
     if constexpr (requires { queue_.upcoming(0); }) {
-      constexpr std::size_t kPlan = 9;
-      constexpr std::size_t kRegion = 6;
-      constexpr std::size_t kLists = 4;
-      constexpr std::size_t kPaths = 2;
-      if (const Slot slot = queue_.upcoming(kPlan); slot != kNobody) {
-        prefetch(&plans_[slot]);
-        prefetch_regions(slot);
-      }
-      if (const Slot slot = queue_.upcoming(kRegion); slot != kNobody) {
-        if (const Plan& plan = plans_[slot]; plan.meets_first()) {
-          prefetch(&plans_[plan.partner]);
-          prefetch_regions(plan.partner);
-        }
-      }
-      if (const Slot slot = queue_.upcoming(kLists); slot != kNobody) {
-        const Plan& plan = plans_[slot];
-        phase_.prefetch_lists(slot, plan.will_cross_first());
-        if (plan.meets_first()) phase_.prefetch_lists(plan.partner, false);
-      }
-      if (const Slot slot = queue_.upcoming(kPaths); slot != kNobody) {
-        const auto prefetch_path = [this](Slot other) { prefetch(&world_.path(other)); };
-        const Plan& plan = plans_[slot];
-        phase_.for_each_prefetched(slot, plan.will_cross_first(), prefetch_path);
-        if (plan.meets_first()) phase_.for_each_prefetched(plan.partner, false, prefetch_path);
+      if (is_cached_) {
+        prefetch_regions_ahead();
+      } else {
+        prefetch_in_stages();
       }
     }
   }
 
+  // From the nearest caches regions may be gone even if there are few spheres.
+  void prefetch_regions_ahead() {
+    constexpr std::size_t kAhead = 2;
+    const Slot slot = queue_.upcoming(kAhead);
+    if (slot == kNobody) return;
+    const Plan& plan = plans_[slot];
+    prefetch_regions(slot);
+    prefetch_regions(plan.kind == EventKind::collision ? plan.partner : slot);
+  }
+
+  // Each stage is a few events before the next, as each tells where the next one's memory is.
+  void prefetch_in_stages() {
+    constexpr std::size_t kPlan = 9;
+    constexpr std::size_t kRegion = 6;
+    constexpr std::size_t kLists = 4;
+    constexpr std::size_t kPaths = 2;
+    if (const Slot slot = queue_.upcoming(kPlan); slot != kNobody) {
+      prefetch(&plans_[slot]);
+      prefetch_regions(slot);
+    }
+    if (const Slot slot = queue_.upcoming(kRegion); slot != kNobody) {
+      if (const Plan& plan = plans_[slot]; plan.meets_first()) {
+        prefetch(&plans_[plan.partner]);
+        prefetch_regions(plan.partner);
+      }
+    }
+    if (const Slot slot = queue_.upcoming(kLists); slot != kNobody) {
+      const Plan& plan = plans_[slot];
+      phase_.prefetch_lists(slot, plan.will_cross_first());
+      if (plan.meets_first()) phase_.prefetch_lists(plan.partner, false);
+    }
+    if (const Slot slot = queue_.upcoming(kPaths); slot != kNobody) {
+      const auto prefetch_path = [this](Slot other) { prefetch(&world_.path(other)); };
+      const Plan& plan = plans_[slot];
+      phase_.for_each_prefetched(slot, plan.will_cross_first(), prefetch_path);
+      if (plan.meets_first()) phase_.for_each_prefetched(plan.partner, false, prefetch_path);
+    }
+  }
+
   void prefetch_regions(Slot slot) const {
-    world_.prefetch_sphere(slot);
+    prefetch(&world_.path(slot));
     phase_.prefetch_region(slot);
   }
 
@@ -304,7 +322,7 @@ class Engine {
     const Event event = contact_of(slot);
     const bool is_collision = event.kind == EventKind::collision;
     Participants participants{slot, is_collision ? plans_[slot].partner : 0};
-    if (event.first != world_.id(slot)) std::swap(participants.first, participants.second);
+    if (event.first != plans_[slot].id) std::swap(participants.first, participants.second);
     note_twin_moment(participants.first, event.time);
     if (is_collision) note_twin_moment(participants.second, event.time);
     execute(world_, guard_, event, participants, respond_, done_);
@@ -375,7 +393,7 @@ class Engine {
   Time now_;
   LargeVector<Plan> plans_;  // per slot
   bool has_twin_moments_ = false;
-  bool prefetches_ = false;
+  bool is_cached_ = true;  // whatever there is stays in the caches by itself
   bool has_walls_ = false;
   Candidates candidates_;  // of the sphere at hand
   Executed done_;          // the last contact

@@ -21,6 +21,8 @@ constexpr double kOff = 3;
 
 void CalendarQueue::reset(std::size_t owners, Time start) {
   owner_count_ = owners;
+  unfiled_count_ = 0;
+  current_.assign(owners, kNever.high);
   sorted_.clear();
   late_.clear();
   days_.assign(1, Day{});
@@ -39,7 +41,14 @@ void CalendarQueue::reset(std::size_t owners, Time start) {
 
 std::size_t CalendarQueue::memory_bytes() const {
   return (sorted_.capacity() + beyond_.capacity()) * sizeof(Entry) + late_.capacity() * sizeof(Scheduled) +
-         days_.capacity() * sizeof(Day) + blocks_.capacity() * sizeof(Block);
+         days_.capacity() * sizeof(Day) + current_.capacity() * sizeof(double) +
+         blocks_.capacity() * sizeof(Block);
+}
+
+void CalendarQueue::file_all() {
+  const std::size_t first = unfiled_count_ > kUnfiled ? unfiled_count_ - kUnfiled : 0;
+  for (std::size_t i = first; i < unfiled_count_; ++i) file(unfiled_[i % kUnfiled]);
+  unfiled_count_ = 0;
 }
 
 // Precondition: the entry is not for today.
@@ -57,8 +66,7 @@ void CalendarQueue::put(Day& day, const Entry& entry) {
   const std::uint32_t place = day.count++ % Block::kRoom;
   if (place == 0) day.last_block = new_block(day.last_block);
   Block& block = blocks_[day.last_block];
-  block.times[place] = entry.time;
-  block.owners[place] = entry.owner;
+  block.entries[place] = pack(entry);
 }
 
 // Moves the entries of today from its blocks to a list.
@@ -69,7 +77,7 @@ void CalendarQueue::take_day(std::vector<Entry>& entries) {
   std::uint32_t in_block = (today.count - 1) % Block::kRoom + 1;
   for (std::uint32_t b = today.last_block; b != kNone;) {
     const Block& block = blocks_[b];
-    for (std::uint32_t i = 0; i < in_block; ++i) entries.push_back({block.times[i], block.owners[i]});
+    for (std::uint32_t i = 0; i < in_block; ++i) entries.push_back(unpack(block.entries[i]));
     in_block = Block::kRoom;
     const std::uint32_t freed = b;
     b = std::exchange(blocks_[b].next, free_block_);
@@ -90,6 +98,28 @@ bool CalendarQueue::turn_year() {
   waiting.swap(beyond_);
   for (const Entry& entry : waiting) file(entry);
   return true;
+}
+
+void CalendarQueue::drop_dead(std::vector<Entry>& entries) {
+  // Without a branch: half of the entries are dead, and nobody can foresee which.
+  Entry* end = entries.data();
+  for (const Entry& entry : entries) {
+    *end = entry;
+    end += current_[entry.owner] == entry.time ? 1 : 0;
+  }
+  const std::size_t dead = entries.size() - static_cast<std::size_t>(end - entries.data());
+  entries.resize(entries.size() - dead);
+  entry_count_ -= dead;
+  counters_.taken += dead;
+}
+
+// Lays the days out anew for all entries that are alive.
+void CalendarQueue::lay_out() {
+  file_all();
+  gather();
+  drop_dead(beyond_);
+  if (beyond_.size() > owner_count_) drop_twins();
+  spread_out();
 }
 
 // Lets all entries wait beyond.

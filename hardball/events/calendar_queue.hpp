@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -11,17 +12,18 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event_queue.hpp"
 #include "hardball/memory/huge_pages.hpp"
+#include "hardball/memory/prefetch.hpp"
 
 namespace hardball {
 
 /// The production queue: a ring of equal days, each an unsorted list, sorted only when it becomes today.
 ///
-/// An entry is a time and an owner. Replacing an event leaves the old entry where it lies, dead: the agenda
-/// has another time for its owner. Entries for today go to a small heap beside the sorted list, entries
-/// beyond the ring wait aside until it comes round. Entries at one and the same time, to the nearest double,
-/// meet in the heap, which alone knows the whole order of events. When days turn out too full or too empty,
-/// they are laid out anew. Cost: O(1) amortised per operation as long as rates change slowly; never worse
-/// than O(log n) plus a sort. Source: Brown, Comm. ACM 31 (1988) 1220; Paul, J. Comput. Phys. 221 (2007) 615.
+/// An entry is a time and an owner. Replacing an event leaves the old entry where it lies, dead: its owner
+/// has another time. Entries for today go to a small heap beside the sorted list, entries beyond the ring
+/// wait aside until it comes round. Entries at one and the same time, to the nearest double, meet in the
+/// heap, which alone knows the whole order of events. When days turn out too full or too empty, they are laid
+/// out anew. Cost: O(1) amortised per operation as long as rates change slowly; never worse than O(log n)
+/// plus a sort. Source: Brown, Comm. ACM 31 (1988) 1220; Paul, J. Comput. Phys. 221 (2007) 615.
 class CalendarQueue {
  public:
   void reset(std::size_t owners, Time start);
@@ -29,15 +31,16 @@ class CalendarQueue {
   template <Agenda A>
   void schedule(Owner owner, const A& agenda) {
     const double time = agenda.time(owner).high;
+    current_[owner] = time;
     if (!(time < std::numeric_limits<double>::infinity())) return;
     ++counters_.scheduled;
     ++entry_count_;
     if (is_today(time)) {
       put_late(owner, agenda);
     } else {
-      file({time, owner});
+      file_soon({time, owner});
     }
-    if (entry_count_ > kEntriesPerOwner * owner_count_ + kEntriesAlways) lay_out(agenda);
+    if (entry_count_ > kEntriesPerOwner * owner_count_ + kEntriesAlways) lay_out();
   }
 
   template <Agenda A>
@@ -57,7 +60,7 @@ class CalendarQueue {
       const double moment = sorted_.back().time;
       for (; !sorted_.empty() && sorted_.back().time == moment; sorted_.pop_back()) {
         const Owner owner = sorted_.back().owner;
-        if (agenda.time(owner).high == moment) {
+        if (current_[owner] == moment) {
           put_late(owner, agenda);
         } else {
           note_taken();
@@ -70,6 +73,7 @@ class CalendarQueue {
     HARDBALL_CHECK(!sorted_.empty() || !late_.empty());
     const bool from_late =
         sorted_.empty() || (!late_.empty() && late_.front().event.time.high < sorted_.back().time);
+    current_[from_late ? late_.front().owner : sorted_.back().owner] = kNever.high;
     if (from_late) {
       std::pop_heap(late_.begin(), late_.end(), comes_later);
       late_.pop_back();
@@ -92,11 +96,19 @@ class CalendarQueue {
     double time;
     Owner owner;
   };
+  // Without the gap behind the owner.
+  struct PackedEntry {
+    std::array<std::uint32_t, 2> time;
+    Owner owner;
+  };
+  static PackedEntry pack(const Entry& entry) {
+    return {std::bit_cast<std::array<std::uint32_t, 2>>(entry.time), entry.owner};
+  }
+  static Entry unpack(const PackedEntry& entry) { return {std::bit_cast<double>(entry.time), entry.owner}; }
   // Two cache lines of entries; fuller days chain several.
   struct Block {
     static constexpr std::uint32_t kRoom = 10;
-    std::array<double, kRoom> times;
-    std::array<Owner, kRoom> owners;
+    std::array<PackedEntry, kRoom> entries;
     std::uint32_t next;
   };
   // The last block of a day is the one with room.
@@ -105,6 +117,7 @@ class CalendarQueue {
     std::uint32_t count = 0;
   };
   static constexpr std::uint32_t kNone = UINT32_MAX;
+  static constexpr std::size_t kUnfiled = 8;
   // Dead entries are swept out when they outnumber the owners by this factor.
   static constexpr std::size_t kEntriesPerOwner = 4;
   static constexpr std::size_t kEntriesAlways = 64;
@@ -135,12 +148,12 @@ class CalendarQueue {
     if (!late_.empty() && late_.front().event.time.high == moment) return false;
     if (size > 2 && sorted_[size - 3].time == moment) return false;
     const Owner twin = sorted_[size - 2].owner;
-    return agenda.time(twin).high == moment && share_event(agenda, sorted_.back().owner, twin);
+    return current_[twin] == moment && share_event(agenda, sorted_.back().owner, twin);
   }
 
   template <Agenda A>
   void drop_dead_today(const A& agenda) {
-    while (!sorted_.empty() && agenda.time(sorted_.back().owner).high != sorted_.back().time) {
+    while (!sorted_.empty() && current_[sorted_.back().owner] != sorted_.back().time) {
       sorted_.pop_back();
       note_taken();
     }
@@ -161,19 +174,20 @@ class CalendarQueue {
   // Makes the next day with entries today; false if there is none.
   template <Agenda A>
   bool begin_day(const A& agenda) {
+    file_all();
     for (;;) {
       if (filed_count_ == 0) {
         if (beyond_.empty()) return false;
-        lay_out(agenda);
+        lay_out();
         if (filed_count_ == 0) return false;
       }
       if (++today_ == year_end_ && !turn_year()) {
-        lay_out(agenda);
+        lay_out();
         continue;
       }
       if (day(today_).count == 0) continue;
       take_day(sorted_);
-      drop_dead(sorted_, agenda);
+      drop_dead(sorted_);
       std::sort(sorted_.begin(), sorted_.end(),
                 [](const Entry& a, const Entry& b) { return a.time > b.time; });
       prefetch_tomorrow(agenda);
@@ -181,54 +195,64 @@ class CalendarQueue {
     }
   }
 
-  // Asks for the events of all entries of the next day: when it begins, those that are dead are told by them.
+  // Asks for the events of the next day's entries, and one day earlier for what tells the dead among them.
   template <Agenda A>
-  void prefetch_tomorrow(const A& agenda) {
+  void prefetch_tomorrow([[maybe_unused]] const A& agenda) {
     if constexpr (requires { agenda.prefetch_event(Owner{}); }) {
-      const Day& tomorrow = day(today_ + 1);
-      if (tomorrow.count == 0) return;
-      std::uint32_t in_block = (tomorrow.count - 1) % Block::kRoom + 1;
-      for (std::uint32_t b = tomorrow.last_block; b != kNone; b = blocks_[b].next) {
-        for (std::uint32_t i = 0; i < in_block; ++i) agenda.prefetch_event(blocks_[b].owners[i]);
-        in_block = Block::kRoom;
-      }
+      if (agenda.is_cached()) return;
+      for_each_filed(day(today_ + 2), [this](const Entry& entry) { prefetch(&current_[entry.owner]); });
+      for_each_filed(day(today_ + 1), [&](const Entry& entry) {
+        if (current_[entry.owner] == entry.time) agenda.prefetch_event(entry.owner);
+      });
     }
   }
 
-  template <Agenda A>
-  void drop_dead(std::vector<Entry>& entries, const A& agenda) {
-    // Without a branch: half of the entries are dead, and nobody can foresee which.
-    Entry* end = entries.data();
-    for (const Entry& entry : entries) {
-      *end = entry;
-      end += agenda.time(entry.owner).high == entry.time ? 1 : 0;
+  template <class Visit>
+  void for_each_filed(const Day& day, Visit&& visit) const {
+    if (day.count == 0) return;
+    std::uint32_t in_block = (day.count - 1) % Block::kRoom + 1;
+    for (std::uint32_t b = day.last_block; b != kNone; b = blocks_[b].next) {
+      for (std::uint32_t i = 0; i < in_block; ++i) visit(unpack(blocks_[b].entries[i]));
+      in_block = Block::kRoom;
     }
-    const std::size_t dead = entries.size() - static_cast<std::size_t>(end - entries.data());
-    entries.resize(entries.size() - dead);
-    entry_count_ -= dead;
-    counters_.taken += dead;
   }
 
-  // Lays the days out anew for all entries that are alive.
-  template <Agenda A>
-  void lay_out(const A& agenda) {
-    gather();
-    drop_dead(beyond_, agenda);
-    if (beyond_.size() > owner_count_) drop_twins();
-    spread_out();
+  // Days lie all over the memory: an entry is filed some entries later, when the memory asked for has come.
+  void file_soon(const Entry& entry) {
+    Entry& place = unfiled_[unfiled_count_ % kUnfiled];
+    if (unfiled_count_ >= kUnfiled) file(place);
+    place = entry;
+    prefetch(&day_of(entry));
+    if (unfiled_count_ >= kUnfiled / 2) {
+      const Day& day = day_of(unfiled_[(unfiled_count_ - kUnfiled / 2) % kUnfiled]);
+      if (day.last_block != kNone) prefetch(&blocks_[day.last_block].entries[day.count % Block::kRoom]);
+    }
+    ++unfiled_count_;
+  }
+  // The day of an entry, if it is in the ring.
+  const Day& day_of(const Entry& entry) const {
+    constexpr double kLargest = 0x1p62;
+    const auto number = static_cast<std::uint64_t>(std::min(days_before(entry.time), kLargest)) + 1;
+    return days_[number & (days_.size() - 1)];
   }
 
+  void file_all();
   void file(const Entry& entry);
   void put(Day& day, const Entry& entry);
   void take_day(std::vector<Entry>& entries);
   bool turn_year();
+  void drop_dead(std::vector<Entry>& entries);
+  void lay_out();
   void gather();
   void drop_twins();
   void spread_out();
   std::uint32_t new_block(std::uint32_t next);
 
   std::size_t owner_count_ = 0;
-  std::vector<Entry> sorted_;  // today's, latest first, so that the least is at the back
+  LargeVector<double> current_;  // by owner: the time of its event, to the nearest double; kNever if none
+  std::array<Entry, kUnfiled> unfiled_{};  // a ring: the last of all entries that went through it
+  std::size_t unfiled_count_ = 0;          // of those since all were filed
+  std::vector<Entry> sorted_;              // today's, latest first, so that the least is at the back
   std::vector<Scheduled>
       late_;               // filed for today when it had begun; std::push_heap order, the least in front
   std::vector<Day> days_;  // a ring, a power of two

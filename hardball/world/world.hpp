@@ -9,7 +9,6 @@
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/contact_time.hpp"
 #include "hardball/memory/huge_pages.hpp"
-#include "hardball/memory/prefetch.hpp"
 #include "hardball/world/box.hpp"
 #include "hardball/world/per_sphere.hpp"
 
@@ -57,11 +56,6 @@ class World {
   double mass(Slot slot) const { return masses_[slot]; }
   const PerSphere& radii() const { return radii_; }
   const Path& path(Slot slot) const { return paths_[slot]; }
-  /// Asks for the memory of a sphere, which will be needed soon.
-  void prefetch_sphere(Slot slot) const {
-    prefetch(&paths_[slot]);
-    prefetch(&ids_[slot]);
-  }
   std::span<const Path> paths() const { return paths_; }
 
   /// Where the sphere with this id is stored. Cost: O(log n). Error: no sphere has this id.
