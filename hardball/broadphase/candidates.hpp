@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "hardball/broadphase/slot_lists.hpp"
@@ -63,7 +64,7 @@ class Candidates {
   /// Adds the first `count` of a line of slots. Copies the line whole: its length is known, `count` is not.
   void add(const SlotLists::LineOfSlots& others, std::uint32_t count) {
     make_room(others.size());
-    std::copy(others.begin(), others.end(), slots_.begin() + static_cast<std::ptrdiff_t>(size_));
+    std::memcpy(slots_.data() + size_, others.data(), sizeof others);
     size_ += count;
   }
 
@@ -76,7 +77,8 @@ class Candidates {
     Slot* end = begin;
     std::uint64_t* const seen = seen_.data();
     const std::uint64_t round = std::uint64_t{round_} << 32;
-    for (std::size_t i = 0; i < size_; ++i) {
+    const std::size_t size = size_;
+    for (std::size_t i = 0; i < size; ++i) {
       // Without a branch: whether a candidate is new cannot be foreseen.
       const Slot other = begin[i];
       std::uint64_t& place = seen[other & places];

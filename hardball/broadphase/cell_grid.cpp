@@ -3,6 +3,7 @@
 #include "hardball/broadphase/cell_grid.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -52,6 +53,7 @@ void CellGrid::build(const World& world, const Time& now) {
   refuse_tiny_cells(world);
   nearest_ = images_are_nearest(world);
   store_.reset(cells_.shape(), world.size());
+  blocks_ = regions_are_blocks(world);
   residents_.assign(world.size(), Resident{});
   left_count_ = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
@@ -87,8 +89,18 @@ bool CellGrid::images_are_nearest(const World& world) const {
   return true;
 }
 
+// A sphere that is smaller than a cell, by more than rounding and margins can make of it, touches at most two
+// cells along each axis.
+bool CellGrid::regions_are_blocks(const World& world) const {
+  constexpr double kSurplus = 1e-4;
+  const double largest = 2 * world.largest_radius() * (1 + kSurplus);
+  return nearest_ && store_.is_dense() && largest < cells_.edge(0) && largest < cells_.edge(1) &&
+         largest < cells_.edge(2);
+}
+
 void CellGrid::refresh(const World& world, Slot slot, const Time& now, const Image& folded) {
   const CellRange range = range_at(world, slot, now);
+  if (blocks_ && shrink_block(slot, range, folded)) return;
   const CellRange old = residents_[slot].range();
   if (folded.is_zero() && old.contains(range.low) && old.contains(range.high)) {
     leave(slot, old, range);
@@ -102,7 +114,11 @@ void CellGrid::refresh(const World& world, Slot slot, const Time& now, const Ima
 
 void CellGrid::collect(const World& world, Slot slot, Candidates& candidates) const {
   candidates.begin(slot, nearest_);
-  collect_from(world, residents_[slot].range(), candidates);
+  if (blocks_) {
+    collect_block(slot, candidates);
+  } else {
+    collect_from(world, residents_[slot].range(), candidates);
+  }
   candidates.end();
 }
 
@@ -117,6 +133,10 @@ Time CellGrid::next_crossing(const World& world, Slot slot, const Time& now, con
 // Takes the row of cells ahead and gives up those that lie behind, seen along the velocity: giving up cells
 // ahead, on the word of rounded arithmetic, could make two crossings chase each other.
 void CellGrid::cross(const World& world, Slot slot, const Time& now, Candidates& candidates) {
+  if (blocks_) {
+    cross_block(world, slot, now, candidates);
+    return;
+  }
   Resident& resident = residents_[slot];
   const CellRange exact = range_at(world, slot, now);
   const Vec3& velocity = world.path(slot).velocity;
@@ -143,17 +163,94 @@ void CellGrid::cross(const World& world, Slot slot, const Time& now, Candidates&
                          [&](const CellIndex&, const CellIndex& cell) { store_.insert(cell, slot); });
 }
 
+// As cross, of a sphere whose region is a block. Whatever else is rounded, it has two cells at most along
+// the axis of the crossing.
+void CellGrid::cross_block(const World& world, Slot slot, const Time& now, Candidates& candidates) {
+  Resident& resident = residents_[slot];
+  const Path& path = world.path(slot);
+  const Vec3 position = position_at(path, now);
+  const std::size_t crossed = axis_of(resident.crossed_face);
+  const bool up = is_upper(resident.crossed_face);
+  const CellBlock old = block_of(resident);
+  const std::uint32_t had = resident.cells_of_block();
+  std::uint32_t kept = had;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const double velocity = path.velocity[axis];
+    const bool is_crossed = axis == crossed;
+    const bool wide = resident.is_wide(axis);
+    const std::int32_t hindmost =
+        cells_.hindmost(axis, position[axis], world.radius(slot), velocity);
+    const bool leaves_lower = wide & (velocity > 0) & ((hindmost > resident.low[axis]) | is_crossed);
+    const bool leaves_upper = wide & (velocity < 0) & ((hindmost <= resident.low[axis]) | is_crossed);
+    kept &= CellBlock::slab(axis, !leaves_lower, !leaves_upper);
+    left_count_ += static_cast<std::uint64_t>(leaves_lower) + static_cast<std::uint64_t>(leaves_upper);
+    resident.low[axis] += static_cast<std::int32_t>(leaves_lower) - static_cast<std::int32_t>(is_crossed & !up);
+    resident.more[axis] = static_cast<std::uint16_t>((wide & !leaves_lower & !leaves_upper) | is_crossed);
+  }
+  leave(slot, old, had & ~kept);
+
+  const CellBlock block = block_of(resident);
+  const std::uint32_t cells = resident.cells_of_block();
+  std::array<std::uint32_t, 4> entered{};
+  for (std::size_t i = 0; i < entered.size(); ++i) {
+    const std::uint32_t cell = CellBlock::kFace[crossed][i] + (up ? CellBlock::kUpper[crossed] : 0);
+    entered[i] = CellBlock::choose(((cells >> cell) & 1) != 0, block.list(cell), store_.spare_list());
+  }
+  candidates.begin(slot, nearest_);
+  for (const std::uint32_t list : entered) collect_list(list, candidates);
+  candidates.drop_repeated();
+  candidates.end();
+  for (const std::uint32_t list : entered) store_.insert(list, slot);
+  store_.clear_spare_list();
+}
+
+void CellGrid::collect_block(Slot slot, Candidates& candidates) const {
+  const CellBlock block = block_of(residents_[slot]);
+  const std::uint32_t cells = residents_[slot].cells_of_block();
+  for (std::uint32_t cell = 0; cell < CellBlock::kCells; ++cell) {
+    const bool is_in = ((cells >> cell) & 1) != 0;
+    collect_list(CellBlock::choose(is_in, block.list(cell), store_.spare_list()), candidates);
+  }
+  candidates.drop_repeated();
+}
+
+// Gives a sphere that has been folded back by some boxes the region `range`, if that is part of its own.
+bool CellGrid::shrink_block(Slot slot, const CellRange& range, const Image& folded) {
+  Resident& resident = residents_[slot];
+  const std::uint32_t had = resident.cells_of_block();
+  std::uint32_t kept = had;
+  bool is_part = true;
+  std::uint64_t left = 0;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const std::int32_t low = resident.low[axis] - cells_.cells_beyond(axis, folded);
+    const std::int32_t old_more = resident.more[axis];
+    const std::int32_t above = range.low[axis] - low;
+    const std::int32_t more = range.high[axis] - range.low[axis];
+    is_part = is_part & (above >= 0) & (above + more <= old_more);
+    left += static_cast<std::uint64_t>(old_more - more);
+    kept &= CellBlock::slab(axis, above == 0, above + more != 0);
+  }
+  if (!is_part) [[unlikely]] return false;
+  left_count_ += left;
+  if (kept != had) leave(slot, block_of(resident), had & ~kept);
+  resident.take(range);
+  return true;
+}
+
 CellRange CellGrid::range_at(const World& world, Slot slot, const Time& now) const {
   return cells_.range_at(position_at(world.path(slot), now), world.radius(slot));
+}
+
+void CellGrid::collect_list(std::uint32_t list, Candidates& candidates) const {
+  store_.lists().for_each_line(
+      list, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) { candidates.add(slots, count); });
 }
 
 // Collects the others in the cells of a range.
 void CellGrid::collect_from(const World& world, const CellRange& range, Candidates& candidates) const {
   if (nearest_) {
     cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& cell) {
-      store_.lists().for_each_line(
-          store_.list(cell),
-          [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) { candidates.add(slots, count); });
+      collect_list(store_.list(cell), candidates);
     });
     candidates.drop_repeated();
     return;
@@ -201,6 +298,13 @@ void CellGrid::leave(Slot slot, const CellRange& old, const CellRange& kept) {
   }
 }
 
+// Gives up some cells of a block.
+void CellGrid::leave(Slot slot, const CellBlock& block, std::uint32_t cells) {
+  for (; cells != 0; cells &= cells - 1) {
+    store_.erase(block.list(static_cast<std::uint32_t>(std::countr_zero(cells))), slot);
+  }
+}
+
 std::size_t CellGrid::memory_bytes() const {
   return store_.memory_bytes() + residents_.capacity() * sizeof(Resident);
 }
@@ -212,6 +316,7 @@ void CellGrid::validate(const World& world, const Time& now) const {
     const Vec3 position = position_at(world.path(slot), now);
     const double radius = world.radius(slot);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      HARDBALL_CHECK(!blocks_ || range.high[axis] <= range.low[axis] + 1);
       const double low = range.low[axis] * cells_.edge(axis);
       const double high = (range.high[axis] + 1) * cells_.edge(axis);
       HARDBALL_CHECK(range.low[axis] == cells_.first(axis) || low <= position[axis] - radius);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hardball/broadphase/broad_phase.hpp"
+#include "hardball/broadphase/cell_block.hpp"
 #include "hardball/broadphase/cell_store.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/memory/prefetch.hpp"
@@ -74,6 +75,12 @@ class CellGrid {
       return row;
     }
     void take(const CellRange& range);
+    /// Of a region that is a block.
+    bool is_wide(std::size_t axis) const { return more[axis] != 0; }
+    std::uint32_t cells_of_block() const {
+      return CellBlock::slab(0, true, is_wide(0)) & CellBlock::slab(1, true, is_wide(1)) &
+             CellBlock::slab(2, true, is_wide(2));
+    }
   };
 
   void refuse_tiny_cells(const World& world) const;
@@ -81,6 +88,15 @@ class CellGrid {
   CellRange range_at(const World& world, Slot slot, const Time& now) const;
   void collect_from(const World& world, const CellRange& range, Candidates& candidates) const;
   void collect_images(const World& world, Slot other, Candidates& candidates) const;
+  bool regions_are_blocks(const World& world) const;
+  CellBlock block_of(const Resident& resident) const {
+    return CellBlock(cells_, resident.low, store_.strides());
+  }
+  void collect_list(std::uint32_t list, Candidates& candidates) const;
+  void collect_block(Slot slot, Candidates& candidates) const;
+  void cross_block(const World& world, Slot slot, const Time& now, Candidates& candidates);
+  bool shrink_block(Slot slot, const CellRange& range, const Image& folded);
+  void leave(Slot slot, const CellBlock& block, std::uint32_t cells);
   void leave(Slot slot, const CellRange& old, const CellRange& kept);
 
   double wanted_edge_;
@@ -88,6 +104,7 @@ class CellGrid {
   CellStore store_;
   LargeVector<Resident> residents_;
   bool nearest_ = false;
+  bool blocks_ = false;  // regions are sets of cells of a block
   std::uint64_t left_count_ = 0;
 };
 

@@ -19,10 +19,15 @@ constexpr double kDenseCellsAlways = 4096;
 void CellStore::reset(const CellIndex& shape, std::size_t expected) {
   const double cells = static_cast<double>(shape[0]) * shape[1] * shape[2];
   dense_ = cells > 0 && cells <= kDenseCellsPerSphere * static_cast<double>(expected) + kDenseCellsAlways;
-  shape_ = shape;
   lines_.clear();
   lines_used_ = 0;
-  lists_.reset(dense_ ? static_cast<std::size_t>(cells) : 0);
+  if (dense_) {
+    strides_ = {static_cast<std::uint32_t>(shape[1] * shape[2]), static_cast<std::uint32_t>(shape[2]), 1};
+    spare_list_ = static_cast<std::uint32_t>(cells);
+    lists_.reset(spare_list_ + std::size_t{1});
+  } else {
+    lists_.reset(0);
+  }
   if (!dense_) lines_.resize(std::bit_ceil(4 * expected + 16));
 }
 

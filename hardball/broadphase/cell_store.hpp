@@ -41,6 +41,15 @@ class CellStore {
     return dense_ ? dense_list(cell) : lines_[find_line(cell)].list;
   }
   const SlotLists& lists() const { return lists_; }
+  /// How far apart the lists of neighbouring cells are, along each axis. Precondition: is_dense().
+  const std::array<std::uint32_t, kAxes>& strides() const { return strides_; }
+  /// The same by the cell's list. Precondition: is_dense().
+  void insert(std::uint32_t list, Slot slot) { lists_.insert(list, slot); }
+  void erase(std::uint32_t list, Slot slot) { lists_.erase(list, slot); }
+  /// A list that belongs to no cell, for those who would rather not branch; whoever inserts there clears it.
+  /// Precondition: is_dense().
+  std::uint32_t spare_list() const { return spare_list_; }
+  void clear_spare_list() { lists_.clear(spare_list_); }
 
   bool is_dense() const { return dense_; }
   std::size_t memory_bytes() const;
@@ -53,8 +62,11 @@ class CellStore {
   };
 
   std::uint32_t dense_list(const CellIndex& cell) const {
-    const auto at = [](std::int32_t i) { return static_cast<std::uint32_t>(i); };
-    return (at(cell[0]) * at(shape_[1]) + at(cell[1])) * at(shape_[2]) + at(cell[2]);
+    std::uint32_t list = 0;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      list += static_cast<std::uint32_t>(cell[axis]) * strides_[axis];
+    }
+    return list;
   }
   std::size_t home(const CellIndex& cell) const;
   std::size_t find_line(const CellIndex& cell) const;
@@ -64,10 +76,11 @@ class CellStore {
   void grow_lines();
 
   bool dense_ = true;
-  CellIndex shape_{};
+  std::array<std::uint32_t, kAxes> strides_{};  // dense
+  std::uint32_t spare_list_ = 0;                // dense: behind the last cell's
   std::vector<Line> lines_;  // hashed: open addressing, a power of two of lines
   std::size_t lines_used_ = 0;
-  SlotLists lists_;  // dense: one for each cell
+  SlotLists lists_;  // dense: one for each cell, and the spare one
 };
 
 }  // namespace hardball

@@ -3,9 +3,11 @@
 #include "hardball/broadphase/subdivision.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/events/event.hpp"
 #include "hardball/geometry/contact_time.hpp"
 
 namespace hardball {
@@ -72,6 +74,12 @@ CellRange Subdivision::range_at(const Vec3& position, double radius) const {
   return range;
 }
 
+std::int32_t Subdivision::hindmost(std::size_t axis, double position, double radius, double velocity) const {
+  const Axis& cells = axes_[axis];
+  const double reach = radius + margin(cells.edge, position);
+  return round_down((position - std::copysign(reach, velocity)) * cells.inverse_edge);
+}
+
 CellIndex Subdivision::cell_of(const Vec3& point) const {
   CellIndex cell;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -85,25 +93,27 @@ CellIndex Subdivision::cell_of(const Vec3& point) const {
 
 // Nothing here branches on which way a sphere flies: nobody can foresee it.
 CellCrossing Subdivision::next_enter(const Path& path, double radius, const CellRange& range) const {
-  CellCrossing next;
+  constexpr double kForever = std::numeric_limits<double>::infinity();
+  static constexpr std::array<double, 2> kUnless{0, kForever};
+  double least = kForever;
+  Face face = 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const Axis& cells = axes_[axis];
     const double velocity = path.velocity[axis];
     const bool up = velocity > 0;
-    const double direction = up ? 1.0 : -1.0;
-    const std::int32_t front = up ? range.high[axis] : range.low[axis];
-    const double face = cells.edge * (front + (up ? 1 : 0));
-    const double reach = radius + margin(cells.edge, face);
-    const double distance = direction * (face - path.position[axis]) - reach;
-    const double wait = std::max(distance, 0.0) / std::fabs(velocity);
-    const bool is_last = front == (up ? cells.last : cells.first);
+    const std::int32_t upwards = up ? -1 : 0;  // all bits
+    const std::int32_t front = range.low[axis] + ((range.high[axis] - range.low[axis]) & upwards);
+    const std::int32_t last = cells.first + ((cells.last - cells.first) & upwards);
+    const double plane = cells.edge * (front - upwards);
+    const double reach = radius + margin(cells.edge, plane);
+    const double distance = std::copysign(1.0, velocity) * (plane - path.position[axis]) - reach;
     // At rest the wait is infinite or not a number.
-    const bool sooner = (wait < next.wait) & !is_last;
-    next.wait = sooner ? wait : next.wait;
-    next.axis = sooner ? static_cast<std::uint8_t>(axis) : next.axis;
-    next.up = sooner ? up : next.up;
+    const double wait = std::max(distance, 0.0) / std::fabs(velocity) + kUnless[front == last ? 1 : 0];
+    const bool sooner = wait < least;
+    least = sooner ? wait : least;
+    face ^= (face ^ face_of(axis, up)) & (0U - static_cast<Face>(sooner));
   }
-  return next;
+  return {least, static_cast<std::uint8_t>(axis_of(face)), is_upper(face)};
 }
 
 CellCrossing Subdivision::next_leave(const Path& path, double radius, const CellRange& range) const {

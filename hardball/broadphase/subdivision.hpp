@@ -74,6 +74,9 @@ class Subdivision {
   /// The cells that a sphere at `position` touches. Error (RunFailure): it has crossed the box too many
   /// times.
   CellRange range_at(const Vec3& position, double radius) const;
+  /// The place along an axis of the last cell that a sphere at `position`, flying at `velocity`, still
+  /// touches.
+  std::int32_t hindmost(std::size_t axis, double position, double radius, double velocity) const;
   /// The cell, folded into the box, in which a point inside the box lies.
   CellIndex cell_of(const Vec3& point) const;
   /// When a sphere on `path` touches the next cell ahead of `range`.
