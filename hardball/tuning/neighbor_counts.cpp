@@ -39,7 +39,7 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
 double cost_rate(const NeighborCounts& counts, const UnitCosts& costs) {
   // A rebuild visits 27 cells; to see whether an anchor is near takes a fraction of a prediction.
   constexpr double kCellsOfRebuild = 27;
-  constexpr double kSearch = 0.125;
+  constexpr double kSearch = 0.25;
   const double look = costs.cell + costs.prediction * counts.neighbors;
   const double rebuild =
       costs.enter + kCellsOfRebuild * costs.cell + kSearch * costs.prediction * counts.searched;
