@@ -47,10 +47,11 @@ double temperature_between_walls(const World& world) {
 
 }  // namespace
 
-DensityProfiles::DensityProfiles(const World& world, const Time& /*now*/, double bin_width)
-    : box_(world.box()),
-      contact_(2 * ContactExtrapolation::kReach * mean_radius(world),
+DensityProfiles::DensityProfiles(const Scene& scene, double bin_width)
+    : box_(scene.world().box()),
+      contact_(2 * ContactExtrapolation::kReach * mean_radius(scene.world()),
                std::numeric_limits<double>::infinity()) {
+  const World& world = scene.world();
   if (world.size() == 0 || !std::isfinite(box_.volume())) return;
   const double longest = std::max({box_.size().x, box_.size().y, box_.size().z});
   const double wanted = std::ceil(longest / (bin_width * mean_radius(world)) * (1 - 1e-12));
@@ -90,13 +91,15 @@ void DensityProfiles::add_slices(double center, double radius, std::size_t axis,
   }
 }
 
-void DensityProfiles::sample(const World& world, const Time& now) {
+void DensityProfiles::sample(const Scene& scene) {
+  const World& world = scene.world();
   if (most_bins_ == 0 || world.size() == 0) return;
   std::vector<double> centers(kAxes * most_bins_);
   std::vector<double> filled(kAxes * most_bins_);
   ContactExtrapolation::Bins near_walls{};
+  auto next = scene.centers().begin();
   world.for_each_by_id([&](Slot slot) {
-    const Vec3 center = world.position(slot, now);
+    const Vec3& center = *next++;
     const double radius = world.radius(slot);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const auto bin = static_cast<std::size_t>(std::max(center[axis] / bin_width_, 0.0));
@@ -127,7 +130,7 @@ void DensityProfiles::sample(const World& world, const Time& now) {
   at_walls_.add(std::array{density, density * temperature_between_walls(world)});
 }
 
-Measurement DensityProfiles::result(const Time& /*now*/) const {
+Measurement DensityProfiles::result(const Scene& /*scene*/) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Density profiles",

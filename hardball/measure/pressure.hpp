@@ -9,28 +9,28 @@
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/fluid_theory.hpp"
 #include "hardball/measure/measurement.hpp"
-#include "hardball/measure/species.hpp"
+#include "hardball/measure/scene.hpp"
 #include "hardball/measure/thermal_motion.hpp"
 #include "hardball/response/contact.hpp"
-#include "hardball/world/world.hpp"
 
 namespace hardball {
 
 /// The pressure tensor from what spheres carry and what collisions hand on, the compressibility, and the
 /// pressure on the walls. An open axis leaves nothing to say: without a volume there is no pressure.
+/// Collisions are taken to conserve momentum.
 /// Source: Allen and Tildesley, Computer Simulation of Liquids, 2nd edition, section 2.4; for walls the
 /// virial theorem.
 class Pressure {
  public:
   static constexpr std::string_view kName = "pressure";
 
-  /// Begins at `now`. Cost: O(n).
-  Pressure(const World& world, const Time& now);
+  /// Begins at the moment of the scene. Cost: O(n).
+  explicit Pressure(const Scene& scene);
 
   /// Cost: O(1).
   void note(const Contact& contact);
-  /// What was found up to `now`.
-  Measurement result(const Time& now) const;
+  /// What was found up to the moment of the scene.
+  Measurement result(const Scene& scene) const;
 
  private:
   static constexpr std::size_t kComponents = 6;  // xx, yy, zz, xy, xz, yz
@@ -48,7 +48,7 @@ class Pressure {
 
   Box box_;
   FluidTheory theory_;
-  EnergyBalance energy_;
+  ThermalMotion motion_;  // in the beginning
   double spheres_;
   Time begin_;
   Time last_;

@@ -67,9 +67,10 @@ Vec3 direction(std::size_t index) {
 
 }  // namespace
 
-StructureFactor::StructureFactor(const World& world, const Time& /*now*/, double longest,
+StructureFactor::StructureFactor(const Scene& scene, double longest,
                                  std::optional<std::size_t> vectors_in_shell)
-    : packing_fraction_(fluid_packing_fraction(world)) {
+    : packing_fraction_(fluid_packing_fraction(scene)) {
+  const World& world = scene.world();
   if (world.size() == 0) return;
   unit_ = 2 * std::numbers::pi * world.box().inverse_period();
   world.for_each_by_id([&](Slot slot) { diameter_ += 2 * world.radius(slot); });
@@ -126,12 +127,9 @@ double StructureFactor::length_of(const Wave& wave) const {
   return length({wave[0] * unit_.x, wave[1] * unit_.y, wave[2] * unit_.z});
 }
 
-void StructureFactor::sample(const World& world, const Time& now) {
-  if (waves_.empty() || world.size() == 0) return;
-  packing_fraction_ = fluid_packing_fraction(world);
-  std::vector<Vec3> centers;
-  centers.reserve(world.size());
-  world.for_each_by_id([&](Slot slot) { centers.push_back(world.position(slot, now)); });
+void StructureFactor::sample(const Scene& scene) {
+  if (waves_.empty() || scene.world().size() == 0) return;
+  const std::vector<Vec3>& centers = scene.centers();
 
   std::array<std::vector<Phases>, kAxes> powers;  // of exp(i unit x), by axis
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -168,13 +166,13 @@ void StructureFactor::sample(const World& world, const Time& now) {
       const double real = total(sums[k].real);
       const double imaginary = total(sums[k].imaginary);
       const double intensity = real * real + imaginary * imaginary;
-      shells_.put(shell, intensity / static_cast<double>(world.size()) / vectors);
+      shells_.put(shell, intensity / static_cast<double>(centers.size()) / vectors);
     }
   }
   shells_.close_sample();
 }
 
-Measurement StructureFactor::result(const Time& /*now*/) const {
+Measurement StructureFactor::result(const Scene& /*scene*/) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Static structure factor",
