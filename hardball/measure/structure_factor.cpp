@@ -16,40 +16,35 @@ namespace {
 
 constexpr std::size_t kShells = 64;
 
-// So many spheres are treated at once, by vector instructions.
-constexpr std::size_t kLanes = 8;
+// So many spheres are treated at once, by the compilers' generic vectors.
+constexpr std::size_t kLanes = 4;
+using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
 
 // One complex number for each lane.
 struct Phases {
-  std::array<double, kLanes> real;
-  std::array<double, kLanes> imaginary;
+  Lanes real;
+  Lanes imaginary;
 };
 
 void set_to_product(Phases& product, const Phases& a, const Phases& b) {
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const double real = a.real[lane] * b.real[lane] - a.imaginary[lane] * b.imaginary[lane];
-    const double imaginary = a.real[lane] * b.imaginary[lane] + a.imaginary[lane] * b.real[lane];
-    product.real[lane] = real;
-    product.imaginary[lane] = imaginary;
-  }
+  product.real = a.real * b.real - a.imaginary * b.imaginary;
+  product.imaginary = a.real * b.imaginary + a.imaginary * b.real;
 }
 
 // Adds x y z, y and z conjugated if their signs say so.
 void add_product(Phases& sum, const Phases& x, const Phases& y, double sign_y, const Phases& z,
                  double sign_z) {
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const double y_imaginary = sign_y * y.imaginary[lane];
-    const double z_imaginary = sign_z * z.imaginary[lane];
-    const double real = x.real[lane] * y.real[lane] - x.imaginary[lane] * y_imaginary;
-    const double imaginary = x.real[lane] * y_imaginary + x.imaginary[lane] * y.real[lane];
-    sum.real[lane] += real * z.real[lane] - imaginary * z_imaginary;
-    sum.imaginary[lane] += real * z_imaginary + imaginary * z.real[lane];
-  }
+  const Lanes y_imaginary = sign_y * y.imaginary;
+  const Lanes z_imaginary = sign_z * z.imaginary;
+  const Lanes real = x.real * y.real - x.imaginary * y_imaginary;
+  const Lanes imaginary = x.real * y_imaginary + x.imaginary * y.real;
+  sum.real += real * z.real - imaginary * z_imaginary;
+  sum.imaginary += real * z_imaginary + imaginary * z.real;
 }
 
-double total(const std::array<double, kLanes>& lanes) {
+double total(const Lanes& lanes) {
   double sum = 0;
-  for (const double lane : lanes) sum += lane;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) sum += lanes[lane];
   return sum;
 }
 
@@ -139,7 +134,7 @@ void StructureFactor::sample(const Scene& scene) {
   for (std::size_t begin = 0; begin < centers.size(); begin += kLanes) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       Phases phase{};
-      powers[axis][0] = {};
+      powers[axis][0] = Phases{};
       for (std::size_t lane = 0; lane < std::min(kLanes, centers.size() - begin); ++lane) {
         const double angle = unit_[axis] * centers[begin + lane][axis];
         phase.real[lane] = std::cos(angle);
