@@ -16,35 +16,41 @@ namespace {
 
 constexpr std::size_t kShells = 64;
 
-// So many spheres are treated at once, by the compilers' generic vectors.
-constexpr std::size_t kLanes = 4;
-using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
+// Two numbers at a time by the compilers' generic vectors, and so many pairs of spheres at once.
+using Pair = double __attribute__((vector_size(16)));
+constexpr std::size_t kPairs = 4;
+constexpr std::size_t kLanes = 2 * kPairs;
 
 // One complex number for each lane.
 struct Phases {
-  Lanes real;
-  Lanes imaginary;
+  std::array<Pair, kPairs> real;
+  std::array<Pair, kPairs> imaginary;
 };
 
 void set_to_product(Phases& product, const Phases& a, const Phases& b) {
-  product.real = a.real * b.real - a.imaginary * b.imaginary;
-  product.imaginary = a.real * b.imaginary + a.imaginary * b.real;
+  for (std::size_t k = 0; k < kPairs; ++k) {
+    const Pair real = a.real[k] * b.real[k] - a.imaginary[k] * b.imaginary[k];
+    product.imaginary[k] = a.real[k] * b.imaginary[k] + a.imaginary[k] * b.real[k];
+    product.real[k] = real;
+  }
 }
 
 // Adds x y z, y and z conjugated if their signs say so.
 void add_product(Phases& sum, const Phases& x, const Phases& y, double sign_y, const Phases& z,
                  double sign_z) {
-  const Lanes y_imaginary = sign_y * y.imaginary;
-  const Lanes z_imaginary = sign_z * z.imaginary;
-  const Lanes real = x.real * y.real - x.imaginary * y_imaginary;
-  const Lanes imaginary = x.real * y_imaginary + x.imaginary * y.real;
-  sum.real += real * z.real - imaginary * z_imaginary;
-  sum.imaginary += real * z_imaginary + imaginary * z.real;
+  for (std::size_t k = 0; k < kPairs; ++k) {
+    const Pair y_imaginary = sign_y * y.imaginary[k];
+    const Pair z_imaginary = sign_z * z.imaginary[k];
+    const Pair real = x.real[k] * y.real[k] - x.imaginary[k] * y_imaginary;
+    const Pair imaginary = x.real[k] * y_imaginary + x.imaginary[k] * y.real[k];
+    sum.real[k] += real * z.real[k] - imaginary * z_imaginary;
+    sum.imaginary[k] += real * z_imaginary + imaginary * z.real[k];
+  }
 }
 
-double total(const Lanes& lanes) {
+double total(const std::array<Pair, kPairs>& lanes) {
   double sum = 0;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) sum += lanes[lane];
+  for (const Pair& pair : lanes) sum += pair[0] + pair[1];
   return sum;
 }
 
@@ -137,9 +143,9 @@ void StructureFactor::sample(const Scene& scene) {
       powers[axis][0] = Phases{};
       for (std::size_t lane = 0; lane < std::min(kLanes, centers.size() - begin); ++lane) {
         const double angle = unit_[axis] * centers[begin + lane][axis];
-        phase.real[lane] = std::cos(angle);
-        phase.imaginary[lane] = std::sin(angle);
-        powers[axis][0].real[lane] = 1;
+        phase.real[lane / 2][lane % 2] = std::cos(angle);
+        phase.imaginary[lane / 2][lane % 2] = std::sin(angle);
+        powers[axis][0].real[lane / 2][lane % 2] = 1;
       }
       for (std::size_t m = 1; m < powers[axis].size(); ++m) {
         set_to_product(powers[axis][m], powers[axis][m - 1], phase);
