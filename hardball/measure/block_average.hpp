@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -40,13 +39,9 @@ class BlockAverage {
 
   /// Adds `amount` to one bin of the sample that the next close_sample ends. It is a value times its weight,
   /// so that it may also be what came at one moment, as an impulse does. Cost: O(1).
-  void put(std::size_t bin, double amount) { sums_[full_blocks_ * bins_ + bin] += amount; }
-  /// The same for several bins in a row.
-  template <std::size_t kCount>
-  void put(std::size_t first, const std::array<double, kCount>& amounts) {
-    double* const sums = &sums_[full_blocks_ * bins_ + first];
-    for (std::size_t k = 0; k < kCount; ++k) sums[k] += amounts[k];
-  }
+  void put(std::size_t bin, double amount) { *open_bins(bin) += amount; }
+  /// The bins from `first` on, to add amounts to several of them.
+  double* open_bins(std::size_t first) { return &sums_[full_blocks_ * bins_ + first]; }
   /// Ends a sample: what was put into its bins was spread over `weight`. Cost: O(1), now and then O(bins).
   void close_sample(double weight = 1) {
     weights_[full_blocks_] += weight;

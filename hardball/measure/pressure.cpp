@@ -24,15 +24,14 @@ constexpr std::array<Component, 6> kTensor{
 constexpr std::array<const char*, 2 * kAxes> kFaceNames{"x_lower", "x_upper", "y_lower",
                                                         "y_upper", "z_lower", "z_upper"};
 
-// The mean of a b and b a, in the order of kTensor.
-std::array<double, 6> symmetric_product(const Vec3& a, const Vec3& b) {
-  const Vec3 half = 0.5 * a;
-  return {a.x * b.x,
-          a.y * b.y,
-          a.z * b.z,
-          half.x * b.y + half.y * b.x,
-          half.x * b.z + half.z * b.x,
-          half.y * b.z + half.z * b.y};
+// Adds the mean of a b and b a to six sums in the order of kTensor.
+void add_symmetric_product(double* sums, Vec3 a, Vec3 b) {
+  sums[0] += a.x * b.x;
+  sums[1] += a.y * b.y;
+  sums[2] += a.z * b.z;
+  sums[3] += (a.x * b.y + a.y * b.x) / 2;
+  sums[4] += (a.x * b.z + a.z * b.x) / 2;
+  sums[5] += (a.y * b.z + a.z * b.y) / 2;
 }
 
 bool has_open_axis(const Box& box) {
@@ -60,9 +59,8 @@ Pressure::Pressure(const Scene& scene)
 void Pressure::advance(const Time& now) {
   const double elapsed = duration(last_, now);
   last_ = now;
-  Tensor carried = kinetic_;
-  for (double& component : carried) component *= elapsed;
-  average_.put(kKinetic, carried);
+  double* const carried = average_.open_bins(kKinetic);
+  for (std::size_t k = 0; k < kComponents; ++k) carried[k] += kinetic_[k] * elapsed;
   average_.close_sample(elapsed);
 }
 
@@ -70,13 +68,9 @@ void Pressure::note(const Contact& contact) {
   advance(contact.time);
   const Vec3 impulse = contact.impulse();
   // With the impulse dp a sphere goes from v to w, and m w w - m v v is dp (v + w), made symmetric.
-  const auto change_kinetic = [&](const Vec3& sum_of_velocities) {
-    const Tensor change = symmetric_product(impulse, sum_of_velocities);
-    for (std::size_t k = 0; k < kComponents; ++k) kinetic_[k] += change[k];
-  };
   const Vec3 first = contact.before.first + contact.after.first;
   if (!contact.is_collision()) {
-    change_kinetic(first - 2 * motion_.drift);
+    add_symmetric_product(kinetic_.data(), impulse, first - 2 * motion_.drift);
     const std::size_t axis = axis_of(contact.second);
     const double force = std::fabs(impulse[axis]);
     average_.put(kFaces + contact.second, force);
@@ -84,8 +78,9 @@ void Pressure::note(const Contact& contact) {
     return;
   }
   // The other sphere has the opposite impulse, and the drift of both cancels.
-  change_kinetic(first - (contact.before.second + contact.after.second));
-  average_.put(kCollisional, symmetric_product(impulse, -1 * contact.separation));
+  const Vec3 second = contact.before.second + contact.after.second;
+  add_symmetric_product(kinetic_.data(), impulse, first - second);
+  add_symmetric_product(average_.open_bins(kCollisional), impulse, -1 * contact.separation);
 }
 
 Measurement Pressure::result(const Scene& scene) const {
