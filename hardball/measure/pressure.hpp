@@ -44,7 +44,7 @@ class Pressure {
   using Tensor = std::array<double, kComponents>;
 
   void advance(const Time& now);
-  void add_walls(Measurement& measurement, const BlockAverage& average) const;
+  void add_walls(Measurement& found, const BlockAverage& average) const;
 
   Box box_;
   FluidTheory theory_;
