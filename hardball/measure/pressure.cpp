@@ -66,20 +66,22 @@ void Pressure::advance(const Time& now) {
 
 void Pressure::note(const Contact& contact) {
   advance(contact.time);
+  // A sphere that an impulse dp brings from v to w carries m w w - m v v more, which is dp (v + w), made
+  // symmetric.
+  const auto change_kinetic = [this](const Vec3& impulse, const Vec3& before, const Vec3& after) {
+    add_symmetric_product(kinetic_.data(), impulse, (before + after) - 2 * motion_.drift);
+  };
   const Vec3 impulse = contact.impulse();
-  // With the impulse dp a sphere goes from v to w, and m w w - m v v is dp (v + w), made symmetric.
-  const Vec3 first = contact.before.first + contact.after.first;
+  change_kinetic(impulse, contact.before.first, contact.after.first);
   if (!contact.is_collision()) {
-    add_symmetric_product(kinetic_.data(), impulse, first - 2 * motion_.drift);
     const std::size_t axis = axis_of(contact.second);
     const double force = std::fabs(impulse[axis]);
     average_.put(kFaces + contact.second, force);
     average_.put(kRadii + axis, force * contact.first_radius);
     return;
   }
-  // The other sphere has the opposite impulse, and the drift of both cancels.
-  const Vec3 second = contact.before.second + contact.after.second;
-  add_symmetric_product(kinetic_.data(), impulse, first - second);
+  const Vec3 second_impulse = contact.second_mass * (contact.after.second - contact.before.second);
+  change_kinetic(second_impulse, contact.before.second, contact.after.second);
   add_symmetric_product(average_.open_bins(kCollisional), impulse, -1 * contact.separation);
 }
 

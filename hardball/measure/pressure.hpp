@@ -17,7 +17,6 @@ namespace hardball {
 
 /// The pressure tensor from what spheres carry and what collisions hand on, the compressibility, and the
 /// pressure on the walls. An open axis leaves nothing to say: without a volume there is no pressure.
-/// Collisions are taken to conserve momentum.
 /// Source: Allen and Tildesley, Computer Simulation of Liquids, 2nd edition, section 2.4; for walls the
 /// virial theorem.
 class Pressure {
