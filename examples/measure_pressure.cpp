@@ -17,7 +17,7 @@ int main() {
   hardball::Simulation simulation(world);
   hardball::Measures measures({.names = {"pressure"}, .from = 10});
   simulation.run_until(200, measures);
-  for (const hardball::Measurement& found : measures.results(simulation.now())) {
+  for (const hardball::Measurement& found : measures.results(simulation.world(), simulation.now())) {
     const hardball::Quantity& z = found.quantities.front();
     std::printf("%s %.2f +- %.2f, expected %.2f\n", z.name.c_str(), z.value, z.error, z.theory);
   }

@@ -107,7 +107,7 @@ ExitCode run(const Options& options) {
   const Summary summary(simulation, seconds);
   const std::string json = summary.json();
   if (files) {
-    const std::vector<Measurement> measurements = measures.results(simulation.now());
+    const std::vector<Measurement> measurements = measures.results(simulation.world(), simulation.now());
     std::string html;
     if (scenario.report) {
       report::Report report = run_report(options, scenario, engine_options, simulation, summary);

@@ -52,10 +52,7 @@ void BlockAverage::add(std::span<const double> values, double weight) {
   close_sample(weight);
 }
 
-void BlockAverage::close_sample(double weight) {
-  weights_[full_blocks_] += weight;
-  ++samples_;
-  if (++samples_in_block_ < samples_per_block_) return;
+void BlockAverage::close_block() {
   samples_in_block_ = 0;
   if (++full_blocks_ == kMostBlocks) merge_neighbors();
 }

@@ -39,9 +39,15 @@ class BlockAverage {
 
   /// Adds `amount` to one bin of the sample that the next close_sample ends. It is a value times its weight,
   /// so that it may also be what came at one moment, as an impulse does. Cost: O(1).
-  void put(std::size_t bin, double amount) { sums_[full_blocks_ * bins_ + bin] += amount; }
+  void put(std::size_t bin, double amount) { *open_bins(bin) += amount; }
+  /// The bins from `first` on, to add amounts to several of them.
+  double* open_bins(std::size_t first) { return &sums_[full_blocks_ * bins_ + first]; }
   /// Ends a sample: what was put into its bins was spread over `weight`. Cost: O(1), now and then O(bins).
-  void close_sample(double weight = 1);
+  void close_sample(double weight = 1) {
+    weights_[full_blocks_] += weight;
+    ++samples_;
+    if (++samples_in_block_ == samples_per_block_) close_block();
+  }
 
   /// Sum of all amounts over the sum of all weights; NaN if there is no weight.
   double mean(std::size_t bin = 0) const;
@@ -67,6 +73,7 @@ class BlockAverage {
 
  private:
   double sum(std::size_t bin, std::size_t block) const { return sums_[block * bins_ + bin]; }
+  void close_block();
   void merge_neighbors();
 
   std::size_t bins_;

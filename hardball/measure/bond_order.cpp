@@ -9,8 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "hardball/measure/surroundings.hpp"
-
 namespace hardball {
 namespace {
 
@@ -104,17 +102,19 @@ std::size_t bin_of(double invariant) {
 
 }  // namespace
 
-BondOrder::BondOrder(const World& world, const Time& now, double reach)
+BondOrder::BondOrder(const Scene& scene, double reach)
     : reach_(reach), averages_(5), four_(kBins), six_(kBins) {
   constexpr double kEachBond = 100;
+  const World& world = scene.world();
   if (world.size() == 0) return;
-  const Surroundings bonds(world, now, 2 * reach_ * world.largest_radius());
-  sample_cost_ = bonds.cost() + kEachBond * bonds.neighbors();
+  const Surroundings::Effort effort = Surroundings::effort(world, 2 * reach_ * world.largest_radius());
+  sample_cost_ = effort.cost + kEachBond * effort.neighbors;
 }
 
-void BondOrder::sample(const World& world, const Time& now) {
-  if (world.size() == 0) return;
-  const Surroundings surroundings(world, now, 2 * reach_ * world.largest_radius());
+void BondOrder::sample(const Scene& scene) {
+  if (scene.world().size() == 0) return;
+  const Surroundings& surroundings = scene.surroundings();
+  const double range = 2 * reach_ * scene.world().largest_radius();
   Bonds all;
   double centers = 0;
   double bonded = 0;  // spheres that have any bond
@@ -122,12 +122,13 @@ void BondOrder::sample(const World& world, const Time& now) {
   double sum_six = 0;
   std::vector<double> density_four(kBins);
   std::vector<double> density_six(kBins);
-  surroundings.for_each_center([&](std::size_t center) {
+  surroundings.for_each_center(range, [&](std::size_t center) {
     Bonds bonds;
-    surroundings.for_each_neighbor(center, [&](std::size_t neighbor, const Vec3& separation, double square) {
-      const double farthest = reach_ * (surroundings.radius(center) + surroundings.radius(neighbor));
-      if (square <= farthest * farthest) bonds.add(1 / std::sqrt(square) * separation);
-    });
+    surroundings.for_each_neighbor(
+        center, range, [&](std::size_t neighbor, const Vec3& separation, double square) {
+          const double farthest = reach_ * (surroundings.radius(center) + surroundings.radius(neighbor));
+          if (square <= farthest * farthest) bonds.add(1 / std::sqrt(square) * separation);
+        });
     ++centers;
     if (bonds.count == 0) return;
     ++bonded;
@@ -146,7 +147,7 @@ void BondOrder::sample(const World& world, const Time& now) {
   six_.add(density_six);
 }
 
-Measurement BondOrder::result(const Time& /*now*/) const {
+Measurement BondOrder::result(const Scene& /*scene*/) const {
   Measurement found{.name = std::string(kName),
                     .title = "Bond-orientational order",
                     .formula =

@@ -6,7 +6,7 @@
 
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/measurement.hpp"
-#include "hardball/world/world.hpp"
+#include "hardball/measure/scene.hpp"
 
 namespace hardball {
 
@@ -21,12 +21,12 @@ class BondOrder {
   static constexpr std::string_view kName = "bond_order";
 
   /// `reach` [1]: how far away neighbours are at most, as a multiple of the sum of the radii.
-  BondOrder(const World& world, const Time& now, double reach = 1.4);
+  explicit BondOrder(const Scene& scene, double reach = 1.4);
 
   /// What a sample costs [ns]: 700 to 2000 ns for each sphere looked at, see Surroundings.
   double sample_cost() const { return sample_cost_; }
-  void sample(const World& world, const Time& now);
-  Measurement result(const Time& now) const;
+  void sample(const Scene& scene);
+  Measurement result(const Scene& scene) const;
 
  private:
   double reach_;

@@ -9,17 +9,16 @@
 
 namespace hardball {
 
-Pace expected_pace(const World& world, const Time& now) {
+Pace expected_pace(const Moments& moments) {
   // What a fast engine takes with spheres that the caches hold; samples are to be cheap beside that, too.
   constexpr double kContactCost = 1000;
-  const Moments moments = moments_of(world, now);
   // Nothing moves, or there is nothing: time has no measure, and the first doublings of the interval find
   // one.
   if (!(moments.mean_speed > 0)) return {1, 0, kContactCost};
   const double crossing =
       std::max({moments.extent.x, moments.extent.y, moments.extent.z}) / moments.mean_speed;
   const double free_time = mean_free_time(moments);
-  const auto spheres = static_cast<double>(world.size());
+  const auto spheres = static_cast<double>(moments.spheres);
   const double contacts = spheres * (0.5 / free_time + wall_rate(moments));
   return {std::min(free_time, crossing), contacts * kContactCost, kContactCost};
 }

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "hardball/world/world.hpp"
+#include "hardball/tuning/moments.hpp"
 
 namespace hardball {
 
@@ -16,8 +16,7 @@ struct Pace {
   double contact_cost;  ///< Of the run for each contact [ns].
 };
 
-/// Cost: O(n).
-Pace expected_pace(const World& world, const Time& now);
+Pace expected_pace(const Moments& moments);
 
 /// The moments at which a measure is given the world: multiples of an interval after the beginning.
 ///

@@ -15,16 +15,20 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+bool has_walls(const Box& box) {
+  return box.is_wall(0) || box.is_wall(1) || box.is_wall(2);
+}
+
 }  // namespace
 
-CollisionRate::CollisionRate(const World& world, const Time& now)
-    : species_(world),
-      theory_(world, species_),
-      energy_(world),
-      spheres_(static_cast<double>(world.size())),
-      has_walls_(world.box().is_wall(0) || world.box().is_wall(1) || world.box().is_wall(2)),
-      begin_(now),
-      last_(now),
+CollisionRate::CollisionRate(const Scene& scene)
+    : species_(scene.species()),
+      theory_(scene.fluid()),
+      motion_(scene.motion()),
+      spheres_(static_cast<double>(scene.world().size())),
+      has_walls_(has_walls(scene.world().box())),
+      begin_(scene.now()),
+      last_(scene.now()),
       contacts_(kPairs + species_.size() * species_.size()) {}
 
 std::size_t CollisionRate::pair_bin(std::size_t a, std::size_t b) const {
@@ -37,7 +41,6 @@ void CollisionRate::advance(const Time& now) {
 }
 
 void CollisionRate::note(const Contact& contact) {
-  energy_.note(contact);
   if (contact.is_collision()) {
     contacts_.put(kCollisions, 1);
     contacts_.put(pair_bin(species_.of(contact.first), species_.of(contact.second)), 1);
@@ -47,14 +50,15 @@ void CollisionRate::note(const Contact& contact) {
   advance(contact.time);
 }
 
-void CollisionRate::sample(const World& world, const Time&) {
+void CollisionRate::sample(const Scene& scene) {
+  const World& world = scene.world();
   if (world.size() == 0) return;
   double sum = 0;
   world.for_each_by_id([&](Slot slot) { sum += length(world.path(slot).velocity); });
   speed_.add(sum / static_cast<double>(world.size()));
 }
 
-Measurement CollisionRate::result(const Time& now) const {
+Measurement CollisionRate::result(const Scene& scene) const {
   Measurement found{.name = std::string(kName),
                     .title = "Collision rate",
                     .formula =
@@ -64,11 +68,11 @@ Measurement CollisionRate::result(const Time& now) const {
                         "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, sections 5.2 "
                         "and 16.2"};
   CollisionRate up_to_now = *this;
-  up_to_now.advance(now);
+  up_to_now.advance(scene.now());
   const BlockAverage& contacts = up_to_now.contacts_;
-  const double temperature = energy_.is_conserved() ? energy_.start().temperature() : kNone;
+  const double temperature = is_energy_conserved(motion_, scene.motion()) ? motion_.temperature() : kNone;
   const double expected = theory_.collision_rate(temperature);
-  const double elapsed = duration(begin_, now);
+  const double elapsed = duration(begin_, scene.now());
   const auto add = [&](std::string name, const char* unit, const FunctionOfMeans& quantity, double theory) {
     const Estimate estimate = contacts.estimate(quantity);
     // Without a collision there is no free time.

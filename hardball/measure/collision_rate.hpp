@@ -8,10 +8,10 @@
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/fluid_theory.hpp"
 #include "hardball/measure/measurement.hpp"
+#include "hardball/measure/scene.hpp"
 #include "hardball/measure/species.hpp"
 #include "hardball/measure/thermal_motion.hpp"
 #include "hardball/response/contact.hpp"
-#include "hardball/world/world.hpp"
 
 namespace hardball {
 
@@ -21,16 +21,16 @@ class CollisionRate {
  public:
   static constexpr std::string_view kName = "collision_rate";
 
-  CollisionRate(const World& world, const Time& now);
+  explicit CollisionRate(const Scene& scene);
 
   /// Cost: O(1).
   void note(const Contact& contact);
   /// What a sample costs [ns].
   double sample_cost() const { return 8 * spheres_; }
   /// Looks at the speeds, from which the free path follows. Cost: O(n).
-  void sample(const World& world, const Time& now);
-  /// What was found up to `now`.
-  Measurement result(const Time& now) const;
+  void sample(const Scene& scene);
+  /// What was found up to the moment of the scene.
+  Measurement result(const Scene& scene) const;
 
  private:
   // Bins: collisions of all, wall contacts, then collisions of each pair of species.
@@ -42,7 +42,7 @@ class CollisionRate {
 
   Species species_;
   FluidTheory theory_;
-  EnergyBalance energy_;
+  ThermalMotion motion_;  // in the beginning
   double spheres_;
   bool has_walls_;
   Time begin_;

@@ -7,8 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "hardball/measure/surroundings.hpp"
-
 namespace hardball {
 namespace {
 
@@ -17,20 +15,22 @@ constexpr std::size_t kMostNeighbors = 100;
 
 }  // namespace
 
-Coordination::Coordination(const World& world, const Time& now, double reach)
-    : reach_(reach), fractions_(kMostNeighbors + 1) {
-  if (world.size() > 0) sample_cost_ = Surroundings(world, now, 2 * reach_ * world.largest_radius()).cost();
+Coordination::Coordination(const Scene& scene, double reach) : reach_(reach), fractions_(kMostNeighbors + 1) {
+  const World& world = scene.world();
+  if (world.size() == 0) return;
+  sample_cost_ = Surroundings::effort(world, 2 * reach_ * world.largest_radius()).cost;
 }
 
-void Coordination::sample(const World& world, const Time& now) {
-  if (world.size() == 0) return;
-  const Surroundings surroundings(world, now, 2 * reach_ * world.largest_radius());
+void Coordination::sample(const Scene& scene) {
+  if (scene.world().size() == 0) return;
+  const Surroundings& surroundings = scene.surroundings();
+  const double range = 2 * reach_ * scene.world().largest_radius();
   std::vector<double> spheres(kMostNeighbors + 1);
   double centers = 0;
   double sum = 0;
-  surroundings.for_each_center([&](std::size_t center) {
+  surroundings.for_each_center(range, [&](std::size_t center) {
     std::size_t neighbors = 0;
-    surroundings.for_each_neighbor(center, [&](std::size_t neighbor, const Vec3&, double square) {
+    surroundings.for_each_neighbor(center, range, [&](std::size_t neighbor, const Vec3&, double square) {
       const double farthest = reach_ * (surroundings.radius(center) + surroundings.radius(neighbor));
       if (square <= farthest * farthest) ++neighbors;
     });
@@ -43,7 +43,7 @@ void Coordination::sample(const World& world, const Time& now) {
   mean_.add(sum / centers);
 }
 
-Measurement Coordination::result(const Time& /*now*/) const {
+Measurement Coordination::result(const Scene& /*scene*/) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Numbers of neighbours",

@@ -21,10 +21,15 @@ double mean_radius(const World& world) {
   return sum / static_cast<double>(world.size());
 }
 
-// Of a ball of this radius, the volume on the lower side of a plane this far from its centre.
+// Of a ball of this radius, the volume on the lower side of a plane this far from its centre, which cuts it.
+double volume_below_inside(double plane, double radius) {
+  const double h = plane + radius;
+  return std::numbers::pi / 3 * h * h * (3 * radius - h);
+}
+
+// The same for any plane.
 double volume_below(double plane, double radius) {
-  const double h = std::clamp(plane, -radius, radius) + radius;
-  return std::numbers::pi * h * h * (radius - h / 3);
+  return volume_below_inside(std::clamp(plane, -radius, radius), radius);
 }
 
 double walled_axes(const Box& box) {
@@ -47,10 +52,11 @@ double temperature_between_walls(const World& world) {
 
 }  // namespace
 
-DensityProfiles::DensityProfiles(const World& world, const Time& /*now*/, double bin_width)
-    : box_(world.box()),
-      contact_(2 * ContactExtrapolation::kReach * mean_radius(world),
+DensityProfiles::DensityProfiles(const Scene& scene, double bin_width)
+    : box_(scene.world().box()),
+      contact_(2 * ContactExtrapolation::kReach * mean_radius(scene.world()),
                std::numeric_limits<double>::infinity()) {
+  const World& world = scene.world();
   if (world.size() == 0 || !std::isfinite(box_.volume())) return;
   const double longest = std::max({box_.size().x, box_.size().y, box_.size().z});
   const double wanted = std::ceil(longest / (bin_width * mean_radius(world)) * (1 - 1e-12));
@@ -80,23 +86,29 @@ void DensityProfiles::add_slices(double center, double radius, std::size_t axis,
   for (const double boxes : {-1.0, 0.0, 1.0}) {
     const double place = center + boxes * size;
     if (place + radius <= 0 || place - radius >= size || (boxes != 0 && !box_.is_periodic(axis))) continue;
+    const std::ptrdiff_t first = bin_of(place - radius);
     const std::ptrdiff_t last = bin_of(place + radius);
-    for (std::ptrdiff_t bin = bin_of(place - radius); bin <= last; ++bin) {
-      const auto index = static_cast<std::size_t>(bin);
-      const double low = static_cast<double>(bin) * bin_width_ - place;
-      const double high = low + slab_width(axis, index);
-      filled[axis * most_bins_ + index] += volume_below(high, radius) - volume_below(low, radius);
+    const auto end_of = [&](std::ptrdiff_t bin) { return static_cast<double>(bin + 1) * bin_width_ - place; };
+    double* const of_bin = &filled[axis * most_bins_];
+    double below = volume_below(end_of(first - 1), radius);
+    for (std::ptrdiff_t bin = first; bin < last; ++bin) {
+      const double below_end = volume_below_inside(end_of(bin), radius);
+      of_bin[bin] += below_end - below;
+      below = below_end;
     }
+    of_bin[last] += volume_below(std::min(end_of(last), size - place), radius) - below;
   }
 }
 
-void DensityProfiles::sample(const World& world, const Time& now) {
+void DensityProfiles::sample(const Scene& scene) {
+  const World& world = scene.world();
   if (most_bins_ == 0 || world.size() == 0) return;
   std::vector<double> centers(kAxes * most_bins_);
   std::vector<double> filled(kAxes * most_bins_);
   ContactExtrapolation::Bins near_walls{};
+  auto next = scene.centers().begin();
   world.for_each_by_id([&](Slot slot) {
-    const Vec3 center = world.position(slot, now);
+    const Vec3& center = *next++;
     const double radius = world.radius(slot);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const auto bin = static_cast<std::size_t>(std::max(center[axis] / bin_width_, 0.0));
@@ -127,7 +139,7 @@ void DensityProfiles::sample(const World& world, const Time& now) {
   at_walls_.add(std::array{density, density * temperature_between_walls(world)});
 }
 
-Measurement DensityProfiles::result(const Time& /*now*/) const {
+Measurement DensityProfiles::result(const Scene& /*scene*/) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Density profiles",

@@ -9,7 +9,7 @@
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/contact_extrapolation.hpp"
 #include "hardball/measure/measurement.hpp"
-#include "hardball/world/world.hpp"
+#include "hardball/measure/scene.hpp"
 
 namespace hardball {
 
@@ -24,12 +24,12 @@ class DensityProfiles {
   static constexpr std::string_view kName = "density_profiles";
 
   /// In bins of `bin_width` mean radii, or wider so that there are no more than 2000.
-  DensityProfiles(const World& world, const Time& now, double bin_width = 0.1);
+  explicit DensityProfiles(const Scene& scene, double bin_width = 0.1);
 
   /// What a sample costs [ns]: 5 ns for each sphere and bin it reaches into, along each axis.
   double sample_cost() const { return sample_cost_; }
-  void sample(const World& world, const Time& now);
-  Measurement result(const Time& now) const;
+  void sample(const Scene& scene);
+  Measurement result(const Scene& scene) const;
 
  private:
   double slab_width(std::size_t axis, std::size_t bin) const;

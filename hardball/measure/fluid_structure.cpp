@@ -6,13 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include "hardball/measure/fluid_theory.hpp"
-#include "hardball/measure/species.hpp"
-
 namespace hardball {
 
-double fluid_packing_fraction(const World& world) {
-  const bool holds = world.radii().is_common() && FluidTheory(world, Species(world)).holds();
+double fluid_packing_fraction(const Scene& scene) {
+  const World& world = scene.world();
+  const bool holds = world.radii().is_common() && scene.fluid().holds();
   return holds ? world.sphere_volume() / world.box().volume() : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "hardball/world/world.hpp"
+#include "hardball/measure/scene.hpp"
 
 /// The structure of the fluid of equal hard spheres in equilibrium: what the measures of structure are
 /// compared with. Lengths are in diameters.
 namespace hardball {
 
-/// Packing fraction of a world to which this theory applies: a FluidTheory that holds, of spheres of equal
+/// Packing fraction of spheres to which this theory applies: a FluidTheory that holds, of spheres of equal
 /// radius; NaN for any other. Cost: O(n).
-double fluid_packing_fraction(const World& world);
+double fluid_packing_fraction(const Scene& scene);
 
 /// The static structure factor in the approximation of Percus and Yevick [1]; `wave_number` in 1 / diameter.
 /// Source: Wertheim, Phys. Rev. Lett. 10 (1963) 321; Hansen and McDonald, Theory of Simple Liquids, section

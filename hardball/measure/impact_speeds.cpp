@@ -54,18 +54,18 @@ double histogram_width(const World& world, const ThermalMotion& motion) {
 
 }  // namespace
 
-ImpactSpeeds::ImpactSpeeds(const World& world, const Time&)
-    : species_(world),
-      energy_(world),
-      has_open_axis_(world.box().is_open(0) || world.box().is_open(1) || world.box().is_open(2)),
-      width_(histogram_width(world, energy_.start()) / kBins),
+ImpactSpeeds::ImpactSpeeds(const Scene& scene)
+    : species_(scene.species()),
+      motion_(scene.motion()),
+      has_open_axis_(!std::isfinite(scene.world().box().volume())),
+      width_(histogram_width(scene.world(), motion_) / kBins),
+      bins_per_speed_(1 / width_),
       average_(kPairs + species_.size() * species_.size()) {}
 
 void ImpactSpeeds::note(const Contact& contact) {
-  energy_.note(contact);
   if (!contact.is_collision()) return;
   const double speed = contact.impact_speed();
-  const double bin = speed / width_;
+  const double bin = speed * bins_per_speed_;
   if (bin < kBins) average_.put(static_cast<std::size_t>(bin), 1);
   average_.put(kSpeed, speed);
   average_.put(kSpeedSquare, speed * speed);
@@ -73,7 +73,7 @@ void ImpactSpeeds::note(const Contact& contact) {
   average_.close_sample();
 }
 
-Measurement ImpactSpeeds::result(const Time&) const {
+Measurement ImpactSpeeds::result(const Scene& scene) const {
   Measurement found{.name = std::string(kName),
                     .title = "Impact speeds",
                     .formula =
@@ -83,9 +83,9 @@ Measurement ImpactSpeeds::result(const Time&) const {
                     .source =
                         "Kinetic theory: pairs meet in proportion to their normal relative speed; "
                         "docs/measures.md"};
-  const MeetingSpeed theory(energy_.start());
+  const MeetingSpeed theory(motion_);
   // The sum over pairs of species, as often as they met, of a function of their reduced mass.
-  const bool is_equilibrium = energy_.is_conserved() && !has_open_axis_;
+  const bool is_equilibrium = is_energy_conserved(motion_, scene.motion()) && !has_open_axis_;
   const auto over_pairs = [&](const auto& of_mass) {
     double sum = 0;
     for (std::size_t a = 0; a < species_.size(); ++a) {

@@ -7,10 +7,10 @@
 
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/measurement.hpp"
+#include "hardball/measure/scene.hpp"
 #include "hardball/measure/species.hpp"
 #include "hardball/measure/thermal_motion.hpp"
 #include "hardball/response/contact.hpp"
-#include "hardball/world/world.hpp"
 
 namespace hardball {
 
@@ -21,12 +21,12 @@ class ImpactSpeeds {
  public:
   static constexpr std::string_view kName = "impact_speeds";
 
-  ImpactSpeeds(const World& world, const Time& now);
+  explicit ImpactSpeeds(const Scene& scene);
 
   /// Cost: O(1).
   void note(const Contact& contact);
-  /// What was found up to `now`.
-  Measurement result(const Time& now) const;
+  /// What was found up to the moment of the scene.
+  Measurement result(const Scene& scene) const;
 
  private:
   static constexpr std::size_t kBins = 120;
@@ -36,9 +36,10 @@ class ImpactSpeeds {
   static constexpr std::size_t kPairs = kSpeedSquare + 1;  // share of each pair of species
 
   Species species_;
-  EnergyBalance energy_;
+  ThermalMotion motion_;  // in the beginning
   bool has_open_axis_;
-  double width_;  // of a bin [L/T]
+  double width_;           // of a bin [L/T]
+  double bins_per_speed_;  // its inverse
   BlockAverage average_;
 };
 

@@ -10,10 +10,10 @@
 
 namespace hardball {
 
-LagAverage::LagAverage(const World& world, const Time& now, double interval, std::size_t most_spheres,
-                       Link link)
-    : species_(world), begin_(now), interval_(interval), link_(link) {
+LagAverage::LagAverage(const Scene& scene, double interval, std::size_t most_spheres, Link link)
+    : species_(scene.species()), begin_(scene.now()), interval_(interval), link_(link) {
   HARDBALL_CHECK(interval > 0);
+  const World& world = scene.world();
   const std::size_t count = std::min(world.size(), most_spheres);
   // Of the spheres followed, in the order of ids, the species.
   std::vector<std::size_t> kinds;

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "hardball/measure/estimate.hpp"
+#include "hardball/measure/scene.hpp"
 #include "hardball/measure/species.hpp"
-#include "hardball/world/world.hpp"
 
 namespace hardball {
 
@@ -33,20 +33,17 @@ class LagAverage {
   /// The sum over spheres of what links the earlier vectors to the later ones.
   using Link = double (*)(std::span<const Vec3> earlier, std::span<const Vec3> later);
 
-  /// Begins at `now`; `interval` [T] is positive. Cost: O(n).
-  LagAverage(const World& world, const Time& now, double interval, std::size_t most_spheres, Link link);
+  /// Begins at the moment of the scene; `interval` [T] is positive. Cost: O(n).
+  LagAverage(const Scene& scene, double interval, std::size_t most_spheres, Link link);
 
   /// Adds a sample; `vector_of` gives the vector of the sphere in a slot. A moment that is no multiple of the
-  /// interval, or not later than the last, is passed over. Cost: O(n), and some 10 links for each sphere
-  /// followed.
+  /// interval, or not later than the last, is passed over. Cost: some 10 links for each sphere followed.
   template <class VectorOf>
-  void sample(const World& world, const Time& now, const VectorOf& vector_of) {
-    if (!is_due(now)) return;
-    std::size_t rank = 0;
-    auto next = followed_.begin();
-    world.for_each_by_id([&](Slot slot) {
-      if (next != followed_.end() && rank++ == next->rank) vectors_[(next++)->place] = vector_of(slot);
-    });
+  void sample(const Scene& scene, const VectorOf& vector_of) {
+    if (!is_due(scene.now())) return;
+    for (const Followed& one : followed_) {
+      vectors_[one.place] = vector_of(scene.world().slot_of_rank(one.rank));
+    }
     link_to_earlier();
   }
 

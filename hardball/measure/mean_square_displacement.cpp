@@ -47,18 +47,19 @@ double slope(std::span<const double> x, std::span<const double> y, std::span<con
 
 }  // namespace
 
-MeanSquareDisplacement::MeanSquareDisplacement(const World& world, const Time& now, double interval,
-                                               std::size_t most_spheres)
-    : theory_(world, Species(world)),
-      energy_(world),
-      is_periodic_(world.box().is_all(Boundary::periodic)),
-      mean_free_time_(mean_free_time(moments_of(world, now))),
-      begin_(now),
-      average_(world, now, interval, most_spheres, sum_of_squares) {}
+MeanSquareDisplacement::MeanSquareDisplacement(const Scene& scene, double interval, std::size_t most_spheres)
+    : theory_(scene.fluid()),
+      motion_(scene.motion()),
+      is_periodic_(scene.world().box().is_all(Boundary::periodic)),
+      mean_free_time_(mean_free_time(scene.moments())),
+      begin_(scene.now()),
+      average_(scene, interval, most_spheres, sum_of_squares) {}
 
-void MeanSquareDisplacement::sample(const World& world, const Time& now) {
-  const Vec3 drifted = duration(begin_, now) * energy_.start().drift;
-  average_.sample(world, now, [&](Slot slot) {
+void MeanSquareDisplacement::sample(const Scene& scene) {
+  const World& world = scene.world();
+  const Time& now = scene.now();
+  const Vec3 drifted = duration(begin_, now) * motion_.drift;
+  average_.sample(scene, [&](Slot slot) {
     return world.position(slot, now) + world.box().shift(world.image(slot, now)) - drifted;
   });
 }
@@ -90,7 +91,7 @@ Estimate MeanSquareDisplacement::diffusion(std::size_t species) const {
   });
 }
 
-Measurement MeanSquareDisplacement::result(const Time&) const {
+Measurement MeanSquareDisplacement::result(const Scene& scene) const {
   Measurement found{.name = std::string(kName),
                     .title = "Mean square displacement",
                     .formula =
@@ -102,7 +103,7 @@ Measurement MeanSquareDisplacement::result(const Time&) const {
                         "Phys. 62 (1987) 509; Enskog: Chapman and Cowling, section 16.3",
                     .is_logarithmic_in_argument = true,
                     .is_logarithmic_in_value = true};
-  const double temperature = energy_.is_conserved() ? energy_.start().temperature() : kNone;
+  const double temperature = is_energy_conserved(motion_, scene.motion()) ? motion_.temperature() : kNone;
   const double enskog = theory_.enskog_diffusion(temperature);
   const double expected = theory_.diffusion(temperature);
   const Species& species = average_.species();

@@ -7,9 +7,8 @@
 #include "hardball/measure/fluid_theory.hpp"
 #include "hardball/measure/lag_average.hpp"
 #include "hardball/measure/measurement.hpp"
+#include "hardball/measure/scene.hpp"
 #include "hardball/measure/thermal_motion.hpp"
-#include "hardball/response/contact.hpp"
-#include "hardball/world/world.hpp"
 
 namespace hardball {
 
@@ -23,21 +22,19 @@ class MeanSquareDisplacement {
   static constexpr double kCostPerSphereFollowed = 60;
 
   /// Positions are compared every `interval` [T]; at most `most_spheres` are followed.
-  MeanSquareDisplacement(const World& world, const Time& now, double interval,
+  MeanSquareDisplacement(const Scene& scene, double interval,
                          std::size_t most_spheres = LagAverage::kMostSpheres);
 
-  /// Watches whether the energy is conserved. Cost: O(1).
-  void note(const Contact& contact) { energy_.note(contact); }
   /// A moment that is no multiple of the interval after the beginning is passed over. Cost: see LagAverage.
-  void sample(const World& world, const Time& now);
-  /// What was found up to `now`.
-  Measurement result(const Time& now) const;
+  void sample(const Scene& scene);
+  /// What was found up to the moment of the scene.
+  Measurement result(const Scene& scene) const;
 
  private:
   Estimate diffusion(std::size_t species) const;
 
   FluidTheory theory_;
-  EnergyBalance energy_;
+  ThermalMotion motion_;  // in the beginning
   bool is_periodic_;
   double mean_free_time_;  // expected [T]
   Time begin_;

@@ -21,8 +21,8 @@ concept NotesContacts = requires(Measure measure, const Contact& contact) {
 };
 
 template <class Measure>
-concept Samples = requires(Measure measure, const World& world, const Time& now) {
-  measure.sample(world, now);
+concept Samples = requires(Measure measure, const Scene& scene) {
+  measure.sample(scene);
 };
 
 /// Follows some spheres from sample to sample.
@@ -87,19 +87,20 @@ Time Measures::next_sample() const {
 }
 
 template <class Measure>
-void Measures::begin(Entry<Measure>& entry, const World& world, const Time& now, const Pace& pace) const {
+void Measures::begin(Entry<Measure>& entry, const Scene& scene, const Pace& pace) const {
+  const Time& now = scene.now();
   // So many samples in a free time show how a velocity is forgotten.
   constexpr double kSamplesPerFreeTime = 4;
   if constexpr (FollowsSpheres<Measure>) {
     const double finest = power_of_two_from(pace.free_time / kSamplesPerFreeTime);
     const std::size_t affordable = affordable_spheres(Measure::kCostPerSphereFollowed, finest, pace);
     const std::size_t spheres =
-        std::min(world.size(), settings_.every ? LagAverage::kMostSpheres : affordable);
+        std::min(scene.world().size(), settings_.every ? LagAverage::kMostSpheres : affordable);
     const double cost = kFixedCost + Measure::kCostPerSphereFollowed * static_cast<double>(spheres);
     entry.cadence = settings_.every ? Cadence(now, *settings_.every) : Cadence(now, finest, cost, pace);
-    entry.measure.emplace(world, now, entry.cadence.interval(), spheres);
+    entry.measure.emplace(scene, entry.cadence.interval(), spheres);
   } else {
-    entry.measure.emplace(world, now);
+    entry.measure.emplace(scene);
     if constexpr (Samples<Measure>) {
       const double cost = kFixedCost + entry.measure->sample_cost();
       entry.cadence =
@@ -110,36 +111,39 @@ void Measures::begin(Entry<Measure>& entry, const World& world, const Time& now,
 
 void Measures::sample(const World& world, const Time& now) {
   if (!is_any_wanted_) return;
+  const Scene scene(world, now);
   if (!has_begun_) {
-    const Pace pace = expected_pace(world, now);
+    const Pace pace = expected_pace(scene.moments());
     for_each([&](auto& entry) {
-      if (entry.is_wanted) begin(entry, world, now, pace);
+      if (entry.is_wanted) begin(entry, scene, pace);
     });
     has_begun_ = true;
   }
   for_each([&](auto& entry) {
     if (entry.cadence.next() > now) return;
-    take_sample(entry, world, now);
+    take_sample(entry, scene);
     entry.cadence.advance(now, contacts_);
   });
 }
 
 void Measures::sample_the_rest(const World& world, const Time& now) {
+  const Scene scene(world, now);
   for_each([&](auto& entry) {
-    if (entry.measure && !entry.has_sample) take_sample(entry, world, now);
+    if (entry.measure && !entry.has_sample) take_sample(entry, scene);
   });
 }
 
 template <class Measure>
-void Measures::take_sample(Entry<Measure>& entry, const World& world, const Time& now) const {
-  if constexpr (Samples<Measure>) entry.measure->sample(world, now);
+void Measures::take_sample(Entry<Measure>& entry, const Scene& scene) const {
+  if constexpr (Samples<Measure>) entry.measure->sample(scene);
   entry.has_sample = true;
 }
 
-std::vector<Measurement> Measures::results(const Time& now) const {
+std::vector<Measurement> Measures::results(const World& world, const Time& now) const {
+  const Scene scene(world, now);
   std::vector<Measurement> results;
   for_each([&](const auto& entry) {
-    if (entry.measure) results.push_back(entry.measure->result(now));
+    if (entry.measure) results.push_back(entry.measure->result(scene));
   });
   return results;
 }

@@ -21,6 +21,7 @@
 #include "hardball/measure/nearest_neighbor.hpp"
 #include "hardball/measure/pressure.hpp"
 #include "hardball/measure/radial_distribution.hpp"
+#include "hardball/measure/scene.hpp"
 #include "hardball/measure/structure_factor.hpp"
 #include "hardball/measure/temperature.hpp"
 #include "hardball/measure/velocity_autocorrelation.hpp"
@@ -51,8 +52,8 @@ class Measures {
   /// too short for them. Precondition: as for sample().
   void sample_the_rest(const World& world, const Time& now);
   /// What each measure has found up to `now`, those that are switched on in the order of measure_names();
-  /// none before the beginning. Precondition: `now` is not before the last contact.
-  std::vector<Measurement> results(const Time& now) const;
+  /// none before the beginning. Precondition: as for sample().
+  std::vector<Measurement> results(const World& world, const Time& now) const;
 
  private:
   template <class Measure>
@@ -80,10 +81,10 @@ class Measures {
     std::apply([&](const auto&... entries) { (visit(entries), ...); }, entries_);
   }
   template <class Measure>
-  void begin(Entry<Measure>& entry, const World& world, const Time& now, const Pace& pace) const;
+  void begin(Entry<Measure>& entry, const Scene& scene, const Pace& pace) const;
 
   template <class Measure>
-  void take_sample(Entry<Measure>& entry, const World& world, const Time& now) const;
+  void take_sample(Entry<Measure>& entry, const Scene& scene) const;
 
   MeasureSettings settings_;
   bool is_any_wanted_ = false;

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "hardball/measure/fluid_structure.hpp"
-#include "hardball/measure/surroundings.hpp"
 
 namespace hardball {
 namespace {
@@ -20,10 +19,11 @@ constexpr double kWidestInOpenSpace = 10;
 
 }  // namespace
 
-NearestNeighbor::NearestNeighbor(const World& world, const Time& now, std::size_t bins)
-    : diameter_(2 * world.largest_radius()),
-      packing_fraction_(fluid_packing_fraction(world)),
+NearestNeighbor::NearestNeighbor(const Scene& scene, std::size_t bins)
+    : diameter_(2 * scene.world().largest_radius()),
+      packing_fraction_(fluid_packing_fraction(scene)),
       density_(bins) {
+  const World& world = scene.world();
   if (world.size() < 2) return;
   widest_ = kWidestInOpenSpace * diameter_;
   if (std::isfinite(world.box().volume())) {
@@ -32,21 +32,21 @@ NearestNeighbor::NearestNeighbor(const World& world, const Time& now, std::size_
         std::cbrt(diameter_ * diameter_ * diameter_ + kExpected * volume_each * 3 / (4 * std::numbers::pi)) -
         diameter_;
   }
-  sample_cost_ = Surroundings(world, now, diameter_ + widest_).cost();
+  sample_cost_ = Surroundings::effort(world, diameter_ + widest_).cost;
 }
 
-void NearestNeighbor::sample(const World& world, const Time& now) {
-  if (widest_ == 0 || world.size() < 2) return;
-  packing_fraction_ = fluid_packing_fraction(world);
-  const Surroundings surroundings(world, now, diameter_ + widest_);
+void NearestNeighbor::sample(const Scene& scene) {
+  if (widest_ == 0 || scene.world().size() < 2) return;
+  const Surroundings& surroundings = scene.surroundings();
+  const double range = diameter_ + widest_;
   const auto bins = static_cast<double>(density_.bins());
   double centers = 0;
   double found = 0;
   double sum = 0;
   std::vector<double> density(density_.bins());
-  surroundings.for_each_center([&](std::size_t center) {
+  surroundings.for_each_center(range, [&](std::size_t center) {
     double nearest = widest_;
-    surroundings.for_each_neighbor(center, [&](std::size_t neighbor, const Vec3&, double square) {
+    surroundings.for_each_neighbor(center, range, [&](std::size_t neighbor, const Vec3&, double square) {
       const double reach = surroundings.radius(center) + surroundings.radius(neighbor);
       nearest = std::min(nearest, std::sqrt(square) - reach);
     });
@@ -62,7 +62,7 @@ void NearestNeighbor::sample(const World& world, const Time& now) {
   if (found > 0) mean_.add(sum / found, found);
 }
 
-Measurement NearestNeighbor::result(const Time& /*now*/) const {
+Measurement NearestNeighbor::result(const Scene& /*scene*/) const {
   Measurement result{
       .name = std::string(kName),
       .title = "Gaps between nearest neighbours",

@@ -6,7 +6,7 @@
 
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/measurement.hpp"
-#include "hardball/world/world.hpp"
+#include "hardball/measure/scene.hpp"
 
 namespace hardball {
 
@@ -18,12 +18,12 @@ class NearestNeighbor {
  public:
   static constexpr std::string_view kName = "nearest_neighbor";
 
-  explicit NearestNeighbor(const World& world, const Time& now, std::size_t bins = 100);
+  explicit NearestNeighbor(const Scene& scene, std::size_t bins = 100);
 
   /// What a sample costs [ns]: 600 to 1500 ns for each sphere looked at, see Surroundings.
   double sample_cost() const { return sample_cost_; }
-  void sample(const World& world, const Time& now);
-  Measurement result(const Time& now) const;
+  void sample(const Scene& scene);
+  Measurement result(const Scene& scene) const;
 
  private:
   double widest_ = 0;        // the gaps that are known [L]

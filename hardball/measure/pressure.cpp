@@ -24,21 +24,32 @@ constexpr std::array<Component, 6> kTensor{
 constexpr std::array<const char*, 2 * kAxes> kFaceNames{"x_lower", "x_upper", "y_lower",
                                                         "y_upper", "z_lower", "z_upper"};
 
+// Adds the mean of a b and b a to six sums in the order of kTensor.
+void add_symmetric_product(double* sums, Vec3 a, Vec3 b) {
+  sums[0] += a.x * b.x;
+  sums[1] += a.y * b.y;
+  sums[2] += a.z * b.z;
+  sums[3] += (a.x * b.y + a.y * b.x) / 2;
+  sums[4] += (a.x * b.z + a.z * b.x) / 2;
+  sums[5] += (a.y * b.z + a.z * b.y) / 2;
+}
+
 bool has_open_axis(const Box& box) {
   return box.is_open(0) || box.is_open(1) || box.is_open(2);
 }
 
 }  // namespace
 
-Pressure::Pressure(const World& world, const Time& now)
-    : box_(world.box()),
-      theory_(world, Species(world)),
-      energy_(world),
-      spheres_(static_cast<double>(world.size())),
-      begin_(now),
-      last_(now) {
+Pressure::Pressure(const Scene& scene)
+    : box_(scene.world().box()),
+      theory_(scene.fluid()),
+      motion_(scene.motion()),
+      spheres_(static_cast<double>(scene.world().size())),
+      begin_(scene.now()),
+      last_(scene.now()) {
+  const World& world = scene.world();
   world.for_each_by_id([&](Slot slot) {
-    const Vec3 velocity = world.path(slot).velocity - energy_.start().drift;
+    const Vec3 velocity = world.path(slot).velocity - motion_.drift;
     for (std::size_t k = 0; k < kComponents; ++k) {
       kinetic_[k] += world.mass(slot) * velocity[kTensor[k].first] * velocity[kTensor[k].second];
     }
@@ -48,26 +59,20 @@ Pressure::Pressure(const World& world, const Time& now)
 void Pressure::advance(const Time& now) {
   const double elapsed = duration(last_, now);
   last_ = now;
-  for (std::size_t k = 0; k < kComponents; ++k) average_.put(kKinetic + k, kinetic_[k] * elapsed);
+  double* const carried = average_.open_bins(kKinetic);
+  for (std::size_t k = 0; k < kComponents; ++k) carried[k] += kinetic_[k] * elapsed;
   average_.close_sample(elapsed);
 }
 
 void Pressure::note(const Contact& contact) {
   advance(contact.time);
-  energy_.note(contact);
-  const Vec3& drift = energy_.start().drift;
-  const auto change_kinetic = [&](double mass, const Vec3& before, const Vec3& after) {
-    const Vec3 v = before - drift;
-    const Vec3 w = after - drift;
-    kinetic_[0] += mass * (w.x * w.x - v.x * v.x);
-    kinetic_[1] += mass * (w.y * w.y - v.y * v.y);
-    kinetic_[2] += mass * (w.z * w.z - v.z * v.z);
-    kinetic_[3] += mass * (w.x * w.y - v.x * v.y);
-    kinetic_[4] += mass * (w.x * w.z - v.x * v.z);
-    kinetic_[5] += mass * (w.y * w.z - v.y * v.z);
+  // A sphere that an impulse dp brings from v to w carries m w w - m v v more, which is dp (v + w), made
+  // symmetric.
+  const auto change_kinetic = [this](const Vec3& impulse, const Vec3& before, const Vec3& after) {
+    add_symmetric_product(kinetic_.data(), impulse, (before + after) - 2 * motion_.drift);
   };
-  change_kinetic(contact.first_mass, contact.before.first, contact.after.first);
   const Vec3 impulse = contact.impulse();
+  change_kinetic(impulse, contact.before.first, contact.after.first);
   if (!contact.is_collision()) {
     const std::size_t axis = axis_of(contact.second);
     const double force = std::fabs(impulse[axis]);
@@ -75,17 +80,12 @@ void Pressure::note(const Contact& contact) {
     average_.put(kRadii + axis, force * contact.first_radius);
     return;
   }
-  change_kinetic(contact.second_mass, contact.before.second, contact.after.second);
-  const Vec3& r = contact.separation;
-  average_.put(kCollisional + 0, -r.x * impulse.x);
-  average_.put(kCollisional + 1, -r.y * impulse.y);
-  average_.put(kCollisional + 2, -r.z * impulse.z);
-  average_.put(kCollisional + 3, -(r.x * impulse.y + r.y * impulse.x) / 2);
-  average_.put(kCollisional + 4, -(r.x * impulse.z + r.z * impulse.x) / 2);
-  average_.put(kCollisional + 5, -(r.y * impulse.z + r.z * impulse.y) / 2);
+  const Vec3 second_impulse = contact.second_mass * (contact.after.second - contact.before.second);
+  change_kinetic(second_impulse, contact.before.second, contact.after.second);
+  add_symmetric_product(average_.open_bins(kCollisional), impulse, -1 * contact.separation);
 }
 
-Measurement Pressure::result(const Time& now) const {
+Measurement Pressure::result(const Scene& scene) const {
   Measurement found{.name = std::string(kName),
                     .title = "Pressure",
                     .formula = "P = (sum m v v + sum over collisions r dp / t) / V, Z = 3 P V / sum m v^2",
@@ -95,7 +95,7 @@ Measurement Pressure::result(const Time& now) const {
                         "2335; of mixtures: Mansoori et al., J. Chem. Phys. 54 (1971) 1523"};
   if (has_open_axis(box_)) return found;
   Pressure up_to_now = *this;
-  up_to_now.advance(now);
+  up_to_now.advance(scene.now());
   const BlockAverage& average = up_to_now.average_;
 
   const auto trace = [](std::span<const double> means, std::size_t begin) {
@@ -111,8 +111,8 @@ Measurement Pressure::result(const Time& now) const {
   // With the total momentum fixed n spheres have n - 1 times three degrees of freedom, and meet a little
   // faster than their mean energy says.
   const double excess = (theory_.compressibility() - 1) * spheres_ / (spheres_ - 1);
-  const double expected = energy_.is_conserved() ? 1 + excess : kNone;
-  const double kinetic_pressure = 2 * energy_.start().energy / (3 * volume);
+  const double expected = is_energy_conserved(motion_, scene.motion()) ? 1 + excess : kNone;
+  const double kinetic_pressure = 2 * motion_.energy / (3 * volume);
   const auto add = [&](std::string name, const char* unit, const FunctionOfMeans& quantity, double theory) {
     const Estimate estimate = average.estimate(quantity);
     found.quantities.push_back({std::move(name), unit, estimate.value, estimate.error, theory});

@@ -9,10 +9,9 @@
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/fluid_theory.hpp"
 #include "hardball/measure/measurement.hpp"
-#include "hardball/measure/species.hpp"
+#include "hardball/measure/scene.hpp"
 #include "hardball/measure/thermal_motion.hpp"
 #include "hardball/response/contact.hpp"
-#include "hardball/world/world.hpp"
 
 namespace hardball {
 
@@ -24,13 +23,13 @@ class Pressure {
  public:
   static constexpr std::string_view kName = "pressure";
 
-  /// Begins at `now`. Cost: O(n).
-  Pressure(const World& world, const Time& now);
+  /// Begins at the moment of the scene. Cost: O(n).
+  explicit Pressure(const Scene& scene);
 
   /// Cost: O(1).
   void note(const Contact& contact);
-  /// What was found up to `now`.
-  Measurement result(const Time& now) const;
+  /// What was found up to the moment of the scene.
+  Measurement result(const Scene& scene) const;
 
  private:
   static constexpr std::size_t kComponents = 6;  // xx, yy, zz, xy, xz, yz
@@ -44,11 +43,11 @@ class Pressure {
   using Tensor = std::array<double, kComponents>;
 
   void advance(const Time& now);
-  void add_walls(Measurement& measurement, const BlockAverage& average) const;
+  void add_walls(Measurement& found, const BlockAverage& average) const;
 
   Box box_;
   FluidTheory theory_;
-  EnergyBalance energy_;
+  ThermalMotion motion_;  // in the beginning
   double spheres_;
   Time begin_;
   Time last_;

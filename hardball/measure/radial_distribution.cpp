@@ -9,9 +9,6 @@
 #include <numbers>
 #include <utility>
 
-#include "hardball/measure/fluid_theory.hpp"
-#include "hardball/measure/surroundings.hpp"
-
 namespace hardball {
 namespace {
 
@@ -31,10 +28,11 @@ double largest_range(const World& world) {
 
 }  // namespace
 
-RadialDistribution::RadialDistribution(const World& world, const Time& now, double range, double bin_width)
-    : box_(world.box()),
-      species_(world),
+RadialDistribution::RadialDistribution(const Scene& scene, double range, double bin_width)
+    : box_(scene.world().box()),
+      species_(scene.species()),
       is_by_species_(species_.size() <= kMostSpecies && !std::isnan(species_.radius(0))) {
+  const World& world = scene.world();
   if (world.size() < 2 || !std::isfinite(box_.volume())) return;
   double mean_diameter = 0;
   low_ = 2 * world.largest_radius();
@@ -43,13 +41,12 @@ RadialDistribution::RadialDistribution(const World& world, const Time& now, doub
     low_ = std::min(low_, 2 * world.radius(slot));
   });
   const std::size_t species = is_by_species_ ? species_.size() : 1;
-  const FluidTheory theory(world, species_);
   kind_of_.resize(species * species);
   for (std::size_t a = 0; a < species; ++a) {
     for (std::size_t b = a; b < species; ++b) {
       kind_of_[a * species + b] = kind_of_[b * species + a] = kinds_.size();
       const double reach = is_by_species_ ? species_.radius(a) + species_.radius(b) : mean_diameter;
-      kinds_.push_back({reach, is_by_species_ ? theory.contact_value(a, b) : 0,
+      kinds_.push_back({reach, is_by_species_ ? scene.fluid().contact_value(a, b) : 0,
                         species == 1 ? "" : "_" + std::to_string(a + 1) + "_" + std::to_string(b + 1),
                         ContactExtrapolation(ContactExtrapolation::kReach * reach, reach)});
     }
@@ -59,7 +56,7 @@ RadialDistribution::RadialDistribution(const World& world, const Time& now, doub
   bins_ = high > low_ ? static_cast<std::size_t>((high - low_) / bin_width_) : 0;
   function_ = BlockAverage(kinds_.size() * bins_);
   contact_ = BlockAverage(kinds_.size());
-  if (has_meaning()) sample_cost_ = Surroundings(world, now, high).cost();
+  if (has_meaning()) sample_cost_ = Surroundings::effort(world, high).cost;
 }
 
 // Whether the bins reach as far beyond contact as extrapolating to it takes.
@@ -93,10 +90,11 @@ double RadialDistribution::ideal_share(double distance, double reach) const {
   return r * r * r * inside / volume;
 }
 
-void RadialDistribution::sample(const World& world, const Time& now) {
+void RadialDistribution::sample(const Scene& scene) {
   if (!has_meaning()) return;
   const double high = low_ + static_cast<double>(bins_) * bin_width_;
-  const Surroundings surroundings(world, now, high);
+  const World& world = scene.world();
+  const Surroundings& surroundings = scene.surroundings();
   const std::size_t many = is_by_species_ ? species_.size() : 1;
   std::vector<std::size_t> species;  // of each sphere
   std::vector<double> spheres(many);
@@ -107,10 +105,10 @@ void RadialDistribution::sample(const World& world, const Time& now) {
   std::vector<double> centers(many);
   std::vector<std::uint32_t> counts(kinds_.size() * bins_);
   std::vector<ContactExtrapolation::Bins> near_contact(kinds_.size());
-  surroundings.for_each_center([&](std::size_t center) {
+  surroundings.for_each_center(high, [&](std::size_t center) {
     ++centers[species[center]];
     const std::size_t* const kind_with = &kind_of_[species[center] * many];
-    surroundings.for_each_neighbor(center, [&](std::size_t neighbor, const Vec3&, double square) {
+    surroundings.for_each_neighbor(center, high, [&](std::size_t neighbor, const Vec3&, double square) {
       const std::size_t index = kind_with[species[neighbor]];
       const Kind& kind = kinds_[index];
       const double distance = std::sqrt(square);
@@ -150,7 +148,7 @@ void RadialDistribution::sample(const World& world, const Time& now) {
   contact_.close_sample();
 }
 
-Measurement RadialDistribution::result(const Time& /*now*/) const {
+Measurement RadialDistribution::result(const Scene& /*scene*/) const {
   Measurement found{.name = std::string(kName),
                     .title = "Radial distribution function",
                     .formula = "g(r) = pairs at the distance r / such pairs of an ideal gas in the same box",

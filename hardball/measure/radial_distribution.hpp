@@ -9,8 +9,8 @@
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/contact_extrapolation.hpp"
 #include "hardball/measure/measurement.hpp"
+#include "hardball/measure/scene.hpp"
 #include "hardball/measure/species.hpp"
-#include "hardball/world/world.hpp"
 
 namespace hardball {
 
@@ -29,13 +29,13 @@ class RadialDistribution {
 
   /// Reaches out to `range` mean diameters, at most to half the smallest edge of the box, in bins of
   /// `bin_width` mean diameters.
-  RadialDistribution(const World& world, const Time& now, double range = 5, double bin_width = 0.02);
+  explicit RadialDistribution(const Scene& scene, double range = 5, double bin_width = 0.02);
 
   /// What a sample costs [ns]: mostly 30 ns for each neighbour within the range, see Surroundings.
   double sample_cost() const { return sample_cost_; }
   /// Precondition: the spheres are those of the beginning.
-  void sample(const World& world, const Time& now);
-  Measurement result(const Time& now) const;
+  void sample(const Scene& scene);
+  Measurement result(const Scene& scene) const;
 
  private:
   // A pair of species, or all spheres.

@@ -16,40 +16,41 @@ namespace {
 
 constexpr std::size_t kShells = 64;
 
-// So many spheres are treated at once, by vector instructions.
-constexpr std::size_t kLanes = 8;
+// Two numbers at a time by the compilers' generic vectors, and so many pairs of spheres at once.
+using Pair = double __attribute__((vector_size(16)));
+constexpr std::size_t kPairs = 4;
+constexpr std::size_t kLanes = 2 * kPairs;
 
 // One complex number for each lane.
 struct Phases {
-  std::array<double, kLanes> real;
-  std::array<double, kLanes> imaginary;
+  std::array<Pair, kPairs> real;
+  std::array<Pair, kPairs> imaginary;
 };
 
 void set_to_product(Phases& product, const Phases& a, const Phases& b) {
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const double real = a.real[lane] * b.real[lane] - a.imaginary[lane] * b.imaginary[lane];
-    const double imaginary = a.real[lane] * b.imaginary[lane] + a.imaginary[lane] * b.real[lane];
-    product.real[lane] = real;
-    product.imaginary[lane] = imaginary;
+  for (std::size_t k = 0; k < kPairs; ++k) {
+    const Pair real = a.real[k] * b.real[k] - a.imaginary[k] * b.imaginary[k];
+    product.imaginary[k] = a.real[k] * b.imaginary[k] + a.imaginary[k] * b.real[k];
+    product.real[k] = real;
   }
 }
 
 // Adds x y z, y and z conjugated if their signs say so.
 void add_product(Phases& sum, const Phases& x, const Phases& y, double sign_y, const Phases& z,
                  double sign_z) {
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const double y_imaginary = sign_y * y.imaginary[lane];
-    const double z_imaginary = sign_z * z.imaginary[lane];
-    const double real = x.real[lane] * y.real[lane] - x.imaginary[lane] * y_imaginary;
-    const double imaginary = x.real[lane] * y_imaginary + x.imaginary[lane] * y.real[lane];
-    sum.real[lane] += real * z.real[lane] - imaginary * z_imaginary;
-    sum.imaginary[lane] += real * z_imaginary + imaginary * z.real[lane];
+  for (std::size_t k = 0; k < kPairs; ++k) {
+    const Pair y_imaginary = sign_y * y.imaginary[k];
+    const Pair z_imaginary = sign_z * z.imaginary[k];
+    const Pair real = x.real[k] * y.real[k] - x.imaginary[k] * y_imaginary;
+    const Pair imaginary = x.real[k] * y_imaginary + x.imaginary[k] * y.real[k];
+    sum.real[k] += real * z.real[k] - imaginary * z_imaginary;
+    sum.imaginary[k] += real * z_imaginary + imaginary * z.real[k];
   }
 }
 
-double total(const std::array<double, kLanes>& lanes) {
+double total(const std::array<Pair, kPairs>& lanes) {
   double sum = 0;
-  for (const double lane : lanes) sum += lane;
+  for (const Pair& pair : lanes) sum += pair[0] + pair[1];
   return sum;
 }
 
@@ -67,9 +68,10 @@ Vec3 direction(std::size_t index) {
 
 }  // namespace
 
-StructureFactor::StructureFactor(const World& world, const Time& /*now*/, double longest,
+StructureFactor::StructureFactor(const Scene& scene, double longest,
                                  std::optional<std::size_t> vectors_in_shell)
-    : packing_fraction_(fluid_packing_fraction(world)) {
+    : packing_fraction_(fluid_packing_fraction(scene)) {
+  const World& world = scene.world();
   if (world.size() == 0) return;
   unit_ = 2 * std::numbers::pi * world.box().inverse_period();
   world.for_each_by_id([&](Slot slot) { diameter_ += 2 * world.radius(slot); });
@@ -126,12 +128,9 @@ double StructureFactor::length_of(const Wave& wave) const {
   return length({wave[0] * unit_.x, wave[1] * unit_.y, wave[2] * unit_.z});
 }
 
-void StructureFactor::sample(const World& world, const Time& now) {
-  if (waves_.empty() || world.size() == 0) return;
-  packing_fraction_ = fluid_packing_fraction(world);
-  std::vector<Vec3> centers;
-  centers.reserve(world.size());
-  world.for_each_by_id([&](Slot slot) { centers.push_back(world.position(slot, now)); });
+void StructureFactor::sample(const Scene& scene) {
+  if (waves_.empty() || scene.world().size() == 0) return;
+  const std::vector<Vec3>& centers = scene.centers();
 
   std::array<std::vector<Phases>, kAxes> powers;  // of exp(i unit x), by axis
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -141,12 +140,12 @@ void StructureFactor::sample(const World& world, const Time& now) {
   for (std::size_t begin = 0; begin < centers.size(); begin += kLanes) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       Phases phase{};
-      powers[axis][0] = {};
+      powers[axis][0] = Phases{};
       for (std::size_t lane = 0; lane < std::min(kLanes, centers.size() - begin); ++lane) {
         const double angle = unit_[axis] * centers[begin + lane][axis];
-        phase.real[lane] = std::cos(angle);
-        phase.imaginary[lane] = std::sin(angle);
-        powers[axis][0].real[lane] = 1;
+        phase.real[lane / 2][lane % 2] = std::cos(angle);
+        phase.imaginary[lane / 2][lane % 2] = std::sin(angle);
+        powers[axis][0].real[lane / 2][lane % 2] = 1;
       }
       for (std::size_t m = 1; m < powers[axis].size(); ++m) {
         set_to_product(powers[axis][m], powers[axis][m - 1], phase);
@@ -168,13 +167,13 @@ void StructureFactor::sample(const World& world, const Time& now) {
       const double real = total(sums[k].real);
       const double imaginary = total(sums[k].imaginary);
       const double intensity = real * real + imaginary * imaginary;
-      shells_.put(shell, intensity / static_cast<double>(world.size()) / vectors);
+      shells_.put(shell, intensity / static_cast<double>(centers.size()) / vectors);
     }
   }
   shells_.close_sample();
 }
 
-Measurement StructureFactor::result(const Time& /*now*/) const {
+Measurement StructureFactor::result(const Scene& /*scene*/) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Static structure factor",

@@ -10,7 +10,7 @@
 
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/measurement.hpp"
-#include "hardball/world/world.hpp"
+#include "hardball/measure/scene.hpp"
 
 namespace hardball {
 
@@ -27,13 +27,13 @@ class StructureFactor {
   /// Wave vectors are at most `longest` over the mean diameter long; of each of 64 shells up to
   /// `vectors_in_shell` are chosen. If that is not given they are six, or fewer with more than some 25,000
   /// spheres, so that a sample is hardly dearer than with those.
-  StructureFactor(const World& world, const Time& now, double longest = 20,
-                  std::optional<std::size_t> vectors_in_shell = {});
+  explicit StructureFactor(const Scene& scene, double longest = 20,
+                           std::optional<std::size_t> vectors_in_shell = {});
 
   /// What a sample costs [ns]: 3 ns for each sphere and wave vector.
   double sample_cost() const { return sample_cost_; }
-  void sample(const World& world, const Time& now);
-  Measurement result(const Time& now) const;
+  void sample(const Scene& scene);
+  Measurement result(const Scene& scene) const;
 
  private:
   // A wave vector in units of 2 pi / period.

@@ -2,31 +2,40 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/measure/surroundings.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace hardball {
+namespace {
 
-Surroundings::Surroundings(const World& world, const Time& now, double range)
-    : range_(range), neighborhood_(world.box(), world.size(), range / 2) {
-  centers_.reserve(world.size());
-  radii_.reserve(world.size());
-  world.for_each_by_id([&](Slot slot) {
-    centers_.push_back(world.position(slot, now));
-    radii_.push_back(world.radius(slot));
-    neighborhood_.insert(centers_.back(), range / 2);
-  });
-  neighbors_ =
-      static_cast<double>(size()) * 4 * std::numbers::pi / 3 * range * range * range / world.box().volume();
-  const auto affordable = std::min(kMostNeighbors / neighbors_, static_cast<double>(kMostCenters));
-  chosen_ = std::min(size(), static_cast<std::size_t>(std::max(affordable, 1.0)));
-}
+// Then few cells are looked at in vain, and few spheres, whatever the range.
+constexpr double kSpheresInCell = 2;
 
-double Surroundings::cost() const {
+}  // namespace
+
+Surroundings::Effort Surroundings::effort(const World& world, double range) {
   constexpr double kEachSphere = 100;
   constexpr double kEachCenter = 400;
   constexpr double kEachNeighbor = 30;
-  return kEachSphere * static_cast<double>(size()) + kEachCenter * static_cast<double>(chosen_) +
-         kEachNeighbor * neighbors();
+  const auto spheres = static_cast<double>(world.size());
+  const double of_each = spheres * 4 * std::numbers::pi / 3 * range * range * range / world.box().volume();
+  const double affordable = std::min(kMostNeighbors / of_each, static_cast<double>(kMostCenters));
+  const std::size_t chosen = std::min(world.size(), static_cast<std::size_t>(std::max(affordable, 1.0)));
+  const auto centers = static_cast<double>(chosen);
+  return {.centers = chosen,
+          .neighbors = centers * of_each,
+          .cost = kEachSphere * spheres + centers * (kEachCenter + kEachNeighbor * of_each)};
+}
+
+Surroundings::Surroundings(const World& world, std::span<const Vec3> centers, double extent)
+    : world_(world),
+      centers_(centers),
+      ball_(std::cbrt(kSpheresInCell * extent / static_cast<double>(centers.size())) / 2),
+      neighborhood_(world.box(), centers.size(), ball_) {
+  radii_.reserve(centers.size());
+  world.for_each_by_id([&](Slot slot) { radii_.push_back(world.radius(slot)); });
+  for (const Vec3& center : centers) neighborhood_.insert(center, ball_);
 }
 
 }  // namespace hardball

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/measure/thermal_motion.hpp"
 
 namespace hardball {
 namespace {
@@ -23,21 +22,23 @@ constexpr std::size_t kOfSpecies = kAlong + kAxes;
 
 }  // namespace
 
-Temperature::Temperature(const World& world, const Time& now)
-    : species_(world),
+Temperature::Temperature(const Scene& scene)
+    : species_(scene.species()),
       masses_(species_.size()),
-      box_(world.box()),
-      spheres_(static_cast<double>(world.size())),
-      begin_(now),
+      box_(scene.world().box()),
+      spheres_(static_cast<double>(scene.world().size())),
+      begin_(scene.now()),
       average_(kOfSpecies + species_.size()) {
+  const World& world = scene.world();
   world.for_each_by_id([&](Slot slot) { masses_[species_.of(world.id(slot))] += world.mass(slot); });
 }
 
-void Temperature::sample(const World& world, const Time& now) {
+void Temperature::sample(const Scene& scene) {
+  const World& world = scene.world();
   if (world.size() == 0) return;
-  const ThermalMotion motion = thermal_motion(world);
+  const ThermalMotion& motion = scene.motion();
   std::vector<double> values(average_.bins());
-  values[kTime] = duration(begin_, now);
+  values[kTime] = duration(begin_, scene.now());
   values[kAll] = motion.temperature();
   world.for_each_by_id([&](Slot slot) {
     const Vec3 v = world.path(slot).velocity - motion.drift;
@@ -60,7 +61,7 @@ void Temperature::sample(const World& world, const Time& now) {
   average_.add(values);
 }
 
-Measurement Temperature::result(const Time&) const {
+Measurement Temperature::result(const Scene& /*scene*/) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Temperature",

@@ -7,8 +7,8 @@
 
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/measurement.hpp"
+#include "hardball/measure/scene.hpp"
 #include "hardball/measure/species.hpp"
-#include "hardball/world/world.hpp"
 
 namespace hardball {
 
@@ -18,14 +18,14 @@ class Temperature {
  public:
   static constexpr std::string_view kName = "temperature";
 
-  Temperature(const World& world, const Time& now);
+  explicit Temperature(const Scene& scene);
 
   /// What a sample costs [ns].
   double sample_cost() const { return 16 * spheres_; }
   /// Cost: O(n).
-  void sample(const World& world, const Time& now);
-  /// What was found up to `now`.
-  Measurement result(const Time& now) const;
+  void sample(const Scene& scene);
+  /// What was found up to the moment of the scene.
+  Measurement result(const Scene& scene) const;
 
  private:
   Species species_;

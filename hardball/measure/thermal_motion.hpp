@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "hardball/response/contact.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -25,22 +24,8 @@ struct ThermalMotion {
 /// Cost: O(n).
 ThermalMotion thermal_motion(const World& world);
 
-/// Whether the energy is still what it was in the beginning, so that there can be equilibrium.
-class EnergyBalance {
- public:
-  /// Cost: O(n).
-  explicit EnergyBalance(const World& world) : start_(thermal_motion(world)) {}
-
-  void note(const Contact& contact);
-
-  /// The motion in the beginning.
-  const ThermalMotion& start() const { return start_; }
-  /// Whether all contacts together changed the energy by no more than rounding does.
-  bool is_conserved() const;
-
- private:
-  ThermalMotion start_;
-  double change_ = 0;  // twice that of the energy
-};
+/// Whether the energy is still what it was in the beginning but for rounding, so that there can be
+/// equilibrium.
+bool is_energy_conserved(const ThermalMotion& begin, const ThermalMotion& end);
 
 }  // namespace hardball

@@ -30,18 +30,18 @@ double green_kubo(std::span<const double> lags, std::span<const double> means, s
 
 }  // namespace
 
-VelocityAutocorrelation::VelocityAutocorrelation(const World& world, const Time& now, double interval,
+VelocityAutocorrelation::VelocityAutocorrelation(const Scene& scene, double interval,
                                                  std::size_t most_spheres)
-    : theory_(world, Species(world)),
-      energy_(world),
-      mean_free_time_(mean_free_time(moments_of(world, now))),
-      average_(world, now, interval, most_spheres, sum_of_products) {}
+    : theory_(scene.fluid()),
+      motion_(scene.motion()),
+      mean_free_time_(mean_free_time(scene.moments())),
+      average_(scene, interval, most_spheres, sum_of_products) {}
 
-void VelocityAutocorrelation::sample(const World& world, const Time& now) {
-  average_.sample(world, now, [&](Slot slot) { return world.path(slot).velocity - energy_.start().drift; });
+void VelocityAutocorrelation::sample(const Scene& scene) {
+  average_.sample(scene, [&](Slot slot) { return scene.world().path(slot).velocity - motion_.drift; });
 }
 
-Measurement VelocityAutocorrelation::result(const Time&) const {
+Measurement VelocityAutocorrelation::result(const Scene& scene) const {
   // Beyond, there is little but noise; what is left of the slow decay is a few per cent of D in a dense
   // fluid.
   constexpr double kFreeTimes = 50;
@@ -54,7 +54,7 @@ Measurement VelocityAutocorrelation::result(const Time&) const {
                     .source =
                         "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; D: Speedy, Mol. "
                         "Phys. 62 (1987) 509; Enskog: Chapman and Cowling, section 16.3"};
-  const double temperature = energy_.is_conserved() ? energy_.start().temperature() : kNone;
+  const double temperature = is_energy_conserved(motion_, scene.motion()) ? motion_.temperature() : kNone;
   const double enskog = theory_.enskog_diffusion(temperature);
   const double expected = theory_.diffusion(temperature);
   const Species& species = average_.species();

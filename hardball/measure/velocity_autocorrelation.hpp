@@ -7,9 +7,8 @@
 #include "hardball/measure/fluid_theory.hpp"
 #include "hardball/measure/lag_average.hpp"
 #include "hardball/measure/measurement.hpp"
+#include "hardball/measure/scene.hpp"
 #include "hardball/measure/thermal_motion.hpp"
-#include "hardball/response/contact.hpp"
-#include "hardball/world/world.hpp"
 
 namespace hardball {
 
@@ -23,19 +22,17 @@ class VelocityAutocorrelation {
   static constexpr double kCostPerSphereFollowed = 50;
 
   /// Velocities are compared every `interval` [T]; at most `most_spheres` are followed.
-  VelocityAutocorrelation(const World& world, const Time& now, double interval,
+  VelocityAutocorrelation(const Scene& scene, double interval,
                           std::size_t most_spheres = LagAverage::kMostSpheres);
 
-  /// Watches whether the energy is conserved. Cost: O(1).
-  void note(const Contact& contact) { energy_.note(contact); }
   /// A moment that is no multiple of the interval after the beginning is passed over. Cost: see LagAverage.
-  void sample(const World& world, const Time& now);
-  /// What was found up to `now`.
-  Measurement result(const Time& now) const;
+  void sample(const Scene& scene);
+  /// What was found up to the moment of the scene.
+  Measurement result(const Scene& scene) const;
 
  private:
   FluidTheory theory_;
-  EnergyBalance energy_;
+  ThermalMotion motion_;   // in the beginning
   double mean_free_time_;  // expected [T]
   LagAverage average_;
 };

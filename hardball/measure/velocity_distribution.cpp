@@ -8,8 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "hardball/measure/thermal_motion.hpp"
-
 namespace hardball {
 namespace {
 
@@ -23,12 +21,13 @@ double speed_below(double c) {
 
 }  // namespace
 
-VelocityDistribution::VelocityDistribution(const World& world, const Time&)
-    : spheres_(static_cast<double>(world.size())),
-      degrees_of_freedom_(thermal_motion(world).degrees_of_freedom) {}
+VelocityDistribution::VelocityDistribution(const Scene& scene)
+    : spheres_(static_cast<double>(scene.world().size())),
+      degrees_of_freedom_(scene.motion().degrees_of_freedom) {}
 
-void VelocityDistribution::sample(const World& world, const Time&) {
-  const ThermalMotion motion = thermal_motion(world);
+void VelocityDistribution::sample(const Scene& scene) {
+  const World& world = scene.world();
+  const ThermalMotion& motion = scene.motion();
   const double temperature = motion.temperature();
   if (!(temperature > 0)) return;
   const double share = 1 / spheres_;
@@ -61,7 +60,7 @@ void VelocityDistribution::sample(const World& world, const Time&) {
   average_.close_sample();
 }
 
-Measurement VelocityDistribution::result(const Time&) const {
+Measurement VelocityDistribution::result(const Scene& /*scene*/) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Velocity distribution",

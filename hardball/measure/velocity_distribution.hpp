@@ -6,7 +6,7 @@
 
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/measurement.hpp"
-#include "hardball/world/world.hpp"
+#include "hardball/measure/scene.hpp"
 
 namespace hardball {
 
@@ -18,14 +18,14 @@ class VelocityDistribution {
  public:
   static constexpr std::string_view kName = "velocity_distribution";
 
-  VelocityDistribution(const World& world, const Time& now);
+  explicit VelocityDistribution(const Scene& scene);
 
   /// What a sample costs [ns].
   double sample_cost() const { return 30 * spheres_; }
   /// Cost: O(n).
-  void sample(const World& world, const Time& now);
-  /// What was found up to `now`.
-  Measurement result(const Time& now) const;
+  void sample(const Scene& scene);
+  /// What was found up to the moment of the scene.
+  Measurement result(const Scene& scene) const;
 
  private:
   static constexpr std::size_t kBins = 100;  // from -5 to 5

@@ -61,6 +61,12 @@ class World {
   /// Where the sphere with this id is stored. Cost: O(log n). Error: no sphere has this id.
   Slot slot_of(SphereId id) const;
 
+  /// Where the sphere is stored that has so many lower ids before it. Precondition: they are fewer than
+  /// size().
+  Slot slot_of_rank(std::size_t rank) const {
+    return slots_by_id_.empty() ? static_cast<Slot>(rank) : slots_by_id_[rank];
+  }
+
   /// Calls visit(slot) for every sphere, in the order of ids. Cost: O(n).
   template <class Visit>
   void for_each_by_id(Visit&& visit) const {
@@ -89,9 +95,6 @@ class World {
   std::size_t memory_bytes() const;
 
  private:
-  Slot slot_of_rank(std::size_t rank) const {
-    return slots_by_id_.empty() ? static_cast<Slot>(rank) : slots_by_id_[rank];
-  }
   void sort_slots_by_id();
 
   Box box_;

@@ -26,7 +26,7 @@ std::vector<Measurement> measured(const support::Gas& gas, const MeasureSettings
   Simulation simulation(support::settled(support::make_gas(gas), 40));
   Measures measures(settings);
   simulation.run({.contacts = contacts}, measures);
-  return measures.results(simulation.now());
+  return measures.results(simulation.world(), simulation.now());
 }
 
 const Measurement& named(const std::vector<Measurement>& all, const std::string& name) {
@@ -115,7 +115,7 @@ TEST(MeasuredWalls, BearThePressureOfTheInside) {
   Simulation simulation(support::make_gas(gas));
   Measures measures({.names = {"pressure"}});
   simulation.run({.contacts = 300000}, measures);
-  const Measurement found = measures.results(simulation.now()).front();
+  const Measurement found = measures.results(simulation.world(), simulation.now()).front();
   const Quantity& z = quantity(found, "compressibility_from_walls");
   const double half = simulation.world().box().size().x / 2 - support::kDiameter / 2;
   const double twice_energy = 3.0 * kSpheres;

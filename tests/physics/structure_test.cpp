@@ -23,13 +23,13 @@
 namespace hardball {
 namespace {
 
-// Calls sample(world, now) so many times, each sphere having collided so often in the mean between two.
+// Calls sample(scene) so many times, each sphere having collided so often in the mean between two.
 template <class Sample>
 void watch(Simulation& simulation, int samples, double collisions_per_sphere, const Sample& sample) {
   const double contacts = collisions_per_sphere * static_cast<double>(simulation.size()) / 2;
   for (int i = 0; i < samples; ++i) {
     simulation.run_contacts(static_cast<std::uint64_t>(contacts));
-    sample(simulation.world(), simulation.now());
+    sample({simulation.world(), simulation.now()});
   }
 }
 
@@ -41,9 +41,9 @@ TEST(RadialDistribution, HasTheContactValueThatThePressureSays) {
   constexpr std::size_t kSpheres = 2000;
   Simulation simulation(
       support::settled(support::make_gas({.count = kSpheres, .packing_fraction = kPacking, .seed = 61}), 40));
-  RadialDistribution measure(simulation.world(), simulation.now());
-  watch(simulation, 300, 1, [&](const World& world, const Time& now) { measure.sample(world, now); });
-  const Measurement found = measure.result(simulation.now());
+  RadialDistribution measure({simulation.world(), simulation.now()});
+  watch(simulation, 300, 1, [&](const Scene& scene) { measure.sample(scene); });
+  const Measurement found = measure.result({simulation.world(), simulation.now()});
   const Quantity& contact = support::quantity(found, "contact_value");
   const double from_pressure = (simulation.tally().compressibility(simulation.now()) - 1) / (4 * kPacking);
   const double expected = (support::fluid_compressibility(kPacking) - 1) / (4 * kPacking);
@@ -74,9 +74,9 @@ TEST(RadialDistribution, HasTheContactValueThatThePressureSays) {
 TEST(StructureFactor, AgreesWithPercusAndYevickAtPackingFraction20) {
   Simulation simulation(
       support::settled(support::make_gas({.count = 2000, .packing_fraction = 0.2, .seed = 62}), 20));
-  StructureFactor measure(simulation.world(), simulation.now());
-  watch(simulation, 320, 2, [&](const World& world, const Time& now) { measure.sample(world, now); });
-  const Measurement found = measure.result(simulation.now());
+  StructureFactor measure({simulation.world(), simulation.now()});
+  watch(simulation, 320, 2, [&](const Scene& scene) { measure.sample(scene); });
+  const Measurement found = measure.result({simulation.world(), simulation.now()});
   const std::vector<double>& value = support::column(found, "structure_factor").values;
   const std::vector<double>& error = support::column(found, "structure_factor_error").values;
   const std::vector<double>& theory = support::column(found, "structure_factor_theory").values;
@@ -101,9 +101,9 @@ TEST(StructureFactor, AgreesWithPercusAndYevickAtPackingFraction20) {
 TEST(NearestNeighbor, AgreesWithTorquatoAtPackingFraction20) {
   Simulation simulation(
       support::settled(support::make_gas({.count = 2000, .packing_fraction = 0.2, .seed = 63}), 20));
-  NearestNeighbor measure(simulation.world(), simulation.now());
-  watch(simulation, 200, 2, [&](const World& world, const Time& now) { measure.sample(world, now); });
-  const Quantity gap = support::quantity(measure.result(simulation.now()), "mean_gap");
+  NearestNeighbor measure({simulation.world(), simulation.now()});
+  watch(simulation, 200, 2, [&](const Scene& scene) { measure.sample(scene); });
+  const Quantity gap = support::quantity(measure.result({simulation.world(), simulation.now()}), "mean_gap");
   support::record("relative_deviation", gap.value / gap.theory - 1);
   EXPECT_LT(gap.error, 0.003 * gap.theory);
   EXPECT_NEAR(gap.value, gap.theory, 4 * gap.error + 0.005 * gap.theory);
@@ -115,9 +115,10 @@ TEST(DensityProfiles, HaveThePressureOfTheWallsAtContact) {
   const World start =
       support::make_gas({.count = 1000, .packing_fraction = 0.2, .seed = 64, .boundary = Boundary::wall});
   Simulation simulation(support::settled(start, 20));
-  DensityProfiles measure(simulation.world(), simulation.now());
-  watch(simulation, 3000, 0.5, [&](const World& world, const Time& now) { measure.sample(world, now); });
-  const Quantity pressure = support::quantity(measure.result(simulation.now()), "pressure_at_walls");
+  DensityProfiles measure({simulation.world(), simulation.now()});
+  watch(simulation, 3000, 0.5, [&](const Scene& scene) { measure.sample(scene); });
+  const Quantity pressure =
+      support::quantity(measure.result({simulation.world(), simulation.now()}), "pressure_at_walls");
   const double expected = simulation.tally().wall_pressure(simulation.world().box(), simulation.now());
   support::record("pressure_at_walls", pressure.value);
   support::record("error", pressure.error);
@@ -133,9 +134,9 @@ TEST(BondOrder, TellsTheCrystalFromTheFluid) {
     Simulation simulation(support::settled(
         support::make_gas({.count = 2048, .packing_fraction = packing_fraction, .seed = 65, .start = start}),
         20));
-    BondOrder measure(simulation.world(), simulation.now());
-    watch(simulation, 20, 1, [&](const World& world, const Time& now) { measure.sample(world, now); });
-    return support::quantity(measure.result(simulation.now()), "Q6").value;
+    BondOrder measure({simulation.world(), simulation.now()});
+    watch(simulation, 20, 1, [&](const Scene& scene) { measure.sample(scene); });
+    return support::quantity(measure.result({simulation.world(), simulation.now()}), "Q6").value;
   };
   EXPECT_LT(order(0.3, support::Start::random), 0.04);
   const double crystal = order(0.6, support::Start::fcc);

@@ -14,9 +14,9 @@ namespace hardball {
 namespace {
 
 Measurement measured(const World& world) {
-  BondOrder measure(world, Time(0));
-  measure.sample(world, Time(0));
-  return measure.result(Time(0));
+  BondOrder measure({world, Time(0)});
+  measure.sample({world, Time(0)});
+  return measure.result({world, Time(0)});
 }
 
 struct Reference {

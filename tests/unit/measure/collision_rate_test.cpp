@@ -37,13 +37,13 @@ TEST(CollisionRate, CountsEachSphereAndPairOfSpecies) {
   world.add({{2, 2, 2}, {2, 0, 0}, 0.5});
   world.add({{4, 4, 4}, {4, 0, 0}, 1});
   world.add({{8, 8, 8}, {0, 0, 0}, 1});
-  CollisionRate rate(world, Time(10));
-  rate.sample(world, Time(10));
+  CollisionRate rate({world, Time(10)});
+  rate.sample({world, Time(10)});
   rate.note(collision(11, 0, 1));
   rate.note(collision(12, 1, 2));
   rate.note(collision(13, 1, 2));
   rate.note(wall_contact(14, 0));
-  const Measurement found = rate.result(Time(14));
+  const Measurement found = rate.result({world, Time(14)});
   EXPECT_EQ(quantity(found, "collisions").value, 3);
   EXPECT_EQ(quantity(found, "wall_contacts").value, 1);
   // Two spheres collide at each collision, of three, in 4 units of time.
@@ -61,7 +61,7 @@ TEST(CollisionRate, CountsEachSphereAndPairOfSpecies) {
 TEST(CollisionRate, KnowsNoFreeTimeWithoutCollisions) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{2, 2, 2}, {2, 0, 0}, 0.5});
-  const Measurement found = CollisionRate(world, Time(0)).result(Time(5));
+  const Measurement found = CollisionRate({world, Time(0)}).result({world, Time(5)});
   EXPECT_EQ(quantity(found, "collision_rate").value, 0);
   EXPECT_TRUE(std::isnan(quantity(found, "mean_free_time").value));
   EXPECT_FALSE(has_quantity(found, "wall_rate"));
@@ -76,7 +76,7 @@ TEST(CollisionRate, HasTheTheoryOfADiluteGas) {
     const double v = i % 2 == 0 ? 1 : -1;
     world.add({{x, x, x}, {v, v, v}, kRadius, i < 4 ? 1.0 : 4.0});
   }
-  const Measurement found = CollisionRate(world, Time(0)).result(Time(1));
+  const Measurement found = CollisionRate({world, Time(0)}).result({world, Time(1)});
   const double temperature = (4 * 3 + 4 * 12) / (3.0 * 7);
   const double area = std::numbers::pi * 4 * kRadius * kRadius;
   const auto expected = [&](double reduced_mass) {

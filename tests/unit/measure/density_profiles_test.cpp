@@ -17,9 +17,9 @@ namespace hardball {
 namespace {
 
 Measurement profiles_of(const World& world, double bin_width) {
-  DensityProfiles measure(world, Time(0), bin_width);
-  measure.sample(world, Time(0));
-  return measure.result(Time(0));
+  DensityProfiles measure({world, Time(0)}, bin_width);
+  measure.sample({world, Time(0)});
+  return measure.result({world, Time(0)});
 }
 
 // A sphere of radius 1 across the upper end of one periodic axis and the lower end of another, in slabs 0.5
@@ -81,11 +81,12 @@ TEST(DensityProfiles, KnowTheDensityAtTheWalls) {
   const Box box({Boundary::wall, Boundary::periodic, Boundary::wall}, {7, 9, 8});
   std::vector<double> radii(300, 0.25);
   radii.resize(600, 0.5);
-  DensityProfiles measure(support::make_ideal_gas(box, radii, 0), Time(0));
+  const World first = support::make_ideal_gas(box, radii, 0);
+  DensityProfiles measure({first, Time(0)});
   for (std::uint64_t sample = 0; sample < 640; ++sample) {
-    measure.sample(support::make_ideal_gas(box, radii, sample), Time(0));
+    measure.sample({support::make_ideal_gas(box, radii, sample), Time(0)});
   }
-  const Measurement found = measure.result(Time(0));
+  const Measurement found = measure.result({first, Time(0)});
   const Quantity& density = support::quantity(found, "density_at_walls");
   // Across x, centres have 6.5 and 6 to move in; across z, 7.5 and 7. Walls count by their areas.
   const double across_x = 300 / (9 * 8.0) * (1 / 6.5 + 1 / 6.0);

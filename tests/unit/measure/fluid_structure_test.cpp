@@ -63,19 +63,20 @@ TEST(NearestNeighbor, LeavesContactAsTheContactValueSays) {
 
 TEST(FluidPackingFraction, IsKnownOfEqualSpheresInAPeriodicBox) {
   const auto packing = [](double packing_fraction, Boundary boundary) {
-    return fluid_packing_fraction(
-        support::make_gas({.count = 64, .packing_fraction = packing_fraction, .boundary = boundary}));
+    const World world =
+        support::make_gas({.count = 64, .packing_fraction = packing_fraction, .boundary = boundary});
+    return fluid_packing_fraction({world, Time(0)});
   };
   EXPECT_NEAR(packing(0.2, Boundary::periodic), 0.2, 1e-12);
   EXPECT_TRUE(std::isnan(packing(0.2, Boundary::wall)));
   EXPECT_TRUE(std::isnan(packing(0.2, Boundary::open)));
   const World frozen =
       support::make_gas({.count = 108, .packing_fraction = 0.5, .start = support::Start::fcc});
-  EXPECT_TRUE(std::isnan(fluid_packing_fraction(frozen)));
+  EXPECT_TRUE(std::isnan(fluid_packing_fraction({frozen, Time(0)})));
   World mixture(Box::periodic({9, 9, 9}));
   mixture.add({.position = {1, 1, 1}, .radius = 1});
   mixture.add({.position = {5, 5, 5}, .radius = 2});
-  EXPECT_TRUE(std::isnan(fluid_packing_fraction(mixture)));
+  EXPECT_TRUE(std::isnan(fluid_packing_fraction({mixture, Time(0)})));
 }
 
 }  // namespace

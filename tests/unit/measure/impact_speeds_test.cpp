@@ -31,9 +31,9 @@ Contact collision_at(double speed) {
 
 TEST(ImpactSpeeds, AreThoseAlongTheLineOfCenters) {
   const World world = support::make_gas({.count = 1000, .seed = 3});
-  ImpactSpeeds speeds(world, Time(0));
+  ImpactSpeeds speeds({world, Time(0)});
   for (const double speed : {1.0, 2.0, 2.0, 3.0}) speeds.note(collision_at(speed));
-  const Measurement found = speeds.result(Time(1));
+  const Measurement found = speeds.result({world, Time(1)});
   EXPECT_EQ(quantity(found, "mean_impact_speed").value, 2);
   EXPECT_EQ(quantity(found, "mean_square_impact_speed").value, 4.5);
   const Column& speed = column(found, "impact_speed");
@@ -53,9 +53,10 @@ TEST(ImpactSpeeds, HaveRayleighsDistributionForManySpheres) {
   // kT = 3 n / (3 n - 3) for gases of the support library.
   constexpr double kSpheres = 4000;
   const double temperature = kSpheres / (kSpheres - 1);
-  ImpactSpeeds speeds(support::make_gas({.count = 4000, .seed = 3}), Time(0));
+  const World world = support::make_gas({.count = 4000, .seed = 3});
+  ImpactSpeeds speeds({world, Time(0)});
   speeds.note(collision_at(1));
-  const Measurement found = speeds.result(Time(1));
+  const Measurement found = speeds.result({world, Time(1)});
   EXPECT_NEAR(quantity(found, "mean_impact_speed").theory, std::sqrt(std::numbers::pi * temperature), 2e-4);
   EXPECT_NEAR(quantity(found, "mean_square_impact_speed").theory, 4 * temperature, 1e-3);
   const Column& speed = column(found, "impact_speed");
@@ -72,9 +73,9 @@ TEST(ImpactSpeeds, AreExactForTwoSpheres) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{2, 2, 2}, {1, 0, 0}, 0.5});
   world.add({{4, 4, 4}, {-1, 0, 0}, 0.5});
-  ImpactSpeeds speeds(world, Time(0));
+  ImpactSpeeds speeds({world, Time(0)});
   speeds.note(collision_at(1));
-  const Measurement found = speeds.result(Time(1));
+  const Measurement found = speeds.result({world, Time(1)});
   EXPECT_NEAR(quantity(found, "mean_impact_speed").theory, 2 * 2.0 / 3, 1e-12);
   EXPECT_NEAR(quantity(found, "mean_square_impact_speed").theory, 4 * 0.5, 1e-12);
 }
@@ -83,9 +84,9 @@ TEST(ImpactSpeeds, HaveNoTheoryOutOfEquilibrium) {
   World open;
   open.add({{2, 2, 2}, {1, 0, 0}, 0.5});
   open.add({{4, 4, 4}, {-1, 0, 0}, 0.5});
-  ImpactSpeeds speeds(open, Time(0));
+  ImpactSpeeds speeds({open, Time(0)});
   speeds.note(collision_at(1));
-  EXPECT_TRUE(std::isnan(quantity(speeds.result(Time(1)), "mean_impact_speed").theory));
+  EXPECT_TRUE(std::isnan(quantity(speeds.result({open, Time(1)}), "mean_impact_speed").theory));
 }
 
 }  // namespace

@@ -43,9 +43,9 @@ double value_of(SphereId id, int tick) {
 TEST(LagAverage, IsADirectSumOverItsOrigins) {
   constexpr int kTicks = 75;
   const World world = row(5);
-  LagAverage average(world, Time(2), 0.5, LagAverage::kMostSpheres, sum_of_products);
+  LagAverage average({world, Time(2)}, 0.5, LagAverage::kMostSpheres, sum_of_products);
   for (int tick = 0; tick <= kTicks; ++tick) {
-    average.sample(world, Time(2 + 0.5 * tick), [&](Slot slot) {
+    average.sample({world, Time(2 + 0.5 * tick)}, [&](Slot slot) {
       return Vec3{value_of(world.id(slot), tick), 0, 0};
     });
   }
@@ -73,18 +73,18 @@ TEST(LagAverage, IsADirectSumOverItsOrigins) {
 
 TEST(LagAverage, PassesOverMomentsBetweenItsTicksAndLinksNothingAcrossAGap) {
   const World world = row(1);
-  LagAverage average(world, Time(0), 1, 10, sum_of_products);
+  LagAverage average({world, Time(0)}, 1, 10, sum_of_products);
   const auto one = [](Slot) { return Vec3{1, 0, 0}; };
-  for (const double time : {0.0, 1.0, 1.5, 2.0, 2.0, 20.0, 21.0}) average.sample(world, Time(time), one);
+  for (const double time : {0.0, 1.0, 1.5, 2.0, 2.0, 20.0, 21.0}) average.sample({world, Time(time)}, one);
   EXPECT_EQ(average.lags(), (std::vector<double>{0, 1, 2}));
   EXPECT_EQ(average.at(0, 1).value, 1);
 }
 
 TEST(LagAverage, FollowsSpheresChosenEvenly) {
   const World world = row(100);
-  LagAverage average(world, Time(0), 1, 7, sum_of_products);
+  LagAverage average({world, Time(0)}, 1, 7, sum_of_products);
   std::vector<SphereId> followed;
-  average.sample(world, Time(0), [&](Slot slot) {
+  average.sample({world, Time(0)}, [&](Slot slot) {
     followed.push_back(world.id(slot));
     return Vec3{};
   });
@@ -93,8 +93,8 @@ TEST(LagAverage, FollowsSpheresChosenEvenly) {
 
 TEST(LagAverage, HasTheErrorOfIndependentSpheres) {
   const World world = row(4);
-  LagAverage average(world, Time(0), 1, 10, sum_of_products);
-  average.sample(world, Time(0), [&](Slot slot) { return Vec3{std::sqrt(1.0 + slot), 0, 0}; });
+  LagAverage average({world, Time(0)}, 1, 10, sum_of_products);
+  average.sample({world, Time(0)}, [&](Slot slot) { return Vec3{std::sqrt(1.0 + slot), 0, 0}; });
   // The mean of 1, 2, 3 and 4.
   EXPECT_NEAR(average.at(0, 0).value, 2.5, 1e-12);
   EXPECT_NEAR(average.at(0, 0).error, std::sqrt(5.0 / 12), 1e-12);
@@ -112,9 +112,9 @@ World two_streams() {
 
 TEST(MeanSquareDisplacement, OfFreeFlightIsItsSquare) {
   const World world = two_streams();
-  MeanSquareDisplacement displacement(world, Time(0), 0.75);
-  for (int tick = 0; tick <= 40; ++tick) displacement.sample(world, Time(0.75 * tick));
-  const Measurement found = displacement.result(Time(30));
+  MeanSquareDisplacement displacement({world, Time(0)}, 0.75);
+  for (int tick = 0; tick <= 40; ++tick) displacement.sample({world, Time(0.75 * tick)});
+  const Measurement found = displacement.result({world, Time(30)});
   const Column& lags = column(found, "lag");
   EXPECT_EQ(lags.values.front(), 0.75);
   EXPECT_EQ(lags.values.back(), 0.75 * 32);
@@ -129,18 +129,18 @@ TEST(MeanSquareDisplacement, DoesNotCountTheDrift) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{1, 2, 2}, {4, 1, 0}, 0.5});
   world.add({{1, 6, 8}, {4, -1, 0}, 0.5});
-  MeanSquareDisplacement displacement(world, Time(0), 1);
-  for (int tick = 0; tick <= 7; ++tick) displacement.sample(world, Time(tick));
-  const Measurement found = displacement.result(Time(7));
+  MeanSquareDisplacement displacement({world, Time(0)}, 1);
+  for (int tick = 0; tick <= 7; ++tick) displacement.sample({world, Time(tick)});
+  const Measurement found = displacement.result({world, Time(7)});
   EXPECT_NEAR(column(found, "mean_square_displacement").values[6], 49, 1e-9);
   EXPECT_TRUE(std::isnan(quantity(found, "diffusion_constant").value)) << "free flight has no linear part";
 }
 
 TEST(VelocityAutocorrelation, OfFreeFlightStaysAndItsIntegralGrows) {
   const World world = two_streams();
-  VelocityAutocorrelation velocities(world, Time(0), 0.5);
-  for (int tick = 0; tick <= 20; ++tick) velocities.sample(world, Time(0.5 * tick));
-  const Measurement found = velocities.result(Time(10));
+  VelocityAutocorrelation velocities({world, Time(0)}, 0.5);
+  for (int tick = 0; tick <= 20; ++tick) velocities.sample({world, Time(0.5 * tick)});
+  const Measurement found = velocities.result({world, Time(10)});
   const Column& lags = column(found, "lag");
   EXPECT_EQ(lags.values.front(), 0);
   for (std::size_t i = 0; i < lags.values.size(); ++i) {

@@ -38,18 +38,19 @@ TEST(Measures, AreThoseThatAreWanted) {
   const World world = support::make_gas({.count = 20});
   Measures all;
   all.sample(world, Time(0));
-  const std::vector<std::string> names = names_of(all.results(Time(1)));
+  const std::vector<std::string> names = names_of(all.results(world, Time(1)));
   EXPECT_EQ(names, std::vector<std::string>(measure_names().begin(), measure_names().end()));
   Measures two({.names = {"temperature", "pressure", "pressure"}});
   two.sample(world, Time(0));
-  EXPECT_EQ(names_of(two.results(Time(1))), (std::vector<std::string>{"pressure", "temperature"}));
+  EXPECT_EQ(names_of(two.results(world, Time(1))), (std::vector<std::string>{"pressure", "temperature"}));
 }
 
 TEST(Measures, WantNothingIfThereAreNone) {
   Measures none({.names = {}});
   EXPECT_EQ(none.next_sample(), kNever);
-  none.sample(support::make_gas({.count = 20}), Time(0));
-  EXPECT_TRUE(none.results(Time(1)).empty());
+  const World world = support::make_gas({.count = 20});
+  none.sample(world, Time(0));
+  EXPECT_TRUE(none.results(world, Time(1)).empty());
 }
 
 TEST(Measures, RefuseWhatMakesNoSense) {
@@ -64,7 +65,7 @@ TEST(Measures, BeginWhenTheyAreToldTo) {
   Measures measures({.names = {"collision_rate", "temperature"}, .every = 0.5, .from = 2});
   EXPECT_EQ(measures.next_sample(), Time(2));
   simulation.run_until(1.9, measures);
-  EXPECT_TRUE(measures.results(simulation.now()).empty());
+  EXPECT_TRUE(measures.results(simulation.world(), simulation.now()).empty());
   const std::uint64_t before = [&] {
     Simulation copy = simulation;
     copy.run_until(2);
@@ -72,7 +73,7 @@ TEST(Measures, BeginWhenTheyAreToldTo) {
   }();
   simulation.run_until(3.2, measures);
   EXPECT_EQ(measures.next_sample(), Time(3.5));
-  const std::vector<Measurement> found = measures.results(simulation.now());
+  const std::vector<Measurement> found = measures.results(simulation.world(), simulation.now());
   EXPECT_EQ(column(found[0], "time").values, (std::vector<double>{2, 2.5, 3}));
   EXPECT_EQ(quantity(found[1], "collisions").value,
             static_cast<double>(simulation.counters().collision - before));
@@ -83,7 +84,7 @@ TEST(Measures, TakeASampleThatWasPassedByAtOnce) {
   Measures measures({.names = {"temperature"}, .every = 1.0});
   simulation.run_until(2.5);
   simulation.run_until(4, measures);
-  EXPECT_EQ(column(measures.results(simulation.now()).front(), "time").values,
+  EXPECT_EQ(column(measures.results(simulation.world(), simulation.now()).front(), "time").values,
             (std::vector<double>{2.5, 3.5}));
 }
 
@@ -91,7 +92,9 @@ TEST(Measures, TakeAtTheEndWhatTheRunWasTooShortFor) {
   Simulation simulation(support::make_gas({.count = 500, .packing_fraction = 0.2}));
   Measures measures({.names = {"bond_order", "temperature"}});
   simulation.run_until(0.01, measures);
-  const auto bonds = [&] { return quantity(measures.results(simulation.now()).back(), "mean_bonds").value; };
+  const auto bonds = [&] {
+    return quantity(measures.results(simulation.world(), simulation.now()).back(), "mean_bonds").value;
+  };
   EXPECT_TRUE(std::isnan(bonds()));
   measures.sample_the_rest(simulation.world(), simulation.now());
   EXPECT_GT(bonds(), 0);
@@ -123,7 +126,7 @@ TEST(Measures, FindTheSameBitsByEveryEngine) {
     Measures measures;
     for (double time = piece; time < 2; time += piece) simulation.run_until(time, measures);
     simulation.run_until(2, measures);
-    return text_of(measures.results(simulation.now()));
+    return text_of(measures.results(simulation.world(), simulation.now()));
   };
   const std::string expected = found_by(EngineKind::all_pairs, 2);
   EXPECT_GT(expected.size(), 10000U);
@@ -140,7 +143,7 @@ TEST(Measures, FindTheSameBitsHoweverSpheresAreStored) {
     Simulation simulation(world, {.engine = engine});
     Measures measures;
     simulation.run_until(1, measures);
-    return text_of(measures.results(simulation.now()));
+    return text_of(measures.results(simulation.world(), simulation.now()));
   };
   EXPECT_EQ(found_by(EngineKind::cells), found_by(EngineKind::paper));
 }
@@ -163,7 +166,7 @@ TEST(Measures, LookAtSpheresAtRestNowAndThen) {
   simulation.run_until(1e9, measures);
   EXPECT_EQ(simulation.time(), 1e9);
   // Eight samples for each doubling of the interval, 30 of them.
-  EXPECT_LE(column(measures.results(simulation.now())[1], "time").values.size(), 64U);
+  EXPECT_LE(column(measures.results(simulation.world(), simulation.now())[1], "time").values.size(), 64U);
 }
 
 TEST(Cadence, IsAPowerOfTwoThatTheRunCanAfford) {

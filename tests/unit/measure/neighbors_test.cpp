@@ -17,9 +17,9 @@ namespace {
 
 template <class Measure>
 Measurement measured(const World& world) {
-  Measure measure(world, Time(0));
-  measure.sample(world, Time(0));
-  return measure.result(Time(0));
+  Measure measure({world, Time(0)});
+  measure.sample({world, Time(0)});
+  return measure.result({world, Time(0)});
 }
 
 TEST(Coordination, OfCrystalsIsThatOfTheirLattices) {

@@ -22,10 +22,10 @@ TEST(Pressure, OfAHeadOnPairInAPeriodicBoxIsWhatPencilAndPaperGive) {
   world.add({{1, 5, 5}, {3, 0, 0}, 0.5, 2});
   world.add({{6, 5, 5}, {-1, 0, 0}, 0.5, 2});
   Simulation simulation(world);
-  Pressure pressure(simulation.world(), simulation.now());
+  Pressure pressure({simulation.world(), simulation.now()});
   simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
   simulation.run_until(6);
-  const Measurement found = pressure.result(simulation.now());
+  const Measurement found = pressure.result({simulation.world(), simulation.now()});
   // Beside the drift of 1 both move at 2: sum m v v = 16. Each collision gives the impulse 8 over the
   // distance 1, three in 6 units of time.
   EXPECT_DOUBLE_EQ(quantity(found, "pressure_xx").value, (16 + 24.0 / 6) / 1000);
@@ -44,10 +44,10 @@ TEST(Pressure, HasOffDiagonalComponents) {
   world.add({{3, 3, 5}, {a, a, 0}, 0.5});
   world.add({{5, 5, 5}, {-a, -a, 0}, 0.5});
   Simulation simulation(world);
-  Pressure pressure(simulation.world(), simulation.now());
+  Pressure pressure({simulation.world(), simulation.now()});
   simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
   simulation.run_until(4);
-  const Measurement found = pressure.result(simulation.now());
+  const Measurement found = pressure.result({simulation.world(), simulation.now()});
   // sum m v v = 1 in each component; one collision of impulse 2 over distance 1, half of it in each.
   const double expected = (1 + 1.0 / 4) / 1000;
   for (const char* name : {"pressure_xx", "pressure_yy", "pressure_xy"}) {
@@ -63,10 +63,10 @@ TEST(Pressure, OfOneSphereOnWallsIsItsImpulse) {
   World world(Box::walls({10, 20, 20}));
   world.add({{5, 5, 5}, {3, 0, 0}, 0.5});
   Simulation simulation(world);
-  Pressure pressure(simulation.world(), simulation.now());
+  Pressure pressure({simulation.world(), simulation.now()});
   simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
   simulation.run_until(60);
-  const Measurement found = pressure.result(simulation.now());
+  const Measurement found = pressure.result({simulation.world(), simulation.now()});
   for (const char* name : {"wall_pressure_x_lower", "wall_pressure_x_upper"}) {
     EXPECT_NEAR(quantity(found, name).value, 1.0 / 400, 1e-15) << name;
     EXPECT_NEAR(quantity(found, name).theory, 1.0 / 400, 1e-15) << name;
@@ -81,10 +81,10 @@ TEST(Pressure, IsWhatTheTallyOfTheRunSays) {
   for (const Boundary boundary : {Boundary::periodic, Boundary::wall}) {
     Simulation simulation(
         support::make_gas({.count = 200, .packing_fraction = 0.2, .seed = 5, .boundary = boundary}));
-    Pressure pressure(simulation.world(), simulation.now());
+    Pressure pressure({simulation.world(), simulation.now()});
     simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
     simulation.run_contacts(5000);
-    const Measurement found = pressure.result(simulation.now());
+    const Measurement found = pressure.result({simulation.world(), simulation.now()});
     const Tally& tally = simulation.tally();
     EXPECT_NEAR(quantity(found, "compressibility").value, tally.compressibility(simulation.now()), 1e-12);
     if (boundary == Boundary::periodic) continue;
@@ -96,16 +96,18 @@ TEST(Pressure, IsWhatTheTallyOfTheRunSays) {
 TEST(Pressure, HasNoTheoryWhereEnergyIsLost) {
   Simulation simulation(support::make_gas({.count = 100, .packing_fraction = 0.2, .seed = 6}),
                         {.restitution = 0.9});
-  Pressure pressure(simulation.world(), simulation.now());
-  EXPECT_GT(quantity(pressure.result(simulation.now()), "compressibility").theory, 2);
+  Pressure pressure({simulation.world(), simulation.now()});
+  EXPECT_GT(quantity(pressure.result({simulation.world(), simulation.now()}), "compressibility").theory, 2);
   simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
   simulation.run_contacts(100);
-  EXPECT_TRUE(std::isnan(quantity(pressure.result(simulation.now()), "compressibility").theory));
+  EXPECT_TRUE(std::isnan(
+      quantity(pressure.result({simulation.world(), simulation.now()}), "compressibility").theory));
 }
 
 TEST(Pressure, HasNoMeaningInOpenSpace) {
-  const Pressure pressure(support::make_gas({.count = 10, .boundary = Boundary::open}), Time(0));
-  EXPECT_TRUE(pressure.result(Time(1)).quantities.empty());
+  const World world = support::make_gas({.count = 10, .boundary = Boundary::open});
+  const Pressure pressure({world, Time(0)});
+  EXPECT_TRUE(pressure.result({world, Time(1)}).quantities.empty());
 }
 
 }  // namespace

@@ -33,9 +33,9 @@ TEST(RadialDistribution, CountsTheShellsOfACrystal) {
   const double spacing = 1.2;
   const World world = support::make_crystal(support::face_centered_cubic(), 5, spacing);
   const double density = 500 / world.box().volume();
-  RadialDistribution measure(world, Time(0));
-  measure.sample(world, Time(0));
-  const Measurement found = measure.result(Time(0));
+  RadialDistribution measure({world, Time(0)});
+  measure.sample({world, Time(0)});
+  const Measurement found = measure.result({world, Time(0)});
   const std::array<double, 6> expected{12, 6, 24, 12, 24, 8};
   double before = 0;
   for (std::size_t shell = 0; shell < expected.size(); ++shell) {
@@ -65,11 +65,11 @@ TEST_P(IdealGas, IsUniformInEveryBox) {
   // Radii large enough that forgetting them, or the walls, would show.
   const std::vector<double> radii(kSpheres, 0.4);
   World first = support::make_ideal_gas(box, radii, 0);
-  RadialDistribution measure(first, Time(0), 6, 0.05);
+  RadialDistribution measure({first, Time(0)}, 6, 0.05);
   for (int sample = 0; sample < kSamples; ++sample) {
-    measure.sample(support::make_ideal_gas(box, radii, static_cast<std::uint64_t>(sample)), Time(0));
+    measure.sample({support::make_ideal_gas(box, radii, static_cast<std::uint64_t>(sample)), Time(0)});
   }
-  const Measurement found = measure.result(Time(0));
+  const Measurement found = measure.result({first, Time(0)});
   const std::vector<double>& g = support::column(found, "g").values;
   const std::vector<double>& error = support::column(found, "g_error").values;
   ASSERT_EQ(g.size(), 100U);
@@ -103,9 +103,9 @@ TEST(RadialDistribution, KnowsTheIdealGasBetweenWallsExactly) {
   World world(Box::walls({4, 5, 6}));
   world.add({.position = {1, 1, 1}, .radius = kRadius});
   world.add({.position = {1, 1, 2.85}, .radius = kRadius});
-  RadialDistribution measure(world, Time(0), 5, kBin / (2 * kRadius));
-  measure.sample(world, Time(0));
-  const Measurement found = measure.result(Time(0));
+  RadialDistribution measure({world, Time(0)}, 5, kBin / (2 * kRadius));
+  measure.sample({world, Time(0)});
+  const Measurement found = measure.result({world, Time(0)});
   const std::vector<double>& g = support::column(found, "g").values;
   const auto bin = static_cast<std::size_t>((1.85 - 2 * kRadius) / kBin);
   const double low = 2 * kRadius + static_cast<double>(bin) * kBin;
@@ -134,11 +134,12 @@ TEST(RadialDistribution, KnowsPairsOfSpecies) {
   const Box box = Box::periodic({10, 10, 10});
   std::vector<double> radii(300, 0.2);
   radii.resize(900, 0.4);
-  RadialDistribution measure(support::make_ideal_gas(box, radii, 0), Time(0));
+  const World first = support::make_ideal_gas(box, radii, 0);
+  RadialDistribution measure({first, Time(0)});
   for (std::uint64_t sample = 0; sample < 20; ++sample) {
-    measure.sample(support::make_ideal_gas(box, radii, sample), Time(0));
+    measure.sample({support::make_ideal_gas(box, radii, sample), Time(0)});
   }
-  const Measurement found = measure.result(Time(0));
+  const Measurement found = measure.result({first, Time(0)});
   for (const std::string pair : {"_1_1", "_1_2", "_2_2"}) {
     const std::vector<double>& g = support::column(found, "g" + pair).values;
     const std::vector<double>& error = support::column(found, "g" + pair + "_error").values;
@@ -162,9 +163,9 @@ TEST(RadialDistribution, OfTwoSpheresIsOnePair) {
   World world(Box::periodic({10, 10, 10}));
   world.add({.position = {1, 1, 1}, .radius = 0.5});
   world.add({.position = {9, 1, 1}, .radius = 0.5});
-  RadialDistribution measure(world, Time(0));
-  measure.sample(world, Time(0));
-  const Measurement found = measure.result(Time(0));
+  RadialDistribution measure({world, Time(0)});
+  measure.sample({world, Time(0)});
+  const Measurement found = measure.result({world, Time(0)});
   EXPECT_NEAR(neighbors_within(found, 2 / 1000.0, 0.02, 1.9), 0, 1e-12);
   EXPECT_NEAR(neighbors_within(found, 2 / 1000.0, 0.02, 2.1), 1, 1e-12);
 }
@@ -174,9 +175,9 @@ TEST(RadialDistribution, OfManyRadiiHasNoContact) {
   std::vector<double> radii;
   for (int i = 0; i < 200; ++i) radii.push_back(0.1 + 0.3 * random.uniform());
   const World world = support::make_ideal_gas(Box::periodic({10, 10, 10}), radii, 1);
-  RadialDistribution measure(world, Time(0));
-  measure.sample(world, Time(0));
-  const Measurement found = measure.result(Time(0));
+  RadialDistribution measure({world, Time(0)});
+  measure.sample({world, Time(0)});
+  const Measurement found = measure.result({world, Time(0)});
   EXPECT_TRUE(found.quantities.empty());
   EXPECT_FALSE(support::column(found, "g").values.empty());
 }
@@ -186,10 +187,10 @@ TEST(RadialDistribution, HasNoMeaningWithoutADensity) {
     World world(box);
     world.add({.position = {2, 2, 2}});
     world.add({.position = {6, 6, 6}});
-    RadialDistribution measure(world, Time(0));
-    measure.sample(world, Time(0));
-    EXPECT_TRUE(measure.result(Time(0)).columns.empty());
-    EXPECT_TRUE(measure.result(Time(0)).quantities.empty());
+    RadialDistribution measure({world, Time(0)});
+    measure.sample({world, Time(0)});
+    EXPECT_TRUE(measure.result({world, Time(0)}).columns.empty());
+    EXPECT_TRUE(measure.result({world, Time(0)}).quantities.empty());
   }
 }
 

@@ -55,9 +55,9 @@ std::vector<Shell> direct_sum(const World& world, double longest) {
 
 void expect_direct_sum(const World& world, double longest) {
   constexpr std::size_t kAllVectors = 100;
-  StructureFactor measure(world, Time(0), longest, kAllVectors);
-  measure.sample(world, Time(0));
-  const Measurement found = measure.result(Time(0));
+  StructureFactor measure({world, Time(0)}, longest, kAllVectors);
+  measure.sample({world, Time(0)});
+  const Measurement found = measure.result({world, Time(0)});
   const std::vector<Shell> expected = direct_sum(world, longest);
   const std::vector<double>& wave_number = support::column(found, "wave_number").values;
   const std::vector<double>& value = support::column(found, "structure_factor").values;
@@ -76,9 +76,9 @@ TEST(StructureFactor, IsTheSumOverAllWaveVectorsIfThereAreFew) {
 
 TEST(StructureFactor, OfACrystalHasBraggPeaksAndNothingElse) {
   const World world = support::make_crystal(support::simple_cubic(), 4, 1.1);
-  StructureFactor measure(world, Time(0), 8, 100);
-  measure.sample(world, Time(0));
-  const Measurement found = measure.result(Time(0));
+  StructureFactor measure({world, Time(0)}, 8, 100);
+  measure.sample({world, Time(0)});
+  const Measurement found = measure.result({world, Time(0)});
   const std::vector<double>& wave_number = support::column(found, "wave_number").values;
   const std::vector<double>& value = support::column(found, "structure_factor").values;
   const double unit = 2 * std::numbers::pi / 1.1;
@@ -98,12 +98,13 @@ TEST(StructureFactor, OfACrystalHasBraggPeaksAndNothingElse) {
 TEST(StructureFactor, OfAnIdealGasIsOne) {
   const Box box = Box::periodic({9, 11, 13});
   const std::vector<double> radii(500, 0.5);
-  StructureFactor measure(support::make_ideal_gas(box, radii, 0), Time(0));
+  const World first = support::make_ideal_gas(box, radii, 0);
+  StructureFactor measure({first, Time(0)});
   constexpr std::uint64_t kSamples = 40;
   for (std::uint64_t sample = 0; sample < kSamples; ++sample) {
-    measure.sample(support::make_ideal_gas(box, radii, sample), Time(0));
+    measure.sample({support::make_ideal_gas(box, radii, sample), Time(0)});
   }
-  const Measurement found = measure.result(Time(0));
+  const Measurement found = measure.result({first, Time(0)});
   const std::vector<double>& value = support::column(found, "structure_factor").values;
   const std::vector<double>& error = support::column(found, "structure_factor_error").values;
   double mean = 0;
@@ -125,9 +126,9 @@ TEST(StructureFactor, LooksAlongPeriodicAxesOnly) {
   for (int i = 0; i < 16; ++i) {
     rows.add({.position = {1.25 * i, 1 + 1.1 * i, -3.7 * i * i}, .radius = 0.5});
   }
-  StructureFactor measure(rows, Time(0), 12);
-  measure.sample(rows, Time(0));
-  const Measurement found = measure.result(Time(0));
+  StructureFactor measure({rows, Time(0)}, 12);
+  measure.sample({rows, Time(0)});
+  const Measurement found = measure.result({rows, Time(0)});
   const Quantity& peak = support::quantity(found, "highest_peak");
   EXPECT_NEAR(peak.value, 16, 1e-9);
   const double order =
@@ -136,9 +137,9 @@ TEST(StructureFactor, LooksAlongPeriodicAxesOnly) {
 
   World walls(Box::walls({20, 20, 20}));
   walls.add({.position = {5, 5, 5}});
-  StructureFactor nothing(walls, Time(0));
-  nothing.sample(walls, Time(0));
-  EXPECT_TRUE(nothing.result(Time(0)).columns.empty());
+  StructureFactor nothing({walls, Time(0)});
+  nothing.sample({walls, Time(0)});
+  EXPECT_TRUE(nothing.result({walls, Time(0)}).columns.empty());
 }
 
 }  // namespace

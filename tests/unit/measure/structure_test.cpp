@@ -69,13 +69,13 @@ template <class Measure>
 Run run(const EngineOptions& options, std::uint64_t samples) {
   constexpr std::uint64_t kContacts = 2000;
   Simulation simulation(slit_gas(), options);
-  Measure measure(simulation.world(), simulation.now());
+  Measure measure({simulation.world(), simulation.now()});
   for (std::uint64_t sample = 0; sample < samples; ++sample) {
     simulation.run_contacts(kContacts / samples);
-    measure.sample(simulation.world(), simulation.now());
+    measure.sample({simulation.world(), simulation.now()});
   }
   EXPECT_EQ(simulation.counters().contacts(), kContacts);
-  return {simulation.event_log_hash(), bits_of(measure.result(simulation.now()))};
+  return {simulation.event_log_hash(), bits_of(measure.result({simulation.world(), simulation.now()}))};
 }
 
 TYPED_TEST(Structure, IsTheSameForEveryEngineAndAltersNothing) {
@@ -92,27 +92,27 @@ TYPED_TEST(Structure, IsTheSameForEveryEngineAndAltersNothing) {
 
 TYPED_TEST(Structure, DoesNotDependOnWhereSpheresAreStored) {
   World world = slit_gas();
-  TypeParam measure(world, Time(0));
-  measure.sample(world, Time(0));
+  TypeParam measure({world, Time(0)});
+  measure.sample({world, Time(0)});
   std::vector<Slot> order(world.size());
   for (Slot slot = 0; slot < order.size(); ++slot)
     order[slot] = static_cast<Slot>((slot * 7 + 3) % order.size());
   ASSERT_EQ(std::accumulate(order.begin(), order.end(), std::size_t{0}),
             order.size() * (order.size() - 1) / 2);
   world.reorder(order);
-  TypeParam reordered(world, Time(0));
-  reordered.sample(world, Time(0));
-  EXPECT_EQ(bits_of(reordered.result(Time(0))), bits_of(measure.result(Time(0))));
+  TypeParam reordered({world, Time(0)});
+  reordered.sample({world, Time(0)});
+  EXPECT_EQ(bits_of(reordered.result({world, Time(0)})), bits_of(measure.result({world, Time(0)})));
 }
 
 TYPED_TEST(Structure, OfSmallAndStrangeWorldsIsNoFailure) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const support::RandomWorld made = support::make_random_world(seed);
-    TypeParam measure(made.world, Time(0));
+    TypeParam measure({made.world, Time(0)});
     EXPECT_GE(measure.sample_cost(), 0);
-    measure.sample(made.world, Time(0));
-    measure.sample(made.world, Time(made.until / 100));
-    const Measurement found = measure.result(Time(0));
+    measure.sample({made.world, Time(0)});
+    measure.sample({made.world, Time(made.until / 100)});
+    const Measurement found = measure.result({made.world, Time(0)});
     EXPECT_EQ(found.name, TypeParam::kName);
     for (const Column& column : found.columns) {
       EXPECT_EQ(column.values.size(), found.columns.front().values.size());
@@ -120,9 +120,11 @@ TYPED_TEST(Structure, OfSmallAndStrangeWorldsIsNoFailure) {
     if (found.columns.empty()) continue;
     EXPECT_EQ(found.columns.front().role, ColumnRole::argument);
   }
-  TypeParam nothing(World(), Time(0));
-  nothing.sample(World(), Time(0));
-  EXPECT_TRUE(nothing.result(Time(0)).columns.empty() || nothing.result(Time(0)).columns[0].name != "");
+  const World empty;
+  TypeParam nothing({empty, Time(0)});
+  nothing.sample({empty, Time(0)});
+  const Measurement found = nothing.result({empty, Time(0)});
+  EXPECT_TRUE(found.columns.empty() || found.columns[0].name != "");
 }
 
 }  // namespace

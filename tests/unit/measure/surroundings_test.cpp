@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/surroundings.hpp"
+#include "hardball/measure/scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,20 +15,23 @@ namespace {
 
 TEST(Surroundings, OfASphereInACrystalAreItsShells) {
   const World world = support::make_crystal(support::simple_cubic(), 5, 1.1);
-  const Surroundings surroundings(world, Time(0), 2);
-  surroundings.for_each_center([&](std::size_t center) {
+  constexpr double kRange = 2;
+  const Scene scene(world, Time(0));
+  const Surroundings& surroundings = scene.surroundings();
+  surroundings.for_each_center(kRange, [&](std::size_t center) {
     std::size_t first = 0;
     std::size_t second = 0;
     std::size_t third = 0;
-    surroundings.for_each_neighbor(center, [&](std::size_t neighbor, const Vec3& separation, double square) {
-      EXPECT_NE(neighbor, center);
-      EXPECT_EQ(square, dot(separation, separation));
-      const double shell = square / (1.1 * 1.1);
-      first += std::fabs(shell - 1) < 1e-9;
-      second += std::fabs(shell - 2) < 1e-9;
-      third += std::fabs(shell - 3) < 1e-9;
-      EXPECT_LT(shell, 3.001);
-    });
+    surroundings.for_each_neighbor(center, kRange,
+                                   [&](std::size_t neighbor, const Vec3& separation, double square) {
+                                     EXPECT_NE(neighbor, center);
+                                     EXPECT_EQ(square, dot(separation, separation));
+                                     const double shell = square / (1.1 * 1.1);
+                                     first += std::fabs(shell - 1) < 1e-9;
+                                     second += std::fabs(shell - 2) < 1e-9;
+                                     third += std::fabs(shell - 3) < 1e-9;
+                                     EXPECT_LT(shell, 3.001);
+                                   });
     EXPECT_EQ(first, 6U);
     EXPECT_EQ(second, 12U);
     EXPECT_EQ(third, 8U);
@@ -38,9 +41,9 @@ TEST(Surroundings, OfASphereInACrystalAreItsShells) {
 TEST(Surroundings, HoldTheCopiesOfASphereInASmallBox) {
   World world(Box::periodic({1.1, 1.1, 5}));
   world.add({.position = {0.3, 0.3, 1}, .radius = 0.5});
-  const Surroundings surroundings(world, Time(0), 1.2);
+  const Scene scene(world, Time(0));
   std::size_t copies = 0;
-  surroundings.for_each_neighbor(0, [&](std::size_t neighbor, const Vec3& separation, double) {
+  scene.surroundings().for_each_neighbor(0, 1.2, [&](std::size_t neighbor, const Vec3& separation, double) {
     EXPECT_EQ(neighbor, 0U);
     EXPECT_NEAR(length(separation), 1.1, 1e-12);
     ++copies;
@@ -53,10 +56,13 @@ TEST(Surroundings, AreWhereSpheresHaveMovedTo) {
   world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}});
   world.add({.position = {9, 0, 0}, .velocity = {-1, 0, 0}});
   const auto pairs_at = [&](double time) {
-    const Surroundings surroundings(world, Time(time), 4);
+    constexpr double kRange = 4;
+    const Scene scene(world, Time(time));
+    const Surroundings& surroundings = scene.surroundings();
     int pairs = 0;
-    surroundings.for_each_center(
-        [&](std::size_t center) { surroundings.for_each_neighbor(center, [&](auto&&...) { ++pairs; }); });
+    surroundings.for_each_center(kRange, [&](std::size_t center) {
+      surroundings.for_each_neighbor(center, kRange, [&](auto&&...) { ++pairs; });
+    });
     return pairs;
   };
   EXPECT_EQ(pairs_at(2), 0);
@@ -70,11 +76,10 @@ TEST(Surroundings, OfManySpheresAreThoseOfSomeEvenlyChosen) {
   for (std::size_t i = 0; i < kSpheres; ++i) {
     world.add({.position = 100 * Vec3{random.uniform(), random.uniform(), random.uniform()}, .radius = 0.1});
   }
+  const Scene scene(world, Time(0));
   const auto centers_within = [&](double range) {
     std::vector<std::size_t> centers;
-    Surroundings(world, Time(0), range).for_each_center([&](std::size_t center) {
-      centers.push_back(center);
-    });
+    scene.surroundings().for_each_center(range, [&](std::size_t center) { centers.push_back(center); });
     return centers;
   };
   const std::vector<std::size_t> few = centers_within(1);

@@ -25,9 +25,9 @@ World mixture(const Vec3& drift, const Box& box) {
 
 TEST(Temperature, CountsWhatIsNotDriftInAPeriodicBox) {
   const World world = mixture({5, -7, 1}, Box::periodic({10, 10, 10}));
-  Temperature temperature(world, Time(3));
-  temperature.sample(world, Time(4));
-  const Measurement found = temperature.result(Time(4));
+  Temperature temperature({world, Time(3)});
+  temperature.sample({world, Time(4)});
+  const Measurement found = temperature.result({world, Time(4)});
   // Twice the energy is 8 + 6, and there are 3 * 4 - 3 degrees of freedom.
   EXPECT_NEAR(quantity(found, "temperature").value, 14.0 / 9, 1e-12);
   EXPECT_NEAR(quantity(found, "temperature_along_x").value, 8.0 / 3, 1e-12);
@@ -42,9 +42,9 @@ TEST(Temperature, CountsWhatIsNotDriftInAPeriodicBox) {
 
 TEST(Temperature, CountsAllMotionBetweenWalls) {
   const World world = mixture({1, 0, 0}, Box::walls({10, 10, 10}));
-  Temperature temperature(world, Time(0));
-  temperature.sample(world, Time(0));
-  const Measurement found = temperature.result(Time(0));
+  Temperature temperature({world, Time(0)});
+  temperature.sample({world, Time(0)});
+  const Measurement found = temperature.result({world, Time(0)});
   // Twice the energy is 9 + 1 of the light, 3 (1 + 1) each of the heavy.
   EXPECT_NEAR(quantity(found, "temperature").value, 22.0 / 12, 1e-12);
   EXPECT_NEAR(quantity(found, "temperature_of_species_2").value, 12.0 / 6, 1e-12);
@@ -54,7 +54,8 @@ TEST(Temperature, OfOneKindHasNoSpecies) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{2, 2, 2}, {2, 0, 0}, 0.5});
   world.add({{4, 4, 4}, {-2, 0, 0}, 0.5});
-  EXPECT_FALSE(has_quantity(Temperature(world, Time(0)).result(Time(0)), "temperature_of_species_1"));
+  EXPECT_FALSE(
+      has_quantity(Temperature({world, Time(0)}).result({world, Time(0)}), "temperature_of_species_1"));
 }
 
 }  // namespace

@@ -31,9 +31,9 @@ World equal_speeds() {
 
 TEST(VelocityDistribution, IsOfVelocitiesInUnitsOfTheThermalOne) {
   const World world = equal_speeds();
-  VelocityDistribution velocities(world, Time(0));
-  velocities.sample(world, Time(0));
-  const Measurement found = velocities.result(Time(0));
+  VelocityDistribution velocities({world, Time(0)});
+  velocities.sample({world, Time(0)});
+  const Measurement found = velocities.result({world, Time(0)});
   EXPECT_NEAR(quantity(found, "speed_kurtosis").value, 1, 1e-12);
   EXPECT_NEAR(quantity(found, "mean_speed").value, 2, 1e-12);
   EXPECT_NEAR(quantity(found, "speed_kurtosis").theory, 5.0 / 3 * 33 / 35, 1e-12);
@@ -59,7 +59,7 @@ TEST(VelocityDistribution, IsOfVelocitiesInUnitsOfTheThermalOne) {
 
 TEST(VelocityDistribution, HasMaxwellsAsTheory) {
   const World world = equal_speeds();
-  const Measurement found = VelocityDistribution(world, Time(0)).result(Time(0));
+  const Measurement found = VelocityDistribution({world, Time(0)}).result({world, Time(0)});
   const Column& argument = column(found, "reduced_velocity");
   double components = 0;
   double speeds = 0;
@@ -80,9 +80,9 @@ TEST(VelocityDistribution, OfSpheresAtRestIsEmpty) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{2, 2, 2}, {}, 0.5});
   world.add({{4, 4, 4}, {}, 0.5});
-  VelocityDistribution velocities(world, Time(0));
-  velocities.sample(world, Time(0));
-  EXPECT_TRUE(std::isnan(quantity(velocities.result(Time(0)), "speed_kurtosis").value));
+  VelocityDistribution velocities({world, Time(0)});
+  velocities.sample({world, Time(0)});
+  EXPECT_TRUE(std::isnan(quantity(velocities.result({world, Time(0)}), "speed_kurtosis").value));
 }
 
 }  // namespace

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/scene.hpp"
+
+namespace hardball {
+namespace {
+
+// What has been found, found now if it has not been.
+template <class Found, class Find>
+const Found& once(std::optional<Found>& found, const Find& find) {
+  if (!found) found.emplace(find());
+  return *found;
+}
+
+}  // namespace
+
+const Species& Scene::species() const {
+  return once(species_, [&] { return Species(world_); });
+}
+
+const FluidTheory& Scene::fluid() const {
+  return once(fluid_, [&] { return FluidTheory(world_, species()); });
+}
+
+const Moments& Scene::moments() const {
+  return once(moments_, [&] { return moments_of(world_, now_); });
+}
+
+const ThermalMotion& Scene::motion() const {
+  return once(motion_, [&] { return thermal_motion(world_); });
+}
+
+const std::vector<Vec3>& Scene::centers() const {
+  return once(centers_, [&] {
+    std::vector<Vec3> centers;
+    centers.reserve(world_.size());
+    world_.for_each_by_id([&](Slot slot) { centers.push_back(world_.position(slot, now_)); });
+    return centers;
+  });
+}
+
+const Surroundings& Scene::surroundings() const {
+  return once(surroundings_, [&] { return Surroundings(world_, centers(), moments().volume()); });
+}
+
+}  // namespace hardball

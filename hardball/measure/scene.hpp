@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "hardball/measure/fluid_theory.hpp"
+#include "hardball/measure/species.hpp"
+#include "hardball/measure/surroundings.hpp"
+#include "hardball/measure/thermal_motion.hpp"
+#include "hardball/tuning/moments.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// The world at one moment, as measures look at it: what several of them need is found when the first asks
+/// for it, and once.
+class Scene {
+ public:
+  /// Refers to the world, which must not change while it is looked at. Precondition: no contact lies between
+  /// the stored paths and `now`.
+  Scene(const World& world, const Time& now) : world_(world), now_(now) {}
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  const World& world() const { return world_; }
+  const Time& now() const { return now_; }
+
+  // Each costs O(n) when it is first asked for.
+  const Species& species() const;
+  const FluidTheory& fluid() const;
+  const Moments& moments() const;
+  const ThermalMotion& motion() const;
+  /// All centres in the order of ids, folded into a periodic box [L].
+  const std::vector<Vec3>& centers() const;
+  const Surroundings& surroundings() const;
+
+ private:
+  const World& world_;
+  Time now_;
+  // Found so far.
+  mutable std::optional<Species> species_;
+  mutable std::optional<FluidTheory> fluid_;
+  mutable std::optional<Moments> moments_;
+  mutable std::optional<ThermalMotion> motion_;
+  mutable std::optional<std::vector<Vec3>> centers_;
+  mutable std::optional<Surroundings> surroundings_;
+};
+
+}  // namespace hardball
