@@ -124,5 +124,19 @@ TEST(CellRange, VisitsItsCellsOnceEach) {
   EXPECT_FALSE(range.contains({0, 3, 0}));
 }
 
+TEST(Subdivision, TellsTheHindmostCellThatASphereTouches) {
+  const Subdivision cells(Box::periodic({10, 10, 10}), 1, kMost);
+  Random random(1);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 position{20 * random.uniform() - 5, 20 * random.uniform() - 5, 20 * random.uniform() - 5};
+    const double radius = 2 * random.uniform();
+    const CellRange range = cells.range_at(position, radius);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      EXPECT_EQ(cells.hindmost(axis, position[axis], radius, 1), range.low[axis]);
+      EXPECT_EQ(cells.hindmost(axis, position[axis], radius, -1), range.high[axis]);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hardball
