@@ -84,17 +84,25 @@ void NeighborList::collect(const World&, Slot slot, Candidates& candidates) cons
 
 // When the centre comes to the edge of its ball; reckoned from now, as nothing else depends on its last bits.
 Time NeighborList::next_crossing(const World& world, Slot slot, const Time& now, const Time& limit) const {
+  // The squares of slower speeds lose their digits; spheres that collapse come to them.
+  constexpr double kSlow = 0x1p-400;
   const Vec3 place = from_anchor(world, slot, now);
-  const Vec3& velocity = world.path(slot).velocity;
-  const double speed_squared = dot(velocity, velocity);
+  Vec3 velocity = world.path(slot).velocity;
+  double speed_squared = dot(velocity, velocity);
+  double time_unit = 1;
+  if (speed_squared < kSlow * kSlow) [[unlikely]] {
+    time_unit = 0x1p600;
+    velocity = time_unit * velocity;
+    speed_squared = dot(velocity, velocity);
+  }
   const double reach = slack_ * (1 - kMargin);
   const double outwards = dot(place, velocity);
   const double room = std::max(0.0, reach * reach - dot(place, place));
-  const double longest = duration(now, limit);
+  const double longest = duration(now, limit) / time_unit;
   if (longest * (speed_squared * longest + 2 * outwards) < room || !(speed_squared > 0)) return kNever;
   const double root = std::sqrt(outwards * outwards + speed_squared * room);
   const double wait = outwards > 0 ? room / (root + outwards) : (root - outwards) / speed_squared;
-  return after(now, wait);
+  return after(now, wait * time_unit);
 }
 
 void NeighborList::cross(const World& world, Slot slot, const Time& now, Candidates& candidates) {

@@ -53,23 +53,25 @@ Subdivision::Subdivision(const Box& box, double edge, std::int32_t most_cells) {
   }
 }
 
+std::int32_t Subdivision::place_of(const Axis& cells, double coordinate) {
+  double place = coordinate * cells.inverse_edge;
+  if (!(place > cells.first && place < cells.last)) [[unlikely]] {
+    if (cells.period > 0) {
+      throw RunFailure(
+          "a sphere has crossed 2^29 cells of a periodic box without a collision; use larger cells");
+    }
+    place = std::clamp<double>(place, cells.first, cells.last);
+  }
+  return round_down(place);
+}
+
 CellRange Subdivision::range_at(const Vec3& position, double radius) const {
   CellRange range;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const Axis& cells = axes_[axis];
     const double reach = radius + margin(cells.edge, position[axis]);
-    double low = (position[axis] - reach) * cells.inverse_edge;
-    double high = (position[axis] + reach) * cells.inverse_edge;
-    if (!(low > cells.first && high < cells.last)) [[unlikely]] {
-      if (cells.period > 0) {
-        throw RunFailure(
-            "a sphere has crossed 2^29 cells of a periodic box without a collision; use larger cells");
-      }
-      low = std::clamp<double>(low, cells.first, cells.last);
-      high = std::clamp<double>(high, cells.first, cells.last);
-    }
-    range.low[axis] = round_down(low);
-    range.high[axis] = round_down(high);
+    range.low[axis] = place_of(cells, position[axis] - reach);
+    range.high[axis] = place_of(cells, position[axis] + reach);
   }
   return range;
 }
@@ -77,7 +79,7 @@ CellRange Subdivision::range_at(const Vec3& position, double radius) const {
 std::int32_t Subdivision::hindmost(std::size_t axis, double position, double radius, double velocity) const {
   const Axis& cells = axes_[axis];
   const double reach = radius + margin(cells.edge, position);
-  return round_down((position - std::copysign(reach, velocity)) * cells.inverse_edge);
+  return place_of(cells, position - std::copysign(reach, velocity));
 }
 
 CellIndex Subdivision::cell_of(const Vec3& point) const {

@@ -75,7 +75,7 @@ class Subdivision {
   /// times.
   CellRange range_at(const Vec3& position, double radius) const;
   /// The place along an axis of the last cell that a sphere at `position`, flying at `velocity`, still
-  /// touches.
+  /// touches. Error: as for range_at.
   std::int32_t hindmost(std::size_t axis, double position, double radius, double velocity) const;
   /// The cell, folded into the box, in which a point inside the box lies.
   CellIndex cell_of(const Vec3& point) const;
@@ -129,6 +129,8 @@ class Subdivision {
     std::int32_t period = 0;
     std::int32_t count = 0;  // of the cells that make the box; zero if it is open
   };
+
+  static std::int32_t place_of(const Axis& cells, double coordinate);
 
   std::array<Axis, kAxes> axes_;
 };

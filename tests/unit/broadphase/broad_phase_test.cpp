@@ -261,6 +261,22 @@ TEST(NeighborList, TellsACrossingThatComesBeforeTheLimit) {
   }
 }
 
+TEST(NeighborList, LeavesItsBallHoweverSlowly) {
+  for (const double speed : {1e-100, 1e-130, 1e-162, 1e-200, 1e-297}) {
+    World world(Box::walls({10, 10, 10}));
+    world.add({{5, 5, 5}, {1, 0, 0}, 0.5, 1});
+    world.rewrite_path(0, Time(0), {speed, 0, 0});
+    NeighborList list(0.25);
+    list.build(world, Time(0));
+    const Time first = list.next_crossing(world, 0, Time(0), kNever);
+    EXPECT_NEAR(first.value() * speed, 0.25, 1e-8);
+    EXPECT_EQ(list.next_crossing(world, 0, Time(0), Time(0.24 / speed)), kNever);
+    Candidates candidates;
+    list.cross(world, 0, first, candidates);
+    EXPECT_NEAR(list.next_crossing(world, 0, first, kNever).value() * speed, 0.5, 1e-8);
+  }
+}
+
 TEST(NeighborList, NeverLeavesItsBallAtRest) {
   World world;
   world.add({{1, 2, 3}, {}, 0.5, 1});

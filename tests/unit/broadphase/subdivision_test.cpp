@@ -126,6 +126,7 @@ TEST(CellRange, VisitsItsCellsOnceEach) {
 
 TEST(Subdivision, TellsTheHindmostCellThatASphereTouches) {
   const Subdivision cells(Box::periodic({10, 10, 10}), 1, kMost);
+  EXPECT_THROW(cells.hindmost(0, 1e30, 0.5, 1), RunFailure);
   Random random(1);
   for (int i = 0; i < 1000; ++i) {
     const Vec3 position{20 * random.uniform() - 5, 20 * random.uniform() - 5, 20 * random.uniform() - 5};
