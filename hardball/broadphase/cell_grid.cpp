@@ -178,13 +178,13 @@ void CellGrid::cross_block(const World& world, Slot slot, const Time& now, Candi
     const double velocity = path.velocity[axis];
     const bool is_crossed = axis == crossed;
     const bool wide = resident.is_wide(axis);
-    const std::int32_t hindmost =
-        cells_.hindmost(axis, position[axis], world.radius(slot), velocity);
+    const std::int32_t hindmost = cells_.hindmost(axis, position[axis], world.radius(slot), velocity);
     const bool leaves_lower = wide & (velocity > 0) & ((hindmost > resident.low[axis]) | is_crossed);
     const bool leaves_upper = wide & (velocity < 0) & ((hindmost <= resident.low[axis]) | is_crossed);
     kept &= CellBlock::slab(axis, !leaves_lower, !leaves_upper);
     left_count_ += static_cast<std::uint64_t>(leaves_lower) + static_cast<std::uint64_t>(leaves_upper);
-    resident.low[axis] += static_cast<std::int32_t>(leaves_lower) - static_cast<std::int32_t>(is_crossed & !up);
+    resident.low[axis] +=
+        static_cast<std::int32_t>(leaves_lower) - static_cast<std::int32_t>(is_crossed & !up);
     resident.more[axis] = static_cast<std::uint16_t>((wide & !leaves_lower & !leaves_upper) | is_crossed);
   }
   leave(slot, old, had & ~kept);
@@ -230,7 +230,8 @@ bool CellGrid::shrink_block(Slot slot, const CellRange& range, const Image& fold
     left += static_cast<std::uint64_t>(old_more - more);
     kept &= CellBlock::slab(axis, above == 0, above + more != 0);
   }
-  if (!is_part) [[unlikely]] return false;
+  if (!is_part) [[unlikely]]
+    return false;
   left_count_ += left;
   if (kept != had) leave(slot, block_of(resident), had & ~kept);
   resident.take(range);
@@ -249,9 +250,8 @@ void CellGrid::collect_list(std::uint32_t list, Candidates& candidates) const {
 // Collects the others in the cells of a range.
 void CellGrid::collect_from(const World& world, const CellRange& range, Candidates& candidates) const {
   if (nearest_) {
-    cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& cell) {
-      collect_list(store_.list(cell), candidates);
-    });
+    cells_.for_each_folded(
+        range, [&](const CellIndex&, const CellIndex& cell) { collect_list(store_.list(cell), candidates); });
     candidates.drop_repeated();
     return;
   }

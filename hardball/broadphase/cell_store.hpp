@@ -78,7 +78,7 @@ class CellStore {
   bool dense_ = true;
   std::array<std::uint32_t, kAxes> strides_{};  // dense
   std::uint32_t spare_list_ = 0;                // dense: behind the last cell's
-  std::vector<Line> lines_;  // hashed: open addressing, a power of two of lines
+  std::vector<Line> lines_;                     // hashed: open addressing, a power of two of lines
   std::size_t lines_used_ = 0;
   SlotLists lists_;  // dense: one for each cell, and the spare one
 };
