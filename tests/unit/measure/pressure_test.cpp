@@ -37,6 +37,21 @@ TEST(Pressure, OfAHeadOnPairInAPeriodicBoxIsWhatPencilAndPaperGive) {
   EXPECT_FALSE(has_quantity(found, "wall_pressure"));
 }
 
+// A sphere at 2 meets one at rest, and stops: beside the drift of 1 in the beginning both move at 1, before
+// and after. The impulse is 2 over the distance 1, once in 4 units of time.
+TEST(Pressure, TakesNoMomentumForConserved) {
+  World world(Box::periodic({10, 10, 10}));
+  world.add({{1, 5, 5}, {2, 0, 0}, 0.5});
+  world.add({{4, 5, 5}, {}, 0.5});
+  Simulation simulation(world);
+  simulation.respond_with([](const Contact&) { return Velocities{}; });
+  Pressure pressure({simulation.world(), simulation.now()});
+  simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
+  simulation.run_until(4);
+  const Measurement found = pressure.result({simulation.world(), simulation.now()});
+  EXPECT_DOUBLE_EQ(quantity(found, "pressure_xx").value, (2 + 2.0 / 4) / 1000);
+}
+
 // Head-on along the diagonal of the xy plane: all four components of that plane are equal.
 TEST(Pressure, HasOffDiagonalComponents) {
   const double a = std::sqrt(0.5);
