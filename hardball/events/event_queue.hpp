@@ -23,9 +23,8 @@ inline constexpr Owner kNobody = std::numeric_limits<Owner>::max();
 /// - `event(owner)` is that event, perhaps one that does not happen.
 /// - `time(owner)` is its time.
 ///
-/// - `prefetch_event(owner)`, if there is one, asks for the memory of both, which will be needed soon; there
-/// is
-///   no need for it if `is_cached()`.
+/// - `prefetch_event(owner)`, if there is one, asks for the memory of both, which will be needed soon. With
+///   it comes `is_cached()`: whether there is no need for that.
 ///
 /// - `share_event(a, b)`, if there is one, may tell of two owners whose events have one time, to the nearest
 ///   double, that they are one event, as those of two spheres that are to meet.
