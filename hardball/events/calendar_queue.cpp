@@ -74,13 +74,10 @@ void CalendarQueue::take_day(std::vector<Entry>& entries) {
   Day& today = day(today_);
   filed_count_ -= today.count;
   taken_in_year_ += today.count;
-  std::uint32_t in_block = (today.count - 1) % Block::kRoom + 1;
-  for (std::uint32_t b = today.last_block; b != kNone;) {
-    const Block& block = blocks_[b];
-    for (std::uint32_t i = 0; i < in_block; ++i) entries.push_back(unpack(block.entries[i]));
-    in_block = Block::kRoom;
-    const std::uint32_t freed = b;
-    b = std::exchange(blocks_[b].next, free_block_);
+  for_each_filed(today, [&entries](const Entry& entry) { entries.push_back(entry); });
+  for (std::uint32_t block = today.last_block; block != kNone;) {
+    const std::uint32_t freed = block;
+    block = std::exchange(blocks_[block].next, free_block_);
     free_block_ = freed;
   }
   today = {};
