@@ -53,7 +53,7 @@ class Engine {
 
   std::size_t memory_bytes() const {
     return world_.memory_bytes() + phase_.memory_bytes() + queue_.memory_bytes() + guard_.memory_bytes() +
-           predictor_.memory_bytes() + plans_.capacity() * sizeof(Plan);
+           plans_.capacity() * sizeof(Plan);
   }
 
   /// Handles events in order, calling observe(contact) after every collision and wall contact.

@@ -17,10 +17,11 @@ struct KernelQuery {
   std::uint32_t self;           ///< Its slot.
   const std::uint32_t* others;  ///< Slots of the candidates, and the sphere itself behind them.
   std::size_t count;            ///< Of the candidates.
-  const double* shifts[3];   ///< Displacement of each candidate's copy along each axis [L]; null if nearest.
-  double period[3];          ///< Of the box [L]; zero along axes that are not periodic.
-  double inverse_period[3];  ///< Zero along axes that are not periodic.
-  double now_high;           ///< At this moment copies are the nearest; any moment if they are given.
+  const double* const*
+      shifts;          ///< Displacement of each candidate's copy along each axis [L]; null if nearest.
+  const Vec3* period;  ///< Of the box [L]; zero along axes that are not periodic.
+  const Vec3* inverse_period;  ///< Zero along axes that are not periodic.
+  double now_high;             ///< At this moment copies are the nearest; any moment if they are given.
   double now_low;
   double limit;  ///< Contacts after this time do not matter.
 };
@@ -30,17 +31,16 @@ struct KernelResult {
   double high;  ///< Time of the earliest contact; infinite, or after the limit, if there is none before.
   double low;
   std::uint32_t index;  ///< The candidate.
-  bool is_tied;         ///< Perhaps another candidate has a contact at the very same moment.
+  bool is_tied;         ///< Perhaps another has its contact no later: what `high` tells is not enough.
 };
 
-/// Finds the earliest contact of a sphere with its candidates. `bounds` is room for its own use, for as many
-/// numbers as there are candidates and a vector more.
-using Kernel = KernelResult (*)(const KernelQuery& query, double* bounds);
+/// Finds the earliest contact of a sphere with its candidates.
+using Kernel = KernelResult (*)(const KernelQuery& query);
 
-KernelResult portable_kernel(const KernelQuery& query, double* bounds);
+KernelResult portable_kernel(const KernelQuery& query);
 #if defined(__x86_64__) && defined(__GNUC__)
-KernelResult avx2_kernel(const KernelQuery& query, double* bounds);
-KernelResult avx512_kernel(const KernelQuery& query, double* bounds);
+KernelResult avx2_kernel(const KernelQuery& query);
+KernelResult avx512_kernel(const KernelQuery& query);
 #endif
 
 }  // namespace hardball

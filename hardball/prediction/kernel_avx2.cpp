@@ -21,7 +21,6 @@ struct Lanes {
   Lanes(__m256d vector) : v(vector) {}
   explicit Lanes(double value) : v(_mm256_set1_pd(value)) {}
 
-  static Lanes counting() { return _mm256_setr_pd(0, 1, 2, 3); }
   static Lanes load(const double* values) { return _mm256_loadu_pd(values); }
   static Lanes gather(const double* values, const std::uint32_t* at) {
     return _mm256_setr_pd(values[at[0]], values[at[1]], values[at[2]], values[at[3]]);
@@ -85,6 +84,9 @@ Lanes select(const Lanes::Mask& mask, const Lanes& a, const Lanes& b) {
 Lanes maximum(const Lanes& a, const Lanes& b) {
   return _mm256_max_pd(a.v, b.v);
 }
+Lanes minimum(const Lanes& a, const Lanes& b) {
+  return _mm256_min_pd(a.v, b.v);
+}
 Lanes square_root(const Lanes& a) {
   return _mm256_sqrt_pd(a.v);
 }
@@ -98,8 +100,8 @@ Lanes round_to_integer(const Lanes& a) {
 
 }  // namespace
 
-KernelResult avx2_kernel(const KernelQuery& query, double* bounds) {
-  return run_kernel<Lanes>(query, bounds);
+KernelResult avx2_kernel(const KernelQuery& query) {
+  return run_kernel<Lanes>(query);
 }
 
 }  // namespace hardball

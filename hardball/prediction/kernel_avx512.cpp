@@ -21,7 +21,6 @@ struct Lanes {
   Lanes(__m512d vector) : v(vector) {}
   explicit Lanes(double value) : v(_mm512_set1_pd(value)) {}
 
-  static Lanes counting() { return _mm512_setr_pd(0, 1, 2, 3, 4, 5, 6, 7); }
   static Lanes load(const double* values) { return _mm512_loadu_pd(values); }
   static Lanes gather(const double* values, const std::uint32_t* at) {
     return _mm512_setr_pd(values[at[0]], values[at[1]], values[at[2]], values[at[3]], values[at[4]],
@@ -95,6 +94,9 @@ Lanes select(const Lanes::Mask& mask, const Lanes& a, const Lanes& b) {
 Lanes maximum(const Lanes& a, const Lanes& b) {
   return _mm512_max_pd(a.v, b.v);
 }
+Lanes minimum(const Lanes& a, const Lanes& b) {
+  return _mm512_min_pd(a.v, b.v);
+}
 Lanes square_root(const Lanes& a) {
   return _mm512_sqrt_pd(a.v);
 }
@@ -107,8 +109,8 @@ Lanes round_to_integer(const Lanes& a) {
 
 }  // namespace
 
-KernelResult avx512_kernel(const KernelQuery& query, double* bounds) {
-  return run_kernel<Lanes>(query, bounds);
+KernelResult avx512_kernel(const KernelQuery& query) {
+  return run_kernel<Lanes>(query);
 }
 
 }  // namespace hardball

@@ -76,6 +76,9 @@ class PairsOfLanes {
       : query_(query), own_(query.paths[query.self]), reach_(query.radius + query.radius) {
     if constexpr (kNearest) {
       own_age_ = (query.now_high - own_.time.high) + (query.now_low - own_.time.low);
+      period_ = {Lanes(query.period->x), Lanes(query.period->y), Lanes(query.period->z)};
+      inverse_period_ = {Lanes(query.inverse_period->x), Lanes(query.inverse_period->y),
+                         Lanes(query.inverse_period->z)};
     }
   }
 
@@ -86,8 +89,10 @@ class PairsOfLanes {
   /// The displacement of the copies meant, along an axis.
   Lanes shift(std::size_t begin, std::size_t axis, const Lanes& own_place, const Lanes& place) const {
     if constexpr (kNearest) {
-      return round_to_integer((own_place - place) * Lanes(query_.inverse_period[axis])) *
-             Lanes(query_.period[axis]);
+      const auto along = [axis](const VectorOfLanes<Lanes>& a) -> const Lanes& {
+        return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+      };
+      return round_to_integer((own_place - place) * along(inverse_period_)) * along(period_);
     } else {
       return Lanes::load(query_.shifts[axis] + begin);
     }
@@ -101,32 +106,68 @@ class PairsOfLanes {
   const Path& own_;
   Lanes reach_;
   double own_age_ = 0;
+  VectorOfLanes<Lanes> period_, inverse_period_;
 };
 
-/// Keeps what is earliest in each lane.
-template <class Lanes>
-struct Earliest {
-  Lanes first, second;  // the leading and the trailing part of a time; of a wait, only the leading
-  Lanes index;
-  unsigned tied = 0;
-};
+/// So many candidates, at the most, are looked at in one round.
+inline constexpr std::size_t kRound = 64;
 
-/// The index of the earliest of all lanes; whether another is as early.
+/// When the sphere meets the candidates of a round: a wait, or the leading and the trailing part of a moment.
 template <class Lanes>
-std::uint32_t best_index(const Earliest<Lanes>& earliest, double first, double& second, bool& tied) {
-  double seconds[Lanes::kWidth];
-  double indices[Lanes::kWidth];
-  earliest.second.store(seconds);
-  earliest.index.store(indices);
-  unsigned lanes = bits(earliest.first == Lanes(first));
-  auto best = static_cast<unsigned>(std::countr_zero(lanes));
-  for (lanes &= lanes - 1; lanes != 0; lanes &= lanes - 1) {
-    const auto lane = static_cast<unsigned>(std::countr_zero(lanes));
-    if (seconds[lane] == seconds[best]) tied = true;
-    if (seconds[lane] < seconds[best]) best = lane;
+struct Contacts {
+  alignas(64) double first[kRound];  // infinite if never
+  alignas(64) double second[kRound];
+  std::size_t count = 0;
+  std::uint64_t grazes = 0;  // a bit for each candidate whose contact, if there is one, is not before `first`
+
+  std::uint64_t at(double value) const {
+    std::uint64_t equal = 0;
+    for (std::size_t i = 0; i < count; i += Lanes::kWidth) {
+      equal |= std::uint64_t{bits(Lanes::load(first + i) == Lanes(value))} << i;
+    }
+    return equal;
   }
-  second = seconds[best];
-  return static_cast<std::uint32_t>(indices[best]);
+
+  double least() const {
+    Lanes least = Lanes::load(first);
+    for (std::size_t i = Lanes::kWidth; i < count; i += Lanes::kWidth) {
+      least = minimum(least, Lanes::load(first + i));
+    }
+    return least_of(least);
+  }
+
+  void settle(std::size_t index, double first_part, double second_part) {
+    first[index] = first_part;
+    second[index] = second_part;
+    grazes &= ~(std::uint64_t{1} << index);
+  }
+};
+
+/// The earliest of a round.
+struct EarliestOfRound {
+  double first;  // infinite if there is none
+  std::size_t index;
+  bool is_tied;  // another is as early, as far as `first` tells
+};
+
+/// The earliest contact that comes no later than `limit`; `least` is the least of the first parts. Those of
+/// candidates that the sphere grazes are reckoned with more digits, by settle_graze(index), only if they come
+/// first. The loops over lanes leave this to the end: a branch there that cannot be foreseen would undo the
+/// work already begun on the next lanes.
+template <class Lanes, class SettleGraze>
+HARDBALL_ALWAYS_INLINE EarliestOfRound earliest_of(const Contacts<Lanes>& contacts, double least,
+                                                   double limit, const SettleGraze& settle_graze) {
+  constexpr double kForever = std::numeric_limits<double>::infinity();
+  for (;;) {
+    if (!(least < kForever) || least > limit) return {kForever, 0, false};
+    const std::uint64_t earliest = contacts.at(least);
+    const std::uint64_t grazes = earliest & contacts.grazes;
+    if (grazes == 0) {
+      return {least, static_cast<std::size_t>(std::countr_zero(earliest)), !std::has_single_bit(earliest)};
+    }
+    settle_graze(static_cast<std::size_t>(std::countr_zero(grazes)));
+    least = contacts.least();
+  }
 }
 
 /// A moment, in two parts.
@@ -149,8 +190,14 @@ MomentOfLanes<Lanes> moment_after(double start_high, double start_low, double wa
 }
 
 /// The contact of one candidate that the sphere grazes, with more digits.
+template <class Lanes>
+struct GrazingContact {
+  double start_high, start_low;  // the later of the moments at which the two paths began
+  double wait;                   // from then on
+};
+
 template <class Lanes, bool kNearest>
-MomentOfLanes<Lanes> grazing_contact(const KernelQuery& query, std::uint32_t index) {
+GrazingContact<Lanes> grazing_contact(const KernelQuery& query, std::size_t index) {
   const Path& own = query.paths[query.self];
   const Path& other = query.paths[query.others[index]];
   const bool other_later =
@@ -161,76 +208,47 @@ MomentOfLanes<Lanes> grazing_contact(const KernelQuery& query, std::uint32_t ind
   const double other_wait = (start_high - other.time.high) + (start_low - other.time.low);
   const double own_age = (query.now_high - own.time.high) + (query.now_low - own.time.low);
   const double other_age = (query.now_high - other.time.high) + (query.now_low - other.time.low);
-  const double own_position[] = {own.position.x, own.position.y, own.position.z};
-  const double own_velocity[] = {own.velocity.x, own.velocity.y, own.velocity.z};
-  const double other_position[] = {other.position.x, other.position.y, other.position.z};
-  const double other_velocity[] = {other.velocity.x, other.velocity.y, other.velocity.z};
-  double r[3];
-  double v[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    const double a = own_position[axis];
-    const double va = own_velocity[axis];
-    const double b = other_position[axis];
-    const double vb = other_velocity[axis];
+  const double period[] = {query.period->x, query.period->y, query.period->z};
+  const double inverse_period[] = {query.inverse_period->x, query.inverse_period->y, query.inverse_period->z};
+  const auto separation = [&](std::size_t axis, double a, double va, double b, double vb) {
     double shift = 0;
     if constexpr (kNearest) {
       constexpr double kPusher = 0x1.8p52;  // adding this number pushes the fraction out
-      const double boxes = ((a + own_age * va) - (b + other_age * vb)) * query.inverse_period[axis];
-      shift = ((boxes + kPusher) - kPusher) * query.period[axis];
+      const double boxes = ((a + own_age * va) - (b + other_age * vb)) * inverse_period[axis];
+      shift = ((boxes + kPusher) - kPusher) * period[axis];
     } else {
       shift = query.shifts[axis][index];
     }
-    r[axis] = ((b + other_wait * vb) - (a + own_wait * va)) + shift;
-    v[axis] = vb - va;
-  }
+    return ((b + other_wait * vb) - (a + own_wait * va)) + shift;
+  };
   const double reach =
       query.radius + (query.radii != nullptr ? query.radii[query.others[index]] : query.radius);
-  return moment_after<Lanes>(start_high, start_low,
-                             grazing_time_to_reach(r[0], r[1], r[2], v[0], v[1], v[2], reach));
+  return {
+      start_high, start_low,
+      grazing_time_to_reach(separation(0, own.position.x, own.velocity.x, other.position.x, other.velocity.x),
+                            separation(1, own.position.y, own.velocity.y, other.position.y, other.velocity.y),
+                            separation(2, own.position.z, own.velocity.z, other.position.z, other.velocity.z),
+                            other.velocity.x - own.velocity.x, other.velocity.y - own.velocity.y,
+                            other.velocity.z - own.velocity.z, reach)};
 }
 
-/// Looks again, with more digits, at the candidates whose contact times have bounds no later than the
-/// earliest. The loops over lanes leave this to the end: a branch there that cannot be foreseen would undo
-/// the work already begun on the next lanes.
+/// The earliest contact of a sphere whose path has begun at any time; as contact_time does it. Precondition:
+/// no more candidates than a round has.
 template <class Lanes, bool kNearest>
-void look_again(const KernelQuery& query, const double* bounds, KernelResult& result) {
-  for (std::size_t begin = 0; begin < query.count; begin += Lanes::kWidth) {
-    const Lanes bound = Lanes::load(bounds + begin);
-    // Never is a bound, too, of those that do not graze.
-    unsigned lanes = bits((bound <= Lanes(result.high)) & (bound <= Lanes(query.limit)) &
-                          (bound < Lanes(std::numeric_limits<double>::infinity())));
-    for (; lanes != 0; lanes &= lanes - 1) {
-      const auto index =
-          static_cast<std::uint32_t>(begin) + static_cast<std::uint32_t>(std::countr_zero(lanes));
-      if (bounds[index] > result.high) continue;
-      const MomentOfLanes<Lanes> moment = grazing_contact<Lanes, kNearest>(query, index);
-      if (moment.high > result.high || !(moment.high < std::numeric_limits<double>::infinity())) continue;
-      if (moment.high == result.high && moment.low == result.low) result.is_tied = true;
-      if (moment.high == result.high && moment.low >= result.low) continue;
-      result.high = moment.high;
-      result.low = moment.low;
-      result.index = index;
-    }
-  }
-}
-
-/// The earliest contact of a sphere whose path has begun at any time; as contact_time does it.
-template <class Lanes, bool kNearest>
-KernelResult earliest_contact(const KernelQuery& query, double* bounds) {
+KernelResult earliest_contact(const KernelQuery& query) {
   using Mask = typename Lanes::Mask;
-  constexpr double kForever = std::numeric_limits<double>::infinity();
   const Path& own = query.paths[query.self];
   const PairsOfLanes<Lanes, kNearest> pairs(query);
   const Lanes own_high(own.time.high);
   const Lanes own_low(own.time.low);
-  const Lanes zero(0.0);
-  const Lanes forever(kForever);
-  Earliest<Lanes> best{forever, zero, zero};
-  Lanes index = Lanes::counting();
-  for (std::size_t begin = 0; begin < query.count;
-       begin += Lanes::kWidth, index = index + Lanes(Lanes::kWidth)) {
+  const Lanes forever(std::numeric_limits<double>::infinity());
+  Contacts<Lanes> contacts;
+  contacts.count = query.count;
+  Lanes least = forever;
+  std::uint64_t grazes = 0;
+  for (std::size_t i = 0; i < query.count; i += Lanes::kWidth) {
     PathsOfLanes<Lanes> other;
-    Lanes::load(query.paths, query.others + begin, other);
+    Lanes::load(query.paths, query.others + i, other);
 
     // The later of the two moments, and both centres then.
     const Mask other_later = (other.high > own_high) | ((other.high == own_high) & (other.low > own_low));
@@ -240,7 +258,7 @@ KernelResult earliest_contact(const KernelQuery& query, double* bounds) {
     const Lanes other_wait = (start_high - other.high) + (start_low - other.low);
     const Lanes age = (Lanes(query.now_high) - other.high) + (Lanes(query.now_low) - other.low);
     const auto separation = [&](const Lanes& b, const Lanes& vb, double a, double va, std::size_t axis) {
-      const Lanes shift = pairs.shift(begin, axis, pairs.own_place(a, va), b + age * vb);
+      const Lanes shift = pairs.shift(i, axis, pairs.own_place(a, va), b + age * vb);
       return ((b + other_wait * vb) - (Lanes(a) + own_wait * Lanes(va))) + shift;
     };
     const VectorOfLanes<Lanes> r{
@@ -250,7 +268,7 @@ KernelResult earliest_contact(const KernelQuery& query, double* bounds) {
     const VectorOfLanes<Lanes> v{other.velocity.x - Lanes(own.velocity.x),
                                  other.velocity.y - Lanes(own.velocity.y),
                                  other.velocity.z - Lanes(own.velocity.z)};
-    const Waits<Lanes> waits = waits_of(r, v, pairs.reach(query.others + begin));
+    const Waits<Lanes> waits = waits_of(r, v, pairs.reach(query.others + i));
 
     // The moment that long after the start, as in after() (geometry/time.hpp).
     const Lanes sum = start_high + waits.wait;
@@ -260,27 +278,26 @@ KernelResult earliest_contact(const KernelQuery& query, double* bounds) {
     const Lanes time_high = sum + rest;
     const Lanes time_low = rest - (time_high - sum);
 
-    const Mask happens = waits.hits & (sum < forever);
-    const Lanes high = select(happens, time_high, forever);
-    const Mask same = happens & (high == best.first);
-    const Mask earlier = (high < best.first) | (same & (time_low < best.second));
-    best.tied |= bits(same & (time_low == best.second));
-    best.first = select(earlier, high, best.first);
-    best.second = select(earlier, time_low, best.second);
-    best.index = select(earlier, index, best.index);
-    select(waits.grazes, time_high, forever).store(bounds + begin);
+    const Lanes first = select((waits.hits | waits.grazes) & (sum < forever), time_high, forever);
+    first.store(contacts.first + i);
+    time_low.store(contacts.second + i);
+    least = minimum(least, first);
+    grazes |= std::uint64_t{bits(waits.grazes)} << i;
   }
-  KernelResult result{least_of(best.first), 0, 0, best.tied != 0};
-  if (result.high < kForever) result.index = best_index(best, result.high, result.low, result.is_tied);
-  look_again<Lanes, kNearest>(query, bounds, result);
-  return result;
+  contacts.grazes = grazes;
+  const auto settle_graze = [&](std::size_t index) {
+    const auto contact = grazing_contact<Lanes, kNearest>(query, index);
+    const auto moment = moment_after<Lanes>(contact.start_high, contact.start_low, contact.wait);
+    contacts.settle(index, moment.high, moment.low);
+  };
+  const EarliestOfRound found = earliest_of(contacts, least_of(least), query.limit, settle_graze);
+  return {found.first, contacts.second[found.index], static_cast<std::uint32_t>(found.index), found.is_tied};
 }
 
 /// The same for a sphere whose path has just begun, so that all waits count from its own moment: most of the
 /// predictions, with two thirds of the work.
 template <class Lanes, bool kNearest>
-KernelResult earliest_contact_from_now(const KernelQuery& query, double* bounds) {
-  using Mask = typename Lanes::Mask;
+KernelResult earliest_contact_from_now(const KernelQuery& query) {
   constexpr double kForever = std::numeric_limits<double>::infinity();
   // Waits so short against the moment itself are told apart by fewer digits than they have.
   constexpr double kShortest = 0x1p-48;
@@ -288,18 +305,18 @@ KernelResult earliest_contact_from_now(const KernelQuery& query, double* bounds)
   const PairsOfLanes<Lanes, kNearest> pairs(query);
   const Lanes own_high(own.time.high);
   const Lanes own_low(own.time.low);
-  const Lanes zero(0.0);
   const Lanes forever(kForever);
-  Earliest<Lanes> best{forever, zero, zero};
-  Lanes index = Lanes::counting();
-  for (std::size_t begin = 0; begin < query.count;
-       begin += Lanes::kWidth, index = index + Lanes(Lanes::kWidth)) {
+  Contacts<Lanes> contacts;
+  contacts.count = query.count;
+  Lanes least = forever;
+  std::uint64_t grazes = 0;
+  for (std::size_t i = 0; i < query.count; i += Lanes::kWidth) {
     PathsOfLanes<Lanes> other;
-    Lanes::load(query.paths, query.others + begin, other);
+    Lanes::load(query.paths, query.others + i, other);
     const Lanes age = (own_high - other.high) + (own_low - other.low);
     const auto separation = [&](const Lanes& b, const Lanes& vb, double a, std::size_t axis) {
       const Lanes place = b + age * vb;
-      return (place - Lanes(a)) + pairs.shift(begin, axis, Lanes(a), place);
+      return (place - Lanes(a)) + pairs.shift(i, axis, Lanes(a), place);
     };
     const VectorOfLanes<Lanes> r{separation(other.position.x, other.velocity.x, own.position.x, 0),
                                  separation(other.position.y, other.velocity.y, own.position.y, 1),
@@ -307,41 +324,59 @@ KernelResult earliest_contact_from_now(const KernelQuery& query, double* bounds)
     const VectorOfLanes<Lanes> v{other.velocity.x - Lanes(own.velocity.x),
                                  other.velocity.y - Lanes(own.velocity.y),
                                  other.velocity.z - Lanes(own.velocity.z)};
-    const Waits<Lanes> waits = waits_of(r, v, pairs.reach(query.others + begin));
-    const Mask happens = waits.hits & (waits.wait < forever);
-    best.tied |= bits(happens & (waits.wait == best.first));
-    const Mask earlier = happens & (waits.wait < best.first);
-    best.first = select(earlier, waits.wait, best.first);
-    best.index = select(earlier, index, best.index);
-    // A sum rounded once is no later than the sum of a longer wait.
-    select(waits.grazes, own_high + waits.wait, forever).store(bounds + begin);
+    const Waits<Lanes> waits = waits_of(r, v, pairs.reach(query.others + i));
+    const Lanes first = select(waits.hits | waits.grazes, waits.wait, forever);
+    first.store(contacts.first + i);
+    least = minimum(least, first);
+    grazes |= std::uint64_t{bits(waits.grazes)} << i;
   }
-  KernelResult result{kForever, 0, 0, best.tied != 0};
-  const double wait = least_of(best.first);
-  if (wait < kForever) {
-    const MomentOfLanes<Lanes> moment = moment_after<Lanes>(own.time.high, own.time.low, wait);
-    double unused = 0;
-    result.index = best_index(best, wait, unused, result.is_tied);
-    result.high = moment.high;
-    result.low = moment.low;
-    const double moment_size = own.time.high < 0 ? -own.time.high : own.time.high;
-    if (wait < kShortest * moment_size) result.is_tied = true;
+  contacts.grazes = grazes;
+  const auto settle_graze = [&](std::size_t index) {
+    contacts.settle(index, grazing_contact<Lanes, kNearest>(query, index).wait, 0);
+  };
+  const EarliestOfRound found = earliest_of(contacts, least_of(least), kForever, settle_graze);
+  const auto moment = moment_after<Lanes>(own.time.high, own.time.low, found.first);
+  const double moment_size = own.time.high < 0 ? -own.time.high : own.time.high;
+  return {moment.high, moment.low, static_cast<std::uint32_t>(found.index),
+          found.is_tied || found.first < kShortest * moment_size};
+}
+
+template <class Lanes>
+KernelResult run_round(const KernelQuery& query) {
+  const Path& own = query.paths[query.self];
+  const bool nearest = query.shifts == nullptr;
+  if (own.time.high == query.now_high && own.time.low == query.now_low) {
+    return nearest ? earliest_contact_from_now<Lanes, true>(query)
+                   : earliest_contact_from_now<Lanes, false>(query);
   }
-  look_again<Lanes, kNearest>(query, bounds, result);
-  return result;
+  return nearest ? earliest_contact<Lanes, true>(query) : earliest_contact<Lanes, false>(query);
 }
 
 /// The kernel for all kinds of query.
 template <class Lanes>
-KernelResult run_kernel(const KernelQuery& query, double* bounds) {
-  const Path& own = query.paths[query.self];
-  const bool nearest = query.shifts[0] == nullptr;
-  if (own.time.high == query.now_high && own.time.low == query.now_low) {
-    return nearest ? earliest_contact_from_now<Lanes, true>(query, bounds)
-                   : earliest_contact_from_now<Lanes, false>(query, bounds);
+KernelResult run_kernel(const KernelQuery& query) {
+  if (query.count <= kRound) [[likely]]
+    return run_round<Lanes>(query);
+  KernelResult result{std::numeric_limits<double>::infinity(), 0, 0, false};
+  for (std::size_t begin = 0; begin < query.count; begin += kRound) {
+    KernelQuery round = query;
+    round.others += begin;
+    round.count = query.count - begin < kRound ? query.count - begin : kRound;
+    if (result.high < round.limit) round.limit = result.high;
+    const double* shifts[3];
+    if (query.shifts != nullptr) {
+      for (int axis = 0; axis < 3; ++axis) shifts[axis] = query.shifts[axis] + begin;
+      round.shifts = shifts;
+    }
+    KernelResult found = run_round<Lanes>(round);
+    found.index += static_cast<std::uint32_t>(begin);
+    if (found.high < result.high) {
+      result = found;
+    } else if (found.high == result.high) {
+      result.is_tied = true;
+    }
   }
-  return nearest ? earliest_contact<Lanes, true>(query, bounds)
-                 : earliest_contact<Lanes, false>(query, bounds);
+  return result;
 }
 
 }  // namespace hardball

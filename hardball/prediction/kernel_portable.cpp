@@ -22,7 +22,6 @@ struct Lanes {
   Lanes(Vector vector) : v(vector) {}
   explicit Lanes(double value) : v{value, value} {}
 
-  static Lanes counting() { return Vector{0, 1}; }
   static Lanes load(const double* values) { return Vector{values[0], values[1]}; }
   static Lanes gather(const double* values, const std::uint32_t* at) {
     return Vector{values[at[0]], values[at[1]]};
@@ -80,6 +79,9 @@ Lanes select(const Lanes::Mask& mask, const Lanes& a, const Lanes& b) {
 Lanes maximum(const Lanes& a, const Lanes& b) {
   return select(a > b, a, b);
 }
+Lanes minimum(const Lanes& a, const Lanes& b) {
+  return select(a < b, a, b);
+}
 Lanes square_root(const Lanes& a) {
   return Lanes::Vector{std::sqrt(a.v[0]), std::sqrt(a.v[1])};
 }
@@ -94,8 +96,8 @@ Lanes round_to_integer(const Lanes& a) {
 
 }  // namespace
 
-KernelResult portable_kernel(const KernelQuery& query, double* bounds) {
-  return run_kernel<Lanes>(query, bounds);
+KernelResult portable_kernel(const KernelQuery& query) {
+  return run_kernel<Lanes>(query);
 }
 
 }  // namespace hardball

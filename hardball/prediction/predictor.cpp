@@ -49,15 +49,14 @@ Image nearest_image(const World& world, Slot a, Slot b, const Time& moment) {
 Predictor::Predictor(InstructionSet instructions) : kernel_(kernel_of(instructions)) {}
 
 Prospect Predictor::earliest(const World& world, const Candidates& candidates, const Time& now,
-                             const Time& limit) {
+                             const Time& limit) const {
   if (candidates.size() == 0) return {};
-  if (bounds_.size() < candidates.size() + Candidates::kPadding) {
-    bounds_.resize(2 * candidates.size() + Candidates::kPadding);
-  }
   const Slot self = candidates.self();
-  const Vec3& period = world.box().period();
-  const Vec3& inverse = world.box().inverse_period();
   const bool listed = !candidates.are_nearest();
+  const double* shifts[kAxes];
+  if (listed) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) shifts[axis] = candidates.shifts(axis);
+  }
   const KernelQuery query{
       .paths = world.paths().data(),
       .radii = world.radii().is_common() ? nullptr : world.radii().each().data(),
@@ -65,16 +64,16 @@ Prospect Predictor::earliest(const World& world, const Candidates& candidates, c
       .self = self,
       .others = candidates.slots(),
       .count = candidates.size(),
-      .shifts = {listed ? candidates.shifts(0) : nullptr, listed ? candidates.shifts(1) : nullptr,
-                 listed ? candidates.shifts(2) : nullptr},
-      .period = {period.x, period.y, period.z},
-      .inverse_period = {inverse.x, inverse.y, inverse.z},
+      .shifts = listed ? shifts : nullptr,
+      .period = &world.box().period(),
+      .inverse_period = &world.box().inverse_period(),
       .now_high = now.high,
       .now_low = now.low,
       .limit = limit.high,
   };
-  const KernelResult found = kernel_(query, bounds_.data());
+  const KernelResult found = kernel_(query);
   if (!(found.high < kNever.high)) return {};
+  Time time{found.high, found.low};
   std::size_t index = found.index;
   if (found.is_tied) [[unlikely]] {
     Event first;
@@ -84,8 +83,9 @@ Prospect Predictor::earliest(const World& world, const Candidates& candidates, c
       first = contact;
       index = i;
     }
+    time = first.time;
   }
-  return {{found.high, found.low}, candidates.slot(index), listed ? candidates.image(index) : Image{}};
+  return {time, candidates.slot(index), listed ? candidates.image(index) : Image{}};
 }
 
 }  // namespace hardball

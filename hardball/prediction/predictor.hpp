@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "hardball/broadphase/candidates.hpp"
 #include "hardball/prediction/instruction_set.hpp"
@@ -37,13 +36,10 @@ class Predictor {
   /// What comes after `limit` may be missed. Precondition: `candidates` has been ended, and was collected at
   /// `now`.
   Prospect earliest(const World& world, const Candidates& candidates, const Time& now,
-                    const Time& limit = kNever);
-
-  std::size_t memory_bytes() const { return bounds_.capacity() * sizeof(double); }
+                    const Time& limit = kNever) const;
 
  private:
   Kernel kernel_;
-  std::vector<double> bounds_;
 };
 
 }  // namespace hardball

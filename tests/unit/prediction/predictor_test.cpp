@@ -312,7 +312,7 @@ TEST_P(EveryPredictor, AgreesWithThePlainLoop) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     PairMaker maker(GetParam(), seed);
-    World world = maker.make(random.bits() % 71);
+    World world = maker.make(random.bits() % (seed % 4 == 0 ? 200 : 71));
     ASSERT_EQ(world.radii().is_common(), world.size() == 1 || !GetParam().mixed_radii);
     shuffle(world, random);
     // Most meet sphere 0 in the middle; another one sees them otherwise.
@@ -376,7 +376,7 @@ TEST(Predictor, DecidesExactTiesByTheOrderOfEvents) {
       world.add({place_now - age * v, v, radius, 1}, Time(start + 8 - age, low));
     };
     add(place, velocity, 6.5);
-    const std::uint64_t others = random.bits() % 71;
+    const std::uint64_t others = random.bits() % (seed % 4 == 1 ? 200 : 71);
     const double few_moments = 1 + below(4);
     for (std::uint64_t i = 0; i < others; ++i) {
       const std::size_t axis = random.bits() % 3;
@@ -472,7 +472,6 @@ TEST(Predictor, FindsNothingAmongNobody) {
     Predictor predictor(set);
     collect_nearest(candidates, 0, {});
     EXPECT_FALSE(predictor.earliest(world, candidates, Time(0)).happens());
-    EXPECT_EQ(predictor.memory_bytes(), 0U);
   }
 }
 
