@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -39,11 +40,27 @@ double smallest_period(const Box& box) {
 
 Vec3 nearest(const Box& box, Vec3 separation) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double half = box.period()[axis] / 2;
-    if (std::fabs(separation[axis]) <= half) continue;
     separation[axis] -= std::round(separation[axis] * box.inverse_period()[axis]) * box.period()[axis];
   }
   return separation;
+}
+
+// Writes those of a line whose anchors are near `place` to `out`; returns how many they are. There must be
+// room for all.
+template <class ReachTo>
+std::uint32_t pick_near(const SlotLists::LineOfSlots& slots, std::uint32_t count, const Vec3* anchors,
+                        const Vec3& place, Slot self, const ReachTo& reach_to, Slot* out) {
+  std::uint32_t found = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    // Without a branch: whether an anchor is near cannot be foreseen.
+    const Slot other = slots[i];
+    const Vec3 apart = anchors[other] - place;
+    const double reach = reach_to(other);
+    out[found] = other;
+    found += static_cast<std::uint32_t>(dot(apart, apart) < reach * reach) &
+             static_cast<std::uint32_t>(other != self);
+  }
+  return found;
 }
 
 }  // namespace
@@ -88,17 +105,18 @@ Time NeighborList::next_crossing(const World& world, Slot slot, const Time& now,
   constexpr double kSlow = 0x1p-400;
   const Vec3 place = from_anchor(world, slot, now);
   Vec3 velocity = world.path(slot).velocity;
+  double longest = duration(now, limit);
   double speed_squared = dot(velocity, velocity);
   double time_unit = 1;
   if (speed_squared < kSlow * kSlow) [[unlikely]] {
     time_unit = 0x1p600;
+    longest /= time_unit;
     velocity = time_unit * velocity;
     speed_squared = dot(velocity, velocity);
   }
   const double reach = slack_ * (1 - kMargin);
   const double outwards = dot(place, velocity);
   const double room = std::max(0.0, reach * reach - dot(place, place));
-  const double longest = duration(now, limit) / time_unit;
   if (longest * (speed_squared * longest + 2 * outwards) < room || !(speed_squared > 0)) return kNever;
   const double root = std::sqrt(outwards * outwards + speed_squared * room);
   const double wait = outwards > 0 ? room / (root + outwards) : (root - outwards) / speed_squared;
@@ -113,33 +131,58 @@ void NeighborList::cross(const World& world, Slot slot, const Time& now, Candida
     store_.erase(old_cell, slot);
     store_.insert(cell, slot);
   }
-  lost_.clear();
-  neighbors_.for_each(slot, [this](Slot old) { lost_.push_back(old); });
-  neighbors_.clear(slot);
   find_near(world, slot, near_);
+  tell_changes(slot);
   candidates.begin(slot, true);
-  for (const Slot other : near_) {
-    neighbors_.insert(slot, other);
-    const auto known = std::find(lost_.begin(), lost_.end(), other);
-    if (known != lost_.end()) {
-      *known = lost_.back();
-      lost_.pop_back();
-    } else {
-      neighbors_.insert(other, slot);
-      candidates.add(other);
-    }
+  for (const Slot gained : gained_) {
+    candidates.add(gained);
+    neighbors_.insert(gained, slot);
   }
   candidates.end();
   for (const Slot lost : lost_) neighbors_.erase(lost, slot);
+  neighbors_.clear(slot);
+  for (const Slot other : near_) neighbors_.insert(slot, other);
+}
+
+// Which of those near a sphere are not in its list, and which of the list are not near any more.
+void NeighborList::tell_changes(Slot slot) {
+  kept_.clear();
+  neighbors_.for_each_line(slot,
+                           [this](const SlotLists::LineOfSlots&, std::uint32_t) { kept_.push_back(0); });
+  gained_.resize(near_.size());
+  Slot* gained = gained_.data();
+  for (const Slot other : near_) {
+    // Without a branch: which are known cannot be foreseen.
+    std::uint32_t known = 0;
+    std::uint32_t* kept = kept_.data();
+    neighbors_.for_each_line(slot, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
+      const std::uint32_t place = SlotLists::places_of(other, slots, count);
+      *kept++ |= place;
+      known |= place;
+    });
+    *gained = other;
+    gained += known == 0 ? 1 : 0;
+  }
+  gained_.resize(static_cast<std::size_t>(gained - gained_.data()));
+  lost_.clear();
+  const std::uint32_t* kept = kept_.data();
+  neighbors_.for_each_line(slot, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
+    for (std::uint32_t lost = ~*kept++ & ((1U << count) - 1); lost != 0; lost &= lost - 1) {
+      lost_.push_back(slots[static_cast<std::size_t>(std::countr_zero(lost))]);
+    }
+  });
 }
 
 Vec3 NeighborList::anchor_at(const World& world, Slot slot, const Time& now) const {
   return world.position(slot, now);
 }
 
-// Where the centre is, seen from its anchor.
+// Where the centre is, seen from its anchor. It is in the ball: from far away only another copy is seen.
 Vec3 NeighborList::from_anchor(const World& world, Slot slot, const Time& now) const {
-  return nearest(world.box(), position_at(world.path(slot), now) - anchors_[slot]);
+  const Vec3 place = position_at(world.path(slot), now) - anchors_[slot];
+  if (dot(place, place) <= slack_ * slack_) [[likely]]
+    return place;
+  return nearest(world.box(), place);
 }
 
 // The spheres whose shells meet a sphere's own, from the anchors in the cells around its own. Beyond the edge
@@ -167,12 +210,12 @@ void NeighborList::find_near(const World& world, Slot slot, std::vector<Slot>& n
       rows[axis][row_count[axis]++] = row;
     }
   }
-  const bool is_common = world.radii().is_common();
   const double own_reach = (world.radius(slot) + 2 * slack_) * (1 + kMargin);
   const double common_reach = own_reach + world.radius(slot) * (1 + kMargin);
-  const auto reach_to = [&](Slot other) {
-    return is_common ? common_reach : own_reach + world.radius(other) * (1 + kMargin);
-  };
+  const auto reach_to_any = [common_reach](Slot) { return common_reach; };
+  const auto reach_to = [&](Slot other) { return own_reach + world.radius(other) * (1 + kMargin); };
+  const bool is_common = world.radii().is_common();
+  const Vec3* const anchors = anchors_.data();
   std::size_t found = 0;
   for (std::size_t x = 0; x < row_count[0]; ++x) {
     for (std::size_t y = 0; y < row_count[1]; ++y) {
@@ -181,15 +224,9 @@ void NeighborList::find_near(const World& world, Slot slot, std::vector<Slot>& n
         const std::uint32_t list = store_.list({rows[0][x].cell, rows[1][y].cell, rows[2][z].cell});
         store_.lists().for_each_line(list, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
           if (near.size() < found + count) near.resize(2 * (found + count));
-          Slot* const out = near.data();
-          for (std::uint32_t i = 0; i < count; ++i) {
-            // Without a branch: whether an anchor is near cannot be foreseen.
-            const Slot other = slots[i];
-            const Vec3 apart = anchors_[other] - place;
-            const double reach = reach_to(other);
-            out[found] = other;
-            found += dot(apart, apart) < reach * reach && other != slot ? 1U : 0U;
-          }
+          Slot* const out = near.data() + found;
+          found += is_common ? pick_near(slots, count, anchors, place, slot, reach_to_any, out)
+                             : pick_near(slots, count, anchors, place, slot, reach_to, out);
         });
       }
     }
@@ -199,7 +236,7 @@ void NeighborList::find_near(const World& world, Slot slot, std::vector<Slot>& n
 
 std::size_t NeighborList::memory_bytes() const {
   return store_.memory_bytes() + anchors_.capacity() * sizeof(Vec3) + neighbors_.memory_bytes() +
-         (near_.capacity() + lost_.capacity()) * sizeof(Slot);
+         (near_.capacity() + gained_.capacity() + lost_.capacity() + kept_.capacity()) * sizeof(Slot);
 }
 
 void NeighborList::validate(const World& world, const Time& now) const {

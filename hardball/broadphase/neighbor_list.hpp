@@ -54,6 +54,7 @@ class NeighborList {
   Vec3 anchor_at(const World& world, Slot slot, const Time& now) const;
   Vec3 from_anchor(const World& world, Slot slot, const Time& now) const;
   void find_near(const World& world, Slot slot, std::vector<Slot>& near) const;
+  void tell_changes(Slot slot);
 
   double wanted_slack_;
   double slack_ = 0;
@@ -61,8 +62,10 @@ class NeighborList {
   CellStore store_;            // anchors
   LargeVector<Vec3> anchors_;  // by slot, folded into the box
   SlotLists neighbors_;        // by slot
-  std::vector<Slot> near_;     // of the sphere at hand
-  std::vector<Slot> lost_;
+  // Of the sphere at hand:
+  std::vector<Slot> near_;           // those that are to be its neighbours
+  std::vector<Slot> gained_, lost_;  // what that changes
+  std::vector<std::uint32_t> kept_;  // a bit for each place of each line of its list
 };
 
 static_assert(BroadPhase<NeighborList>);

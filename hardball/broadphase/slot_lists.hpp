@@ -45,15 +45,20 @@ class SlotLists {
     line.slots[line.count++] = slot;
   }
 
+  /// A bit for each of the first `count` places of a line at which the slot stands.
+  static std::uint32_t places_of(Slot slot, const LineOfSlots& slots, std::uint32_t count) {
+    // Without a branch for each slot: where it stands cannot be foreseen.
+    std::uint32_t places = 0;
+    for (std::uint32_t i = 0; i < kRoom; ++i) places |= (slots[i] == slot ? 1U : 0U) << i;
+    return places & ((1U << count) - 1);
+  }
+
   /// Precondition: the slot is in the list.
   void erase(std::uint32_t list, Slot slot) {
     std::uint32_t before = kNone;
     for (std::uint32_t at = list; at != kNone; before = at, at = lines_[at].next) {
       Line& line = lines_[at];
-      // Without a branch for each slot: where it stands cannot be foreseen.
-      std::uint32_t places = 0;
-      for (std::uint32_t i = 0; i < kRoom; ++i) places |= (line.slots[i] == slot ? 1U : 0U) << i;
-      places &= (1U << line.count) - 1;
+      const std::uint32_t places = places_of(slot, line.slots, line.count);
       if (places == 0) continue;
       line.slots[static_cast<std::size_t>(std::countr_zero(places))] = line.slots[--line.count];
       if (line.count == 0 && at != list) {

@@ -33,7 +33,6 @@ void CalendarQueue::reset(std::size_t owners, Time start) {
   days_per_time_ = 0;
   today_ = 0;
   year_end_ = 1;
-  entry_count_ = 0;
   filed_count_ = 0;
   taken_in_year_ = 0;
   counters_ = {};
@@ -47,34 +46,50 @@ std::size_t CalendarQueue::memory_bytes() const {
 
 void CalendarQueue::file_all() {
   const std::size_t first = unfiled_count_ > kUnfiled ? unfiled_count_ - kUnfiled : 0;
-  for (std::size_t i = first; i < unfiled_count_; ++i) file(unfiled_[i % kUnfiled]);
+  for (std::size_t i = first; i < unfiled_count_; ++i) {
+    const Unfiled& unfiled = unfiled_[i % kUnfiled];
+    file(unfiled.entry, day(unfiled.day));
+  }
   unfiled_count_ = 0;
 }
 
 // Precondition: the entry is not for today.
-void CalendarQueue::file(const Entry& entry) {
+void CalendarQueue::file_or_wait(const Entry& entry) {
   const double before = days_before(entry.time);
-  if (before + 1 < static_cast<double>(today_ + days_.size())) {
-    put(day(static_cast<std::uint64_t>(before) + 1), entry);
-    ++filed_count_;
+  if (before + 1 < static_cast<double>(today_ + days_in_ring())) {
+    file(entry, day(day_after(before)));
   } else {
     beyond_.push_back(entry);
   }
 }
 
-void CalendarQueue::put(Day& day, const Entry& entry) {
-  const std::uint32_t place = day.count++ % Block::kRoom;
-  if (place == 0) day.last_block = new_block(day.last_block);
-  Block& block = blocks_[day.last_block];
-  block.entries[place] = pack(entry);
+// Takes the live entries of today. Precondition: those before are done.
+void CalendarQueue::sort_today() {
+  const Day& today = day(today_);
+  sorted_.resize(today.count);
+  // Without a branch: half of the entries are dead, and nobody can foresee which.
+  Entry* end = sorted_.data();
+  for_each_filed(today, [&](const Entry& entry) {
+    *end = entry;
+    end += is_dead(entry) ? 0 : 1;
+  });
+  const auto live = static_cast<std::size_t>(end - sorted_.data());
+  counters_.taken += sorted_.size() - live;
+  sorted_.resize(live);
+  empty_today();
+  std::sort(sorted_.begin(), sorted_.end(), [](const Entry& a, const Entry& b) { return a.time > b.time; });
 }
 
-// Moves the entries of today from its blocks to a list.
+// Moves the entries of today to a list.
 void CalendarQueue::take_day(std::vector<Entry>& entries) {
+  for_each_filed(day(today_), [&entries](const Entry& entry) { entries.push_back(entry); });
+  empty_today();
+}
+
+void CalendarQueue::empty_today() {
   Day& today = day(today_);
   filed_count_ -= today.count;
   taken_in_year_ += today.count;
-  for_each_filed(today, [&entries](const Entry& entry) { entries.push_back(entry); });
   for (std::uint32_t block = today.last_block; block != kNone;) {
     const std::uint32_t freed = block;
     block = std::exchange(blocks_[block].next, free_block_);
@@ -88,33 +103,20 @@ void CalendarQueue::take_day(std::vector<Entry>& entries) {
 bool CalendarQueue::turn_year() {
   const double per_day = static_cast<double>(taken_in_year_) / static_cast<double>(days_.size());
   taken_in_year_ = 0;
-  year_end_ = today_ + days_.size();
+  year_end_ = today_ + days_in_ring();
   const auto wanted = static_cast<double>(entries_per_day(owner_count_));
   if (per_day > kOff * wanted || per_day * kOff < wanted) return false;
   std::vector<Entry> waiting;
   waiting.swap(beyond_);
-  for (const Entry& entry : waiting) file(entry);
+  for (const Entry& entry : waiting) file_or_wait(entry);
   return true;
-}
-
-void CalendarQueue::drop_dead(std::vector<Entry>& entries) {
-  // Without a branch: half of the entries are dead, and nobody can foresee which.
-  Entry* end = entries.data();
-  for (const Entry& entry : entries) {
-    *end = entry;
-    end += current_[entry.owner] == entry.time ? 1 : 0;
-  }
-  const std::size_t dead = entries.size() - static_cast<std::size_t>(end - entries.data());
-  entries.resize(entries.size() - dead);
-  entry_count_ -= dead;
-  counters_.taken += dead;
 }
 
 // Lays the days out anew for all entries that are alive.
 void CalendarQueue::lay_out() {
   file_all();
   gather();
-  drop_dead(beyond_);
+  counters_.taken += std::erase_if(beyond_, [this](const Entry& entry) { return is_dead(entry); });
   if (beyond_.size() > owner_count_) drop_twins();
   spread_out();
 }
@@ -139,7 +141,6 @@ void CalendarQueue::drop_twins() {
     is_known[entry.owner] = true;
     return false;
   });
-  entry_count_ -= dropped;
   counters_.taken += dropped;
 }
 
@@ -160,10 +161,10 @@ void CalendarQueue::spread_out() {
   days_per_time_ = std::min((static_cast<double>(half) + 1) / static_cast<double>(wanted) / half_time,
                             std::numeric_limits<double>::max());
   origin_ = first;
-  year_end_ = days_.size();
+  year_end_ = days_in_ring();
   std::vector<Entry> waiting;
   waiting.swap(beyond_);
-  for (const Entry& entry : waiting) file(entry);
+  for (const Entry& entry : waiting) file_or_wait(entry);
 }
 
 std::uint32_t CalendarQueue::new_block(std::uint32_t next) {

@@ -34,36 +34,39 @@ class CalendarQueue {
     current_[owner] = time;
     if (!(time < std::numeric_limits<double>::infinity())) return;
     ++counters_.scheduled;
-    ++entry_count_;
-    if (is_today(time)) {
+    const double before = days_before(time);
+    if (before < static_cast<double>(today_)) {
       put_late(owner, agenda);
+    } else if (before + 1 >= static_cast<double>(today_ + days_in_ring())) {
+      beyond_.push_back({time, owner});
+    } else if (is_cached(agenda)) {
+      file({time, owner}, day(day_after(before)));
     } else {
-      file_soon({time, owner});
+      file_soon({time, owner}, day_after(before));
     }
-    if (entry_count_ > kEntriesPerOwner * owner_count_ + kEntriesAlways) lay_out();
+    if (entry_count() > kEntriesPerOwner * owner_count_ + kEntriesAlways) lay_out();
   }
 
   template <Agenda A>
   Owner least(const A& agenda) {
     for (;;) {
-      drop_dead_today(agenda);
-      if (sorted_.empty() && late_.empty()) {
+      for (; !sorted_.empty() && is_dead(sorted_.back()); sorted_.pop_back()) ++counters_.taken;
+      if (!late_.empty()) drop_dead_late(agenda);
+      if (sorted_.empty()) {
+        if (!late_.empty()) return late_.front().owner;
         if (!begin_day(agenda)) return kNobody;
         continue;
       }
-      if (sorted_.empty() || (!late_.empty() && late_.front().event.time.high < sorted_.back().time)) {
-        return late_.front().owner;
-      }
-      const bool has_twin = (!late_.empty() && late_.front().event.time.high == sorted_.back().time) ||
-                            (sorted_.size() > 1 && sorted_[sorted_.size() - 2].time == sorted_.back().time);
-      if (!has_twin || is_shared(agenda)) return sorted_.back().owner;
       const double moment = sorted_.back().time;
+      if (!late_.empty() && late_.front().event.time.high < moment) return late_.front().owner;
+      const bool has_twin = (!late_.empty() && late_.front().event.time.high == moment) ||
+                            (sorted_.size() > 1 && sorted_[sorted_.size() - 2].time == moment);
+      if (!has_twin || is_shared(agenda)) return sorted_.back().owner;
       for (; !sorted_.empty() && sorted_.back().time == moment; sorted_.pop_back()) {
-        const Owner owner = sorted_.back().owner;
-        if (current_[owner] == moment) {
-          put_late(owner, agenda);
+        if (is_dead(sorted_.back())) {
+          ++counters_.taken;
         } else {
-          note_taken();
+          put_late(sorted_.back().owner, agenda);
         }
       }
     }
@@ -80,7 +83,7 @@ class CalendarQueue {
     } else {
       sorted_.pop_back();
     }
-    note_taken();
+    ++counters_.taken;
   }
 
   /// The owner of an entry that comes about `ahead` events after the least; kNobody if today has no more.
@@ -124,14 +127,29 @@ class CalendarQueue {
 
   static bool comes_later(const Scheduled& a, const Scheduled& b) { return b < a; }
 
-  // Days are counted from one; the result, rounded down, is one less. Uses the leading part of the time
-  // alone: rounding then keeps the order of times.
+  // Of an entry that waits until it is filed.
+  struct Unfiled {
+    Entry entry;
+    std::int64_t day = 0;
+  };
+
+  // Days are counted from one. Uses the leading part of the time alone: rounding then keeps the order of
+  // times.
   double days_before(double time) const { return std::max(0.0, (time - origin_) * days_per_time_); }
-  bool is_today(double time) const { return days_before(time) < static_cast<double>(today_); }
-  Day& day(std::uint64_t number) { return days_[number & (days_.size() - 1)]; }
-  void note_taken() {
-    --entry_count_;
-    ++counters_.taken;
+  static std::int64_t day_after(double days) { return static_cast<std::int64_t>(days) + 1; }
+  std::int64_t days_in_ring() const { return static_cast<std::int64_t>(days_.size()); }
+  Day& day(std::int64_t number) { return days_[static_cast<std::size_t>(number) & (days_.size() - 1)]; }
+  // Live and dead.
+  std::size_t entry_count() const { return counters_.scheduled - counters_.taken; }
+  bool is_dead(const Entry& entry) const { return current_[entry.owner] != entry.time; }
+
+  template <Agenda A>
+  static bool is_cached([[maybe_unused]] const A& agenda) {
+    if constexpr (requires { agenda.is_cached(); }) {
+      return agenda.is_cached();
+    } else {
+      return false;
+    }
   }
 
   template <Agenda A>
@@ -152,11 +170,7 @@ class CalendarQueue {
   }
 
   template <Agenda A>
-  void drop_dead_today(const A& agenda) {
-    while (!sorted_.empty() && current_[sorted_.back().owner] != sorted_.back().time) {
-      sorted_.pop_back();
-      note_taken();
-    }
+  void drop_dead_late(const A& agenda) {
     while (!late_.empty()) {
       const Owner owner = late_.front().owner;
       const bool is_dead = agenda.time(owner) != late_.front().event.time;
@@ -164,7 +178,7 @@ class CalendarQueue {
       std::pop_heap(late_.begin(), late_.end(), comes_later);
       late_.pop_back();
       if (is_dead) {
-        note_taken();
+        ++counters_.taken;
       } else {
         put_late(owner, agenda);  // another event at the same moment
       }
@@ -186,10 +200,7 @@ class CalendarQueue {
         continue;
       }
       if (day(today_).count == 0) continue;
-      take_day(sorted_);
-      drop_dead(sorted_);
-      std::sort(sorted_.begin(), sorted_.end(),
-                [](const Entry& a, const Entry& b) { return a.time > b.time; });
+      sort_today();
       prefetch_tomorrow(agenda);
       return true;
     }
@@ -199,10 +210,10 @@ class CalendarQueue {
   template <Agenda A>
   void prefetch_tomorrow([[maybe_unused]] const A& agenda) {
     if constexpr (requires { agenda.prefetch_event(Owner{}); }) {
-      if (agenda.is_cached()) return;
+      if (is_cached(agenda)) return;
       for_each_filed(day(today_ + 2), [this](const Entry& entry) { prefetch(&current_[entry.owner]); });
       for_each_filed(day(today_ + 1), [&](const Entry& entry) {
-        if (current_[entry.owner] == entry.time) agenda.prefetch_event(entry.owner);
+        if (!is_dead(entry)) agenda.prefetch_event(entry.owner);
       });
     }
   }
@@ -217,29 +228,33 @@ class CalendarQueue {
     }
   }
 
+  void file(const Entry& entry, Day& day) {
+    const std::uint32_t place = day.count++ % Block::kRoom;
+    if (place == 0) day.last_block = new_block(day.last_block);
+    blocks_[day.last_block].entries[place] = pack(entry);
+    ++filed_count_;
+  }
+
   // Days lie all over the memory: an entry is filed some entries later, when the memory asked for has come.
-  void file_soon(const Entry& entry) {
-    Entry& place = unfiled_[unfiled_count_ % kUnfiled];
-    if (unfiled_count_ >= kUnfiled) file(place);
-    place = entry;
-    prefetch(&day_of(entry));
+  void file_soon(const Entry& entry, std::int64_t number) {
+    Unfiled& place = unfiled_[unfiled_count_ % kUnfiled];
+    if (unfiled_count_ >= kUnfiled) file(place.entry, day(place.day));
+    place = {entry, number};
+    prefetch(&day(number));
     if (unfiled_count_ >= kUnfiled / 2) {
-      const Day& day = day_of(unfiled_[(unfiled_count_ - kUnfiled / 2) % kUnfiled]);
-      if (day.last_block != kNone) prefetch(&blocks_[day.last_block].entries[day.count % Block::kRoom]);
+      const Day& sooner = day(unfiled_[(unfiled_count_ - kUnfiled / 2) % kUnfiled].day);
+      if (sooner.last_block != kNone) {
+        prefetch(&blocks_[sooner.last_block].entries[sooner.count % Block::kRoom]);
+      }
     }
     ++unfiled_count_;
   }
-  // The day of an entry, if it is in the ring.
-  const Day& day_of(const Entry& entry) const {
-    constexpr double kLargest = 0x1p62;
-    const auto number = static_cast<std::uint64_t>(std::min(days_before(entry.time), kLargest)) + 1;
-    return days_[number & (days_.size() - 1)];
-  }
 
   void file_all();
-  void file(const Entry& entry);
-  void put(Day& day, const Entry& entry);
+  void file_or_wait(const Entry& entry);
+  void sort_today();
   void take_day(std::vector<Entry>& entries);
+  void empty_today();
   bool turn_year();
   void drop_dead(std::vector<Entry>& entries);
   void lay_out();
@@ -250,9 +265,9 @@ class CalendarQueue {
 
   std::size_t owner_count_ = 0;
   LargeVector<double> current_;  // by owner: the time of its event, to the nearest double; kNever if none
-  std::array<Entry, kUnfiled> unfiled_{};  // a ring: the last of all entries that went through it
-  std::size_t unfiled_count_ = 0;          // of those since all were filed
-  std::vector<Entry> sorted_;              // today's, latest first, so that the least is at the back
+  std::array<Unfiled, kUnfiled> unfiled_{};  // a ring: the last of all entries that went through it
+  std::size_t unfiled_count_ = 0;            // of those since all were filed
+  std::vector<Entry> sorted_;                // today's, latest first, so that the least is at the back
   std::vector<Scheduled>
       late_;               // filed for today when it had begun; std::push_heap order, the least in front
   std::vector<Day> days_;  // a ring, a power of two
@@ -261,9 +276,8 @@ class CalendarQueue {
   std::vector<Entry> beyond_;  // after the end of the ring
   double origin_ = 0;
   double days_per_time_ = 0;  // [1/T]
-  std::uint64_t today_ = 0;
-  std::uint64_t year_end_ = 0;
-  std::size_t entry_count_ = 0;  // live and dead
+  std::int64_t today_ = 0;
+  std::int64_t year_end_ = 0;
   std::size_t filed_count_ = 0;  // those in days after today
   std::uint64_t taken_in_year_ = 0;
   QueueCounters counters_;
