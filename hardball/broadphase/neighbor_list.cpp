@@ -38,6 +38,22 @@ double smallest_period(const Box& box) {
   return smallest;
 }
 
+// The squares of slower speeds lose their digits; spheres that collapse come to them.
+constexpr double kSlow = 0x1p-400;
+
+// How long a centre at `place` stays in its ball, `room` being the difference of the squared radius and its
+// squared distance from the anchor.
+double wait_in_ball(const Vec3& place, Vec3 velocity, double room) {
+  const bool is_slow = dot(velocity, velocity) < kSlow * kSlow;
+  const double time_unit = is_slow ? 0x1p600 : 1;
+  if (is_slow) velocity = time_unit * velocity;
+  const double speed_squared = dot(velocity, velocity);
+  if (!(speed_squared > 0)) return std::numeric_limits<double>::infinity();
+  const double outwards = dot(place, velocity);
+  const double root = std::sqrt(outwards * outwards + speed_squared * room);
+  return time_unit * (outwards > 0 ? room / (root + outwards) : (root - outwards) / speed_squared);
+}
+
 Vec3 nearest(const Box& box, Vec3 separation) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     separation[axis] -= std::round(separation[axis] * box.inverse_period()[axis]) * box.period()[axis];
@@ -101,26 +117,17 @@ void NeighborList::collect(const World&, Slot slot, Candidates& candidates) cons
 
 // When the centre comes to the edge of its ball; reckoned from now, as nothing else depends on its last bits.
 Time NeighborList::next_crossing(const World& world, Slot slot, const Time& now, const Time& limit) const {
-  // The squares of slower speeds lose their digits; spheres that collapse come to them.
-  constexpr double kSlow = 0x1p-400;
   const Vec3 place = from_anchor(world, slot, now);
-  Vec3 velocity = world.path(slot).velocity;
-  double longest = duration(now, limit);
-  double speed_squared = dot(velocity, velocity);
-  double time_unit = 1;
-  if (speed_squared < kSlow * kSlow) [[unlikely]] {
-    time_unit = 0x1p600;
-    longest /= time_unit;
-    velocity = time_unit * velocity;
-    speed_squared = dot(velocity, velocity);
-  }
-  const double reach = slack_ * (1 - kMargin);
+  const Vec3& velocity = world.path(slot).velocity;
+  const double speed_squared = dot(velocity, velocity);
   const double outwards = dot(place, velocity);
+  const double reach = slack_ * (1 - kMargin);
   const double room = std::max(0.0, reach * reach - dot(place, place));
-  if (longest * (speed_squared * longest + 2 * outwards) < room || !(speed_squared > 0)) return kNever;
-  const double root = std::sqrt(outwards * outwards + speed_squared * room);
-  const double wait = outwards > 0 ? room / (root + outwards) : (root - outwards) / speed_squared;
-  return after(now, wait * time_unit);
+  const double longest = duration(now, limit);
+  if (longest * (speed_squared * longest + 2 * outwards) < room && speed_squared > kSlow * kSlow) {
+    return kNever;
+  }
+  return after(now, wait_in_ball(place, velocity, room));
 }
 
 void NeighborList::cross(const World& world, Slot slot, const Time& now, Candidates& candidates) {
@@ -217,17 +224,24 @@ void NeighborList::find_near(const World& world, Slot slot, std::vector<Slot>& n
   const bool is_common = world.radii().is_common();
   const Vec3* const anchors = anchors_.data();
   std::size_t found = 0;
+  CellIndex cell;
+  Vec3 place;
   for (std::size_t x = 0; x < row_count[0]; ++x) {
+    cell[0] = rows[0][x].cell;
+    place.x = rows[0][x].place;
     for (std::size_t y = 0; y < row_count[1]; ++y) {
+      cell[1] = rows[1][y].cell;
+      place.y = rows[1][y].place;
       for (std::size_t z = 0; z < row_count[2]; ++z) {
-        const Vec3 place{rows[0][x].place, rows[1][y].place, rows[2][z].place};
-        const std::uint32_t list = store_.list({rows[0][x].cell, rows[1][y].cell, rows[2][z].cell});
-        store_.lists().for_each_line(list, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
-          if (near.size() < found + count) near.resize(2 * (found + count));
-          Slot* const out = near.data() + found;
-          found += is_common ? pick_near(slots, count, anchors, place, slot, reach_to_any, out)
-                             : pick_near(slots, count, anchors, place, slot, reach_to, out);
-        });
+        cell[2] = rows[2][z].cell;
+        place.z = rows[2][z].place;
+        store_.lists().for_each_line(
+            store_.list(cell), [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
+              if (near.size() < found + count) near.resize(2 * (found + count));
+              Slot* const out = near.data() + found;
+              found += is_common ? pick_near(slots, count, anchors, place, slot, reach_to_any, out)
+                                 : pick_near(slots, count, anchors, place, slot, reach_to, out);
+            });
       }
     }
   }

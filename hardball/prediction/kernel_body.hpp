@@ -163,7 +163,7 @@ HARDBALL_ALWAYS_INLINE EarliestOfRound earliest_of(const Contacts<Lanes>& contac
     const std::uint64_t earliest = contacts.at(least);
     const std::uint64_t grazes = earliest & contacts.grazes;
     if (grazes == 0) {
-      return {least, static_cast<std::size_t>(std::countr_zero(earliest)), !std::has_single_bit(earliest)};
+      return {least, static_cast<std::size_t>(std::countr_zero(earliest)), (earliest & (earliest - 1)) != 0};
     }
     settle_graze(static_cast<std::size_t>(std::countr_zero(grazes)));
     least = contacts.least();
@@ -352,11 +352,8 @@ KernelResult run_round(const KernelQuery& query) {
   return nearest ? earliest_contact<Lanes, true>(query) : earliest_contact<Lanes, false>(query);
 }
 
-/// The kernel for all kinds of query.
 template <class Lanes>
-KernelResult run_kernel(const KernelQuery& query) {
-  if (query.count <= kRound) [[likely]]
-    return run_round<Lanes>(query);
+KernelResult run_rounds(const KernelQuery& query) {
   KernelResult result{std::numeric_limits<double>::infinity(), 0, 0, false};
   for (std::size_t begin = 0; begin < query.count; begin += kRound) {
     KernelQuery round = query;
@@ -377,6 +374,12 @@ KernelResult run_kernel(const KernelQuery& query) {
     }
   }
   return result;
+}
+
+/// The kernel for all kinds of query.
+template <class Lanes>
+KernelResult run_kernel(const KernelQuery& query) {
+  return query.count <= kRound ? run_round<Lanes>(query) : run_rounds<Lanes>(query);
 }
 
 }  // namespace hardball

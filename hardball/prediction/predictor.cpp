@@ -48,44 +48,16 @@ Image nearest_image(const World& world, Slot a, Slot b, const Time& moment) {
 
 Predictor::Predictor(InstructionSet instructions) : kernel_(kernel_of(instructions)) {}
 
-Prospect Predictor::earliest(const World& world, const Candidates& candidates, const Time& now,
-                             const Time& limit) const {
-  if (candidates.size() == 0) return {};
-  const Slot self = candidates.self();
-  const bool listed = !candidates.are_nearest();
-  const double* shifts[kAxes];
-  if (listed) {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) shifts[axis] = candidates.shifts(axis);
+Prospect Predictor::earliest_in_order(const World& world, const Candidates& candidates, const Time& now) {
+  Event first;
+  std::size_t index = 0;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Event contact = contact_with(world, candidates, i, now);
+    if (!(contact < first)) continue;
+    first = contact;
+    index = i;
   }
-  const KernelQuery query{
-      .paths = world.paths().data(),
-      .radii = world.radii().is_common() ? nullptr : world.radii().each().data(),
-      .radius = world.radius(self),
-      .self = self,
-      .others = candidates.slots(),
-      .count = candidates.size(),
-      .shifts = listed ? shifts : nullptr,
-      .period = &world.box().period(),
-      .inverse_period = &world.box().inverse_period(),
-      .now_high = now.high,
-      .now_low = now.low,
-      .limit = limit.high,
-  };
-  const KernelResult found = kernel_(query);
-  if (!(found.high < kNever.high)) return {};
-  Time time{found.high, found.low};
-  std::size_t index = found.index;
-  if (found.is_tied) [[unlikely]] {
-    Event first;
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const Event contact = contact_with(world, candidates, i, now);
-      if (!(contact < first)) continue;
-      first = contact;
-      index = i;
-    }
-    time = first.time;
-  }
-  return {time, candidates.slot(index), listed ? candidates.image(index) : Image{}};
+  return {first.time, candidates.slot(index), candidates.are_nearest() ? Image{} : candidates.image(index)};
 }
 
 }  // namespace hardball

@@ -36,9 +36,39 @@ class Predictor {
   /// What comes after `limit` may be missed. Precondition: `candidates` has been ended, and was collected at
   /// `now`.
   Prospect earliest(const World& world, const Candidates& candidates, const Time& now,
-                    const Time& limit = kNever) const;
+                    const Time& limit = kNever) const {
+    if (candidates.size() == 0) return {};
+    const double* shifts[kAxes];
+    if (!candidates.are_nearest()) {
+      for (std::size_t axis = 0; axis < kAxes; ++axis) shifts[axis] = candidates.shifts(axis);
+    }
+    const KernelQuery query{
+        .paths = world.paths().data(),
+        .radii = world.radii().is_common() ? nullptr : world.radii().each().data(),
+        .radius = world.radius(candidates.self()),
+        .self = candidates.self(),
+        .others = candidates.slots(),
+        .count = candidates.size(),
+        .shifts = candidates.are_nearest() ? nullptr : shifts,
+        .period = &world.box().period(),
+        .inverse_period = &world.box().inverse_period(),
+        .now_high = now.high,
+        .now_low = now.low,
+        .limit = limit.high,
+    };
+    const KernelResult found = kernel_(query);
+    if (!(found.high < kNever.high)) return {};
+    if (found.is_tied) [[unlikely]]
+      return earliest_in_order(world, candidates, now);
+    return {{found.high, found.low},
+            candidates.slot(found.index),
+            candidates.are_nearest() ? Image{} : candidates.image(found.index)};
+  }
 
  private:
+  // The same one by one, by the order of events.
+  static Prospect earliest_in_order(const World& world, const Candidates& candidates, const Time& now);
+
   Kernel kernel_;
 };
 
