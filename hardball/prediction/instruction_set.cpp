@@ -13,7 +13,7 @@ bool is_available(InstructionSet instructions) {
       return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     case InstructionSet::avx512:
       return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-             __builtin_cpu_supports("fma");
+             __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
 #else
     case InstructionSet::avx2:
     case InstructionSet::avx512:

@@ -8,7 +8,7 @@ namespace hardball {
 enum class InstructionSet {
   portable,  ///< Whatever the compiler takes for granted: on x86-64 two numbers at a time.
   avx2,      ///< Four numbers at a time.
-  avx512,    ///< Eight numbers at a time.
+  avx512,    ///< Four numbers at a time, with twice the registers, and masks in registers of their own.
 };
 
 /// Whether this program and this machine have these instructions.
