@@ -240,11 +240,15 @@ class Engine {
   // From the nearest caches regions may be gone even if there are few spheres.
   void prefetch_regions_ahead() {
     constexpr std::size_t kAhead = 2;
+    constexpr std::size_t kPlan = 5;
+    if (const Slot later = queue_.upcoming(kPlan); later != kNobody) prefetch(&plans_[later]);
     const Slot slot = queue_.upcoming(kAhead);
     if (slot == kNobody) return;
     const Plan& plan = plans_[slot];
+    const Slot partner = plan.kind == EventKind::collision ? plan.partner : slot;
     prefetch_regions(slot);
-    prefetch_regions(plan.kind == EventKind::collision ? plan.partner : slot);
+    prefetch_regions(partner);
+    prefetch(&plans_[partner]);
   }
 
   // Each stage is a few events before the next, as each tells where the next one's memory is.
