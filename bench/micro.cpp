@@ -15,7 +15,7 @@
 #include "hardball/broadphase/neighbor_list.hpp"
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/events/ordered_queue.hpp"
-#include "hardball/prediction/predictor.hpp"
+#include "hardball/engine/predictor.hpp"
 #include "hardball/world/placement.hpp"
 #include "hardball/world/random.hpp"
 

@@ -12,6 +12,7 @@
 
 #include "hardball/broadphase/slot_lists.hpp"
 #include "hardball/events/event.hpp"
+#include "hardball/kernels/instruction_set.hpp"
 #include "hardball/world/box.hpp"
 
 namespace hardball {
@@ -24,7 +25,7 @@ namespace hardball {
 class Candidates {
  public:
   /// The widest vector that reads these arrays.
-  static constexpr std::size_t kPadding = 8;
+  static constexpr std::size_t kPadding = kWidestVector;
 
   /// `rounds` is how many calls of begin() there have been, so to speak: long runs come to the end of
   /// counting.

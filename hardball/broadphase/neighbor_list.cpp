@@ -61,24 +61,6 @@ Vec3 nearest(const Box& box, Vec3 separation) {
   return separation;
 }
 
-// Writes those of a line whose anchors are near `place` to `out`; returns how many they are. There must be
-// room for all.
-template <class ReachTo>
-std::uint32_t pick_near(const SlotLists::LineOfSlots& slots, std::uint32_t count, const Vec3* anchors,
-                        const Vec3& place, Slot self, const ReachTo& reach_to, Slot* out) {
-  std::uint32_t found = 0;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    // Without a branch: whether an anchor is near cannot be foreseen.
-    const Slot other = slots[i];
-    const Vec3 apart = anchors[other] - place;
-    const double reach = reach_to(other);
-    out[found] = other;
-    found += static_cast<std::uint32_t>(dot(apart, apart) < reach * reach) &
-             static_cast<std::uint32_t>(other != self);
-  }
-  return found;
-}
-
 }  // namespace
 
 bool NeighborList::suits(const World& world) {
@@ -93,13 +75,14 @@ void NeighborList::build(const World& world, const Time& now) {
   slack_ = std::max(kLeastSlack * radius, std::min(wanted_slack_, room));
   // Where there is no sphere any edge will do, but zero.
   const double least_edge = world.size() > 0 ? 2 * (radius + slack_) * (1 + 2 * kMargin) : 1;
+  margin_ = kMargin * least_edge;
   cells_ = Subdivision(world.box(), least_edge, kMostCellsPerAxis);
   store_.reset(cells_.shape(), world.size());
   anchors_.assign(world.size(), Vec3{});
   neighbors_.reset(world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
     anchors_[slot] = anchor_at(world, slot, now);
-    find_near(world, slot, near_);
+    find_near(world, slot);
     for (const Slot other : near_) {
       neighbors_.insert(slot, other);
       neighbors_.insert(other, slot);
@@ -131,14 +114,10 @@ Time NeighborList::next_crossing(const World& world, Slot slot, const Time& now,
 }
 
 void NeighborList::cross(const World& world, Slot slot, const Time& now, Candidates& candidates) {
-  const CellIndex old_cell = cells_.cell_of(anchors_[slot]);
+  store_.erase(cells_.cell_of(anchors_[slot]), slot);
   anchors_[slot] = anchor_at(world, slot, now);
-  const CellIndex cell = cells_.cell_of(anchors_[slot]);
-  if (cell != old_cell) {
-    store_.erase(old_cell, slot);
-    store_.insert(cell, slot);
-  }
-  find_near(world, slot, near_);
+  find_near(world, slot);
+  store_.insert(cells_.cell_of(anchors_[slot]), slot);
   tell_changes(slot);
   candidates.begin(slot, true);
   for (const Slot gained : gained_) {
@@ -192,65 +171,64 @@ Vec3 NeighborList::from_anchor(const World& world, Slot slot, const Time& now) c
   return nearest(world.box(), place);
 }
 
-// The spheres whose shells meet a sphere's own, from the anchors in the cells around its own. Beyond the edge
-// of a periodic box it is the sphere that is displaced, once for each row of cells.
-void NeighborList::find_near(const World& world, Slot slot, std::vector<Slot>& near) const {
-  struct Row {
-    std::int32_t cell;
-    double place;
-  };
-  std::array<std::array<Row, 3>, kAxes> rows;
+// The spheres whose shells meet a sphere's own, from the anchors in the cells around its own; the sphere
+// itself is among them if it stands there.
+void NeighborList::find_near(const World& world, Slot slot) {
+  const CellIndex center = cells_.cell_of(anchors_[slot]);
+  std::array<std::array<std::int32_t, 3>, kAxes> rows;
   std::array<std::size_t, kAxes> row_count{};
-  const Vec3& anchor = anchors_[slot];
-  const CellIndex center = cells_.cell_of(anchor);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const std::int32_t period = cells_.period(axis);
-    for (std::int32_t cell = center[axis] - 1; cell <= center[axis] + 1; ++cell) {
-      Row row{cell, anchor[axis]};
-      if (period > 0 && cell < 0) {
-        row = {cell + period, anchor[axis] + world.box().size()[axis]};
-      } else if (period > 0 && cell >= period) {
-        row = {cell - period, anchor[axis] - world.box().size()[axis]};
-      } else if (period == 0 && (cell < cells_.first(axis) || cell > cells_.last(axis))) {
-        continue;
-      }
-      rows[axis][row_count[axis]++] = row;
+    for (std::int32_t row = center[axis] - 1; row <= center[axis] + 1; ++row) {
+      const bool is_outside = row < cells_.first(axis) || row > cells_.last(axis);
+      if (is_outside) continue;
+      rows[axis][row_count[axis]++] = period == 0     ? row
+                                      : row < 0       ? row + period
+                                      : row >= period ? row - period
+                                                      : row;
     }
   }
-  const double own_reach = (world.radius(slot) + 2 * slack_) * (1 + kMargin);
-  const double common_reach = own_reach + world.radius(slot) * (1 + kMargin);
-  const auto reach_to_any = [common_reach](Slot) { return common_reach; };
-  const auto reach_to = [&](Slot other) { return own_reach + world.radius(other) * (1 + kMargin); };
-  const bool is_common = world.radii().is_common();
-  const Vec3* const anchors = anchors_.data();
-  std::size_t found = 0;
+  std::size_t count = 0;
   CellIndex cell;
-  Vec3 place;
   for (std::size_t x = 0; x < row_count[0]; ++x) {
-    cell[0] = rows[0][x].cell;
-    place.x = rows[0][x].place;
+    cell[0] = rows[0][x];
     for (std::size_t y = 0; y < row_count[1]; ++y) {
-      cell[1] = rows[1][y].cell;
-      place.y = rows[1][y].place;
+      cell[1] = rows[1][y];
       for (std::size_t z = 0; z < row_count[2]; ++z) {
-        cell[2] = rows[2][z].cell;
-        place.z = rows[2][z].place;
-        store_.lists().for_each_line(
-            store_.list(cell), [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
-              if (near.size() < found + count) near.resize(2 * (found + count));
-              Slot* const out = near.data() + found;
-              found += is_common ? pick_near(slots, count, anchors, place, slot, reach_to_any, out)
-                                 : pick_near(slots, count, anchors, place, slot, reach_to, out);
-            });
+        cell[2] = rows[2][z];
+        store_.lists().for_each_line(store_.list(cell),
+                                     [&](const SlotLists::LineOfSlots& slots, std::uint32_t in_line) {
+                                       if (around_.size() < count + 2 * SlotLists::kRoom)
+                                         around_.resize(2 * around_.size() + 4 * SlotLists::kRoom);
+                                       std::copy(slots.begin(), slots.end(), around_.data() + count);
+                                       count += in_line;
+                                     });
       }
     }
   }
-  near.resize(found);
+  if (around_.empty()) return near_.clear();
+  // The kernel reads whole vectors.
+  std::fill_n(around_.data() + count, kWidestVector, slot);
+  near_.resize(count + kWidestVector);
+  const bool is_common = world.radii().is_common();
+  const double reach = world.radius(slot) + 2 * slack_ + margin_;
+  const NearQuery query{
+      .points = anchors_.data(),
+      .slots = around_.data(),
+      .count = count,
+      .place = anchors_[slot],
+      .period = world.box().period(),
+      .inverse_period = world.box().inverse_period(),
+      .reach = is_common ? reach + world.radius(slot) : reach,
+      .radii = is_common ? nullptr : world.radii().each().data(),
+  };
+  near_.resize(pick_near_(query, near_.data()));
 }
 
 std::size_t NeighborList::memory_bytes() const {
   return store_.memory_bytes() + anchors_.capacity() * sizeof(Vec3) + neighbors_.memory_bytes() +
-         (near_.capacity() + gained_.capacity() + lost_.capacity() + kept_.capacity()) * sizeof(Slot);
+         (around_.capacity() + near_.capacity() + gained_.capacity() + lost_.capacity() + kept_.capacity()) *
+             sizeof(Slot);
 }
 
 void NeighborList::validate(const World& world, const Time& now) const {
@@ -260,15 +238,16 @@ void NeighborList::validate(const World& world, const Time& now) const {
     neighbors_.for_each(list, [&](Slot other) { found += other == slot ? 1 : 0; });
     return found == 1;
   };
-  std::vector<Slot> near;
+  NeighborList search = *this;
   for (Slot slot = 0; slot < world.size(); ++slot) {
     const Vec3 place = from_anchor(world, slot, now);
     HARDBALL_CHECK(dot(place, place) <= slack_ * slack_);
-    find_near(world, slot, near);
-    for (const Slot other : near) HARDBALL_CHECK(is_listed(slot, other) && is_listed(other, slot));
+    search.find_near(world, slot);
+    std::erase(search.near_, slot);
+    for (const Slot other : search.near_) HARDBALL_CHECK(is_listed(slot, other) && is_listed(other, slot));
     std::size_t listed = 0;
     neighbors_.for_each(slot, [&](Slot) { ++listed; });
-    HARDBALL_CHECK(listed == near.size());
+    HARDBALL_CHECK(listed == search.near_.size());
   }
 }
 

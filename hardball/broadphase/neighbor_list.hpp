@@ -9,6 +9,7 @@
 #include "hardball/broadphase/cell_store.hpp"
 #include "hardball/broadphase/slot_lists.hpp"
 #include "hardball/broadphase/subdivision.hpp"
+#include "hardball/kernels/kernels.hpp"
 #include "hardball/memory/prefetch.hpp"
 
 namespace hardball {
@@ -23,8 +24,9 @@ namespace hardball {
 class NeighborList {
  public:
   /// `slack` [L] is the wanted radius of the ball in which a sphere's centre moves; small boxes make it
-  /// smaller. Precondition: suits(world).
-  explicit NeighborList(double slack) : wanted_slack_(slack) {}
+  /// smaller. Precondition: suits(world). Error: the instructions are not available.
+  explicit NeighborList(double slack, InstructionSet instructions = widest_instruction_set())
+      : wanted_slack_(slack), instructions_(instructions), pick_near_(kernels_of(instructions).pick_near) {}
 
   /// Whether neighbours can be listed: a periodic box must be so large that of two neighbours no two copies
   /// come near each other.
@@ -49,20 +51,25 @@ class NeighborList {
   void validate(const World& world, const Time& now) const;
 
   double slack() const { return slack_; }
+  InstructionSet instructions() const { return instructions_; }
 
  private:
   Vec3 anchor_at(const World& world, Slot slot, const Time& now) const;
   Vec3 from_anchor(const World& world, Slot slot, const Time& now) const;
-  void find_near(const World& world, Slot slot, std::vector<Slot>& near) const;
+  void find_near(const World& world, Slot slot);
   void tell_changes(Slot slot);
 
   double wanted_slack_;
+  InstructionSet instructions_;
+  NearKernel pick_near_;
   double slack_ = 0;
+  double margin_ = 0;  // how much farther shells reach than they need to
   Subdivision cells_;
   CellStore store_;            // anchors
   LargeVector<Vec3> anchors_;  // by slot, folded into the box
   SlotLists neighbors_;        // by slot
   // Of the sphere at hand:
+  std::vector<Slot> around_;         // those whose anchors lie in the cells around its own
   std::vector<Slot> near_;           // those that are to be its neighbours
   std::vector<Slot> gained_, lost_;  // what that changes
   std::vector<std::uint32_t> kept_;  // a bit for each place of each line of its list

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "hardball/broadphase/broad_phase.hpp"
+#include "hardball/engine/predictor.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event_queue.hpp"
 #include "hardball/memory/huge_pages.hpp"
 #include "hardball/memory/prefetch.hpp"
-#include "hardball/prediction/predictor.hpp"
 #include "hardball/response/execute.hpp"
 #include "hardball/world/world.hpp"
 

@@ -10,11 +10,11 @@
 #include "hardball/broadphase/cell_grid.hpp"
 #include "hardball/broadphase/neighbor_list.hpp"
 #include "hardball/engine/engine.hpp"
+#include "hardball/engine/predictor.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/events/ordered_queue.hpp"
 #include "hardball/paper/paper_engine.hpp"
-#include "hardball/prediction/predictor.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/moments.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
@@ -66,7 +66,7 @@ class EngineModel final : public AnyEngine {
     if constexpr (requires { engine_.rebuild(now, AllPairs()); }) {
       engine_.rebuild(now, AllPairs());
     } else if constexpr (requires { engine_.rebuild(now, NeighborList(length)); }) {
-      engine_.rebuild(now, NeighborList(length));
+      engine_.rebuild(now, NeighborList(length, engine_.phase().instructions()));
     } else if constexpr (requires { engine_.rebuild(now, CellGrid(length)); }) {
       engine_.rebuild(now, CellGrid(length));
     } else {
@@ -87,14 +87,15 @@ template <EventQueue Queue>
 std::unique_ptr<AnyEngine> make_queued(World world, EngineKind engine, const EngineOptions& options,
                                        double length, const Time& now) {
   const AnyResponse response{Restitution(options.restitution)};
-  Predictor predictor(options.instructions.value_or(widest_instruction_set()));
+  const InstructionSet instructions = options.instructions.value_or(widest_instruction_set());
+  Predictor predictor(instructions);
   if (engine == EngineKind::all_pairs) {
     return make_model<Engine<Queue, AllPairs, AnyResponse>>(std::move(world), AllPairs(), response, now,
                                                             std::move(predictor));
   }
   if (engine == EngineKind::neighbors) {
-    return make_model<Engine<Queue, NeighborList, AnyResponse>>(std::move(world), NeighborList(length),
-                                                                response, now, std::move(predictor));
+    return make_model<Engine<Queue, NeighborList, AnyResponse>>(
+        std::move(world), NeighborList(length, instructions), response, now, std::move(predictor));
   }
   return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(length), response, now,
                                                           std::move(predictor));

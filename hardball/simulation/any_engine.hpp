@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "hardball/engine/run.hpp"
-#include "hardball/prediction/instruction_set.hpp"
+#include "hardball/kernels/instruction_set.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/response/restitution.hpp"
 #include "hardball/tuning/cell_edge.hpp"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #if defined(__AVX2__)
 
-#include "hardball/prediction/four_lanes.hpp"
+#include "hardball/kernels/four_lanes.hpp"
+#include "hardball/kernels/kernels.hpp"
 
 namespace hardball {
 namespace {
@@ -13,6 +14,27 @@ struct Lanes::Mask {
   friend Mask operator|(const Mask& a, const Mask& b) { return {_mm256_or_pd(a.v, b.v)}; }
 };
 
+// The chosen slots first; the order of bytes for each choice.
+void Lanes::keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
+  struct Orders {
+    alignas(16) unsigned char bytes[16][16];
+    constexpr Orders() : bytes() {
+      for (unsigned choice = 0; choice < 16; ++choice) {
+        unsigned place = 0;
+        for (unsigned lane = 0; lane < 4; ++lane) {
+          if ((choice >> lane & 1) == 0) continue;
+          for (unsigned byte = 0; byte < 4; ++byte) {
+            bytes[choice][place++] = static_cast<unsigned char>(4 * lane + byte);
+          }
+        }
+      }
+    }
+  };
+  static constexpr Orders kOrders;
+  const __m128i order = _mm_load_si128(reinterpret_cast<const __m128i*>(kOrders.bytes[lanes]));
+  const __m128i slots = _mm_loadu_si128(reinterpret_cast<const __m128i*>(at));
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(out), _mm_shuffle_epi8(slots, order));
+}
 Lanes::Mask operator<(const Lanes& a, const Lanes& b) {
   return {_mm256_cmp_pd(a.v, b.v, _CMP_LT_OQ)};
 }
@@ -37,9 +59,7 @@ Lanes select(const Lanes::Mask& mask, const Lanes& a, const Lanes& b) {
 
 }  // namespace
 
-KernelResult avx2_kernel(const KernelQuery& query) {
-  return run_kernel<Lanes>(query);
-}
+const Kernels kAvx2Kernels{earliest_contact<Lanes>, pick_near<Lanes>};
 
 }  // namespace hardball
 

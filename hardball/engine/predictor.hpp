@@ -6,8 +6,7 @@
 #include <limits>
 
 #include "hardball/broadphase/candidates.hpp"
-#include "hardball/prediction/instruction_set.hpp"
-#include "hardball/prediction/kernel.hpp"
+#include "hardball/kernels/kernels.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -42,7 +41,7 @@ class Predictor {
     if (!candidates.are_nearest()) {
       for (std::size_t axis = 0; axis < kAxes; ++axis) shifts[axis] = candidates.shifts(axis);
     }
-    const KernelQuery query{
+    const ContactQuery query{
         .paths = world.paths().data(),
         .radii = world.radii().is_common() ? nullptr : world.radii().each().data(),
         .radius = world.radius(candidates.self()),
@@ -56,7 +55,7 @@ class Predictor {
         .now_low = now.low,
         .limit = limit.high,
     };
-    const KernelResult found = kernel_(query);
+    const EarliestContact found = kernel_(query);
     if (!(found.high < kNever.high)) return {};
     if (found.is_tied) [[unlikely]]
       return earliest_in_order(world, candidates, now);
@@ -69,7 +68,7 @@ class Predictor {
   // The same one by one, by the order of events.
   static Prospect earliest_in_order(const World& world, const Candidates& candidates, const Time& now);
 
-  Kernel kernel_;
+  ContactKernel kernel_;
 };
 
 }  // namespace hardball

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Every set of instructions against the plain loop over contact_time and the order of events, bit for bit.
-#include "hardball/prediction/predictor.hpp"
+#include "hardball/engine/predictor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,39 +16,17 @@
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
+#include "support/instruction_sets.hpp"
 
 namespace hardball {
 namespace {
 
+using support::available_instruction_sets;
 using support::same_bits;
 
 constexpr Boundary kPeriodic = Boundary::periodic;
 constexpr Boundary kWall = Boundary::wall;
 constexpr Boundary kOpen = Boundary::open;
-
-std::vector<InstructionSet> available_sets() {
-  std::vector<InstructionSet> sets;
-  for (const InstructionSet set : {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512}) {
-    if (is_available(set)) sets.push_back(set);
-  }
-  return sets;
-}
-
-TEST(InstructionSet, PortableIsAlwaysAvailableAndTheWidestIsToo) {
-  EXPECT_TRUE(is_available(InstructionSet::portable));
-  EXPECT_TRUE(is_available(widest_instruction_set()));
-  EXPECT_EQ(widest_instruction_set(), available_sets().back());
-}
-
-TEST(InstructionSet, IsRefusedWhereItIsNotAvailable) {
-  for (const InstructionSet set : {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512}) {
-    if (is_available(set)) {
-      EXPECT_NO_THROW(Predictor{set});
-    } else {
-      EXPECT_THROW(Predictor{set}, Error);
-    }
-  }
-}
 
 // The least of the contacts by the order of events, one after another.
 struct Expected {
@@ -85,7 +63,7 @@ struct Coverage {
 class Comparison {
  public:
   Comparison() {
-    for (const InstructionSet set : available_sets()) predictors_.emplace_back(set);
+    for (const InstructionSet set : available_instruction_sets()) predictors_.emplace_back(set);
   }
 
   void compare(const World& world, const Candidates& candidates, const Time& now) {
@@ -468,7 +446,7 @@ TEST(Predictor, FindsNothingAmongNobody) {
   World world;
   world.add({{0, 0, 0}, {1, 0, 0}, 1, 1});
   Candidates candidates;
-  for (const InstructionSet set : available_sets()) {
+  for (const InstructionSet set : available_instruction_sets()) {
     Predictor predictor(set);
     collect_nearest(candidates, 0, {});
     EXPECT_FALSE(predictor.earliest(world, candidates, Time(0)).happens());

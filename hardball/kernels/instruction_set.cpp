@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/prediction/instruction_set.hpp"
+#include "hardball/kernels/instruction_set.hpp"
 
 namespace hardball {
 

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#if defined(__AVX2__)
+
 #include <immintrin.h>
 
-#include "hardball/prediction/kernel_body.hpp"
+#include "hardball/kernels/contact_kernel_body.hpp"
+#include "hardball/kernels/near_kernel_body.hpp"
 
 namespace hardball {
 // Each file that includes this has a copy of its own, compiled for its own instructions. What a mask is, and
@@ -13,7 +16,7 @@ namespace {
 
 /// Four numbers in 256 bits.
 struct Lanes {
-  static constexpr int kWidth = 4;
+  static constexpr std::size_t kWidth = 4;
   struct Mask;
 
   Lanes() = default;
@@ -42,6 +45,21 @@ struct Lanes {
     load_pair(paths, at, 4, out.velocity.y, out.velocity.z);
     load_pair(paths, at, 6, out.high, out.low);
   }
+  static void load(const Vec3* points, const std::uint32_t* at, VectorOfLanes<Lanes>& out) {
+    const auto member = [&](int lane, std::size_t i) {
+      return reinterpret_cast<const double*>(points + at[lane]) + i;
+    };
+    const auto pair = [&](int lane) { return _mm_loadu_pd(member(lane, 0)); };
+    const __m256d even = _mm256_insertf128_pd(_mm256_castpd128_pd256(pair(0)), pair(2), 1);
+    const __m256d odd = _mm256_insertf128_pd(_mm256_castpd128_pd256(pair(1)), pair(3), 1);
+    out.x = _mm256_unpacklo_pd(even, odd);
+    out.y = _mm256_unpackhi_pd(even, odd);
+    const auto last_of = [&](int lane) {
+      return _mm_loadh_pd(_mm_load_sd(member(lane, 2)), member(lane + 1, 2));
+    };
+    out.z = _mm256_insertf128_pd(_mm256_castpd128_pd256(last_of(0)), last_of(2), 1);
+  }
+  static void keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out);
   void store(double* out) const { _mm256_storeu_pd(out, v); }
 
   __m256d v;
@@ -78,3 +96,5 @@ Lanes round_to_integer(const Lanes& a) {
 
 }  // namespace
 }  // namespace hardball
+
+#endif

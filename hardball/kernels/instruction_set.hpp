@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+
 namespace hardball {
 
 /// The vector instructions with which contact times are computed. All give the same bits.
@@ -10,6 +12,10 @@ enum class InstructionSet {
   avx2,      ///< Four numbers at a time.
   avx512,    ///< Four numbers at a time, with twice the registers, and masks in registers of their own.
 };
+
+/// So many numbers, at the most, are taken at a time: arrays that kernels read have room for as many behind
+/// their ends.
+inline constexpr std::size_t kWidestVector = 4;
 
 /// Whether this program and this machine have these instructions.
 bool is_available(InstructionSet instructions);

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "hardball/prediction/kernel_body.hpp"
+#include "hardball/kernels/contact_kernel_body.hpp"
+#include "hardball/kernels/kernels.hpp"
+#include "hardball/kernels/near_kernel_body.hpp"
 
 namespace hardball {
 namespace {
 
 // Two numbers at a time by the compilers' generic vectors: SSE2 on x86-64, NEON on ARM.
 struct Lanes {
-  static constexpr int kWidth = 2;
+  static constexpr std::size_t kWidth = 2;
   using Vector = double __attribute__((vector_size(16)));
   using Bits = long long __attribute__((vector_size(16)));
   struct Mask {
@@ -37,6 +39,17 @@ struct Lanes {
     out.velocity.z = Vector{a.velocity.z, b.velocity.z};
     out.high = Vector{a.time.high, b.time.high};
     out.low = Vector{a.time.low, b.time.low};
+  }
+  static void load(const Vec3* points, const std::uint32_t* at, VectorOfLanes<Lanes>& out) {
+    const Vec3& a = points[at[0]];
+    const Vec3& b = points[at[1]];
+    out.x = Vector{a.x, b.x};
+    out.y = Vector{a.y, b.y};
+    out.z = Vector{a.z, b.z};
+  }
+  static void keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
+    out[0] = at[0];
+    out[lanes & 1] = at[1];
   }
   void store(double* out) const { out[0] = v[0], out[1] = v[1]; }
 
@@ -96,8 +109,6 @@ Lanes round_to_integer(const Lanes& a) {
 
 }  // namespace
 
-KernelResult portable_kernel(const KernelQuery& query) {
-  return run_kernel<Lanes>(query);
-}
+const Kernels kPortableKernels{earliest_contact<Lanes>, pick_near<Lanes>};
 
 }  // namespace hardball

@@ -9,8 +9,8 @@
 
 namespace hardball {
 
-/// One sphere and its candidates, as plain arrays for a kernel.
-struct KernelQuery {
+/// One sphere and its candidates, as plain arrays.
+struct ContactQuery {
   const Path* paths;            ///< By slot.
   const double* radii;          ///< By slot; null if all are `radius`.
   double radius;                ///< Of the sphere [L].
@@ -26,8 +26,8 @@ struct KernelQuery {
   double limit;  ///< Contacts after this time do not matter.
 };
 
-/// What a kernel finds.
-struct KernelResult {
+/// The earliest contact of a sphere with its candidates.
+struct EarliestContact {
   double high;  ///< Time of the earliest contact; infinite, or after the limit, if there is none before.
   double low;
   std::uint32_t index;  ///< The candidate.
@@ -35,12 +35,6 @@ struct KernelResult {
 };
 
 /// Finds the earliest contact of a sphere with its candidates.
-using Kernel = KernelResult (*)(const KernelQuery& query);
-
-KernelResult portable_kernel(const KernelQuery& query);
-#if defined(__x86_64__) && defined(__GNUC__)
-KernelResult avx2_kernel(const KernelQuery& query);
-KernelResult avx512_kernel(const KernelQuery& query);
-#endif
+using ContactKernel = EarliestContact (*)(const ContactQuery& query);
 
 }  // namespace hardball

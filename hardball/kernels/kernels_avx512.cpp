@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 
-#include "hardball/prediction/four_lanes.hpp"
+#include "hardball/kernels/four_lanes.hpp"
+#include "hardball/kernels/kernels.hpp"
 
 // Masks in registers of their own, and vectors of 256 bits: with those of 512 whole runs are slower, as they
 // close one of three ports to all vectors.
@@ -15,6 +16,12 @@ struct Lanes::Mask {
   friend Mask operator|(const Mask& a, const Mask& b) { return {_kor_mask8(a.v, b.v)}; }
 };
 
+// Into a register, then to memory: some processors are very slow at both in one.
+void Lanes::keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
+  const __m128i slots = _mm_loadu_si128(reinterpret_cast<const __m128i*>(at));
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(out),
+                   _mm_maskz_compress_epi32(static_cast<__mmask8>(lanes), slots));
+}
 Lanes::Mask operator<(const Lanes& a, const Lanes& b) {
   return {_mm256_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ)};
 }
@@ -39,9 +46,7 @@ Lanes select(const Lanes::Mask& mask, const Lanes& a, const Lanes& b) {
 
 }  // namespace
 
-KernelResult avx512_kernel(const KernelQuery& query) {
-  return run_kernel<Lanes>(query);
-}
+const Kernels kAvx512Kernels{earliest_contact<Lanes>, pick_near<Lanes>};
 
 }  // namespace hardball
 

@@ -12,14 +12,10 @@
 #include <limits>
 
 #include "hardball/geometry/grazing_time.hpp"
-#include "hardball/prediction/kernel.hpp"
+#include "hardball/kernels/contact_kernel.hpp"
+#include "hardball/kernels/vector_of_lanes.hpp"
 
 namespace hardball {
-
-template <class Lanes>
-struct VectorOfLanes {
-  Lanes x, y, z;
-};
 
 template <class Lanes>
 struct PathsOfLanes {
@@ -72,7 +68,7 @@ HARDBALL_ALWAYS_INLINE Waits<Lanes> waits_of(const VectorOfLanes<Lanes>& r, cons
 template <class Lanes, bool kNearest>
 class PairsOfLanes {
  public:
-  explicit PairsOfLanes(const KernelQuery& query)
+  explicit PairsOfLanes(const ContactQuery& query)
       : query_(query), own_(query.paths[query.self]), reach_(query.radius + query.radius) {
     if constexpr (kNearest) {
       own_age_ = (query.now_high - own_.time.high) + (query.now_low - own_.time.low);
@@ -102,7 +98,7 @@ class PairsOfLanes {
   Lanes own_place(double position, double velocity) const { return Lanes(position + own_age_ * velocity); }
 
  private:
-  const KernelQuery& query_;
+  const ContactQuery& query_;
   const Path& own_;
   Lanes reach_;
   double own_age_ = 0;
@@ -197,7 +193,7 @@ struct GrazingContact {
 };
 
 template <class Lanes, bool kNearest>
-GrazingContact<Lanes> grazing_contact(const KernelQuery& query, std::size_t index) {
+GrazingContact<Lanes> grazing_contact(const ContactQuery& query, std::size_t index) {
   const Path& own = query.paths[query.self];
   const Path& other = query.paths[query.others[index]];
   const bool other_later =
@@ -235,7 +231,7 @@ GrazingContact<Lanes> grazing_contact(const KernelQuery& query, std::size_t inde
 /// The earliest contact of a sphere whose path has begun at any time; as contact_time does it. Precondition:
 /// no more candidates than a round has.
 template <class Lanes, bool kNearest>
-KernelResult earliest_contact(const KernelQuery& query) {
+EarliestContact earliest_moment(const ContactQuery& query) {
   using Mask = typename Lanes::Mask;
   const Path& own = query.paths[query.self];
   const PairsOfLanes<Lanes, kNearest> pairs(query);
@@ -297,7 +293,7 @@ KernelResult earliest_contact(const KernelQuery& query) {
 /// The same for a sphere whose path has just begun, so that all waits count from its own moment: most of the
 /// predictions, with two thirds of the work.
 template <class Lanes, bool kNearest>
-KernelResult earliest_contact_from_now(const KernelQuery& query) {
+EarliestContact earliest_wait(const ContactQuery& query) {
   constexpr double kForever = std::numeric_limits<double>::infinity();
   // Waits so short against the moment itself are told apart by fewer digits than they have.
   constexpr double kShortest = 0x1p-48;
@@ -342,21 +338,20 @@ KernelResult earliest_contact_from_now(const KernelQuery& query) {
 }
 
 template <class Lanes>
-KernelResult run_round(const KernelQuery& query) {
+EarliestContact run_round(const ContactQuery& query) {
   const Path& own = query.paths[query.self];
   const bool nearest = query.shifts == nullptr;
   if (own.time.high == query.now_high && own.time.low == query.now_low) {
-    return nearest ? earliest_contact_from_now<Lanes, true>(query)
-                   : earliest_contact_from_now<Lanes, false>(query);
+    return nearest ? earliest_wait<Lanes, true>(query) : earliest_wait<Lanes, false>(query);
   }
-  return nearest ? earliest_contact<Lanes, true>(query) : earliest_contact<Lanes, false>(query);
+  return nearest ? earliest_moment<Lanes, true>(query) : earliest_moment<Lanes, false>(query);
 }
 
 template <class Lanes>
-KernelResult run_rounds(const KernelQuery& query) {
-  KernelResult result{std::numeric_limits<double>::infinity(), 0, 0, false};
+EarliestContact run_rounds(const ContactQuery& query) {
+  EarliestContact result{std::numeric_limits<double>::infinity(), 0, 0, false};
   for (std::size_t begin = 0; begin < query.count; begin += kRound) {
-    KernelQuery round = query;
+    ContactQuery round = query;
     round.others += begin;
     round.count = query.count - begin < kRound ? query.count - begin : kRound;
     if (result.high < round.limit) round.limit = result.high;
@@ -365,7 +360,7 @@ KernelResult run_rounds(const KernelQuery& query) {
       for (int axis = 0; axis < 3; ++axis) shifts[axis] = query.shifts[axis] + begin;
       round.shifts = shifts;
     }
-    KernelResult found = run_round<Lanes>(round);
+    EarliestContact found = run_round<Lanes>(round);
     found.index += static_cast<std::uint32_t>(begin);
     if (found.high < result.high) {
       result = found;
@@ -378,7 +373,7 @@ KernelResult run_rounds(const KernelQuery& query) {
 
 /// The kernel for all kinds of query.
 template <class Lanes>
-KernelResult run_kernel(const KernelQuery& query) {
+EarliestContact earliest_contact(const ContactQuery& query) {
   return query.count <= kRound ? run_round<Lanes>(query) : run_rounds<Lanes>(query);
 }
 

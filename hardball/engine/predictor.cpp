@@ -1,24 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/prediction/predictor.hpp"
+#include "hardball/engine/predictor.hpp"
 
-#include "hardball/errors/error.hpp"
 #include "hardball/events/event.hpp"
 
 namespace hardball {
 namespace {
-
-Kernel kernel_of(InstructionSet instructions) {
-  if (!is_available(instructions)) {
-    throw Error("this machine does not have the vector instructions asked for", "instructions",
-                "let the widest be chosen, or take the portable ones");
-  }
-#if defined(__x86_64__) && defined(__GNUC__)
-  if (instructions == InstructionSet::avx512) return avx512_kernel;
-  if (instructions == InstructionSet::avx2) return avx2_kernel;
-#endif
-  return portable_kernel;
-}
 
 // As in the kernels: adding this number pushes the fraction out.
 double round_to_integer(double number) {
@@ -46,7 +33,7 @@ Image nearest_image(const World& world, Slot a, Slot b, const Time& moment) {
   return image;
 }
 
-Predictor::Predictor(InstructionSet instructions) : kernel_(kernel_of(instructions)) {}
+Predictor::Predictor(InstructionSet instructions) : kernel_(kernels_of(instructions).earliest_contact) {}
 
 Prospect Predictor::earliest_in_order(const World& world, const Candidates& candidates, const Time& now) {
   Event first;

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hardball/kernels/contact_kernel.hpp"
+#include "hardball/kernels/instruction_set.hpp"
+#include "hardball/kernels/near_kernel.hpp"
+
+namespace hardball {
+
+/// Arithmetic of many pairs at once, by one set of instructions.
+struct Kernels {
+  ContactKernel earliest_contact;
+  NearKernel pick_near;
+};
+
+/// Error: the instructions are not available.
+const Kernels& kernels_of(InstructionSet instructions);
+
+extern const Kernels kPortableKernels;
+#if defined(__x86_64__) && defined(__GNUC__)
+extern const Kernels kAvx2Kernels;
+extern const Kernels kAvx512Kernels;
+#endif
+
+}  // namespace hardball

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace hardball {
+
+/// Several vectors at once.
+template <class Lanes>
+struct VectorOfLanes {
+  Lanes x, y, z;
+};
+
+}  // namespace hardball
