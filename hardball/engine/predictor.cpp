@@ -7,12 +7,6 @@
 namespace hardball {
 namespace {
 
-// As in the kernels: adding this number pushes the fraction out.
-double round_to_integer(double number) {
-  constexpr double kPusher = 0x1.8p52;
-  return (number + kPusher) - kPusher;
-}
-
 // The contact time of one candidate, its copy and the place of both in the order of events.
 Event contact_with(const World& world, const Candidates& candidates, std::size_t i, const Time& now) {
   const Slot self = candidates.self();
@@ -24,13 +18,7 @@ Event contact_with(const World& world, const Candidates& candidates, std::size_t
 }  // namespace
 
 Image nearest_image(const World& world, Slot a, Slot b, const Time& moment) {
-  const Vec3 apart = position_at(world.path(a), moment) - position_at(world.path(b), moment);
-  Image image;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    image[axis] =
-        static_cast<std::int32_t>(round_to_integer(apart[axis] * world.box().inverse_period()[axis]));
-  }
-  return image;
+  return world.box().nearest_image(position_at(world.path(a), moment) - position_at(world.path(b), moment));
 }
 
 Predictor::Predictor(InstructionSet instructions) : kernel_(kernels_of(instructions).earliest_contact) {}

@@ -11,8 +11,11 @@ namespace hardball {
 
 Box::Box(const std::array<Boundary, kAxes>& boundary, const Vec3& size) : boundary_(boundary), size_(size) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    lower_end_[axis] = is_periodic(axis) ? 0 : -kInfinity;
+    upper_end_[axis] = is_periodic(axis) ? size[axis] : kInfinity;
     if (is_open(axis)) {
-      size_[axis] = std::numeric_limits<double>::infinity();
+      size_[axis] = kInfinity;
       continue;
     }
     check_positive(size[axis], "box size", axis == 0 ? "size.x" : axis == 1 ? "size.y" : "size.z");
@@ -22,15 +25,19 @@ Box::Box(const std::array<Boundary, kAxes>& boundary, const Vec3& size) : bounda
   }
 }
 
-std::int32_t Box::boxes_beyond(double place, std::size_t axis) const {
-  if (!is_periodic(axis)) return 0;
-  constexpr double kMost = 1 << 30;
-  const double boxes = std::floor(place / size_[axis]);
-  if (!(std::fabs(boxes) <= kMost)) {
-    throw RunFailure(
-        "a sphere has crossed the periodic box 2^30 times without a collision; use a larger box");
+Image Box::count_boxes_beyond(Vec3 position) const {
+  Image beyond;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!is_periodic(axis)) continue;
+    constexpr double kMost = 1 << 30;
+    const double boxes = std::floor(position[axis] / size_[axis]);
+    if (!(std::fabs(boxes) <= kMost)) {
+      throw RunFailure(
+          "a sphere has crossed the periodic box 2^30 times without a collision; use a larger box");
+    }
+    beyond[axis] = static_cast<std::int32_t>(boxes);
   }
-  return static_cast<std::int32_t>(boxes);
+  return beyond;
 }
 
 }  // namespace hardball

@@ -60,22 +60,47 @@ class Box {
   /// How many boxes `position` lies beyond this one; zero along axes that are not periodic.
   /// Error (RunFailure): more than 2^30 boxes away.
   Image boxes_beyond(const Vec3& position) const {
-    Image beyond;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      // Most centres lie in the box, and need no division to tell.
-      if (position[axis] >= 0 && position[axis] < period_[axis]) continue;
-      beyond[axis] = boxes_beyond(position[axis], axis);
-    }
+    return needs_no_folding(position) ? Image{} : count_boxes_beyond(position);
+  }
+
+  /// Moves `position` [L] into the box, back by boxes_beyond(position), which it returns.
+  Image fold(Vec3& position) const {
+    if (needs_no_folding(position)) return {};
+    const Image beyond = count_boxes_beyond(position);
+    position -= shift(beyond);
     return beyond;
   }
 
+  /// Which copy of a body is the nearest to another, if `apart` [L] leads from the body to the other; zero
+  /// along axes that are not periodic. Precondition: they are fewer than 2^31 boxes apart.
+  Image nearest_image(const Vec3& apart) const {
+    return {{nearest_integer(apart.x * inverse_period_.x), nearest_integer(apart.y * inverse_period_.y),
+             nearest_integer(apart.z * inverse_period_.z)}};
+  }
+
  private:
-  std::int32_t boxes_beyond(double place, std::size_t axis) const;
+  // As in the kernels: adding this number pushes the fraction out.
+  static std::int32_t nearest_integer(double number) {
+    constexpr double kPusher = 0x1.8p52;
+    return static_cast<std::int32_t>((number + kPusher) - kPusher);
+  }
+
+  // Most centres lie in the box, and need no division to tell.
+  bool needs_no_folding(const Vec3& position) const {
+    return position.x >= lower_end_.x && position.x < upper_end_.x && position.y >= lower_end_.y &&
+           position.y < upper_end_.y && position.z >= lower_end_.z && position.z < upper_end_.z;
+  }
+
+  // By value: what is passed by reference has to be in memory, also where nobody asks for it.
+  Image count_boxes_beyond(Vec3 position) const;
 
   std::array<Boundary, kAxes> boundary_;
   Vec3 size_;
   Vec3 period_;  // the size along periodic axes, zero along the others
   Vec3 inverse_period_;
+  // What lies between these needs no folding; without end along axes that are not periodic.
+  Vec3 lower_end_;
+  Vec3 upper_end_;
 };
 
 }  // namespace hardball

@@ -110,12 +110,10 @@ Image World::change_velocity(Slot slot, const Time& moment, const Vec3& velocity
 }
 
 Image World::rewrite_path(Slot slot, const Time& moment, const Vec3& velocity) {
-  Path& path = paths_[slot];
-  const Vec3 position = position_at(path, moment);
-  const Image beyond = box_.boxes_beyond(position);
-  path = {position - box_.shift(beyond), velocity, moment};
-  if (!beyond.is_zero()) folded_[slot] = folded_[slot] + beyond;
-  return beyond;
+  Vec3 position = position_at(paths_[slot], moment);
+  const Image folded = box_.fold(position);
+  store_path(slot, {position, velocity, moment}, folded);
+  return folded;
 }
 
 Slot World::slot_of(SphereId id) const {
@@ -137,8 +135,9 @@ Slot World::slot_of(SphereId id) const {
 }
 
 Vec3 World::position(Slot slot, const Time& moment) const {
-  const Vec3 unfolded = position_at(paths_[slot], moment);
-  return unfolded - box_.shift(box_.boxes_beyond(unfolded));
+  Vec3 position = position_at(paths_[slot], moment);
+  box_.fold(position);
+  return position;
 }
 
 Image World::image(Slot slot, const Time& moment) const {

@@ -51,6 +51,12 @@ class World {
   /// new velocity. Returns by how many boxes the centre was folded back.
   Image rewrite_path(Slot slot, const Time& moment, const Vec3& velocity);
 
+  /// Replaces a path by one that begins inside the box, the old one having led `folded` boxes further.
+  void store_path(Slot slot, const Path& path, const Image& folded) {
+    paths_[slot] = path;
+    if (!folded.is_zero()) folded_[slot] = folded_[slot] + folded;
+  }
+
   SphereId id(Slot slot) const { return ids_[slot]; }
   double radius(Slot slot) const { return radii_[slot]; }
   double mass(Slot slot) const { return masses_[slot]; }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -42,6 +43,42 @@ TEST(Box, CountsTheBoxesBeyondAlongPeriodicAxesOnly) {
   EXPECT_THROW(box.boxes_beyond({0, 8 * 0x1p31, 0}), RunFailure);
   EXPECT_EQ(box.volume(), kInfinity);
   EXPECT_EQ(Box::walls({2, 3, 4}).volume(), 24);
+}
+
+TEST(Box, FoldsAlongPeriodicAxesOnly) {
+  const Box box = mixed_box();
+  for (const double y : {-8.0 * 3, -0.1, 0.0, 7.9, 8.0, 8.0 * 1000 + 1}) {
+    const Vec3 beyond{-100, y, kInfinity};
+    Vec3 folded = beyond;
+    const Image image = box.fold(folded);
+    EXPECT_EQ(image, box.boxes_beyond(beyond));
+    EXPECT_EQ(image, (Image{{0, static_cast<std::int32_t>(std::floor(y / 8)), 0}}));
+    EXPECT_EQ(folded, (Vec3{-100, y - 8 * image[1], kInfinity}));
+  }
+  Vec3 far{0, 8 * 0x1p31, 0};
+  EXPECT_THROW(box.fold(far), RunFailure);
+  Vec3 nowhere{0, kNan, 0};
+  EXPECT_THROW(box.fold(nowhere), RunFailure);
+}
+
+TEST(Box, FindsTheNearestImageAlongPeriodicAxesOnly) {
+  const Box box = mixed_box();
+  EXPECT_EQ(box.nearest_image({9, 3.9, 1000}), Image{});
+  EXPECT_EQ(box.nearest_image({9, 4.1, 1000}), (Image{{0, 1, 0}}));
+  EXPECT_EQ(box.nearest_image({9, -4.1, 1000}), (Image{{0, -1, 0}}));
+  EXPECT_EQ(box.nearest_image({9, -8.0 * 1000 - 3, 1000}), (Image{{0, -1000, 0}}));
+}
+
+TEST(World, StoresAPathAndCountsTheBoxesItHasLeft) {
+  World world(Box::periodic({10, 10, 10}));
+  world.add({{9, 5, 5}, {1, 0, 0}, 0.5, 1});
+  const Path path{{1, 5, 5}, {-1, 0, 0}, Time(2)};
+  world.store_path(0, path, {{1, 0, 0}});
+  EXPECT_EQ(world.path(0), path);
+  EXPECT_EQ(world.image(0, Time(2)), (Image{{1, 0, 0}}));
+  world.store_path(0, path, {});
+  EXPECT_EQ(world.image(0, Time(3)), (Image{{1, 0, 0}}));
+  EXPECT_EQ(world.image(0, Time(4)), Image{});
 }
 
 TEST(World, CountsIdsUpAndNeverUsesOneTwice) {
