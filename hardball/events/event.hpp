@@ -59,8 +59,9 @@ struct Event {
 /// The collision of spheres `a` and `b`, `image` being the copy of `b` that `a` meets, with the lower id
 /// first.
 inline Event make_collision(const Time& time, SphereId a, SphereId b, const Image& image) {
-  if (a < b) return {time, EventKind::collision, a, b, image};
-  return {time, EventKind::collision, b, a, -image};
+  // Which of two ids is the lower is a coin toss: no branch.
+  const std::int32_t sign = 1 - 2 * static_cast<std::int32_t>(b < a);
+  return {time, EventKind::collision, a < b ? a : b, a < b ? b : a, sign * image};
 }
 
 }  // namespace hardball

@@ -54,6 +54,7 @@ struct Image {
   friend Image operator+(const Image& a, const Image& b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
   friend Image operator-(const Image& a, const Image& b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
   friend Image operator-(const Image& a) { return {{-a[0], -a[1], -a[2]}}; }
+  friend Image operator*(std::int32_t s, const Image& a) { return {{s * a[0], s * a[1], s * a[2]}}; }
   bool is_zero() const { return (boxes[0] | boxes[1] | boxes[2]) == 0; }
 
   friend auto operator<=>(const Image&, const Image&) = default;
