@@ -288,8 +288,9 @@ class Engine {
   // Handles a crossing or a stale prospect; false if the sphere's event is a contact that stands.
   bool handle_without_contact(Slot slot) {
     const Plan& plan = plans_[slot];
-    HARDBALL_CHECK(plans().time(slot) >= now_);
-    if (plan.crosses_first()) {
+    const bool is_crossing = plan.crosses_first();
+    HARDBALL_CHECK((is_crossing ? plan.crossing : plan.contact) >= now_);
+    if (is_crossing) {
       queue_.pop();
       cross(slot);
       return true;
@@ -323,10 +324,15 @@ class Engine {
   }
 
   const Contact& carry_out(Slot slot) {
-    const Event event = contact_of(slot);
-    const bool is_collision = event.kind == EventKind::collision;
-    Participants participants{slot, is_collision ? plans_[slot].partner : 0};
-    if (event.first != plans_[slot].id) std::swap(participants.first, participants.second);
+    const Plan& plan = plans_[slot];
+    const bool is_collision = plan.kind == EventKind::collision;
+    const Slot partner = is_collision ? plan.partner : slot;
+    const SphereId partner_id = plans_[partner].id;
+    // Which id is the lower is a coin toss: no branch.
+    const Slot exchange = (slot ^ partner) & (Slot{0} - static_cast<Slot>(partner_id < plan.id));
+    const Participants participants{slot ^ exchange, partner ^ exchange, plan.is_nearest_image};
+    const Event event = is_collision ? make_collision(plan.contact, plan.id, partner_id, plan.image)
+                                     : Event{plan.contact, EventKind::wall, plan.id, plan.partner, {}};
     note_twin_moment(participants.first, event.time);
     if (is_collision) note_twin_moment(participants.second, event.time);
     execute(world_, guard_, event, participants, respond_, done_);

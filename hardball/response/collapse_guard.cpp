@@ -7,22 +7,15 @@
 namespace hardball {
 namespace {
 
-// A sphere that moves less than this fraction of its radius between contacts stands still as far as its
-// position can tell.
-constexpr double kHardlyMoved = 1e-15;
 constexpr std::uint32_t kMostIdleContacts = 10000;
 
 }  // namespace
 
-void CollapseGuard::note_contact(const World& world, Slot slot, const Time& now) {
-  const Path& path = world.path(slot);
-  const double time = duration(path.time, now);
-  const double least = kHardlyMoved * world.radius(slot);
-  if (dot(path.velocity, path.velocity) * time * time > least * least) {
-    if (!idle_contacts_.empty()) idle_contacts_.erase(world.id(slot));
+void CollapseGuard::count(SphereId id, bool was_idle, const Time& now) {
+  if (!was_idle) {
+    idle_contacts_.erase(id);
     return;
   }
-  const SphereId id = world.id(slot);
   if (++idle_contacts_[id] < kMostIdleContacts) return;
   throw RunFailure("inelastic collapse: sphere " + to_text(id) + " was hit " + to_text(kMostIdleContacts) +
                    " times in a row without moving, at time " + to_text(now.value()) +

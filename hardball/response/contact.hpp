@@ -17,6 +17,12 @@ struct Velocities {
   friend bool operator==(const Velocities&, const Velocities&) = default;
 };
 
+/// Negative if bodies that are `separation` [L] apart approach each other [L^2/T]: the very expression whose
+/// sign decides whether a contact is predicted.
+inline double approach(const Vec3& separation, const Velocities& velocities) {
+  return dot(separation, velocities.second - velocities.first);
+}
+
 /// One collision or wall contact: everything about the moment of touch, and what became of it.
 struct Contact {
   Time time;

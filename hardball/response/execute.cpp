@@ -22,7 +22,7 @@ void refuse_approach(const Contact& contact) {
               "return velocities with which they separate or keep their distance");
 }
 
-void settle_wall(Contact& contact) {
+void undo_approach_to_wall(Contact& contact) {
   double& velocity = contact.after.first[axis_of(contact.second)];
   const bool approaching = is_upper(contact.second) ? velocity > 0 : velocity < 0;
   if (!approaching) return;
@@ -30,19 +30,16 @@ void settle_wall(Contact& contact) {
   velocity = 0;
 }
 
-void settle_collision(Contact& contact) {
+void undo_approach_of_spheres(Contact& contact) {
   const Vec3& r = contact.separation;
-  // The very expression whose sign decides whether a contact is predicted.
-  const auto approach = [&r](const Velocities& v) { return dot(r, v.second - v.first); };
-  const double excess = approach(contact.after);
-  if (!(excess < 0)) return;
+  const double excess = approach(r, contact.after);
   const double speeds = length(contact.before.first) + length(contact.before.second) +
                         length(contact.after.first) + length(contact.after.second);
   if (-excess > length(r) * (kRounding * speeds + kSmallestMagnitude)) refuse_approach(contact);
   const double total_mass = contact.first_mass + contact.second_mass;
   double exchange = excess / dot(r, r);
   Velocities settled = contact.after;
-  while (approach(settled) < 0) {
+  while (approach(r, settled) < 0) {
     settled.first = contact.after.first + (exchange * (contact.second_mass / total_mass)) * r;
     settled.second = contact.after.second - (exchange * (contact.first_mass / total_mass)) * r;
     exchange *= 2;
@@ -58,45 +55,51 @@ Participants participants_of(const World& world, const Event& event) {
 }
 
 void contact_at(const World& world, const Event& event, const Participants& participants, Executed& done) {
+  const Box& box = world.box();
+  const Path& path = world.path(participants.first);
+  const double radius = world.radius(participants.first);
+  Vec3 position = position_at(path, event.time);
+  done.were_idle[0] = is_idle(path, radius, event.time);
+  done.folded[0] = box.fold(position);
   Contact& contact = done.contact;
   contact.time = event.time;
   contact.kind = event.kind;
   contact.first = event.first;
   contact.second = event.second;
-  contact.first_radius = world.radius(participants.first);
+  contact.position = position;
+  contact.first_radius = radius;
   contact.first_mass = world.mass(participants.first);
-  contact.before.first = world.path(participants.first).velocity;
-  const Vec3 unfolded = position_at(world.path(participants.first), event.time);
-  done.folded[0] = world.box().boxes_beyond(unfolded);
-  contact.position = unfolded - world.box().shift(done.folded[0]);
   if (event.kind == EventKind::collision) {
-    contact.reach = contact.first_radius + world.radius(participants.second);
+    const Path& second_path = world.path(participants.second);
+    const double second_radius = world.radius(participants.second);
+    Vec3 second_position = position_at(second_path, event.time);
+    done.were_idle[1] = is_idle(second_path, second_radius, event.time);
+    done.folded[1] = box.fold(second_position);
+    contact.image = participants.nearest ? box.nearest_image(position - second_position)
+                                         : event.image + done.folded[1] - done.folded[0];
+    contact.second_position = second_position;
+    contact.separation = (second_position - position) + box.shift(contact.image);
+    contact.reach = radius + second_radius;
     contact.second_mass = world.mass(participants.second);
-    contact.before.second = world.path(participants.second).velocity;
-    const Vec3 other_unfolded = position_at(world.path(participants.second), event.time);
-    done.folded[1] = world.box().boxes_beyond(other_unfolded);
-    contact.second_position = other_unfolded - world.box().shift(done.folded[1]);
-    contact.image = event.image + done.folded[1] - done.folded[0];
-    contact.separation = (contact.second_position - contact.position) + world.box().shift(contact.image);
+    contact.before = {path.velocity, second_path.velocity};
   } else {
-    contact.reach = contact.first_radius;
-    contact.second_mass = std::numeric_limits<double>::infinity();
-    contact.before.second = {};
+    const std::size_t axis = axis_of(event.second);
     contact.image = {};
     contact.second_position = {};
     contact.separation = {};
-    const std::size_t axis = axis_of(event.second);
-    contact.separation[axis] =
-        (is_upper(event.second) ? world.box().size()[axis] : 0) - contact.position[axis];
+    contact.separation[axis] = (is_upper(event.second) ? box.size()[axis] : 0) - contact.position[axis];
+    contact.reach = radius;
+    contact.second_mass = std::numeric_limits<double>::infinity();
+    contact.before = {path.velocity, {}};
   }
   contact.after = contact.before;
 }
 
-void settle(Contact& contact) {
+void undo_approach(Contact& contact) {
   if (contact.is_collision()) {
-    settle_collision(contact);
+    undo_approach_of_spheres(contact);
   } else {
-    settle_wall(contact);
+    undo_approach_to_wall(contact);
   }
 }
 

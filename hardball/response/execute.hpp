@@ -11,30 +11,41 @@
 
 namespace hardball {
 
-/// What carrying out a contact changed beside the velocities.
+/// A contact that has been carried out, and what only engines ask of it.
 struct Executed {
   Contact contact;
   /// By how many boxes the centres were folded back into a periodic box.
   std::array<Image, 2> folded{};
+  /// Which of the spheres had stood still since their last contacts.
+  std::array<bool, 2> were_idle{};
 };
 
 /// Where the spheres of a collision or wall event are stored; of a wall event, only the first counts.
 struct Participants {
   Slot first = 0;
   Slot second = 0;
+  /// Whether the copy of the second that is met is the nearest one, whatever the event says.
+  bool nearest = false;
 };
 
 /// The participants of a collision or wall event. Cost: that of World::slot_of.
 Participants participants_of(const World& world, const Event& event);
 
 /// The contact that a collision or wall event is, in the world as it was before it: centres and velocities as
-/// the stored paths give them at the event's time, and by how many boxes the centres lie beyond.
+/// the stored paths give them at the event's time, by how many boxes the centres lie beyond, and who was
+/// idle.
 void contact_at(const World& world, const Event& event, const Participants& participants, Executed& done);
+
+/// Undoes an approach of the bodies of `contact`, having `after` as velocities; see settle.
+void undo_approach(Contact& contact);
 
 /// Makes sure that the bodies of `contact`, having `after` as velocities, do not approach: an approach that
 /// rounding explains is undone by the least impulse that does it, so that no contact follows itself.
 /// Error: the response left them truly approaching.
-void settle(Contact& contact);
+inline void settle(Contact& contact) {
+  if (contact.is_collision() && !(approach(contact.separation, contact.after) < 0)) return;
+  undo_approach(contact);
+}
 
 /// Carries out a collision or wall event: evaluates the paths at its time, asks the response, stores the new
 /// paths. The one place, shared by all engines, where a contact changes the motion. If the response throws,
@@ -42,14 +53,17 @@ void settle(Contact& contact);
 template <Response R>
 void execute(World& world, CollapseGuard& guard, const Event& event, const Participants& participants,
              const R& response, Executed& done) {
+  Contact& contact = done.contact;
   contact_at(world, event, participants, done);
-  done.contact.after = response(std::as_const(done.contact));
-  settle(done.contact);
-  guard.note_contact(world, participants.first, event.time);
-  if (done.contact.is_collision()) guard.note_contact(world, participants.second, event.time);
-  world.rewrite_path(participants.first, event.time, done.contact.after.first);
-  if (done.contact.is_collision()) {
-    world.rewrite_path(participants.second, event.time, done.contact.after.second);
+  contact.after = response(std::as_const(contact));
+  settle(contact);
+  const bool is_collision = contact.is_collision();
+  guard.note_contact(contact.first, done.were_idle[0], event.time);
+  if (is_collision) guard.note_contact(contact.second, done.were_idle[1], event.time);
+  world.store_path(participants.first, {contact.position, contact.after.first, event.time}, done.folded[0]);
+  if (is_collision) {
+    world.store_path(participants.second, {contact.second_position, contact.after.second, event.time},
+                     done.folded[1]);
   }
 }
 

@@ -11,22 +11,9 @@ Restitution::Restitution(double coefficient) : coefficient_(coefficient) {
   throw Error("restitution is " + to_text(coefficient), "restitution", "give a number between 0 and 1");
 }
 
-Velocities Restitution::operator()(const Contact& contact) const {
+Velocities Restitution::bounce(const Contact& contact) const {
   Velocities after = contact.before;
-  if (!contact.is_collision()) {
-    const std::size_t axis = axis_of(contact.second);
-    after.first[axis] *= -coefficient_;
-    return after;
-  }
-  // The impulse lies along the separation r, of length reach up to rounding: dividing by r.r instead of
-  // normalising keeps exact cases exact.
-  const Vec3& r = contact.separation;
-  const double approach = dot(r, contact.before.second - contact.before.first);
-  if (!(approach < 0)) return after;
-  const double exchange = (1 + coefficient_) * (approach / dot(r, r));
-  const double total_mass = contact.first_mass + contact.second_mass;
-  after.first += (exchange * (contact.second_mass / total_mass)) * r;
-  after.second -= (exchange * (contact.first_mass / total_mass)) * r;
+  after.first[axis_of(contact.second)] *= -coefficient_;
   return after;
 }
 
