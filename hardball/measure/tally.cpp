@@ -7,6 +7,14 @@
 #include <limits>
 
 namespace hardball {
+namespace {
+
+// By how much the square of a velocity has changed.
+double square_change(const Vec3& before, const Vec3& after) {
+  return dot(after - before, after + before);
+}
+
+}  // namespace
 
 void Tally::begin(const World& world, const Time& now) {
   *this = Tally();
@@ -25,20 +33,20 @@ void Tally::note_edit(double energy_change, const Time& now) {
 void Tally::note(const Contact& contact) {
   energy_integral_ = energy_integral(contact.time);
   last_ = contact.time;
-  const auto square_change = [](const Vec3& after, const Vec3& before) {
-    return dot(after - before, after + before);
-  };
-  energy_ += contact.first_mass * square_change(contact.after.first, contact.before.first) / 2;
-  max_overlap_ = std::max(max_overlap_, contact.overlap());
   if (contact.is_collision()) {
     ++collisions_;
-    energy_ += contact.second_mass * square_change(contact.after.second, contact.before.second) / 2;
+    energy_ += (contact.first_mass * square_change(contact.before.first, contact.after.first) +
+                contact.second_mass * square_change(contact.before.second, contact.after.second)) /
+               2;
+    max_overlap_ = std::max(max_overlap_, contact.overlap());
     virial_ -= dot(contact.impulse(), contact.separation);
     const double speed = contact.impact_speed();
     impact_speed_sum_ += speed;
     impact_speed_square_sum_ += speed * speed;
   } else {
     ++wall_contacts_;
+    energy_ += contact.first_mass * square_change(contact.before.first, contact.after.first) / 2;
+    max_overlap_ = std::max(max_overlap_, contact.overlap());
     wall_impulse_[contact.second] += std::fabs(contact.impulse()[axis_of(contact.second)]);
   }
 }

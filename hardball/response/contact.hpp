@@ -61,7 +61,9 @@ struct Contact {
     return speed > 0 ? speed : 0;
   }
   /// How far the surfaces overlapped by rounding, as a fraction of `reach` [1]; negative for a gap.
-  double overlap() const { return 1 - dot(separation, normal()) / reach; }
+  double overlap() const {
+    return 1 - (is_collision() ? length(separation) : dot(separation, normal())) / reach;
+  }
 };
 
 /// What a contact does to velocities: given the contact with `after` still equal to `before`, the new
