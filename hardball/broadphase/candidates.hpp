@@ -123,14 +123,18 @@ class Candidates {
   std::uint64_t key(Slot other) const { return std::uint64_t{round_} << 32 | other; }
 
   void make_room(std::size_t count) {
-    if (size_ + count + kPadding > slots_.size()) slots_.resize(2 * slots_.size() + count);
+    if (size_ + count <= room_) [[likely]]
+      return;
+    room_ = 2 * room_ + count;
+    slots_.resize(room_ + kPadding);
   }
 
   Slot self_ = 0;
   bool nearest_ = true;
   std::size_t size_ = 0;
   std::uint32_t round_;
-  std::vector<Slot> slots_ = std::vector<Slot>(64);
+  std::size_t room_ = 56;  // for candidates; behind them is room for padding
+  std::vector<Slot> slots_ = std::vector<Slot>(room_ + kPadding);
   std::vector<Image> images_;
   std::array<std::vector<double>, kAxes> shifts_;
   // A cache of the candidates marked, one place for each remainder, a power of two of them; the round tells
