@@ -73,20 +73,26 @@ class Candidates {
   void drop_repeated() {
     expect(size_);
     const std::size_t places = seen_.size() - 1;
-    Slot* const begin = slots_.data();
-    Slot* end = begin;
     std::uint64_t* const seen = seen_.data();
     const std::uint64_t round = std::uint64_t{round_} << 32;
-    const std::size_t size = size_;
-    for (std::size_t i = 0; i < size; ++i) {
+    Slot* const slots = slots_.data();
+    Slot* end = slots;
+    const auto look_at = [&](Slot other) {
       // Without a branch: whether a candidate is new cannot be foreseen.
-      const Slot other = begin[i];
       std::uint64_t& place = seen[other & places];
       *end = other;
       end += place != (round | other) ? 1 : 0;
       place = round | other;
+    };
+    // Two at a time: behind the last stands its repetition.
+    const std::size_t size = size_;
+    if (size == 0) return;
+    slots[size] = slots[size - 1];
+    for (std::size_t i = 0; i < size; i += 2) {
+      look_at(slots[i]);
+      look_at(slots[i + 1]);
     }
-    size_ = static_cast<std::size_t>(end - begin);
+    size_ = static_cast<std::size_t>(end - slots);
   }
 
   /// Adds the copy `image` of a candidate.

@@ -120,13 +120,13 @@ void CellGrid::refresh_range(const World& world, Slot slot, const Time& now, con
 }
 
 void CellGrid::collect(const World& world, Slot slot, Candidates& candidates) const {
-  candidates.begin(slot, nearest_);
   if (blocks_) {
     collect_block(slot, candidates);
   } else {
+    candidates.begin(slot, nearest_);
     collect_from(world, residents_[slot].range(), candidates);
+    candidates.end();
   }
-  candidates.end();
 }
 
 Time CellGrid::next_crossing(const World& world, Slot slot, const Time& now, const Time&) {
@@ -238,9 +238,11 @@ void CellGrid::leave_halves(Slot slot, std::uint32_t axes, std::uint32_t up) {
 
 void CellGrid::collect_block(Slot slot, Candidates& candidates) const {
   const Resident& resident = residents_[slot];
+  candidates.begin(slot, true);
   block_of(resident).for_each_list(CellBlock::cells_above(0, resident.wide_axes()),
                                    [&](std::uint32_t list) { collect_list(list, candidates); });
   candidates.drop_repeated();
+  candidates.end();
 }
 
 CellRange CellGrid::range_at(const World& world, Slot slot, const Time& now) const {
