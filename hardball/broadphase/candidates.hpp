@@ -74,20 +74,26 @@ class Candidates {
   void drop_repeated() {
     expect(size_);
     const std::size_t places = seen_.size() - 1;
-    Slot* const begin = slots_.data();
-    Slot* end = begin;
     std::uint64_t* const seen = seen_.data();
     const std::uint64_t round = std::uint64_t{round_} << 32;
-    const std::size_t size = size_;
-    for (std::size_t i = 0; i < size; ++i) {
+    Slot* const slots = slots_.data();
+    Slot* end = slots;
+    const auto look_at = [&](Slot other) {
       // Without a branch: whether a candidate is new cannot be foreseen.
-      const Slot other = begin[i];
       std::uint64_t& place = seen[other & places];
       *end = other;
       end += place != (round | other) ? 1 : 0;
       place = round | other;
+    };
+    // Two at a time: behind the last stands its repetition.
+    const std::size_t size = size_;
+    if (size == 0) return;
+    slots[size] = slots[size - 1];
+    for (std::size_t i = 0; i < size; i += 2) {
+      look_at(slots[i]);
+      look_at(slots[i + 1]);
     }
-    size_ = static_cast<std::size_t>(end - begin);
+    size_ = static_cast<std::size_t>(end - slots);
   }
 
   /// Adds the copy `image` of a candidate.
@@ -124,14 +130,18 @@ class Candidates {
   std::uint64_t key(Slot other) const { return std::uint64_t{round_} << 32 | other; }
 
   void make_room(std::size_t count) {
-    if (size_ + count + kPadding > slots_.size()) slots_.resize(2 * slots_.size() + count);
+    if (size_ + count <= room_) [[likely]]
+      return;
+    room_ = 2 * room_ + count;
+    slots_.resize(room_ + kPadding);
   }
 
   Slot self_ = 0;
   bool nearest_ = true;
   std::size_t size_ = 0;
   std::uint32_t round_;
-  std::vector<Slot> slots_ = std::vector<Slot>(64);
+  std::size_t room_ = 56;  // for candidates; behind them is room for padding
+  std::vector<Slot> slots_ = std::vector<Slot>(room_ + kPadding);
   std::vector<Image> images_;
   std::array<std::vector<double>, kAxes> shifts_;
   // A cache of the candidates marked, one place for each remainder, a power of two of them; the round tells

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -12,24 +13,20 @@ namespace hardball {
 
 /// Two by two by two cells: a sphere no larger than a cell touches no others.
 ///
-/// Cell k of the block has the upper place along x, y and z where k has the bits 4, 2 and 1. Which of them a
-/// sphere touches cannot be foreseen; sets of them are eight bits, and nothing here branches on them.
+/// Three bits, 4, 2 and 1 for x, y and z, are a set of axes. They are also the name of a cell: the one with
+/// the upper place along these axes. A set of cells is eight bits, one for each name.
 class CellBlock {
  public:
   static constexpr std::uint32_t kCells = 8;
-  /// The cells of the block's lower face across each axis; add kUpper for those of the upper face.
-  static constexpr std::array<std::array<std::uint32_t, 4>, kAxes> kFace{
-      {{0, 1, 2, 3}, {0, 1, 4, 5}, {0, 2, 4, 6}}};
-  static constexpr std::array<std::uint32_t, kAxes> kUpper{4, 2, 1};
+  static constexpr std::array<std::uint32_t, kAxes> kAxisBit{4, 2, 1};
 
   /// The block whose lowest cell is `low`, in a store whose lists of neighbouring cells are `strides` apart.
-  CellBlock(const Subdivision& cells, CellIndex low, const std::array<std::uint32_t, kAxes>& strides) {
-    cells.fold(low);
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      const auto lower = static_cast<std::uint32_t>(low[axis]);
-      const std::uint32_t upper = choose(low[axis] + 1 != cells.period(axis), lower + 1, 0);
-      offsets_[axis] = {lower * strides[axis], upper * strides[axis]};
-    }
+  CellBlock(const Subdivision& cells, const CellIndex& low, const std::array<std::uint32_t, kAxes>& strides) {
+    for_each_axis([&](auto axis) {
+      const std::int32_t place = cells.folded(axis, low[axis]);
+      const std::uint32_t lower = static_cast<std::uint32_t>(place) * strides[axis];
+      offsets_[axis] = {lower, place + 1 == cells.period(axis) ? 0 : lower + strides[axis]};
+    });
   }
 
   /// The list of a cell.
@@ -37,19 +34,28 @@ class CellBlock {
     return offsets_[0][cell >> 2] + offsets_[1][(cell >> 1) & 1] + offsets_[2][cell & 1];
   }
 
-  /// The cells with the lower place along an axis, if `lower`, and those with the upper one, if `upper`.
-  static std::uint32_t slab(std::size_t axis, bool lower, bool upper) {
-    constexpr std::array<std::uint32_t, kAxes> kLowerSlab{0x0f, 0x33, 0x55};
-    constexpr std::array<std::uint32_t, kAxes> kUpperSlab{0xf0, 0xcc, 0xaa};
-    return choose(lower, kLowerSlab[axis], 0) | choose(upper, kUpperSlab[axis], 0);
+  /// Calls visit(list) for a set of cells.
+  template <class Visit>
+  void for_each_list(std::uint32_t cells, Visit&& visit) const {
+    for (; cells != 0; cells &= cells - 1) visit(list(static_cast<std::uint32_t>(std::countr_zero(cells))));
   }
 
-  /// One of two numbers, without a branch.
-  static std::uint32_t choose(bool condition, std::uint32_t yes, std::uint32_t no) {
-    return no ^ ((yes ^ no) & (0U - static_cast<std::uint32_t>(condition)));
+  /// Cell `from` and its neighbours above along `axes`, of which `from` has none.
+  static std::uint32_t cells_above(std::uint32_t from, std::uint32_t axes) {
+    return std::uint32_t{kAboveLowest[axes]} << from;
   }
+
+  /// The set of a single axis, or none.
+  static std::uint32_t axis_if(bool condition, std::size_t axis) {
+    return static_cast<std::uint32_t>(condition) * kAxisBit[axis];
+  }
+  /// How often a set of axes has an axis.
+  static std::uint32_t count(std::uint32_t axes, std::size_t axis) { return axes / kAxisBit[axis] & 1; }
 
  private:
+  static constexpr std::array<std::uint8_t, kCells> kAboveLowest{0x01, 0x03, 0x05, 0x0f,
+                                                                 0x11, 0x33, 0x55, 0xff};
+
   std::array<std::array<std::uint32_t, 2>, kAxes> offsets_;
 };
 

@@ -3,7 +3,6 @@
 #include "hardball/broadphase/cell_grid.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -83,7 +82,8 @@ void CellGrid::refuse_tiny_cells(const World& world) const {
 bool CellGrid::images_are_nearest(const World& world) const {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_periodic(axis)) continue;
-    const double touched = std::floor(2 * world.largest_radius() / cells_.edge(axis) * (1 + 1e-6)) + 2;
+    const double reach = cells_.reach(axis, world.largest_radius());
+    const double touched = std::floor(2 * reach / cells_.edge(axis) * (1 + 1e-6)) + 2;
     if (cells_.period(axis) < 2 * (2 * touched - 1) + 1) return false;
   }
   return true;
@@ -99,8 +99,15 @@ bool CellGrid::regions_are_blocks(const World& world) const {
 }
 
 void CellGrid::refresh(const World& world, Slot slot, const Time& now, const Image& folded) {
+  if (blocks_) {
+    refresh_block(world, slot, now, folded);
+  } else {
+    refresh_range(world, slot, now, folded);
+  }
+}
+
+void CellGrid::refresh_range(const World& world, Slot slot, const Time& now, const Image& folded) {
   const CellRange range = range_at(world, slot, now);
-  if (blocks_ && shrink_block(slot, range, folded)) return;
   const CellRange old = residents_[slot].range();
   if (folded.is_zero() && old.contains(range.low) && old.contains(range.high)) {
     leave(slot, old, range);
@@ -113,13 +120,13 @@ void CellGrid::refresh(const World& world, Slot slot, const Time& now, const Ima
 }
 
 void CellGrid::collect(const World& world, Slot slot, Candidates& candidates) const {
-  candidates.begin(slot, nearest_);
   if (blocks_) {
     collect_block(slot, candidates);
   } else {
+    candidates.begin(slot, nearest_);
     collect_from(world, residents_[slot].range(), candidates);
+    candidates.end();
   }
-  candidates.end();
 }
 
 Time CellGrid::next_crossing(const World& world, Slot slot, const Time& now, const Time&) {
@@ -135,8 +142,12 @@ Time CellGrid::next_crossing(const World& world, Slot slot, const Time& now, con
 void CellGrid::cross(const World& world, Slot slot, const Time& now, Candidates& candidates) {
   if (blocks_) {
     cross_block(world, slot, now, candidates);
-    return;
+  } else {
+    cross_range(world, slot, now, candidates);
   }
+}
+
+void CellGrid::cross_range(const World& world, Slot slot, const Time& now, Candidates& candidates) {
   Resident& resident = residents_[slot];
   const CellRange exact = range_at(world, slot, now);
   const Vec3& velocity = world.path(slot).velocity;
@@ -163,79 +174,75 @@ void CellGrid::cross(const World& world, Slot slot, const Time& now, Candidates&
                          [&](const CellIndex&, const CellIndex& cell) { store_.insert(cell, slot); });
 }
 
-// As cross, of a sphere whose region is a block. Whatever else is rounded, it has two cells at most along
-// the axis of the crossing.
+// As refresh, of a sphere whose region is a block: it lies within the region, and keeps what it touches.
+void CellGrid::refresh_block(const World& world, Slot slot, const Time& now, const Image& folded) {
+  Resident& resident = residents_[slot];
+  const Vec3 position = position_at(world.path(slot), now);
+  const double radius = world.radius(slot);
+  std::uint32_t below = 0;  // axes along which it touches the lower half of the block
+  std::uint32_t above = 0;
+  for_each_axis([&](auto axis) {
+    resident.low[axis] -= cells_.cells_beyond(axis, folded);
+    const double beyond = cells_.beyond_face(axis, resident.low[axis] + 1, position[axis]);
+    below |= CellBlock::axis_if(beyond < cells_.reach(axis, radius), axis);
+    above |= CellBlock::axis_if(beyond > -cells_.reach(axis, radius), axis);
+  });
+  leave_halves(slot, resident.wide_axes() & ~(below & above), above);
+}
+
+// As cross, of a sphere whose region is a block. Whatever is rounded, of the two cells along the axis of the
+// crossing it leaves one.
 void CellGrid::cross_block(const World& world, Slot slot, const Time& now, Candidates& candidates) {
   Resident& resident = residents_[slot];
   const Path& path = world.path(slot);
   const Vec3 position = position_at(path, now);
-  const std::size_t crossed = axis_of(resident.crossed_face);
-  const bool up = is_upper(resident.crossed_face);
-  const CellBlock old = block_of(resident);
-  const std::uint32_t had = resident.cells_of_block();
-  std::uint32_t kept = had;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+  const double radius = world.radius(slot);
+  std::uint32_t up = 0;     // axes along which it flies upwards
+  std::uint32_t ahead = 0;  // axes along which it touches only the half of the block that lies ahead
+  for_each_axis([&](auto axis) {
     const double velocity = path.velocity[axis];
-    const bool is_crossed = axis == crossed;
-    const bool wide = resident.is_wide(axis);
-    const std::int32_t hindmost = cells_.hindmost(axis, position[axis], world.radius(slot), velocity);
-    const bool leaves_lower = wide & (velocity > 0) & ((hindmost > resident.low[axis]) | is_crossed);
-    const bool leaves_upper = wide & (velocity < 0) & ((hindmost <= resident.low[axis]) | is_crossed);
-    kept &= CellBlock::slab(axis, !leaves_lower, !leaves_upper);
-    left_count_ += static_cast<std::uint64_t>(leaves_lower) + static_cast<std::uint64_t>(leaves_upper);
-    resident.low[axis] +=
-        static_cast<std::int32_t>(leaves_lower) - static_cast<std::int32_t>(is_crossed & !up);
-    resident.more[axis] = static_cast<std::uint16_t>((wide & !leaves_lower & !leaves_upper) | is_crossed);
-  }
-  leave(slot, old, had & ~kept);
+    const double beyond = cells_.beyond_face(axis, resident.low[axis] + 1, position[axis]);
+    up |= CellBlock::axis_if(!std::signbit(velocity), axis);
+    ahead |= CellBlock::axis_if(std::copysign(1.0, velocity) * beyond > cells_.reach(axis, radius), axis);
+  });
+  const std::size_t axis = axis_of(resident.crossed_face);
+  const std::uint32_t crossed = CellBlock::kAxisBit[axis];
+  leave_halves(slot, resident.wide_axes() & (ahead | crossed), up);
 
-  const CellBlock block = block_of(resident);
-  const std::uint32_t cells = resident.cells_of_block();
-  std::array<std::uint32_t, 4> entered{};
-  for (std::size_t i = 0; i < entered.size(); ++i) {
-    const std::uint32_t cell = CellBlock::kFace[crossed][i] + (up ? CellBlock::kUpper[crossed] : 0);
-    entered[i] = CellBlock::choose(((cells >> cell) & 1) != 0, block.list(cell), store_.spare_list());
-  }
-  candidates.begin(slot, nearest_);
-  for (const std::uint32_t list : entered) collect_list(list, candidates);
-  candidates.drop_repeated();
+  const std::uint32_t entered = CellBlock::cells_above(up & crossed, resident.wide_axes());
+  resident.low[axis] -= is_upper(resident.crossed_face) ? 0 : 1;
+  resident.more[axis] = 1;
+  candidates.begin(slot, true);
+  block_of(resident).for_each_list(entered, [&](std::uint32_t list) {
+    collect_list(list, candidates);
+    store_.insert(list, slot);
+  });
+  if ((entered & (entered - 1)) != 0) candidates.drop_repeated();
   candidates.end();
-  for (const std::uint32_t list : entered) store_.insert(list, slot);
-  store_.clear_spare_list();
+}
+
+// Gives up half of a block along each of `axes`: the lower half along `up`, the upper one along the others.
+void CellGrid::leave_halves(Slot slot, std::uint32_t axes, std::uint32_t up) {
+  if (axes == 0) return;
+  Resident& resident = residents_[slot];
+  const std::uint32_t wide = resident.wide_axes();
+  const std::uint32_t kept = CellBlock::cells_above(axes & up, wide & ~axes);
+  block_of(resident).for_each_list(CellBlock::cells_above(0, wide) & ~kept,
+                                   [&](std::uint32_t list) { store_.erase(list, slot); });
+  for_each_axis([&](auto axis) {
+    resident.low[axis] += static_cast<std::int32_t>(CellBlock::count(axes & up, axis));
+    resident.more[axis] = static_cast<std::uint16_t>(CellBlock::count(wide & ~axes, axis));
+    left_count_ += CellBlock::count(axes, axis);
+  });
 }
 
 void CellGrid::collect_block(Slot slot, Candidates& candidates) const {
-  const CellBlock block = block_of(residents_[slot]);
-  const std::uint32_t cells = residents_[slot].cells_of_block();
-  for (std::uint32_t cell = 0; cell < CellBlock::kCells; ++cell) {
-    const bool is_in = ((cells >> cell) & 1) != 0;
-    collect_list(CellBlock::choose(is_in, block.list(cell), store_.spare_list()), candidates);
-  }
+  const Resident& resident = residents_[slot];
+  candidates.begin(slot, true);
+  block_of(resident).for_each_list(CellBlock::cells_above(0, resident.wide_axes()),
+                                   [&](std::uint32_t list) { collect_list(list, candidates); });
   candidates.drop_repeated();
-}
-
-// Gives a sphere that has been folded back by some boxes the region `range`, if that is part of its own.
-bool CellGrid::shrink_block(Slot slot, const CellRange& range, const Image& folded) {
-  Resident& resident = residents_[slot];
-  const std::uint32_t had = resident.cells_of_block();
-  std::uint32_t kept = had;
-  bool is_part = true;
-  std::uint64_t left = 0;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const std::int32_t low = resident.low[axis] - cells_.cells_beyond(axis, folded);
-    const std::int32_t old_more = resident.more[axis];
-    const std::int32_t above = range.low[axis] - low;
-    const std::int32_t more = range.high[axis] - range.low[axis];
-    is_part = is_part & (above >= 0) & (above + more <= old_more);
-    left += static_cast<std::uint64_t>(old_more - more);
-    kept &= CellBlock::slab(axis, above == 0, above + more != 0);
-  }
-  if (!is_part) [[unlikely]]
-    return false;
-  left_count_ += left;
-  if (kept != had) leave(slot, block_of(resident), had & ~kept);
-  resident.take(range);
-  return true;
+  candidates.end();
 }
 
 CellRange CellGrid::range_at(const World& world, Slot slot, const Time& now) const {
@@ -295,13 +302,6 @@ void CellGrid::leave(Slot slot, const CellRange& old, const CellRange& kept) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     left_count_ +=
         static_cast<std::uint64_t>((kept.low[axis] - old.low[axis]) + (old.high[axis] - kept.high[axis]));
-  }
-}
-
-// Gives up some cells of a block.
-void CellGrid::leave(Slot slot, const CellBlock& block, std::uint32_t cells) {
-  for (; cells != 0; cells &= cells - 1) {
-    store_.erase(block.list(static_cast<std::uint32_t>(std::countr_zero(cells))), slot);
   }
 }
 

@@ -75,17 +75,15 @@ class CellGrid {
       return row;
     }
     void take(const CellRange& range);
-    /// Of a region that is a block.
-    bool is_wide(std::size_t axis) const { return more[axis] != 0; }
-    std::uint32_t cells_of_block() const {
-      return CellBlock::slab(0, true, is_wide(0)) & CellBlock::slab(1, true, is_wide(1)) &
-             CellBlock::slab(2, true, is_wide(2));
-    }
+    // Of a region that is a block: the axes along which it is two cells wide.
+    std::uint32_t wide_axes() const { return (more[0] * 4U + more[1] * 2U) + more[2]; }
   };
 
   void refuse_tiny_cells(const World& world) const;
   bool images_are_nearest(const World& world) const;
   CellRange range_at(const World& world, Slot slot, const Time& now) const;
+  void refresh_range(const World& world, Slot slot, const Time& now, const Image& folded);
+  void cross_range(const World& world, Slot slot, const Time& now, Candidates& candidates);
   void collect_from(const World& world, const CellRange& range, Candidates& candidates) const;
   void collect_images(const World& world, Slot other, Candidates& candidates) const;
   bool regions_are_blocks(const World& world) const;
@@ -93,10 +91,10 @@ class CellGrid {
     return CellBlock(cells_, resident.low, store_.strides());
   }
   void collect_list(std::uint32_t list, Candidates& candidates) const;
+  void refresh_block(const World& world, Slot slot, const Time& now, const Image& folded);
   void collect_block(Slot slot, Candidates& candidates) const;
   void cross_block(const World& world, Slot slot, const Time& now, Candidates& candidates);
-  bool shrink_block(Slot slot, const CellRange& range, const Image& folded);
-  void leave(Slot slot, const CellBlock& block, std::uint32_t cells);
+  void leave_halves(Slot slot, std::uint32_t axes, std::uint32_t up);
   void leave(Slot slot, const CellRange& old, const CellRange& kept);
 
   double wanted_edge_;

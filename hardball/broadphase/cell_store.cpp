@@ -23,8 +23,7 @@ void CellStore::reset(const CellIndex& shape, std::size_t expected) {
   lines_used_ = 0;
   if (dense_) {
     strides_ = {static_cast<std::uint32_t>(shape[1] * shape[2]), static_cast<std::uint32_t>(shape[2]), 1};
-    spare_list_ = static_cast<std::uint32_t>(cells);
-    lists_.reset(spare_list_ + std::size_t{1});
+    lists_.reset(static_cast<std::size_t>(cells));
   } else {
     lists_.reset(0);
   }

@@ -46,10 +46,6 @@ class CellStore {
   /// The same by the cell's list. Precondition: is_dense().
   void insert(std::uint32_t list, Slot slot) { lists_.insert(list, slot); }
   void erase(std::uint32_t list, Slot slot) { lists_.erase(list, slot); }
-  /// A list that belongs to no cell, for those who would rather not branch; whoever inserts there clears it.
-  /// Precondition: is_dense().
-  std::uint32_t spare_list() const { return spare_list_; }
-  void clear_spare_list() { lists_.clear(spare_list_); }
 
   bool is_dense() const { return dense_; }
   std::size_t memory_bytes() const;
@@ -77,10 +73,9 @@ class CellStore {
 
   bool dense_ = true;
   std::array<std::uint32_t, kAxes> strides_{};  // dense
-  std::uint32_t spare_list_ = 0;                // dense: behind the last cell's
   std::vector<Line> lines_;                     // hashed: open addressing, a power of two of lines
   std::size_t lines_used_ = 0;
-  SlotLists lists_;  // dense: one for each cell, and the spare one
+  SlotLists lists_;  // dense: one for each cell
 };
 
 }  // namespace hardball

@@ -16,7 +16,8 @@ namespace hardball {
 /// Many short lists of slots, each in a cache line of its own; longer ones chain several lines.
 ///
 /// A list is named by its first line. Lists 0 to n-1 exist from reset(n) on; others are made and given up one
-/// by one. Order within a list means nothing. Cost: O(1) per operation, O(length) to erase.
+/// by one. Order within a list means nothing. Of several lines all are full but the second, at which the list
+/// grows and shrinks. Cost: O(1) per operation, O(length) to erase.
 class SlotLists {
  public:
   static constexpr std::uint32_t kNone = UINT32_MAX;
@@ -40,7 +41,7 @@ class SlotLists {
 
   void insert(std::uint32_t list, Slot slot) {
     if (lines_[list].count == kRoom) [[unlikely]]
-      list = line_with_room(list);
+      list = second_with_room(list);
     Line& line = lines_[list];
     line.slots[line.count++] = slot;
   }
@@ -49,25 +50,23 @@ class SlotLists {
   static std::uint32_t places_of(Slot slot, const LineOfSlots& slots, std::uint32_t count) {
     // Without a branch for each slot: where it stands cannot be foreseen.
     std::uint32_t places = 0;
-    for (std::uint32_t i = 0; i < kRoom; ++i) places |= (slots[i] == slot ? 1U : 0U) << i;
+    for (std::uint32_t i = kRoom; i-- > 0;) places = 2 * places + (slots[i] == slot ? 1U : 0U);
     return places & ((1U << count) - 1);
   }
 
   /// Precondition: the slot is in the list.
   void erase(std::uint32_t list, Slot slot) {
-    std::uint32_t before = kNone;
-    for (std::uint32_t at = list; at != kNone; before = at, at = lines_[at].next) {
-      Line& line = lines_[at];
-      const std::uint32_t places = places_of(slot, line.slots, line.count);
-      if (places == 0) continue;
-      line.slots[static_cast<std::size_t>(std::countr_zero(places))] = line.slots[--line.count];
-      if (line.count == 0 && at != list) {
-        lines_[before].next = line.next;
-        give_up(at);
-      }
-      return;
+    std::uint32_t at = list;
+    std::uint32_t places;
+    while ((places = places_of(slot, lines_[at].slots, lines_[at].count)) == 0) {
+      at = lines_[at].next;
+      HARDBALL_CHECK(at != kNone);
     }
-    HARDBALL_CHECK(!"the slot is in the list");
+    Line& first = lines_[list];
+    const bool is_single = first.next == kNone;
+    Line& end = is_single ? first : lines_[first.next];
+    lines_[at].slots[static_cast<std::size_t>(std::countr_zero(places))] = end.slots[--end.count];
+    if (end.count == 0 && !is_single) give_up(std::exchange(first.next, end.next));
   }
 
   /// Empties a list.
@@ -111,10 +110,12 @@ class SlotLists {
     LineOfSlots slots{};
   };
 
-  std::uint32_t line_with_room(std::uint32_t list) {
-    while (lines_[list].count == kRoom && lines_[list].next != kNone) list = lines_[list].next;
-    if (lines_[list].count < kRoom) return list;
+  // The second line of a list whose first is full.
+  std::uint32_t second_with_room(std::uint32_t list) {
+    const std::uint32_t second = lines_[list].next;
+    if (second != kNone && lines_[second].count < kRoom) return second;
     const std::uint32_t added = new_line();
+    lines_[added].next = second;
     lines_[list].next = added;
     return added;
   }

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
 
+#include "hardball/events/event.hpp"
 #include "hardball/geometry/path.hpp"
 #include "hardball/world/box.hpp"
 
@@ -74,9 +77,12 @@ class Subdivision {
   /// The cells that a sphere at `position` touches. Error (RunFailure): it has crossed the box too many
   /// times.
   CellRange range_at(const Vec3& position, double radius) const;
-  /// The place along an axis of the last cell that a sphere at `position`, flying at `velocity`, still
-  /// touches. Error: as for range_at.
-  std::int32_t hindmost(std::size_t axis, double position, double radius, double velocity) const;
+  /// How far from its centre, along an axis, a sphere touches cells [L].
+  double reach(std::size_t axis, double radius) const { return radius + axes_[axis].margin; }
+  /// How far a coordinate lies beyond the lower face of the cell at `place` along an axis [L].
+  double beyond_face(std::size_t axis, std::int32_t place, double coordinate) const {
+    return coordinate - axes_[axis].edge * place;
+  }
   /// The cell, folded into the box, in which a point inside the box lies.
   CellIndex cell_of(const Vec3& point) const;
   /// When a sphere on `path` touches the next cell ahead of `range`.
@@ -84,22 +90,33 @@ class Subdivision {
   /// When it last touches the hindmost cells of `range`.
   CellCrossing next_leave(const Path& path, double radius, const CellRange& range) const;
 
-  /// Folds a place into the box; returns how many boxes beyond it was.
+  /// A place along an axis, folded into the box. Error: as for range_at.
+  std::int32_t folded(std::size_t axis, std::int32_t place) const {
+    const std::int32_t period = axes_[axis].period;
+    // Of most places one comparison tells that they lie inside.
+    const bool is_inside = static_cast<std::uint32_t>(place) < static_cast<std::uint32_t>(period);
+    if (is_inside || period == 0) [[likely]]
+      return place;
+    return folded_from_beyond(axes_[axis], place);
+  }
+  CellIndex folded(const CellIndex& cell) const {
+    return {folded(0, cell[0]), folded(1, cell[1]), folded(2, cell[2])};
+  }
+  /// Folds a cell into the box; returns how many boxes beyond it was.
   Image fold(CellIndex& cell) const {
     Image boxes;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      const std::int32_t period = axes_[axis].period;
-      if (period == 0 || (cell[axis] >= 0 && cell[axis] < period)) continue;
-      boxes[axis] = cell[axis] >= 0 ? cell[axis] / period : -((period - 1 - cell[axis]) / period);
-      cell[axis] -= boxes[axis] * period;
+      const std::int32_t place = folded(axis, cell[axis]);
+      if (place == cell[axis]) continue;
+      boxes[axis] = (cell[axis] - place) / axes_[axis].period;
+      cell[axis] = place;
     }
     return boxes;
   }
   /// Calls visit(cell, folded) for every cell of a range, and the same cell folded into the box.
   template <class Visit>
   void for_each_folded(const CellRange& range, Visit&& visit) const {
-    CellIndex begin = range.low;
-    fold(begin);
+    const CellIndex begin = folded(range.low);
     const auto step = [this](std::size_t axis, std::int32_t& place) {
       if (++place == axes_[axis].period) place = 0;
     };
@@ -124,6 +141,7 @@ class Subdivision {
   struct Axis {
     double edge = 0;
     double inverse_edge = 0;
+    double margin = 0;  // how early cells admit and how late they release
     std::int32_t first = 0;
     std::int32_t last = 0;
     std::int32_t period = 0;
@@ -131,8 +149,31 @@ class Subdivision {
   };
 
   static std::int32_t place_of(const Axis& cells, double coordinate);
+  static std::int32_t folded_from_beyond(const Axis& cells, std::int32_t place);
 
   std::array<Axis, kAxes> axes_;
+  bool has_ends_ = false;  // along some axis
 };
+
+// Nothing here branches on which way a sphere flies: nobody can foresee it.
+inline CellCrossing Subdivision::next_enter(const Path& path, double radius, const CellRange& range) const {
+  double least = std::numeric_limits<double>::infinity();
+  Face face = 0;
+  for_each_axis([&](auto axis) {
+    const Axis& cells = axes_[axis];
+    const double velocity = path.velocity[axis];
+    const bool up = !std::signbit(velocity);
+    const std::int32_t upwards = up ? -1 : 0;  // all bits
+    const std::int32_t plane = range.low[axis] + ((range.high[axis] + 1 - range.low[axis]) & upwards);
+    if (has_ends_ && plane == (up ? cells.last + 1 : cells.first)) return;
+    const double ahead = std::copysign(1.0, velocity) * -beyond_face(axis, plane, path.position[axis]);
+    // At rest infinite or not a number.
+    const double wait = std::max(0.0, ahead - reach(axis, radius)) / std::fabs(velocity);
+    const bool sooner = wait < least;
+    least = sooner ? wait : least;
+    face ^= (face ^ face_of(axis, up)) & (0U - static_cast<Face>(sooner));
+  });
+  return {least, static_cast<std::uint8_t>(axis_of(face)), is_upper(face)};
+}
 
 }  // namespace hardball

@@ -4,13 +4,7 @@
 
 #include <cmath>
 
-/// For small functions that are also compiled for wider instructions than the rest of the program: without a
-/// copy of their own, the linker cannot take that copy for all.
-#if defined(__GNUC__)
-#define HARDBALL_ALWAYS_INLINE [[gnu::always_inline]] inline
-#else
-#define HARDBALL_ALWAYS_INLINE inline
-#endif
+#include "hardball/geometry/always_inline.hpp"
 
 namespace hardball {
 

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
+
+#include "hardball/geometry/always_inline.hpp"
 
 namespace hardball {
 
@@ -30,6 +33,15 @@ struct Vec3 {
 };
 
 inline constexpr std::size_t kAxes = 3;
+
+/// Calls visit(axis) for every axis, a constant that is known at compile time: so is which member of a vector
+/// it means.
+template <class Visit>
+HARDBALL_ALWAYS_INLINE void for_each_axis(Visit&& visit) {
+  visit(std::integral_constant<std::size_t, 0>());
+  visit(std::integral_constant<std::size_t, 1>());
+  visit(std::integral_constant<std::size_t, 2>());
+}
 
 inline double dot(const Vec3& a, const Vec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;

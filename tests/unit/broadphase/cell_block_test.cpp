@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "hardball/broadphase/cell_store.hpp"
 
 namespace hardball {
@@ -11,7 +13,7 @@ namespace {
 
 // The place of a cell in its block along an axis.
 bool is_upper_along(std::size_t axis, std::uint32_t cell) {
-  return (cell & CellBlock::kUpper[axis]) != 0;
+  return (cell & CellBlock::kAxisBit[axis]) != 0;
 }
 
 TEST(CellBlock, ListsAreThoseOfTheStoreAlsoAcrossAPeriodicBox) {
@@ -25,39 +27,52 @@ TEST(CellBlock, ListsAreThoseOfTheStoreAlsoAcrossAPeriodicBox) {
     for (std::uint32_t cell = 0; cell < CellBlock::kCells; ++cell) {
       CellIndex place = low;
       for (std::size_t axis = 0; axis < kAxes; ++axis) place[axis] += is_upper_along(axis, cell) ? 1 : 0;
-      cells.fold(place);
-      EXPECT_EQ(block.list(cell), store.list(place));
-      EXPECT_NE(block.list(cell), store.spare_list());
+      EXPECT_EQ(block.list(cell), store.list(cells.folded(place)));
     }
   }
 }
 
-TEST(CellBlock, SlabsHoldTheCellsOfOnePlaceAlongAnAxis) {
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    for (const bool lower : {false, true}) {
-      for (const bool upper : {false, true}) {
-        const std::uint32_t slab = CellBlock::slab(axis, lower, upper);
-        EXPECT_LT(slab, 1U << CellBlock::kCells);
-        for (std::uint32_t cell = 0; cell < CellBlock::kCells; ++cell) {
-          EXPECT_EQ(((slab >> cell) & 1) != 0, is_upper_along(axis, cell) ? upper : lower);
+TEST(CellBlock, VisitsTheListsOfASetOfCells) {
+  const Subdivision cells(Box::periodic({5, 5, 5}), 1, 1 << 20);
+  CellStore store;
+  store.reset(cells.shape(), 60);
+  const CellBlock block(cells, {4, 1, 2}, store.strides());
+  for (std::uint32_t set = 0; set < 1U << CellBlock::kCells; ++set) {
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t cell = 0; cell < CellBlock::kCells; ++cell) {
+      if ((set >> cell & 1) != 0) expected.push_back(block.list(cell));
+    }
+    std::vector<std::uint32_t> visited;
+    block.for_each_list(set, [&visited](std::uint32_t list) { visited.push_back(list); });
+    EXPECT_EQ(visited, expected);
+  }
+}
+
+TEST(CellBlock, CellsAboveACellHaveItsPlaceAlongAllOtherAxes) {
+  for (std::uint32_t from = 0; from < CellBlock::kCells; ++from) {
+    for (std::uint32_t axes = 0; axes < CellBlock::kCells; ++axes) {
+      if ((from & axes) != 0) continue;
+      const std::uint32_t above = CellBlock::cells_above(from, axes);
+      EXPECT_LT(above, 1U << CellBlock::kCells);
+      for (std::uint32_t cell = 0; cell < CellBlock::kCells; ++cell) {
+        bool is_above = true;
+        for (std::size_t axis = 0; axis < kAxes; ++axis) {
+          const bool along = (axes & CellBlock::kAxisBit[axis]) != 0;
+          is_above = is_above && (along || is_upper_along(axis, cell) == is_upper_along(axis, from));
         }
+        EXPECT_EQ((above >> cell & 1) != 0, is_above);
       }
     }
   }
 }
 
-TEST(CellBlock, FacesHoldTheLowerCellsAcrossAnAxis) {
+TEST(CellBlock, SetsOfAxes) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    std::uint32_t face = 0;
-    for (const std::uint32_t cell : CellBlock::kFace[axis]) face |= 1U << cell;
-    EXPECT_EQ(face, CellBlock::slab(axis, true, false));
-    EXPECT_EQ(face << CellBlock::kUpper[axis], CellBlock::slab(axis, false, true));
+    EXPECT_EQ(CellBlock::axis_if(true, axis), CellBlock::kAxisBit[axis]);
+    EXPECT_EQ(CellBlock::axis_if(false, axis), 0U);
+    EXPECT_EQ(CellBlock::count(7, axis), 1U);
+    EXPECT_EQ(CellBlock::count(7 & ~CellBlock::kAxisBit[axis], axis), 0U);
   }
-}
-
-TEST(CellBlock, ChoosesWithoutABranch) {
-  EXPECT_EQ(CellBlock::choose(true, 3, 5), 3U);
-  EXPECT_EQ(CellBlock::choose(false, 3, 5), 5U);
 }
 
 }  // namespace

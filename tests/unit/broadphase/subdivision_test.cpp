@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <limits>
+
 #include "hardball/errors/error.hpp"
 #include "hardball/world/random.hpp"
 
@@ -41,6 +45,8 @@ TEST(Subdivision, FoldsPlacesByWholeBoxes) {
     CellIndex cell{place, 2, place};
     const Image boxes = cells.fold(cell);
     EXPECT_EQ(cell[0] + cells.cells_beyond(0, boxes), place);
+    EXPECT_EQ(cells.folded(0, place), cell[0]);
+    EXPECT_EQ(cells.folded({place, 2, place}), cell);
     EXPECT_EQ(cell[1], 2);
     EXPECT_GE(cell[2], 0);
     EXPECT_LT(cell[2], 4);
@@ -63,9 +69,9 @@ TEST(Subdivision, RangeCoversTheSphereAndNotMuchMore) {
       const bool at_upper_wall = box.is_wall(axis) && range.high[axis] == cells.last(axis);
       ASSERT_TRUE(at_lower_wall || range.low[axis] * e < place[axis] - radius);
       ASSERT_TRUE(at_upper_wall || (range.high[axis] + 1) * e > place[axis] + radius);
-      // Margins are a millionth at most.
-      ASSERT_GT((range.low[axis] + 1) * e, place[axis] - radius - 1e-6 * (e + 1));
-      ASSERT_LT(range.high[axis] * e, place[axis] + radius + 1e-6 * (e + 1));
+      // Margins are a hundred-thousandth at most.
+      ASSERT_GT((range.low[axis] + 1) * e, place[axis] - radius - 1e-5 * e);
+      ASSERT_LT(range.high[axis] * e, place[axis] + radius + 1e-5 * e);
     }
   }
 }
@@ -83,6 +89,8 @@ TEST(Subdivision, SpheresBeyondTheOutermostCellsOfOpenSpaceBelongToThese) {
 TEST(Subdivision, RefusesToCountCellsForEver) {
   const Subdivision cells(Box::periodic({1, 1, 1}), 1e-3, kMost);
   EXPECT_THROW(cells.range_at({1e9, 0, 0}, 0.1), RunFailure);
+  EXPECT_EQ(cells.folded(0, 1 << 28), (1 << 28) % 1000);
+  for (const std::int32_t far : {1 << 29, -(1 << 29) - 1}) EXPECT_THROW(cells.folded(0, far), RunFailure);
 }
 
 TEST(Subdivision, EntersTheNextCellSlightlyBeforeTouchingItAndLeavesSlightlyAfter) {
@@ -95,18 +103,18 @@ TEST(Subdivision, EntersTheNextCellSlightlyBeforeTouchingItAndLeavesSlightlyAfte
   EXPECT_EQ(enter.axis, 0);
   EXPECT_TRUE(enter.up);
   EXPECT_LT(enter.wait, 0.25);
-  EXPECT_NEAR(enter.wait, 0.25, 1e-8);
+  EXPECT_NEAR(enter.wait, 0.25, 2e-8);
   const CellCrossing leave = cells.next_leave(up, radius, {{0, 0, 0}, {1, 0, 0}});
   EXPECT_EQ(leave.axis, 0);
   EXPECT_GT(leave.wait, 0.75);
-  EXPECT_NEAR(leave.wait, 0.75, 1e-8);
+  EXPECT_NEAR(leave.wait, 0.75, 2e-8);
 
   const Path down{{1, 1, 1}, {0, 0, -1}, Time(7)};
   const CellCrossing below = cells.next_enter(down, radius, start);
   EXPECT_EQ(below.axis, 2);
   EXPECT_FALSE(below.up);
-  EXPECT_NEAR(below.wait, 0.5, 1e-8);
-  EXPECT_NEAR(cells.next_leave(down, radius, {{0, 0, -1}, {0, 0, 0}}).wait, 1.5, 1e-8);
+  EXPECT_NEAR(below.wait, 0.5, 2e-8);
+  EXPECT_NEAR(cells.next_leave(down, radius, {{0, 0, -1}, {0, 0, 0}}).wait, 1.5, 2e-8);
   EXPECT_EQ(cells.next_leave(down, radius, start).wait, std::numeric_limits<double>::infinity());
   EXPECT_EQ(cells.next_enter({{1, 1, 1}, {}, Time(0)}, radius, start).wait,
             std::numeric_limits<double>::infinity());
@@ -124,18 +132,34 @@ TEST(CellRange, VisitsItsCellsOnceEach) {
   EXPECT_FALSE(range.contains({0, 3, 0}));
 }
 
-TEST(Subdivision, TellsTheHindmostCellThatASphereTouches) {
-  const Subdivision cells(Box::periodic({10, 10, 10}), 1, kMost);
-  EXPECT_THROW(cells.hindmost(0, 1e30, 0.5, 1), RunFailure);
+TEST(Subdivision, ReachAndDistanceBeyondAFaceTellWhichCellsASphereTouches) {
+  const Subdivision cells(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {10, 10, 0}), 1, kMost);
   Random random(1);
   for (int i = 0; i < 1000; ++i) {
-    const Vec3 position{20 * random.uniform() - 5, 20 * random.uniform() - 5, 20 * random.uniform() - 5};
+    const Vec3 position{10 * random.uniform(), 40 * random.uniform() - 20, 40 * random.uniform() - 20};
     const double radius = 2 * random.uniform();
     const CellRange range = cells.range_at(position, radius);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      EXPECT_EQ(cells.hindmost(axis, position[axis], radius, 1), range.low[axis]);
-      EXPECT_EQ(cells.hindmost(axis, position[axis], radius, -1), range.high[axis]);
+      const double reach = cells.reach(axis, radius);
+      ASSERT_GT(reach, radius);
+      for (std::int32_t place = range.low[axis] - 2; place <= range.high[axis] + 2; ++place) {
+        if (place < cells.first(axis) || place >= cells.last(axis)) continue;
+        const double beyond = cells.beyond_face(axis, place + 1, position[axis]);
+        ASSERT_EQ(beyond < reach, range.low[axis] <= place);
+        ASSERT_EQ(beyond > -reach, range.high[axis] > place);
+      }
     }
+  }
+}
+
+// Where cells are told apart at all, rounding is far below what they admit too early.
+TEST(Subdivision, MarginsExceedTheRoundingOfTheFarthestPlaces) {
+  const Subdivision cells(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {1e6, 10, 0}), 1, kMost);
+  const std::array<double, kAxes> farthest{1e6, 0x1p29, kMost / 2.0};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const double next = std::nextafter(farthest[axis], std::numeric_limits<double>::infinity());
+    EXPECT_GT(cells.reach(axis, 0), 20 * (next - farthest[axis]));
+    EXPECT_LT(cells.reach(axis, 0), 1e-5 * cells.edge(axis));
   }
 }
 
