@@ -13,7 +13,7 @@ namespace hardball {
 /// choice of the cell edge. The defaults are those of one core at 2.8 GHz with 20,000 spheres.
 struct UnitCosts {
   double contact = 900;    ///< Whatever the cells: new velocities, two new regions, two entries in the queue.
-  double enter = 600;      ///< A crossing, whatever it finds: taken from the queue and scheduled anew.
+  double enter = 350;      ///< A crossing, whatever it finds: taken from the queue and scheduled anew.
   double cell = 50;        ///< Each cell that a sphere looks into or enters.
   double prediction = 18;  ///< Each pair.
 
