@@ -13,9 +13,9 @@
 
 #include "hardball/broadphase/cell_grid.hpp"
 #include "hardball/broadphase/neighbor_list.hpp"
+#include "hardball/engine/predictor.hpp"
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/events/ordered_queue.hpp"
-#include "hardball/engine/predictor.hpp"
 #include "hardball/world/placement.hpp"
 #include "hardball/world/random.hpp"
 

@@ -13,8 +13,8 @@
 #include "hardball/broadphase/all_pairs.hpp"
 #include "hardball/broadphase/cell_grid.hpp"
 #include "hardball/broadphase/neighbor_list.hpp"
-#include "hardball/errors/error.hpp"
 #include "hardball/engine/predictor.hpp"
+#include "hardball/errors/error.hpp"
 #include "support/effort.hpp"
 #include "support/random_world.hpp"
 
