@@ -81,6 +81,8 @@ CellCounts expected_counts(const Moments& moments, double edge) {
   const Powers one = diameter_powers(moments.radius_power);
   const Powers colliding = colliding_diameter_powers(moments.radius_power);
 
+  const Box& box = moments.box;
+  counts.is_hashed = box.is_open(0) || box.is_open(1) || box.is_open(2);
   counts.collision = 1 / mean_free_time(moments);
   counts.wall = wall_rate(moments);
   const auto pairs_in = [&](double region) { return density * shared * region; };

@@ -29,6 +29,8 @@ struct CellCounts {
   double cells = 0;
   double cells_entered = 0;
 
+  bool is_hashed = false;  // whether cells are found through a hash table, as in open space
+
   /// Predictions of one sphere per time [1/T].
   double predictions() const {
     return collision * candidates_after_collision + wall * candidates_after_wall +

@@ -31,8 +31,11 @@ bool is_like(const Moments& a, const Moments& b) {
 }  // namespace
 
 double cost_rate(const CellCounts& counts, const UnitCosts& costs) {
+  // A crossing costs more where its cells are looked up: measured, docs/theory.md.
+  constexpr double kHashedEnter = 1.75;
+  const double enter = counts.is_hashed ? kHashedEnter * costs.enter : costs.enter;
   const double looks = counts.collision + counts.wall + counts.stale;
-  return costs.contact * (counts.collision / 2 + counts.wall) + costs.enter * counts.enter +
+  return costs.contact * (counts.collision / 2 + counts.wall) + enter * counts.enter +
          costs.cell * (looks * counts.cells + counts.enter * counts.cells_entered) +
          costs.prediction * counts.predictions();
 }
