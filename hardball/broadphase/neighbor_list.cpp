@@ -110,7 +110,8 @@ Time NeighborList::next_crossing(const World& world, Slot slot, const Time& now,
   if (longest * (speed_squared * longest + 2 * outwards) < room && speed_squared > kSlow * kSlow) {
     return kNever;
   }
-  return after(now, wait_in_ball(place, velocity, room));
+  const double wait = wait_in_ball(place, velocity, room);
+  return wait > longest ? kNever : after(now, wait);
 }
 
 void NeighborList::cross(const World& world, Slot slot, const Time& now, Candidates& candidates) {
@@ -178,14 +179,9 @@ void NeighborList::find_near(const World& world, Slot slot) {
   std::array<std::array<std::int32_t, 3>, kAxes> rows;
   std::array<std::size_t, kAxes> row_count{};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const std::int32_t period = cells_.period(axis);
     for (std::int32_t row = center[axis] - 1; row <= center[axis] + 1; ++row) {
-      const bool is_outside = row < cells_.first(axis) || row > cells_.last(axis);
-      if (is_outside) continue;
-      rows[axis][row_count[axis]++] = period == 0     ? row
-                                      : row < 0       ? row + period
-                                      : row >= period ? row - period
-                                                      : row;
+      if (row < cells_.first(axis) || row > cells_.last(axis)) continue;
+      rows[axis][row_count[axis]++] = cells_.folded(axis, row);
     }
   }
   std::size_t count = 0;

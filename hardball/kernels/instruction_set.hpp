@@ -6,7 +6,7 @@
 
 namespace hardball {
 
-/// The vector instructions with which contact times are computed. All give the same bits.
+/// The vector instructions of the kernels. All give the same bits.
 enum class InstructionSet {
   portable,  ///< Whatever the compiler takes for granted: on x86-64 two numbers at a time.
   avx2,      ///< Four numbers at a time.

@@ -69,9 +69,9 @@ TEST(Subdivision, RangeCoversTheSphereAndNotMuchMore) {
       const bool at_upper_wall = box.is_wall(axis) && range.high[axis] == cells.last(axis);
       ASSERT_TRUE(at_lower_wall || range.low[axis] * e < place[axis] - radius);
       ASSERT_TRUE(at_upper_wall || (range.high[axis] + 1) * e > place[axis] + radius);
-      // Margins are a hundred-thousandth at most.
-      ASSERT_GT((range.low[axis] + 1) * e, place[axis] - radius - 1e-5 * e);
-      ASSERT_LT(range.high[axis] * e, place[axis] + radius + 1e-5 * e);
+      const double reach = cells.reach(axis, radius) + 1e-12 * (e + std::fabs(place[axis]));
+      ASSERT_GT((range.low[axis] + 1) * e, place[axis] - reach);
+      ASSERT_LT(range.high[axis] * e, place[axis] + reach);
     }
   }
 }
@@ -96,6 +96,9 @@ TEST(Subdivision, RefusesToCountCellsForEver) {
 TEST(Subdivision, EntersTheNextCellSlightlyBeforeTouchingItAndLeavesSlightlyAfter) {
   const Subdivision cells(Box::open(), 2, kMost);
   const double radius = 0.5;
+  // Cells admit so much early and release so much late.
+  const double margin_x = cells.reach(0, radius) - radius;
+  const double margin_z = cells.reach(2, radius) - radius;
   const Path up{{1, 1, 1}, {2, 1, 0}, Time(7)};
   const CellRange start = cells.range_at(up.position, radius);
   ASSERT_EQ(start, (CellRange{{0, 0, 0}, {0, 0, 0}}));
@@ -103,18 +106,18 @@ TEST(Subdivision, EntersTheNextCellSlightlyBeforeTouchingItAndLeavesSlightlyAfte
   EXPECT_EQ(enter.axis, 0);
   EXPECT_TRUE(enter.up);
   EXPECT_LT(enter.wait, 0.25);
-  EXPECT_NEAR(enter.wait, 0.25, 2e-8);
+  EXPECT_NEAR(enter.wait, 0.25 - margin_x / 2, 1e-14);
   const CellCrossing leave = cells.next_leave(up, radius, {{0, 0, 0}, {1, 0, 0}});
   EXPECT_EQ(leave.axis, 0);
   EXPECT_GT(leave.wait, 0.75);
-  EXPECT_NEAR(leave.wait, 0.75, 2e-8);
+  EXPECT_NEAR(leave.wait, 0.75 + margin_x / 2, 1e-14);
 
   const Path down{{1, 1, 1}, {0, 0, -1}, Time(7)};
   const CellCrossing below = cells.next_enter(down, radius, start);
   EXPECT_EQ(below.axis, 2);
   EXPECT_FALSE(below.up);
-  EXPECT_NEAR(below.wait, 0.5, 2e-8);
-  EXPECT_NEAR(cells.next_leave(down, radius, {{0, 0, -1}, {0, 0, 0}}).wait, 1.5, 2e-8);
+  EXPECT_NEAR(below.wait, 0.5 - margin_z, 1e-14);
+  EXPECT_NEAR(cells.next_leave(down, radius, {{0, 0, -1}, {0, 0, 0}}).wait, 1.5 + margin_z, 1e-14);
   EXPECT_EQ(cells.next_leave(down, radius, start).wait, std::numeric_limits<double>::infinity());
   EXPECT_EQ(cells.next_enter({{1, 1, 1}, {}, Time(0)}, radius, start).wait,
             std::numeric_limits<double>::infinity());
