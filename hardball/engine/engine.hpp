@@ -56,9 +56,10 @@ class Engine {
            plans_.capacity() * sizeof(Plan);
   }
 
-  /// Handles events in order, calling observe(contact) after every collision and wall contact.
-  /// Error: RunFailure on inelastic collapse; whatever the response or the observer throws. The event at
-  /// which the response threw has not happened.
+  /// Handles events in order, calling observe(contact) after every collision and wall contact. The observer
+  /// may change velocities; it must stop the run after any other edit, by returning false, for `rebuild` to
+  /// follow. Error: RunFailure on inelastic collapse; whatever the response or the observer throws. The event
+  /// at which the response threw has not happened.
   template <class Observe>
   RunStatus run(const RunLimits& limits, Observe&& observe) {
     std::uint64_t contacts = 0;
@@ -69,9 +70,12 @@ class Engine {
       if (step == limits.steps) return RunStatus::steps_reached;
       prefetch_ahead();
       if (handle_without_contact(next)) continue;
-      observe(carry_out(next));
-      if constexpr (HARDBALL_VALIDATE) validate_now_and_then();
+      const bool goes_on = tell(observe, carry_out(next));
+      if constexpr (HARDBALL_VALIDATE) {
+        if (goes_on) validate_now_and_then();
+      }
       if (++contacts == limits.contacts) return RunStatus::contacts_reached;
+      if (!goes_on) return RunStatus::observer_stopped;
     }
   }
 

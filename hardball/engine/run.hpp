@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "hardball/geometry/time.hpp"
+#include "hardball/response/contact.hpp"
 
 namespace hardball {
 
@@ -23,7 +26,19 @@ enum class RunStatus {
   time_reached,      ///< No event is left up to RunLimits::until.
   contacts_reached,  ///< RunLimits::contacts have happened.
   steps_reached,     ///< RunLimits::steps have been taken.
+  observer_stopped,  ///< The observer asked for it.
 };
+
+/// Tells an observer of a contact. Whether the run goes on: an observer that returns a bool says so.
+template <class Observe>
+bool tell(Observe& observe, const Contact& contact) {
+  if constexpr (std::same_as<std::invoke_result_t<Observe&, const Contact&>, bool>) {
+    return observe(contact);
+  } else {
+    observe(contact);
+    return true;
+  }
+}
 
 /// What an engine has done since it was made: the paper's n_c is collision + wall, its n_e is enter + leave.
 struct Counters {

@@ -67,8 +67,9 @@ class PaperEngine {
       if (step == limits.steps) return RunStatus::steps_reached;
       const Event event = *event_tree_.begin();
       if (handle_without_contact(event)) continue;
-      observe(carry_out(event));
+      const bool goes_on = tell(observe, carry_out(event));
       if (++contacts == limits.contacts) return RunStatus::contacts_reached;
+      if (!goes_on) return RunStatus::observer_stopped;
     }
   }
 

@@ -3,6 +3,7 @@
 #include "hardball/response/execute.hpp"
 
 #include <limits>
+#include <string>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/world/range.hpp"
@@ -14,12 +15,21 @@ namespace {
 // operating range, where numbers lose their digits.
 constexpr double kRounding = 1e-12;
 
-void refuse_approach(const Contact& contact) {
-  throw Error("the response leaves the bodies of the contact at time " + to_text(contact.time.value()) +
-                  " approaching each other",
+[[noreturn]] void refuse_response(const Contact& contact, const std::string& what, const char* remedy) {
+  throw Error(what + " at the contact at time " + to_text(contact.time.value()),
               "response to sphere " + to_text(contact.first) + " and " +
                   (contact.is_collision() ? "sphere " : "face ") + to_text(contact.second),
-              "return velocities with which they separate or keep their distance");
+              remedy);
+}
+
+void refuse_approach(const Contact& contact) {
+  refuse_response(contact, "the bodies are left approaching each other",
+                  "return velocities with which they separate or keep their distance");
+}
+
+std::string to_text(const Vec3& vector) {
+  using hardball::to_text;
+  return "(" + to_text(vector.x) + ", " + to_text(vector.y) + ", " + to_text(vector.z) + ")";
 }
 
 void undo_approach_to_wall(Contact& contact) {
@@ -93,6 +103,15 @@ void contact_at(const World& world, const Event& event, const Participants& part
     contact.before = {path.velocity, {}};
   }
   contact.after = contact.before;
+}
+
+void refuse_velocities(const Contact& contact) {
+  std::string what = "the velocity " + to_text(contact.after.first) + " is returned";
+  if (contact.is_collision()) {
+    what = "the velocities " + to_text(contact.after.first) + " and " + to_text(contact.after.second) +
+           " are returned";
+  }
+  refuse_response(contact, what, "return finite velocities of magnitude at most 1e60");
 }
 
 void undo_approach(Contact& contact) {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "hardball/response/collapse_guard.hpp"
 #include "hardball/response/contact.hpp"
+#include "hardball/world/range.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -36,6 +38,20 @@ Participants participants_of(const World& world, const Event& event);
 /// idle.
 void contact_at(const World& world, const Event& event, const Participants& participants, Executed& done);
 
+/// Throws the Error of check_velocities.
+[[noreturn]] void refuse_velocities(const Contact& contact);
+
+/// Error: the response returned a velocity that is NaN, infinite or out of the operating range (range.hpp).
+inline void check_velocities(const Contact& contact) {
+  const auto is_in_range = [](const Vec3& v) {
+    return std::fabs(v.x) <= kLargestMagnitude && std::fabs(v.y) <= kLargestMagnitude &&
+           std::fabs(v.z) <= kLargestMagnitude;
+  };
+  if (is_in_range(contact.after.first) && (!contact.is_collision() || is_in_range(contact.after.second)))
+    return;
+  refuse_velocities(contact);
+}
+
 /// Undoes an approach of the bodies of `contact`, having `after` as velocities; see settle.
 void undo_approach(Contact& contact);
 
@@ -48,14 +64,16 @@ inline void settle(Contact& contact) {
 }
 
 /// Carries out a collision or wall event: evaluates the paths at its time, asks the response, stores the new
-/// paths. The one place, shared by all engines, where a contact changes the motion. If the response throws,
-/// nothing has changed. Error (RunFailure): inelastic collapse, see CollapseGuard.
+/// paths. The one place, shared by all engines, where a contact changes the motion. Error: what the response
+/// returned is refused by check_velocities or settle; RunFailure: inelastic collapse, see CollapseGuard.
+/// Then, or if the response throws, nothing has changed.
 template <Response R>
 void execute(World& world, CollapseGuard& guard, const Event& event, const Participants& participants,
              const R& response, Executed& done) {
   Contact& contact = done.contact;
   contact_at(world, event, participants, done);
   contact.after = response(std::as_const(contact));
+  check_velocities(contact);
   settle(contact);
   const bool is_collision = contact.is_collision();
   guard.note_contact(contact.first, done.were_idle[0], event.time);

@@ -18,6 +18,7 @@
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/moments.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
+#include "hardball/world/range.hpp"
 
 namespace hardball {
 namespace {
@@ -113,6 +114,15 @@ std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const Eng
     return make_queued<OrderedQueue>(std::move(world), engine, options, length, now);
   }
   return make_queued<CalendarQueue>(std::move(world), engine, options, length, now);
+}
+
+void check(const EngineOptions& options) {
+  if (!are_meaningful(options.unit_costs)) {
+    throw Error("a cost is negative or not finite, or predictions or crossings cost nothing", "unit costs",
+                "give those of measure_unit_costs, or leave them out");
+  }
+  if (options.cell_edge) check_positive(*options.cell_edge, "the cell edge", "cell edge");
+  static_cast<void>(Restitution(options.restitution));
 }
 
 EngineKind choose_engine(const World& world, const EngineOptions& options, const Time& moment,

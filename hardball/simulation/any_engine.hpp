@@ -39,7 +39,8 @@ struct EngineOptions {
   std::optional<double> cell_edge = {};
   /// Coefficient of restitution [1]. Error: not between 0 and 1.
   double restitution = 1;
-  /// By which the cell edge is chosen; measure_unit_costs gives those of this machine.
+  /// By which the cell edge is chosen; measure_unit_costs gives those of this machine. Error: not
+  /// are_meaningful.
   UnitCosts unit_costs = {};
   /// With which contact times are computed; the widest available if absent. Error: not available.
   std::optional<InstructionSet> instructions = {};
@@ -63,7 +64,8 @@ class AnyResponse {
 /// The face that all engines share; see Engine for what its members do.
 class AnyEngine {
  public:
-  using Observe = std::function<void(const Contact&)>;
+  /// Whether the run goes on; see tell (run.hpp).
+  using Observe = std::function<bool(const Contact&)>;
 
   virtual ~AnyEngine() = default;
   virtual std::unique_ptr<AnyEngine> clone() const = 0;
@@ -87,6 +89,9 @@ class AnyEngine {
 /// that choose_engine has chosen.
 std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
                                        double length, const Time& now);
+
+/// Error: options that make no sense for any world; see EngineOptions.
+void check(const EngineOptions& options);
 
 /// The engine for a world as it is at `moment`: the one that the options fix, if it suits the world, or that
 /// which kinetic theory expects to be the fastest; never `automatic`. `current` is the one at work, which

@@ -148,9 +148,7 @@ UnitCosts measure_unit_costs(const std::function<double()>& seconds) {
                    .cell = kNanoseconds * costs[2],
                    .prediction = kNanoseconds * costs[3]};
   // A clock too coarse for this says nothing.
-  const bool is_meaningful = std::isfinite(result.contact + result.enter + result.cell + result.prediction) &&
-                             result.prediction > 0 && result.enter + result.cell > 0;
-  return is_meaningful ? result : UnitCosts{};
+  return are_meaningful(result) ? result : UnitCosts{};
 }
 
 }  // namespace hardball

@@ -11,6 +11,7 @@
 #include "hardball/tuning/moments.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/curve_order.hpp"
+#include "hardball/world/range.hpp"
 
 namespace hardball {
 namespace {
@@ -36,6 +37,18 @@ Time latest_change(const World& world) {
   return latest;
 }
 
+// Whatever spheres may have met before, they meet from here on.
+void begin_paths(World& world, const Time& moment) {
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    const Path& path = world.path(slot);
+    if (path.time < moment) world.rewrite_path(slot, moment, path.velocity);
+  }
+}
+
+std::uint64_t steps_of(const Counters& done) {
+  return done.contacts() + done.enter + done.leave + done.stale;
+}
+
 std::vector<Vec3> centers_at(const World& world, const Time& moment) {
   std::vector<Vec3> centers;
   centers.reserve(world.size());
@@ -47,8 +60,10 @@ std::vector<Vec3> centers_at(const World& world, const Time& moment) {
 
 Simulation::Simulation(World world, const EngineOptions& options)
     : options_(options), watch_(options.unit_costs) {
+  check(options_);
   now_ = latest_change(world);
-  refuse_overlaps(world, now_);
+  refuse_unsound(world, now_);
+  begin_paths(world, now_);
   kind_ = choose_engine(world, options_, now_);
   const double length = choose_length(world, kind_, options_, now_);
   put_in_order(world, kind_, now_);
@@ -95,10 +110,19 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
 }
 
 void Simulation::on_contact(std::function<void(const Contact&)> listener) {
-  listener_ = std::move(listener);
+  next_listener_ = std::move(listener);
+  const bool is_at_work = activity_ == Activity::listening || activity_ == Activity::measuring;
+  if (!is_at_work) take_next_listener();
+}
+
+void Simulation::take_next_listener() {
+  if (!next_listener_) return;
+  listener_ = std::move(*next_listener_);
+  next_listener_.reset();
 }
 
 void Simulation::respond_with(std::function<Velocities(const Contact&)> response) {
+  check_editable("respond_with");
   response_ = std::move(response);
   engine_->replace_response(response_);
 }
@@ -122,6 +146,7 @@ RunStatus Simulation::run(const RunLimits& limits) {
 }
 
 RunStatus Simulation::run(const RunLimits& limits, Measures& measures) {
+  check_idle("run");
   RunLimits left = limits;
   for (;;) {
     // A sample that a run without these measures has passed by is taken now.
@@ -133,31 +158,37 @@ RunStatus Simulation::run(const RunLimits& limits, Measures& measures) {
     if (status != RunStatus::time_reached || !is_next) return status;
     const Counters done = counters() - before;
     left.contacts -= done.contacts();
-    left.steps -= std::min(left.steps, done.contacts() + done.enter + done.leave + done.stale);
+    left.steps -= std::min(left.steps, steps_of(done));
     measures.sample(world(), now_);
   }
 }
 
 // Runs until the first of the limits is met and tells `measures`, if there are any, of every contact.
 RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) {
-  check_not_past(limits.until.value());
-  apply_edits();
+  check_idle("run");
+  check_not_past(limits.until);
+  const During running(activity_, Activity::running);
   const auto observe = [this, measures](const Contact& contact) {
     now_ = contact.time;
     tally_.note(contact);
     hash_.note(contact);
     if (measures) measures->note(contact);
-    if (listener_) listener_(contact);
+    if (listener_ || next_listener_)
+      call_listener(contact, measures ? Activity::measuring : Activity::listening);
+    return !edited_;
   };
-  const std::uint64_t slice = std::max<std::uint64_t>(kSliceSteps, size());
   RunLimits left = limits;
   for (;;) {
-    const std::uint64_t contacts_before = counters().contacts();
+    apply_edits();
+    const std::uint64_t slice = std::max<std::uint64_t>(kSliceSteps, size());
     const RunLimits piece{limits.until, left.contacts, std::min(left.steps, slice)};
+    const Counters before = counters();
     const RunStatus status = engine_->run(piece, observe);
-    left.contacts -= counters().contacts() - contacts_before;
-    left.steps -= piece.steps;
-    const bool goes_on = status == RunStatus::steps_reached && left.steps > 0;
+    const Counters done = counters() - before;
+    left.contacts -= done.contacts();
+    left.steps -= status == RunStatus::steps_reached ? piece.steps : std::min(left.steps, steps_of(done));
+    const bool goes_on =
+        status == RunStatus::observer_stopped || (status == RunStatus::steps_reached && left.steps > 0);
     if (status == RunStatus::time_reached && std::isfinite(limits.until.high)) {
       now_ = later(now_, limits.until);
     } else if (status == RunStatus::steps_reached && !goes_on) {
@@ -165,13 +196,21 @@ RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) 
       now_ = later(now_, engine_->now());
     }
     // Also before returning: a run may be cut into pieces of any size.
-    retune_if_due();
+    if (!edited_) retune_if_due();
     if (!goes_on) return status;
   }
 }
 
+void Simulation::call_listener(const Contact& contact, Activity activity) {
+  take_next_listener();
+  if (!listener_) return;
+  const During listening(activity_, activity);
+  listener_(contact);
+}
+
 std::optional<NextContact> Simulation::next_contact(double until) {
-  check_not_past(until);
+  check_idle("next_contact");
+  check_not_past(Time(until));
   apply_edits();
   const std::optional<Event> next = engine_->next_contact(Time(until));
   if (!next) return std::nullopt;
@@ -191,6 +230,7 @@ std::vector<Vec3> Simulation::positions() const {
 }
 
 std::vector<Vec3> Simulation::positions_at(double time) {
+  check_moment(Time(time), "positions_at");
   const std::optional<NextContact> next = next_contact(time);
   if (next && next->time < time) {
     throw Error(
@@ -201,6 +241,7 @@ std::vector<Vec3> Simulation::positions_at(double time) {
 }
 
 void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
+  check_editable("change_velocity");
   const Slot slot = world().slot_of(id);
   const double energy_before = kinetic_energy(world(), slot);
   if (edited_ || engine_->now() > now_) {
@@ -213,6 +254,7 @@ void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
 }
 
 SphereId Simulation::add(const Sphere& sphere) {
+  check_editable("add");
   world().check(sphere);
   refuse_overlap(world(), sphere, now_);
   const SphereId id = engine_->world_to_edit().add(sphere, now_);
@@ -222,6 +264,7 @@ SphereId Simulation::add(const Sphere& sphere) {
 }
 
 void Simulation::remove(SphereId id) {
+  check_editable("remove");
   const double energy = kinetic_energy(world(), world().slot_of(id));
   engine_->world_to_edit().remove(id);
   edited_ = true;
@@ -257,10 +300,29 @@ void Simulation::validate() const {
   engine_->validate();
 }
 
-void Simulation::check_not_past(double time) const {
-  if (time >= now_.value()) return;
-  throw Error("the time to run to is " + to_text(time) + " and it is " + to_text(now_.value()) + " already",
-              "until", "give a time that is not in the past");
+void Simulation::check_idle(const char* what) const {
+  if (activity_ == Activity::none) return;
+  throw Error("the simulation is running", what, "call it when the run has ended, or run a copy");
+}
+
+void Simulation::check_editable(const char* what) const {
+  if (activity_ == Activity::running) {
+    throw Error("the response to a contact must not edit the simulation", what,
+                "edit it from the listener, which is called after the contact");
+  }
+  if (activity_ == Activity::measuring) {
+    throw Error("measures look on, which need the spheres and velocities that contacts leave", what,
+                "run without measures, or edit the simulation when the run has ended");
+  }
+}
+
+void Simulation::check_not_past(const Time& time) const {
+  if (!(time.value() >= now_.value())) {
+    throw Error(
+        "the time to run to is " + to_text(time.value()) + " and it is " + to_text(now_.value()) + " already",
+        "until", "give a time that is not in the past");
+  }
+  if (time < kNever) check_moment(time, "until");
 }
 
 void Simulation::apply_edits() {

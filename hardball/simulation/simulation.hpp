@@ -35,36 +35,46 @@ struct NextContact {
 /// share only what their listeners and response refer to.
 class Simulation {
  public:
-  /// Starts at the latest moment at which a sphere was added to the world, or zero. Error: overlapping
-  /// spheres; options that make no sense (see EngineOptions).
+  /// Starts at the latest moment at which a sphere was added to the world, or zero. Spheres added at earlier
+  /// moments have flown freely until then, and begin a new path there; to go on with a history, copy the
+  /// simulation. Error: spheres that overlap or reach through a wall at that moment; options that make no
+  /// sense (see EngineOptions).
   explicit Simulation(World world, const EngineOptions& options = {});
   Simulation(const Simulation& other);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation other) noexcept;
   ~Simulation();
 
-  /// Called after every collision and wall contact. It must not call members of the simulation that run or
-  /// change it; what it throws ends the run after that contact, and the simulation can go on.
+  /// Called after every collision and wall contact, when the contact has been carried out and time() is its
+  /// moment. What it throws ends the run after that contact, and the simulation can go on.
+  ///
+  /// The listener may ask for the state, copy the simulation, and edit it: change_velocity, add, remove, and
+  /// replace response or listener. An edit takes effect at once, before any other event, those of the same
+  /// moment included; so the history is the same for every engine. It may not run the simulation, ask what
+  /// lies ahead, move it, assign to it or destroy it; nor edit it while measures look on. Error, from such
+  /// calls: see check_idle and check_editable below for what they say.
   void on_contact(std::function<void(const Contact&)> listener);
 
   /// Replaces what contacts do to velocities; see Response. Between contacts the spheres must not be made to
-  /// approach. Error, from running: the velocities returned still approach.
+  /// approach. The response may not run or edit the simulation (Error). Error, from running: the velocities
+  /// returned still approach, or are not finite and of magnitude at most 1e60; the contact has not happened.
   void respond_with(std::function<Velocities(const Contact&)> response);
 
-  /// Runs to `time` [T], events at that very moment included. Error: `time` is before now, or NaN.
+  /// Runs to `time` [T], events at that very moment included. Error: `time` is before now, NaN, or finite and
+  /// beyond 1e120.
   void run_until(double time);
   /// The same, and lets `measures` look on; see Measures.
   void run_until(double time, Measures& measures);
   /// Runs until `count` contacts have happened, and not past `until` [T]; returns how many did happen.
   /// Where spheres may part for ever, in open space or a periodic box, give a finite time.
   std::uint64_t run_contacts(std::uint64_t count, double until = std::numeric_limits<double>::infinity());
-  /// Runs until the first of the limits is met. Error: RunLimits::until is before now, or NaN.
+  /// Runs until the first of the limits is met. Error: RunLimits::until, as for run_until.
   RunStatus run(const RunLimits& limits);
-  /// The same, and lets `measures` look on.
+  /// The same, and lets `measures` look on. The spheres must be those with which the measures began.
   RunStatus run(const RunLimits& limits, Measures& measures);
 
   /// The next collision or wall contact up to `until` [T], which does not yet happen. In a periodic box
-  /// spheres may miss each other for ever: then give a finite time. Error: `until` is before now, or NaN.
+  /// spheres may miss each other for ever: then give a finite time. Error: `until`, as for run_until.
   std::optional<NextContact> next_contact(double until = std::numeric_limits<double>::infinity());
 
   double time() const { return now_.value(); }  ///< [T]
@@ -76,7 +86,7 @@ class Simulation {
   Vec3 velocity(SphereId id) const;
   /// All centres now [L], in the order of ids, folded into a periodic box. Shape (size, 3).
   std::vector<Vec3> positions() const;
-  /// All centres at `time` [L], not before now and not past the next contact. Error: any other time.
+  /// All centres at `time` [L], finite, not before now and not past the next contact. Error: any other time.
   std::vector<Vec3> positions_at(double time);
 
   /// Gives a sphere a new velocity [L/T], now. Error: no such sphere, a number that is NaN, infinite or out
@@ -109,8 +119,33 @@ class Simulation {
   void validate() const;
 
  private:
+  // What is going on, which decides what may be called.
+  enum class Activity {
+    none,       // nothing: everything may be called
+    running,    // events are being handled; the response may be at work
+    listening,  // the listener is at work
+    measuring,  // the listener is at work, and measures depend on the spheres
+  };
+
+  // Back to what it was when the scope ends.
+  class During {
+   public:
+    During(Activity& activity, Activity now) : activity_(activity), before_(activity) { activity = now; }
+    ~During() { activity_ = before_; }
+    During(const During&) = delete;
+    During& operator=(const During&) = delete;
+
+   private:
+    Activity& activity_;
+    Activity before_;
+  };
+
   RunStatus run_observed(const RunLimits& limits, Measures* measures);
-  void check_not_past(double time) const;
+  void take_next_listener();
+  void call_listener(const Contact& contact, Activity activity);
+  void check_idle(const char* what) const;
+  void check_editable(const char* what) const;
+  void check_not_past(const Time& time) const;
   void apply_edits();
   void retune_if_due();
   void rebuild(const Time& moment);
@@ -121,6 +156,8 @@ class Simulation {
   std::function<Velocities(const Contact&)> response_;  // the user's own, if there is one
   Counters counters_before_;                            // of engines given up
   std::function<void(const Contact&)> listener_;
+  std::optional<std::function<void(const Contact&)>> next_listener_;  // given by the listener itself
+  Activity activity_ = Activity::none;
   Time now_;
   EventLogHash hash_;
   Tally tally_;

@@ -30,6 +30,13 @@ bool is_like(const Moments& a, const Moments& b) {
 
 }  // namespace
 
+bool are_meaningful(const UnitCosts& costs) {
+  for (const double cost : {costs.contact, costs.enter, costs.cell, costs.prediction}) {
+    if (!(cost >= 0) || !std::isfinite(cost)) return false;
+  }
+  return costs.prediction > 0 && costs.enter + costs.cell > 0;
+}
+
 double cost_rate(const CellCounts& counts, const UnitCosts& costs) {
   // A crossing costs more where its cells are looked up: measured, docs/theory.md.
   constexpr double kHashedEnter = 1.75;

@@ -20,6 +20,10 @@ struct UnitCosts {
   friend bool operator==(const UnitCosts&, const UnitCosts&) = default;
 };
 
+/// Whether a choice can be made by these: none is negative or infinite, and pairs and crossings cost
+/// something.
+bool are_meaningful(const UnitCosts& costs);
+
 /// What one sphere costs in unit time [cost/T]. Source: docs/theory.md.
 double cost_rate(const CellCounts& counts, const UnitCosts& costs);
 

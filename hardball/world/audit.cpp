@@ -60,8 +60,14 @@ Audit audit(const World& world, const Time& moment) {
   return found;
 }
 
-void refuse_overlaps(const World& world, const Time& moment) {
+void refuse_unsound(const World& world, const Time& moment) {
   const Audit found = audit(world, moment);
+  HARDBALL_CHECK(found.not_finite == 0);
+  if (found.max_escape > kOverlapTolerance) {
+    throw Error("at time " + to_text(moment.value()) + " sphere " + to_text(found.escaped) +
+                    " reaches through a wall by " + to_text(found.max_escape) + " of its diameter",
+                "start state", "add it at a later moment, or farther from the wall");
+  }
   if (found.max_overlap <= kOverlapTolerance) return;
   throw Error("spheres " + to_text(found.overlap_first) + " and " + to_text(found.overlap_second) +
                   " overlap by " + to_text(found.max_overlap) + " of the sum of their radii",

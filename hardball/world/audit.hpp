@@ -30,8 +30,9 @@ struct Audit {
 /// Looks for overlaps, escapes and numbers gone wrong, by a search of its own. Cost: O(n log n).
 Audit audit(const World& world, const Time& moment);
 
-/// Refuses a start in which spheres overlap by more than kOverlapTolerance. Error: names the worst pair.
-void refuse_overlaps(const World& world, const Time& moment);
+/// Refuses a start that is not sound: spheres that overlap, or reach through a wall, by more than
+/// kOverlapTolerance at `moment`. Error: names the worst pair, or the sphere.
+void refuse_unsound(const World& world, const Time& moment);
 
 /// Refuses a sphere that would overlap one of the world by more than kOverlapTolerance. Cost: O(n).
 /// Error: names the sphere in the way.

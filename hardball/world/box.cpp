@@ -29,9 +29,8 @@ Image Box::count_boxes_beyond(Vec3 position) const {
   Image beyond;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!is_periodic(axis)) continue;
-    constexpr double kMost = 1 << 30;
     const double boxes = std::floor(position[axis] / size_[axis]);
-    if (!(std::fabs(boxes) <= kMost)) {
+    if (!(std::fabs(boxes) <= kMostBoxesBeyond)) {
       throw RunFailure(
           "a sphere has crossed the periodic box 2^30 times without a collision; use a larger box");
     }

@@ -57,6 +57,9 @@ class Box {
   /// One over each of those, zero along axes that are not periodic [1/L].
   const Vec3& inverse_period() const { return inverse_period_; }
 
+  /// A position may lie so many boxes away along a periodic axis, and no more [1].
+  static constexpr double kMostBoxesBeyond = 1 << 30;
+
   /// How many boxes `position` lies beyond this one; zero along axes that are not periodic.
   /// Error (RunFailure): more than 2^30 boxes away.
   Image boxes_beyond(const Vec3& position) const {

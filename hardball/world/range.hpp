@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
+#include <cmath>
+#include <string_view>
+
+#include "hardball/geometry/time.hpp"
 
 namespace hardball {
 
@@ -11,10 +14,24 @@ namespace hardball {
 inline constexpr double kSmallestMagnitude = 1e-60;
 inline constexpr double kLargestMagnitude = 1e60;
 
+/// Moments are no farther from zero than this: the largest length over the smallest speed [T].
+inline constexpr double kLargestTime = kLargestMagnitude / kSmallestMagnitude;
+
 /// Error, with `where` as its place: `number` is NaN, infinite or beyond kLargestMagnitude.
-void check_finite(double number, const std::string& name, const std::string& where);
+void check_finite(double number, std::string_view name, std::string_view where);
 
 /// Error, with `where` as its place: `number` is not positive or outside the operating range.
-void check_positive(double number, const std::string& name, const std::string& where);
+void check_positive(double number, std::string_view name, std::string_view where);
+
+/// Throws the Error of check_moment.
+[[noreturn]] void refuse_moment(const Time& moment, std::string_view where);
+
+/// Error, with `where` as its place: `moment` is NaN, infinite, beyond kLargestTime, or its parts do not make
+/// a Time.
+inline void check_moment(const Time& moment, std::string_view where) {
+  // A low part that is not finite fails the second comparison.
+  const bool is_moment = std::fabs(moment.high) <= kLargestTime && moment.high + moment.low == moment.high;
+  if (!is_moment) refuse_moment(moment, where);
+}
 
 }  // namespace hardball

@@ -15,16 +15,28 @@ namespace hardball {
 namespace {
 
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
+constexpr const char* kPositionNames[] = {"position along x", "position along y", "position along z"};
+constexpr const char* kVelocityNames[] = {"velocity along x", "velocity along y", "velocity along z"};
 
 void check_velocity(const Vec3& velocity, const std::string& where) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double v = velocity[axis];
-    check_finite(v, std::string("velocity along ") + kAxisNames[axis], where);
+    check_finite(v, kVelocityNames[axis], where);
     if (v != 0 && std::fabs(v) < kSmallestMagnitude) {
-      throw Error(std::string("velocity along ") + kAxisNames[axis] + " is " + to_text(v), where,
+      throw Error(std::string(kVelocityNames[axis]) + " is " + to_text(v), where,
                   "give zero, or a magnitude of at least 1e-60");
     }
   }
+}
+
+std::string name_of(SphereId id) {
+  return "sphere " + to_text(id);
+}
+
+// Events of spheres that inelastic collapse has slowed down may lie beyond the moments that check_moment
+// allows.
+void check_queried(const Time& moment, std::string_view where) {
+  if (!std::isfinite(moment.high)) refuse_moment(moment, where);
 }
 
 // How far inside a wall's reach a centre may lie by rounding alone, relative to the box.
@@ -34,6 +46,7 @@ constexpr double kWallTolerance = 1e-12;
 
 SphereId World::add(const Sphere& sphere, const Time& moment) {
   check(sphere);
+  check_moment(moment, name_of(next_id_));
   const Image beyond = box_.boxes_beyond(sphere.position);
   if (!slots_by_id_.empty()) slots_by_id_.push_back(static_cast<Slot>(size()));
   ids_.push_back(next_id_);
@@ -45,19 +58,23 @@ SphereId World::add(const Sphere& sphere, const Time& moment) {
 }
 
 void World::check(const Sphere& sphere) const {
-  const std::string where = "sphere " + to_text(next_id_);
+  const std::string where = name_of(next_id_);
   check_positive(sphere.radius, "radius", where);
   check_positive(sphere.mass, "mass", where);
   check_velocity(sphere.velocity, where);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double x = sphere.position[axis];
-    check_finite(x, std::string("position along ") + kAxisNames[axis], where);
+    check_finite(x, kPositionNames[axis], where);
     if (box_.is_open(axis)) continue;
     const double size = box_.size()[axis];
     if (2 * sphere.radius > size * (1 + kWallTolerance)) {
       throw Error("diameter " + to_text(2 * sphere.radius) + " exceeds the box size " + to_text(size) +
                       " along " + kAxisNames[axis],
                   where, "enlarge the box or shrink the sphere");
+    }
+    if (box_.is_periodic(axis) && std::fabs(x / size) > Box::kMostBoxesBeyond) {
+      throw Error("centre at " + to_text(x) + " along " + kAxisNames[axis] + " is more than 2^30 boxes away",
+                  where, "place it inside the box, between 0 and " + to_text(size));
     }
     const double room = size * kWallTolerance;
     if (box_.is_wall(axis) && (x < sphere.radius - room || x > size - sphere.radius + room)) {
@@ -105,7 +122,8 @@ void World::sort_slots_by_id() {
 }
 
 Image World::change_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
-  check_velocity(velocity, "sphere " + to_text(id(slot)));
+  check_velocity(velocity, name_of(id(slot)));
+  check_moment(moment, name_of(id(slot)));
   return rewrite_path(slot, moment, velocity);
 }
 
@@ -135,12 +153,14 @@ Slot World::slot_of(SphereId id) const {
 }
 
 Vec3 World::position(Slot slot, const Time& moment) const {
+  check_queried(moment, "position");
   Vec3 position = position_at(paths_[slot], moment);
   box_.fold(position);
   return position;
 }
 
 Image World::image(Slot slot, const Time& moment) const {
+  check_queried(moment, "image");
   return folded_[slot] + box_.boxes_beyond(position_at(paths_[slot], moment));
 }
 

@@ -34,7 +34,8 @@ class World {
   /// Adds a sphere that is where it says at `moment`, and returns its id: ids count up from zero.
   /// Positions outside a periodic box are folded into it. Overlaps are not looked for here (see audit.hpp).
   /// Error: a number that is NaN, infinite or out of range; a radius or mass that is not positive; a centre
-  /// closer to a wall than the radius; a periodic box too small to hold the sphere.
+  /// closer to a wall than the radius, or more than 2^30 boxes away; a periodic box too small to hold the
+  /// sphere.
   SphereId add(const Sphere& sphere, const Time& moment = Time(0));
 
   /// Error: whatever `add` would refuse of this sphere.
@@ -44,7 +45,7 @@ class World {
   void remove(SphereId id);
 
   /// Gives a sphere a new velocity [L/T] from `moment` on; returns what rewrite_path does.
-  /// Error: a number that is NaN, infinite or out of range.
+  /// Error: a number, or moment, that is NaN, infinite or out of range.
   Image change_velocity(Slot slot, const Time& moment, const Vec3& velocity);
 
   /// Rewrites a path at `moment`: the centre where the old path puts it then, folded into the box, and the
@@ -83,10 +84,10 @@ class World {
   /// given).
   void reorder(std::span<const Slot> order);
 
-  /// The centre at `moment` [L], folded into a periodic box.
+  /// The centre at `moment` [L], folded into a periodic box. Error: `moment` is NaN or infinite.
   Vec3 position(Slot slot, const Time& moment) const;
   /// How many boxes the centre at `moment` lies from where the sphere was added, as if it had never been
-  /// folded.
+  /// folded. Error: as for position().
   Image image(Slot slot, const Time& moment) const;
 
   /// Sum of m v^2 / 2 [M L^2 T^-2]. Cost: O(n).

@@ -87,9 +87,32 @@ TEST(InelasticCollapse, IsNoticedByAllEnginesAtTheSameContact) {
       Simulation simulation(world, variant.options);
       const History history = support::run_on(simulation, {.until = Time(20), .contacts = 200000});
       EXPECT_NE(history.failure.find("inelastic collapse"), std::string::npos);
+      EXPECT_NE(history.failure.find("respond_with"), std::string::npos) << "the message says what helps";
       if (!expected) expected = history;
       ASSERT_EQ(support::difference(*expected, history), "");
     }
+  }
+}
+
+// What the message of a collapse recommends.
+TEST(InelasticCollapse, IsAvoidedIfSlowImpactsAreElastic) {
+  World world(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {8, 3, 0}));
+  for (std::size_t i = 0; i < 5; ++i) {
+    world.add({{0.75 + 1.375 * static_cast<double>(i), 1, 1}, {i == 0 ? 1.0 : 0.0, 0, 0}, 0.5, 1});
+  }
+  const auto respond = [](const Contact& contact) {
+    return Restitution(contact.impact_speed() < 1e-3 ? 1 : 0.1)(contact);
+  };
+  std::optional<History> expected;
+  for (const support::EngineVariant& variant : support::engine_variants(world, 1)) {
+    SCOPED_TRACE(variant.name);
+    Simulation simulation(world, variant.options);
+    simulation.respond_with(respond);
+    const History history = support::run_on(simulation, {.until = Time(1000)});
+    EXPECT_EQ(history.failure, "");
+    EXPECT_GT(history.contacts, 100U);
+    if (!expected) expected = history;
+    ASSERT_EQ(support::difference(*expected, history), "");
   }
 }
 

@@ -5,6 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/response/restitution.hpp"
@@ -226,6 +230,43 @@ TEST(Settle, RefusesATrueApproach) {
   wall.after.first = {5, 5, -1e-15};
   settle(wall);
   EXPECT_EQ(wall.after.first, (Vec3{5, 5, 0}));
+}
+
+TEST(Execute, RefusesVelocitiesThatAreNoNumbersOrOutOfRange) {
+  World world(Box::walls({10, 10, 10}));
+  world.add({{2, 5, 5}, {1, 0, 0}, 1, 1});
+  world.add({{6, 5, 5}, {-1, 0, 0}, 1, 1});
+  const Event collision = make_collision(contact_time(world, 0, 1, {}), 0, 1, {});
+  const Event wall = next_wall_event(world, 0);
+  const std::vector<Path> paths(world.paths().begin(), world.paths().end());
+  CollapseGuard guard;
+  const auto refused = [&](const Event& event, const Velocities& after) -> std::string {
+    Executed done;
+    try {
+      execute(
+          world, guard, event, participants_of(world, event), [&](const Contact&) { return after; }, done);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity, 1e300, -1.1e60}) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      Velocities after{{-1, 0, 0}, {1, 0, 0}};
+      after.first[axis] = bad;
+      EXPECT_NE(refused(collision, after), "");
+      EXPECT_NE(refused(wall, after), "");
+      std::swap(after.first, after.second);
+      EXPECT_NE(refused(collision, after), "");
+    }
+  }
+  EXPECT_EQ(refused(collision, {{-1, 0, 0}, {1, kInfinity, 0}}),
+            "response to sphere 0 and sphere 1: the velocities (-1, 0, 0) and (1, inf, 0) are returned at "
+            "the contact "
+            "at time 1; return finite velocities of magnitude at most 1e60");
+  EXPECT_EQ(std::vector<Path>(world.paths().begin(), world.paths().end()), paths) << "it has not happened";
+  EXPECT_EQ(refused(wall, {{-1, 0, 0}, {kInfinity, 0, 0}}), "") << "a wall has no velocity";
 }
 
 // Symmetric collapses end with velocities so small that they have no digits left.

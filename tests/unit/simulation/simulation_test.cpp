@@ -164,6 +164,15 @@ TEST(Simulation, RefusesTimesInThePastAndBeyondTheNextContact) {
     EXPECT_THROW(simulation.positions_at(bad), Error);
     EXPECT_THROW(simulation.run_contacts(1, bad), Error);
   }
+  for (const double bad : {kInfinity, 1e300, -kInfinity, kNan}) {
+    EXPECT_THROW(simulation.positions_at(bad), Error);
+    EXPECT_THROW(Simulation(World()).positions_at(bad), Error);
+  }
+  for (const double bad : {1e300, -kInfinity, kNan}) {
+    EXPECT_THROW(simulation.run_until(bad), Error);
+    EXPECT_THROW(simulation.next_contact(bad), Error);
+    EXPECT_THROW(simulation.run({.until = Time(1, bad)}), Error);
+  }
   EXPECT_THROW(simulation.positions_at(4.5), Error);
   EXPECT_NO_THROW(simulation.positions_at(4));
   EXPECT_NO_THROW(simulation.run_until(1));
@@ -198,7 +207,10 @@ TEST(Simulation, RefusesOverlapsAndOptionsThatMakeNoSense) {
         EngineOptions{EngineKind::cells, {}, -1.0, 1}, EngineOptions{EngineKind::cells, {}, kNan, 1},
         EngineOptions{EngineKind::cells, {}, 1e-3, 1}, EngineOptions{EngineKind::paper, {}, 1.9, 1},
         EngineOptions{EngineKind::cells, {}, {}, 1.5}, EngineOptions{EngineKind::all_pairs, {}, {}, -0.5},
-        EngineOptions{EngineKind::paper, {}, {}, kNan}}) {
+        EngineOptions{EngineKind::paper, {}, {}, kNan}, EngineOptions{EngineKind::cells, {}, kInfinity, 1},
+        EngineOptions{EngineKind::all_pairs, {}, 1e-70, 1}, EngineOptions{.unit_costs = {.contact = kNan}},
+        EngineOptions{.unit_costs = {.enter = 0, .cell = 0}}, EngineOptions{.unit_costs = {.cell = -1}},
+        EngineOptions{.unit_costs = {.prediction = kInfinity}}}) {
     EXPECT_THROW(Simulation(head_on_pair(), bad), Error);
   }
 }
@@ -250,6 +262,168 @@ TEST(Simulation, ListenerThatThrowsEndsTheRunAfterThatContact) {
   Simulation undisturbed(head_on_pair());
   undisturbed.run_until(100);
   EXPECT_EQ(simulation.event_log_hash(), undisturbed.event_log_hash());
+}
+
+TEST(Simulation, ListenerMayNotRunItOrLookAhead) {
+  for (const EngineKind engine : all_engines()) {
+    EngineOptions options;
+    options.engine = engine;
+    Simulation simulation(head_on_pair(), options);
+    int refused = 0;
+    simulation.on_contact([&](const Contact&) {
+      Measures measures;
+      const auto is_refused = [&](const auto& call) {
+        try {
+          call();
+        } catch (const Error& error) {
+          refused += error.problem() == "the simulation is running" ? 1 : 0;
+        }
+      };
+      is_refused([&] { simulation.run_until(100); });
+      is_refused([&] { simulation.run_until(100, measures); });
+      is_refused([&] { simulation.run_contacts(1); });
+      is_refused([&] { simulation.run({}); });
+      is_refused([&] { simulation.next_contact(); });
+      is_refused([&] { simulation.positions_at(4); });
+      EXPECT_EQ(simulation.position(0), (Vec3{9, 5, 5}));
+      EXPECT_EQ(simulation.positions().size(), 2U);
+      simulation.on_contact(nullptr);
+    });
+    simulation.run_until(100);
+    EXPECT_EQ(refused, 6);
+    Simulation undisturbed(head_on_pair());
+    undisturbed.run_until(100);
+    EXPECT_EQ(simulation.event_log_hash(), undisturbed.event_log_hash());
+  }
+}
+
+TEST(Simulation, ListenerMayTryThingsOnACopy) {
+  Simulation simulation(head_on_pair());
+  std::optional<NextContact> next;
+  simulation.on_contact([&](const Contact&) {
+    Simulation copy = simulation;
+    copy.on_contact(nullptr);
+    next = copy.next_contact();
+    copy.run_until(100);
+    copy.add({{10, 5, 8}, {}, 1, 1});
+  });
+  simulation.run_until(5);
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->time, 12);
+  EXPECT_EQ(simulation.size(), 2U);
+}
+
+TEST(Simulation, ListenerMayReplaceItselfAndTheResponse) {
+  Simulation simulation(head_on_pair());
+  std::string calls;
+  simulation.on_contact([&, much = std::vector<int>(1000, 7)](const Contact&) {
+    simulation.on_contact([&](const Contact&) { calls += "b"; });
+    simulation.respond_with([](const Contact& contact) {
+      return Velocities{-0.5 * contact.before.first, -0.5 * contact.before.second};
+    });
+    calls += much.back() == 7 ? "a" : "?";
+  });
+  simulation.run_until(13);
+  EXPECT_EQ(calls, "abb");
+  EXPECT_EQ(simulation.velocity(0), (Vec3{0.5, 0, 0}));
+  // What the listener has given counts even if it throws afterwards.
+  simulation.on_contact([&](const Contact&) {
+    simulation.on_contact([&](const Contact&) { calls += "c"; });
+    throw std::runtime_error("enough");
+  });
+  EXPECT_THROW(simulation.run_until(100), std::runtime_error);
+  simulation.run_until(100);
+  EXPECT_EQ(calls.substr(0, 4), "abbc");
+}
+
+TEST(Simulation, ResponseMayNotEditOrRunIt) {
+  Simulation simulation(head_on_pair());
+  for (const std::function<void()>& misuse : std::vector<std::function<void()>>{
+           [&] { simulation.change_velocity(0, {}); }, [&] { simulation.remove(1); },
+           [&] {
+             simulation.add({{10, 5, 8}, {}, 1, 1});
+           },
+           [&] { simulation.respond_with(nullptr); }, [&] { simulation.run_until(100); },
+           [&] { simulation.next_contact(); }}) {
+    Simulation copy = simulation;
+    simulation.respond_with([&](const Contact& contact) {
+      misuse();
+      return contact.before;
+    });
+    EXPECT_THROW(simulation.run_until(10), Error);
+    EXPECT_EQ(simulation.counters().contacts(), 0U);
+    simulation.respond_with(nullptr);
+  }
+  simulation.run_until(5);
+  EXPECT_EQ(simulation.counters().contacts(), 1U) << "and it goes on";
+}
+
+TEST(Simulation, IsNotEditedWhileMeasuresLookOn) {
+  Simulation simulation(head_on_pair());
+  Measures measures;
+  simulation.on_contact([&](const Contact&) { simulation.remove(1); });
+  EXPECT_THROW(simulation.run_until(10, measures), Error);
+  EXPECT_EQ(simulation.size(), 2U);
+}
+
+TEST(Simulation, RefusesResponsesThatReturnNoNumbers) {
+  for (const EngineKind engine : all_engines()) {
+    for (const Box& box : {Box::open(), Box::walls({20, 10, 10}), Box::periodic({20, 10, 10})}) {
+      for (const double bad : {kNan, kInfinity, 1e300}) {
+        World world(box);
+        world.add({{5, 5, 5}, {1, 0, 0}, 1, 1});
+        world.add({{15, 5, 5}, {-1, 0, 0}, 1, 1});
+        EngineOptions options;
+        options.engine = engine;
+        Simulation simulation(world, options);
+        simulation.respond_with([&](const Contact&) { return Velocities{{-bad, 0, 0}, {bad, 0, 0}}; });
+        EXPECT_THROW(simulation.run_until(10), Error);
+        EXPECT_EQ(simulation.counters().contacts(), 0U);
+        simulation.respond_with(nullptr);
+        simulation.run_until(5);
+        EXPECT_EQ(simulation.velocity(0), (Vec3{-1, 0, 0}));
+      }
+    }
+  }
+}
+
+TEST(Simulation, StartsWhenTheLastSphereIsAdded) {
+  World world(Box({Boundary::wall, Boundary::periodic, Boundary::periodic}, {20, 10, 10}));
+  world.add({{5, 5, 5}, {1, 0, 0}, 1, 1}, Time(-3));
+  world.add({{15, 5, 5}, {-1, 6, 0}, 1, 1}, Time(2));
+  Simulation simulation(world);
+  EXPECT_EQ(simulation.time(), 2);
+  EXPECT_EQ(simulation.position(0), (Vec3{10, 5, 5}));
+  World gone(world);
+  gone.add({{12, 0, 5}, {}, 1, 1}, Time(12));
+  try {
+    Simulation late(gone);
+    FAIL() << "a sphere has left through the wall";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.problem(), "at time 12 sphere 0 reaches through a wall by 0.5 of its diameter");
+  }
+}
+
+// Free flights through each other before the start must not come back as contacts of the past.
+TEST(Simulation, ForgetsWhatSpheresAddedEarlierHavePassed) {
+  for (const EngineKind engine : all_engines()) {
+    for (const Box& box : {Box::open(), Box::periodic({40, 10, 10})}) {
+      World world(box);
+      world.add({{10, 5, 5}, {1, 0, 0}, 1, 1}, Time(0));
+      world.add({{14, 5, 5}, {-1, 0, 0}, 1, 1}, Time(1));
+      world.add({{20, 5, 5}, {0, 0, 0}, 1, 1}, Time(7));
+      EngineOptions options;
+      options.engine = engine;
+      Simulation simulation(world, options);
+      EXPECT_EQ(simulation.position(0), (Vec3{17, 5, 5}));
+      EXPECT_EQ(simulation.position(1), (Vec3{8, 5, 5}));
+      simulation.run_until(9);
+      EXPECT_EQ(simulation.counters().collision, 1U);
+      EXPECT_EQ(simulation.velocity(2), (Vec3{1, 0, 0}));
+      simulation.run_until(50);
+      simulation.validate();
+    }
+  }
 }
 
 TEST(Simulation, ForgetsRemovedSpheresAndMeetsAddedOnes) {

@@ -127,6 +127,31 @@ TEST(World, RefusesNumbersThatMakeNoSenseAndChangesNothing) {
   EXPECT_EQ(world.path(0).velocity, good.velocity);
 }
 
+TEST(World, RefusesMomentsThatMakeNoSense) {
+  World world(mixed_box());
+  world.add({{5, 4, 0}, {1, 1, 1}, 1, 1}, Time(3));
+  for (const Time& bad : {Time(kNan), Time(kInfinity), Time(-kInfinity), Time(1e300), Time(0, kNan),
+                          Time(1, kInfinity), Time(1, 1)}) {
+    EXPECT_THROW(world.add({{5, 4, 9}, {}, 1, 1}, bad), Error);
+    EXPECT_THROW(world.change_velocity(0, bad, {1, 0, 0}), Error);
+  }
+  for (const Time& bad : {Time(kNan), Time(kInfinity), Time(-kInfinity)}) {
+    EXPECT_THROW(world.position(0, bad), Error);
+    EXPECT_THROW(world.image(0, bad), Error);
+  }
+  EXPECT_EQ(world.size(), 1U);
+  EXPECT_EQ(world.path(0), (Path{{5, 4, 0}, {1, 1, 1}, Time(3)})) << "nothing was half done";
+  EXPECT_EQ(world.add({{5, 4, 9}, {}, 1, 1}, Time(-1e100, 1e80)), 1U);
+}
+
+TEST(World, RefusesCentresTooManyPeriodicBoxesAway) {
+  World world(mixed_box());
+  EXPECT_THROW(world.add({{5, 8 * 0x1p31, 0}, {}, 1, 1}), Error);
+  EXPECT_THROW(world.add({{5, -1e60, 0}, {}, 1, 1}), Error);
+  EXPECT_EQ(world.add({{5, 8 * 0x1p29 + 1, 1e60}, {}, 1, 1}), 0U) << "open axes have no boxes";
+  EXPECT_EQ(world.path(0).position, (Vec3{5, 1, 1e60}));
+}
+
 TEST(World, HoldsSpheresThatTouchTheWallsOrFillTheBox) {
   World world(mixed_box());
   EXPECT_NO_THROW(world.add({{1, 4, 0}, {}, 1, 1}));
