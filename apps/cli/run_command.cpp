@@ -35,10 +35,12 @@ std::uint64_t steps_per_slice(const Simulation& simulation) {
 }
 
 // Runs to `until`; false if a signal came before.
-bool run_to(Simulation& simulation, double until, Measures& measures, Progress& progress) {
+bool run_to(Simulation& simulation, double until, std::optional<RunFiles>& files, Measures& measures,
+            Progress& progress) {
   while (!is_interrupted()) {
     const RunLimits slice{.until = Time(until), .steps = steps_per_slice(simulation)};
     const RunStatus status = simulation.run(slice, measures);
+    if (files) files->keep_current();
     progress.show(simulation);
     if (status == RunStatus::time_reached) return true;
   }
@@ -54,27 +56,26 @@ double snapshot_time(std::uint64_t k, double interval, double until) {
 }
 
 // Runs to the end and writes snapshots on the way; false if a signal came before.
-bool run_with_snapshots(Simulation& simulation, const Scenario& scenario, RunFiles& files, Measures& measures,
-                        Progress& progress) {
+bool run_with_snapshots(Simulation& simulation, const Scenario& scenario, std::optional<RunFiles>& files,
+                        Measures& measures, Progress& progress) {
   const double until = *scenario.until;
-  if (scenario.snapshots_every) {
+  if (files && scenario.snapshots_every) {
     for (std::uint64_t k = 0;; ++k) {
       const double time = snapshot_time(k, *scenario.snapshots_every, until);
       if (time > until) break;
-      if (!run_to(simulation, time, measures, progress)) return false;
-      files.write_snapshot(simulation);
+      if (!run_to(simulation, time, files, measures, progress)) return false;
+      files->write_snapshot(simulation);
       if (time == until) return true;
     }
   }
-  return run_to(simulation, until, measures, progress);
+  return run_to(simulation, until, files, measures, progress);
 }
 
 bool run_to_end(Simulation& simulation, const Scenario& scenario, std::optional<RunFiles>& files,
                 Measures& measures, bool quiet) {
   Progress progress(!quiet, *scenario.until);
   try {
-    if (files) return run_with_snapshots(simulation, scenario, *files, measures, progress);
-    return run_to(simulation, *scenario.until, measures, progress);
+    return run_with_snapshots(simulation, scenario, files, measures, progress);
   } catch (const RunFailure& failure) {
     throw RunFailure(std::string(failure.what()) + "; the run reached time " + to_text(simulation.time()));
   }

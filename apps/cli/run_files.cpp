@@ -98,6 +98,13 @@ void RunFiles::note(const Contact& contact) {
   if (recording_) recording_->note(contact);
 }
 
+void RunFiles::keep_current() {
+  const auto now = std::chrono::steady_clock::now();
+  if (!events_ || now < next_flush_) return;
+  next_flush_ = now + std::chrono::seconds(1);
+  events_->flush();
+}
+
 void RunFiles::finish(const Simulation& simulation, std::span<const Measurement> measurements,
                       const std::string& summary, const std::string& report) {
   if (trajectory_) trajectory_->close();

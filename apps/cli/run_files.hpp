@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -30,6 +31,9 @@ class RunFiles {
   void write_snapshot(const Simulation& simulation);
   /// Adds to the event log and the recording, if there are any. Error (RunFailure): they cannot be written.
   void note(const Contact& contact);
+  /// Completes the event log for readers, once a second at the most: whatever kills the program, no more is
+  /// lost. Error (RunFailure): it cannot be written.
+  void keep_current();
   /// Completes all files as of now and writes what was measured, the summary, and the report unless it is
   /// empty. Error (RunFailure): they cannot be written.
   void finish(const Simulation& simulation, std::span<const Measurement> measurements,
@@ -47,6 +51,7 @@ class RunFiles {
   std::optional<OutputFile> trajectory_;
   std::optional<NpyEventLog> events_;
   std::optional<RecordingWriter> recording_;
+  std::chrono::steady_clock::time_point next_flush_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace hardball::cli

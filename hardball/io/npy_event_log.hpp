@@ -20,9 +20,9 @@ namespace hardball {
 /// - `impulse` 3 f8: the momentum that `i` gained [M L/T];
 /// - `normal_speed` f8: the speed at which the surfaces met [L/T].
 ///
-/// The file can be read while it grows, and after a run that did not end well: at every flush the header is
-/// made to count the records that are there.
-/// Source: NumPy enhancement proposal 1, format version 1.0.
+/// The file can be read while it grows, and after a run that did not end well: at every flush the header,
+/// which has 256 bytes, is made to count the records that are there. Source: NumPy enhancement proposal 1,
+/// format version 1.0.
 class NpyEventLog {
  public:
   /// Creates the file. Error: it cannot be opened for writing.
@@ -31,8 +31,8 @@ class NpyEventLog {
   /// Precondition: ids are below 2^31. Error (RunFailure): the file cannot be written.
   void append(const Contact& contact);
 
-  /// Completes the file for readers, as happens by itself every few megabytes. Error (RunFailure): as for
-  /// append.
+  /// Completes the file for readers, as happens by itself every few megabytes; whoever has a clock does it
+  /// more often. Error (RunFailure): as for append.
   void flush();
 
   /// Completes and closes the file; does nothing if it is closed. Error (RunFailure): as for append.

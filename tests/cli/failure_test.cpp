@@ -132,6 +132,35 @@ TEST_P(Interruption, LeavesCompleteFiles) {
 
 INSTANTIATE_TEST_SUITE_P(Signals, Interruption, testing::Values(SIGINT, SIGTERM));
 
+// So slow a run that its records fill no buffer for a long time.
+TEST_F(Failure, OfAProcessKilledOutrightLosesLittleOfTheEventLog) {
+  using namespace std::chrono_literals;
+  const Program program(folder_, {"run", "gas.toml", "--until", "1e6", "--engine", "all-pairs", "--set",
+                                  "spheres.0.count=10000", "--set", "spheres.0.radius=0.05", "--quiet"});
+  const std::filesystem::path log = folder_ / "out/events.npy";
+  std::uint64_t counted = 0;
+  for (int i = 0; i < 6000 && counted == 0; ++i) {
+    std::this_thread::sleep_for(10ms);
+    if (std::filesystem::exists(log) && std::filesystem::file_size(log) > 256) counted = counted_records(log);
+  }
+  kill(program.process(), SIGKILL);
+  program.wait();
+  counted = counted_records(log);
+  EXPECT_GT(counted, 0U);
+  const std::uint64_t bytes = std::filesystem::file_size(log);
+  EXPECT_LE(256 + 49 * counted, bytes);
+  EXPECT_LT(bytes, std::uint64_t{4} << 20) << "the log has not completed itself";
+  // The reader's recipe of docs/scenarios.md.
+  write_text(folder_ / "read.py",
+             "import numpy\n"
+             "header = numpy.lib.format.open_memmap('out/events.npy', mode='r')\n"
+             "events = numpy.fromfile('out/events.npy', header.dtype, offset=256)\n"
+             "print(len(header), len(events), bool(numpy.all(numpy.diff(events['t']) >= 0)))\n");
+  const Outcome outcome = Program(folder_, {"read.py"}, HARDBALL_PYTHON).wait();
+  EXPECT_EQ(outcome.output, std::to_string(counted) + " " + std::to_string((bytes - 256) / 49) + " True\n")
+      << outcome.messages;
+}
+
 TEST_F(Failure, OfARunThatCannotGoOn) {
   write_text(folder_ / "collapse.toml",
              "[box]\nsize = [20, 20, 20]\nboundary = ['wall', 'wall', 'wall']\n"
