@@ -78,10 +78,11 @@ void refuse_leftovers(const CLI::App& app, const CLI::App* command) {
   } else {
     for (const CLI::App* each : app.get_subcommands(nullptr)) names.push_back(each->get_name());
   }
-  const std::string nearest(nearest_name(word, std::vector<std::string_view>(names.begin(), names.end())));
+  const bool is_known = std::find(names.begin(), names.end(), word) != names.end();
   throw Error(std::string("there is no ") + (command ? "option" : "command") + " '" + word + "'",
               "command line",
-              nearest == word ? "write it behind the command" : "did you mean '" + nearest + "'?");
+              is_known ? "write it behind the command"
+                       : suggestion(word, std::vector<std::string_view>(names.begin(), names.end())));
 }
 
 ExitCode parse_and_run(int argument_count, char** arguments) {

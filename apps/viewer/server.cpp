@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "apps/viewer/replay.hpp"
 #include "apps/viewer/token.hpp"
@@ -33,6 +34,7 @@ constexpr int kForbidden = 403;
 constexpr int kNotFound = 404;
 constexpr int kMethodNotAllowed = 405;
 constexpr int kTooLarge = 413;
+constexpr int kRangeNotSatisfiable = 416;
 constexpr int kServerError = 500;
 
 void refuse(Response& response, int status, const std::string& reason) {
@@ -40,10 +42,36 @@ void refuse(Response& response, int status, const std::string& reason) {
   response.set_content(reason + "\n", "text/plain; charset=utf-8");
 }
 
+// Cuts the ranges of bytes that a request asks for to those that there are; false if it asks for none of
+// them. The library itself would ask for pieces beyond the end. Source: RFC 9110, section 14.1.2.
+bool cut_ranges(const Request& request, std::uint64_t length) {
+  // The library takes them from the request again when it sends.
+  httplib::Ranges& ranges = const_cast<Request&>(request).ranges;
+  if (ranges.empty()) return true;
+  const auto end = static_cast<ssize_t>(length);
+  for (auto& [first, last] : ranges) {
+    if (first < 0) {  // so many from the end
+      first = last > 0 ? std::max<ssize_t>(end - last, 0) : end;
+      last = end - 1;
+    }
+    if (last < 0 || last >= end) last = end - 1;
+  }
+  std::erase_if(ranges, [](const httplib::Range& range) { return range.first > range.second; });
+  // A client that asks for a thing in crumbs gets it whole.
+  constexpr std::size_t kMostRanges = 8;
+  const bool is_satisfiable = !ranges.empty();
+  if (ranges.size() > kMostRanges) ranges.clear();
+  return is_satisfiable;
+}
+
 // Sends `length` bytes, of which piece(offset) gives some from an offset on. Content that comes in pieces is
 // not compressed, which would take longer than to send it on one machine.
-void send(Response& response, std::uint64_t length, const std::string& type,
+void send(const Request& request, Response& response, std::uint64_t length, const std::string& type,
           std::function<std::string(std::uint64_t offset)> piece) {
+  if (!cut_ranges(request, length)) {
+    response.set_header("Content-Range", "bytes */" + to_text(length));
+    return refuse(response, kRangeNotSatisfiable, "there are " + to_text(length) + " bytes here");
+  }
   if (length == 0) {
     response.set_content("", type);
     return;
@@ -60,17 +88,19 @@ void send(Response& response, std::uint64_t length, const std::string& type,
   response.set_content_provider(length, type.c_str(), provide);
 }
 
-void send(Response& response, std::string text, const std::string& type) {
+void send(const Request& request, Response& response, std::string text, const std::string& type) {
   const std::size_t length = text.size();
-  send(response, length, type,
+  send(request, response, length, type,
        [text = std::move(text)](std::uint64_t offset) { return text.substr(offset, kPieceBytes); });
 }
 
-void send(Response& response, const SharedRecording& recording, const FileExtent& extent) {
-  send(response, extent.length, "application/octet-stream", [&recording, extent](std::uint64_t offset) {
-    return recording.read(
-        {extent.offset + offset, std::min<std::uint64_t>(kPieceBytes, extent.length - offset)});
-  });
+void send(const Request& request, Response& response, const SharedRecording& recording,
+          const FileExtent& extent) {
+  send(request, response, extent.length, "application/octet-stream",
+       [&recording, extent](std::uint64_t offset) {
+         return recording.read(
+             {extent.offset + offset, std::min<std::uint64_t>(kPieceBytes, extent.length - offset)});
+       });
 }
 
 // The number that a query gives, or what it is without one; none if it is no number.
@@ -189,22 +219,22 @@ bool Server::is_allowed(const Request& request, Response& response) const {
 }
 
 void Server::add_page() {
-  server_->Get("/", [this](const Request&, Response& response) {
-    send(response, index_, "text/html; charset=utf-8");
+  server_->Get("/", [this](const Request& request, Response& response) {
+    send(request, response, index_, "text/html; charset=utf-8");
   });
-  server_->Get("/page\\.css", [this](const Request&, Response& response) {
-    send(response, std::string(page_.style), "text/css; charset=utf-8");
+  server_->Get("/page\\.css", [this](const Request& request, Response& response) {
+    send(request, response, std::string(page_.style), "text/css; charset=utf-8");
   });
-  server_->Get("/page\\.js", [this](const Request&, Response& response) {
-    send(response, std::string(page_.script), "text/javascript; charset=utf-8");
+  server_->Get("/page\\.js", [this](const Request& request, Response& response) {
+    send(request, response, std::string(page_.script), "text/javascript; charset=utf-8");
   });
-  server_->Get("/api/replay\\.html", [this](const Request&, Response& response) {
+  server_->Get("/api/replay\\.html", [this](const Request& request, Response& response) {
     try {
       const auto replay = std::make_shared<const Replay>(*recording_, page_);
       // To be saved: the rules for the pages of this server would not let it run.
       response.set_header("Content-Disposition",
                           "attachment; filename=\"" + file_name(recording_->header()) + "\"");
-      send(response, replay->length(), "text/html; charset=utf-8",
+      send(request, response, replay->length(), "text/html; charset=utf-8",
            [replay](std::uint64_t offset) { return replay->piece(offset); });
     } catch (const Error& error) {
       refuse(response, kTooLarge, error.what());
@@ -213,23 +243,23 @@ void Server::add_page() {
 }
 
 void Server::add_recording() {
-  server_->Get("/api/header", [this](const Request&, Response& response) {
-    send(response, recording_->header_json(), "application/json");
+  server_->Get("/api/header", [this](const Request& request, Response& response) {
+    send(request, response, recording_->header_json(), "application/json");
   });
-  server_->Get("/api/spheres", [this](const Request&, Response& response) {
-    send(response, *recording_, recording_->spheres());
+  server_->Get("/api/spheres", [this](const Request& request, Response& response) {
+    send(request, response, *recording_, recording_->spheres());
   });
   server_->Get("/api/status", [this](const Request& request, Response& response) {
     const std::optional<std::uint64_t> from = number_in(request, "from", 0);
     if (!from) return refuse(response, kBadRequest, "'from' is no number of a chunk");
-    send(response, recording_->status_json(*from), "application/json");
+    send(request, response, recording_->status_json(*from), "application/json");
   });
   server_->Get("/api/chunk", [this](const Request& request, Response& response) {
     const std::optional<std::uint64_t> number = number_in(request, "number");
     if (!number) return refuse(response, kBadRequest, "'number' is missing or no number of a chunk");
     const std::optional<FileExtent> chunk = recording_->chunk(*number);
     if (!chunk) return refuse(response, kNotFound, "there is no such chunk yet");
-    send(response, *recording_, *chunk);
+    send(request, response, *recording_, *chunk);
   });
 }
 

@@ -374,11 +374,13 @@ void append_snapshot(OutputFile& file, const World& world, const Time& moment) {
 }
 
 Snapshot read_snapshot(const std::filesystem::path& path) {
-  // Opening a directory succeeds on some systems and shows only when reading.
-  std::ifstream in(path, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path)) {
-    throw Error("the file cannot be read", path.string(), "name an extended XYZ file");
+  // It is read twice, to its end: a pipe does not allow that, and a device may have no end.
+  std::error_code unknown;
+  if (std::filesystem::exists(path, unknown) && !std::filesystem::is_regular_file(path, unknown)) {
+    throw Error("it is no regular file", path.string(), "name an extended XYZ file");
   }
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw Error("the file cannot be read", path.string(), "name an extended XYZ file");
   return read_snapshot(in, path.string());
 }
 

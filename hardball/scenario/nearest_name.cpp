@@ -32,11 +32,18 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string_view nearest_name(std::string_view word, std::span<const std::string_view> names) {
+std::string suggestion(std::string_view word, std::span<const std::string_view> names, char quote) {
   HARDBALL_CHECK(!names.empty());
-  return *std::min_element(names.begin(), names.end(), [&](std::string_view a, std::string_view b) {
-    return distance(word, a) < distance(word, b);
-  });
+  const std::string_view nearest = *std::min_element(
+      names.begin(), names.end(),
+      [&](std::string_view a, std::string_view b) { return distance(word, a) < distance(word, b); });
+  const auto in_quotes = [quote](std::string_view name) { return quote + std::string(name) + quote; };
+  constexpr std::size_t kLettersPerSlip = 3;
+  const std::size_t slips = std::max<std::size_t>(1, std::max(word.size(), nearest.size()) / kLettersPerSlip);
+  if (distance(word, nearest) <= slips) return "did you mean " + in_quotes(nearest) + "?";
+  std::string all;
+  for (const std::string_view name : names) all += (all.empty() ? "choose among " : ", ") + in_quotes(name);
+  return all;
 }
 
 }  // namespace hardball

@@ -8,9 +8,10 @@
 
 namespace hardball {
 
-/// The one of `names` that is fewest insertions, removals, replacements and exchanges of neighbours away from
-/// `word`; of several such, the first. Precondition: there are names.
-/// Source: Damerau, Commun. ACM 7 (1964) 171.
-std::string_view nearest_name(std::string_view word, std::span<const std::string_view> names);
+/// What to write instead of `word`: the nearest of them, if it is fewer changes away than a
+/// slip of the pen makes, otherwise all of them. A change is an insertion, a removal, a replacement or an
+/// exchange of neighbours; of several names equally near, the first is meant. `quote` is put about each name.
+/// Precondition: there are names. Source: Damerau, Commun. ACM 7 (1964) 171.
+std::string suggestion(std::string_view word, std::span<const std::string_view> names, char quote = '\'');
 
 }  // namespace hardball

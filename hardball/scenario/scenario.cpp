@@ -25,7 +25,6 @@ constexpr void expect(bool condition) {
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
@@ -36,6 +35,9 @@ namespace hardball {
 namespace {
 
 using Names = std::span<const std::string_view>;
+
+// Of a scenario file, which becomes a tree many times its size.
+constexpr std::size_t kMostBytes = std::size_t{16} << 20;
 
 std::string in_quotes(std::string_view text) {
   return "'" + std::string(text) + "'";
@@ -56,16 +58,29 @@ bool has_parser_fault(std::string_view text) {
   return false;
 }
 
-// The number of the line at which the parser meets a fault. Precondition: it does.
-std::size_t line_of_fault(std::string_view text) {
-  std::vector<std::size_t> line_ends;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '\n') line_ends.push_back(i);
+// The line and column of the character at which the parser meets a fault. Precondition: it does.
+std::string place_of_fault(std::string_view text) {
+  // Where a character has been read to its end: with less the parser finds another mistake, or none.
+  std::size_t low = 0;
+  std::size_t high = text.size();
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (has_parser_fault(text.substr(0, middle))) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
   }
-  const auto first = std::partition_point(line_ends.begin(), line_ends.end(), [&](std::size_t end) {
-    return !has_parser_fault(text.substr(0, end));
-  });
-  return static_cast<std::size_t>(first - line_ends.begin()) + 1;
+  const std::string_view read = text.substr(0, low);
+  const std::size_t line_begin = read.substr(0, low > 0 ? low - 1 : 0).rfind('\n') + 1;
+  const auto is_first_of_character = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
+  const auto count = [](auto begin, auto end, auto condition) {
+    return to_text(static_cast<std::size_t>(std::count_if(begin, end, condition)));
+  };
+  const std::string_view line = read.substr(line_begin);
+  const auto lines_before = static_cast<std::size_t>(
+      std::count(read.begin(), read.begin() + static_cast<std::ptrdiff_t>(line_begin), '\n'));
+  return to_text(lines_before + 1) + ":" + count(line.begin(), line.end(), is_first_of_character);
 }
 
 toml::table parse_toml(std::string_view text, const std::string& name) {
@@ -79,7 +94,8 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
     std::replace(message.begin(), message.end(), ';', ',');
     throw Error("no valid TOML: " + message, place_of(name, error.source()), remedy);
   } catch (const ParserFault&) {
-    throw Error("no valid TOML", name + ":" + to_text(line_of_fault(text)) + ":1", remedy);
+    throw Error("no valid TOML", name + ":" + place_of_fault(text),
+                "write keys in quotes unless they are of letters a to z, digits, _ and -; " + remedy);
   }
 }
 
@@ -269,8 +285,7 @@ class Value {
     const std::string given = text();
     const auto found = std::find(names.begin(), names.end(), given);
     if (found == names.end()) {
-      throw Error(name() + " is \"" + given + "\"", place(),
-                  "did you mean \"" + std::string(nearest_name(given, names)) + "\"?");
+      throw Error(name() + " is \"" + given + "\"", place(), suggestion(given, names, '"'));
     }
     return static_cast<std::size_t>(found - names.begin());
   }
@@ -325,8 +340,7 @@ class Section {
       const std::string_view name = key.str();
       if (std::find(known.begin(), known.end(), name) != known.end()) continue;
       throw Error("unknown key " + in_quotes(name) + (title_.empty() ? "" : " in " + title_),
-                  document_->place(key.source(), path_of(name)),
-                  "did you mean " + in_quotes(nearest_name(name, known)) + "?");
+                  document_->place(key.source(), path_of(name)), suggestion(name, known));
     }
   }
 
@@ -576,9 +590,15 @@ Scenario load_scenario(const std::filesystem::path& path, std::span<const std::s
   if (!in || std::filesystem::is_directory(path)) {
     throw Error("the file cannot be read", path.string(), "name a scenario file");
   }
-  std::ostringstream text;
-  text << in.rdbuf();
-  return parse_scenario(text.str(), path.string(), overrides);
+  // A device or a pipe may have no end.
+  std::string text(kMostBytes + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (text.size() > kMostBytes) {
+    throw Error("the file is larger than 16 MiB", path.string(),
+                "describe many spheres in groups, or in an extended XYZ file named in [start]");
+  }
+  return parse_scenario(text, path.string(), overrides);
 }
 
 Scenario parse_scenario(std::string_view text, const std::string& name,

@@ -3,6 +3,7 @@
 
 // Whatever is wrong with the input: exit code 2, one line that says what, where and the remedy, and no files.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <ostream>
@@ -367,6 +368,8 @@ TEST(RefusedCommand, IsExplainedInOneLine) {
   const ScratchFolder folder;
   expect_refusal(run_program(folder, {}), {"no command", "--help"});
   expect_refusal(run_program(folder, {"rnu"}), {"'rnu'", "did you mean 'run'?"});
+  expect_refusal(run_program(folder, {"sweep"}),
+                 {"'sweep'", "choose among 'run', 'verify', 'check', 'tune'"});
   expect_refusal(run_program(folder, {"run"}), {"SCENARIO", "--help"});
   expect_refusal(run_program(folder, {"--json", "run", "gas.toml"}), {"'--json'", "behind the command"});
   expect_refusal(run_program(folder, {"verify", "gas.toml", "--json"}), {"'--json'"});
@@ -383,6 +386,33 @@ TEST(RefusedScenario, IsNamed) {
   expect_refusal(run_program(folder, {"run", "empty.toml"}), {"empty.toml: ", "[box]", "add"});
   write_text(folder / "binary.toml", "\xff\xfe\x00");
   expect_refusal(run_program(folder, {"run", "binary.toml"}), {"binary.toml:1:1", "TOML"});
+}
+
+TEST(RefusedScenario, HasNoEnd) {
+  if (!std::filesystem::exists("/dev/zero")) GTEST_SKIP() << "there is no /dev/zero";
+  const ScratchFolder folder;
+  for (const std::string command : {"run", "verify", "check", "tune"}) {
+    expect_refusal(run_program(folder, {command, "/dev/zero"}), {"/dev/zero: ", "16 MiB", "[start]"});
+  }
+  const std::string endless =
+      "while :; do printf '# nothing but comments, for ever and ever\\n'; done | exec ";
+  expect_refusal(
+      support::Program(folder, {"-c", endless + HARDBALL_PROGRAM " run /dev/stdin"}, "/bin/sh").wait(),
+      {"/dev/stdin: ", "16 MiB"});
+}
+
+TEST(RefusedScenario, HasAKeyThatNeedsQuotes) {
+  const ScratchFolder folder;
+  const auto refused = [&](const std::string& text, const std::string& place) {
+    write_text(folder / "gas.toml", text);
+    expect_refusal(run_program(folder, {"check", "gas.toml"}), {place, "no valid TOML", "quotes"});
+  };
+  refused(
+      "[gr\xc3\xb6\xc3\x9f"
+      "e]\n",
+      "gas.toml:1:");
+  refused("[box]\nsize = [1, 1, 1]\n\n  [\xc3\xb6l]\n", "gas.toml:4:4: ");
+  refused("[box]\n[[ \xe6\x97\xa5\xe6\x9c\xac ]]\n", "gas.toml:2:4: ");
 }
 
 class RefusedStart : public testing::Test {
@@ -412,6 +442,17 @@ TEST_F(RefusedStart, NamesTheLineOfTheStartFile) {
   expect_refusal(start_from(head + "5 5 8 0 0 0 -0.5\n"), {"start.xyz:4: sphere 1: ", "radius is -0.5"});
   expect_refusal(start_from(head + "5 5 5.5 0 0 0 0.5\n"), {"gas.toml: ", "spheres 0 and 1 overlap"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+TEST_F(RefusedStart, IsNoRegularFile) {
+  std::filesystem::create_symlink("/dev/zero", folder_ / "start.xyz");
+  expect_refusal(run(), {"start.xyz: ", "no regular file"});
+  std::filesystem::remove(folder_ / "start.xyz");
+  ASSERT_EQ(mkfifo((folder_ / "start.xyz").c_str(), 0600), 0);
+  expect_refusal(run(), {"start.xyz: ", "no regular file"});
+  std::filesystem::remove(folder_ / "start.xyz");
+  std::filesystem::create_directory(folder_ / "start.xyz");
+  expect_refusal(run(), {"start.xyz: ", "no regular file"});
 }
 
 class RefusedDirectory : public testing::Test {

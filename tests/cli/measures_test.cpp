@@ -98,7 +98,7 @@ TEST_F(MeasuredRun, RefusesAnUnknownMeasureAndNamesTheNearest) {
 
 TEST_F(MeasuredRun, WritesWhatItHasWhenInterrupted) {
   support::Program program(folder_, {"run", "gas.toml", "--out", "out", "--until", "1e12"});
-  while (!exists("measures")) usleep(1000);
+  for (int i = 0; i < 60000 && !exists("measures"); ++i) usleep(1000);
   usleep(200000);
   kill(program.process(), SIGTERM);
   EXPECT_EQ(program.wait().exit_code, 1);

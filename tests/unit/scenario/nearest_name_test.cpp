@@ -5,33 +5,45 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <string>
 
 namespace hardball {
 namespace {
 
 constexpr std::array<std::string_view, 5> kNames{"count", "radius", "mass", "mean_speed", "speed"};
 
-TEST(NearestName, ForgivesSlips) {
-  EXPECT_EQ(nearest_name("raduis", kNames), "radius");
-  EXPECT_EQ(nearest_name("radus", kNames), "radius");
-  EXPECT_EQ(nearest_name("counts", kNames), "count");
-  EXPECT_EQ(nearest_name("maas", kNames), "mass");
-  EXPECT_EQ(nearest_name("meanspeed", kNames), "mean_speed");
+std::string did_you_mean(const std::string& name) {
+  return "did you mean '" + name + "'?";
 }
 
-TEST(NearestName, FindsTheWordItself) {
-  for (const std::string_view name : kNames) EXPECT_EQ(nearest_name(name, kNames), name);
+TEST(Suggestion, ForgivesSlips) {
+  EXPECT_EQ(suggestion("raduis", kNames), did_you_mean("radius"));
+  EXPECT_EQ(suggestion("radus", kNames), did_you_mean("radius"));
+  EXPECT_EQ(suggestion("radii", kNames), did_you_mean("radius"));
+  EXPECT_EQ(suggestion("counts", kNames), did_you_mean("count"));
+  EXPECT_EQ(suggestion("maas", kNames), did_you_mean("mass"));
+  EXPECT_EQ(suggestion("meanspeed", kNames), did_you_mean("mean_speed"));
+  EXPECT_EQ(suggestion("maas", kNames, '"'), "did you mean \"mass\"?");
 }
 
-TEST(NearestName, CountsAnExchangeOfNeighboursOnce) {
+TEST(Suggestion, NamesAllWhereNoneIsNear) {
+  constexpr std::array<std::string_view, 3> kCommands{"run", "check", "tune"};
+  const std::string all = "choose among 'run', 'check', 'tune'";
+  EXPECT_EQ(suggestion("sweep", kCommands), all);
+  EXPECT_EQ(suggestion("", kCommands), all);
+  EXPECT_EQ(suggestion("simulate", kCommands), all);
+  EXPECT_EQ(suggestion("rnu", kCommands), did_you_mean("run"));
+  EXPECT_EQ(suggestion("chekc", kCommands), did_you_mean("check"));
+}
+
+TEST(Suggestion, CountsAnExchangeOfNeighboursOnce) {
   constexpr std::array<std::string_view, 2> kTwo{"xx", "ba"};
-  EXPECT_EQ(nearest_name("ab", kTwo), "ba");
+  EXPECT_EQ(suggestion("ab", kTwo), did_you_mean("ba"));
 }
 
-TEST(NearestName, TakesTheFirstOfEquallyNearOnes) {
+TEST(Suggestion, TakesTheFirstOfEquallyNearOnes) {
   constexpr std::array<std::string_view, 2> kTwo{"ax", "ay"};
-  EXPECT_EQ(nearest_name("az", kTwo), "ax");
-  EXPECT_EQ(nearest_name("", kTwo), "ax");
+  EXPECT_EQ(suggestion("az", kTwo), did_you_mean("ax"));
 }
 
 }  // namespace

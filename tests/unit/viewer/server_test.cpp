@@ -157,6 +157,47 @@ TEST_F(ServerTest, GivesEveryChunkAsItStandsInTheFile) {
   }
 }
 
+TEST_F(ServerTest, GivesTheRangesOfBytesThatThereAre) {
+  const std::string whole = get("/api/spheres")->body;
+  const std::size_t length = whole.size();
+  ASSERT_EQ(length, 1600U);
+  const auto ask = [&](const std::string& path, const std::string& range) {
+    const auto answer = client().Get(with_token(path), {{"Range", "bytes=" + range}});
+    EXPECT_TRUE(answer) << range;
+    return answer ? *answer : httplib::Response();
+  };
+  const auto expect_part = [&](const std::string& range, std::size_t first, std::size_t count) {
+    const httplib::Response answer = ask("/api/spheres", range);
+    EXPECT_EQ(answer.status, 206) << range;
+    EXPECT_TRUE(answer.body == whole.substr(first, count)) << range;
+    EXPECT_EQ(answer.get_header_value("Content-Range"),
+              "bytes " + std::to_string(first) + "-" + std::to_string(first + count - 1) + "/1600");
+  };
+  expect_part("0-9", 0, 10);
+  expect_part("1000-", 1000, 600);
+  expect_part("-5", 1595, 5);
+  expect_part("1599-1599", 1599, 1);
+  expect_part("1590-99999999", 1590, 10);
+  expect_part("-99999999", 0, 1600);
+  for (const std::string path : {"/api/spheres", "/page.css", "/", "/api/header", "/api/replay.html"}) {
+    for (const std::string range : {"99999999-", "99999999-99999999999", "-0", "99999999-,88888888-"}) {
+      const httplib::Response answer = ask(path, range);
+      EXPECT_EQ(answer.status, 416) << path << " " << range;
+      EXPECT_TRUE(answer.get_header_value("Content-Range").starts_with("bytes */")) << path;
+    }
+  }
+  // One of them there is, the other there is not; and so many that nobody needs them.
+  EXPECT_EQ(ask("/api/spheres", "0-9,99999999-").body, whole.substr(0, 10));
+  std::string crumbs = "0-0";
+  for (int i = 1; i < 100; ++i) crumbs += "," + std::to_string(i) + "-" + std::to_string(i);
+  EXPECT_TRUE(ask("/api/spheres", crumbs).body == whole);
+  for (const std::string nonsense : {"5-2", "abc", "", "-", "1-2-3"}) {
+    const auto answer = client().Get(with_token("/api/spheres"), {{"Range", "bytes=" + nonsense}});
+    EXPECT_TRUE(answer) << nonsense;
+  }
+  EXPECT_TRUE(get("/api/spheres")->body == whole) << "and the server goes on";
+}
+
 TEST_F(ServerTest, GivesTheReplayToSave) {
   const auto replay = get("/api/replay.html");
   EXPECT_EQ(replay->status, 200);
