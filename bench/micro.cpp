@@ -68,7 +68,7 @@ void predict(benchmark::State& state, InstructionSet instructions, bool from_now
 }
 
 // Each owner's next event, in the order of a gas: the least is taken and comes again after a while.
-struct Agenda {
+struct EventTable {
   std::vector<Event> events;
   Event event(Owner owner) const { return events[owner]; }
   Time time(Owner owner) const { return events[owner].time; }
@@ -78,18 +78,18 @@ template <class Queue>
 void take_and_schedule(benchmark::State& state) {
   const auto owners = static_cast<Owner>(state.range(0));
   Random random(3);
-  Agenda agenda{std::vector<Event>(owners)};
+  EventTable table{std::vector<Event>(owners)};
   Queue queue;
   queue.reset(owners, Time(0));
   const auto schedule = [&](Owner owner, const Time& now) {
-    agenda.events[owner] = {after(now, -std::log(1 - random.uniform())), EventKind::wall, owner, 0, {}};
-    queue.schedule(owner, agenda);
+    table.events[owner] = {after(now, -std::log(1 - random.uniform())), EventKind::wall, owner, 0, {}};
+    queue.schedule(owner, table);
   };
   for (Owner owner = 0; owner < owners; ++owner) schedule(owner, Time(0));
-  benchmark::DoNotOptimize(queue.least(agenda));  // lays out the days
+  benchmark::DoNotOptimize(queue.least(table));  // sizes the buckets
   for (auto _ : state) {
-    const Owner least = queue.least(agenda);
-    const Time now = agenda.time(least);
+    const Owner least = queue.least(table);
+    const Time now = table.time(least);
     queue.pop();
     schedule(least, now);
     // A collision gives another sphere a new event, too.

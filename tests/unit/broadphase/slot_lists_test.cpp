@@ -121,7 +121,7 @@ TEST(SlotLists, AgreeWithMultisetsUnderRandomTraffic) {
         ASSERT_TRUE(lists.is_empty(known.back().list)) << "made from memory given up before";
       } else if (what < 0.04 && at >= fixed) {
         lists.clear(chosen.list);
-        lists.give_up(chosen.list);
+        lists.release(chosen.list);
         known.erase(known.begin() + static_cast<std::ptrdiff_t>(at));
       } else if (chosen.slots.empty() || random.uniform() < (filling ? 0.8 : 0.2)) {
         const auto slot = static_cast<Slot>(below(30));
@@ -157,7 +157,7 @@ TEST(SlotLists, ReuseTheirMemory) {
       // Cleared at once or slot by slot.
       if (round % 2 == 0) lists.clear(list);
       for (Slot slot = 0; slot < 100 && round % 2 == 1; ++slot) lists.erase(list, slot);
-      lists.give_up(list);
+      lists.release(list);
     }
     if (round == 0) after_first = lists.memory_bytes();
   }

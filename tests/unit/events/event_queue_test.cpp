@@ -64,7 +64,7 @@ TEST(Face, IsTwiceTheAxisPlusOneForTheUpper) {
   }
 }
 
-// The plain truth, and the agenda of the queues.
+// The reference, and the event table of the queues.
 class ListQueue {
  public:
   explicit ListQueue(std::size_t owners) : entries_(owners) {}
@@ -72,7 +72,7 @@ class ListQueue {
   Time time(Owner owner) const { return entries_[owner].time; }
   void schedule(Owner owner, const Event& event) { entries_[owner] = event; }
   Owner least() const {
-    Scheduled least{Event{}, kNobody};
+    Scheduled least{Event{}, kNoOwner};
     for (Owner owner = 0; owner < entries_.size(); ++owner) {
       const Scheduled entry{entries_[owner], owner};
       if (entry.event.happens() && entry < least) least = entry;
@@ -84,7 +84,7 @@ class ListQueue {
  private:
   std::vector<Event> entries_;
 };
-static_assert(Agenda<ListQueue>);
+static_assert(EventTable<ListQueue>);
 
 // How long after the present new events lie.
 enum class Waits { even, ties, bursts, all_scales, mostly_now, one_moment, low_parts, mostly_never };
@@ -130,7 +130,7 @@ class EveryQueue : public testing::Test {};
 using Queues = testing::Types<CalendarQueue, OrderedQueue>;
 TYPED_TEST_SUITE(EveryQueue, Queues);
 
-// A queue and its agenda, between which a test cannot tear a gap.
+// A queue and its event table, which a test cannot let get out of step.
 template <class Queue>
 struct Pair {
   Queue queue;
@@ -155,12 +155,12 @@ struct Pair {
   // All that is left, in order.
   std::vector<Owner> emptied() {
     std::vector<Owner> owners;
-    for (Owner owner = least(); owner != kNobody; owner = least()) {
+    for (Owner owner = least(); owner != kNoOwner; owner = least()) {
       EXPECT_EQ(owner, list.least());
       owners.push_back(owner);
       pop();
     }
-    EXPECT_EQ(list.least(), kNobody);
+    EXPECT_EQ(list.least(), kNoOwner);
     return owners;
   }
 };
@@ -176,7 +176,7 @@ TYPED_TEST(EveryQueue, AgreesWithAListUnderRandomTraffic) {
     for (const std::size_t owners : {std::size_t{1}, std::size_t{2}, std::size_t{30}, std::size_t{300}}) {
       // The same queue again: reset must leave nothing behind.
       pair.reset(owners, Time(3));
-      EXPECT_EQ(pair.least(), kNobody);
+      EXPECT_EQ(pair.least(), kNoOwner);
       Time now(3);
       const auto schedule = [&](Owner owner) { pair.schedule(owner, random_event(random, now, waits)); };
       for (Owner owner = 0; owner < owners; ++owner) schedule(owner);
@@ -184,7 +184,7 @@ TYPED_TEST(EveryQueue, AgreesWithAListUnderRandomTraffic) {
         const Owner least = pair.list.least();
         ASSERT_EQ(pair.least(), least) << "step " << step << ", " << owners << " owners";
         const double what = random.uniform();
-        if (least != kNobody && what < 0.7) {
+        if (least != kNoOwner && what < 0.7) {
           now = pair.list.time(least);
           pair.pop();
           if (what < 0.6) schedule(least);
@@ -197,7 +197,7 @@ TYPED_TEST(EveryQueue, AgreesWithAListUnderRandomTraffic) {
   }
 }
 
-// An agenda that can tell that two owners have one event.
+// An event table that knows when two owners share one event.
 struct SharingList : ListQueue {
   using ListQueue::ListQueue;
   bool share_event(Owner a, Owner b) const { return event(a) == event(b); }
@@ -222,8 +222,8 @@ TYPED_TEST(EveryQueue, ShowsEitherOfTwoOwnersThatShareTheLeastEvent) {
     for (std::uint64_t step = 0; step < support::cases(3000); ++step) {
       const Owner expected = list.least();
       const Owner shown = queue.least(list);
-      ASSERT_EQ(shown == kNobody, expected == kNobody);
-      if (shown == kNobody) break;
+      ASSERT_EQ(shown == kNoOwner, expected == kNoOwner);
+      if (shown == kNoOwner) break;
       ASSERT_EQ(list.event(shown), list.event(expected)) << "step " << step;
       now = list.time(shown);
       queue.pop();
@@ -250,7 +250,7 @@ TYPED_TEST(EveryQueue, EmptiesInOrder) {
     ASSERT_EQ(pair.least(), entry.owner);
     pair.pop();
   }
-  EXPECT_EQ(pair.least(), kNobody);
+  EXPECT_EQ(pair.least(), kNoOwner);
   EXPECT_EQ(pair.queue.counters().scheduled, kOwners);
   EXPECT_EQ(pair.queue.counters().taken, kOwners);
 }
@@ -262,7 +262,7 @@ TYPED_TEST(EveryQueue, ForgetsAnEntryThatIsReplacedByNever) {
   pair.schedule(0, Event{});
   EXPECT_EQ(pair.least(), 1U);
   pair.schedule(1, Event{});
-  EXPECT_EQ(pair.least(), kNobody);
+  EXPECT_EQ(pair.least(), kNoOwner);
 }
 
 TYPED_TEST(EveryQueue, TakesEventsBeforeThoseItHasShown) {
@@ -330,7 +330,7 @@ TYPED_TEST(EveryQueue, MindsOnlyTheEventThatAnOwnerHasNowHoweverOftenItChanges) 
     for (int step = 0; step < 60; ++step) {
       for (std::uint64_t i = random.bits() % 5; i > 0; --i) schedule();
       ASSERT_EQ(pair.least(), pair.list.least());
-      if (pair.list.least() != kNobody && random.uniform() < 0.5) pair.pop();
+      if (pair.list.least() != kNoOwner && random.uniform() < 0.5) pair.pop();
     }
     pair.emptied();
     if (this->HasFailure()) return;
@@ -356,7 +356,7 @@ TYPED_TEST(EveryQueue, KeepsAnOwnerWhoseEventBecomesALesserOneOfTheSameMoment) {
       const Event scheduled = pair.list.event(changed);
       if (scheduled.happens()) pair.list.schedule(changed, {scheduled.time, EventKind::enter, 0, 0, {}});
       const Owner least = pair.least();
-      ASSERT_NE(least, kNobody) << "somebody is missing";
+      ASSERT_NE(least, kNoOwner) << "somebody is missing";
       ASSERT_FALSE(has_come[least]);
       has_come[least] = true;
       const Event event = pair.list.event(least);
@@ -369,7 +369,7 @@ TYPED_TEST(EveryQueue, KeepsAnOwnerWhoseEventBecomesALesserOneOfTheSameMoment) {
       pair.queue.pop();
       pair.list.schedule(least, Event{});
     }
-    ASSERT_EQ(pair.least(), kNobody);
+    ASSERT_EQ(pair.least(), kNoOwner);
   }
 }
 
@@ -404,7 +404,7 @@ TYPED_TEST(EveryQueue, KeepsTheOrderOfEventsWhenAllHappenAtOneMoment) {
       pair.schedule(owner, make_collision(Time(moment), rank / 3, 5000 + rank % 3, {}));
     }
     std::vector<Owner> found;
-    for (Owner owner = pair.least(); owner != kNobody; owner = pair.least()) {
+    for (Owner owner = pair.least(); owner != kNoOwner; owner = pair.least()) {
       found.push_back(owner);
       pair.queue.pop();
       pair.list.schedule(owner, Event{});
@@ -427,7 +427,7 @@ TYPED_TEST(EveryQueue, KeepsItsMemoryInProportionToItsOwners) {
       pair.schedule(static_cast<Owner>(random.bits() % kOwners), random_event(random, now, waits));
       if (step % 5 != 0) continue;
       const Owner least = pair.least();
-      ASSERT_NE(least, kNobody);
+      ASSERT_NE(least, kNoOwner);
       now = pair.list.time(least);
       pair.queue.pop();
       pair.schedule(least, random_event(random, now, waits));

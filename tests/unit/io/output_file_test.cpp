@@ -95,7 +95,7 @@ TEST(OutputFile, WithoutCloseKeepsWhatIsWhole) {
   {
     OutputFile file(folder / "file");
     file.append("whole\n");
-    file.flush_whole();
+    file.flush_complete();
     file.append("half");
     file.flush();
     file.append(" and more");
@@ -142,7 +142,7 @@ TEST(OutputFile, IsCutBackToWhatIsWhole) {
   const ScratchFolder folder;
   OutputFile file(folder / "file");
   file.append("whole\n");
-  file.flush_whole();
+  file.flush_complete();
   {
     const FileSizeLimit limit(100);
     EXPECT_THROW(
