@@ -22,8 +22,7 @@ using httplib::Response;
 
 constexpr const char* kHost = "127.0.0.1";
 
-// Each connection keeps a thread busy until it closes or times out: enough for a crowd of clients, idle ones
-// among them.
+// Each connection occupies a thread until it closes or times out: enough for many clients, some of them idle.
 constexpr std::size_t kThreads = 64;
 
 constexpr std::size_t kPieceBytes = 1 << 16;
@@ -40,8 +39,8 @@ void refuse(Response& response, int status, const std::string& reason) {
   response.set_content(reason + "\n", "text/plain; charset=utf-8");
 }
 
-// Sends `length` bytes, of which piece(offset) gives some from an offset on. Content that comes in pieces is
-// not compressed, which would take longer than to send it on one machine.
+// Sends `length` bytes, of which piece(offset) returns some from an offset on. Such content is not
+// compressed, which would take longer than sending it locally.
 void send(Response& response, std::uint64_t length, const std::string& type,
           std::function<std::string(std::uint64_t offset)> piece) {
   if (length == 0) {
@@ -73,7 +72,7 @@ void send(Response& response, const SharedRecording& recording, const FileExtent
   });
 }
 
-// The number that a query gives, or what it is without one; none if it is no number.
+// The number given by a query, or a default without one; none if it is not a number.
 std::optional<std::uint64_t> number_in(const Request& request, const std::string& key,
                                        std::optional<std::uint64_t> otherwise = {}) {
   if (!request.has_param(key)) return otherwise;
@@ -84,7 +83,7 @@ std::optional<std::uint64_t> number_in(const Request& request, const std::string
   return number;
 }
 
-// The name under which a browser saves a replay: letters that no system and no header takes amiss.
+// The file name under which a browser saves a replay: characters safe in headers and on all systems.
 std::string file_name(const RecordingHeader& header) {
   std::string name = header.name.substr(0, 64);
   const auto is_plain = [](char c) {
@@ -111,12 +110,12 @@ Server::Server(const SharedRecording& recording, const Page& page, int port, std
   } else {
     if (!server_->bind_to_port(kHost, port)) {
       throw Error("port " + to_text(port) + " is taken or not allowed", "--port",
-                  "choose another one, or none to take any that is free");
+                  "choose another one, or none to use any free one");
     }
     port_ = port;
   }
   thread_ = std::thread([this] { server_->listen_after_bind(); });
-  // Before it runs it cannot be stopped.
+  // It cannot be stopped before it runs.
   while (!server_->is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
@@ -132,7 +131,7 @@ std::string Server::url() const {
 void Server::set_rules(std::chrono::seconds patience) {
   using namespace std::chrono_literals;
   server_->new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
-  // Clients that say nothing, read nothing or have gone give their thread back soon.
+  // Clients that send nothing, read nothing or have gone release their thread soon.
   server_->set_keep_alive_max_count(1000);
   server_->set_keep_alive_timeout(1);
   server_->set_read_timeout(2s);
@@ -168,11 +167,11 @@ void Server::set_rules(std::chrono::seconds patience) {
 }
 
 bool Server::is_allowed(const Request& request, Response& response) const {
-  // A page from elsewhere may make its own name mean this machine: then the name gives it away.
+  // Against DNS rebinding: a foreign page may resolve its own name to this machine, but sends that name.
   const std::string host = request.get_header_value("Host");
   const std::string port = ":" + to_text(port_);
   if (host != kHost + port && host != "localhost" + port) {
-    refuse(response, kForbidden, "this server is not called so");
+    refuse(response, kForbidden, "this server does not have that name");
     return false;
   }
   if (!is_same_secret(request.get_param_value("token"), token_)) {
@@ -201,7 +200,7 @@ void Server::add_page() {
   server_->Get("/api/replay\\.html", [this](const Request&, Response& response) {
     try {
       const auto replay = std::make_shared<const Replay>(*recording_, page_);
-      // To be saved: the rules for the pages of this server would not let it run.
+      // For saving: this server's Content-Security-Policy would not let it run.
       response.set_header("Content-Disposition",
                           "attachment; filename=\"" + file_name(recording_->header()) + "\"");
       send(response, replay->length(), "text/html; charset=utf-8",
@@ -221,12 +220,12 @@ void Server::add_recording() {
   });
   server_->Get("/api/status", [this](const Request& request, Response& response) {
     const std::optional<std::uint64_t> from = number_in(request, "from", 0);
-    if (!from) return refuse(response, kBadRequest, "'from' is no number of a chunk");
+    if (!from) return refuse(response, kBadRequest, "'from' is not a chunk number");
     send(response, recording_->status_json(*from), "application/json");
   });
   server_->Get("/api/chunk", [this](const Request& request, Response& response) {
     const std::optional<std::uint64_t> number = number_in(request, "number");
-    if (!number) return refuse(response, kBadRequest, "'number' is missing or no number of a chunk");
+    if (!number) return refuse(response, kBadRequest, "'number' is missing or not a chunk number");
     const std::optional<FileExtent> chunk = recording_->chunk(*number);
     if (!chunk) return refuse(response, kNotFound, "there is no such chunk yet");
     send(response, *recording_, *chunk);

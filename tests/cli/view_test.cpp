@@ -202,7 +202,7 @@ TEST_F(View, ReplayOfARunThatFailsShowsItAsFarAsItWent) {
              "[response]\nrestitution = 0.01\n[run]\nuntil = 1e9\n");
   const Outcome outcome = run_program(folder_, {"replay", "collapse.toml", "--out", "collapse.html"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.messages.find("collapse.html shows it as far as that"), std::string::npos)
+  EXPECT_NE(outcome.messages.find("collapse.html shows it up to there"), std::string::npos)
       << outcome.messages;
   EXPECT_NE(read_text(folder_ / "collapse.html").find("id=\"recording\">SEJSRUMwMD"), std::string::npos);
 }
