@@ -129,18 +129,18 @@ double all_pairs_work(const Comparison& comparison, double until) {
   const Counters& counters = comparison.first().counters;
   const double mean_speed = moments_of(world, Time(0)).mean_speed;
   const auto spheres = static_cast<double>(world.size());
-  double copies = 1;
-  double looks_per_sphere = 1;
+  double images = 1;
+  double passes_per_sphere = 1;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_periodic(axis)) continue;
-    copies *= 2;
+    images *= 2;
     // A sphere's contacts are predicted again after each quarter of the box; half the mean speed is the mean
     // along an axis.
-    looks_per_sphere += until * mean_speed / 2 / (world.box().size()[axis] / 4);
+    passes_per_sphere += until * mean_speed / 2 / (world.box().size()[axis] / 4);
   }
   const double after_contacts =
       2 * static_cast<double>(counters.collision) + static_cast<double>(counters.wall);
-  return (spheres * looks_per_sphere + after_contacts) * spheres * copies;
+  return (spheres * passes_per_sphere + after_contacts) * spheres * images;
 }
 
 }  // namespace

@@ -25,9 +25,9 @@ namespace hardball {
 /// - `next_crossing(world, slot, now, limit)` is when the sphere reaches the edge of its region, not before
 ///   `now`; kNever if it never does, and possibly if not before `limit`.
 /// - `cross(world, slot, now, candidates)` gives it the next region and collects the new candidates (and
-/// perhaps others).
+///   perhaps others).
 /// - `prefetch_region(slot)` and `prefetch_lists(slot, crosses)`, called a few events apart, prefetch what
-/// the next event of a sphere will need; `crosses` says whether it is a crossing.
+///   the next event of a sphere will need; `crosses` says whether it is a crossing.
 /// - `for_each_prefetched(slot, crosses, visit)` calls visit(other) for most of the candidates of that event.
 /// - `left_count()` counts the cells, or rows of cells, that spheres have left since `build`.
 /// - `validate(world, now)` checks the whole structure and throws BrokenInvariant.

@@ -23,9 +23,9 @@ inline constexpr Owner kNoOwner = std::numeric_limits<Owner>::max();
 /// - `event(owner)` is that event, perhaps one that does not happen.
 /// - `time(owner)` is its time.
 /// - `prefetch_event(owner)`, optional, prefetches both. With it comes `is_cached()`: whether prefetching is
-/// needless.
+///   needless.
 /// - `share_event(a, b)`, optional, may report that two owners whose times agree to the nearest double have
-/// the same event, as two spheres do that will collide with each other.
+///   the same event, as two spheres do that will collide with each other.
 ///
 /// Between two calls of `schedule` for an owner, its event may become a lesser one at the same time; the
 /// queue returns it no later than the one that was scheduled.
@@ -72,10 +72,10 @@ struct AnyEventTable {
 ///
 /// - `reset(n, start)` empties it for owners 0..n-1 and events not before `start`.
 /// - `schedule(owner, table)`: the owner's event in the table has changed, perhaps to one that does not
-/// happen.
+///   happen.
 /// - `least(table)` is the owner of the least event, or kNoOwner; it may rearrange the queue internally.
 /// - `pop()` removes the event that `least()` has just returned; its owner has none until the next
-/// `schedule`, by which time the table must no longer hold it.
+///   `schedule`, by which time the table must no longer hold it.
 template <class Queue>
 concept EventQueue = requires(Queue queue, const Queue& view, std::size_t owners, Time start, Owner owner,
                               AnyEventTable table) {

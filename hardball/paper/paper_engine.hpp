@@ -48,7 +48,8 @@ class PaperEngine {
     std::size_t bytes = world_.memory_bytes() + guard_.memory_bytes();
     bytes += records_.capacity() * sizeof(SphereRecord);
     bytes += event_tree_.size() * (sizeof(Event) + kTreeLinks);
-    for (const SphereRecord& record : records_) bytes += record.candidates.size() * (sizeof(Event) + kTreeLinks);
+    for (const SphereRecord& record : records_)
+      bytes += record.candidates.size() * (sizeof(Event) + kTreeLinks);
     for (const auto& [key, members] : subspace_tree_) {
       bytes += sizeof(key) + sizeof(members) + kTreeLinks + members.capacity() * sizeof(Member);
     }

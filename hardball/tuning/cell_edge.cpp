@@ -34,9 +34,9 @@ double cost_rate(const CellCounts& counts, const UnitCosts& costs) {
   // A crossing costs more where cells are looked up in a hash table: measured, docs/theory.md.
   constexpr double kHashedEnter = 1.75;
   const double enter = counts.is_hashed ? kHashedEnter * costs.enter : costs.enter;
-  const double looks = counts.collision + counts.wall + counts.stale;
+  const double passes = counts.collision + counts.wall + counts.stale;
   return costs.contact * (counts.collision / 2 + counts.wall) + enter * counts.enter +
-         costs.cell * (looks * counts.cells + counts.enter * counts.cells_entered) +
+         costs.cell * (passes * counts.cells + counts.enter * counts.cells_entered) +
          costs.prediction * counts.predictions();
 }
 

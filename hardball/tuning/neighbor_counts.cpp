@@ -40,11 +40,11 @@ double cost_rate(const NeighborCounts& counts, const UnitCosts& costs) {
   // A rebuild visits 27 cells; checking whether an anchor is near costs a fraction of a prediction.
   constexpr double kCellsOfRebuild = 27;
   constexpr double kSearch = 0.25;
-  const double look = costs.cell + costs.prediction * counts.neighbors;
+  const double pass = costs.cell + costs.prediction * counts.neighbors;
   const double rebuild =
       costs.enter + kCellsOfRebuild * costs.cell + kSearch * costs.prediction * counts.searched;
   return costs.contact * (counts.collision / 2 + counts.wall) +
-         (counts.collision + counts.wall + counts.stale) * look + counts.rebuild * rebuild;
+         (counts.collision + counts.wall + counts.stale) * pass + counts.rebuild * rebuild;
 }
 
 double optimal_slack(const Moments& moments, const UnitCosts& costs) {

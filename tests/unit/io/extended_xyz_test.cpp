@@ -45,7 +45,7 @@ TEST(AppendSnapshot, WritesTheLineThatOvitoAndAseRead) {
             "1 1 2 3 0.1 0 -2 0.5 3 0 0 0 0\n");
 }
 
-TEST(AppendSnapshot, ShowsSpheresWhereTheyAreAtTheMoment) {
+TEST(AppendSnapshot, ShowsSpheresWhereTheyAreAtTheTime) {
   World world(Box::walls({10, 10, 10}));
   world.add({.position = {1, 2, 3}, .velocity = {2, 0, 0}, .radius = 0.5});
   const Snapshot snapshot = parse(frame_of(world, 1.5));

@@ -47,7 +47,7 @@ export class Playback {
     this.time = time;
   }
 
-  /** Forgets which spheres were touched. */
+  /** Clears the list of touched spheres. */
   takeTouched() {
     this.touchedCount = 0;
     this.allTouched = false;
