@@ -137,7 +137,7 @@ class Engine {
     Time contact = kNever;
     double partner_since = 0;   // start of the partner's path
     std::uint32_t partner = 0;  // a slot, or a face of the box
-    Image image;                // the copy of the partner
+    Image image;                // of the partner
     SphereId id = 0;            // of the sphere itself
     EventKind kind = EventKind::wall;
     bool is_nearest_image = false;  // the partner's image is the nearest one at contact

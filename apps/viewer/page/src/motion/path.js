@@ -29,9 +29,9 @@ export function piecesInBox(path, from, until, box, most = 64) {
       if (period === 0 || velocity === 0) continue;
       // The middle of a short step ahead shows in which image of the box the motion continues.
       const place = path[axis] + (time - path[6]) * velocity;
-      const copy = Math.floor(place / period + Math.sign(velocity) * 1e-9);
-      boxes[axis] = copy;
-      const face = (velocity > 0 ? copy + 1 : copy) * period;
+      const image = Math.floor(place / period + Math.sign(velocity) * 1e-9);
+      boxes[axis] = image;
+      const face = (velocity > 0 ? image + 1 : image) * period;
       next = Math.min(next, path[6] + (face - path[axis]) / velocity);
     }
     if (!(next > time)) break;
