@@ -23,8 +23,8 @@ double expected_missed_share(double advance) {
   double share = 0;
   for (int i = 0; i < kIntervals; ++i) {
     const double u = (i + 0.5) * kWidth;
-    // Lengths in twice the sum of the radii: of overlaps along a chord c, checks that lie `passed` apart miss
-    // the share 1 - c / passed, if positive; c^2 is uniform between 0 and 1.
+    // Lengths in units of twice the sum of the radii: of overlaps along a chord c, checks `passed` apart miss
+    // the fraction 1 - c / passed, if positive; c^2 is uniform between 0 and 1.
     const double passed = u * advance / 2;
     const double missed = passed < 1 ? passed * passed / 3 : 1 - 2 / (3 * passed);
     share += missed * 2 * u * u * u * std::exp(-u * u) * kWidth;

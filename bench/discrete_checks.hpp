@@ -10,18 +10,18 @@
 
 namespace hardball::bench {
 
-/// How long two spheres would overlap after this collision if both went straight on [T]; infinite if they do
-/// not move relative to each other.
+/// How long two spheres would overlap after this collision if both continued in a straight line [T]; infinite
+/// if they are at relative rest.
 double overlap_duration(const Contact& contact);
 
-/// Whether a check for overlaps at the moments k * `step` [T], k whole, finds an overlap that begins at
+/// Whether a check for overlaps at the times k * `step` [T], k an integer, finds an overlap that starts at
 /// `begin` [T] and lasts for `duration` [T].
 bool is_seen(double begin, double duration, double step);
 
-/// The share of collisions that such checks miss in a gas in equilibrium [1]; `advance` is what two spheres
-/// advance in a step, at the most probable relative speed, over the sum of their radii [1]. Source: kinetic
-/// theory; relative speeds of colliding pairs are distributed as u^3 exp(-u^2), and the square of the
-/// distance at which they would pass uniformly.
+/// The fraction of collisions that such checks miss in a gas in equilibrium [1]; `advance` is the distance
+/// that two spheres cover in a step at the most probable relative speed, over the sum of their radii [1].
+/// Source: kinetic theory; relative speeds of colliding pairs are distributed as u^3 exp(-u^2), and squared
+/// impact parameters uniformly.
 double expected_missed_share(double advance);
 
 /// Counts the collisions that checks at intervals of several steps miss.

@@ -54,7 +54,8 @@ void run_collisions(Simulation& simulation, double per_sphere) {
   }
 }
 
-// The paper's spheres in equilibrium. What steps would miss is counted on the second half of the way there.
+// The paper's spheres in equilibrium. What steps would miss is counted during the second half of
+// equilibration.
 World settled_world(std::size_t spheres, double box_edge, MissedCounter& missed) {
   const bool is_random = spheres <= kMostPlacedAtRandom || box_edge > kBoxEdge;
   Scenario scenario;
@@ -75,8 +76,8 @@ World settled_world(std::size_t spheres, double box_edge, MissedCounter& missed)
   return simulation.world();
 }
 
-// How much time [T] a simulation runs through in so many seconds. It takes a copy: the original stays as it
-// is.
+// The simulated time [T] that a simulation covers in the given seconds. It takes a copy: the original is
+// unchanged.
 double span_of(Simulation simulation, double seconds) {
   const double start = simulation.time();
   double elapsed = 0;
@@ -86,11 +87,11 @@ double span_of(Simulation simulation, double seconds) {
   return rounded_down((simulation.time() - start) * seconds / elapsed);
 }
 
-// An engine, run window by window of one length in simulated time.
+// An engine, run in windows of equal simulated time.
 class EventDriven {
  public:
   EventDriven(Simulation simulation, double span) : simulation_(std::move(simulation)), span_(span) {
-    // Untimed, so that memory has its everyday disorder and not that of a fresh start.
+    // Untimed, so that memory is as disordered as in a long run.
     begin_ = simulation_.time() + span_ / 4;
     simulation_.run_until(begin_);
     counters_ = simulation_.counters();
@@ -130,7 +131,7 @@ class EventDriven {
   std::vector<double> seconds_;
 };
 
-// The cost of a step does not depend on its length: it is measured with the shortest, and multiplied.
+// The cost of a step does not depend on its length: it is measured with the shortest and scaled.
 class Stepping {
  public:
   Stepping(const World& world, const Time& now, double seconds)

@@ -13,20 +13,20 @@ namespace hardball::bench {
 
 inline constexpr double kRadius = 1.5;   ///< Of the spheres [L].
 inline constexpr double kBoxEdge = 200;  ///< Of the paper's box [L].
-/// Where the box grows with the number of spheres, they are as dense as so many in the paper's box.
+/// If the box grows with the number of spheres, they are as dense as this many in the paper's box.
 inline constexpr std::size_t kSpheresAtFixedDensity = 10'000;
 inline constexpr double kSpread = 10;  ///< Standard deviation of each component of the velocities [L/T].
-/// From this packing fraction on, hard spheres in equilibrium are not all fluid [1]. Source: Hoover and Ree,
+/// The packing fraction above which hard spheres in equilibrium freeze [1]. Source: Hoover and Ree,
 /// J. Chem. Phys. 49 (1968) 3609.
 inline constexpr double kFreezing = 0.494;
 
-/// More spheres start from a face-centred cubic lattice, and need longer to forget it.
+/// More spheres start from a face-centred cubic lattice, and take longer to equilibrate.
 inline constexpr std::size_t kMostPlacedAtRandom = 50'000;
-inline constexpr int kCollisionsToSettle = 10;  ///< Collisions of each sphere before measuring, in the mean.
-/// The same from a lattice, which below freezing has melted by the ninth.
+inline constexpr int kCollisionsToSettle = 10;  ///< Mean collisions per sphere before measuring.
+/// The same from a lattice, which below freezing has melted after nine.
 inline constexpr int kCollisionsToMelt = 15;
 
-/// A step of time, by how far a sphere of mean speed goes in it.
+/// A time step, by how far a sphere of mean speed moves in it.
 struct StepSize {
   double radii = 0;  ///< [1]
   const char* name = "";
@@ -45,19 +45,19 @@ inline constexpr std::array<StepSize, 10> kSteps = {{{3, "3"},
                                                      {1. / 30, "1/30"},
                                                      {1. / 50, "1/50"},
                                                      {1. / 100, "1/100"}}};
-/// Those of them, by index, that the time-stepped simulation takes.
+/// The indices of those used by the time-stepped simulation.
 inline constexpr std::array<std::size_t, 4> kStepsTaken = {1, 3, 5, 7};
 
 /// What is measured, and for how long.
 struct Plan {
   std::vector<std::size_t> spheres;                   ///< In the paper's box.
-  std::vector<std::size_t> spheres_at_fixed_density;  ///< In boxes that grow with their number.
+  std::vector<std::size_t> spheres_at_fixed_density;  ///< In boxes that grow with n.
   int repetitions = 3;
   double seconds = 0.8;       ///< Aimed at for one measurement of the cell grid.
   double slow_seconds = 0.8;  ///< The same for all pairs and time steps, unless a single step takes longer.
   std::size_t most_all_pairs = 0;  ///< The largest number of spheres for all pairs.
   std::size_t most_stepped = 0;    ///< The same for time steps.
-  std::size_t trial_spheres = 0;   ///< For counting what the time-stepped simulation finds.
+  std::size_t trial_spheres = 0;   ///< For counting the collisions that the time-stepped simulation finds.
   double trial_span = 0;           ///< [T]
 };
 
@@ -68,7 +68,7 @@ Plan quick_plan();
 
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// How fast one method is for one number of spheres; NaN where a number has no meaning.
+/// The speed of one method for one number of spheres; NaN where a number does not apply.
 struct Row {
   std::string method;  ///< cells, paper, all_pairs or time_stepped
   std::size_t spheres = 0;
@@ -80,7 +80,7 @@ struct Row {
   double seconds_maximum = kNone;
   int repetitions = 0;
   double span = 0;            ///< Simulated in one repetition [T].
-  double collisions = kNone;  ///< Per unit of time, as the other kinds of events.
+  double collisions = kNone;  ///< Per unit of time, like the other kinds of events.
   double walls = kNone;
   double enters = kNone;
   double leaves = kNone;
@@ -93,21 +93,21 @@ struct Row {
   double seconds_per_collision() const { return seconds / collisions; }
 };
 
-/// What checks at intervals of one step miss.
+/// The collisions missed by checks at intervals of one step.
 struct StepRow {
   StepSize step;
-  std::uint64_t contacts = 0;  ///< Collisions of the exact engine that were looked at.
-  std::uint64_t missed = 0;    ///< Those of them during which there is no check.
+  std::uint64_t contacts = 0;  ///< Collisions of the exact engine examined.
+  std::uint64_t missed = 0;    ///< Of these, those during which there is no check.
   double expected_share = 0;   ///< Missed, by kinetic theory [1].
   // The time-stepped simulation itself, where it was run:
   std::size_t spheres = 0;
   double span = kNone;      ///< [T]
   double exact = kNone;     ///< Collisions of the exact engine in this span.
-  double resolved = kNone;  ///< Collisions that the time-stepped simulation carried out in it.
+  double resolved = kNone;  ///< Collisions that the time-stepped simulation resolved in it.
 
   double missed_share() const { return static_cast<double>(missed) / static_cast<double>(contacts); }
   double unresolved_share() const { return 1 - resolved / exact; }
-  /// One standard error of unresolved_share(), if the two histories have forgotten each other [1].
+  /// One standard error of unresolved_share(), if the two histories are uncorrelated [1].
   double unresolved_error() const { return std::sqrt(exact + resolved) / exact; }
 };
 
@@ -118,8 +118,8 @@ struct Results {
   std::vector<StepRow> steps;
 };
 
-/// Measures everything, in one thread, and says on stderr how far it is. Error (RunFailure): the cell grid
-/// and the paper's algorithm disagree.
+/// Measures everything, in one thread, and reports progress on stderr. Error (RunFailure): the cell grid and
+/// the paper's algorithm disagree.
 Results measure(const Plan& plan);
 
 }  // namespace hardball::bench

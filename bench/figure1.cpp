@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// The program figure1: measures figure 1 of the 1997 paper, and simulation by time steps beside it.
+// The program figure1: measures figure 1 of the 1997 paper, and simulation by time steps for comparison.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -80,13 +80,13 @@ void run(const Options& options) {
   const std::vector<std::string> figure_notes = {
       fmt::format("start: up to {} spheres random places and {} collisions per sphere, else a lattice and {}",
                   kMostPlacedAtRandom, kCollisionsToSettle, kCollisionsToMelt),
-      "all methods begin with the same state; set-up is excluded",
+      "all methods start from the same state; set-up is excluded",
       "seconds_per_unit_time: median of the repetitions; span: simulated in each of them",
-      "events: collisions + walls + enters + leaves; of cells, leaves are no events but cells forgotten",
-      "time_stepped: the cost of a step was measured with the shortest, and multiplied",
+      "events: collisions + walls + enters + leaves; with cells, leaves are not events but cells released",
+      "time_stepped: the cost of a step was measured with the shortest and scaled",
       "missed_share: see time_stepped.csv"};
   const std::vector<std::string> steps_notes = {
-      "missed: collisions of the exact engine with no check while the two would overlap, going straight on",
+      "missed: collisions of the exact engine with no check while the two would overlap in straight motion",
       "collisions: of all numbers of spheres below freezing; expected_share: by kinetic theory",
       "resolved: by the time-stepped simulation, which needs a check while they overlap and still approach"};
   const std::vector<std::string> exponents_notes = {

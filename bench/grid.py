@@ -4,8 +4,8 @@
 """Measures engines over a grid of sizes and densities, in turn, slice by slice.
 
 At each point of the grid all engines under test are started as processes on one core of the processor. Then each runs
-for a slice of time, round after round; those whose turn it is not wait for input, and cost nothing. What slows the
-machine down slows all of them down, so that ratios hold on a shared machine too.
+for a slice of time, round after round, while the others wait for input and cost nothing. Other load on the machine
+slows all of them, so that ratios hold on a shared machine too.
 
 The protocol. An engine is a command to which these arguments are appended:
   --spheres N --packing-fraction PHI --equilibration C --seed S
@@ -14,18 +14,18 @@ for C collisions per sphere, that is C * N / 2 in all. Then it prints, and flush
   ready {JSON}
 with any of the keys bytes_per_sphere, peak_rss_bytes, setup_seconds, engine, cell_edge, compiler, flags. For each line
   run K
-of its standard input it goes on for K further contacts, and prints and flushes a line
+of its standard input it continues for K further contacts, and prints and flushes a line
   {JSON}
 with the keys collisions and seconds (of these contacts alone), and any of simulated_time, cycles, instructions, and
-counters, an object of event counts such as enter, stale, predictions, rebuilds. Whatever it does not know is absent or
-null. At the end of the input it exits. measured_engine also understands the line
+counters, an object of event counts such as enter, stale, predictions, rebuilds. Unknown values are absent or null. At
+the end of the input it exits. measured_engine also understands the line
   finish
 prints {"event_log_hash": "..."} of all contacts so far, and exits.
 
 The tables. One row is one engine; everything but memory is per collision. Nanoseconds, cycles and instructions are
 medians over the rounds, with the spread (largest less smallest, over the median). The mean is the nanoseconds of all
-rounds over all collisions: far from the median it tells of work that few slices have to do, such as rebuilds, and then
-slices should be longer. Events are totals of all rounds over all collisions. The ratio is the time over that of the
+rounds over all collisions: if far from the median, few slices do much of the work, such as rebuilds, and slices should
+be longer. Events are totals of all rounds over all collisions. The ratio is the time over that of the
 first engine in the same round, median over the rounds.
 """
 
@@ -62,7 +62,7 @@ Report = dict[str, Any]
 
 
 class EngineFailure(Exception):
-    """An engine did not do what the protocol says."""
+    """An engine violated the protocol."""
 
 
 @dataclass
@@ -93,7 +93,7 @@ class Point:
 
 @dataclass
 class Measurement:
-    """What one engine did at one point; `failure` says why it did not do more."""
+    """The measurement of one engine at one point; `failure` says why it ended early."""
 
     name: str
     command: list[str]
@@ -137,7 +137,7 @@ class LiveEngine:
         return self
 
     def __exit__(self, *_: object) -> None:
-        # An engine that is done has no state worth waiting for.
+        # A finished engine has no state worth waiting for.
         self._process.kill()
         self._process.wait()
         self._process.stdin.close()
@@ -176,7 +176,7 @@ class LiveEngine:
         return line.decode(errors="replace")
 
     def _end(self) -> str:
-        """How the process ended, and its last words."""
+        """How the process ended, and its last message."""
         try:
             status = self._process.wait(self._patience)
         except subprocess.TimeoutExpired:
@@ -198,7 +198,7 @@ def parse_report(text: str) -> Report:
 
 
 def number_in(report: Report | None, key: str) -> float | None:
-    """None if the report does not say, or says something else."""
+    """None if the report has no such number."""
     value = report.get(key) if isinstance(report, dict) else None
     return value if isinstance(value, (int, float)) and not isinstance(value, bool) else None
 
@@ -207,7 +207,7 @@ def number_in(report: Report | None, key: str) -> float | None:
 
 
 def calibrate(engine: LiveEngine, slice_seconds: float) -> int:
-    """The number of contacts that takes about so long."""
+    """The number of contacts that takes about this long."""
     contacts = 100
     while True:
         seconds = engine.run(contacts)["seconds"]
@@ -217,7 +217,7 @@ def calibrate(engine: LiveEngine, slice_seconds: float) -> int:
 
 
 def measure_point(point: Point, engines: Sequence[Engine], settings: Settings) -> list[Measurement]:
-    """Runs all engines in turn; one that fails is left out from then on."""
+    """Runs all engines in turn; one that fails is dropped."""
     measurements = []
     live: list[tuple[Measurement, LiveEngine]] = []
     with ExitStack() as stack:
@@ -232,7 +232,7 @@ def measure_point(point: Point, engines: Sequence[Engine], settings: Settings) -
             except EngineFailure as failure:
                 measurement.failure = str(failure)
         for round_number in range(settings.rounds):
-            # Back and forth, so that none is always the one after the same other.
+            # Back and forth, so that none always runs after the same other.
             for measurement, process in live if round_number % 2 == 0 else reversed(live):
                 try:
                     measurement.slices.append(process.run(measurement.contacts_per_slice))
@@ -262,7 +262,7 @@ def spread(values: Sequence[float]) -> float:
 
 
 def median_per_collision(measurement: Measurement, key: str) -> float | None:
-    """None if a round does not say."""
+    """None if unknown for a round."""
     values = [number_in(each, key) for each in measurement.slices]
     if not values or None in values:
         return None
@@ -270,7 +270,7 @@ def median_per_collision(measurement: Measurement, key: str) -> float | None:
 
 
 def count_per_collision(measurement: Measurement, counter: str) -> float | None:
-    """Of all rounds together, since rare events happen in few of them; None if a round does not say."""
+    """Of all rounds together, since rare events happen in few of them; None if unknown for a round."""
     values = [number_in(each.get("counters"), counter) for each in measurement.slices]
     if not values or None in values:
         return None
@@ -310,7 +310,7 @@ def to_text(number: float | None, form: str) -> str:
 
 
 def table(point: Point, measurements: Sequence[Measurement], stored: Report | None = None) -> list[list[str]]:
-    """Heads and rows of what is complete; the column of ratios to stored results only if there are some."""
+    """Heads and rows of the complete measurements; ratios to stored results only if there are some."""
     complete = [each for each in measurements if is_complete(each)]
     if not complete:
         return []
@@ -352,7 +352,7 @@ def markdown_table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
 def point_report(
     point: Point, measurements: Sequence[Measurement], stored: Report | None = None, markdown: bool = False
 ) -> str:
-    """The table of a point, and what failed there."""
+    """The table of a point, and its failures."""
     title = f"{point.spheres} spheres, packing fraction {point.packing_fraction:g}; per collision:"
     lines = [f"**{title}**" if markdown else title, *([""] if markdown else [])]
     if rows := table(point, measurements, stored):
@@ -386,7 +386,7 @@ def git(*arguments: str) -> str | None:
 
 
 def where_measured(settings: Settings) -> Report:
-    """What a claim of speed comes with; each engine names its own compiler and flags when it is ready."""
+    """The context of a speed claim; each engine names its own compiler and flags when it is ready."""
     changes = git("status", "--porcelain", "--untracked-files=no")
     return {
         "commit": git("rev-parse", "HEAD"),
@@ -419,7 +419,7 @@ def run_grid(
     for point in points:
         measurements = measure_point(point, engines, settings)
         results["points"].append({"point": asdict(point), "measurements": [asdict(each) for each in measurements]})
-        # After each point, so that a run that is broken off leaves what it has.
+        # After each point, so that an aborted run leaves its results.
         out.write_text(json.dumps(results, indent=1) + "\n")
         print(point_report(point, measurements, stored, markdown), flush=True)
         success = success and any(is_complete(each) for each in measurements)
@@ -431,7 +431,7 @@ def run_grid(
 
 
 def list_of(convert: type) -> Any:
-    """Reads a list with commas between its items."""
+    """Parses a comma-separated list."""
 
     def parse(text: str) -> list[Any]:
         return [convert(item) for item in text.split(",")]
@@ -458,7 +458,7 @@ def results_file(text: str) -> Report:
 
 
 def available_cores() -> list[int]:
-    """Empty where processes cannot be tied to a core."""
+    """Empty where processes cannot be pinned to a core."""
     return sorted(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else []
 
 
@@ -485,7 +485,7 @@ def parse_arguments(arguments: Sequence[str] | None = None) -> argparse.Namespac
     parser.add_argument("--core", type=int, default=max(available_cores(), default=None),
                         help="default: the last one")  # fmt: skip
     parser.add_argument("--patience", type=float, metavar="SECONDS", default=3600,
-                        help="an engine that gives no answer for so long has failed; default: 3600")  # fmt: skip
+                        help="an engine that gives no answer for this long has failed; default: 3600")  # fmt: skip
     parser.add_argument("--out", type=Path, metavar="FILE", default=PROJECT / "build/bench/results.json",
                         help="default: build/bench/results.json")  # fmt: skip
     parser.add_argument("--markdown", action="store_true", help="print tables as Markdown")

@@ -20,7 +20,7 @@ int open_counter(std::uint64_t event) {
   attributes.type = PERF_TYPE_HARDWARE;
   attributes.config = event;
   attributes.disabled = 1;
-  // Most systems let users count only what their own code does.
+  // Most systems let users count only in user mode.
   attributes.exclude_kernel = 1;
   attributes.exclude_hv = 1;
   attributes.read_format = PERF_FORMAT_TOTAL_TIME_ENABLED | PERF_FORMAT_TOTAL_TIME_RUNNING;
@@ -36,7 +36,7 @@ std::optional<std::uint64_t> read_counter(int descriptor) {
     std::uint64_t count, enabled, running;
   } reading{};
   if (descriptor < 0 || read(descriptor, &reading, sizeof(reading)) != sizeof(reading)) return {};
-  // A counter that ran for part of the time only would have to be extrapolated.
+  // A counter that ran only part of the time would have to be extrapolated.
   if (reading.running == 0 || reading.running < reading.enabled) return {};
   return reading.count;
 }

@@ -8,15 +8,14 @@
 
 namespace hardball::bench {
 
-/// What the processor counted while this process ran in user mode; nothing where it was not allowed to count,
-/// has no such counter, or shared it with others in the meantime.
+/// Processor counts of this process in user mode; empty if counting is not permitted, the counter does not
+/// exist, or it was shared with others meanwhile.
 struct HardwareCounts {
   std::optional<std::uint64_t> cycles;
   std::optional<std::uint64_t> instructions;
 };
 
-/// The counters of the processor, for the thread that made them. On other systems than Linux they count
-/// nothing.
+/// The processor's counters for the thread that created them. On systems other than Linux they count nothing.
 class HardwareCounters {
  public:
   HardwareCounters();
@@ -26,11 +25,11 @@ class HardwareCounters {
 
   /// Counts from zero.
   void start();
-  /// What was counted since `start`.
+  /// The counts since `start`.
   HardwareCounts stop();
 
  private:
-  std::array<int, 2> descriptors_{-1, -1};  // of cycles and of instructions; -1 where there is none
+  std::array<int, 2> descriptors_{-1, -1};  // of cycles and of instructions; -1 if there is none
 };
 
 }  // namespace hardball::bench

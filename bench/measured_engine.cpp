@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// The program measured_engine: spheres in a box, in a process that runs only when it is told to and says what
-// that took. grid.py, which describes the protocol, runs several such processes in turn.
+// The program measured_engine: spheres in a box, in a process that runs on command and reports the time
+// taken. grid.py, which describes the protocol, runs several such processes in turn.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -113,7 +113,7 @@ SphereGroup group_of(std::size_t count, double radius, Placement placement) {
 World make_start(const Options& options) {
   check_positive(options.packing_fraction, "the packing fraction", "--packing-fraction");
   check_positive(options.radius_ratio, "the ratio", "--radius-ratio");
-  // Spheres of two sizes fit on no lattice.
+  // Spheres of two sizes do not fit on a lattice.
   const bool is_mixture = options.radius_ratio != 1;
   const Placement placement =
       choose(options.placement.value_or(is_mixture ? "random" : "fcc"), kPlacements, "--placement");
@@ -143,7 +143,7 @@ double seconds_of(Work&& work) {
 void equilibrate(Simulation& simulation, double collisions_per_sphere) {
   const auto wanted =
       static_cast<std::uint64_t>(collisions_per_sphere * static_cast<double>(simulation.size()) / 2);
-  // Contacts with walls are none of them.
+  // Wall contacts are not counted.
   while (simulation.counters().collision < wanted) {
     simulation.run_contacts(wanted - simulation.counters().collision);
   }
@@ -193,7 +193,7 @@ Json run_slice(Simulation& simulation, std::uint64_t contacts, HardwareCounters&
   return json;
 }
 
-// Whoever gives the commands waits for each answer.
+// The caller waits for each answer.
 void print(const std::string& line) {
   fmt::print("{}\n", line);
   std::fflush(stdout);
@@ -217,7 +217,7 @@ void obey(Simulation& simulation) {
       return;
     }
     if (!line.starts_with(kRun)) {
-      throw Error("there is no command '" + line + "'", "standard input", "say run CONTACTS or finish");
+      throw Error("there is no command '" + line + "'", "standard input", "give run CONTACTS or finish");
     }
     const std::uint64_t contacts = parse_contacts(std::string_view(line).substr(kRun.size()));
     print(run_slice(simulation, contacts, hardware_counters).dump());
@@ -246,21 +246,22 @@ void run(const Options& options) {
 
 int parse_and_run(int argument_count, char** arguments) {
   Options options;
-  CLI::App app("Runs equal spheres of diameter 1 as standard input says: run CONTACTS, finish.",
+  CLI::App app("Runs equal spheres of diameter 1 by commands on standard input: run CONTACTS, finish.",
                "measured_engine");
   app.add_option("--spheres", options.spheres, "How many")->required();
   app.add_option("--packing-fraction", options.packing_fraction, "Their volume over the box's")->required();
-  app.add_option("--equilibration", options.equilibration, "Collisions per sphere to begin with");
+  app.add_option("--equilibration", options.equilibration, "Collisions per sphere before measuring");
   app.add_option("--seed", options.seed, "Seed of the random numbers");
   app.add_option("--engine", options.engine, "One of " + names_in(kEngines));
   app.add_option("--cell-edge", options.cell_edge, "Edge of the cells, instead of the best");
   app.add_option("--placement", options.placement, "One of " + names_in(kPlacements));
   app.add_option("--boundary", options.boundary, "One of " + names_in(kBoundaries));
-  app.add_option("--radius-ratio", options.radius_ratio, "Half of the spheres have so many times the radius");
+  app.add_option("--radius-ratio", options.radius_ratio,
+                 "Ratio of the radii of the two halves of the spheres");
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {
-    // Requests for help are "errors" that end well.
+    // Requests for help are "errors" with exit status 0.
     if (error.get_exit_code() == 0) return app.exit(error);
     throw Error(error.what(), "command line", "see measured_engine --help");
   }

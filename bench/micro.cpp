@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// What the parts of an event cost by themselves, in the nearest caches: contact times by each set of
-// instructions, the calendar, and what the broad phases do at a crossing.
+// The cost of the parts of an event in isolation, in L1 and L2: contact times with each instruction set, the
+// calendar, and crossings of the broad phases.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -41,7 +41,7 @@ World make_gas(double packing_fraction) {
 // The earliest contact among as many candidates as the argument says, different ones each time.
 void predict(benchmark::State& state, InstructionSet instructions, bool from_now) {
   if (!is_available(instructions)) {
-    state.SkipWithError("this machine does not have these instructions");
+    state.SkipWithError("this machine does not support these instructions");
     return;
   }
   const World world = make_gas(0.3);
@@ -67,8 +67,8 @@ void predict(benchmark::State& state, InstructionSet instructions, bool from_now
       benchmark::Counter(static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate);
 }
 
-// Each owner's next event, in the order of a gas: the least is taken and comes again after a while.
-struct Agenda {
+// Each owner's next event, as in a gas: the least is taken and rescheduled after a random wait.
+struct EventTable {
   std::vector<Event> events;
   Event event(Owner owner) const { return events[owner]; }
   Time time(Owner owner) const { return events[owner].time; }
@@ -78,18 +78,18 @@ template <class Queue>
 void take_and_schedule(benchmark::State& state) {
   const auto owners = static_cast<Owner>(state.range(0));
   Random random(3);
-  Agenda agenda{std::vector<Event>(owners)};
+  EventTable table{std::vector<Event>(owners)};
   Queue queue;
   queue.reset(owners, Time(0));
   const auto schedule = [&](Owner owner, const Time& now) {
-    agenda.events[owner] = {after(now, -std::log(1 - random.uniform())), EventKind::wall, owner, 0, {}};
-    queue.schedule(owner, agenda);
+    table.events[owner] = {after(now, -std::log(1 - random.uniform())), EventKind::wall, owner, 0, {}};
+    queue.schedule(owner, table);
   };
   for (Owner owner = 0; owner < owners; ++owner) schedule(owner, Time(0));
-  benchmark::DoNotOptimize(queue.least(agenda));  // lays out the days
+  benchmark::DoNotOptimize(queue.least(table));  // sizes the buckets
   for (auto _ : state) {
-    const Owner least = queue.least(agenda);
-    const Time now = agenda.time(least);
+    const Owner least = queue.least(table);
+    const Time now = table.time(least);
     queue.pop();
     schedule(least, now);
     // A collision gives another sphere a new event, too.
@@ -107,8 +107,7 @@ void cross_and_collect(benchmark::State& state, double packing_fraction, double 
   for (Slot slot = 0; slot < kSpheres; ++slot) {
     crossings[slot] = phase.next_crossing(world, slot, Time(0), kNever);
   }
-  // Spheres fly on without meeting, each crossing in its turn; the state begins anew before they are far
-  // apart.
+  // Spheres move on without colliding, each crossing in turn; the state is reset before they are far apart.
   const Phase start = phase;
   const std::vector<Time> first_crossings = crossings;
   Slot slot = 0;

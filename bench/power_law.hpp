@@ -15,7 +15,7 @@ struct PowerLaw {
   std::size_t points = 0;
 };
 
-/// Least squares of log y over log x, all points of one weight. Precondition: `x` and `y` have one length and
+/// Least squares of log y over log x, with equal weights. Precondition: `x` and `y` have the same length and
 /// are positive. The exponent is NaN for fewer than two different x.
 PowerLaw fit_power_law(std::span<const double> x, std::span<const double> y);
 

@@ -140,7 +140,7 @@ void add_fit(std::vector<Exponent>& exponents, const std::vector<Row>& rows, con
   exponents.push_back(std::move(fit));
 }
 
-// All that is fitted of one method.
+// All fits of one method.
 void add_fits(std::vector<Exponent>& exponents, const std::vector<Row>& rows, const std::string& box,
               const std::vector<Range>& ranges) {
   if (rows.empty()) return;

@@ -22,15 +22,15 @@ struct Exponent {
 
 /// Power laws in the number of spheres n, of every method. In the paper's box for two ranges: up to 10^4,
 /// where most events of the cell grid concern cells, and from 2 * 10^4 to 2 * 10^5, where most are
-/// collisions. At fixed density for all n. Left out where there are fewer than two points.
+/// collisions. At fixed density for all n. Omitted where there are fewer than two points.
 std::vector<Exponent> fit_exponents(const Results& results);
 
-/// Tables as CSV; each line of `header` stands before them as a comment.
+/// Tables as CSV, preceded by each line of `header` as a comment.
 std::string figure_csv(const Results& results, const std::vector<std::string>& header);
 std::string steps_csv(const Results& results, const std::vector<std::string>& header);
 std::string exponents_csv(const std::vector<Exponent>& exponents, const std::vector<std::string>& header);
 
-/// The exponents as a table to be read.
+/// The exponents as a table for people.
 std::string exponents_table(const std::vector<Exponent>& exponents);
 
 /// The figure as SVG.

@@ -10,7 +10,7 @@
 namespace hardball::bench {
 
 /// The simulation by time steps that the paper argues against: after each step every pair of spheres is
-/// tested for overlap, and what overlaps and approaches collides elastically.
+/// tested for overlap, and pairs that overlap and approach collide elastically.
 class TimeStepped {
  public:
   /// Starts from where the spheres are at `now`. Precondition: walls along all axes, one radius, one mass.
@@ -26,7 +26,7 @@ class TimeStepped {
 
   Vec3 size_;
   double radius_;
-  // Shape (3, n): a coordinate of all spheres stands in a row.
+  // Shape (3, n): each coordinate of all spheres is contiguous.
   std::vector<double> position_[kAxes];
   std::vector<double> velocity_[kAxes];
 };

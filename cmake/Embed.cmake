@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
 
-# hardball_embed(TARGET target NAMESPACE ns FILES file...): makes files, text or not and of any size, part of a target.
-# Its sources then include "<target>_files.hpp", which has for each file a function of the namespace that is called by
-# the file's name with all but letters, digits and underscores made into underscores, and gives its bytes:
-# std::string_view ns::report_css(). The assembler reads the files when the target is built, and anew when they change.
+# hardball_embed(TARGET target NAMESPACE ns FILES file...): embeds files, text or binary and of any size, in a target.
+# Its sources then include "<target>_files.hpp", which has for each file a function in the namespace that returns its
+# bytes, named after the file with all but letters, digits and underscores replaced by underscores:
+# std::string_view ns::report_css(). The assembler reads the files when the target is built, and again when they change.
 function(hardball_embed)
   cmake_parse_arguments(PARSE_ARGV 0 embed "" "TARGET;NAMESPACE" "FILES")
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/embedded)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
 
-# Installs the library so that find_package(hardball) gives the target hardball::hardball.
+# Installs the library so that find_package(hardball) provides the target hardball::hardball.
 include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/hardball)

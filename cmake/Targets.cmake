@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
 
-# What every target that we compile has in common. Nothing here reaches the users of the library.
+# Options of every target that we compile. Nothing here affects users of the library.
 function(hardball_compile_strictly target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-    # A square root is one instruction, with no look at its argument for the sake of errno, which we never read.
+    # A square root is one instruction: we never read errno.
     target_compile_options(${target} PRIVATE -fno-math-errno)
     target_compile_options(${target} PRIVATE
       -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion
@@ -17,7 +17,7 @@ function(hardball_compile_strictly target)
   endif()
 endfunction()
 
-# What the results depend on, for the library and for all code that includes its headers: no multiplication and
+# Options on which results depend, for the library and all code that includes its headers: no multiplication and
 # addition may be contracted into one rounding, or the same run would differ between compilers.
 function(hardball_compile_exactly target scope)
   target_compile_features(${target} ${scope} cxx_std_20)
@@ -27,8 +27,8 @@ function(hardball_compile_exactly target scope)
   endif()
 endfunction()
 
-# hardball_add_room(NAME room USES lower rooms...): the target hardball_<room>, known as hardball::<room>, of all
-# sources in the room's folder. A room of headers only is an INTERFACE library.
+# hardball_add_room(NAME room USES lower rooms...): the target hardball_<room>, alias hardball::<room>, of all
+# sources in the room's folder. A header-only room is an INTERFACE library.
 function(hardball_add_room)
   cmake_parse_arguments(PARSE_ARGV 0 room "" "NAME" "USES")
   set(target hardball_${room_NAME})

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// A drone that looks ahead: it asks for the next contact, tries several ways out on copies of the world, and
-// takes the one that keeps it free for longest.
+// A drone that avoids collisions: it queries the next contact, tries several velocities on copies of the
+// simulation, and takes the one that stays free of contacts longest.
 #include <array>
 #include <cstdio>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kHorizon = 30;
 
-// How long the drone stays untouched if it flies on at this velocity.
+// How long the drone stays free of contacts at this velocity.
 double time_until_touched(hardball::Simulation what_if, hardball::SphereId drone,
                           const hardball::Vec3& velocity) {
   what_if.change_velocity(drone, velocity);

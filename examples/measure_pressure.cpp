@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// The pressure of a gas in a periodic box, with its error and beside the theory.
+// The pressure of a gas in a periodic box, with its error, compared with theory.
 #include <cstdio>
 
 #include "hardball/hardball.hpp"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// A stream of beads with a response of its own: fast impacts lose more energy than slow ones. Beads are added
-// and taken away between runs, and observed at equal times although no two collisions coincide.
+// A stream of beads with a custom response: fast impacts lose more energy than slow ones. Beads are added and
+// removed between runs, and observed at equal times although no two collisions coincide.
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace {
 
-// Smooth beads whose restitution falls with the speed of impact.
+// Smooth beads whose restitution decreases with impact speed.
 hardball::Velocities bounce(const hardball::Contact& contact) {
   const hardball::Restitution restitution(1 / (1 + 0.1 * contact.impact_speed()));
   return restitution(contact);
@@ -25,7 +25,7 @@ int main() {
 
   std::vector<hardball::SphereId> beads;
   for (int second = 0; second < 8; ++second) {
-    // Every second a bead enters at the corner, faster than the one before; after five seconds the oldest
+    // Every second a bead enters at the corner, faster than the previous one; after five seconds the oldest
     // leaves.
     const double speed = 2 + second;
     beads.push_back(

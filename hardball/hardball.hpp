@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Everything a program needs that lets spheres move and collide.
+/// Everything needed by programs that use the library.
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/csv.hpp"
 #include "hardball/measure/measures.hpp"

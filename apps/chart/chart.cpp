@@ -41,17 +41,18 @@ constexpr double kErrorRoom = 1;   // by which error bars may widen the range, o
 constexpr double kTicksWanted = 6;
 constexpr int kMostDecadeLabels = 8;
 
-// Of dashed lines; references go through them in turn.
+// Of dashed lines; references cycle through them.
 constexpr std::array<std::string_view, 3> kDashes = {"6 4", "2 3", "9 3 2 3"};
 
-// What a picture is drawn with.
+// The colours of a picture.
 struct Palette {
   std::string_view ink;
   std::string_view muted;
   std::array<std::string_view, 8> series;
 };
 
-// Okabe and Ito's colours, which the colour-blind can tell apart, without the yellow that white drowns.
+// Okabe and Ito's colours, which the colour-blind can distinguish, without yellow, which is invisible on
+// white.
 constexpr Palette kOnWhite = {
     "black",
     "#555555",
@@ -98,11 +99,11 @@ struct Tick {
   std::string label;  // empty for a minor tick
 };
 
-// The way from values to a stretch of pixels.
+// The mapping from values to an interval of pixels.
 class Scale {
  public:
-  // Covers the values, all drawable, and of the extremes, drawable too, as much as leaves the values room;
-  // `first` and `last` are the pixels at its ends.
+  // Covers the values, and as much of the extremes as leaves the values room; all are drawable. `first` and
+  // `last` are the pixels at its ends.
   Scale(const Axis& axis, const std::vector<double>& values, const std::vector<double>& extremes,
         double first, double last)
       : logarithmic_(axis.logarithmic), first_(first), last_(last) {
@@ -120,7 +121,7 @@ class Scale {
     for (const double extreme : extremes) include(extreme);
     low_ = std::max(low_, lowest);
     high_ = std::min(high_, highest);
-    // A single value stands in the middle.
+    // A single value is in the middle.
     const double least_extent = logarithmic_ ? 0.5 : 1e-9 * std::max(std::abs(low_), std::abs(high_));
     if (!(high_ - low_ > least_extent)) {
       const double margin = logarithmic_ ? 0.5 : low_ == 0 ? 1 : std::abs(low_) / 2;
@@ -136,7 +137,7 @@ class Scale {
     return first_ + (transformed(value) - low_) / (high_ - low_) * (last_ - first_);
   }
 
-  // The same for any number: what lies beyond an end, or has no logarithm, is put at that end.
+  // The same for any number: values beyond an end, or without a logarithm, are put at that end.
   double pixel_within(double value) const {
     if (logarithmic_ && !(value > 0)) return first_;
     const auto [least, most] = std::minmax(first_, last_);
@@ -169,7 +170,7 @@ class Scale {
     const int last = static_cast<int>(std::ceil(high_));
     const int decades = static_cast<int>(std::floor(high_)) - static_cast<int>(std::ceil(low_)) + 1;
     const int stride = (std::max(decades, 1) - 1) / kMostDecadeLabels + 1;
-    // Powers of ten alone would be too few labels.
+    // Powers of ten alone would give too few labels.
     const bool is_short = decades < 2;
     std::vector<Tick> ticks;
     for (int exponent = first; exponent <= last; ++exponent) {
@@ -229,7 +230,7 @@ void add_title(std::string& svg, const Chart& chart) {
                      kFontSize + 1, escaped(chart.title));
 }
 
-// On which side of its line a marker's name stands: in the middle, unless it would run into another.
+// The side of its line for a marker's name: centred, unless it would run into another.
 std::string_view anchor_of(const Chart& chart, const Marker& marker, const Scale& x) {
   for (const Marker& other : chart.markers) {
     if (other.x == marker.x || !is_drawable(chart.x, other.x)) continue;
@@ -270,13 +271,13 @@ std::string_view dashes_of(const Chart& chart, std::size_t index) {
   return kDashes[static_cast<std::size_t>(references) % kDashes.size()];
 }
 
-struct Look {
+struct Attributes {
   std::string line;
-  std::string mark;  // all but where it is
+  std::string mark;  // all but its position
   std::string bars;
   std::string band;
 
-  Look(const Chart& chart, std::size_t index, const Palette& palette) {
+  Attributes(const Chart& chart, std::size_t index, const Palette& palette) {
     const Series& series = chart.series[index];
     const std::size_t style = style_of(chart, index);
     const std::string_view color =
@@ -310,7 +311,7 @@ bool has_errors(const Series& series) {
   return false;
 }
 
-void add_error_bars(std::string& svg, const Chart& chart, const Series& series, const Look& look,
+void add_error_bars(std::string& svg, const Chart& chart, const Series& series, const Attributes& attributes,
                     const Scale& x, const Scale& y) {
   std::string bars;
   for (std::size_t i = 0; i < size_of(series); ++i) {
@@ -320,11 +321,11 @@ void add_error_bars(std::string& svg, const Chart& chart, const Series& series, 
                         y.pixel_within(series.y[i] + error), y.pixel_within(series.y[i] - error),
                         2 * kCapHalf, kCapHalf);
   }
-  svg += fmt::format("<path class=\"errors\" d=\"{}\"{}/>\n", bars, look.bars);
+  svg += fmt::format("<path class=\"errors\" d=\"{}\"{}/>\n", bars, attributes.bars);
 }
 
-// One area for each run of points without a gap.
-void add_error_band(std::string& svg, const Chart& chart, const Series& series, const Look& look,
+// One area per run of points without a gap.
+void add_error_band(std::string& svg, const Chart& chart, const Series& series, const Attributes& attributes,
                     const Scale& x, const Scale& y) {
   std::string areas;
   std::string upper;
@@ -341,13 +342,13 @@ void add_error_band(std::string& svg, const Chart& chart, const Series& series, 
     upper += fmt::format("L{:.2f} {:.2f}", at, y.pixel_within(series.y[i] + error));
     lower = fmt::format("L{:.2f} {:.2f}", at, y.pixel_within(series.y[i] - error)) + lower;
   }
-  svg += fmt::format("<path class=\"errors\" d=\"{}\"{}/>\n", areas, look.band);
+  svg += fmt::format("<path class=\"errors\" d=\"{}\"{}/>\n", areas, attributes.band);
 }
 
 void add_series(std::string& svg, const Chart& chart, std::size_t index, const Palette& palette,
                 const Scale& x, const Scale& y) {
   const Series& series = chart.series[index];
-  const Look look(chart, index, palette);
+  const Attributes attributes(chart, index, palette);
   std::string line;
   std::string marks;
   bool pen_is_down = false;
@@ -360,15 +361,15 @@ void add_series(std::string& svg, const Chart& chart, std::size_t index, const P
     const double at_y = y.pixel(series.y[i]);
     line += fmt::format("{}{:.2f} {:.2f}", pen_is_down ? 'L' : 'M', at_x, at_y);
     marks += fmt::format("<path class=\"mark\" transform=\"translate({:.2f} {:.2f})\"{}/>\n", at_x, at_y,
-                         look.mark);
+                         attributes.mark);
     pen_is_down = true;
   }
   if (has_errors(series)) {
     const auto add_errors = series.error_band ? add_error_band : add_error_bars;
-    add_errors(svg, chart, series, look, x, y);
+    add_errors(svg, chart, series, attributes, x, y);
   }
   if (series.line && !line.empty()) {
-    svg += fmt::format("<path class=\"line\" d=\"{}\"{}/>\n", line, look.line);
+    svg += fmt::format("<path class=\"line\" d=\"{}\"{}/>\n", line, attributes.line);
   }
   if (series.marks) svg += marks;
 }
@@ -391,36 +392,37 @@ std::size_t named_series(const Chart& chart) {
 double panel_height(const Chart& chart) {
   const std::size_t columns = legend_columns(chart);
   const std::size_t rows = (named_series(chart) + columns - 1) / columns;
-  // The gap above a row is to its middle.
+  // The gap above a row is measured to its middle.
   const double legend = rows > 0 ? kLegendGap + kLegendRow * static_cast<double>(rows) : kAxisLabels;
   return kFrameTop + kFrameHeight + legend + kBottom;
 }
 
-// Names stand row by row below the frame, where they cover nothing.
+// Names are set in rows below the frame, where they cover nothing.
 void add_legend(std::string& svg, const Chart& chart, const Palette& palette) {
   const std::size_t columns = legend_columns(chart);
   std::size_t place = 0;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const Series& series = chart.series[i];
     if (series.name.empty()) continue;
-    const Look look(chart, i, palette);
+    const Attributes attributes(chart, i, palette);
     const double left = kFrameLeft + kFrameWidth / 2 * static_cast<double>(place % columns);
     const std::size_t row = place / columns;
     const double middle = kFrameTop + kFrameHeight + kLegendGap + kLegendRow * static_cast<double>(row);
     ++place;
     if (series.error_band && has_errors(series)) {
-      svg += fmt::format("<path d=\"M{:.2f} {:.2f}h26v10h-26Z\"{}/>\n", left, middle - 5, look.band);
+      svg += fmt::format("<path d=\"M{:.2f} {:.2f}h26v10h-26Z\"{}/>\n", left, middle - 5, attributes.band);
     }
-    if (series.line) svg += fmt::format("<path d=\"M{:.2f} {:.2f}h26\"{}/>\n", left, middle, look.line);
+    if (series.line) svg += fmt::format("<path d=\"M{:.2f} {:.2f}h26\"{}/>\n", left, middle, attributes.line);
     if (series.marks) {
-      svg += fmt::format("<path transform=\"translate({:.2f} {:.2f})\"{}/>\n", left + 13, middle, look.mark);
+      svg += fmt::format("<path transform=\"translate({:.2f} {:.2f})\"{}/>\n", left + 13, middle,
+                         attributes.mark);
     }
     svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\">{}</text>\n", left + kLegendKey,
                        middle + 4.5, kSmallFontSize, escaped(series.name));
   }
 }
 
-// All of a chart but its title.
+// A chart without its title.
 void add_panel(std::string& svg, const Chart& chart, const Palette& palette) {
   std::vector<double> all_x;
   std::vector<double> all_y;
@@ -447,7 +449,7 @@ void add_panel(std::string& svg, const Chart& chart, const Palette& palette) {
   add_legend(svg, chart, palette);
 }
 
-// What the picture shows, for those who do not see it.
+// A description of the picture for screen readers.
 std::string description(const Chart& chart) {
   std::string names;
   for (const Series& series : chart.series) {
@@ -484,7 +486,7 @@ std::string to_svg(const std::vector<Chart>& panels) {
 }
 
 std::string to_inline_svg(const Chart& chart, std::string_view id) {
-  // The page says the title; only marker names need room above the frame.
+  // The page shows the title; only marker names need room above the frame.
   const double top = (chart.markers.empty() ? kFrameTop : kMarkerBaseline) - kLabelHeight;
   std::string svg = fmt::format(
       "<svg class=\"chart\" role=\"img\" aria-labelledby=\"{0}-title {0}-description\" viewBox=\"0 {1} {2} "

@@ -8,30 +8,29 @@
 
 namespace hardball::chart {
 
-/// Points to be drawn, joined by a line in the order given. A point that is not finite, or not positive along
-/// a logarithmic axis, is left out and interrupts the line. Precondition: `x` and `y` have one length.
+/// Points to be drawn, joined by a line in the given order. A point that is not finite, or not positive along
+/// a logarithmic axis, is omitted and interrupts the line. Precondition: `x` and `y` have the same length.
 struct Series {
-  std::string name = {};  ///< Stands in the legend, unless it is empty.
+  std::string name = {};  ///< Appears in the legend, unless empty.
   std::vector<double> x = {};
   std::vector<double> y = {};
-  /// Standard errors of `y`, one for each point, or none; NaN where one is not known. Drawn as bars, which
-  /// end at the frame.
+  /// Standard errors of `y`, one per point, or none; NaN where unknown. Drawn as bars, clipped at the frame.
   std::vector<double> y_error = {};
   bool line = true;
   bool marks = true;
   bool dashed = false;
   bool error_band = false;     ///< The errors are drawn as a band around the line instead of bars.
-  bool like_previous = false;  ///< Has the colour and the shape of the series before it.
-  bool reference = false;      ///< What others are compared with: drawn in the colour of the axes.
+  bool like_previous = false;  ///< Has the colour and shape of the previous series.
+  bool reference = false;      ///< A reference for the others: drawn in the colour of the axes.
 };
 
-/// What one axis of a chart shows; its range covers all points and markers.
+/// One axis of a chart; its range covers all points and markers.
 struct Axis {
   std::string label = {};
   bool logarithmic = false;
 };
 
-/// A vertical line with its name above the frame; left out where a point would be.
+/// A vertical line with its name above the frame; omitted where a point would be.
 struct Marker {
   double x = 0;
   std::string name = {};
@@ -46,14 +45,13 @@ struct Chart {
   std::vector<Marker> markers = {};
 };
 
-/// The charts as one SVG picture, side by side in two columns at most. The same data give the same bytes.
-/// Texts are UTF-8; what XML does not allow in them is escaped or left out.
+/// The charts as one SVG picture, in at most two columns. The same data give the same bytes.
+/// Texts are UTF-8; what XML does not allow in them is escaped or omitted.
 std::string to_svg(const std::vector<Chart>& panels);
 
 /// The chart without its title as an element of a page, as wide as the page makes the class "chart". Text has
-/// the page's font and colour; the page's style gives the colours --muted and --series-1 to --series-8. The
-/// title and what is drawn are said to those who do not see it. Precondition: no other element's id begins
-/// with `id`.
+/// the page's font and colour; the page's style defines the colours --muted and --series-1 to --series-8.
+/// Title and description are given to screen readers. Precondition: no other element's id starts with `id`.
 std::string to_inline_svg(const Chart& chart, std::string_view id);
 
 }  // namespace hardball::chart

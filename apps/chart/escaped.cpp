@@ -7,7 +7,7 @@
 namespace hardball::chart {
 namespace {
 
-// The code point that begins at the front of a text, and how many bytes it has; none if that is no UTF-8.
+// The code point at the start of a text, and its length in bytes; none if that is not UTF-8.
 struct CodePoint {
   char32_t value = 0;
   std::size_t size = 0;

@@ -7,8 +7,8 @@
 
 namespace hardball::chart {
 
-/// The text as the content of an element or an attribute of XML or HTML. What is no UTF-8 becomes U+FFFD, and
-/// what XML does not allow, such as control characters, is left out.
+/// The text as the content of an element or an attribute of XML or HTML. Invalid UTF-8 becomes U+FFFD, and
+/// what XML does not allow, such as control characters, is omitted.
 std::string escaped(std::string_view text);
 
 }  // namespace hardball::chart

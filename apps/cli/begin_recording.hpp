@@ -10,7 +10,7 @@
 
 namespace hardball::cli {
 
-/// Begins to record a scenario's simulation, which stands at its start. Error: the file cannot be written.
+/// Starts recording a scenario's simulation, which is at its start. Error: the file cannot be written.
 RecordingWriter begin_recording(const std::filesystem::path& path, const Scenario& scenario,
                                 const Simulation& simulation);
 

@@ -6,14 +6,14 @@
 
 namespace hardball::cli {
 
-/// How the program ends.
+/// The exit status of the program.
 enum class ExitCode : int {
   done = 0,
   failed = 1,     ///< A run did not reach its end, or runs differ.
   bad_input = 2,  ///< The scenario or the command line is wrong.
 };
 
-/// Each carries out a command. Error: bad input; RunFailure: the run failed.
+/// Each executes a command. Error: bad input; RunFailure: the run failed.
 ExitCode run(const Options& options);
 ExitCode verify(const Options& options);
 ExitCode check(const Options& options);

@@ -18,7 +18,7 @@ std::vector<std::filesystem::path> make_directory(const std::filesystem::path& d
   }
   std::filesystem::create_directories(directory, failure);
   if (std::filesystem::is_directory(directory)) return created;
-  throw Error("cannot be made a directory" + (failure ? ": " + failure.message() : std::string()),
+  throw Error("cannot be created as a directory" + (failure ? ": " + failure.message() : std::string()),
               directory.string(), "name another directory for the output");
 }
 

@@ -7,8 +7,8 @@
 
 namespace hardball::cli {
 
-/// Creates a directory for output and those above it that are missing; returns what it created, the innermost
-/// first. Error: that cannot be done.
+/// Creates a directory for output and its missing parents; returns what it created, innermost first. Error:
+/// that is impossible.
 std::vector<std::filesystem::path> make_directory(const std::filesystem::path& directory);
 
 }  // namespace hardball::cli

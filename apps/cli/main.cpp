@@ -28,25 +28,25 @@ CLI::App* add_command(CLI::App& app, Options& options, const std::string& name,
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command->add_option("--seed", options.seed, "Seed of the random numbers, instead of the scenario's");
-  // What is left over is reported in our own words.
+  // Remaining arguments are reported by our own messages.
   command->allow_extras();
   return command;
 }
 
 void add_unit_costs_option(CLI::App& command, Options& options) {
   command.add_option("--unit-costs", options.unit_costs,
-                     "What steps cost, to choose the cells by: auto, measured, standard or all of them");
+                     "Unit costs for choosing the cells: auto, measured, standard or all four of them");
 }
 
 void add_engine_options(CLI::App& command, Options& options) {
   command.add_option("--engine", options.engine,
-                     "auto, cells, neighbors, all-pairs or paper; changes the speed alone");
+                     "auto, cells, neighbors, all-pairs or paper; affects only the speed");
   command.add_option("--cell-edge", options.cell_edge,
-                     "Edge of the cells, auto or paper; changes the speed alone");
+                     "Edge of the cells, auto or paper; affects only the speed");
   add_unit_costs_option(command, options);
-  command.add_option("--queue", options.queue, "calendar or ordered; changes the speed alone");
+  command.add_option("--queue", options.queue, "calendar or ordered; affects only the speed");
   command.add_option("--instructions", options.instructions,
-                     "Vector instructions: auto, portable, avx2 or avx512; changes the speed alone");
+                     "Vector instructions: auto, portable, avx2 or avx512; affects only the speed");
 }
 
 #if HARDBALL_VIEWER
@@ -81,7 +81,7 @@ void refuse_leftovers(const CLI::App& app, const CLI::App* command) {
   const bool is_known = std::find(names.begin(), names.end(), word) != names.end();
   throw Error(std::string("there is no ") + (command ? "option" : "command") + " '" + word + "'",
               "command line",
-              is_known ? "write it behind the command"
+              is_known ? "write it after the command"
                        : suggestion(word, std::vector<std::string_view>(names.begin(), names.end())));
 }
 
@@ -98,30 +98,30 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
       ->disable_flag_override();
   run_command->add_flag("--quiet", options.quiet, "Show no progress")->disable_flag_override();
   CLI::App* verify_command =
-      add_command(app, options, "verify", "Run a scenario by every engine and compare bit by bit");
+      add_command(app, options, "verify", "Run a scenario with every engine and compare bit by bit");
   CLI::App* check_command =
-      add_command(app, options, "check", "Check a scenario and say what to expect of it");
+      add_command(app, options, "check", "Check a scenario and print what to expect of it");
   add_engine_options(*check_command, options);
   CLI::App* tune_command =
-      add_command(app, options, "tune", "Compare cells of several sizes: predicted and measured cost");
+      add_command(app, options, "tune", "Compare cell sizes: predicted and measured cost");
   add_unit_costs_option(*tune_command, options);
-  tune_command->add_option("--out", options.out, "Directory for the table and the figure of it");
+  tune_command->add_option("--out", options.out, "Directory for the table and its figure");
 #if HARDBALL_VIEWER
   CLI::App* view_command =
       add_showing_command(app, options, "view", "Show a run in the browser, live or recorded");
-  view_command->add_option("--port", options.port, "Port of the server, instead of any that is free");
-  view_command->add_flag("--no-open", options.no_open, "Only print the address, open no browser")
+  view_command->add_option("--port", options.port, "Port of the server, instead of any free one");
+  view_command->add_flag("--no-open", options.no_open, "Only print the address, do not open a browser")
       ->disable_flag_override();
   view_command->add_option("--recording-limit", options.recording_limit,
                            "Bytes of recording at which a live run stops, instead of 4e9");
   CLI::App* replay_command =
-      add_showing_command(app, options, "replay", "Write a run as one HTML file that shows it offline");
+      add_showing_command(app, options, "replay", "Write a run as a single HTML file for offline viewing");
   replay_command->add_option("--out", options.out, "The HTML file");
 #endif
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {
-    // Requests for help are "errors" that end well.
+    // Requests for help are "errors" with exit status 0.
     if (error.get_exit_code() == 0) return app.exit(error) == 0 ? ExitCode::done : ExitCode::failed;
     throw Error(error.what(), "command line", "see hardball --help");
   }

@@ -8,9 +8,9 @@
 
 namespace hardball::cli {
 
-/// What the command line says, as it was written; not every command has every option.
+/// The command line as written; not every command has every option.
 struct Options {
-  std::string scenario;                ///< Or the directory of a run.
+  std::string scenario;                ///< Or the output directory of a run.
   std::vector<std::string> overrides;  ///< Of the form key=value.
   std::optional<std::string> until;
   std::optional<std::string> seed;

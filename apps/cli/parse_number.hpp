@@ -9,7 +9,7 @@
 
 namespace hardball::cli {
 
-/// The number that an option's text is, all of it. Error: it is none.
+/// Parses the whole text of an option as a number. Error: it is not one.
 template <class Number>
 Number parse_number(const std::string& text, const std::string& option, const std::string& remedy) {
   Number number{};

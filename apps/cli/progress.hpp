@@ -9,7 +9,7 @@
 
 namespace hardball::cli {
 
-/// A line on the terminal that says how far a run has come, how fast it goes and how long it will take.
+/// A line on the terminal with a run's progress, speed and remaining time.
 class Progress {
  public:
   /// Shows nothing unless `wanted` and the standard error is a terminal. `until` [T] is when the run ends.
@@ -18,7 +18,7 @@ class Progress {
   ~Progress();
   Progress(const Progress&) = delete;
 
-  /// Brings the line up to date, ten times a second at most.
+  /// Updates the line, at most ten times a second.
   void show(const Simulation& simulation);
 
  private:

@@ -18,7 +18,7 @@ namespace hardball::cli {
 ExitCode replay(const Options& options) {
   using namespace std::chrono_literals;
   if (!options.out) {
-    throw Error("the file to write is missing", "--out", "name it, such as --out replay.html");
+    throw Error("no output file is given", "--out", "name it, such as --out replay.html");
   }
   catch_signals();
   const ShownRun shown(options, viewer::kMostReplayedBytes);
@@ -36,7 +36,7 @@ ExitCode replay(const Options& options) {
   file.close();
   const viewer::RunProgress progress = shown.recording().progress();
   if (!progress.failure) return ExitCode::done;
-  write_message(*progress.failure + "; " + *options.out + " shows it as far as that");
+  write_message(*progress.failure + "; " + *options.out + " shows it up to there");
   return ExitCode::failed;
 }
 

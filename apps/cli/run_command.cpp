@@ -26,7 +26,7 @@ double seconds_between(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double>(end - begin).count();
 }
 
-// So many that signals and the progress line are looked at several times a second.
+// Few enough that signals are checked and the progress line is updated several times a second.
 std::uint64_t steps_per_slice(const Simulation& simulation) {
   constexpr std::uint64_t kSteps = 1 << 14;
   constexpr std::uint64_t kPairs = 1 << 23;
@@ -34,7 +34,7 @@ std::uint64_t steps_per_slice(const Simulation& simulation) {
   return std::clamp<std::uint64_t>(kPairs / std::max<std::size_t>(simulation.size(), 1), 1, kSteps);
 }
 
-// Runs to `until`; false if a signal came before.
+// Runs to `until`; false if interrupted by a signal.
 bool run_to(Simulation& simulation, double until, std::optional<RunFiles>& files, Measures& measures,
             Progress& progress) {
   while (!is_interrupted()) {
@@ -47,15 +47,14 @@ bool run_to(Simulation& simulation, double until, std::optional<RunFiles>& files
   return false;
 }
 
-// The time of snapshot k, the multiple k * interval; a multiple that rounding alone puts past the end is the
-// end.
+// The time of snapshot k, k * interval; one that is past the end only because of rounding is at the end.
 double snapshot_time(std::uint64_t k, double interval, double until) {
   constexpr double kRounding = 1e-14;
   const double time = static_cast<double>(k) * interval;
   return time > until && time <= until * (1 + kRounding) ? until : time;
 }
 
-// Runs to the end and writes snapshots on the way; false if a signal came before.
+// Runs to the end, writing snapshots; false if interrupted by a signal.
 bool run_with_snapshots(Simulation& simulation, const Scenario& scenario, std::optional<RunFiles>& files,
                         Measures& measures, Progress& progress) {
   const double until = *scenario.until;
@@ -99,7 +98,7 @@ ExitCode run(const Options& options) {
   if (files && files->has_contacts()) {
     simulation.on_contact([&files](const Contact& contact) { files->note(contact); });
   }
-  // What is measured goes to files.
+  // Measures are written to files.
   Measures measures(files ? scenario.measures : MeasureSettings{.names = {}});
   const Clock::time_point set_up = Clock::now();
   const bool is_complete = run_to_end(simulation, scenario, files, measures, options.quiet);

@@ -27,7 +27,7 @@ std::filesystem::path table_of(std::string_view measure) {
   return std::string(measure) + ".csv";
 }
 
-// Removes what an earlier run has measured, and the folder if it holds nothing else.
+// Removes the measures of an earlier run, and the folder if it is then empty.
 void remove_measures(const std::filesystem::path& folder) {
   std::filesystem::remove(folder / kQuantities);
   for (const std::string_view name : measure_names()) std::filesystem::remove(folder / table_of(name));

@@ -19,31 +19,32 @@
 namespace hardball::cli {
 
 /// The files of one run in its output directory: trajectory.xyz, events.npy and recording.hbr, if the
-/// scenario asks for them, measures/ and report.html, unless it asks for none, and summary.json.
+/// scenario requests them, measures/ and report.html, unless it disables them, and summary.json.
 class RunFiles {
  public:
-  /// Creates the directory, if need be, and the files, and removes those of an earlier run.
-  /// Error: that cannot be done, or the scenario starts from a file that would be overwritten; then nothing
-  /// that was made is left.
+  /// Creates the directory, if necessary, and the files, and removes those of an earlier run.
+  /// Error: that is impossible, or the scenario starts from a file that would be overwritten; then nothing
+  /// created remains.
   RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const Simulation& simulation);
 
-  /// Adds a frame as of now, if there is a trajectory. Error (RunFailure): it cannot be written.
+  /// Appends a frame at the current time, if there is a trajectory. Error (RunFailure): it cannot be written.
   void write_snapshot(const Simulation& simulation);
-  /// Adds to the event log and the recording, if there are any. Error (RunFailure): they cannot be written.
+  /// Appends to the event log and the recording, if there are any. Error (RunFailure): they cannot be
+  /// written.
   void note(const Contact& contact);
-  /// Completes the event log for readers, once a second at the most: whatever kills the program, no more is
-  /// lost. Error (RunFailure): it cannot be written.
+  /// Makes the event log complete for readers, at most once a second, so that little is lost if the process
+  /// is killed. Error (RunFailure): it cannot be written.
   void keep_current();
-  /// Completes all files as of now and writes what was measured, the summary, and the report unless it is
-  /// empty. Error (RunFailure): they cannot be written.
+  /// Completes all files and writes the measures, the summary, and the report unless it is empty. Error
+  /// (RunFailure): they cannot be written.
   void finish(const Simulation& simulation, std::span<const Measurement> measurements,
               const std::string& summary, const std::string& report);
 
-  /// Whether there is a file that `note` adds to.
+  /// Whether there is a file to which `note` appends.
   bool has_contacts() const { return events_ || recording_; }
 
  private:
-  // Writes a file that under its own name is whole or not there at all.
+  // Writes a file so that under its own name it is either complete or absent.
   void write(const std::filesystem::path& name, const std::string& text) const;
 
   std::filesystem::path directory_;

@@ -38,7 +38,8 @@ std::vector<std::string> changes(const Options& options) {
 
 // --- rates and kinetic theory ---
 
-// Whether the theory of fluids in equilibrium has a say: many elastic spheres, enclosed, too few to freeze.
+// Whether the theory of fluids in equilibrium applies: many elastic spheres, enclosed, below the freezing
+// density.
 bool has_theory(const Moments& moments, const EngineOptions& options) {
   constexpr std::size_t kFewSpheres = 100;
   constexpr double kFreezing = 0.494;
@@ -53,7 +54,7 @@ bool are_equal_spheres(const Moments& moments) {
   return moments.radius_power[2] <= square * (1 + kRounding);
 }
 
-// The mean pressure on the walls [M L^-1 T^-2]: each contact hands over 4 k T / v in the mean.
+// The mean pressure on the walls [M L^-1 T^-2]: each contact transfers 4 k T / v on average.
 double expected_wall_pressure(const Moments& moments, double kinetic_energy) {
   double area = 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -65,7 +66,7 @@ double expected_wall_pressure(const Moments& moments, double kinetic_energy) {
   return spheres * wall_rate(moments) * 4 * temperature / (moments.mean_speed * area);
 }
 
-// What has been counted over the whole run.
+// Counts over the whole run.
 std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments,
                             const EngineOptions& options, const Summary& summary) {
   std::vector<Quantity> all;
@@ -123,12 +124,12 @@ report::CostCurve choice(const Simulation& simulation, const Moments& moments, c
     report::CostCurve curve =
         cost_curve([&](double slack) { return cost_rate(expected_neighbor_counts(moments, slack), costs); },
                    simulation.slack(), best);
-    curve.title = "Choice of the lists";
+    curve.title = "Choice of the neighbour lists";
     curve.quantity = "slack of the lists";
     curve.explanation =
-        "A sphere keeps its list of neighbours while it moves by less than the slack: with little slack "
-        "lists are "
-        "made anew more often, with much they are longer. The choice changes the speed and no contact.";
+        "A sphere keeps its neighbour list while it moves by less than the slack: with little slack "
+        "lists are rebuilt more often, with much they are longer. The choice affects the speed but no "
+        "contact.";
     return curve;
   }
   if (simulation.cell_edge() > 0) {
@@ -140,9 +141,8 @@ report::CostCurve choice(const Simulation& simulation, const Moments& moments, c
     curve.title = "Choice of the cells";
     curve.quantity = "edge of the cells";
     curve.explanation =
-        "Spheres enter small cells more often, and find more candidates in large ones. The choice changes "
-        "the "
-        "speed and no contact; hardball tune measures what is predicted here.";
+        "Spheres enter small cells more often, and find more candidates in large ones. The choice affects "
+        "the speed but no contact; hardball tune measures what is predicted here.";
     return curve;
   }
   return {};

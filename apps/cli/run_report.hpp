@@ -10,8 +10,8 @@
 
 namespace hardball::cli {
 
-/// What the report of a run says that has come as far as the simulation now is, its measures apart. `options`
-/// are those of the command line, `engine_options` what was made of them.
+/// The contents of a run's report at the current time of the simulation, except its measures. `options` are
+/// those of the command line, `engine_options` what they resolved to.
 report::Report run_report(const Options& options, const Scenario& scenario,
                           const EngineOptions& engine_options, const Simulation& simulation,
                           const Summary& summary);

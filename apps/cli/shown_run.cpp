@@ -20,7 +20,7 @@
 namespace hardball::cli {
 namespace {
 
-// A file that only this user may read, until its name is removed.
+// A file readable only by this user, until its name is removed.
 class TemporaryFile {
  public:
   TemporaryFile() {

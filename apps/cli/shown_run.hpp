@@ -13,13 +13,13 @@ namespace hardball::cli {
 
 /// The run that a command is to show: one that a directory holds, or a scenario, which begins to run.
 ///
-/// A run that goes on is recorded in a file without a name in the directory for temporary files: nobody else
-/// reads it, and it is gone when the program ends, however that comes about.
+/// A live run is recorded in an unnamed file in the directory for temporary files: no other user can read it,
+/// and it is gone when the program ends, however it ends.
 class ShownRun {
  public:
-  /// `most_bytes` is how long the recording of a scenario may become. Error: a directory without a recording,
-  /// or with options that belong to a scenario; see read_scenario and the others in start.hpp; no temporary
-  /// file can be made.
+  /// `most_bytes` limits the recording of a scenario. Error: a directory without a recording, or with options
+  /// that belong to a scenario; see read_scenario and the others in start.hpp; no temporary file can be
+  /// created.
   ShownRun(const Options& options, std::uint64_t most_bytes);
 
   const viewer::SharedRecording& recording() const { return *recording_; }

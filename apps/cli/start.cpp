@@ -32,7 +32,7 @@ std::size_t choose(const std::string& text, std::span<const std::string_view> na
   throw Error("there is no '" + text + "'", option, "choose one of " + all);
 }
 
-// Whether so long a run is ahead that measuring takes less than a hundredth of it.
+// Whether the run will be so long that measuring takes less than a hundredth of it.
 bool is_worth_measuring(const World& start, const Scenario& scenario) {
   constexpr double kLong = 10e9;  // nanoseconds
   const Moments moments = moments_of(start, Time(0));
@@ -48,12 +48,12 @@ Scenario read_scenario(const Options& options) {
     const double until = parse_number<double>(*options.until, "--until", "give a time such as 10");
     check_finite(until, "the time", "--until");
     if (until < 0)
-      throw Error("the time is " + to_text(until), "--until", "runs begin at 0; give a later time");
+      throw Error("the time is " + to_text(until), "--until", "runs start at 0; give a later time");
     scenario.until = until;
   }
   if (!scenario.until) {
     throw Error("key 'until' is missing in [run]", options.scenario,
-                "add it, or say --until on the command line");
+                "add it, or give --until on the command line");
   }
   if (options.seed) {
     scenario.seed = parse_number<std::uint64_t>(*options.seed, "--seed",

@@ -10,17 +10,17 @@
 
 namespace hardball::cli {
 
-/// The scenario with what the command line changes in it; it has an end. Error: see load_scenario; an option
-/// that is no number or out of range; neither scenario nor command line gives the end.
+/// The scenario with the changes of the command line; it has an end. Error: see load_scenario; an option that
+/// is not a number or out of range; neither scenario nor command line gives the end.
 Scenario read_scenario(const Options& options);
 
-/// How to run it from its start. The unit costs by which cells are chosen are measured if the run is expected
-/// to take long, unless the command line says otherwise. Error: an engine or queue that does not exist; an
-/// edge that is no positive number; unit costs that are none.
+/// How to run it from its start. The unit costs for choosing cells are measured if the run is expected to
+/// take long, unless the command line says otherwise. Error: an unknown engine or queue; an edge that is not
+/// a positive number; invalid unit costs.
 EngineOptions read_engine_options(const Options& options, const Scenario& scenario, const World& start);
 
-/// The simulation of a scenario from its start. Error: see Simulation, with its place on the command line or
-/// in the scenario.
+/// The simulation of a scenario from its start. Error: see Simulation, located on the command line or in the
+/// scenario.
 Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options);
 
 /// The engine's name on the command line.

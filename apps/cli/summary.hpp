@@ -8,26 +8,26 @@
 
 namespace hardball::cli {
 
-/// How long a run took by the clock on the wall.
+/// How long a run took, in wall-clock time.
 struct Seconds {
   double setup = 0;
   double run = 0;
 };
 
-/// What is to be said of a run.
+/// The summary of a run.
 class Summary {
  public:
-  /// Looks at the simulation as it is now. Cost: that of an audit.
+  /// Summarises the simulation at its current time. Cost: that of an audit.
   Summary(const Simulation& simulation, const Seconds& seconds);
 
-  /// One JSON object, with null for what has no meaning in this run, and a line break.
+  /// One JSON object, with null for what does not apply to this run, and a line break.
   std::string json() const;
-  /// A table to be read.
+  /// A table for people.
   std::string table() const;
 
   /// In diameters [1].
   double max_overlap() const { return max_overlap_; }
-  // NaN where it has no meaning.
+  // NaN where it does not apply.
   double packing_fraction() const { return packing_fraction_; }
   double compressibility() const { return compressibility_; }
   double wall_pressure() const { return wall_pressure_; }  ///< [M L^-1 T^-2]
@@ -46,7 +46,7 @@ class Summary {
   double final_energy_;
   Vec3 momentum_;
   double max_overlap_;
-  // What follows is NaN where it has no meaning.
+  // The following are NaN where they do not apply.
   double packing_fraction_;
   double compressibility_;
   double wall_pressure_;

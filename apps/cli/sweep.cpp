@@ -19,14 +19,14 @@ namespace {
 constexpr int kEdgesBelow = 6;  // the one chosen
 constexpr int kEdgesAbove = 5;
 
-// Short rounds, and many, so that whatever slows the machine for a while slows all alike; but so long that a
-// round does not mainly bring the spheres back into the cache.
+// Many short rounds, so that other load on the machine slows all points alike; but long enough that a round
+// does not mainly reload the spheres into cache.
 constexpr double kLeastSecondsOfRound = 0.03;
 constexpr double kLeastSecondsForEachSphere = 1e-6;
 constexpr double kSecondsOfPoint = 0.75;
 constexpr int kLeastRounds = 7;
 
-// The simulation of a point that is being measured.
+// The simulation of a point being measured.
 struct Contender {
   SweepPoint point;
   Simulation simulation;
@@ -41,7 +41,7 @@ double run_timed(Simulation& simulation, double until) {
   return seconds;
 }
 
-// Adds a contender with cells of this edge, unless one has the same cells, and returns its place.
+// Adds a contender with cells of this edge, unless one has the same cells, and returns its index.
 std::optional<std::size_t> add(std::vector<Contender>& contenders, const Simulation& start,
                                EngineOptions options, double edge) {
   options.cell_edge = edge;
@@ -94,7 +94,7 @@ Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options) {
   for (int k = -kEdgesBelow; k <= kEdgesAbove; ++k)
     add(contenders, start, options, chosen_edge * std::exp2(k / 3.0));
 
-  // Long enough for rows of cells left behind to become as many as they stay.
+  // Long enough for the number of rows left behind to become stationary.
   const CellCounts& expected = contenders[chosen].point.expected;
   double until = contenders[chosen].simulation.time() + 3 / (expected.enter + expected.collision);
   for (Contender& contender : contenders) {

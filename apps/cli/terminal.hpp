@@ -10,7 +10,7 @@ namespace hardball::cli {
 /// Writes data to the standard output, all of it. Error (RunFailure): it cannot be written.
 void write_output(std::string_view text);
 
-/// Writes a message of one line to the standard error, line breaks in it made into blanks.
+/// Writes a one-line message to the standard error, replacing line breaks by blanks.
 void write_message(std::string message);
 
 /// A line "name   value" of a table.

@@ -24,7 +24,7 @@
 namespace hardball::cli {
 namespace {
 
-// What can be both predicted and counted, for one size of cells.
+// A quantity both predicted and counted, for one size of cells.
 struct Comparison {
   double predicted;
   double counted;
@@ -34,18 +34,18 @@ double ratio(double a, double b) {
   return b > 0 ? a / b : 0;
 }
 
-// Events of a kind for each sphere in a unit of time.
+// Events of a kind per sphere and unit of time.
 double rate(const Sweep& sweep, std::size_t spheres, std::uint64_t events) {
   return static_cast<double>(events) / (static_cast<double>(spheres) * sweep.span);
 }
 
 Comparison candidates_after_contact(const SweepPoint& point) {
   const CellCounts& expected = point.expected;
-  const double looks = static_cast<double>(2 * point.counted.collision + point.counted.wall);
+  const double passes = static_cast<double>(2 * point.counted.collision + point.counted.wall);
   return {ratio(expected.collision * expected.candidates_after_collision +
                     expected.wall * expected.candidates_after_wall,
                 expected.collision + expected.wall),
-          ratio(static_cast<double>(point.counted.contact_predictions), looks)};
+          ratio(static_cast<double>(point.counted.contact_predictions), passes)};
 }
 
 Comparison candidates_after_enter(const SweepPoint& point) {
@@ -125,7 +125,7 @@ std::string csv(const Sweep& sweep, std::size_t spheres) {
   return text;
 }
 
-// A curve of the theory and the points measured.
+// The predicted curve and the measured points.
 void add_series(chart::Chart& chart, const Sweep& sweep, const std::string& name,
                 const std::function<Comparison(const SweepPoint&)>& what) {
   chart::Series theory{.name = name + ", predicted", .marks = false};
@@ -169,7 +169,7 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   file.close();
 }
 
-// The simulation when each sphere has collided twice in the mean, or at its end if that is earlier.
+// The simulation when each sphere has collided twice on average, or at its end if that is earlier.
 Simulation settle(const Scenario& scenario, const EngineOptions& options) {
   Simulation simulation = make_simulation(scenario, make_world(scenario), options);
   const std::uint64_t enough = simulation.size();

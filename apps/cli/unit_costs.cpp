@@ -54,7 +54,7 @@ UnitCosts read_unit_costs(const std::string& text) {
     const auto named = std::find_if(kCosts.begin(), kCosts.end(), [&](const NamedCost& each) {
       return each.name == item.substr(0, equals);
     });
-    if (named == kCosts.end() || equals == item.size()) refuse("'" + item + "' is no unit cost");
+    if (named == kCosts.end() || equals == item.size()) refuse("'" + item + "' is not a unit cost");
     const double cost = parse_number<double>(item.substr(equals + 1), kOption, remedy());
     if (!(cost >= 0) || !std::isfinite(cost)) refuse("'" + item + "' is negative or infinite");
     costs.*named->cost = cost;
@@ -63,7 +63,7 @@ UnitCosts read_unit_costs(const std::string& text) {
   if (std::find(given.begin(), given.end(), false) != given.end())
     refuse("'" + text + "' are not all unit costs");
   if (costs.enter + costs.cell <= 0 || costs.prediction <= 0)
-    refuse("if crossings or predictions cost nothing, no cells are best");
+    refuse("if crossings or predictions cost nothing, there is no best cell edge");
   return costs;
 }
 

@@ -8,11 +8,11 @@
 
 namespace hardball::cli {
 
-/// The unit costs that a text means: the costs themselves, "measured" on this machine, or "standard".
+/// The unit costs denoted by a text: the costs themselves, "measured" on this machine, or "standard".
 /// Error: none of these.
 UnitCosts read_unit_costs(const std::string& text);
 
-/// As the command line takes them.
+/// In the format of the command line.
 std::string to_option(const UnitCosts& costs);
 
 }  // namespace hardball::cli

@@ -21,7 +21,7 @@
 namespace hardball::cli {
 namespace {
 
-// What a run must have in common with all others, and what it says of itself.
+// What a run must have in common with all others, and its own figures.
 struct Outcome {
   std::uint64_t hash = 0;
   std::vector<Path> paths;
@@ -59,7 +59,7 @@ Outcome run_with(const Scenario& scenario, const World& start, const EngineOptio
   return outcome;
 }
 
-// Runs a scenario in one way after another, compares each with the first, and fills a table.
+// Runs a scenario in several ways, compares each with the first, and prints a table.
 class Comparison {
  public:
   explicit Comparison(const Scenario& scenario) : scenario_(scenario), start_(make_world(scenario)) {
@@ -67,7 +67,7 @@ class Comparison {
                              "overlap", "final state", "seconds"));
   }
 
-  /// Error: the options make no sense for this scenario.
+  /// Error: the options are invalid for this scenario.
   void run(const std::string& name, const EngineOptions& options) {
     const Outcome outcome = run_with(scenario_, start_, options);
     const bool is_first = !first_;
@@ -118,28 +118,29 @@ void compare_instruction_sets(Comparison& comparison, EngineOptions options) {
     if (is_available(instructions)) {
       comparison.run(name, options);
     } else {
-      comparison.leave_out(name, "this machine does not have them");
+      comparison.leave_out(name, "this machine does not support them");
     }
   }
 }
 
-// About how many pairs the engine of all pairs would have to predict.
+// Roughly how many pairs the all-pairs engine would have to predict.
 double all_pairs_work(const Comparison& comparison, double until) {
   const World& world = comparison.start();
   const Counters& counters = comparison.first().counters;
   const double mean_speed = moments_of(world, Time(0)).mean_speed;
   const auto spheres = static_cast<double>(world.size());
-  double copies = 1;
-  double looks_per_sphere = 1;
+  double images = 1;
+  double passes_per_sphere = 1;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_periodic(axis)) continue;
-    copies *= 2;
-    // A sphere looks anew after each quarter of the box; half the mean speed is the mean along an axis.
-    looks_per_sphere += until * mean_speed / 2 / (world.box().size()[axis] / 4);
+    images *= 2;
+    // A sphere's contacts are predicted again after each quarter of the box; half the mean speed is the mean
+    // along an axis.
+    passes_per_sphere += until * mean_speed / 2 / (world.box().size()[axis] / 4);
   }
   const double after_contacts =
       2 * static_cast<double>(counters.collision) + static_cast<double>(counters.wall);
-  return (spheres * looks_per_sphere + after_contacts) * spheres * copies;
+  return (spheres * passes_per_sphere + after_contacts) * spheres * images;
 }
 
 }  // namespace
@@ -161,7 +162,7 @@ ExitCode verify(const Options& options) {
   if (choose_engine(comparison.start(), engine_options, Time(0)) == EngineKind::neighbors) {
     comparison.run("neighbors", engine_options);
   } else {
-    comparison.leave_out("neighbors", "the box is too small for lists of neighbours");
+    comparison.leave_out("neighbors", "the box is too small for neighbour lists");
   }
   engine_options.engine = EngineKind::cells;
   compare_instruction_sets(comparison, engine_options);
@@ -172,7 +173,7 @@ ExitCode verify(const Options& options) {
   if (contacts <= kMostPaperContacts) {
     comparison.run("paper", engine_options);
   } else {
-    comparison.leave_out("paper", fmt::format("{} contacts would take it too long", contacts));
+    comparison.leave_out("paper", fmt::format("{} contacts would take too long", contacts));
   }
 
   constexpr double kMostPairs = 5e8;
@@ -181,7 +182,7 @@ ExitCode verify(const Options& options) {
   if (pairs <= kMostPairs) {
     comparison.run("all-pairs", engine_options);
   } else {
-    comparison.leave_out("all-pairs", fmt::format("{:.1g} predictions would take it too long", pairs));
+    comparison.leave_out("all-pairs", fmt::format("{:.1g} predictions would take too long", pairs));
   }
   write_output(comparison.is_good() ? "all runs are the same\n" : "THE RUNS DIFFER, OR SPHERES OVERLAP\n");
   return comparison.is_good() ? ExitCode::done : ExitCode::failed;

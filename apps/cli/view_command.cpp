@@ -40,12 +40,12 @@ std::uint64_t read_recording_limit(const Options& options) {
   return static_cast<std::uint64_t>(limit);
 }
 
-// Whether there is a screen on which a browser could show something.
+// Whether there is a display for a browser.
 bool has_display() {
   return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY");
 }
 
-// Asks the desktop to open its browser; where that fails, the address on the standard output remains.
+// Asks the desktop to open its browser; if that fails, the address is still on the standard output.
 void open_browser(std::string url) {
   std::string program = "xdg-open";
   char* const arguments[] = {program.data(), url.data(), nullptr};

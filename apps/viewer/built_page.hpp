@@ -6,7 +6,7 @@
 
 namespace hardball::viewer {
 
-/// The page of apps/viewer/page, which is part of the program.
+/// The page of apps/viewer/page, embedded in the program.
 Page built_page();
 
 }  // namespace hardball::viewer

@@ -12,11 +12,11 @@
 namespace hardball::viewer {
 namespace {
 
-// Steps between two looks at the clock: milliseconds.
+// Steps between two checks of the clock: milliseconds.
 constexpr std::uint64_t kStepsPerSlice = 1 << 14;
 
-// Between two times at which clients see what is new: short for an eye, and so long that keyframes do not
-// keep the disk busy.
+// Between two updates for clients: short to the eye, but long enough that keyframes do not keep the disk
+// busy.
 std::chrono::duration<double> time_between_chunks(const RecordingWriter& writer) {
   constexpr double kSeconds = 0.25;
   constexpr double kBytesPerSecond = 20e6;
@@ -38,7 +38,7 @@ LiveRun::LiveRun(Simulation simulation, RecordingWriter writer, SharedRecording&
 }
 
 void LiveRun::run(const std::stop_token& stop) {
-  // Whatever fails, the rest is shown as far as it goes; the first failure is told.
+  // Whatever fails, what was recorded is shown, and the first failure is reported.
   const auto attempt = [this](const auto& action) {
     try {
       action();
@@ -54,7 +54,7 @@ void LiveRun::run(const std::stop_token& stop) {
 }
 
 void LiveRun::advance(const std::stop_token& stop) {
-  // Keyframes of the chunks that a slice closes take no more room than their contacts.
+  // The keyframes of a slice's chunks take no more space than their contacts.
   const std::uint64_t most_bytes_of_slice =
       2 * kStepsPerSlice * recording_format::kContactBytes + writer_.keyframe_bytes();
   Clock::time_point next = begin_;

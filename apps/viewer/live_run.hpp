@@ -12,15 +12,14 @@
 
 namespace hardball::viewer {
 
-/// A run in a thread of its own, recorded as it goes.
+/// A run in its own thread, recorded as it goes.
 class LiveRun {
  public:
-  /// Begins to run `simulation` to `until` [T] and adds to the recording what happens, until that has
-  /// `most_bytes`. `writer` is at the simulation's start and writes the file that `recording` reads, which
-  /// must outlive the run.
+  /// Starts running `simulation` to `until` [T], recording it up to `most_bytes`. `writer` is at the
+  /// simulation's start and writes the file that `recording` reads, which must outlive the run.
   LiveRun(Simulation simulation, RecordingWriter writer, SharedRecording& recording, double until,
           std::uint64_t most_bytes);
-  /// Ends the run where it is.
+  /// Stops the run.
   ~LiveRun() = default;
   LiveRun(const LiveRun&) = delete;
 

@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kStyleFile = "page.css";
 constexpr std::string_view kScriptFile = "page.js";
 
-// Where `part` stands in the text. Error (BrokenInvariant): nowhere, or twice.
+// The offset of `part` in the text. Error (BrokenInvariant): nowhere, or twice.
 std::size_t find_only(std::string_view text, std::string_view part) {
   const std::size_t at = text.find(part);
   HARDBALL_CHECK(at != std::string_view::npos && text.find(part, at + 1) == std::string_view::npos);
@@ -24,7 +24,7 @@ void replace_all(std::string& text, std::string_view part, std::string_view repl
   }
 }
 
-// A stretch of text from the tag that names a file to the end of its element.
+// The range of text from the tag that names a file to the end of its element.
 struct Element {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -38,7 +38,7 @@ Element element_with(std::string_view index, std::string_view file, std::string_
   return {begin, end + closing.size()};
 }
 
-// In a script, these would end the element or begin a comment.
+// In a script, these would end the element or open a comment.
 std::string for_script_element(std::string_view script) {
   std::string text(script);
   replace_all(text, "</script", "<\\/script");

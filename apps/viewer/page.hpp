@@ -7,8 +7,8 @@
 
 namespace hardball::viewer {
 
-/// The web page as it was built from apps/viewer/page: index.html, which refers to the two others as page.css
-/// and page.js by one element each.
+/// The web page as built from apps/viewer/page: index.html, which refers to page.css and page.js by one
+/// element each.
 struct Page {
   std::string_view index;
   std::string_view style;
@@ -19,13 +19,13 @@ struct Page {
 /// them.
 std::string with_token(const Page& page, const std::string& token);
 
-/// The page in one piece, style and script inside, parted where a recording goes in: an element of its own
+/// The page in one file, with style and script inside, split where a recording is inserted as an element
 /// before the script. Error (BrokenInvariant): as for with_token.
 struct OnePiece {
   explicit OnePiece(const Page& page);
 
-  std::string head;  ///< Up to the recording, the tag that opens its element included.
-  std::string tail;  ///< From the tag that closes it on.
+  std::string head;  ///< Up to the recording, including the opening tag of its element.
+  std::string tail;  ///< From the closing tag on.
 };
 
 }  // namespace hardball::viewer

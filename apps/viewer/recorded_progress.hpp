@@ -8,9 +8,9 @@
 
 namespace hardball::viewer {
 
-/// How far a run had come whose files, a recording and perhaps a summary, are in a directory: contacts as the
-/// recording has them, rate and hash as the summary has them. Cost: that of reading, and so checking, all of
-/// the recording. Error: see RecordingReader.
+/// The progress of a run whose files, a recording and perhaps a summary, are in a directory: contacts from
+/// the recording, rate and hash from the summary. Cost: that of reading, and so checking, the whole
+/// recording. Error: see RecordingReader.
 RunProgress recorded_progress(const std::filesystem::path& recording, const std::filesystem::path& summary);
 
 }  // namespace hardball::viewer

@@ -10,11 +10,11 @@
 
 namespace hardball::viewer {
 
-/// Longer recordings do not fit into the memory that browsers give to one text.
+/// Longer recordings exceed what browsers allow for one string.
 inline constexpr std::uint64_t kMostReplayedBytes = 200'000'000;
 
-/// A recording and the page that shows it in one HTML file, which needs no server and no network. It holds
-/// the chunks that are known when it is made.
+/// A recording and the page that shows it in one HTML file, which needs no server and no network. It contains
+/// the chunks known when it is created.
 class Replay {
  public:
   /// `recording` must outlive it. Error: the recording is longer than kMostReplayedBytes.

@@ -23,8 +23,7 @@ using httplib::Response;
 
 constexpr const char* kHost = "127.0.0.1";
 
-// Each connection keeps a thread busy until it closes or times out: enough for a crowd of clients, idle ones
-// among them.
+// Each connection occupies a thread until it closes or times out: enough for many clients, some of them idle.
 constexpr std::size_t kThreads = 64;
 
 constexpr std::size_t kPieceBytes = 1 << 16;
@@ -42,33 +41,33 @@ void refuse(Response& response, int status, const std::string& reason) {
   response.set_content(reason + "\n", "text/plain; charset=utf-8");
 }
 
-// Cuts the ranges of bytes that a request asks for to those that there are; false if it asks for none of
-// them. The library itself would ask for pieces beyond the end. Source: RFC 9110, section 14.1.2.
-bool cut_ranges(const Request& request, std::uint64_t length) {
-  // The library takes them from the request again when it sends.
+// Clips the byte ranges of a request to the content; false if none of them overlaps it. httplib itself would
+// request pieces beyond the end. Source: RFC 9110, section 14.1.2.
+bool clip_ranges(const Request& request, std::uint64_t length) {
+  // httplib reads the ranges from the request when it sends.
   httplib::Ranges& ranges = const_cast<Request&>(request).ranges;
   if (ranges.empty()) return true;
   const auto end = static_cast<ssize_t>(length);
   for (auto& [first, last] : ranges) {
-    if (first < 0) {  // so many from the end
+    if (first < 0) {  // the last bytes, as many as `last` says
       first = last > 0 ? std::max<ssize_t>(end - last, 0) : end;
       last = end - 1;
     }
     if (last < 0 || last >= end) last = end - 1;
   }
   std::erase_if(ranges, [](const httplib::Range& range) { return range.first > range.second; });
-  // A client that asks for a thing in crumbs gets it whole.
+  // A request for many small ranges is answered with the whole content.
   constexpr std::size_t kMostRanges = 8;
   const bool is_satisfiable = !ranges.empty();
   if (ranges.size() > kMostRanges) ranges.clear();
   return is_satisfiable;
 }
 
-// Sends `length` bytes, of which piece(offset) gives some from an offset on. Content that comes in pieces is
-// not compressed, which would take longer than to send it on one machine.
+// Sends `length` bytes, of which piece(offset) returns some from an offset on. Such content is not
+// compressed, which would take longer than sending it locally.
 void send(const Request& request, Response& response, std::uint64_t length, const std::string& type,
           std::function<std::string(std::uint64_t offset)> piece) {
-  if (!cut_ranges(request, length)) {
+  if (!clip_ranges(request, length)) {
     response.set_header("Content-Range", "bytes */" + to_text(length));
     return refuse(response, kRangeNotSatisfiable, "there are " + to_text(length) + " bytes here");
   }
@@ -103,7 +102,7 @@ void send(const Request& request, Response& response, const SharedRecording& rec
        });
 }
 
-// The number that a query gives, or what it is without one; none if it is no number.
+// The number given by a query, or a default without one; none if it is not a number.
 std::optional<std::uint64_t> number_in(const Request& request, const std::string& key,
                                        std::optional<std::uint64_t> otherwise = {}) {
   if (!request.has_param(key)) return otherwise;
@@ -114,7 +113,7 @@ std::optional<std::uint64_t> number_in(const Request& request, const std::string
   return number;
 }
 
-// The name under which a browser saves a replay: letters that no system and no header takes amiss.
+// The file name under which a browser saves a replay: characters safe in headers and on all systems.
 std::string file_name(const RecordingHeader& header) {
   std::string name = header.name.substr(0, 64);
   const auto is_plain = [](char c) {
@@ -141,12 +140,12 @@ Server::Server(const SharedRecording& recording, const Page& page, int port, std
   } else {
     if (!server_->bind_to_port(kHost, port)) {
       throw Error("port " + to_text(port) + " is taken or not allowed", "--port",
-                  "choose another one, or none to take any that is free");
+                  "choose another one, or none to use any free one");
     }
     port_ = port;
   }
   thread_ = std::thread([this] { server_->listen_after_bind(); });
-  // Before it runs it cannot be stopped.
+  // It cannot be stopped before it runs.
   while (!server_->is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
@@ -162,7 +161,7 @@ std::string Server::url() const {
 void Server::set_rules(std::chrono::seconds patience) {
   using namespace std::chrono_literals;
   server_->new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
-  // Clients that say nothing, read nothing or have gone give their thread back soon.
+  // Clients that send nothing, read nothing or have gone release their thread soon.
   server_->set_keep_alive_max_count(1000);
   server_->set_keep_alive_timeout(1);
   server_->set_read_timeout(2s);
@@ -198,11 +197,11 @@ void Server::set_rules(std::chrono::seconds patience) {
 }
 
 bool Server::is_allowed(const Request& request, Response& response) const {
-  // A page from elsewhere may make its own name mean this machine: then the name gives it away.
+  // Against DNS rebinding: a foreign page may resolve its own name to this machine, but sends that name.
   const std::string host = request.get_header_value("Host");
   const std::string port = ":" + to_text(port_);
   if (host != kHost + port && host != "localhost" + port) {
-    refuse(response, kForbidden, "this server is not called so");
+    refuse(response, kForbidden, "this server does not have that name");
     return false;
   }
   if (!is_same_secret(request.get_param_value("token"), token_)) {
@@ -231,7 +230,7 @@ void Server::add_page() {
   server_->Get("/api/replay\\.html", [this](const Request& request, Response& response) {
     try {
       const auto replay = std::make_shared<const Replay>(*recording_, page_);
-      // To be saved: the rules for the pages of this server would not let it run.
+      // For saving: this server's Content-Security-Policy would not let it run.
       response.set_header("Content-Disposition",
                           "attachment; filename=\"" + file_name(recording_->header()) + "\"");
       send(request, response, replay->length(), "text/html; charset=utf-8",
@@ -251,12 +250,12 @@ void Server::add_recording() {
   });
   server_->Get("/api/status", [this](const Request& request, Response& response) {
     const std::optional<std::uint64_t> from = number_in(request, "from", 0);
-    if (!from) return refuse(response, kBadRequest, "'from' is no number of a chunk");
+    if (!from) return refuse(response, kBadRequest, "'from' is not a chunk number");
     send(request, response, recording_->status_json(*from), "application/json");
   });
   server_->Get("/api/chunk", [this](const Request& request, Response& response) {
     const std::optional<std::uint64_t> number = number_in(request, "number");
-    if (!number) return refuse(response, kBadRequest, "'number' is missing or no number of a chunk");
+    if (!number) return refuse(response, kBadRequest, "'number' is missing or not a chunk number");
     const std::optional<FileExtent> chunk = recording_->chunk(*number);
     if (!chunk) return refuse(response, kNotFound, "there is no such chunk yet");
     send(request, response, *recording_, *chunk);

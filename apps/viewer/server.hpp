@@ -18,31 +18,31 @@ struct Response;
 
 namespace hardball::viewer {
 
-/// Shows a recording to browsers on this machine, from threads of its own.
+/// Serves a recording to browsers on this machine, from its own threads.
 ///
-/// It listens at 127.0.0.1 alone and answers only those who know its token and call it by its own name. It
-/// gives the page and the recording, nothing else, and changes nothing. docs/viewer.md says what is served.
+/// It listens at 127.0.0.1 alone and answers only requests that carry its token and its own name. It serves
+/// the page and the recording, nothing else, and changes nothing. docs/viewer.md describes the protocol.
 class Server {
  public:
-  /// Begins to serve at `port`, or at any that is free if it is zero. A client that reads nothing for longer
-  /// than `patience` is given up. `recording` and what `page` refers to must outlive the server. Error: the
-  /// port is taken.
+  /// Starts serving at `port`, or at any free one if it is zero. A client that reads nothing for longer than
+  /// `patience` is dropped. `recording` and what `page` refers to must outlive the server. Error: the port is
+  /// taken.
   Server(const SharedRecording& recording, const Page& page, int port = 0,
          std::chrono::seconds patience = std::chrono::seconds(5));
-  /// Ends every answer that is on its way, which takes no longer than `patience`.
+  /// Ends all responses in progress, which takes no longer than `patience`.
   ~Server();
   Server(const Server&) = delete;
 
   int port() const { return port_; }
   const std::string& token() const { return token_; }
-  /// The address to open in a browser; whoever has it may look.
+  /// The address to open in a browser; anyone who has it can view.
   std::string url() const;
 
  private:
   void set_rules(std::chrono::seconds patience);
   void add_page();
   void add_recording();
-  // Otherwise the response says why not.
+  // If false, the response says why.
   bool is_allowed(const httplib::Request& request, httplib::Response& response) const;
 
   const SharedRecording* recording_;

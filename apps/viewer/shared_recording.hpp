@@ -12,20 +12,20 @@
 
 namespace hardball::viewer {
 
-/// How far the run of a recording has come.
+/// The progress of the run of a recording.
 struct RunProgress {
-  bool is_finished = false;            ///< It goes on no more.
-  std::optional<std::string> failure;  ///< Why it ended before its time.
+  bool is_finished = false;            ///< The run has ended.
+  std::optional<std::string> failure;  ///< Why it ended early.
   std::uint64_t collisions = 0;
   std::uint64_t walls = 0;
-  double rate = 0;                    ///< Contacts per second by the clock on the wall.
+  double rate = 0;                    ///< Contacts per second of wall-clock time.
   std::optional<std::uint64_t> hash;  ///< Of the event log.
 };
 
-/// A recording for many readers at once, which may grow meanwhile.
+/// A recording for many concurrent readers, which may grow meanwhile.
 ///
-/// Every member may be called from any thread. A lock is held only while some numbers are copied, never while
-/// a file is read for a client, so that no client holds up the run.
+/// Every member may be called from any thread. A lock is held only while a few numbers are copied, never
+/// while the file is read for a client, so that no client holds up the run.
 class SharedRecording {
  public:
   /// Error: see RecordingReader.
@@ -33,15 +33,14 @@ class SharedRecording {
   ~SharedRecording();
   SharedRecording(const SharedRecording&) = delete;
 
-  /// Looks for chunks that have been added, and says how far the run has come. Error: see
-  /// RecordingReader::refresh.
+  /// Finds added chunks, and sets the progress of the run. Error: see RecordingReader::refresh.
   void update(RunProgress progress);
 
   RunProgress progress() const;
   const RecordingHeader& header() const { return reader_.header(); }
   /// The recording's header and the number of chunks: one JSON object.
   std::string header_json() const;
-  /// How the run goes, and when the chunks from number `from` on end: one JSON object.
+  /// The progress of the run, and the end times of the chunks from number `from` on: one JSON object.
   std::string status_json(std::uint64_t from) const;
 
   /// Where radii and masses lie in the file.
@@ -56,7 +55,7 @@ class SharedRecording {
 
  private:
   RecordingReader reader_;
-  int file_;  // for reading at any place without a lock
+  int file_;  // for reading at any offset without a lock
   mutable std::mutex mutex_;
   RunProgress progress_;
 };

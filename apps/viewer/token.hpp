@@ -7,10 +7,10 @@
 
 namespace hardball::viewer {
 
-/// A secret that nobody can guess: 128 random bits from the operating system, as 32 hexadecimal digits.
+/// A secret that cannot be guessed: 128 random bits from the operating system, as 32 hexadecimal digits.
 std::string make_token();
 
-/// Whether two texts are the same, found in a time that does not tell where they differ.
+/// Whether two texts are the same, compared in constant time.
 bool is_same_secret(std::string_view a, std::string_view b);
 
 }  // namespace hardball::viewer

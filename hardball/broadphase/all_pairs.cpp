@@ -11,19 +11,20 @@
 namespace hardball {
 namespace {
 
-// Half the length of a stretch, as a fraction of the box, and how much more is searched than lies within it.
-constexpr double kStretch = 0.25;
+// Half the length of the interval, as a fraction of the box, and the margin by which the search goes beyond
+// it.
+constexpr double kHalfInterval = 0.25;
 constexpr double kMargin = 1e-6;
 
 }  // namespace
 
 void AllPairs::build(const World& world, const Time& now) {
   middles_.assign(world.size(), Vec3{});
-  for (Slot slot = 0; slot < world.size(); ++slot) center_stretch(world, slot, now);
+  for (Slot slot = 0; slot < world.size(); ++slot) center_interval(world, slot, now);
 }
 
 void AllPairs::refresh(const World& world, Slot slot, const Time& now, const Image&) {
-  center_stretch(world, slot, now);
+  center_interval(world, slot, now);
 }
 
 AllPairs::Images AllPairs::images_within_reach(const World& world, Slot slot, Slot other) const {
@@ -32,7 +33,7 @@ AllPairs::Images AllPairs::images_within_reach(const World& world, Slot slot, Sl
     if (!world.box().is_periodic(axis)) continue;
     const double size = world.box().size()[axis];
     const double apart = middles_[other][axis] - middles_[slot][axis];
-    const double reach = 2 * kStretch * size + world.radius(slot) + world.radius(other) + kMargin * size;
+    const double reach = 2 * kHalfInterval * size + world.radius(slot) + world.radius(other) + kMargin * size;
     images.low[axis] = static_cast<std::int32_t>(std::ceil((-reach - apart) / size));
     images.high[axis] = static_cast<std::int32_t>(std::floor((reach - apart) / size));
   }
@@ -57,13 +58,13 @@ void AllPairs::collect(const World& world, Slot slot, Candidates& candidates) co
 }
 
 void AllPairs::cross(const World& world, Slot slot, const Time& now, Candidates& candidates) {
-  center_stretch(world, slot, now);
+  center_interval(world, slot, now);
   collect(world, slot, candidates);
 }
 
-void AllPairs::center_stretch(const World& world, Slot slot, const Time& now) {
+void AllPairs::center_interval(const World& world, Slot slot, const Time& now) {
   middles_[slot] = position_at(world.path(slot), now);
-  static_cast<void>(world.box().boxes_beyond(middles_[slot]));  // refuses to fly on for ever
+  static_cast<void>(world.box().boxes_beyond(middles_[slot]));  // throws if it has crossed too many boxes
 }
 
 Time AllPairs::next_crossing(const World& world, Slot slot, const Time& now, const Time&) const {
@@ -73,7 +74,7 @@ Time AllPairs::next_crossing(const World& world, Slot slot, const Time& now, con
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_periodic(axis)) continue;
     const bool up = path.velocity[axis] > 0;
-    const double reach = kStretch * world.box().size()[axis];
+    const double reach = kHalfInterval * world.box().size()[axis];
     const double distance =
         up ? (middle[axis] + reach) - path.position[axis] : path.position[axis] - (middle[axis] - reach);
     soonest = std::min(soonest, time_to_plane(distance, std::fabs(path.velocity[axis])));
@@ -87,7 +88,7 @@ void AllPairs::validate(const World& world, const Time& now) const {
     const Vec3 moved = position_at(world.path(slot), now) - middles_[slot];
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (!world.box().is_periodic(axis)) continue;
-      HARDBALL_CHECK(std::fabs(moved[axis]) <= (kStretch + kMargin / 2) * world.box().size()[axis]);
+      HARDBALL_CHECK(std::fabs(moved[axis]) <= (kHalfInterval + kMargin / 2) * world.box().size()[axis]);
     }
   }
 }

@@ -8,11 +8,11 @@
 
 namespace hardball {
 
-/// Every sphere is a candidate of every other: the oracle against which the others are tested.
+/// Every sphere is a candidate of every other: the oracle against which the other broad phases are tested.
 ///
-/// Along periodic axes a sphere's region is a stretch of a quarter box to either side of where it was when
-/// the region was made; it tells which copies of the other spheres it can meet before it leaves the stretch.
-/// Cost: O(n) per collision.
+/// Along periodic axes a sphere's region is an interval of a quarter box to either side of where it was when
+/// the region was made; it determines which images of the other spheres it can meet before it leaves the
+/// interval. Cost: O(n) per collision.
 class AllPairs {
  public:
   void build(const World& world, const Time& now);
@@ -35,9 +35,9 @@ class AllPairs {
   };
 
   Images images_within_reach(const World& world, Slot slot, Slot other) const;
-  void center_stretch(const World& world, Slot slot, const Time& now);
+  void center_interval(const World& world, Slot slot, const Time& now);
 
-  std::vector<Vec3> middles_;  // of the stretches
+  std::vector<Vec3> middles_;  // of the intervals
 };
 
 static_assert(BroadPhase<AllPairs>);

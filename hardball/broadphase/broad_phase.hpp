@@ -13,21 +13,21 @@ namespace hardball {
 
 /// Knows, for every sphere, which others it may meet next.
 ///
-/// Each sphere has a region, and its candidates are all spheres and periodic copies whose regions meet its
-/// own. The region holds the sphere until its next crossing, the moment at which the sphere reaches the
-/// region's edge; crossing gives it another region. Two spheres are always candidates of each other before
-/// they touch. A broad phase reads paths and never changes them.
+/// Each sphere has a region, and its candidates are all spheres and periodic images whose regions meet its
+/// own. The sphere stays in its region until its next crossing, when it reaches the region's edge and gets
+/// another region. Two spheres are always candidates of each other before they touch. A broad phase reads
+/// paths and never changes them.
 ///
-/// - `build(world, now)` gives all spheres regions.
-/// - `refresh(world, slot, now, folded)` gives a region to a sphere whose path has been rewritten at `now`;
+/// - `build(world, now)` gives every sphere a region.
+/// - `refresh(world, slot, now, folded)` updates the region of a sphere whose path was rewritten at `now`;
 ///   its centre has been folded back by `folded` boxes.
-/// - `collect(world, slot, candidates)` collects every candidate of a sphere, as a rule once.
+/// - `collect(world, slot, candidates)` collects every candidate of a sphere, usually once.
 /// - `next_crossing(world, slot, now, limit)` is when the sphere reaches the edge of its region, not before
-///   `now`; kNever if it does not, and perhaps if it does not before `limit`.
-/// - `cross(world, slot, now, candidates)` gives it the next region and collects the candidates that are new
-///   (and perhaps others).
-/// - `prefetch_region(slot)` and `prefetch_lists(slot, crosses)` ask for the memory that the next event of a
-///   sphere will need, a few events apart; `crosses` says whether it is a crossing.
+///   `now`; kNever if it never does, and possibly if not before `limit`.
+/// - `cross(world, slot, now, candidates)` gives it the next region and collects the new candidates (and
+///   perhaps others).
+/// - `prefetch_region(slot)` and `prefetch_lists(slot, crosses)`, called a few events apart, prefetch what
+///   the next event of a sphere will need; `crosses` says whether it is a crossing.
 /// - `for_each_prefetched(slot, crosses, visit)` calls visit(other) for most of the candidates of that event.
 /// - `left_count()` counts the cells, or rows of cells, that spheres have left since `build`.
 /// - `validate(world, now)` checks the whole structure and throws BrokenInvariant.

@@ -17,27 +17,27 @@
 
 namespace hardball {
 
-/// The spheres that one sphere may meet next, collected by a broad phase to be looked at all together.
+/// The spheres that one sphere may meet next, collected by a broad phase so that contacts with all of them
+/// are predicted together.
 ///
-/// Either each candidate comes with the periodic copy that is meant, or, where regions are small against the
-/// box, the copy meant is the one that is nearest at the moment of asking: then a candidate is a slot alone.
-/// Arrays end in room for a whole vector, filled with the sphere itself, which it never meets.
+/// Either each candidate comes with its periodic image, or, where regions are small compared with the box,
+/// the nearest image at the time of the query is meant: then a candidate is just a slot. Arrays are padded to
+/// a whole vector with the sphere itself, which it never meets.
 class Candidates {
  public:
   /// The widest vector that reads these arrays.
   static constexpr std::size_t kPadding = kWidestVector;
 
-  /// `rounds` is how many calls of begin() there have been, so to speak: long runs come to the end of
-  /// counting.
+  /// `rounds` is the initial count of calls of begin(), so that tests reach the overflow of the counter.
   explicit Candidates(std::uint32_t rounds = 0) : round_(rounds) {}
 
-  /// Begins anew for the sphere in `slot`; `nearest` says whether copies are the nearest ones.
+  /// Starts over for the sphere in `slot`; `nearest` says whether nearest images are meant.
   void begin(Slot slot, bool nearest) {
     self_ = slot;
     nearest_ = nearest;
     size_ = 0;
     if (++round_ == 0) {
-      // Counting begins again: no mark of the rounds before may be taken for one of those to come.
+      // The counter has wrapped around: old marks must not pass for new ones.
       std::fill(seen_.begin(), seen_.end(), 0);
       round_ = 1;
     }
@@ -45,7 +45,7 @@ class Candidates {
   }
 
   Slot self() const { return self_; }
-  /// Whether the copy of each candidate is the nearest one.
+  /// Whether the nearest image of each candidate is meant.
   bool are_nearest() const { return nearest_; }
   std::size_t size() const { return size_; }
   Slot slot(std::size_t i) const { return slots_[i]; }
@@ -53,24 +53,25 @@ class Candidates {
   const Image& image(std::size_t i) const { return images_[i]; }
 
   const Slot* slots() const { return slots_.data(); }
-  /// The displacements of the copies along an axis [L]. Precondition: not are_nearest().
+  /// The displacements of the images along an axis [L]. Precondition: not are_nearest().
   const double* shifts(std::size_t axis) const { return shifts_[axis].data(); }
 
-  /// Adds a candidate whose copy is the nearest.
+  /// Adds a candidate, meaning its nearest image.
   void add(Slot other) {
     make_room(1);
     slots_[size_++] = other;
   }
 
-  /// Adds the first `count` of a line of slots. Copies the line whole: its length is known, `count` is not.
+  /// Adds the first `count` slots of a cache line. Copies the whole line: its length is known at compile
+  /// time, `count` is not.
   void add(const SlotLists::LineOfSlots& others, std::uint32_t count) {
     make_room(others.size());
     std::memcpy(slots_.data() + size_, others.data(), sizeof others);
     size_ += count;
   }
 
-  /// Takes out candidates that have been added before, and the sphere itself. A few are left twice, which
-  /// does no harm; none is lost. To be called once, when all have been added.
+  /// Removes repeated candidates and the sphere itself. A few repetitions may remain, which is harmless; none
+  /// is lost. Call once, after all have been added.
   void drop_repeated() {
     expect(size_);
     const std::size_t places = seen_.size() - 1;
@@ -78,25 +79,25 @@ class Candidates {
     const std::uint64_t round = std::uint64_t{round_} << 32;
     Slot* const slots = slots_.data();
     Slot* end = slots;
-    const auto look_at = [&](Slot other) {
-      // Without a branch: whether a candidate is new cannot be foreseen.
+    const auto keep_if_new = [&](Slot other) {
+      // Branchless: whether a candidate is new is unpredictable.
       std::uint64_t& place = seen[other & places];
       *end = other;
       end += place != (round | other) ? 1 : 0;
       place = round | other;
     };
-    // Two at a time: behind the last stands its repetition.
+    // Two at a time: the last is followed by its repetition.
     const std::size_t size = size_;
     if (size == 0) return;
     slots[size] = slots[size - 1];
     for (std::size_t i = 0; i < size; i += 2) {
-      look_at(slots[i]);
-      look_at(slots[i + 1]);
+      keep_if_new(slots[i]);
+      keep_if_new(slots[i + 1]);
     }
     size_ = static_cast<std::size_t>(end - slots);
   }
 
-  /// Adds the copy `image` of a candidate.
+  /// Adds a candidate with its image.
   void add(Slot other, const Image& image, const Box& box) {
     make_room(1);
     if (images_.size() < slots_.size()) {
@@ -109,7 +110,7 @@ class Candidates {
     slots_[size_++] = other;
   }
 
-  /// Makes room to tell apart so many. To be called before any but the sphere itself is marked.
+  /// Makes room to mark `count` candidates. Call before any but the sphere itself is marked.
   void expect(std::size_t count) {
     constexpr std::size_t kMost = std::size_t{1} << 16;
     if (2 * count <= seen_.size() || seen_.size() == kMost) return;
@@ -117,11 +118,11 @@ class Candidates {
     mark(self_);
   }
 
-  /// Whether `other` has not lately been marked since begin().
+  /// Whether `other` is not marked since begin(), or its mark has been overwritten.
   bool is_new(Slot other) const { return seen_[other & (seen_.size() - 1)] != key(other); }
   void mark(Slot other) { seen_[other & (seen_.size() - 1)] = key(other); }
 
-  /// Fills the room behind the last candidate. To be called before the arrays are read.
+  /// Fills the padding. Call before the arrays are read.
   void end() {
     for (std::size_t i = 0; i < kPadding; ++i) slots_[size_ + i] = self_;
   }
@@ -140,12 +141,12 @@ class Candidates {
   bool nearest_ = true;
   std::size_t size_ = 0;
   std::uint32_t round_;
-  std::size_t room_ = 56;  // for candidates; behind them is room for padding
+  std::size_t room_ = 56;  // for candidates, padding not counted
   std::vector<Slot> slots_ = std::vector<Slot>(room_ + kPadding);
   std::vector<Image> images_;
   std::array<std::vector<double>, kAxes> shifts_;
-  // A cache of the candidates marked, one place for each remainder, a power of two of them; the round tells
-  // those of earlier calls.
+  // A direct-mapped cache of the candidates marked, its size a power of two; the round identifies outdated
+  // marks.
   std::vector<std::uint64_t> seen_ = std::vector<std::uint64_t>(256);
 };
 

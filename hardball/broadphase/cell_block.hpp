@@ -11,10 +11,10 @@
 
 namespace hardball {
 
-/// Two by two by two cells: a sphere no larger than a cell touches no others.
+/// Two by two by two cells: all that a sphere no larger than a cell can touch.
 ///
-/// Three bits, 4, 2 and 1 for x, y and z, are a set of axes. They are also the name of a cell: the one with
-/// the upper place along these axes. A set of cells is eight bits, one for each name.
+/// A set of axes is three bits, 4, 2 and 1 for x, y and z. It also identifies a cell: the one with the upper
+/// index along these axes. A set of cells is eight bits, one per cell.
 class CellBlock {
  public:
   static constexpr std::uint32_t kCells = 8;
@@ -23,9 +23,9 @@ class CellBlock {
   /// The block whose lowest cell is `low`, in a store whose lists of neighbouring cells are `strides` apart.
   CellBlock(const Subdivision& cells, const CellIndex& low, const std::array<std::uint32_t, kAxes>& strides) {
     for_each_axis([&](auto axis) {
-      const std::int32_t place = cells.folded(axis, low[axis]);
-      const std::uint32_t lower = static_cast<std::uint32_t>(place) * strides[axis];
-      offsets_[axis] = {lower, place + 1 == cells.period(axis) ? 0 : lower + strides[axis]};
+      const std::int32_t index = cells.folded(axis, low[axis]);
+      const std::uint32_t lower = static_cast<std::uint32_t>(index) * strides[axis];
+      offsets_[axis] = {lower, index + 1 == cells.period(axis) ? 0 : lower + strides[axis]};
     });
   }
 
@@ -40,7 +40,7 @@ class CellBlock {
     for (; cells != 0; cells &= cells - 1) visit(list(static_cast<std::uint32_t>(std::countr_zero(cells))));
   }
 
-  /// Cell `from` and its neighbours above along `axes`, of which `from` has none.
+  /// Cell `from` and its upper neighbours along `axes`, none of which `from` contains.
   static std::uint32_t cells_above(std::uint32_t from, std::uint32_t axes) {
     return std::uint32_t{kAboveLowest[axes]} << from;
   }
@@ -49,7 +49,7 @@ class CellBlock {
   static std::uint32_t axis_if(bool condition, std::size_t axis) {
     return static_cast<std::uint32_t>(condition) * kAxisBit[axis];
   }
-  /// How often a set of axes has an axis.
+  /// 1 if a set of axes contains an axis, otherwise 0.
   static std::uint32_t count(std::uint32_t axes, std::size_t axis) { return axes / kAxisBit[axis] & 1; }
 
  private:

@@ -18,7 +18,7 @@ std::int32_t divide_down(std::int32_t a, std::int32_t b) {
   return a >= 0 ? a / b : -((b - 1 - a) / b);
 }
 
-// Calls visit(slab) for the parts of a range that lie outside another, cut along each axis in turn.
+// Calls visit(slab) for the parts of a range outside another, cut along each axis in turn.
 template <class Visit>
 void for_each_slab(CellRange range, const CellRange& outside, Visit&& visit) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -40,7 +40,7 @@ void for_each_slab(CellRange range, const CellRange& outside, Visit&& visit) {
 
 }  // namespace
 
-void CellGrid::Resident::take(const CellRange& range) {
+void CellGrid::Region::take(const CellRange& range) {
   low = range.low;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     more[axis] = static_cast<std::uint16_t>(range.high[axis] - range.low[axis]);
@@ -53,11 +53,11 @@ void CellGrid::build(const World& world, const Time& now) {
   nearest_ = images_are_nearest(world);
   store_.reset(cells_.shape(), world.size());
   blocks_ = regions_are_blocks(world);
-  residents_.assign(world.size(), Resident{});
+  regions_.assign(world.size(), Region{});
   left_count_ = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
     const CellRange range = range_at(world, slot, now);
-    residents_[slot].take(range);
+    regions_[slot].take(range);
     cells_.for_each_folded(range,
                            [&](const CellIndex&, const CellIndex& cell) { store_.insert(cell, slot); });
   }
@@ -77,8 +77,8 @@ void CellGrid::refuse_tiny_cells(const World& world) const {
               "give at least a fifth of the largest diameter, " + to_text(world.largest_radius() * 2 / 5));
 }
 
-// A sphere touches at most so many cells along an axis, its centre lies in one of them, and spheres that
-// share a cell are less than twice that, less one, apart: nearer than half the box.
+// Along an axis a sphere touches at most `touched` cells and its centre lies in one of them, so that centres
+// of spheres that share a cell are less than 2 * touched - 1 cells apart: nearer than half the box.
 bool CellGrid::images_are_nearest(const World& world) const {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_periodic(axis)) continue;
@@ -89,8 +89,8 @@ bool CellGrid::images_are_nearest(const World& world) const {
   return true;
 }
 
-// A sphere that is smaller than a cell, by more than rounding and margins can make of it, touches at most two
-// cells along each axis.
+// A sphere that is smaller than a cell, by more than rounding errors and margins, touches at most two cells
+// along each axis.
 bool CellGrid::regions_are_blocks(const World& world) const {
   constexpr double kSurplus = 1e-4;
   const double largest = 2 * world.largest_radius() * (1 + kSurplus);
@@ -108,15 +108,15 @@ void CellGrid::refresh(const World& world, Slot slot, const Time& now, const Ima
 
 void CellGrid::refresh_range(const World& world, Slot slot, const Time& now, const Image& folded) {
   const CellRange range = range_at(world, slot, now);
-  const CellRange old = residents_[slot].range();
+  const CellRange old = regions_[slot].range();
   if (folded.is_zero() && old.contains(range.low) && old.contains(range.high)) {
     leave(slot, old, range);
-    residents_[slot].take(range);
+    regions_[slot].take(range);
     return;
   }
   cells_.for_each_folded(old, [&](const CellIndex&, const CellIndex& cell) { store_.erase(cell, slot); });
   cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& cell) { store_.insert(cell, slot); });
-  residents_[slot].take(range);
+  regions_[slot].take(range);
 }
 
 void CellGrid::collect(const World& world, Slot slot, Candidates& candidates) const {
@@ -124,21 +124,21 @@ void CellGrid::collect(const World& world, Slot slot, Candidates& candidates) co
     collect_block(slot, candidates);
   } else {
     candidates.begin(slot, nearest_);
-    collect_from(world, residents_[slot].range(), candidates);
+    collect_from(world, regions_[slot].range(), candidates);
     candidates.end();
   }
 }
 
 Time CellGrid::next_crossing(const World& world, Slot slot, const Time& now, const Time&) {
-  Resident& resident = residents_[slot];
+  Region& region = regions_[slot];
   const Path& path = world.path(slot);
-  const CellCrossing next = cells_.next_enter(path, world.radius(slot), resident.range());
-  resident.crossed_face = static_cast<std::uint8_t>(face_of(next.axis, next.up));
+  const CellCrossing next = cells_.next_enter(path, world.radius(slot), region.range());
+  region.crossed_face = static_cast<std::uint8_t>(face_of(next.axis, next.up));
   return later(now, after(path.time, next.wait));
 }
 
-// Takes the row of cells ahead and gives up those that lie behind, seen along the velocity: giving up cells
-// ahead, on the word of rounded arithmetic, could make two crossings chase each other.
+// Enters the row of cells ahead and releases those behind, as seen along the velocity: releasing cells ahead
+// because of rounding could make two crossings repeat each other without end.
 void CellGrid::cross(const World& world, Slot slot, const Time& now, Candidates& candidates) {
   if (blocks_) {
     cross_block(world, slot, now, candidates);
@@ -148,10 +148,10 @@ void CellGrid::cross(const World& world, Slot slot, const Time& now, Candidates&
 }
 
 void CellGrid::cross_range(const World& world, Slot slot, const Time& now, Candidates& candidates) {
-  Resident& resident = residents_[slot];
+  Region& region = regions_[slot];
   const CellRange exact = range_at(world, slot, now);
   const Vec3& velocity = world.path(slot).velocity;
-  const CellRange old = resident.range();
+  const CellRange old = region.range();
   CellRange kept = old;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     kept.low[axis] =
@@ -160,13 +160,13 @@ void CellGrid::cross_range(const World& world, Slot slot, const Time& now, Candi
         velocity[axis] < 0 ? std::clamp(exact.high[axis], old.low[axis], old.high[axis]) : old.high[axis];
   }
   leave(slot, old, kept);
-  const std::size_t crossed = axis_of(resident.crossed_face);
-  const std::int32_t row = is_upper(resident.crossed_face) ? kept.high[crossed] + 1 : kept.low[crossed] - 1;
+  const std::size_t crossed = axis_of(region.crossed_face);
+  const std::int32_t row = is_upper(region.crossed_face) ? kept.high[crossed] + 1 : kept.low[crossed] - 1;
   CellRange entered = kept;
   entered.low[crossed] = entered.high[crossed] = row;
   kept.low[crossed] = std::min(kept.low[crossed], row);
   kept.high[crossed] = std::max(kept.high[crossed], row);
-  resident.take(kept);
+  region.take(kept);
   candidates.begin(slot, nearest_);
   collect_from(world, entered, candidates);
   candidates.end();
@@ -174,46 +174,46 @@ void CellGrid::cross_range(const World& world, Slot slot, const Time& now, Candi
                          [&](const CellIndex&, const CellIndex& cell) { store_.insert(cell, slot); });
 }
 
-// As refresh, of a sphere whose region is a block: it lies within the region, and keeps what it touches.
+// As refresh, where regions are blocks: the sphere lies within its region, and keeps the cells it touches.
 void CellGrid::refresh_block(const World& world, Slot slot, const Time& now, const Image& folded) {
-  Resident& resident = residents_[slot];
+  Region& region = regions_[slot];
   const Vec3 position = position_at(world.path(slot), now);
   const double radius = world.radius(slot);
   std::uint32_t below = 0;  // axes along which it touches the lower half of the block
   std::uint32_t above = 0;
   for_each_axis([&](auto axis) {
-    resident.low[axis] -= cells_.cells_beyond(axis, folded);
-    const double beyond = cells_.beyond_face(axis, resident.low[axis] + 1, position[axis]);
+    region.low[axis] -= cells_.cells_beyond(axis, folded);
+    const double beyond = cells_.beyond_face(axis, region.low[axis] + 1, position[axis]);
     below |= CellBlock::axis_if(beyond < cells_.reach(axis, radius), axis);
     above |= CellBlock::axis_if(beyond > -cells_.reach(axis, radius), axis);
   });
-  leave_halves(slot, resident.wide_axes() & ~(below & above), above);
+  leave_halves(slot, region.wide_axes() & ~(below & above), above);
 }
 
-// As cross, of a sphere whose region is a block. Whatever is rounded, of the two cells along the axis of the
-// crossing it leaves one.
+// As cross, where regions are blocks. Whatever the rounding, of two cells along the axis of the crossing it
+// leaves one.
 void CellGrid::cross_block(const World& world, Slot slot, const Time& now, Candidates& candidates) {
-  Resident& resident = residents_[slot];
+  Region& region = regions_[slot];
   const Path& path = world.path(slot);
   const Vec3 position = position_at(path, now);
   const double radius = world.radius(slot);
-  std::uint32_t up = 0;     // axes along which it flies upwards
-  std::uint32_t ahead = 0;  // axes along which it touches only the half of the block that lies ahead
+  std::uint32_t up = 0;     // axes along which it moves upwards
+  std::uint32_t ahead = 0;  // axes along which it touches only the half of the block ahead
   for_each_axis([&](auto axis) {
     const double velocity = path.velocity[axis];
-    const double beyond = cells_.beyond_face(axis, resident.low[axis] + 1, position[axis]);
+    const double beyond = cells_.beyond_face(axis, region.low[axis] + 1, position[axis]);
     up |= CellBlock::axis_if(!std::signbit(velocity), axis);
     ahead |= CellBlock::axis_if(std::copysign(1.0, velocity) * beyond > cells_.reach(axis, radius), axis);
   });
-  const std::size_t axis = axis_of(resident.crossed_face);
+  const std::size_t axis = axis_of(region.crossed_face);
   const std::uint32_t crossed = CellBlock::kAxisBit[axis];
-  leave_halves(slot, resident.wide_axes() & (ahead | crossed), up);
+  leave_halves(slot, region.wide_axes() & (ahead | crossed), up);
 
-  const std::uint32_t entered = CellBlock::cells_above(up & crossed, resident.wide_axes());
-  resident.low[axis] -= is_upper(resident.crossed_face) ? 0 : 1;
-  resident.more[axis] = 1;
+  const std::uint32_t entered = CellBlock::cells_above(up & crossed, region.wide_axes());
+  region.low[axis] -= is_upper(region.crossed_face) ? 0 : 1;
+  region.more[axis] = 1;
   candidates.begin(slot, true);
-  block_of(resident).for_each_list(entered, [&](std::uint32_t list) {
+  block_of(region).for_each_list(entered, [&](std::uint32_t list) {
     collect_list(list, candidates);
     store_.insert(list, slot);
   });
@@ -221,26 +221,26 @@ void CellGrid::cross_block(const World& world, Slot slot, const Time& now, Candi
   candidates.end();
 }
 
-// Gives up half of a block along each of `axes`: the lower half along `up`, the upper one along the others.
+// Releases half of a block along each of `axes`: the lower half along `up`, the upper one along the others.
 void CellGrid::leave_halves(Slot slot, std::uint32_t axes, std::uint32_t up) {
   if (axes == 0) return;
-  Resident& resident = residents_[slot];
-  const std::uint32_t wide = resident.wide_axes();
+  Region& region = regions_[slot];
+  const std::uint32_t wide = region.wide_axes();
   const std::uint32_t kept = CellBlock::cells_above(axes & up, wide & ~axes);
-  block_of(resident).for_each_list(CellBlock::cells_above(0, wide) & ~kept,
-                                   [&](std::uint32_t list) { store_.erase(list, slot); });
+  block_of(region).for_each_list(CellBlock::cells_above(0, wide) & ~kept,
+                                 [&](std::uint32_t list) { store_.erase(list, slot); });
   for_each_axis([&](auto axis) {
-    resident.low[axis] += static_cast<std::int32_t>(CellBlock::count(axes & up, axis));
-    resident.more[axis] = static_cast<std::uint16_t>(CellBlock::count(wide & ~axes, axis));
+    region.low[axis] += static_cast<std::int32_t>(CellBlock::count(axes & up, axis));
+    region.more[axis] = static_cast<std::uint16_t>(CellBlock::count(wide & ~axes, axis));
     left_count_ += CellBlock::count(axes, axis);
   });
 }
 
 void CellGrid::collect_block(Slot slot, Candidates& candidates) const {
-  const Resident& resident = residents_[slot];
+  const Region& region = regions_[slot];
   candidates.begin(slot, true);
-  block_of(resident).for_each_list(CellBlock::cells_above(0, resident.wide_axes()),
-                                   [&](std::uint32_t list) { collect_list(list, candidates); });
+  block_of(region).for_each_list(CellBlock::cells_above(0, region.wide_axes()),
+                                 [&](std::uint32_t list) { collect_list(list, candidates); });
   candidates.drop_repeated();
   candidates.end();
 }
@@ -254,7 +254,7 @@ void CellGrid::collect_list(std::uint32_t list, Candidates& candidates) const {
       list, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) { candidates.add(slots, count); });
 }
 
-// Collects the others in the cells of a range.
+// Collects the spheres in the cells of a range.
 void CellGrid::collect_from(const World& world, const CellRange& range, Candidates& candidates) const {
   if (nearest_) {
     cells_.for_each_folded(
@@ -272,16 +272,16 @@ void CellGrid::collect_from(const World& world, const CellRange& range, Candidat
   });
 }
 
-// All copies of a sphere that share a cell with the sphere that asks.
+// All images of a sphere that share a cell with the sphere of `candidates`.
 void CellGrid::collect_images(const World& world, Slot other, Candidates& candidates) const {
-  const CellRange own = residents_[candidates.self()].range();
-  const CellRange range = residents_[other].range();
+  const CellRange own = regions_[candidates.self()].range();
+  const CellRange range = regions_[other].range();
   Image first;
   Image last;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const std::int32_t period = cells_.period(axis);
     if (period == 0) continue;
-    // The copy lies in cells range + image * period, which must meet the cells of `own`.
+    // The image lies in cells range + image * period, which must meet the cells of `own`.
     first[axis] = -divide_down(range.high[axis] - own.low[axis], period);
     last[axis] = divide_down(own.high[axis] - range.low[axis], period);
   }
@@ -293,7 +293,7 @@ void CellGrid::collect_images(const World& world, Slot other, Candidates& candid
   }
 }
 
-// Gives up the cells of `old` that are not in `kept`, a part of it.
+// Releases the cells of `old` that are not in `kept`, a part of it.
 void CellGrid::leave(Slot slot, const CellRange& old, const CellRange& kept) {
   if (old == kept) return;
   for_each_slab(old, kept, [&](const CellRange& left) {
@@ -306,13 +306,13 @@ void CellGrid::leave(Slot slot, const CellRange& old, const CellRange& kept) {
 }
 
 std::size_t CellGrid::memory_bytes() const {
-  return store_.memory_bytes() + residents_.capacity() * sizeof(Resident);
+  return store_.memory_bytes() + regions_.capacity() * sizeof(Region);
 }
 
 void CellGrid::validate(const World& world, const Time& now) const {
-  HARDBALL_CHECK(residents_.size() == world.size());
+  HARDBALL_CHECK(regions_.size() == world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    const CellRange range = residents_[slot].range();
+    const CellRange range = regions_[slot].range();
     const Vec3 position = position_at(world.path(slot), now);
     const double radius = world.radius(slot);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {

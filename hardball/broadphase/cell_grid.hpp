@@ -17,33 +17,33 @@ namespace hardball {
 /// The paper's uniform subspaces: space is divided into cells, a sphere belongs to every cell it touches, and
 /// spheres that share a cell are candidates.
 ///
-/// Leaving needs no events of its own: cells behind a sphere are given up at its next crossing or change of
-/// path. Source: Kim, Guibas and Shin (1997), section 2.
+/// Leaving needs no events: cells behind a sphere are released at its next crossing or change of path.
+/// Source: Kim, Guibas and Shin (1997), section 2.
 class CellGrid {
  public:
   /// `edge` [L] is the wanted length of a cell's edge; see Subdivision.
   explicit CellGrid(double edge) : wanted_edge_(edge) {}
 
-  /// Error: an edge that is not positive, or cells so small that a sphere would lie in hundreds of them.
+  /// Error: the edge is not positive, or so small that a sphere would lie in hundreds of cells.
   void build(const World& world, const Time& now);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
   void collect(const World& world, Slot slot, Candidates& candidates) const;
   Time next_crossing(const World& world, Slot slot, const Time& now, const Time& limit);
   void cross(const World& world, Slot slot, const Time& now, Candidates& candidates);
-  void prefetch_region(Slot slot) const { prefetch(&residents_[slot]); }
+  void prefetch_region(Slot slot) const { prefetch(&regions_[slot]); }
   void prefetch_lists(Slot slot, bool crosses) const {
     if (!store_.is_dense()) return;
     const auto prefetch_list = [this](const CellIndex&, const CellIndex& cell) {
       prefetch(store_.lists().address(store_.list(cell)));
     };
-    cells_.for_each_folded(residents_[slot].range(), prefetch_list);
-    if (crosses) cells_.for_each_folded(residents_[slot].row_ahead(), prefetch_list);
+    cells_.for_each_folded(regions_[slot].range(), prefetch_list);
+    if (crosses) cells_.for_each_folded(regions_[slot].row_ahead(), prefetch_list);
   }
   template <class Visit>
   void for_each_prefetched(Slot slot, bool crosses, Visit&& visit) const {
     if (!store_.is_dense()) return;
-    const Resident& resident = residents_[slot];
-    cells_.for_each_folded(crosses ? resident.row_ahead() : resident.range(),
+    const Region& region = regions_[slot];
+    cells_.for_each_folded(crosses ? region.row_ahead() : region.range(),
                            [&](const CellIndex&, const CellIndex& cell) {
                              store_.lists().for_each_first(store_.list(cell), visit);
                            });
@@ -56,18 +56,18 @@ class CellGrid {
   double edge(std::size_t axis) const { return cells_.edge(axis); }
   /// Whether the cells are kept in an array or in a hash table.
   bool is_dense() const { return store_.is_dense(); }
-  /// Whether spheres that share a cell are always nearer than any other copies of them.
+  /// Whether images that share a cell are always the nearest images.
   bool has_nearest_images() const { return nearest_; }
 
  private:
-  // A sphere's region, a range of cells, and the face at which it ends.
-  struct Resident {
+  // A sphere's region, a range of cells, and the face through which it will be left.
+  struct Region {
     CellIndex low{};
     std::array<std::uint16_t, kAxes> more{};  // cells beyond the lowest
     std::uint8_t crossed_face = 0;
 
     CellRange range() const { return {low, {low[0] + more[0], low[1] + more[1], low[2] + more[2]}}; }
-    // The cells that the sphere enters next, as far as it still touches those beside them.
+    // The row of cells that the sphere enters next.
     CellRange row_ahead() const {
       CellRange row = range();
       const std::size_t axis = axis_of(crossed_face);
@@ -75,7 +75,7 @@ class CellGrid {
       return row;
     }
     void take(const CellRange& range);
-    // Of a region that is a block: the axes along which it is two cells wide.
+    // If regions are blocks: the axes along which this one is two cells wide.
     std::uint32_t wide_axes() const { return (more[0] * 4U + more[1] * 2U) + more[2]; }
   };
 
@@ -87,9 +87,7 @@ class CellGrid {
   void collect_from(const World& world, const CellRange& range, Candidates& candidates) const;
   void collect_images(const World& world, Slot other, Candidates& candidates) const;
   bool regions_are_blocks(const World& world) const;
-  CellBlock block_of(const Resident& resident) const {
-    return CellBlock(cells_, resident.low, store_.strides());
-  }
+  CellBlock block_of(const Region& region) const { return CellBlock(cells_, region.low, store_.strides()); }
   void collect_list(std::uint32_t list, Candidates& candidates) const;
   void refresh_block(const World& world, Slot slot, const Time& now, const Image& folded);
   void collect_block(Slot slot, Candidates& candidates) const;
@@ -100,7 +98,7 @@ class CellGrid {
   double wanted_edge_;
   Subdivision cells_;
   CellStore store_;
-  LargeVector<Resident> residents_;
+  LargeVector<Region> regions_;
   bool nearest_ = false;
   bool blocks_ = false;  // regions are sets of cells of a block
   std::uint64_t left_count_ = 0;

@@ -11,19 +11,19 @@
 
 namespace hardball {
 
-/// The cells that hold spheres: the paper's subspace tree, with tables in place of the tree.
+/// The cells that contain spheres: the paper's subspace tree, with tables in place of the tree.
 ///
-/// Where the box has few cells per sphere there is a list for each cell; where it has many, or no end, a hash
-/// table leads to the lists of the occupied ones. Either way memory is O(occupants). A sphere
-/// may stand in a cell more than once, when its region reaches around a periodic box. Cost: O(1) per
-/// operation, and O(occupants of the cell) to erase.
+/// If the box has few cells per sphere there is a list for each cell; if it has many, or is unbounded, a hash
+/// table leads to the lists of the occupied ones. Either way memory is O(occupants). A sphere can be in a
+/// cell more than once, when its region wraps around a periodic box. Cost: O(1) per operation, and
+/// O(occupants of the cell) to erase.
 class CellStore {
  public:
-  /// Empties the store. `shape` is the number of cells along each axis, zero where there is no end;
-  /// `expected` is the number of spheres, from which the kind of directory follows.
+  /// Empties the store. `shape` is the number of cells along each axis, zero where unbounded; `expected` is
+  /// the number of spheres, which determines the kind of directory.
   void reset(const CellIndex& shape, std::size_t expected);
 
-  /// All cells are given folded into the box.
+  /// Cells are passed folded into the box.
   void insert(const CellIndex& cell, Slot slot) {
     lists_.insert(dense_ ? dense_list(cell) : list_for_insert(cell), slot);
   }
@@ -36,14 +36,14 @@ class CellStore {
     }
   }
 
-  /// The list of the cell, in lists(); SlotLists::kNone if nobody is there, perhaps.
+  /// The list of the cell, in lists(); may be SlotLists::kNone if it is empty.
   std::uint32_t list(const CellIndex& cell) const {
-    return dense_ ? dense_list(cell) : lines_[find_line(cell)].list;
+    return dense_ ? dense_list(cell) : entries_[find_entry(cell)].list;
   }
   const SlotLists& lists() const { return lists_; }
   /// How far apart the lists of neighbouring cells are, along each axis. Precondition: is_dense().
   const std::array<std::uint32_t, kAxes>& strides() const { return strides_; }
-  /// The same by the cell's list. Precondition: is_dense().
+  /// The same, given the cell's list. Precondition: is_dense().
   void insert(std::uint32_t list, Slot slot) { lists_.insert(list, slot); }
   void erase(std::uint32_t list, Slot slot) { lists_.erase(list, slot); }
 
@@ -51,8 +51,8 @@ class CellStore {
   std::size_t memory_bytes() const;
 
  private:
-  // A line of the hash table; free while there is no list.
-  struct Line {
+  // An entry of the hash table; free while it has no list.
+  struct Entry {
     CellIndex cell{};
     std::uint32_t list = SlotLists::kNone;
   };
@@ -65,17 +65,17 @@ class CellStore {
     return list;
   }
   std::size_t home(const CellIndex& cell) const;
-  std::size_t find_line(const CellIndex& cell) const;
+  std::size_t find_entry(const CellIndex& cell) const;
   std::uint32_t list_for_insert(const CellIndex& cell);
   void erase_hashed(const CellIndex& cell, Slot slot);
-  void erase_line(std::size_t line);
-  void grow_lines();
+  void erase_entry(std::size_t entry);
+  void grow_table();
 
   bool dense_ = true;
   std::array<std::uint32_t, kAxes> strides_{};  // dense
-  std::vector<Line> lines_;                     // hashed: open addressing, a power of two of lines
-  std::size_t lines_used_ = 0;
-  SlotLists lists_;  // dense: one for each cell
+  std::vector<Entry> entries_;                  // hashed: open addressing, size a power of two
+  std::size_t entries_used_ = 0;
+  SlotLists lists_;  // dense: one per cell
 };
 
 }  // namespace hardball

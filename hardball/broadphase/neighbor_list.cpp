@@ -13,10 +13,10 @@
 namespace hardball {
 namespace {
 
-// How much farther shells reach than they need to, and how much earlier balls end: by far more than rounding.
+// By which shells are larger and balls smaller than they need to be: far more than rounding errors.
 constexpr double kMargin = 1e-9;
 
-// Distances of neighbours stay below this fraction of a periodic box: then no two copies of one come near,
+// Distances of neighbours stay below this fraction of a periodic box: then only one image of each is near,
 // and there are at least three cells along each axis.
 constexpr double kLargestShare = 0.33;
 
@@ -25,7 +25,8 @@ constexpr double kLeastSlack = 0.02;
 
 constexpr std::int32_t kMostCellsPerAxis = 1 << 28;
 
-// Two neighbours' centres are never farther apart: their shells, and twice more the way each may have gone.
+// The largest distance between the centres of two neighbours: shells in contact, and both displaced from
+// their anchors.
 double farthest_neighbors(double largest_radius, double slack) {
   return 2 * largest_radius + 4 * slack;
 }
@@ -38,11 +39,11 @@ double smallest_period(const Box& box) {
   return smallest;
 }
 
-// The squares of slower speeds lose their digits; spheres that collapse come to them.
+// The squares of slower speeds underflow; inelastic collapse leads to them.
 constexpr double kSlow = 0x1p-400;
 
-// How long a centre at `place` stays in its ball, `room` being the difference of the squared radius and its
-// squared distance from the anchor.
+// How long a centre at `place`, relative to the anchor, stays in its ball; `room` is the squared radius less
+// the squared distance.
 double wait_in_ball(const Vec3& place, Vec3 velocity, double room) {
   const bool is_slow = dot(velocity, velocity) < kSlow * kSlow;
   const double time_unit = is_slow ? 0x1p600 : 1;
@@ -73,7 +74,7 @@ void NeighborList::build(const World& world, const Time& now) {
   const double radius = world.largest_radius();
   const double room = (kLargestShare * smallest_period(world.box()) - 2 * radius) / 4;
   slack_ = std::max(kLeastSlack * radius, std::min(wanted_slack_, room));
-  // Where there is no sphere any edge will do, but zero.
+  // Without spheres any positive edge will do.
   const double least_edge = world.size() > 0 ? 2 * (radius + slack_) * (1 + 2 * kMargin) : 1;
   margin_ = kMargin * least_edge;
   cells_ = Subdivision(world.box(), least_edge, kMostCellsPerAxis);
@@ -98,7 +99,7 @@ void NeighborList::collect(const World&, Slot slot, Candidates& candidates) cons
   candidates.end();
 }
 
-// When the centre comes to the edge of its ball; reckoned from now, as nothing else depends on its last bits.
+// When the centre reaches the edge of its ball; computed from now, as nothing else depends on its last bits.
 Time NeighborList::next_crossing(const World& world, Slot slot, const Time& now, const Time& limit) const {
   const Vec3 place = from_anchor(world, slot, now);
   const Vec3& velocity = world.path(slot).velocity;
@@ -119,7 +120,7 @@ void NeighborList::cross(const World& world, Slot slot, const Time& now, Candida
   anchors_[slot] = anchor_at(world, slot, now);
   find_near(world, slot);
   store_.insert(cells_.cell_of(anchors_[slot]), slot);
-  tell_changes(slot);
+  find_changes(slot);
   candidates.begin(slot, true);
   for (const Slot gained : gained_) {
     candidates.add(gained);
@@ -131,15 +132,15 @@ void NeighborList::cross(const World& world, Slot slot, const Time& now, Candida
   for (const Slot other : near_) neighbors_.insert(slot, other);
 }
 
-// Which of those near a sphere are not in its list, and which of the list are not near any more.
-void NeighborList::tell_changes(Slot slot) {
+// Which of the spheres near a sphere are not in its list, and which in its list are no longer near.
+void NeighborList::find_changes(Slot slot) {
   kept_.clear();
   neighbors_.for_each_line(slot,
                            [this](const SlotLists::LineOfSlots&, std::uint32_t) { kept_.push_back(0); });
   gained_.resize(near_.size());
   Slot* gained = gained_.data();
   for (const Slot other : near_) {
-    // Without a branch: which are known cannot be foreseen.
+    // Branchless: which are known is unpredictable.
     std::uint32_t known = 0;
     std::uint32_t* kept = kept_.data();
     neighbors_.for_each_line(slot, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
@@ -164,7 +165,7 @@ Vec3 NeighborList::anchor_at(const World& world, Slot slot, const Time& now) con
   return world.position(slot, now);
 }
 
-// Where the centre is, seen from its anchor. It is in the ball: from far away only another copy is seen.
+// The centre relative to its anchor. It is in the ball: if it seems far away, another image is meant.
 Vec3 NeighborList::from_anchor(const World& world, Slot slot, const Time& now) const {
   const Vec3 place = position_at(world.path(slot), now) - anchors_[slot];
   if (dot(place, place) <= slack_ * slack_) [[likely]]
@@ -172,8 +173,8 @@ Vec3 NeighborList::from_anchor(const World& world, Slot slot, const Time& now) c
   return nearest(world.box(), place);
 }
 
-// The spheres whose shells meet a sphere's own, from the anchors in the cells around its own; the sphere
-// itself is among them if it stands there.
+// The spheres whose shells overlap a sphere's own, from the anchors in the cells around its own; the sphere
+// itself is among them if its anchor is stored.
 void NeighborList::find_near(const World& world, Slot slot) {
   const CellIndex center = cells_.cell_of(anchors_[slot]);
   std::array<std::array<std::int32_t, 3>, kAxes> rows;

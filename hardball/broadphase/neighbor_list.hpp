@@ -14,22 +14,22 @@
 
 namespace hardball {
 
-/// A list of neighbours for each sphere, for dense systems, where spheres are caged by their neighbours.
+/// A neighbour list for each sphere, for dense systems, where spheres are caged by their neighbours.
 ///
-/// A sphere's region is a ball around its anchor, a place where it once was. Spheres are in each other's
-/// lists when the shells around their anchors meet, each the sphere's radius and the ball's together. When a
-/// sphere comes to the edge of its ball, it drops anchor anew, and its neighbours' lists change with its own.
-/// Anchors are found through cells, each anchor lying in one.
-/// Source: Donev, Torquato and Stillinger, J. Comput. Phys. 202 (2005) 737, section 3.
+/// A sphere's region is a ball around its anchor, a past position of its centre. Spheres are in each other's
+/// lists if the shells around their anchors overlap; a shell's radius is the sphere's plus the ball's. When a
+/// sphere reaches the edge of its ball, its anchor moves to its centre, and its list and those of its
+/// neighbours are updated. Anchors are found by a cell list. Source: Donev, Torquato and Stillinger, J.
+/// Comput. Phys. 202 (2005) 737, section 3.
 class NeighborList {
  public:
-  /// `slack` [L] is the wanted radius of the ball in which a sphere's centre moves; small boxes make it
-  /// smaller. Precondition: suits(world). Error: the instructions are not available.
+  /// `slack` [L] is the wanted radius of the ball in which a sphere's centre moves; small boxes reduce it.
+  /// Precondition: suits(world). Error: the instruction set is not available.
   explicit NeighborList(double slack, InstructionSet instructions = widest_instruction_set())
       : wanted_slack_(slack), instructions_(instructions), pick_near_(kernels_of(instructions).pick_near) {}
 
-  /// Whether neighbours can be listed: a periodic box must be so large that of two neighbours no two copies
-  /// come near each other.
+  /// Whether neighbours can be listed: a periodic box must be so large that of a neighbour only one image is
+  /// near.
   static bool suits(const World& world);
 
   void build(const World& world, const Time& now);
@@ -57,21 +57,21 @@ class NeighborList {
   Vec3 anchor_at(const World& world, Slot slot, const Time& now) const;
   Vec3 from_anchor(const World& world, Slot slot, const Time& now) const;
   void find_near(const World& world, Slot slot);
-  void tell_changes(Slot slot);
+  void find_changes(Slot slot);
 
   double wanted_slack_;
   InstructionSet instructions_;
   NearKernel pick_near_;
   double slack_ = 0;
-  double margin_ = 0;  // how much farther shells reach than they need to
+  double margin_ = 0;  // by which shells are larger than they need to be
   Subdivision cells_;
   CellStore store_;            // anchors
   LargeVector<Vec3> anchors_;  // by slot, folded into the box
   SlotLists neighbors_;        // by slot
-  // Of the sphere at hand:
-  std::vector<Slot> around_;         // those whose anchors lie in the cells around its own
-  std::vector<Slot> near_;           // those that are to be its neighbours
-  std::vector<Slot> gained_, lost_;  // what that changes
+  // Of the current sphere:
+  std::vector<Slot> around_;         // those whose anchors lie in the 27 cells around its own
+  std::vector<Slot> near_;           // its new neighbours
+  std::vector<Slot> gained_, lost_;  // changes to its list
   std::vector<std::uint32_t> kept_;  // a bit for each place of each line of its list
 };
 

@@ -13,19 +13,19 @@
 
 namespace hardball {
 
-/// Many short lists of slots, each in a cache line of its own; longer ones chain several lines.
+/// Many short lists of slots, each in its own cache line; longer ones chain several.
 ///
-/// A list is named by its first line. Lists 0 to n-1 exist from reset(n) on; others are made and given up one
-/// by one. Order within a list means nothing. Of several lines all are full but the second, at which the list
-/// grows and shrinks. Cost: O(1) per operation, O(length) to erase.
+/// A list is identified by its first line. Lists 0 to n-1 exist after reset(n); others are made and released
+/// one by one. Lists are unordered. Of several lines all are full except the second, where the list grows and
+/// shrinks. Cost: O(1) per operation, O(length) to erase.
 class SlotLists {
  public:
   static constexpr std::uint32_t kNone = UINT32_MAX;
   static constexpr std::uint32_t kRoom = 14;
-  /// As many slots as a cache line holds beside their count.
+  /// As many slots as fit into a cache line besides the count and the link.
   using LineOfSlots = std::array<Slot, kRoom>;
 
-  /// Makes `count` empty lists and forgets all others.
+  /// Makes `count` empty lists and discards all others.
   void reset(std::size_t count) {
     lines_.clear();
     lines_.resize(count);
@@ -34,8 +34,8 @@ class SlotLists {
 
   /// Makes an empty list.
   std::uint32_t make() { return new_line(); }
-  /// Gives up an empty list that `make` has made.
-  void give_up(std::uint32_t list) { lines_[list].next = std::exchange(free_line_, list); }
+  /// Releases an empty list made by `make`.
+  void release(std::uint32_t list) { lines_[list].next = std::exchange(free_line_, list); }
 
   bool is_empty(std::uint32_t list) const { return lines_[list].count == 0 && lines_[list].next == kNone; }
 
@@ -46,9 +46,9 @@ class SlotLists {
     line.slots[line.count++] = slot;
   }
 
-  /// A bit for each of the first `count` places of a line at which the slot stands.
+  /// A bit for each of the first `count` places of a line that hold the slot.
   static std::uint32_t places_of(Slot slot, const LineOfSlots& slots, std::uint32_t count) {
-    // Without a branch for each slot: where it stands cannot be foreseen.
+    // Branchless: the place of the slot is unpredictable.
     std::uint32_t places = 0;
     for (std::uint32_t i = kRoom; i-- > 0;) places = 2 * places + (slots[i] == slot ? 1U : 0U);
     return places & ((1U << count) - 1);
@@ -66,19 +66,19 @@ class SlotLists {
     const bool is_single = first.next == kNone;
     Line& end = is_single ? first : lines_[first.next];
     lines_[at].slots[static_cast<std::size_t>(std::countr_zero(places))] = end.slots[--end.count];
-    if (end.count == 0 && !is_single) give_up(std::exchange(first.next, end.next));
+    if (end.count == 0 && !is_single) release(std::exchange(first.next, end.next));
   }
 
   /// Empties a list.
   void clear(std::uint32_t list) {
     while (lines_[list].next != kNone) {
-      const std::uint32_t given_up = std::exchange(lines_[list].next, lines_[lines_[list].next].next);
-      give_up(given_up);
+      const std::uint32_t released = std::exchange(lines_[list].next, lines_[lines_[list].next].next);
+      release(released);
     }
     lines_[list].count = 0;
   }
 
-  /// Calls visit(slots, count) for each line of the list; the array has room for more than count.
+  /// Calls visit(slots, count) for each line of the list; the array is longer than count.
   template <class Visit>
   void for_each_line(std::uint32_t list, Visit&& visit) const {
     for (; list != kNone; list = lines_[list].next) visit(lines_[list].slots, lines_[list].count);
@@ -98,7 +98,7 @@ class SlotLists {
     for (std::uint32_t i = 0; i < line.count; ++i) visit(line.slots[i]);
   }
 
-  /// Where the list begins in memory, to be fetched ahead of its use.
+  /// The address of the list's first line, for prefetching.
   const void* address(std::uint32_t list) const { return &lines_[list]; }
 
   std::size_t memory_bytes() const { return lines_.capacity() * sizeof(Line); }

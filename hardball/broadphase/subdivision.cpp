@@ -13,12 +13,12 @@
 namespace hardball {
 namespace {
 
-// How early cells admit and how late they release, as a fraction of their edge and of the greatest distance
+// By how much cells admit early and release late, as a fraction of their edge and of the greatest distance
 // from the origin, where coordinates are rounded most coarsely.
 constexpr double kEdgeMargin = 1e-9;
 constexpr double kDistanceMargin = 1e-14;
 
-// Without SSE4.1, std::floor is the call of a function.
+// Without SSE4.1, std::floor is a function call.
 std::int32_t round_down(double number) {
   const auto whole = static_cast<std::int32_t>(number);
   return whole - (whole > number ? 1 : 0);
@@ -58,28 +58,28 @@ Subdivision::Subdivision(const Box& box, double edge, std::int32_t most_cells) {
   }
 }
 
-std::int32_t Subdivision::place_of(const Axis& cells, double coordinate) {
-  double place = coordinate * cells.inverse_edge;
-  if (!(place > cells.first && place < cells.last)) [[unlikely]] {
+std::int32_t Subdivision::index_of(const Axis& cells, double coordinate) {
+  double index = coordinate * cells.inverse_edge;
+  if (!(index > cells.first && index < cells.last)) [[unlikely]] {
     if (cells.period > 0) throw_far_from_box();
-    place = std::clamp<double>(place, cells.first, cells.last);
+    index = std::clamp<double>(index, cells.first, cells.last);
   }
-  return round_down(place);
+  return round_down(index);
 }
 
 CellRange Subdivision::range_at(const Vec3& position, double radius) const {
   CellRange range;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const Axis& cells = axes_[axis];
-    range.low[axis] = place_of(cells, position[axis] - reach(axis, radius));
-    range.high[axis] = place_of(cells, position[axis] + reach(axis, radius));
+    range.low[axis] = index_of(cells, position[axis] - reach(axis, radius));
+    range.high[axis] = index_of(cells, position[axis] + reach(axis, radius));
   }
   return range;
 }
 
-std::int32_t Subdivision::folded_from_beyond(const Axis& cells, std::int32_t place) {
-  if (place < cells.first || place > cells.last) throw_far_from_box();
-  const std::int32_t rest = place % cells.period;
+std::int32_t Subdivision::folded_from_beyond(const Axis& cells, std::int32_t index) {
+  if (index < cells.first || index > cells.last) throw_far_from_box();
+  const std::int32_t rest = index % cells.period;
   return rest < 0 ? rest + cells.period : rest;
 }
 

@@ -15,9 +15,9 @@
 
 namespace hardball {
 
-/// The place of a cell along each axis. Cells are counted along the path of a sphere, without folding: in a
-/// periodic box, the count modulo the cells of the box gives the cell, and the rest the number of boxes
-/// beyond.
+/// The indices of a cell along the axes. Cells are counted along the path of a sphere, unwrapped: in a
+/// periodic box the index modulo the cells of the box gives the cell, and the quotient the number of boxes
+/// crossed.
 using CellIndex = std::array<std::int32_t, kAxes>;
 
 /// The cells from `low` to `high`, both included, along each axis.
@@ -42,62 +42,62 @@ struct CellRange {
   }
 };
 
-/// When a sphere's surface passes the face of a cell, and which.
+/// When a sphere's surface crosses a face of a cell, and which.
 struct CellCrossing {
   double wait =
-      std::numeric_limits<double>::infinity();  ///< From the path's own moment [T]; infinite if never.
+      std::numeric_limits<double>::infinity();  ///< From the start of the path [T]; infinite if never.
   std::uint8_t axis = 0;
-  bool up = false;  ///< Towards the cells with higher places.
+  bool up = false;  ///< Towards the cells with higher indices.
 };
 
 /// Space divided into uniform cells: which cells a sphere touches, and when it touches others.
 ///
-/// Cells admit a sphere slightly before it touches them and release it slightly after: by far more than
+/// Cells admit a sphere slightly before it touches them and release it slightly after, by far more than
 /// rounding can displace a sphere, so that two spheres share a cell before they can touch. Source: Kim,
 /// Guibas and Shin (1997), equation 1.
 class Subdivision {
  public:
   Subdivision() = default;
-  /// `edge` [L] is the wanted edge; along bounded axes it is adjusted so that whole cells fill the box. At
-  /// most `most_cells` are told apart along an axis: spheres beyond the outermost cells belong to these.
-  /// Error: not positive and finite.
+  /// `edge` [L] is the wanted edge; along bounded axes it is adjusted so that a whole number of cells fills
+  /// the box. There are at most `most_cells` along an axis: spheres beyond the outermost cells belong to
+  /// these. Error: not positive and finite.
   Subdivision(const Box& box, double edge, std::int32_t most_cells);
 
   /// Edge of a cell along an axis [L].
   double edge(std::size_t axis) const { return axes_[axis].edge; }
-  /// The lowest and highest place along an axis; reached by no sphere along periodic axes.
+  /// The lowest and highest index along an axis; along periodic axes no sphere reaches them.
   std::int32_t first(std::size_t axis) const { return axes_[axis].first; }
   std::int32_t last(std::size_t axis) const { return axes_[axis].last; }
-  /// How many cells make the box along a periodic axis; zero along the others.
+  /// The number of cells of the box along a periodic axis; zero along the others.
   std::int32_t period(std::size_t axis) const { return axes_[axis].period; }
 
-  /// How many cells the box has along each axis, zero where it is open.
+  /// The number of cells of the box along each axis, zero where it is open.
   CellIndex shape() const { return {axes_[0].count, axes_[1].count, axes_[2].count}; }
 
   /// The cells that a sphere at `position` touches. Error (RunFailure): it has crossed the box too many
   /// times.
   CellRange range_at(const Vec3& position, double radius) const;
-  /// How far from its centre, along an axis, a sphere touches cells [L].
+  /// The distance from its centre within which a sphere touches cells, along an axis [L].
   double reach(std::size_t axis, double radius) const { return radius + axes_[axis].margin; }
-  /// How far a coordinate lies beyond the lower face of the cell at `place` along an axis [L].
-  double beyond_face(std::size_t axis, std::int32_t place, double coordinate) const {
-    return coordinate - axes_[axis].edge * place;
+  /// How far a coordinate lies above the lower face of cell `index` along an axis [L].
+  double beyond_face(std::size_t axis, std::int32_t index, double coordinate) const {
+    return coordinate - axes_[axis].edge * index;
   }
   /// The cell, folded into the box, in which a point inside the box lies.
   CellIndex cell_of(const Vec3& point) const;
   /// When a sphere on `path` touches the next cell ahead of `range`.
   CellCrossing next_enter(const Path& path, double radius, const CellRange& range) const;
-  /// When it last touches the hindmost cells of `range`.
+  /// When it last touches the rearmost cells of `range`.
   CellCrossing next_leave(const Path& path, double radius, const CellRange& range) const;
 
-  /// A place along an axis, folded into the box. Error: as for range_at.
-  std::int32_t folded(std::size_t axis, std::int32_t place) const {
+  /// An index along an axis, folded into the box. Error: as for range_at.
+  std::int32_t folded(std::size_t axis, std::int32_t index) const {
     const std::int32_t period = axes_[axis].period;
-    // Of most places one comparison tells that they lie inside.
-    const bool is_inside = static_cast<std::uint32_t>(place) < static_cast<std::uint32_t>(period);
+    // For most indices one comparison shows that they lie inside.
+    const bool is_inside = static_cast<std::uint32_t>(index) < static_cast<std::uint32_t>(period);
     if (is_inside || period == 0) [[likely]]
-      return place;
-    return folded_from_beyond(axes_[axis], place);
+      return index;
+    return folded_from_beyond(axes_[axis], index);
   }
   CellIndex folded(const CellIndex& cell) const {
     return {folded(0, cell[0]), folded(1, cell[1]), folded(2, cell[2])};
@@ -106,10 +106,10 @@ class Subdivision {
   Image fold(CellIndex& cell) const {
     Image boxes;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      const std::int32_t place = folded(axis, cell[axis]);
-      if (place == cell[axis]) continue;
-      boxes[axis] = (cell[axis] - place) / axes_[axis].period;
-      cell[axis] = place;
+      const std::int32_t index = folded(axis, cell[axis]);
+      if (index == cell[axis]) continue;
+      boxes[axis] = (cell[axis] - index) / axes_[axis].period;
+      cell[axis] = index;
     }
     return boxes;
   }
@@ -117,8 +117,8 @@ class Subdivision {
   template <class Visit>
   void for_each_folded(const CellRange& range, Visit&& visit) const {
     const CellIndex begin = folded(range.low);
-    const auto step = [this](std::size_t axis, std::int32_t& place) {
-      if (++place == axes_[axis].period) place = 0;
+    const auto step = [this](std::size_t axis, std::int32_t& index) {
+      if (++index == axes_[axis].period) index = 0;
     };
     CellIndex cell;
     CellIndex folded = begin;
@@ -132,7 +132,7 @@ class Subdivision {
       }
     }
   }
-  /// How many cells the copy `image` is displaced along an axis.
+  /// By how many cells `image` is displaced along an axis.
   std::int32_t cells_beyond(std::size_t axis, const Image& image) const {
     return image[axis] * axes_[axis].period;
   }
@@ -141,21 +141,21 @@ class Subdivision {
   struct Axis {
     double edge = 0;
     double inverse_edge = 0;
-    double margin = 0;  // how early cells admit and how late they release
+    double margin = 0;  // by how much cells admit early and release late
     std::int32_t first = 0;
     std::int32_t last = 0;
     std::int32_t period = 0;
-    std::int32_t count = 0;  // of the cells that make the box; zero if it is open
+    std::int32_t count = 0;  // of the cells of the box; zero if it is open
   };
 
-  static std::int32_t place_of(const Axis& cells, double coordinate);
-  static std::int32_t folded_from_beyond(const Axis& cells, std::int32_t place);
+  static std::int32_t index_of(const Axis& cells, double coordinate);
+  static std::int32_t folded_from_beyond(const Axis& cells, std::int32_t index);
 
   std::array<Axis, kAxes> axes_;
   bool has_ends_ = false;  // along some axis
 };
 
-// Nothing here branches on which way a sphere flies: nobody can foresee it.
+// Branchless in the direction of flight, which is unpredictable.
 inline CellCrossing Subdivision::next_enter(const Path& path, double radius, const CellRange& range) const {
   double least = std::numeric_limits<double>::infinity();
   Face face = 0;
@@ -167,7 +167,7 @@ inline CellCrossing Subdivision::next_enter(const Path& path, double radius, con
     const std::int32_t plane = range.low[axis] + ((range.high[axis] + 1 - range.low[axis]) & upwards);
     if (has_ends_ && plane == (up ? cells.last + 1 : cells.first)) return;
     const double ahead = std::copysign(1.0, velocity) * -beyond_face(axis, plane, path.position[axis]);
-    // At rest infinite or not a number.
+    // Infinite or NaN at rest.
     const double wait = std::max(0.0, ahead - reach(axis, radius)) / std::fabs(velocity);
     const bool sooner = wait < least;
     least = sooner ? wait : least;

@@ -18,17 +18,17 @@
 
 namespace hardball {
 
-/// The event loop: take the least event, carry it out, predict anew.
+/// The event loop: take the least event, execute it, predict again.
 ///
 /// The queue holds one event per sphere: the earlier of its crossing (broad phase) and its prospect, the
-/// earliest contact among its candidates. Of two candidates at least one has a prospect no later than their
-/// contact: the one whose path or region changed last looked at the other. A prospect whose partner has
-/// changed its path since is stale, and the sphere looks again. An engine is a value: it can be copied, and
-/// many can live side by side.
+/// earliest contact with its candidates. Of two candidates at least one has a prospect no later than their
+/// contact: the one whose path or region changed last predicted it. A prospect whose partner's path has
+/// changed since is stale, and the sphere predicts again. An engine is a value: it can be copied, and many
+/// can coexist.
 template <EventQueue Queue, BroadPhase Phase, Response Respond>
 class Engine {
  public:
-  /// Takes over a world as it is at `now`. Precondition: no path begins later, no two spheres overlap.
+  /// Takes over a world as it is at `now`. Precondition: no path starts later, no two spheres overlap.
   Engine(World world, Phase phase, Respond respond, const Time& now, Predictor predictor = Predictor())
       : world_(std::move(world)),
         phase_(std::move(phase)),
@@ -57,20 +57,20 @@ class Engine {
   }
 
   /// Handles events in order, calling observe(contact) after every collision and wall contact. The observer
-  /// may change velocities; it must stop the run after any other edit, by returning false, for `rebuild` to
-  /// follow. Error: RunFailure on inelastic collapse; whatever the response or the observer throws. The event
-  /// at which the response threw has not happened.
+  /// may call change_velocity; after any other edit it must stop the run by returning false, and `rebuild`
+  /// must follow. Error: RunFailure on inelastic collapse; whatever the response or the observer throws. If
+  /// the response throws, its event has not happened.
   template <class Observe>
   RunStatus run(const RunLimits& limits, Observe&& observe) {
     std::uint64_t contacts = 0;
     if (limits.contacts == 0) return RunStatus::contacts_reached;
     for (std::uint64_t step = 0;; ++step) {
       const Slot next = least_until(limits.until);
-      if (next == kNobody) return RunStatus::time_reached;
+      if (next == kNoOwner) return RunStatus::time_reached;
       if (step == limits.steps) return RunStatus::steps_reached;
       prefetch_ahead();
       if (handle_without_contact(next)) continue;
-      const bool goes_on = tell(observe, carry_out(next));
+      const bool goes_on = notify(observe, carry_out(next));
       if constexpr (HARDBALL_VALIDATE) {
         if (goes_on) validate_now_and_then();
       }
@@ -83,24 +83,23 @@ class Engine {
   std::optional<Event> next_contact(const Time& until) {
     for (;;) {
       const Slot next = least_until(until);
-      if (next == kNobody) return std::nullopt;
+      if (next == kNoOwner) return std::nullopt;
       if (!handle_without_contact(next)) return contact_of(next);
     }
   }
 
-  /// Changes a velocity at `moment`. Precondition: no event is left before it, none after it has been
-  /// handled.
+  /// Changes a velocity at `moment`. Precondition: all events before it have been handled, and none after it.
   void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
     HARDBALL_CHECK(moment >= now_);
-    note_twin_moment(slot, moment);
+    note_repeated_start(slot, moment);
     const Image folded = world_.change_velocity(slot, moment, velocity);
     now_ = moment;
     note_new_path(slot, folded);
     predict(slot);
   }
 
-  /// Forgets all predictions and regions and makes them anew, as of `now`, with another broad phase. The
-  /// motion is not touched. Cost: O(n).
+  /// Discards all predictions and regions and rebuilds them as of `now`, with another broad phase. The motion
+  /// is not affected. Cost: O(n).
   void rebuild(const Time& now, Phase phase) {
     counters_ = counters();
     ++counters_.rebuilds;
@@ -111,7 +110,8 @@ class Engine {
   /// The world for editing between runs; `rebuild` must follow.
   World& world_to_edit() { return world_; }
 
-  /// Checks every structure and that no contact is unknown; throws BrokenInvariant. Cost: O(candidates).
+  /// Checks every structure, and that every contact is predicted; throws BrokenInvariant. Cost:
+  /// O(candidates).
   void validate() const {
     phase_.validate(world_, now_);
     Candidates candidates;
@@ -131,35 +131,35 @@ class Engine {
   }
 
  private:
-  // The memory of so many spheres stays in the caches by itself.
+  // The data of this many spheres stays in cache by itself.
   static constexpr std::size_t kCachedSpheres = 10000;
 
-  // What lies ahead of a sphere: when it leaves its region, and its prospect, the earliest contact it knows
-  // of. One cache line.
+  // What comes next for a sphere: its crossing, and its prospect, the earliest contact predicted for it. One
+  // cache line.
   struct alignas(64) Plan {
-    Time crossing = kNever;  // or anything after the contact
+    Time crossing = kNever;  // or any time after the contact
     Time contact = kNever;
-    double partner_since = 0;   // when the partner's path began
+    double partner_since = 0;   // start of the partner's path
     std::uint32_t partner = 0;  // a slot, or a face of the box
-    Image image;                // the copy of the partner
+    Image image;                // of the partner
     SphereId id = 0;            // of the sphere itself
     EventKind kind = EventKind::wall;
-    bool is_nearest_image = false;  // the copy of the partner is the one that is nearest when they touch
+    bool is_nearest_image = false;  // the partner's image is the nearest one at contact
 
     bool crosses_first() const { return crossing <= contact; }
-    // Nothing may lie ahead of a sphere at rest, not even cells.
+    // A sphere at rest may have neither crossing nor contact.
     bool will_cross_first() const { return crosses_first() && crossing < kNever; }
     bool meets_first() const { return !crosses_first() && kind == EventKind::collision; }
   };
 
-  // What the queue may know of the plans.
+  // The plans as the queue's event table.
   struct Plans {
     const Engine& engine;
     Time time(Slot slot) const {
       const Plan& plan = engine.plans_[slot];
       return plan.crosses_first() ? plan.crossing : plan.contact;
     }
-    // Two spheres that are to meet each other; if one of them is out of date, it will be found so.
+    // Two spheres that will collide with each other; if one plan is stale, that is found when it is handled.
     bool share_event(Slot a, Slot b) const {
       const Plan& one = engine.plans_[a];
       const Plan& other = engine.plans_[b];
@@ -177,20 +177,18 @@ class Engine {
 
   Plans plans() const { return {*this}; }
 
-  // Whether the partner has another path than the one the prospect was reckoned with. If paths have been
-  // rewritten more than once at one moment, that moment cannot tell: the contact time does, being a function
-  // of both paths.
+  // Whether the partner's path has changed since the prospect was computed. Paths rewritten more than once at
+  // one time have the same start: then the contact time decides, a function of both paths.
   bool is_stale(Slot slot) const {
     const Plan& plan = plans_[slot];
     if (plan.kind != EventKind::collision) return false;
     if (world_.path(plan.partner).time.high != plan.partner_since) return true;
-    if (!has_twin_moments_) return false;
+    if (!has_repeated_starts_) return false;
     return contact_time(world_, slot, plan.partner, image_of_partner(slot)) != plan.contact;
   }
 
-  // The prospect's place in the order of events. Of a stale one the old path of the partner is gone, and with
-  // it the copy that was meant: it comes before all contacts of its moment, which only makes the sphere look
-  // again early.
+  // The prospect as an event. If it is stale, the partner's old path is gone, and the image with it: it then
+  // precedes all contacts at its time, so that the sphere merely predicts again early.
   Event prospect_of(Slot slot) const {
     const Plan& plan = plans_[slot];
     if (is_stale(slot)) return {plan.contact, EventKind::enter, plan.id, 0, {}};
@@ -217,20 +215,20 @@ class Engine {
     queue_.reset(world_.size(), now_);
     plans_.assign(world_.size(), Plan{});
     for (Slot slot = 0; slot < world_.size(); ++slot) plans_[slot].id = world_.id(slot);
-    has_twin_moments_ = false;
+    has_repeated_starts_ = false;
     is_cached_ = world_.size() <= kCachedSpheres;
     const Box& box = world_.box();
     has_walls_ = box.is_wall(0) || box.is_wall(1) || box.is_wall(2);
     for (Slot slot = 0; slot < world_.size(); ++slot) predict(slot);
   }
 
-  // Whose event is the least, if it comes no later than `until`; otherwise kNobody.
+  // Whose event is the least, if it comes no later than `until`; otherwise kNoOwner.
   Slot least_until(const Time& until) {
     const Slot next = queue_.least(plans());
-    return next == kNobody || plans().time(next).high > until.high ? kNobody : next;
+    return next == kNoOwner || plans().time(next).high > until.high ? kNoOwner : next;
   }
 
-  // The calendar knows what comes next: its memory is asked for ahead.
+  // The calendar knows which spheres come next: prefetches their data.
   void prefetch_ahead() {
     if constexpr (requires { queue_.upcoming(0); }) {
       if (is_cached_) {
@@ -241,13 +239,13 @@ class Engine {
     }
   }
 
-  // From the nearest caches regions may be gone even if there are few spheres.
+  // Even with few spheres, regions may have been evicted from L1.
   void prefetch_regions_ahead() {
     constexpr std::size_t kAhead = 2;
     constexpr std::size_t kPlan = 5;
-    if (const Slot later = queue_.upcoming(kPlan); later != kNobody) prefetch(&plans_[later]);
+    if (const Slot later = queue_.upcoming(kPlan); later != kNoOwner) prefetch(&plans_[later]);
     const Slot slot = queue_.upcoming(kAhead);
-    if (slot == kNobody) return;
+    if (slot == kNoOwner) return;
     const Plan& plan = plans_[slot];
     const Slot partner = plan.kind == EventKind::collision ? plan.partner : slot;
     prefetch_regions(slot);
@@ -255,28 +253,28 @@ class Engine {
     prefetch(&plans_[partner]);
   }
 
-  // Each stage is a few events before the next, as each tells where the next one's memory is.
+  // Each stage runs a few events before the next, whose addresses it loads.
   void prefetch_in_stages() {
     constexpr std::size_t kPlan = 9;
     constexpr std::size_t kRegion = 6;
     constexpr std::size_t kLists = 4;
     constexpr std::size_t kPaths = 2;
-    if (const Slot slot = queue_.upcoming(kPlan); slot != kNobody) {
+    if (const Slot slot = queue_.upcoming(kPlan); slot != kNoOwner) {
       prefetch(&plans_[slot]);
       prefetch_regions(slot);
     }
-    if (const Slot slot = queue_.upcoming(kRegion); slot != kNobody) {
+    if (const Slot slot = queue_.upcoming(kRegion); slot != kNoOwner) {
       if (const Plan& plan = plans_[slot]; plan.meets_first()) {
         prefetch(&plans_[plan.partner]);
         prefetch_regions(plan.partner);
       }
     }
-    if (const Slot slot = queue_.upcoming(kLists); slot != kNobody) {
+    if (const Slot slot = queue_.upcoming(kLists); slot != kNoOwner) {
       const Plan& plan = plans_[slot];
       phase_.prefetch_lists(slot, plan.will_cross_first());
       if (plan.meets_first()) phase_.prefetch_lists(plan.partner, false);
     }
-    if (const Slot slot = queue_.upcoming(kPaths); slot != kNobody) {
+    if (const Slot slot = queue_.upcoming(kPaths); slot != kNoOwner) {
       const auto prefetch_path = [this](Slot other) { prefetch(&world_.path(other)); };
       const Plan& plan = plans_[slot];
       phase_.for_each_prefetched(slot, plan.will_cross_first(), prefetch_path);
@@ -289,7 +287,7 @@ class Engine {
     phase_.prefetch_region(slot);
   }
 
-  // Handles a crossing or a stale prospect; false if the sphere's event is a contact that stands.
+  // Handles a crossing or a stale prospect; false if the sphere's event is a valid contact.
   bool handle_without_contact(Slot slot) {
     const Plan& plan = plans_[slot];
     const bool is_crossing = plan.crosses_first();
@@ -332,13 +330,13 @@ class Engine {
     const bool is_collision = plan.kind == EventKind::collision;
     const Slot partner = is_collision ? plan.partner : slot;
     const SphereId partner_id = plans_[partner].id;
-    // Which id is the lower is a coin toss: no branch.
+    // Branchless: which id is lower is unpredictable.
     const Slot exchange = (slot ^ partner) & (Slot{0} - static_cast<Slot>(partner_id < plan.id));
     const Participants participants{slot ^ exchange, partner ^ exchange, plan.is_nearest_image};
     const Event event = is_collision ? make_collision(plan.contact, plan.id, partner_id, plan.image)
                                      : Event{plan.contact, EventKind::wall, plan.id, plan.partner, {}};
-    note_twin_moment(participants.first, event.time);
-    if (is_collision) note_twin_moment(participants.second, event.time);
+    note_repeated_start(participants.first, event.time);
+    if (is_collision) note_repeated_start(participants.second, event.time);
     execute(world_, guard_, event, participants, respond_, done_);
     now_ = event.time;
     ++(is_collision ? counters_.collision : counters_.wall);
@@ -352,23 +350,23 @@ class Engine {
     return done_.contact;
   }
 
-  void note_twin_moment(Slot slot, const Time& moment) {
-    if (world_.path(slot).time.high == moment.high) has_twin_moments_ = true;
+  void note_repeated_start(Slot slot, const Time& moment) {
+    if (world_.path(slot).time.high == moment.high) has_repeated_starts_ = true;
   }
 
   void note_new_path(Slot slot, const Image& folded) { phase_.refresh(world_, slot, now_, folded); }
 
-  // Looks at all candidates of a sphere and at the walls.
+  // Predicts a sphere's earliest contact with its candidates and the walls.
   void predict(Slot slot) {
     phase_.collect(world_, slot, candidates_);
     counters_.predictions += candidates_.size();
     Plan& plan = plans_[slot];
     take(plan, predictor_.earliest(world_, candidates_, now_));
-    if (has_walls_) look_at_walls(slot, plan);
+    if (has_walls_) predict_wall(slot, plan);
     schedule(slot);
   }
 
-  void look_at_walls(Slot slot, Plan& plan) const {
+  void predict_wall(Slot slot, Plan& plan) const {
     const Event wall = next_wall_event(world_, slot);
     if (!(wall.time < plan.contact)) return;
     plan.contact = wall.time;
@@ -392,7 +390,7 @@ class Engine {
     plan.partner_since = world_.path(prospect.partner).time.high;
   }
 
-  // Whole checks after contact 1, 2, 4, 8, ... keep a validating run from taking for ever.
+  // Full checks after contacts 1, 2, 4, 8, ... only, to keep validating runs affordable.
   void validate_now_and_then() const {
     const std::uint64_t contacts = counters_.contacts();
     if ((contacts & (contacts - 1)) == 0) validate();
@@ -406,10 +404,10 @@ class Engine {
   CollapseGuard guard_;
   Time now_;
   LargeVector<Plan> plans_;  // per slot
-  bool has_twin_moments_ = false;
-  bool is_cached_ = true;  // whatever there is stays in the caches by itself
+  bool has_repeated_starts_ = false;
+  bool is_cached_ = true;  // the data of all spheres stays in cache by itself
   bool has_walls_ = false;
-  Candidates candidates_;  // of the sphere at hand
+  Candidates candidates_;  // of the current sphere
   Executed done_;          // the last contact
   Counters counters_;
 };

@@ -7,7 +7,7 @@
 namespace hardball {
 namespace {
 
-// The contact time of one candidate, its copy and the place of both in the order of events.
+// The contact with one candidate, as an event.
 Event contact_with(const World& world, const Candidates& candidates, std::size_t i, const Time& now) {
   const Slot self = candidates.self();
   const Slot other = candidates.slot(i);

@@ -11,29 +11,29 @@
 
 namespace hardball {
 
-/// The earliest contact of a sphere among its candidates.
+/// The earliest contact of a sphere with its candidates.
 struct Prospect {
   Time time = kNever;
   Slot partner = 0;
-  Image image;  ///< The copy of the partner, unless candidates mean the nearest.
+  Image image;  ///< Of the partner; unused if candidates mean the nearest image.
 
   bool happens() const { return time.high < std::numeric_limits<double>::infinity(); }
 };
 
-/// The copy of `b` that is nearest to `a` at `moment`; with regions that are small against the box, the one
-/// that candidates without images mean.
+/// The image of `b` nearest to `a` at `moment`: the one meant by candidates without images, whose regions are
+/// small compared with the box.
 Image nearest_image(const World& world, Slot a, Slot b, const Time& moment);
 
-/// Computes contact times of many pairs at once. The result is that of contact_time for each pair and the
-/// order of events among them, to the last bit, whatever the instructions.
+/// Computes contact times of many pairs at a time. The result is bit for bit that of contact_time for each
+/// pair and of the order of events among them, whatever the instruction set.
 class Predictor {
  public:
-  /// Error: the instructions are not available.
+  /// Error: the instruction set is not available.
   explicit Predictor(InstructionSet instructions = widest_instruction_set());
 
-  /// The earliest contact of the sphere the candidates belong to; one that does not happen if there is none.
-  /// What comes after `limit` may be missed. Precondition: `candidates` has been ended, and was collected at
-  /// `now`.
+  /// The earliest contact of the sphere to which the candidates belong; one that does not happen if there is
+  /// none. Contacts after `limit` may be missed. Precondition: `candidates` has been ended, and was collected
+  /// at `now`.
   Prospect earliest(const World& world, const Candidates& candidates, const Time& now,
                     const Time& limit = kNever) const {
     if (candidates.size() == 0) return {};
@@ -65,7 +65,7 @@ class Predictor {
   }
 
  private:
-  // The same one by one, by the order of events.
+  // The same, pair by pair, by the order of events.
   static Prospect earliest_in_order(const World& world, const Candidates& candidates, const Time& now);
 
   ContactKernel kernel_;

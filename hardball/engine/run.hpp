@@ -12,9 +12,9 @@
 
 namespace hardball {
 
-/// How far a run may go; it stops at whatever comes first.
+/// Where a run stops: at whichever limit comes first.
 struct RunLimits {
-  /// Events at this very moment still happen: all those whose time has the same nearest double.
+  /// Events at exactly this time still happen: all whose time rounds to the same double.
   Time until = kNever;
   std::uint64_t contacts = std::numeric_limits<std::uint64_t>::max();
   /// Events of any kind, stale ones included: a bound on the work.
@@ -23,15 +23,16 @@ struct RunLimits {
 
 /// Why a run stopped.
 enum class RunStatus {
-  time_reached,      ///< No event is left up to RunLimits::until.
+  time_reached,      ///< No event remains up to RunLimits::until.
   contacts_reached,  ///< RunLimits::contacts have happened.
   steps_reached,     ///< RunLimits::steps have been taken.
   observer_stopped,  ///< The observer asked for it.
 };
 
-/// Tells an observer of a contact. Whether the run goes on: an observer that returns a bool says so.
+/// Calls an observer with a contact, and returns whether the run continues: an observer that returns a bool
+/// decides.
 template <class Observe>
-bool tell(Observe& observe, const Contact& contact) {
+bool notify(Observe& observe, const Contact& contact) {
   if constexpr (std::same_as<std::invoke_result_t<Observe&, const Contact&>, bool>) {
     return observe(contact);
   } else {
@@ -40,18 +41,19 @@ bool tell(Observe& observe, const Contact& contact) {
   }
 }
 
-/// What an engine has done since it was made: the paper's n_c is collision + wall, its n_e is enter + leave.
+/// What an engine has done since its construction: the paper's n_c is collision + wall, its n_e is enter +
+/// leave.
 struct Counters {
   std::uint64_t collision = 0;
   std::uint64_t wall = 0;
   std::uint64_t enter = 0;
   std::uint64_t leave = 0;
-  std::uint64_t stale = 0;        ///< Contacts taken from the queue whose partner had changed its path since.
+  std::uint64_t stale = 0;        ///< Contacts taken from the queue after the partner's path had changed.
   std::uint64_t predictions = 0;  ///< Contact times of pairs computed.
-  std::uint64_t contact_predictions = 0;  ///< Those among them that a contact called for.
-  std::uint64_t enter_predictions = 0;    ///< Those that entering cells called for.
-  std::uint64_t queue_operations = 0;     ///< Entries put into the queue or taken out.
-  std::uint64_t rebuilds = 0;             ///< How often all regions and predictions were made anew.
+  std::uint64_t contact_predictions = 0;  ///< Of these, those made after contacts.
+  std::uint64_t enter_predictions = 0;    ///< Of these, those made after crossings.
+  std::uint64_t queue_operations = 0;     ///< Entries inserted into the queue or removed.
+  std::uint64_t rebuilds = 0;             ///< How often all regions and predictions were rebuilt.
 
   std::uint64_t contacts() const { return collision + wall; }
   friend bool operator==(const Counters&, const Counters&) = default;

@@ -8,9 +8,9 @@
 
 namespace hardball {
 
-/// The one exception for bad input: what is wrong, where it stands, and the remedy, in one line.
+/// The one exception for bad input: what is wrong, where, and the remedy, in one line.
 ///
-/// Thrown by every public function whose doc comment names a precondition on its caller's data. Nothing is
+/// Thrown by every public function whose doc comment names a precondition on its caller's data. Nothing has
 /// changed when it is thrown.
 class Error : public std::invalid_argument {
  public:
@@ -27,7 +27,7 @@ class Error : public std::invalid_argument {
   std::string remedy_;
 };
 
-/// A run that started from good input and cannot go on, such as an inelastic collapse or a disk that is full.
+/// A run that started from good input and cannot continue, because of inelastic collapse or a full disk, say.
 class RunFailure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -39,7 +39,7 @@ class BrokenInvariant : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// Throws BrokenInvariant naming the failed condition and its place in the source.
+/// Throws BrokenInvariant, naming the failed condition and its source location.
 [[noreturn]] void report_broken_invariant(const char* condition, const char* file, int line);
 
 /// The shortest decimal text that reads back as the same number, as in messages and text files.
@@ -51,7 +51,7 @@ std::string to_text(Integer number) {
 
 }  // namespace hardball
 
-/// Whether whole structures are checked as a run goes on; on in debug and sanitizer builds.
+/// Whether whole structures are checked during a run; on in debug and sanitizer builds.
 #ifndef HARDBALL_VALIDATE
 #define HARDBALL_VALIDATE 0
 #endif

@@ -8,135 +8,136 @@
 namespace hardball {
 namespace {
 
-// A day's entries should fit the nearest cache and be worth the visit. Few owners have short days, lest most
-// events come late for theirs; many have long ones, so that the days after today fit a cache, too.
-std::size_t entries_per_day(std::size_t owners) {
+// A bucket's entries should fit the L1 cache and be worth the visit. With few owners buckets are small, lest
+// most events be scheduled into the current one; with many they are large, so that the buckets being filled
+// fit a cache, too.
+std::size_t entries_per_bucket(std::size_t owners) {
   return std::clamp<std::size_t>(owners / 256, 8, 64);
 }
 
-// Days are laid out anew when their entries are off by this factor.
-constexpr double kOff = 3;
+// The ring is resized when entries per bucket are off by this factor.
+constexpr double kResizeFactor = 3;
 
 }  // namespace
 
 void CalendarQueue::reset(std::size_t owners, Time start) {
   owner_count_ = owners;
-  unfiled_count_ = 0;
-  current_.assign(owners, kNever.high);
+  pending_count_ = 0;
+  scheduled_time_.assign(owners, kNever.high);
   sorted_.clear();
-  late_.clear();
-  days_.assign(1, Day{});
+  heap_.clear();
+  buckets_.assign(1, Bucket{});
   blocks_.clear();
   free_block_ = kNone;
-  beyond_.clear();
+  overflow_.clear();
   origin_ = start.high;
-  days_per_time_ = 0;
-  today_ = 0;
-  year_end_ = 1;
-  filed_count_ = 0;
-  taken_in_year_ = 0;
+  buckets_per_time_ = 0;
+  current_ = 0;
+  ring_end_ = 1;
+  bucketed_count_ = 0;
+  taken_in_turn_ = 0;
   counters_ = {};
 }
 
 std::size_t CalendarQueue::memory_bytes() const {
-  return (sorted_.capacity() + beyond_.capacity()) * sizeof(Entry) + late_.capacity() * sizeof(Scheduled) +
-         days_.capacity() * sizeof(Day) + current_.capacity() * sizeof(double) +
+  return (sorted_.capacity() + overflow_.capacity()) * sizeof(Entry) + heap_.capacity() * sizeof(Scheduled) +
+         buckets_.capacity() * sizeof(Bucket) + scheduled_time_.capacity() * sizeof(double) +
          blocks_.capacity() * sizeof(Block);
 }
 
-void CalendarQueue::file_all() {
-  const std::size_t first = unfiled_count_ > kUnfiled ? unfiled_count_ - kUnfiled : 0;
-  for (std::size_t i = first; i < unfiled_count_; ++i) {
-    const Unfiled& unfiled = unfiled_[i % kUnfiled];
-    file(unfiled.entry, day(unfiled.day));
+void CalendarQueue::insert_pending() {
+  const std::size_t first = pending_count_ > kPending ? pending_count_ - kPending : 0;
+  for (std::size_t i = first; i < pending_count_; ++i) {
+    const Pending& pending = pending_[i % kPending];
+    insert(pending.entry, bucket(pending.bucket));
   }
-  unfiled_count_ = 0;
+  pending_count_ = 0;
 }
 
-// Precondition: the entry is not for today.
-void CalendarQueue::file_or_wait(const Entry& entry) {
-  const double before = days_before(entry.time);
-  if (before + 1 < static_cast<double>(today_ + days_in_ring())) {
-    file(entry, day(day_after(before)));
+// Precondition: the entry does not belong to the current bucket.
+void CalendarQueue::insert_or_overflow(const Entry& entry) {
+  const double before = buckets_before(entry.time);
+  if (before + 1 < static_cast<double>(current_ + ring_size())) {
+    insert(entry, bucket(bucket_after(before)));
   } else {
-    beyond_.push_back(entry);
+    overflow_.push_back(entry);
   }
 }
 
-// Takes the live entries of today. Precondition: those before are done.
-void CalendarQueue::sort_today() {
-  const Day& today = day(today_);
-  sorted_.resize(today.count);
-  // Without a branch: half of the entries are dead, and nobody can foresee which.
+// Takes the live entries of the current bucket. Precondition: the previous ones have been handled.
+void CalendarQueue::sort_current() {
+  const Bucket& current = bucket(current_);
+  sorted_.resize(current.count);
+  // Branchless: half of the entries are dead, and which is unpredictable.
   Entry* end = sorted_.data();
-  for_each_filed(today, [&](const Entry& entry) {
+  for_each_entry(current, [&](const Entry& entry) {
     *end = entry;
     end += is_dead(entry) ? 0 : 1;
   });
   const auto live = static_cast<std::size_t>(end - sorted_.data());
   counters_.taken += sorted_.size() - live;
   sorted_.resize(live);
-  empty_today();
+  empty_current();
   std::sort(sorted_.begin(), sorted_.end(), [](const Entry& a, const Entry& b) { return a.time > b.time; });
 }
 
-// Moves the entries of today to a list.
-void CalendarQueue::take_day(std::vector<Entry>& entries) {
-  for_each_filed(day(today_), [&entries](const Entry& entry) { entries.push_back(entry); });
-  empty_today();
+// Moves the entries of the current bucket to a list.
+void CalendarQueue::take_current(std::vector<Entry>& entries) {
+  for_each_entry(bucket(current_), [&entries](const Entry& entry) { entries.push_back(entry); });
+  empty_current();
 }
 
-void CalendarQueue::empty_today() {
-  Day& today = day(today_);
-  filed_count_ -= today.count;
-  taken_in_year_ += today.count;
-  for (std::uint32_t block = today.last_block; block != kNone;) {
+void CalendarQueue::empty_current() {
+  Bucket& current = bucket(current_);
+  bucketed_count_ -= current.count;
+  taken_in_turn_ += current.count;
+  for (std::uint32_t block = current.last_block; block != kNone;) {
     const std::uint32_t freed = block;
     block = std::exchange(blocks_[block].next, free_block_);
     free_block_ = freed;
   }
-  today = {};
+  current = {};
 }
 
-// The ring has come round: what waited aside may have its day in it. False if the days should be laid out
-// anew.
-bool CalendarQueue::turn_year() {
-  const double per_day = static_cast<double>(taken_in_year_) / static_cast<double>(days_.size());
-  taken_in_year_ = 0;
-  year_end_ = today_ + days_in_ring();
-  const auto wanted = static_cast<double>(entries_per_day(owner_count_));
-  if (per_day > kOff * wanted || per_day * kOff < wanted) return false;
+// The ring has come round: entries of the overflow list may fall into it. False if it should be resized
+// instead.
+bool CalendarQueue::turn_ring() {
+  const double per_bucket = static_cast<double>(taken_in_turn_) / static_cast<double>(buckets_.size());
+  taken_in_turn_ = 0;
+  ring_end_ = current_ + ring_size();
+  const auto wanted = static_cast<double>(entries_per_bucket(owner_count_));
+  if (per_bucket > kResizeFactor * wanted || per_bucket * kResizeFactor < wanted) return false;
   std::vector<Entry> waiting;
-  waiting.swap(beyond_);
-  for (const Entry& entry : waiting) file_or_wait(entry);
+  waiting.swap(overflow_);
+  for (const Entry& entry : waiting) insert_or_overflow(entry);
   return true;
 }
 
-// Lays the days out anew for all entries that are alive.
-void CalendarQueue::lay_out() {
-  file_all();
-  gather();
-  counters_.taken += std::erase_if(beyond_, [this](const Entry& entry) { return is_dead(entry); });
-  if (beyond_.size() > owner_count_) drop_twins();
-  spread_out();
+// Sets up new buckets for all live entries.
+void CalendarQueue::resize_ring() {
+  insert_pending();
+  move_all_to_overflow();
+  counters_.taken += std::erase_if(overflow_, [this](const Entry& entry) { return is_dead(entry); });
+  if (overflow_.size() > owner_count_) drop_duplicates();
+  distribute();
 }
 
-// Lets all entries wait beyond.
-void CalendarQueue::gather() {
-  for (; filed_count_ > 0; ++today_) {
-    if (day(today_).count > 0) take_day(beyond_);
+// Moves all entries to the overflow list.
+void CalendarQueue::move_all_to_overflow() {
+  for (; bucketed_count_ > 0; ++current_) {
+    if (bucket(current_).count > 0) take_current(overflow_);
   }
-  beyond_.insert(beyond_.end(), sorted_.begin(), sorted_.end());
-  for (const Scheduled& entry : late_) beyond_.push_back({entry.event.time.high, entry.owner});
+  overflow_.insert(overflow_.end(), sorted_.begin(), sorted_.end());
+  for (const Scheduled& entry : heap_) overflow_.push_back({entry.event.time.high, entry.owner});
   sorted_.clear();
-  late_.clear();
+  heap_.clear();
 }
 
-// Leaves each owner one entry: one that is dead looks alive if its time is, to the nearest double, that of
-// the owner's event. Precondition: all wait beyond.
-void CalendarQueue::drop_twins() {
+// Leaves one entry per owner: a dead one looks alive if its time agrees with the owner's event to the nearest
+// double. Precondition: all entries are in the overflow list.
+void CalendarQueue::drop_duplicates() {
   std::vector<bool> is_known(owner_count_);
-  const std::size_t dropped = std::erase_if(beyond_, [&](const Entry& entry) {
+  const std::size_t dropped = std::erase_if(overflow_, [&](const Entry& entry) {
     if (is_known[entry.owner]) return true;
     is_known[entry.owner] = true;
     return false;
@@ -144,27 +145,28 @@ void CalendarQueue::drop_twins() {
   counters_.taken += dropped;
 }
 
-// Makes as many days as the entries waiting beyond need, and files those. Precondition: all wait there.
-void CalendarQueue::spread_out() {
-  taken_in_year_ = 0;
-  today_ = 0;
-  if (beyond_.empty()) return;
+// Makes as many buckets as the entries of the overflow list need, and inserts those. Precondition: all
+// entries are there.
+void CalendarQueue::distribute() {
+  taken_in_turn_ = 0;
+  current_ = 0;
+  if (overflow_.empty()) return;
   const auto by_time = [](const Entry& a, const Entry& b) { return a.time < b.time; };
-  const std::size_t half = beyond_.size() / 2;
-  const auto middle = beyond_.begin() + static_cast<std::ptrdiff_t>(half);
-  std::nth_element(beyond_.begin(), middle, beyond_.end(), by_time);
-  const double first = std::min_element(beyond_.begin(), std::next(middle), by_time)->time;
+  const std::size_t half = overflow_.size() / 2;
+  const auto middle = overflow_.begin() + static_cast<std::ptrdiff_t>(half);
+  std::nth_element(overflow_.begin(), middle, overflow_.end(), by_time);
+  const double first = std::min_element(overflow_.begin(), std::next(middle), by_time)->time;
   const double half_time = middle->time - first;
-  // The ring holds four times the days that the earlier half of the entries needs.
-  const std::size_t wanted = entries_per_day(owner_count_);
-  days_.assign(std::bit_ceil(2 * beyond_.size() / wanted + 4), Day{});
-  days_per_time_ = std::min((static_cast<double>(half) + 1) / static_cast<double>(wanted) / half_time,
-                            std::numeric_limits<double>::max());
+  // The ring has four times the buckets that the earlier half of the entries needs.
+  const std::size_t wanted = entries_per_bucket(owner_count_);
+  buckets_.assign(std::bit_ceil(2 * overflow_.size() / wanted + 4), Bucket{});
+  buckets_per_time_ = std::min((static_cast<double>(half) + 1) / static_cast<double>(wanted) / half_time,
+                               std::numeric_limits<double>::max());
   origin_ = first;
-  year_end_ = days_in_ring();
+  ring_end_ = ring_size();
   std::vector<Entry> waiting;
-  waiting.swap(beyond_);
-  for (const Entry& entry : waiting) file_or_wait(entry);
+  waiting.swap(overflow_);
+  for (const Entry& entry : waiting) insert_or_overflow(entry);
 }
 
 std::uint32_t CalendarQueue::new_block(std::uint32_t next) {

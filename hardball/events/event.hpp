@@ -11,16 +11,16 @@
 
 namespace hardball {
 
-/// Names a sphere for its whole life; never used twice in one world.
+/// Identifies a sphere for its whole life; never reused in one world.
 using SphereId = std::uint32_t;
 
-/// Where a sphere is stored: 0 to size-1, in any order. Changes when spheres are removed or reordered.
+/// Index at which a sphere is stored, 0 to size-1. Changes when spheres are removed or reordered.
 using Slot = std::uint32_t;
 
-/// What happens at an event. The order is that of simultaneous events: whoever enters a cell is known there
-/// before anybody in it is touched.
+/// What happens at an event. Simultaneous events happen in this order: a sphere that enters a cell is
+/// registered there before any sphere in it is touched.
 enum class EventKind : std::uint8_t {
-  enter,      ///< A sphere reaches the edge of the region in which the broad phase knows its partners.
+  enter,      ///< A sphere reaches the edge of its region, within which the broad phase knows its candidates.
   leave,      ///< A sphere has left a cell.
   collision,  ///< Two spheres touch.
   wall,       ///< A sphere touches a face of the box.
@@ -41,14 +41,14 @@ inline constexpr bool is_upper(Face face) {
 
 /// Something that happens, or would happen if nothing came before it.
 ///
-/// Events have one total order: by time, kind, lower id, higher id and image. Members stand in that order, so
-/// that comparing them one after another is the order.
+/// Events have one total order: by time, kind, lower id, higher id and image. Members are declared in that
+/// order, so that memberwise comparison gives it.
 struct Event {
   Time time = kNever;
   EventKind kind = EventKind::wall;
-  SphereId first = 0;        ///< The sphere; of a collision, the one with the lower id.
-  std::uint32_t second = 0;  ///< Collision: the sphere with the higher id. Otherwise the Face concerned.
-  Image image;               ///< Collision: the copy of `second` that `first` meets.
+  SphereId first = 0;        ///< The sphere; for a collision, the one with the lower id.
+  std::uint32_t second = 0;  ///< Collision: the sphere with the higher id. Otherwise the Face.
+  Image image;               ///< Collision: the image of `second` that `first` meets.
 
   bool happens() const { return time.high < std::numeric_limits<double>::infinity(); }
 
@@ -56,10 +56,9 @@ struct Event {
   friend std::partial_ordering operator<=>(const Event&, const Event&) = default;
 };
 
-/// The collision of spheres `a` and `b`, `image` being the copy of `b` that `a` meets, with the lower id
-/// first.
+/// The collision of spheres `a` and `b`, lower id first; `image` is the image of `b` that `a` meets.
 inline Event make_collision(const Time& time, SphereId a, SphereId b, const Image& image) {
-  // Which of two ids is the lower is a coin toss: no branch.
+  // Branchless: which id is lower is unpredictable.
   const std::int32_t sign = 1 - 2 * static_cast<std::int32_t>(b < a);
   return {time, EventKind::collision, a < b ? a : b, a < b ? b : a, sign * image};
 }

@@ -10,7 +10,7 @@
 
 namespace hardball {
 
-/// The paper's event tree: a balanced tree of all entries. Slower than CalendarQueue, and plainly right.
+/// The paper's event tree: a balanced tree of all entries. Slower than CalendarQueue, but obviously correct.
 /// Cost: O(log n) per operation.
 /// Source: Kim, Guibas and Shin (1997), section 2.
 class OrderedQueue {
@@ -21,19 +21,19 @@ class OrderedQueue {
     counters_ = {};
   }
 
-  template <Agenda A>
-  void schedule(Owner owner, const A& agenda) {
+  template <EventTable Table>
+  void schedule(Owner owner, const Table& table) {
     Event& entry = entry_of_[owner];
     if (entry.happens()) tree_.erase({entry, owner});
-    entry = agenda.event(owner);
+    entry = table.event(owner);
     if (!entry.happens()) return;
     tree_.insert({entry, owner});
     ++counters_.scheduled;
   }
 
-  template <Agenda A>
-  Owner least(const A&) const {
-    return tree_.empty() ? kNobody : tree_.begin()->owner;
+  template <EventTable Table>
+  Owner least(const Table&) const {
+    return tree_.empty() ? kNoOwner : tree_.begin()->owner;
   }
 
   void pop() {
@@ -52,7 +52,7 @@ class OrderedQueue {
 
  private:
   std::set<Scheduled> tree_;
-  std::vector<Event> entry_of_;  // per owner; an event that does not happen stands for none
+  std::vector<Event> entry_of_;  // per owner; an event that does not happen if none
   QueueCounters counters_;
 };
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// For small functions that are not to be called: those that are also compiled for wider instructions than
-/// the rest of the program, of whose copies the linker would take one for all, and those that are given a
-/// function to pass constants to.
+/// For small functions that must be inlined: those also compiled for wider instructions than the rest of the
+/// program, since the linker would take one copy for all; and those that pass constants to a function they
+/// are given.
 #if defined(__GNUC__)
 #define HARDBALL_ALWAYS_INLINE [[gnu::always_inline]] inline
 #else

@@ -9,11 +9,10 @@ namespace hardball {
 /// The time until two points, separated by `separation` [L] and approaching with relative velocity `velocity`
 /// [L/T], first come within `reach` [L] while approaching; infinity if they never do.
 ///
-/// Within reach and approaching means now (zero); receding or at relative rest means never; a graze, in which
-/// the distance touches `reach` without falling below it, means never. The result is right to four units in
-/// the last place of |separation|/|velocity|, grazing contacts included; beyond four reaches, to 2^-50 of it.
-/// Negating both vectors changes no bit of the result.
-/// Source: Bannerman et al., Comp. Part. Mech. 1 (2014) 191, section 2.
+/// Within reach and approaching means now (zero); receding or at relative rest means never; touching `reach`
+/// without falling below it means never. The result is accurate to four units in the last place of
+/// |separation|/|velocity|, grazing contacts included; beyond four reaches, to 2^-50 of it. Negating both
+/// vectors changes no bit of the result. Source: Bannerman et al., Comp. Part. Mech. 1 (2014) 191, section 2.
 double time_to_reach(const Vec3& separation, const Vec3& velocity, double reach);
 
 /// The time until a point at signed distance `distance` [L] from a plane, moving towards it with `speed`
@@ -29,11 +28,11 @@ inline Vec3 separation_at(const Path& a, const Path& b, const Vec3& shift, const
   return (position_at(b, moment) - position_at(a, moment)) + shift;
 }
 
-/// The moment at which the centres on two paths, the second displaced by `shift` [L], first come within
-/// `reach` [L] while approaching; kNever if they never do.
+/// The time at which the centres on two paths, the second displaced by `shift` [L], first come within `reach`
+/// [L] while approaching; kNever if they never do.
 ///
-/// A function of the two paths alone, reckoned from the later of their moments: whoever asks, whenever, gets
-/// the same bits, in either order of the paths.
+/// A function of the two paths alone, computed from the later of their start times: the same bits whenever it
+/// is called, and in either order of the paths.
 inline Time contact_time(const Path& a, const Path& b, const Vec3& shift, double reach) {
   const Time start = later(a.time, b.time);
   const Vec3 separation = separation_at(a, b, shift, start);

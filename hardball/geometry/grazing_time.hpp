@@ -13,15 +13,13 @@ namespace hardball {
 /// which the spheres meet. Below this squared cosine [1] its rounding error would show in the contact time.
 inline constexpr double kGrazingCosineSquared = 5.0 / 16;
 
-/// Of points that are farther apart than reach, rounding changes the discriminant by less than this fraction
-/// of
-/// (|separation| * |velocity|)^2 as long as it is no more than grazing [1]: farther below zero it is a
-/// certain miss. Three products and their differences make 15 * 2^-53 at the worst, the separation being the
-/// longer one.
+/// For points farther apart than reach, the rounding error of a discriminant no larger than grazing is less
+/// than this fraction of (|separation| * |velocity|)^2 [1]: farther below zero it is a certain miss. Three
+/// products and their differences make at worst 15 * 2^-53, as the separation exceeds reach.
 inline constexpr double kCertainMiss = 0x1p-48;
 
-/// What time_to_reach (contact_time.hpp) gives for approaching points, with the coefficients of the quadratic
-/// carried to 106 bits: for grazing contacts.
+/// As time_to_reach (contact_time.hpp) for approaching points, with the coefficients of the quadratic
+/// computed to 106 bits: for grazing contacts.
 HARDBALL_ALWAYS_INLINE double grazing_time_to_reach(double rx, double ry, double rz, double vx, double vy,
                                                     double vz, double reach) {
   const DoubleDouble x = difference_of_products(ry, vz, rz, vy);

@@ -7,14 +7,14 @@
 
 namespace hardball {
 
-/// The motion of a sphere's centre from its last change on: where it was, how fast it went, and when.
+/// The motion of a sphere's centre since its last change: position, velocity and time.
 ///
-/// A path is rewritten only when the motion itself changes. Along it the centre moves uniformly, and in a
-/// periodic box it leaves the box without being folded back: the periodic copies are counted by Image.
+/// A path is rewritten only when the motion itself changes. Along it the centre moves uniformly, and may
+/// leave a periodic box without being folded back: Image counts the boxes.
 struct alignas(64) Path {
   Vec3 position;  ///< Centre at `time` [L].
   Vec3 velocity;  ///< [L/T]
-  Time time;      ///< Moment of the last change.
+  Time time;      ///< Of the last change.
 
   friend bool operator==(const Path&, const Path&) = default;
 };

@@ -34,8 +34,8 @@ struct Vec3 {
 
 inline constexpr std::size_t kAxes = 3;
 
-/// Calls visit(axis) for every axis, a constant that is known at compile time: so is which member of a vector
-/// it means.
+/// Calls visit(axis) for every axis, a compile-time constant, so that member access is resolved at compile
+/// time.
 template <class Visit>
 HARDBALL_ALWAYS_INLINE void for_each_axis(Visit&& visit) {
   visit(std::integral_constant<std::size_t, 0>());
@@ -55,8 +55,8 @@ inline double length(const Vec3& a) {
   return std::sqrt(dot(a, a));
 }
 
-/// Which periodic copy of a sphere is meant: the copy displaced by this many box lengths along each axis.
-/// Zero along every axis that is not periodic.
+/// A periodic image of a sphere: the one displaced by this many box lengths along each axis. Zero along axes
+/// that are not periodic.
 struct Image {
   std::array<std::int32_t, kAxes> boxes{};
 
@@ -70,7 +70,7 @@ struct Image {
   bool is_zero() const { return (boxes[0] | boxes[1] | boxes[2]) == 0; }
 
   friend auto operator<=>(const Image&, const Image&) = default;
-  // Member by member: comparing the memory as a whole would wait for the members lately written.
+  // Member by member: a comparison by memcmp would stall on members just written.
   friend bool operator==(const Image& a, const Image& b) { return (a - b).is_zero(); }
 };
 

@@ -37,7 +37,7 @@ void put(std::string& line, const Vec3& vector) {
   put(line, vector.z);
 }
 
-// The part of space that a frame shows: the box, and along open axes the stretch that holds all spheres.
+// The part of space that a frame shows: the box, and along open axes the interval that holds all spheres.
 struct Extent {
   Vec3 low;
   Vec3 high;
@@ -90,7 +90,7 @@ std::string comment_line(const World& world, const Time& moment) {
 
 // --- reading ---
 
-// A place in the text that is read, for messages.
+// A location in the text being read, for messages.
 struct Place {
   const std::string& name;
   std::size_t line;
@@ -99,7 +99,7 @@ struct Place {
   std::string text(std::size_t offset) const { return text() + ":" + to_text(offset + 1); }
 };
 
-// A piece of a line and where in the line it begins.
+// A token of a line and its offset.
 struct Token {
   std::string_view text;
   std::size_t offset = 0;
@@ -107,7 +107,7 @@ struct Token {
 
 constexpr std::string_view kBlanks = " \t\r";
 
-// The next piece between blanks, from `offset` on; empty at the end of the line.
+// The next token from `offset` on; empty at the end of the line.
 Token next_token(std::string_view line, std::size_t offset) {
   const std::size_t begin = std::min(line.find_first_not_of(kBlanks, offset), line.size());
   const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
@@ -128,8 +128,8 @@ double parse_real(const Token& token, const std::string& name, const Place& plac
               "give a finite number");
 }
 
-// The key=value pairs of a comment line, each value with its place. Values may stand in quotes; a key without
-// a value has an empty one.
+// The key=value pairs of a comment line, each value with its offset. Values may be quoted; a key without a
+// value has an empty one.
 std::map<std::string, Token, std::less<>> parse_comment(std::string_view line, const Place& place) {
   std::map<std::string, Token, std::less<>> pairs;
   std::size_t at = 0;
@@ -144,7 +144,7 @@ std::map<std::string, Token, std::less<>> parse_comment(std::string_view line, c
         const std::size_t close = line.find(line[at], at + 1);
         if (close == std::string_view::npos) {
           throw Error("the quote is never closed", place.text(at),
-                      "end the value with the quote it begins with");
+                      "end the value with the quote that opens it");
         }
         value = {line.substr(at + 1, close - at - 1), at + 1};
         at = close + 1;
@@ -159,7 +159,7 @@ std::map<std::string, Token, std::less<>> parse_comment(std::string_view line, c
   return pairs;
 }
 
-// Which of a line's values are which, counted from zero; absent where the file has no such column.
+// The index of each quantity among a line's values; empty where the file has no such column.
 struct Columns {
   std::optional<std::size_t> position;
   std::optional<std::size_t> velocity;
@@ -205,7 +205,7 @@ Columns parse_properties(const Token& properties, const Place& place) {
     std::size_t width = 0;
     constexpr std::size_t kMostWidth = 1000;
     if (!parse(width_text.text, width) || width == 0 || width > kMostWidth) {
-      throw Error("the columns of '" + std::string(name.text) + "' are not counted", place.text(name.offset),
+      throw Error("the columns of '" + std::string(name.text) + "' have no count", place.text(name.offset),
                   "write Properties as name:type:count:name:type:count...");
     }
     for (const KnownColumn& known : kKnownColumns) {
@@ -215,7 +215,7 @@ Columns parse_properties(const Token& properties, const Place& place) {
                     place.text(name.offset), "make it " + description(known));
       }
       if (columns.*known.column) {
-        throw Error("column '" + std::string(name.text) + "' is there twice", place.text(name.offset),
+        throw Error("column '" + std::string(name.text) + "' appears twice", place.text(name.offset),
                     "remove one of the two");
       }
       columns.*known.column = columns.count;
@@ -230,7 +230,7 @@ Columns parse_properties(const Token& properties, const Place& place) {
   return columns;
 }
 
-// Reads a stream line by line, counting.
+// Reads a stream line by line, counting lines.
 class Lines {
  public:
   Lines(std::istream& in, const std::string& name) : in_(in), name_(name) {}
@@ -245,7 +245,7 @@ class Lines {
   std::size_t number() const { return number_; }
   Place place() const { return {name_, number_}; }
 
-  // A place in the stream to which one can go back.
+  // A position in the stream to which one can return.
   struct Mark {
     std::istream::pos_type position;
     std::size_t number;
@@ -280,7 +280,7 @@ std::size_t parse_count(const Lines& lines) {
       lines.place().text(), "remove the incomplete frame");
 }
 
-// Passes over all frames but the last; its count line has been read when this returns.
+// Skips all frames but the last, whose count line has been read on return.
 std::size_t find_last_frame(Lines& lines) {
   std::optional<Lines::Mark> last;
   std::size_t last_count = 0;
@@ -294,7 +294,7 @@ std::size_t find_last_frame(Lines& lines) {
     }
   }
   if (!last) {
-    throw Error("the file holds no frame", lines.place().name,
+    throw Error("the file contains no frame", lines.place().name,
                 "give an extended XYZ file with the columns pos:R:3, velo:R:3 and radius:R:1");
   }
   lines.go_back(*last);
@@ -302,7 +302,7 @@ std::size_t find_last_frame(Lines& lines) {
   return last_count;
 }
 
-// The values of one line, by the number of the column.
+// The values of one line, by column.
 class Row {
  public:
   Row(std::string_view line, std::size_t columns, const Place& place) : place_(place) {
@@ -313,7 +313,7 @@ class Row {
     }
     if (values_.size() == columns) return;
     throw Error(
-        "the line has " + to_text(values_.size()) + " values and Properties counts " + to_text(columns),
+        "the line has " + to_text(values_.size()) + " values and Properties declares " + to_text(columns),
         place_.text(), "give one value for each column");
   }
 
@@ -343,9 +343,9 @@ void sort_by_id(Snapshot& snapshot, const std::vector<std::int64_t>& ids, const 
   sorted.time = snapshot.time;
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i > 0 && ids[order[i]] == ids[order[i - 1]]) {
-      throw Error("id " + to_text(ids[order[i]]) + " stands in line " +
-                      to_text(snapshot.lines[order[i - 1]]) + " already",
-                  Place{name, snapshot.lines[order[i]]}.text(), "give every sphere an id of its own");
+      throw Error(
+          "id " + to_text(ids[order[i]]) + " is already on line " + to_text(snapshot.lines[order[i - 1]]),
+          Place{name, snapshot.lines[order[i]]}.text(), "give every sphere an id of its own");
     }
     sorted.spheres.push_back(snapshot.spheres[order[i]]);
     sorted.lines.push_back(snapshot.lines[order[i]]);
@@ -370,14 +370,14 @@ void append_snapshot(OutputFile& file, const World& world, const Time& moment) {
     line.back() = '\n';
     file.append(line);
   });
-  file.flush_whole();
+  file.flush_complete();
 }
 
 Snapshot read_snapshot(const std::filesystem::path& path) {
-  // It is read twice, to its end: a pipe does not allow that, and a device may have no end.
+  // The file is read twice, to its end: a pipe cannot be, and a device may have no end.
   std::error_code unknown;
   if (std::filesystem::exists(path, unknown) && !std::filesystem::is_regular_file(path, unknown)) {
-    throw Error("it is no regular file", path.string(), "name an extended XYZ file");
+    throw Error("it is not a regular file", path.string(), "name an extended XYZ file");
   }
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Error("the file cannot be read", path.string(), "name an extended XYZ file");

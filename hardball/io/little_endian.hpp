@@ -10,7 +10,7 @@
 
 namespace hardball {
 
-/// Adds a number to `bytes`, its least significant byte first.
+/// Appends a number to `bytes`, least significant byte first.
 template <std::unsigned_integral Word>
 void append_little_endian(std::string& bytes, Word word) {
   char parts[sizeof(Word)];
@@ -23,7 +23,7 @@ inline void append_little_endian(std::string& bytes, double number) {
   append_little_endian(bytes, std::bit_cast<std::uint64_t>(number));
 }
 
-/// The number that stands at `bytes`, its least significant byte first. Precondition: all of it is there.
+/// The number at `bytes`, least significant byte first. Precondition: it lies within the buffer.
 template <class Number>
 Number read_little_endian(const char* bytes) {
   if constexpr (std::unsigned_integral<Number>) {

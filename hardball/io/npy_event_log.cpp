@@ -42,7 +42,7 @@ NpyEventLog::~NpyEventLog() {
   try {
     close();
   } catch (const RunFailure&) {
-    // What was whole in the file before has been kept.
+    // The file keeps what was complete before.
   }
 }
 
@@ -53,7 +53,7 @@ void NpyEventLog::append(const Contact& contact) {
   record.reserve(kRecordBytes);
   append_little_endian(record, contact.time.value());
   append_little_endian(record, contact.first);
-  // The bits of -(face + 1) are those of the face, all inverted.
+  // -(face + 1) is the bitwise complement of the face.
   append_little_endian(record, contact.is_collision() ? contact.second : ~contact.second);
   append_little_endian(record, static_cast<std::uint8_t>(contact.is_collision() ? 0 : 1));
   const Vec3 impulse = contact.impulse();
@@ -67,10 +67,10 @@ void NpyEventLog::append(const Contact& contact) {
 }
 
 void NpyEventLog::flush() {
-  // Records first: the header never counts what is not there.
+  // Records first: the header never counts records that are not there.
   file_.flush();
   file_.overwrite(0, header(size_));
-  file_.flush_whole();
+  file_.flush_complete();
 }
 
 void NpyEventLog::close() {

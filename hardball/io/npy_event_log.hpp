@@ -14,15 +14,14 @@ namespace hardball {
 ///
 /// The fields, packed and little-endian:
 /// - `t` f8: when [T];
-/// - `i` u4: the sphere, of a collision the one with the lower id;
+/// - `i` u4: the sphere; for a collision, the one with the lower id;
 /// - `j` i4: the other sphere, or -(face + 1) for a wall (see Face);
 /// - `kind` u1: 0 a collision, 1 a wall;
 /// - `impulse` 3 f8: the momentum that `i` gained [M L/T];
 /// - `normal_speed` f8: the speed at which the surfaces met [L/T].
 ///
-/// The file can be read while it grows, and after a run that did not end well: at every flush the header,
-/// which has 256 bytes, is made to count the records that are there. Source: NumPy enhancement proposal 1,
-/// format version 1.0.
+/// The file can be read while it grows, and after a run that failed: every flush updates the record count in
+/// the header, which has 256 bytes. Source: NumPy enhancement proposal 1, format version 1.0.
 class NpyEventLog {
  public:
   /// Creates the file. Error: it cannot be opened for writing.
@@ -31,14 +30,14 @@ class NpyEventLog {
   /// Precondition: ids are below 2^31. Error (RunFailure): the file cannot be written.
   void append(const Contact& contact);
 
-  /// Completes the file for readers, as happens by itself every few megabytes; whoever has a clock does it
-  /// more often. Error (RunFailure): as for append.
+  /// Completes the file for readers, as happens automatically every few megabytes; a caller with a clock does
+  /// it more often. Error (RunFailure): as for append.
   void flush();
 
   /// Completes and closes the file; does nothing if it is closed. Error (RunFailure): as for append.
   void close();
 
-  /// Closes the file as far as that can be done; errors are not told.
+  /// Closes the file as far as possible; errors are ignored.
   ~NpyEventLog();
   NpyEventLog(const NpyEventLog&) = delete;
 

@@ -22,12 +22,12 @@ OutputFile::OutputFile(std::filesystem::path path)
     throw Error(std::string("cannot be written: ") + std::strerror(errno), path_.string(),
                 "name a file in a directory that you may write to");
   }
-  // The bytes pending here are all that is held back, so that an error shows where it happens.
+  // Only this class buffers, so that an error shows where it happens.
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);
 }
 
 OutputFile::~OutputFile() {
-  if (file_ && written_ > whole_) cut_back();
+  if (file_ && written_ > complete_) truncate();
 }
 
 void OutputFile::append(std::string_view bytes) {
@@ -50,14 +50,14 @@ void OutputFile::flush() {
   pending_.clear();
 }
 
-void OutputFile::flush_whole() {
+void OutputFile::flush_complete() {
   flush();
-  whole_ = written_;
+  complete_ = written_;
 }
 
 void OutputFile::close() {
   if (!file_) return;
-  flush_whole();
+  flush_complete();
   if (std::fclose(file_.release()) != 0) fail();
 }
 
@@ -65,17 +65,17 @@ void OutputFile::write(std::string_view bytes) {
   if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) fail();
 }
 
-void OutputFile::cut_back() noexcept {
+void OutputFile::truncate() noexcept {
   file_.reset();
-  std::error_code ignored;  // a device cannot be cut
-  std::filesystem::resize_file(path_, whole_, ignored);
+  std::error_code ignored;  // a device cannot be truncated
+  std::filesystem::resize_file(path_, complete_, ignored);
 }
 
 void OutputFile::fail() {
   const int reason = errno;
-  cut_back();
+  truncate();
   throw RunFailure("cannot write " + path_.string() + ": " + std::strerror(reason) +
-                   "; what was whole in it before is kept");
+                   "; its last complete state is kept");
 }
 
 }  // namespace hardball

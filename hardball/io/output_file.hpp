@@ -11,10 +11,10 @@
 
 namespace hardball {
 
-/// A file being written, of which nothing half written remains when writing fails.
+/// A file being written that keeps no partial record when writing fails.
 ///
-/// Its writer says whenever the file is whole. Once something cannot be written, as when the disk is full,
-/// the file is cut back to where it was whole last, and closed.
+/// Its writer marks when the file is complete. If something cannot be written, because the disk is full, say,
+/// the file is truncated to the last complete state and closed.
 class OutputFile {
  public:
   /// Creates the file, or empties it if there is one. Error: it cannot be opened for writing.
@@ -23,7 +23,7 @@ class OutputFile {
   const std::filesystem::path& path() const { return path_; }
   bool is_open() const { return file_ != nullptr; }
 
-  /// Adds bytes at the end; they reach the file when many have gathered, or at the next flush.
+  /// Appends bytes; they are buffered until there are many, or until the next flush.
   /// Error (RunFailure): they cannot be written.
   void append(std::string_view bytes);
 
@@ -33,11 +33,11 @@ class OutputFile {
   /// Hands all bytes to the operating system. Error (RunFailure): as for append.
   void flush();
 
-  /// Says that the file is whole as it is now, after a flush. Error (RunFailure): as for append.
-  void flush_whole();
+  /// Flushes, and marks the file as complete. Error (RunFailure): as for append.
+  void flush_complete();
 
-  /// Flushes the file as whole and closes it; does nothing if it is closed. Error (RunFailure): as for
-  /// append. Without it, destruction leaves the file whole as of the last flush_whole.
+  /// Flushes the file as complete and closes it; does nothing if it is closed. Error (RunFailure): as for
+  /// append. Without it, destruction leaves the file as of the last flush_complete.
   void close();
 
   ~OutputFile();
@@ -49,14 +49,14 @@ class OutputFile {
   };
 
   void write(std::string_view bytes);
-  void cut_back() noexcept;
+  void truncate() noexcept;
   [[noreturn]] void fail();
 
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, Close> file_;
   std::string pending_;
-  std::uint64_t written_ = 0;  // bytes handed to the operating system
-  std::uint64_t whole_ = 0;    // bytes of the file when it was whole last
+  std::uint64_t written_ = 0;   // bytes handed to the operating system
+  std::uint64_t complete_ = 0;  // bytes of the file when last complete
 };
 
 }  // namespace hardball

@@ -21,7 +21,7 @@ Json json_vector(const Vec3& vector) {
   return {vector.x, vector.y, vector.z};
 }
 
-// Takes the values of a header out of its JSON.
+// Reads the values of a header from its JSON.
 class HeaderReader {
  public:
   explicit HeaderReader(const std::string& where) : where_(&where) {}
@@ -31,7 +31,7 @@ class HeaderReader {
   }
 
   const Json& member(const Json& object, const char* key) const {
-    if (!object.is_object()) fail("is no object");
+    if (!object.is_object()) fail("is not an object");
     const auto found = object.find(key);
     if (found == object.end()) fail(std::string("key '") + key + "' is missing");
     return *found;
@@ -53,7 +53,7 @@ class HeaderReader {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       std::size_t kind = 0;
       while (kind < kBoundaryNames.size() && value[axis] != kBoundaryNames[kind]) ++kind;
-      if (kind == kBoundaryNames.size()) fail("a boundary is not known");
+      if (kind == kBoundaryNames.size()) fail("a boundary is unknown");
       boundary[axis] = static_cast<Boundary>(kind);
     }
     return boundary;
@@ -86,14 +86,14 @@ std::string to_json(const RecordingHeader& header) {
   json["cell_origin"] = json_vector(header.cell_origin);
   json["name"] = header.name;
   json["restitution"] = header.restitution;
-  // A file may have any bytes for its name.
+  // A file name may contain any bytes.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 RecordingHeader parse_recording_header(std::string_view json, const std::string& where) {
   const HeaderReader in(where);
   const Json object = Json::parse(json, nullptr, false);
-  if (object.is_discarded()) in.fail("is no JSON");
+  if (object.is_discarded()) in.fail("is not JSON");
   RecordingHeader header;
   const double count = in.number(in.member(object, "spheres"));
   if (!(count >= 0 && count < std::numeric_limits<SphereId>::max()) || count != std::floor(count)) {
@@ -112,7 +112,7 @@ RecordingHeader parse_recording_header(std::string_view json, const std::string&
   read("cell_edge", [&](const Json& value) { header.cell_edge = in.vector(value); });
   read("cell_origin", [&](const Json& value) { header.cell_origin = in.vector(value); });
   read("name", [&](const Json& value) {
-    if (!value.is_string()) in.fail("the name is no text");
+    if (!value.is_string()) in.fail("the name is not a string");
     header.name = value.get<std::string>();
   });
   read("restitution", [&](const Json& value) { header.restitution = in.number(value); });

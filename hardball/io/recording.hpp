@@ -15,15 +15,15 @@
 
 namespace hardball {
 
-/// What a recording says of the run before it shows any motion.
+/// What a recording says about the run as a whole.
 ///
-/// A recording is the whole history of a run in a file: where the spheres were at the begin, and every
-/// contact with the motion that it left. docs/recording.md describes the format.
+/// A recording is the whole history of a run in a file: where the spheres were at the start, and every
+/// contact with the motion after it. docs/recording.md describes the format.
 struct RecordingHeader {
   std::size_t spheres = 0;  ///< How many; their ids are 0 to spheres - 1.
   Box box = {};
   double begin = 0;                  ///< [T]
-  std::optional<double> until = {};  ///< When the run is to end [T], if that is known.
+  std::optional<double> until = {};  ///< When the run is to end [T], if known.
   Vec3 cell_edge = {};               ///< Edges of a cell [L]; zero if there are no cells.
   Vec3 cell_origin = {};             ///< A corner of a cell [L].
   std::string name = {};             ///< Of the scenario.
@@ -33,11 +33,11 @@ struct RecordingHeader {
 /// One JSON object.
 std::string to_json(const RecordingHeader& header);
 
-/// The header that a JSON object describes; keys that are not known are passed over. `where` stands for the
-/// recording in messages. Error: it is no such object, or describes no box that can be.
+/// The header described by a JSON object; unknown keys are ignored. `where` names the recording in messages.
+/// Error: it is not such an object, or describes an impossible box.
 RecordingHeader parse_recording_header(std::string_view json, const std::string& where);
 
-/// The motion of a sphere from a contact, or from the begin, on.
+/// The motion of a sphere from a contact, or from the start, on.
 struct RecordedPath {
   Vec3 position;    ///< Centre at `time`, folded into the box [L].
   Vec3 velocity;    ///< [L/T]
@@ -46,7 +46,7 @@ struct RecordedPath {
   friend bool operator==(const RecordedPath&, const RecordedPath&) = default;
 };
 
-/// A collision or wall contact and the motion that it left.
+/// A collision or wall contact and the motion after it.
 struct RecordedContact {
   double time = 0;  ///< [T]
   SphereId first = 0;
@@ -57,12 +57,12 @@ struct RecordedContact {
   Vec3 second_velocity;     ///< Zero for a wall.
 
   bool is_collision() const { return second >= 0; }
-  /// Makes the paths of the contact's spheres those that it left. `paths`: by id.
+  /// Sets the paths of the contact's spheres to those after it. `paths`: by id.
   void rewrite(std::vector<RecordedPath>& paths) const;
   friend bool operator==(const RecordedContact&, const RecordedContact&) = default;
 };
 
-/// A stretch of a recording that can be shown by itself.
+/// A part of a recording that can be shown by itself.
 struct RecordedChunk {
   double begin = 0;                       ///< [T]
   double end = 0;                         ///< [T]

@@ -12,7 +12,7 @@ namespace {
 
 using namespace recording_format;
 
-// Takes numbers from bytes, one after another. Precondition: they are there.
+// Reads numbers from bytes in sequence. Precondition: they are there.
 class Numbers {
  public:
   explicit Numbers(const std::string& bytes) : next_(bytes.data()) {}
@@ -42,15 +42,15 @@ bool is_finite(const Vec3& vector) {
 
 RecordingReader::RecordingReader(const std::filesystem::path& path)
     : name_(path.string()), file_(path, std::ios::binary) {
-  // Opening a directory succeeds on some systems and shows only when reading.
+  // On some systems a directory can be opened, and only reading fails.
   if (!file_ || std::filesystem::is_directory(path)) {
     throw Error("the file cannot be read", name_, "name a recording");
   }
   const std::uint64_t available = file_length();
   const std::uint64_t text_begin = kMagic.size() + kLengthBytes;
-  if (available < text_begin) refuse("is no recording");
+  if (available < text_begin) refuse("is not a recording");
   const std::string start = read_bytes({0, text_begin});
-  if (!start.starts_with(kMagic)) refuse("is no recording of a version that is known");
+  if (!start.starts_with(kMagic)) refuse("is not a recording of a known version");
   const std::uint64_t text_bytes = read_little_endian<std::uint32_t>(start.data() + kMagic.size());
   spheres_.offset = text_begin + text_bytes;
   if (spheres_.offset > available) refuse("ends within its header");
@@ -78,17 +78,18 @@ void RecordingReader::refresh() {
     const std::string bytes = read_bytes({length_, kChunkHeaderBytes});
     Numbers numbers(bytes);
     const std::string which = "chunk " + to_text(chunks_.size());
-    if (numbers.take<std::uint32_t>() != kChunkMagic) refuse(which + " does not begin like one");
+    if (numbers.take<std::uint32_t>() != kChunkMagic)
+      refuse(which + " does not start with the mark of a chunk");
     ChunkExtent chunk;
     chunk.contacts = numbers.take<std::uint32_t>();
     chunk.bytes = {length_, numbers.take<std::uint64_t>()};
     chunk.begin = numbers.take<double>();
     chunk.end = numbers.take<double>();
     if (chunk.bytes.length != chunk_bytes(header_.spheres, chunk.contacts)) {
-      refuse(which + " has a length that is not that of its contacts");
+      refuse(which + " has a length that does not match its contacts");
     }
     if (chunk.begin != reached() || !(chunk.end >= chunk.begin) || !std::isfinite(chunk.end)) {
-      refuse(which + " does not follow the one before in time");
+      refuse(which + " does not follow the previous one in time");
     }
     if (chunk.bytes.length > available - length_) return;
     chunks_.push_back(chunk);
@@ -104,7 +105,7 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
   const ChunkExtent& extent = chunks_[chunk];
   constexpr std::int32_t kFaces = 2 * kAxes;
   const auto refuse_unless = [&](bool condition) {
-    if (!condition) refuse("chunk " + to_text(chunk) + " holds what no run can lead to");
+    if (!condition) refuse("chunk " + to_text(chunk) + " contains what no run can produce");
   };
   const std::string bytes =
       read_bytes({extent.bytes.offset + kChunkHeaderBytes, extent.bytes.length - kChunkHeaderBytes});

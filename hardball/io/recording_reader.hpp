@@ -13,13 +13,13 @@
 
 namespace hardball {
 
-/// A stretch of bytes in a file.
+/// A range of bytes in a file.
 struct FileExtent {
   std::uint64_t offset = 0;
   std::uint64_t length = 0;
 };
 
-/// Where a chunk of a recording lies, and when it happens.
+/// Where a chunk lies in a recording, and the times it covers.
 struct ChunkExtent {
   FileExtent bytes;
   std::uint32_t contacts = 0;
@@ -27,18 +27,18 @@ struct ChunkExtent {
   double end = 0;    ///< [T]
 };
 
-/// Reads a recording, also one that is still being written, or whose writer was killed: a last chunk that is
-/// not complete is not there yet.
+/// Reads a recording, even one that is still being written, or whose writer was killed: an incomplete last
+/// chunk is ignored.
 ///
-/// Whatever the file holds, no more memory is asked for than its length justifies.
+/// Whatever the file contains, no more memory is allocated than its length justifies.
 class RecordingReader {
  public:
-  /// Opens the file and finds its chunks. Error: it cannot be read; it is no recording; a chunk's header
-  /// makes no sense.
+  /// Opens the file and finds its chunks. Error: it cannot be read; it is not a recording; a chunk's header
+  /// is invalid.
   explicit RecordingReader(const std::filesystem::path& path);
 
   const RecordingHeader& header() const { return header_; }
-  /// The header as it stands in the file: one JSON object.
+  /// The header as written in the file: one JSON object.
   const std::string& header_text() const { return header_text_; }
   /// By id [L].
   const std::vector<double>& radii() const { return radii_; }
@@ -47,18 +47,18 @@ class RecordingReader {
   /// Where radii and masses lie in the file.
   FileExtent spheres() const { return spheres_; }
 
-  /// The complete chunks found so far, each beginning where the one before ends.
+  /// The complete chunks found so far, each starting where the previous one ends.
   const std::vector<ChunkExtent>& chunks() const { return chunks_; }
   /// Where the last complete chunk ends in the file.
   std::uint64_t length() const { return length_; }
   /// The time up to which the run is known [T].
   double reached() const { return chunks_.empty() ? header_.begin : chunks_.back().end; }
 
-  /// Looks for chunks that have been added to the file. Cost: that of reading their headers. Error: as for
-  /// the constructor.
+  /// Finds chunks added to the file since. Cost: that of reading their headers. Error: as for the
+  /// constructor.
   void refresh();
 
-  /// All of a chunk. Error: there is no such chunk; it names spheres that do not exist, times out of order,
+  /// A whole chunk. Error: there is no such chunk; it names spheres that do not exist, times out of order,
   /// or numbers that are not finite.
   RecordedChunk read(std::size_t chunk);
 

@@ -15,8 +15,8 @@ namespace {
 
 using namespace recording_format;
 
-// Contacts of a chunk: so many that keyframes take no more room than contacts, and that a chunk can be held
-// in memory.
+// Contacts of a chunk: enough that keyframes take no more space than contacts, few enough that a chunk fits
+// into memory.
 constexpr std::size_t kLeastContacts = 1000;
 constexpr std::size_t kMostContacts = (std::size_t{64} << 20) / kContactBytes;
 
@@ -42,7 +42,7 @@ void append(std::string& bytes, const RecordedContact& contact) {
   append(bytes, contact.second_velocity);
 }
 
-// Appends all values, with bounded memory.
+// Appends all values, using bounded memory.
 template <class Iterator>
 void append_all(OutputFile& file, Iterator begin, Iterator end) {
   constexpr std::size_t kBlockBytes = 1 << 16;
@@ -56,7 +56,7 @@ void append_all(OutputFile& file, Iterator begin, Iterator end) {
   file.append(block);
 }
 
-// The beginning of the file up to the radii.
+// The start of the file, up to the radii.
 std::string preamble(const RecordingHeader& header) {
   std::string text = to_json(header);
   const std::size_t before = kMagic.size() + kLengthBytes;
@@ -89,7 +89,7 @@ RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader hea
   });
   bytes += masses;
   file_.append(bytes);
-  file_.flush_whole();
+  file_.flush_complete();
   written_ = bytes.size();
 }
 
@@ -97,7 +97,7 @@ RecordingWriter::~RecordingWriter() {
   try {
     close(begin_);
   } catch (const RunFailure&) {
-    // What was whole in the file before has been kept.
+    // The file keeps what was complete before.
   }
 }
 
@@ -107,7 +107,7 @@ void RecordingWriter::note(const Contact& contact) {
   if (contacts_.size() >= most_contacts_ && contact.time.value() > contacts_.back().time) {
     write_chunk(contacts_.size(), contacts_.back().time);
   }
-  // The bits of -(face + 1) are those of the face, all inverted.
+  // -(face + 1) is the bitwise complement of the face.
   const std::uint32_t second = contact.is_collision() ? contact.second : ~contact.second;
   contacts_.push_back({contact.time.value(), contact.first, static_cast<std::int32_t>(second),
                        contact.position, contact.after.first, contact.second_position,
@@ -132,7 +132,7 @@ std::uint64_t RecordingWriter::bytes() const {
   return written_ + chunk_bytes(keyframe_.size(), contacts_.size());
 }
 
-// Writes the first contacts of the open chunk as one that ends at `end`; the rest is the chunk that is open.
+// Writes the first contacts of the open chunk as a chunk ending at `end`; the rest stay open.
 void RecordingWriter::write_chunk(std::size_t contacts, double end) {
   const std::uint64_t length = chunk_bytes(keyframe_.size(), contacts);
   std::string header;
@@ -145,7 +145,7 @@ void RecordingWriter::write_chunk(std::size_t contacts, double end) {
   file_.append(header);
   append_all(file_, keyframe_.begin(), keyframe_.end());
   append_all(file_, contacts_.begin(), behind);
-  file_.flush_whole();
+  file_.flush_complete();
   written_ += length;
   has_chunks_ = true;
   for (auto contact = contacts_.begin(); contact != behind; ++contact) contact->rewrite(keyframe_);

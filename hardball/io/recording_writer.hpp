@@ -14,12 +14,11 @@
 
 namespace hardball {
 
-/// Writes a recording: an observer that is told of every contact.
+/// Writes a recording: an observer notified of every contact.
 ///
-/// The file ends with a whole chunk whenever something has been written. A chunk is closed when it holds as
-/// many contacts as there are spheres, or 1000 if that is more, or 64 MB of them; at flush(); and at close().
-/// Contacts of one moment are never parted.
-/// Memory: 56 bytes for each sphere, and 112 for each contact of the chunk that is open.
+/// The file always ends with a complete chunk. A chunk is closed when it holds as many contacts as there are
+/// spheres, or 1000 if that is more, or 64 MB of them; at flush(); and at close(). Contacts at the same time
+/// are never split between chunks. Memory: 56 bytes per sphere, and 112 per contact of the open chunk.
 class RecordingWriter {
  public:
   /// Creates the file and records the spheres of `world`, whose number and box replace those of `header`.
@@ -31,22 +30,21 @@ class RecordingWriter {
   /// edited. Error (RunFailure): the file cannot be written.
   void note(const Contact& contact);
 
-  /// Closes the chunk and hands it to the operating system, so that readers see it. Contacts as late as the
-  /// last one stay for the next chunk, since others may follow at the same moment. Error (RunFailure): as for
-  /// note.
+  /// Closes the chunk and hands it to the operating system, so that readers see it. Contacts at the time of
+  /// the last one are kept for the next chunk, since others may follow at the same time. Error (RunFailure):
+  /// as for note.
   void flush();
 
   /// Ends the recording at `time` [T], or at the last contact if that is later, and closes the file; does
   /// nothing if it is closed. Error (RunFailure): as for note.
   void close(double time);
 
-  /// Closes the file, if it is open, at the last contact noted, as far as that can be done; errors are not
-  /// told.
+  /// Closes the file, if open, at the last contact noted, as far as possible; errors are ignored.
   ~RecordingWriter();
   RecordingWriter(RecordingWriter&&) noexcept = default;
 
   const std::filesystem::path& path() const { return file_.path(); }
-  /// Length of the file if the chunk were closed as it is.
+  /// Length of the file if the chunk were closed now.
   std::uint64_t bytes() const;
   /// Length of a chunk without contacts.
   std::uint64_t keyframe_bytes() const { return recording_format::chunk_bytes(keyframe_.size(), 0); }
@@ -56,11 +54,11 @@ class RecordingWriter {
 
   OutputFile file_;
   std::uint64_t written_ = 0;
-  std::size_t most_contacts_;  // of a chunk, but for those of one moment
+  std::size_t most_contacts_;  // of a chunk, unless they are at one time
   bool has_chunks_ = false;
-  double begin_;                           // of the chunk that is open
-  std::vector<RecordedPath> keyframe_;     // of the chunk that is open
-  std::vector<RecordedContact> contacts_;  // of the chunk that is open, so far
+  double begin_;                           // of the open chunk
+  std::vector<RecordedPath> keyframe_;     // of the open chunk
+  std::vector<RecordedContact> contacts_;  // of the open chunk, so far
 };
 
 }  // namespace hardball

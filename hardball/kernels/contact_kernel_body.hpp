@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Compiled once for each instruction set, with the compiler's options for it. Only templates on Lanes, a type
-// that each of those files has for itself, may stand here, and what is always inlined: an ordinary inline
-// function could be taken from the file with the widest instructions for the whole program.
+// Compiled once for each instruction set, with its compiler options. This file may contain only templates on
+// Lanes, a type local to each of those files, and functions that are always inlined: of an ordinary inline
+// function the linker could take the copy with the widest instructions for the whole program.
 
 #include <bit>
 #include <cstddef>
@@ -23,21 +23,21 @@ struct PathsOfLanes {
   Lanes high, low;  // of the time
 };
 
-/// How long it takes until pairs touch.
+/// The times until pairs touch.
 template <class Lanes>
 struct Waits {
   Lanes wait;
   typename Lanes::Mask hits;    // those that touch
-  typename Lanes::Mask grazes;  // those that perhaps do, then not before `wait`: they need more digits
+  typename Lanes::Mask grazes;  // those that may touch, not before `wait`: they need more digits
 };
 
-/// Lanes::kWidth pairs at once, by the same operations in the same order as time_to_reach
+/// Lanes::kWidth pairs at a time, by the same operations in the same order as time_to_reach
 /// (geometry/contact_time.hpp), so that every bit agrees.
 template <class Lanes>
 HARDBALL_ALWAYS_INLINE Waits<Lanes> waits_of(const VectorOfLanes<Lanes>& r, const VectorOfLanes<Lanes>& v,
                                              const Lanes& reach) {
   using Mask = typename Lanes::Mask;
-  // More than rounding does to the square of a distance.
+  // More than the rounding error of a squared distance.
   constexpr double kRounding = 0x1p-44;
   const Lanes zero(0.0);
   const Lanes approach = r.x * v.x + r.y * v.y + r.z * v.z;
@@ -51,20 +51,20 @@ HARDBALL_ALWAYS_INLINE Waits<Lanes> waits_of(const VectorOfLanes<Lanes>& r, cons
   const Lanes moment_y = r.z * v.x - r.x * v.z;
   const Lanes moment_z = r.x * v.y - r.y * v.x;
   const Lanes discriminant = closest - (moment_x * moment_x + moment_y * moment_y + moment_z * moment_z);
-  // More than rounding does to the discriminant.
+  // More than the rounding error of the discriminant.
   const Lanes noise = Lanes(kCertainMiss) * (speed_squared * distance_squared);
   const Mask apart = excess > zero;
   const Mask grazes = approaches & apart & (discriminant <= Lanes(kGrazingCosineSquared) * closest) &
                       (zero - noise <= discriminant);
   const Mask hits = approaches & ((discriminant > zero) | not_(apart)) & not_(grazes);
-  // Of a graze more under the root and less above than can be: too early.
+  // For a graze, a larger root and a smaller numerator than possible: a lower bound.
   const Lanes root =
       square_root(maximum(select(grazes, maximum(discriminant, zero) + noise, discriminant), zero));
   const Lanes distance = maximum(select(grazes, excess - Lanes(kRounding) * distance_squared, excess), zero);
   return {distance / (root - approach), hits, grazes};
 }
 
-/// A sphere and its candidates, in the form in which all lanes need it.
+/// A sphere and its candidates, in the form that lanes need.
 template <class Lanes, bool kNearest>
 class PairsOfLanes {
  public:
@@ -82,7 +82,7 @@ class PairsOfLanes {
     return query_.radii == nullptr ? reach_ : Lanes(query_.radius) + Lanes::gather(query_.radii, others);
   }
 
-  /// The displacement of the copies meant, along an axis.
+  /// The displacement of the images along an axis.
   Lanes shift(std::size_t begin, std::size_t axis, const Lanes& own_place, const Lanes& place) const {
     if constexpr (kNearest) {
       const auto along = [axis](const VectorOfLanes<Lanes>& a) -> const Lanes& {
@@ -94,7 +94,7 @@ class PairsOfLanes {
     }
   }
 
-  /// Where the sphere is when copies are the nearest, along an axis.
+  /// The sphere's coordinate along an axis when images are the nearest.
   Lanes own_place(double position, double velocity) const { return Lanes(position + own_age_ * velocity); }
 
  private:
@@ -105,14 +105,14 @@ class PairsOfLanes {
   VectorOfLanes<Lanes> period_, inverse_period_;
 };
 
-/// So many candidates, at the most, are looked at in one round.
-inline constexpr std::size_t kRound = 64;
+/// The largest number of candidates in one batch.
+inline constexpr std::size_t kBatch = 64;
 
-/// When the sphere meets the candidates of a round: a wait, or the leading and the trailing part of a moment.
+/// When the sphere meets the candidates of a batch: a wait, or the high and low parts of a time.
 template <class Lanes>
 struct Contacts {
-  alignas(64) double first[kRound];  // infinite if never
-  alignas(64) double second[kRound];
+  alignas(64) double first[kBatch];  // infinite if never
+  alignas(64) double second[kBatch];
   std::size_t count = 0;
   std::uint64_t grazes = 0;  // a bit for each candidate whose contact, if there is one, is not before `first`
 
@@ -139,19 +139,18 @@ struct Contacts {
   }
 };
 
-/// The earliest of a round.
-struct EarliestOfRound {
+/// The earliest of a batch.
+struct EarliestOfBatch {
   double first;  // infinite if there is none
   std::size_t index;
-  bool is_tied;  // another is as early, as far as `first` tells
+  bool is_tied;  // another has the same `first`
 };
 
-/// The earliest contact that comes no later than `limit`; `least` is the least of the first parts. Those of
-/// candidates that the sphere grazes are reckoned with more digits, by settle_graze(index), only if they come
-/// first. The loops over lanes leave this to the end: a branch there that cannot be foreseen would undo the
-/// work already begun on the next lanes.
+/// The earliest contact no later than `limit`; `least` is the least of the first parts. Grazing contacts are
+/// computed with more digits, by settle_graze(index), only if they come first. The loops over lanes leave
+/// this to the end: an unpredictable branch there would discard work already begun on the next lanes.
 template <class Lanes, class SettleGraze>
-HARDBALL_ALWAYS_INLINE EarliestOfRound earliest_of(const Contacts<Lanes>& contacts, double least,
+HARDBALL_ALWAYS_INLINE EarliestOfBatch earliest_of(const Contacts<Lanes>& contacts, double least,
                                                    double limit, const SettleGraze& settle_graze) {
   constexpr double kForever = std::numeric_limits<double>::infinity();
   for (;;) {
@@ -166,13 +165,13 @@ HARDBALL_ALWAYS_INLINE EarliestOfRound earliest_of(const Contacts<Lanes>& contac
   }
 }
 
-/// A moment, in two parts.
+/// A time in two parts.
 template <class Lanes>
 struct MomentOfLanes {
   double high, low;
 };
 
-/// The moment `wait` after a start, as in after() (geometry/time.hpp).
+/// The time `wait` after a start, as in after() (geometry/time.hpp).
 template <class Lanes>
 MomentOfLanes<Lanes> moment_after(double start_high, double start_low, double wait) {
   constexpr double kForever = std::numeric_limits<double>::infinity();
@@ -185,11 +184,11 @@ MomentOfLanes<Lanes> moment_after(double start_high, double start_low, double wa
   return {high, rest - (high - sum)};
 }
 
-/// The contact of one candidate that the sphere grazes, with more digits.
+/// A grazing contact, computed with more digits.
 template <class Lanes>
 struct GrazingContact {
-  double start_high, start_low;  // the later of the moments at which the two paths began
-  double wait;                   // from then on
+  double start_high, start_low;  // the later start of the two paths
+  double wait;                   // from there
 };
 
 template <class Lanes, bool kNearest>
@@ -209,7 +208,7 @@ GrazingContact<Lanes> grazing_contact(const ContactQuery& query, std::size_t ind
   const auto separation = [&](std::size_t axis, double a, double va, double b, double vb) {
     double shift = 0;
     if constexpr (kNearest) {
-      constexpr double kPusher = 0x1.8p52;  // adding this number pushes the fraction out
+      constexpr double kPusher = 0x1.8p52;  // adding this rounds to an integer
       const double boxes = ((a + own_age * va) - (b + other_age * vb)) * inverse_period[axis];
       shift = ((boxes + kPusher) - kPusher) * period[axis];
     } else {
@@ -228,8 +227,8 @@ GrazingContact<Lanes> grazing_contact(const ContactQuery& query, std::size_t ind
                             other.velocity.z - own.velocity.z, reach)};
 }
 
-/// The earliest contact of a sphere whose path has begun at any time; as contact_time does it. Precondition:
-/// no more candidates than a round has.
+/// The earliest contact of a sphere whose path may have started at any time, as by contact_time.
+/// Precondition: at most kBatch candidates.
 template <class Lanes, bool kNearest>
 EarliestContact earliest_moment(const ContactQuery& query) {
   using Mask = typename Lanes::Mask;
@@ -246,7 +245,7 @@ EarliestContact earliest_moment(const ContactQuery& query) {
     PathsOfLanes<Lanes> other;
     Lanes::load(query.paths, query.others + i, other);
 
-    // The later of the two moments, and both centres then.
+    // The later start, and both centres at that time.
     const Mask other_later = (other.high > own_high) | ((other.high == own_high) & (other.low > own_low));
     const Lanes start_high = select(other_later, other.high, own_high);
     const Lanes start_low = select(other_later, other.low, own_low);
@@ -266,7 +265,7 @@ EarliestContact earliest_moment(const ContactQuery& query) {
                                  other.velocity.z - Lanes(own.velocity.z)};
     const Waits<Lanes> waits = waits_of(r, v, pairs.reach(query.others + i));
 
-    // The moment that long after the start, as in after() (geometry/time.hpp).
+    // The time of contact, as in after() (geometry/time.hpp).
     const Lanes sum = start_high + waits.wait;
     const Lanes wait_part = sum - start_high;
     const Lanes error = (start_high - (sum - wait_part)) + (waits.wait - wait_part);
@@ -286,16 +285,16 @@ EarliestContact earliest_moment(const ContactQuery& query) {
     const auto moment = moment_after<Lanes>(contact.start_high, contact.start_low, contact.wait);
     contacts.settle(index, moment.high, moment.low);
   };
-  const EarliestOfRound found = earliest_of(contacts, least_of(least), query.limit, settle_graze);
+  const EarliestOfBatch found = earliest_of(contacts, least_of(least), query.limit, settle_graze);
   return {found.first, contacts.second[found.index], static_cast<std::uint32_t>(found.index), found.is_tied};
 }
 
-/// The same for a sphere whose path has just begun, so that all waits count from its own moment: most of the
-/// predictions, with two thirds of the work.
+/// The same for a sphere whose path has just started, so that all waits count from its own start: most
+/// predictions, at two thirds of the work.
 template <class Lanes, bool kNearest>
 EarliestContact earliest_wait(const ContactQuery& query) {
   constexpr double kForever = std::numeric_limits<double>::infinity();
-  // Waits so short against the moment itself are told apart by fewer digits than they have.
+  // Adding shorter waits to the start time may round different ones to the same time.
   constexpr double kShortest = 0x1p-48;
   const Path& own = query.paths[query.self];
   const PairsOfLanes<Lanes, kNearest> pairs(query);
@@ -330,7 +329,7 @@ EarliestContact earliest_wait(const ContactQuery& query) {
   const auto settle_graze = [&](std::size_t index) {
     contacts.settle(index, grazing_contact<Lanes, kNearest>(query, index).wait, 0);
   };
-  const EarliestOfRound found = earliest_of(contacts, least_of(least), kForever, settle_graze);
+  const EarliestOfBatch found = earliest_of(contacts, least_of(least), kForever, settle_graze);
   const auto moment = moment_after<Lanes>(own.time.high, own.time.low, found.first);
   const double moment_size = own.time.high < 0 ? -own.time.high : own.time.high;
   return {moment.high, moment.low, static_cast<std::uint32_t>(found.index),
@@ -338,7 +337,7 @@ EarliestContact earliest_wait(const ContactQuery& query) {
 }
 
 template <class Lanes>
-EarliestContact run_round(const ContactQuery& query) {
+EarliestContact run_batch(const ContactQuery& query) {
   const Path& own = query.paths[query.self];
   const bool nearest = query.shifts == nullptr;
   if (own.time.high == query.now_high && own.time.low == query.now_low) {
@@ -348,19 +347,19 @@ EarliestContact run_round(const ContactQuery& query) {
 }
 
 template <class Lanes>
-EarliestContact run_rounds(const ContactQuery& query) {
+EarliestContact run_batches(const ContactQuery& query) {
   EarliestContact result{std::numeric_limits<double>::infinity(), 0, 0, false};
-  for (std::size_t begin = 0; begin < query.count; begin += kRound) {
-    ContactQuery round = query;
-    round.others += begin;
-    round.count = query.count - begin < kRound ? query.count - begin : kRound;
-    if (result.high < round.limit) round.limit = result.high;
+  for (std::size_t begin = 0; begin < query.count; begin += kBatch) {
+    ContactQuery batch = query;
+    batch.others += begin;
+    batch.count = query.count - begin < kBatch ? query.count - begin : kBatch;
+    if (result.high < batch.limit) batch.limit = result.high;
     const double* shifts[3];
     if (query.shifts != nullptr) {
       for (int axis = 0; axis < 3; ++axis) shifts[axis] = query.shifts[axis] + begin;
-      round.shifts = shifts;
+      batch.shifts = shifts;
     }
-    EarliestContact found = run_round<Lanes>(round);
+    EarliestContact found = run_batch<Lanes>(batch);
     found.index += static_cast<std::uint32_t>(begin);
     if (found.high < result.high) {
       result = found;
@@ -374,7 +373,7 @@ EarliestContact run_rounds(const ContactQuery& query) {
 /// The kernel for all kinds of query.
 template <class Lanes>
 EarliestContact earliest_contact(const ContactQuery& query) {
-  return query.count <= kRound ? run_round<Lanes>(query) : run_rounds<Lanes>(query);
+  return query.count <= kBatch ? run_batch<Lanes>(query) : run_batches<Lanes>(query);
 }
 
 }  // namespace hardball

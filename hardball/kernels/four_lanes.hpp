@@ -10,8 +10,8 @@
 #include "hardball/kernels/near_kernel_body.hpp"
 
 namespace hardball {
-// Each file that includes this has a copy of its own, compiled for its own instructions. What a mask is, and
-// how lanes are compared and selected, each says for itself.
+// Each file that includes this has its own copy, compiled for its own instructions, and defines masks,
+// comparison and selection itself.
 namespace {
 
 /// Four numbers in 256 bits.

@@ -8,16 +8,15 @@ namespace hardball {
 
 /// The vector instructions of the kernels. All give the same bits.
 enum class InstructionSet {
-  portable,  ///< Whatever the compiler takes for granted: on x86-64 two numbers at a time.
+  portable,  ///< The compiler's baseline: on x86-64 two numbers at a time.
   avx2,      ///< Four numbers at a time.
-  avx512,    ///< Four numbers at a time, with twice the registers, and masks in registers of their own.
+  avx512,    ///< Four numbers at a time, with twice the registers and with mask registers.
 };
 
-/// So many numbers, at the most, are taken at a time: arrays that kernels read have room for as many behind
-/// their ends.
+/// The most numbers processed at a time: arrays that kernels read are padded by as many.
 inline constexpr std::size_t kWidestVector = 4;
 
-/// Whether this program and this machine have these instructions.
+/// Whether this program and this machine support these instructions.
 bool is_available(InstructionSet instructions);
 
 /// The widest instructions available.

@@ -8,13 +8,13 @@
 
 namespace hardball {
 
-/// Arithmetic of many pairs at once, by one set of instructions.
+/// Arithmetic on many pairs at a time, with one instruction set.
 struct Kernels {
   ContactKernel earliest_contact;
   NearKernel pick_near;
 };
 
-/// Error: the instructions are not available.
+/// Error: the instruction set is not available.
 const Kernels& kernels_of(InstructionSet instructions);
 
 extern const Kernels kPortableKernels;

@@ -14,7 +14,7 @@ struct Lanes::Mask {
   friend Mask operator|(const Mask& a, const Mask& b) { return {_mm256_or_pd(a.v, b.v)}; }
 };
 
-// The chosen slots first; the order of bytes for each choice.
+// Moves the chosen slots to the front: the byte order for each choice.
 void Lanes::keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
   struct Orders {
     alignas(16) unsigned char bytes[16][16];

@@ -5,8 +5,8 @@
 #include "hardball/kernels/four_lanes.hpp"
 #include "hardball/kernels/kernels.hpp"
 
-// Masks in registers of their own, and vectors of 256 bits: with those of 512 whole runs are slower, as they
-// close one of three ports to all vectors.
+// Mask registers, and vectors of 256 bits: with 512 bits whole runs are slower, as one of three vector ports
+// is closed.
 namespace hardball {
 namespace {
 
@@ -16,7 +16,7 @@ struct Lanes::Mask {
   friend Mask operator|(const Mask& a, const Mask& b) { return {_kor_mask8(a.v, b.v)}; }
 };
 
-// Into a register, then to memory: some processors are very slow at both in one.
+// Compress to a register, then store: some processors are very slow at doing both in one instruction.
 void Lanes::keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
   const __m128i slots = _mm_loadu_si128(reinterpret_cast<const __m128i*>(at));
   _mm_storeu_si128(reinterpret_cast<__m128i*>(out),

@@ -9,7 +9,7 @@
 namespace hardball {
 namespace {
 
-// Two numbers at a time by the compilers' generic vectors: SSE2 on x86-64, NEON on ARM.
+// Two numbers at a time, by the compiler's generic vectors: SSE2 on x86-64, NEON on ARM.
 struct Lanes {
   static constexpr std::size_t kWidth = 2;
   using Vector = double __attribute__((vector_size(16)));
@@ -101,7 +101,7 @@ Lanes square_root(const Lanes& a) {
 double least_of(const Lanes& a) {
   return a.v[0] < a.v[1] ? a.v[0] : a.v[1];
 }
-// Adding this number pushes the fraction out, rounding to the nearest. Precondition: |a| < 2^51.
+// Adding and subtracting this number rounds to the nearest integer. Precondition: |a| < 2^51.
 Lanes round_to_integer(const Lanes& a) {
   const Lanes pusher(0x1.8p52);
   return (a + pusher) - pusher;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Compiled once for each instruction set: see contact_kernel_body.hpp for what may stand here.
+// Compiled once for each instruction set: see contact_kernel_body.hpp for what this file may contain.
 
 #include <bit>
 #include <cstddef>
@@ -33,7 +33,7 @@ std::size_t pick_near(const NearQuery& query, std::uint32_t* near) {
     const std::size_t left = query.count - i;
     const unsigned meant = left < Lanes::kWidth ? (1U << left) - 1 : ~0U;
     const unsigned is_near = bits(x * x + y * y + z * z < reach * reach) & meant;
-    // Without a branch: which points are near cannot be foreseen.
+    // Branchless: which points are near is unpredictable.
     Lanes::keep(slots, is_near, end);
     end += std::popcount(is_near);
   }

@@ -4,7 +4,7 @@
 
 namespace hardball {
 
-/// Several vectors at once.
+/// Several vectors, one per lane.
 template <class Lanes>
 struct VectorOfLanes {
   Lanes x, y, z;

@@ -27,7 +27,7 @@ std::align_val_t alignment_for(std::size_t bytes, std::size_t alignment) {
 void* allocate_on_huge_pages(std::size_t bytes, std::size_t alignment) {
   void* const memory = ::operator new(bytes, alignment_for(bytes, alignment));
 #if defined(__linux__)
-  // A request, which the system may refuse.
+  // A hint, which the system may ignore.
   if (is_large(bytes)) static_cast<void>(madvise(memory, bytes, MADV_HUGEPAGE));
 #endif
   return memory;

@@ -7,8 +7,8 @@
 
 namespace hardball {
 
-/// Memory for a large array, on huge pages where the system offers them: events jump about in memory, and
-/// with small pages every jump also misses the table of pages. Error: std::bad_alloc.
+/// Memory for a large array, on huge pages where the system offers them: events access memory at random, and
+/// with small pages every access also misses the TLB. Error: std::bad_alloc.
 void* allocate_on_huge_pages(std::size_t bytes, std::size_t alignment);
 void free_from_huge_pages(void* memory, std::size_t bytes, std::size_t alignment) noexcept;
 
@@ -31,12 +31,12 @@ struct HugePageAllocator {
   friend bool operator==(const HugePageAllocator&, const HugePageAllocator&) { return true; }
 };
 
-/// A vector whose elements are visited at random and by the million.
+/// A vector of up to millions of elements, accessed at random.
 template <class T>
 using LargeVector = std::vector<T, HugePageAllocator<T>>;
 
-/// Adds an element to a large vector that grows by an eighth, not twofold: of hundreds of megabytes half
-/// would stay unused.
+/// Appends to a large vector, growing it by an eighth rather than twofold, which would leave half of hundreds
+/// of megabytes unused.
 template <class T>
 void append_sparingly(LargeVector<T>& vector, const T& element) {
   constexpr std::size_t kLeast = 16;

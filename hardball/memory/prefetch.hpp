@@ -4,7 +4,7 @@
 
 namespace hardball {
 
-/// Asks for the cache line at `address`, which will be needed soon; any address will do.
+/// Prefetches the cache line at `address`, which need not be valid.
 inline void prefetch(const void* address) {
 #if defined(__x86_64__) && defined(__GNUC__)
   // GCC drops loops whose only effect is its own __builtin_prefetch.

@@ -18,13 +18,13 @@
 
 namespace hardball {
 
-/// The algorithm of Kim, Guibas and Shin (1997), section 2, to the letter, to be read with the paper in hand.
+/// The algorithm of Kim, Guibas and Shin (1997), section 2, to the letter, to be read alongside the paper.
 ///
-/// The non-empty subspaces stand in a balanced tree, ordered by the key of equation 2. All candidate events
-/// stand in another, ordered by time, and at equal times by event type and sphere labels. Every sphere knows
-/// the subspaces that intersect it and its own candidate events. Each event updates both trees; the least
-/// candidate is always the next event. Beyond the paper are mixed radii and masses, periodic and open axes,
-/// and that subspaces admit a sphere slightly early and release it slightly late. Cost: O(log n) per event.
+/// The non-empty subspaces are in a balanced tree, ordered by the key of equation 2. All candidate events are
+/// in another, ordered by time, and at equal times by event type and sphere labels. Every sphere knows the
+/// subspaces that intersect it and its own candidate events. Each event updates both trees; the least
+/// candidate is always the next event. Not in the paper: mixed radii and masses, periodic and open axes, and
+/// subspaces that admit a sphere slightly early and release it slightly late. Cost: O(log n) per event.
 template <Response Respond>
 class PaperEngine {
  public:
@@ -46,10 +46,10 @@ class PaperEngine {
   std::size_t memory_bytes() const {
     constexpr std::size_t kTreeLinks = 4 * sizeof(void*);
     std::size_t bytes = world_.memory_bytes() + guard_.memory_bytes();
-    bytes += travellers_.capacity() * sizeof(Traveller);
+    bytes += records_.capacity() * sizeof(SphereRecord);
     bytes += event_tree_.size() * (sizeof(Event) + kTreeLinks);
-    for (const Traveller& traveller : travellers_)
-      bytes += traveller.candidates.size() * (sizeof(Event) + kTreeLinks);
+    for (const SphereRecord& record : records_)
+      bytes += record.candidates.size() * (sizeof(Event) + kTreeLinks);
     for (const auto& [key, members] : subspace_tree_) {
       bytes += sizeof(key) + sizeof(members) + kTreeLinks + members.capacity() * sizeof(Member);
     }
@@ -67,7 +67,7 @@ class PaperEngine {
       if (step == limits.steps) return RunStatus::steps_reached;
       const Event event = *event_tree_.begin();
       if (handle_without_contact(event)) continue;
-      const bool goes_on = tell(observe, carry_out(event));
+      const bool goes_on = notify(observe, carry_out(event));
       if (++contacts == limits.contacts) return RunStatus::contacts_reached;
       if (!goes_on) return RunStatus::observer_stopped;
     }
@@ -102,10 +102,10 @@ class PaperEngine {
     subdivision_ = Subdivision(world_.box(), edge, kMostSubspacesPerAxis);
     subspace_tree_.clear();
     event_tree_.clear();
-    travellers_.assign(world_.size(), Traveller{});
+    records_.assign(world_.size(), SphereRecord{});
     for (Slot slot = 0; slot < world_.size(); ++slot) {
-      travellers_[slot].subspaces = range_now(slot);
-      add_to(travellers_[slot].subspaces, slot);
+      records_[slot].subspaces = range_now(slot);
+      add_to(records_[slot].subspaces, slot);
     }
     for (Slot slot = 0; slot < world_.size(); ++slot) predict_all(slot);
   }
@@ -116,12 +116,12 @@ class PaperEngine {
   /// BrokenInvariant.
   void validate() const {
     for (Slot slot = 0; slot < world_.size(); ++slot) {
-      const CellRange& range = travellers_[slot].subspaces;
+      const CellRange& range = records_[slot].subspaces;
       for_each_partner(slot, range, [&](Slot other, const Image& image) {
         const Event contact = collision_of(slot, other, image);
         HARDBALL_CHECK(!contact.happens() || event_tree_.contains(contact));
       });
-      for (const Event& event : travellers_[slot].candidates) {
+      for (const Event& event : records_[slot].candidates) {
         HARDBALL_CHECK(event.time >= now_ && event_tree_.contains(event));
       }
     }
@@ -129,12 +129,12 @@ class PaperEngine {
 
  private:
   // What the paper keeps for every sphere.
-  struct Traveller {
+  struct SphereRecord {
     CellRange subspaces;         // those intersecting it
     std::set<Event> candidates;  // its events in the event tree
   };
-  // A sphere in a subspace. Its range may reach over the edge of a periodic box: `boxes` says how many boxes
-  // it lies beyond here.
+  // A sphere in a subspace. Its range may cross the edge of a periodic box: `boxes` is its displacement from
+  // here in boxes.
   struct Member {
     Slot slot = 0;
     Image boxes;
@@ -145,7 +145,7 @@ class PaperEngine {
   // Keys stay below 2^60.
   static constexpr std::int32_t kMostSubspacesPerAxis = 1 << 20;
 
-  // Equation 2, u_x m^2 + u_y m + u_z, for the place of a subspace folded into the box.
+  // Equation 2, u_x m^2 + u_y m + u_z, for the indices of a subspace folded into the box.
   std::uint64_t key(const CellIndex& folded) const {
     std::uint64_t key = 0;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -155,8 +155,8 @@ class PaperEngine {
     return key;
   }
 
-  Traveller& traveller(SphereId id) { return travellers_[world_.slot_of(id)]; }
-  const Traveller& traveller(SphereId id) const { return travellers_[world_.slot_of(id)]; }
+  SphereRecord& record(SphereId id) { return records_[world_.slot_of(id)]; }
+  const SphereRecord& record(SphereId id) const { return records_[world_.slot_of(id)]; }
 
   Event collision_of(Slot slot, Slot other, const Image& image) const {
     return make_collision(contact_time(world_, slot, other, image), world_.id(slot), world_.id(other), image);
@@ -197,8 +197,8 @@ class PaperEngine {
   }
 
   bool share_a_subspace(const Event& collision) const {
-    const CellRange& first = traveller(collision.first).subspaces;
-    const CellRange& second = traveller(collision.second).subspaces;
+    const CellRange& first = record(collision.first).subspaces;
+    const CellRange& second = record(collision.second).subspaces;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const std::int32_t beyond = subdivision_.cells_beyond(axis, collision.image);
       if (second.low[axis] + beyond > first.high[axis] || second.high[axis] + beyond < first.low[axis])
@@ -207,24 +207,24 @@ class PaperEngine {
     return true;
   }
 
-  // A pair that shares several subspaces has the same candidate in each; the tree keeps it once.
+  // A pair sharing several subspaces has the same candidate in each; the tree holds it once.
   void add_candidate(const Event& event) {
     if (!event.happens() || !event_tree_.insert(event).second) return;
     ++counters_.queue_operations;
-    traveller(event.first).candidates.insert(event);
-    if (event.kind == EventKind::collision) traveller(event.second).candidates.insert(event);
+    record(event.first).candidates.insert(event);
+    if (event.kind == EventKind::collision) record(event.second).candidates.insert(event);
   }
 
   void remove_candidate(const Event& event) {
     event_tree_.erase(event);
     ++counters_.queue_operations;
-    traveller(event.first).candidates.erase(event);
-    if (event.kind == EventKind::collision) traveller(event.second).candidates.erase(event);
+    record(event.first).candidates.erase(event);
+    if (event.kind == EventKind::collision) record(event.second).candidates.erase(event);
   }
 
   template <class Condition>
   void remove_candidates_if(Slot slot, Condition&& condition) {
-    const std::set<Event> candidates = travellers_[slot].candidates;
+    const std::set<Event> candidates = records_[slot].candidates;
     for (const Event& event : candidates) {
       if (condition(event)) remove_candidate(event);
     }
@@ -241,14 +241,14 @@ class PaperEngine {
     });
   }
 
-  // Renews the candidates for entering and leaving.
+  // Recomputes the candidates for entering and leaving.
   void predict_crossings(Slot slot) {
     remove_candidates_if(slot, [](const Event& event) {
       return event.kind == EventKind::enter || event.kind == EventKind::leave;
     });
     const Path& path = world_.path(slot);
     const double radius = world_.radius(slot);
-    const CellRange& subspaces = travellers_[slot].subspaces;
+    const CellRange& subspaces = records_[slot].subspaces;
     const CellCrossing enter = subdivision_.next_enter(path, radius, subspaces);
     const CellCrossing leave = subdivision_.next_leave(path, radius, subspaces);
     const auto moment = [&](const CellCrossing& crossing) {
@@ -259,17 +259,16 @@ class PaperEngine {
   }
 
   void predict_all(Slot slot) {
-    predict_collisions(slot, travellers_[slot].subspaces);
+    predict_collisions(slot, records_[slot].subspaces);
     add_candidate(next_wall_event(world_, slot));
     predict_crossings(slot);
   }
 
-  // A path that begins anew may have been folded back into a periodic box, and with it the count of
-  // subspaces.
+  // A new path may have been folded back into a periodic box, and with it the subspace indices.
   void relocate(Slot slot) {
-    remove_from(travellers_[slot].subspaces, slot);
-    travellers_[slot].subspaces = range_now(slot);
-    add_to(travellers_[slot].subspaces, slot);
+    remove_from(records_[slot].subspaces, slot);
+    records_[slot].subspaces = range_now(slot);
+    add_to(records_[slot].subspaces, slot);
   }
 
   // The outermost subspaces of a range in the direction of a face.
@@ -283,7 +282,7 @@ class PaperEngine {
     ++counters_.enter;
     const Slot slot = world_.slot_of(event.first);
     const std::size_t axis = axis_of(event.second);
-    CellRange& subspaces = travellers_[slot].subspaces;
+    CellRange& subspaces = records_[slot].subspaces;
     if (is_upper(event.second)) {
       ++subspaces.high[axis];
     } else {
@@ -301,7 +300,7 @@ class PaperEngine {
     ++counters_.leave;
     const Slot slot = world_.slot_of(event.first);
     const std::size_t axis = axis_of(event.second);
-    CellRange& subspaces = travellers_[slot].subspaces;
+    CellRange& subspaces = records_[slot].subspaces;
     const Face behind = face_of(axis, !is_upper(event.second));
     remove_from(row(subspaces, behind), slot);
     if (is_upper(event.second)) {
@@ -352,7 +351,7 @@ class PaperEngine {
   Subdivision subdivision_;
   std::map<std::uint64_t, Members> subspace_tree_;
   std::set<Event> event_tree_;
-  std::vector<Traveller> travellers_;  // per slot
+  std::vector<SphereRecord> records_;  // per slot
   CollapseGuard guard_;
   Time now_;
   Counters counters_;

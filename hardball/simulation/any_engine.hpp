@@ -64,7 +64,7 @@ class AnyResponse {
 /// The face that all engines share; see Engine for what its members do.
 class AnyEngine {
  public:
-  /// Whether the run goes on; see tell (run.hpp).
+  /// Whether the run goes on; see notify (run.hpp).
   using Observe = std::function<bool(const Contact&)>;
 
   virtual ~AnyEngine() = default;

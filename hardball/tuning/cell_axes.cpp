@@ -10,9 +10,9 @@
 namespace hardball {
 namespace {
 
-// The share of pairs that have a row of cells in common, both being anywhere between two walls.
+// The fraction of pairs that share a row of cells, both spheres being anywhere between two walls.
 double share_of_pairs_in_a_row(double edge, double diameter, double room) {
-  // One sphere's upper end lies in row k, the other's lower end beyond it, or the other way round.
+  // One sphere's upper end lies in row k, the other's lower end beyond it, or vice versa.
   const auto beyond = [&](double row) { return std::max(0.0, room - row * edge); };
   const double first = std::floor(diameter / edge) + 1;
   double apart = (first * edge - diameter) * beyond(first);
@@ -28,7 +28,7 @@ CellAxis cell_axis(const Moments& moments, const Subdivision& cells, std::size_t
   const double rows = cells.last(axis) + 1;
   const double rows_touched = std::floor(diameter / edge) + 1;  // by a sphere at a wall
   result.room = std::max(moments.extent[axis] - diameter, moments.extent[axis] / 1024);
-  // Surfaces do not pass the boundaries nearer than a diameter to the wall behind them.
+  // A sphere's front never crosses faces less than a diameter from the wall behind it.
   result.crossings = std::max(0.0, rows - rows_touched) / result.room;
   result.is_divided = rows > 1;
   const double far_from_walls = edge + 2 * diameter;

@@ -48,7 +48,7 @@ Powers sum_powers(const Powers& a, const Powers& b) {
   return {1, a[1] + b[1], a[2] + 2 * a[1] * b[1] + b[2], a[3] + 3 * a[2] * b[1] + 3 * a[1] * b[2] + b[3]};
 }
 
-// The same for the spheres that collide, in proportion to the squared sum of their radii and their partners'.
+// The same for colliding spheres, weighted by the squared sum of the two radii.
 Powers colliding_diameter_powers(const std::array<double, 6>& m) {
   const double all = 2 * m[2] + 2 * m[1] * m[1];
   return {1, 2 * (3 * m[1] * m[2] + m[3]) / all, 4 * (m[2] * m[2] + 2 * m[1] * m[3] + m[4]) / all,
@@ -61,9 +61,9 @@ CellCounts expected_counts(const Moments& moments, double edge) {
   CellCounts counts;
   if (moments.spheres == 0) return counts;
   const CellAxes axes = cell_axes(moments, edge);
-  double density = static_cast<double>(moments.spheres);  // of the centres in the room that they share
-  double shared = 1;          // of the volume of candidates, what walls leave of it
-  double shared_at_wall = 0;  // the same for a sphere that touches a wall
+  double density = static_cast<double>(moments.spheres);  // of centres in the volume accessible to them
+  double shared = 1;          // the fraction of the candidates' volume that walls leave
+  double shared_at_wall = 0;  // the same for a sphere touching a wall
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     density /= axes[axis].room;
     shared *= axes[axis].candidates;
@@ -107,7 +107,7 @@ CellCounts expected_counts(const Moments& moments, double edge) {
   }
   if (counts.enter > 0) {
     counts.cells_entered /= counts.enter;
-    // Half of the room about a sphere, in which it excludes others, lies in the row ahead.
+    // Half of the volume around a sphere, in which it excludes others, lies in the row ahead.
     counts.candidates_after_enter =
         std::max(0.0, counts.candidates_after_enter / counts.enter + excess_about_sphere(moments) / 2);
   }

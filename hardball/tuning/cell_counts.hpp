@@ -7,38 +7,38 @@
 
 namespace hardball {
 
-/// How much a cell grid has to do in a gas, as kinetic theory expects it.
+/// The work of a cell grid in a gas, as predicted by kinetic theory.
 ///
-/// A sphere looks at all its candidates after each contact, and when a contact it waited for has become
-/// stale. Source: docs/theory.md.
+/// Contacts with all candidates of a sphere are predicted after each of its contacts, and when its prospect
+/// turns out stale. Source: docs/theory.md.
 struct CellCounts {
-  // How often it happens to one sphere [1/T].
+  // Rates per sphere [1/T].
   double collision = 0;
   double wall = 0;
   double enter = 0;
   double stale = 0;
 
-  // How many pairs are predicted [1].
+  // Numbers of pairs predicted [1].
   double candidates_after_collision = 0;
   double candidates_after_wall = 0;
   double candidates_when_stale = 0;
   double candidates_after_enter = 0;
   double candidates_at_any_time = 0;
 
-  // How many cells a sphere touches, and how many of them it has just entered [1].
+  // The cells that a sphere touches, and those that it enters at a crossing [1].
   double cells = 0;
   double cells_entered = 0;
 
   bool is_hashed = false;  // whether cells are found through a hash table, as in open space
 
-  /// Predictions of one sphere per time [1/T].
+  /// Predictions per sphere and time [1/T].
   double predictions() const {
     return collision * candidates_after_collision + wall * candidates_after_wall +
            stale * candidates_when_stale + enter * candidates_after_enter;
   }
 };
 
-/// What to expect with cells of wanted edge `edge` [L], see Subdivision. Cost: O(1), some ten microseconds.
+/// The counts expected for a wanted edge of `edge` [L], see Subdivision. Cost: O(1), some ten microseconds.
 /// Error: the edge is not positive and finite.
 CellCounts expected_counts(const Moments& moments, double edge);
 

@@ -10,7 +10,7 @@
 namespace hardball {
 namespace {
 
-// The edge of a cube that holds one sphere [L].
+// The edge of a cube containing one sphere on average [L].
 double spacing(const Moments& moments) {
   double product = 1;
   for (std::size_t axis = 0; axis < kAxes; ++axis) product *= std::cbrt(moments.extent[axis]);
@@ -38,12 +38,12 @@ bool are_meaningful(const UnitCosts& costs) {
 }
 
 double cost_rate(const CellCounts& counts, const UnitCosts& costs) {
-  // A crossing costs more where its cells are looked up: measured, docs/theory.md.
+  // A crossing costs more where cells are looked up in a hash table: measured, docs/theory.md.
   constexpr double kHashedEnter = 1.75;
   const double enter = counts.is_hashed ? kHashedEnter * costs.enter : costs.enter;
-  const double looks = counts.collision + counts.wall + counts.stale;
+  const double passes = counts.collision + counts.wall + counts.stale;
   return costs.contact * (counts.collision / 2 + counts.wall) + enter * counts.enter +
-         costs.cell * (looks * counts.cells + counts.enter * counts.cells_entered) +
+         costs.cell * (passes * counts.cells + counts.enter * counts.cells_entered) +
          costs.prediction * counts.predictions();
 }
 
@@ -66,7 +66,7 @@ double optimal_cell_edge(const Moments& moments, const UnitCosts& costs) {
       }
     }
   };
-  // The number of cells along a side is whole, so that the cost has steps: scan, and scan again between.
+  // The number of cells along an axis is an integer, so that the cost has steps: scan coarsely, then finely.
   constexpr double kSmallest = 1.0 / 8;
   constexpr double kStep = 1.25;
   constexpr int kSteps = 24;  // up to 26 times the spacing
@@ -102,23 +102,23 @@ double paper_cell_edge(const Moments& moments, const UnitCosts& costs) {
 void CellEdgeWatch::begin(double edge) {
   edge_ = best_before_ = edge;
   regret_ = 0;
-  seen_ = {};
+  last_moments_ = {};
 }
 
 std::optional<double> CellEdgeWatch::look(const Moments& moments, double elapsed) {
   if (moments.spheres == 0 || !(moments.mean_speed > 0)) return std::nullopt;
-  if (!is_like(moments, seen_)) {
-    seen_ = moments;
+  if (!is_like(moments, last_moments_)) {
+    last_moments_ = moments;
     best_edge_ = optimal_cell_edge(moments, costs_);
     const CellCounts best = expected_counts(moments, best_edge_);
     const double excess = cost_rate(expected_counts(moments, edge_), costs_) - cost_rate(best, costs_);
-    regret_by_way_ = std::max(0.0, excess) / moments.mean_speed;
+    regret_per_length_ = std::max(0.0, excess) / moments.mean_speed;
     rebuild_ = rebuild_cost(best, costs_);
   }
-  regret_ += regret_by_way_ * moments.mean_speed * elapsed;
+  regret_ += regret_per_length_ * moments.mean_speed * elapsed;
   if (!(regret_ > rebuild_)) return std::nullopt;
-  // What has changed so far will go on changing: in the middle of the time until the next rebuild the best
-  // edge will be half as far away again, on the scale of logarithms.
+  // Extrapolates: halfway to the next rebuild the best edge will have moved by half as much again, on a
+  // logarithmic scale.
   constexpr double kFarthestAhead = 2;
   const double ahead = std::clamp(std::sqrt(best_edge_ / best_before_), 1 / kFarthestAhead, kFarthestAhead);
   const double best = best_edge_;

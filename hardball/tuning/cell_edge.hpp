@@ -9,63 +9,62 @@
 
 namespace hardball {
 
-/// What the steps of the event loop cost: nanoseconds on some machine, of which only the ratios matter to the
-/// choice of the cell edge. The defaults are those of one core at 2.8 GHz with 20,000 spheres.
+/// The costs of the steps of the event loop, in nanoseconds; only their ratios matter for the choice of the
+/// cell edge. The defaults were measured on one core at 2.8 GHz with 20,000 spheres.
 struct UnitCosts {
-  double contact = 900;    ///< Whatever the cells: new velocities, two new regions, two entries in the queue.
-  double enter = 350;      ///< A crossing, whatever it finds: taken from the queue and scheduled anew.
-  double cell = 50;        ///< Each cell that a sphere looks into or enters.
+  double contact = 900;    ///< Independent of cells: new velocities, two new regions, two queue entries.
+  double enter = 350;      ///< A crossing, whatever it finds: removed from the queue and rescheduled.
+  double cell = 50;        ///< Each cell searched or entered.
   double prediction = 18;  ///< Each pair.
 
   friend bool operator==(const UnitCosts&, const UnitCosts&) = default;
 };
 
-/// Whether a choice can be made by these: none is negative or infinite, and pairs and crossings cost
-/// something.
+/// Whether a choice can be based on these costs: none is negative or infinite, and predictions and crossings
+/// are not free.
 bool are_meaningful(const UnitCosts& costs);
 
-/// What one sphere costs in unit time [cost/T]. Source: docs/theory.md.
+/// The cost per sphere and time [cost/T]. Source: docs/theory.md.
 double cost_rate(const CellCounts& counts, const UnitCosts& costs);
 
-/// What it costs for each sphere to make cells and predictions anew [cost].
+/// The cost per sphere of rebuilding cells and predictions [cost].
 double rebuild_cost(const CellCounts& counts, const UnitCosts& costs);
 
 /// The edge [L] of the cells at which the event loop costs least: smaller cells are crossed more often,
-/// larger ones hold more candidates. Not so small that large spheres would lie in hundreds of cells.
+/// larger ones hold more candidates. Bounded below so that large spheres do not lie in hundreds of cells.
 /// Cost: O(1), less than a millisecond. Source: Kim, Guibas and Shin (1997), section 3, completed in
 /// docs/theory.md.
 double optimal_cell_edge(const Moments& moments, const UnitCosts& costs = {});
 
-/// The edge [L] by the paper's own equation, with its c1 and c3 a prediction and its c4 the crossing of one
-/// cell. Cost: O(1). Source: Kim, Guibas and Shin (1997), section 3.
+/// The edge [L] by the paper's own equation, where c1 and c3 are the cost of a prediction and c4 that of
+/// crossing into one cell. Cost: O(1). Source: Kim, Guibas and Shin (1997), section 3.
 double paper_cell_edge(const Moments& moments, const UnitCosts& costs = {});
 
-/// Keeps an eye on the cell edge while density and speeds change.
+/// Decides when to rebuild cells as density and speeds change.
 ///
-/// What the edge in use costs beyond the best one is added up over time; once it exceeds what a rebuild
-/// costs, the rebuild has paid. So both together are at most about twice what perfect foresight would cost.
+/// The excess cost of the edge in use over the best one is accumulated; once it exceeds the cost of a
+/// rebuild, cells are rebuilt. Both together cost at most about twice what perfect foresight would.
 class CellEdgeWatch {
  public:
   explicit CellEdgeWatch(const UnitCosts& costs = {}) : costs_(costs) {}
 
-  /// From now on cells have this edge [L].
+  /// Starts over with cells of this edge [L].
   void begin(double edge);
 
-  /// The edge [L] that cells have from now on, if it has come to a rebuild, `elapsed` [T] after the last
-  /// look. It is ahead of the best one of the moment, as far as that will move until the middle of the time
-  /// to the next. Cost: O(1), and less than a millisecond if density or radii have changed by more than 2%
-  /// since the last.
+  /// The new edge [L] if cells should be rebuilt, `elapsed` [T] after the last call. It anticipates the best
+  /// edge expected halfway to the next rebuild. Cost: O(1), and up to a millisecond if density or radii have
+  /// changed by more than 2%.
   std::optional<double> look(const Moments& moments, double elapsed);
 
  private:
   UnitCosts costs_;
   double edge_ = 0;
-  double best_before_ = 0;    // the best edge at the last rebuild
-  double best_edge_ = 0;      // at the last reckoning
-  double regret_ = 0;         // what could have been saved since the last rebuild, for each sphere [cost]
-  double regret_by_way_ = 0;  // for each length that spheres fly [cost/L]
-  double rebuild_ = 0;        // [cost]
-  Moments seen_;              // at the last reckoning
+  double best_before_ = 0;        // the best edge at the last rebuild
+  double best_edge_ = 0;          // when last computed
+  double regret_ = 0;             // excess cost per sphere since the last rebuild [cost]
+  double regret_per_length_ = 0;  // per length that spheres travel [cost/L]
+  double rebuild_ = 0;            // [cost]
+  Moments last_moments_;          // for which best_edge_ was computed
 };
 
 }  // namespace hardball

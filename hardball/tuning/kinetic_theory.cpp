@@ -34,8 +34,8 @@ double contact_value(const Moments& moments) {
   if (moments.spheres == 0) return 1;
   const double packing = fluid_packing(moments);
   const double free = 1 - packing;
-  // Surface per volume, over six, times the means over pairs of h and h^2, h = 2 r_i r_j / (r_i + r_j); pairs
-  // meet in proportion to (r_i + r_j)^2.
+  // Surface per volume, over six, times the means over pairs of h and h^2, h = 2 r_i r_j / (r_i + r_j),
+  // weighted by (r_i + r_j)^2.
   const double surface = packing * moments.radius_power[2] / (2 * moments.radius_power[3]);
   const double first =
       surface * 4 * moments.radius_power[1] * moments.radius_power[2] / mean_square_reach(moments);
@@ -77,7 +77,7 @@ double excess_about_sphere(const Moments& moments) {
 
 double excess_about_pair(const Moments& moments) {
   const double packing = fluid_packing(moments);
-  // How the logarithm of the contact value changes with that of the density.
+  // The derivative of the logarithm of the contact value with respect to that of the density.
   const double crowding = packing * (3 / (1 - packing) - 1 / (2 - packing));
   return structure_factor_at_zero(packing) * (2 + crowding) - 1;
 }

@@ -9,8 +9,8 @@
 namespace hardball {
 namespace {
 
-// The length of the stretch that holds the middle half of all centres along an open axis, doubled: the extent
-// of a uniform cloud, untouched by a few spheres far out.
+// Twice the length of the interval that holds the middle half of all centres along an open axis: the extent
+// of a uniform cloud, robust against a few distant spheres.
 double stretch(const World& world, std::size_t axis, const Time& moment) {
   std::vector<double> places;
   places.reserve(world.size());
@@ -35,7 +35,7 @@ Moments moments_of(const World& world, const Time& moment) {
   moments.box = world.box();
   if (world.size() == 0) return moments;
   moments.radius_power = {};
-  // By ids, so that the sums are the same bits however the spheres are stored.
+  // In order of ids, so that the sums do not depend on how spheres are stored.
   world.for_each_by_id([&](Slot slot) {
     double power = 1;
     for (double& sum : moments.radius_power) {

@@ -9,11 +9,11 @@
 
 namespace hardball {
 
-/// What kinetic theory needs to know of a world: averages over its spheres, and its box.
+/// What kinetic theory needs of a world: averages over its spheres, and its box.
 struct Moments {
   std::size_t spheres = 0;
   Box box;
-  /// Of the box; along open axes, of the stretch that holds most spheres [L].
+  /// Of the box; along open axes, of the interval that holds most spheres [L].
   Vec3 extent;
   /// The mean of the k-th power of the radius, k = 0 to 5 [L^k].
   std::array<double, 6> radius_power{1, 0, 0, 0, 0, 0};

@@ -19,9 +19,9 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
   const double path = mean_free_path(moments);
   counts.collision = 1 / mean_free_time(moments);
   counts.wall = wall_rate(moments);
-  // Every second collision leaves another sphere's prospect stale that comes to its turn.
+  // Every second collision leaves the prospect of another sphere stale, found when it is due.
   counts.stale = counts.collision / 4;
-  // A sphere flies straight out of a ball small against its free path; of a larger one it diffuses. The
+  // A sphere flies straight out of a ball smaller than its free path and diffuses out of a larger one. The
   // factor is measured: docs/theory.md.
   constexpr double kDiffusion = 0.2;
   counts.rebuild = moments.mean_speed / (slack * (1 + kDiffusion * slack / path));
@@ -37,14 +37,14 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
 }
 
 double cost_rate(const NeighborCounts& counts, const UnitCosts& costs) {
-  // A rebuild visits 27 cells; to see whether an anchor is near takes a fraction of a prediction.
+  // A rebuild visits 27 cells; checking whether an anchor is near costs a fraction of a prediction.
   constexpr double kCellsOfRebuild = 27;
   constexpr double kSearch = 0.25;
-  const double look = costs.cell + costs.prediction * counts.neighbors;
+  const double pass = costs.cell + costs.prediction * counts.neighbors;
   const double rebuild =
       costs.enter + kCellsOfRebuild * costs.cell + kSearch * costs.prediction * counts.searched;
   return costs.contact * (counts.collision / 2 + counts.wall) +
-         (counts.collision + counts.wall + counts.stale) * look + counts.rebuild * rebuild;
+         (counts.collision + counts.wall + counts.stale) * pass + counts.rebuild * rebuild;
 }
 
 double optimal_slack(const Moments& moments, const UnitCosts& costs) {

@@ -7,26 +7,26 @@
 
 namespace hardball {
 
-/// How much neighbour lists have to do in a gas, as kinetic theory expects it. Source: docs/theory.md.
+/// The work of neighbour lists in a gas, as predicted by kinetic theory. Source: docs/theory.md.
 struct NeighborCounts {
-  // How often it happens to one sphere [1/T].
+  // Rates per sphere [1/T].
   double collision = 0;
   double wall = 0;
   double stale = 0;
-  double rebuild = 0;  ///< It comes to the edge of its ball.
+  double rebuild = 0;  ///< It reaches the edge of its ball.
 
   double neighbors = 0;  ///< In its list [1].
   double searched = 0;   ///< Anchors in the cells around its own [1].
 };
 
-/// What to expect with balls of radius `slack` [L]. Cost: O(1). Precondition: `slack` is positive.
+/// The counts expected for balls of radius `slack` [L]. Cost: O(1). Precondition: `slack` is positive.
 NeighborCounts expected_neighbor_counts(const Moments& moments, double slack);
 
-/// What one sphere costs in unit time [cost/T].
+/// The cost per sphere and time [cost/T].
 double cost_rate(const NeighborCounts& counts, const UnitCosts& costs);
 
-/// The radius [L] of the balls with which neighbour lists cost least: small ones are left more often, large
-/// ones make longer lists. Cost: O(1).
+/// The ball radius [L] at which neighbour lists cost least: small balls are left more often, large ones make
+/// longer lists. Cost: O(1).
 double optimal_slack(const Moments& moments, const UnitCosts& costs = {});
 
 }  // namespace hardball

@@ -9,15 +9,15 @@
 namespace hardball {
 namespace {
 
-// A sphere somewhere on its way through the cells.
+// A sphere somewhere on its path through the cells.
 struct Flight {
-  std::array<double, kAxes> slowness{};  // way flown for each length along the axis [1]
-  std::array<double, kAxes> place{};     // of the front in the cell it entered last, in edges [1]
-  double since_collision = 0;            // way flown, in free paths [1]
+  std::array<double, kAxes> slowness{};  // path length per length along the axis [1]
+  std::array<double, kAxes> position{};  // of the front in the cell it entered last, in edges [1]
+  double since_collision = 0;            // path length, in free paths [1]
 };
 
-// Directions, places and ways that fill the space of their six numbers evenly. Source: Roberts, "The
-// unreasonable effectiveness of quasirandom sequences" (2018): multiples of the powers of the root of
+// Directions, positions and path lengths that fill the space of these six numbers evenly. Source: Roberts,
+// "The unreasonable effectiveness of quasirandom sequences" (2018): multiples of the powers of the root of
 // x^7 = x + 1.
 constexpr std::size_t kFlights = 512;
 std::array<Flight, kFlights> even_flights() {
@@ -32,7 +32,7 @@ std::array<Flight, kFlights> even_flights() {
     const double flat = std::sqrt(1 - up * up);
     const double turn = point[1] * std::numbers::pi / 2;
     flight.slowness = {1 / (flat * std::cos(turn)), 1 / (flat * std::sin(turn)), 1 / up};
-    flight.place = {point[2], point[3], point[4]};
+    flight.position = {point[2], point[3], point[4]};
     flight.since_collision = -std::log(1 - point[5]);
   }
   return flights;
@@ -42,26 +42,26 @@ std::array<Flight, kFlights> even_flights() {
 
 RowSurplus mean_row_surplus(const CellAxes& axes, double diameter, double free_path) {
   static const std::array<Flight, kFlights> kEvenFlights = even_flights();
-  // What a sphere reaches into the hindmost row when its front enters one, in edges.
+  // How far a sphere extends into the rearmost row when its front enters one, in edges.
   std::array<double, kAxes> overhang{};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     overhang[axis] = std::fmod(diameter, axes[axis].edge) / axes[axis].edge;
   }
   RowSurplus sum;
   for (const Flight& flight : kEvenFlights) {
-    // Ways flown since the sphere last gave up rows, and since it left the row behind; negative if it is yet
-    // to leave it.
-    double given_up = free_path * flight.since_collision;
+    // Path lengths since the sphere last released rows, and since it left the row behind; negative if it has
+    // not left it yet.
+    double released = free_path * flight.since_collision;
     std::array<double, kAxes> left{};
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (!axes[axis].is_divided) continue;
       const double row = axes[axis].edge * flight.slowness[axis];
-      given_up = std::min(given_up, flight.place[axis] * row);
-      left[axis] = (flight.place[axis] - overhang[axis]) * row;
+      released = std::min(released, flight.position[axis] * row);
+      left[axis] = (flight.position[axis] - overhang[axis]) * row;
     }
     std::array<double, kAxes> surplus{};
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      if (axes[axis].is_divided) surplus[axis] = (left[axis] < given_up ? 1 : 0) - overhang[axis];
+      if (axes[axis].is_divided) surplus[axis] = (left[axis] < released ? 1 : 0) - overhang[axis];
     }
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       sum.along[axis] += surplus[axis];

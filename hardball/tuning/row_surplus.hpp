@@ -8,20 +8,20 @@
 
 namespace hardball {
 
-/// Rows of cells that a sphere holds along an axis beyond the mean of those it touches, 1 + diameter / edge:
-/// products of these surpluses along several axes, averaged over time. CellGrid gives up the row behind a
-/// sphere only when the sphere enters another or collides.
+/// Rows of cells that a sphere holds along an axis in excess of the mean number it touches, 1 + diameter /
+/// edge: products of these surpluses along several axes, averaged over time. CellGrid releases the row behind
+/// a sphere only when the sphere enters another or collides.
 struct RowSurplus {
   std::array<double, kAxes> along{};   ///< Along an axis [1].
   std::array<double, kAxes> across{};  ///< Along both other axes [1].
   double all = 0;                      ///< Along all three [1].
 };
 
-/// Of spheres in a gas whose mean free path is `free_path` [L]. Cost: O(1), some microseconds.
+/// For spheres in a gas of mean free path `free_path` [L]. Cost: O(1), some microseconds.
 /// Source: docs/theory.md.
 RowSurplus mean_row_surplus(const CellAxes& axes, double diameter, double free_path);
 
-/// Of two spheres together that do not know of each other.
+/// For two independent spheres together.
 RowSurplus of_two(const RowSurplus& one);
 
 }  // namespace hardball

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""An engine that speaks the protocol of bench/grid.py and makes its numbers up.
+"""An engine that speaks the protocol of bench/grid.py with invented numbers.
 
 usage: fake_engine.py NANOSECONDS [--uneven] [--fault FAULT] [--bare] --spheres N ...
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""Tests bench/grid.py with engines that make their numbers up."""
+"""Tests bench/grid.py with engines that invent their numbers."""
 
 import contextlib
 import io
@@ -25,7 +25,7 @@ def fake(name, nanoseconds, *options):
 
 
 def measure(*engines, rounds=3, patience=30.0):
-    # At 1000 ns per collision the first slice of the calibration, of 100 contacts, is long enough at once.
+    # At 1000 ns per collision the first calibration slice, of 100 contacts, is already long enough.
     settings = grid.Settings(rounds=rounds, slice_seconds=2e-4, patience=patience)
     return grid.measure_point(POINT, engines, settings)
 
@@ -127,7 +127,7 @@ class Table(unittest.TestCase):
 
 class CommandLine(unittest.TestCase):
     def run_main(self, folder, out, nanoseconds, *options):
-        """The exit code, what was printed, and the results stored; our own engine is a program that is missing."""
+        """The exit code, the output, and the stored results; our own engine is a missing program."""
         printed = io.StringIO()
         command = f"fake={' '.join(FAKE)} {nanoseconds}"
         with contextlib.redirect_stdout(printed):

@@ -15,7 +15,7 @@ GAS = ["--spheres", "108", "--packing-fraction", "0.25", "--equilibration", "2"]
 
 
 def converse(arguments, commands):
-    """Exit code, lines printed, and lines of complaint."""
+    """Exit code, lines printed, and error lines."""
     done = subprocess.run([PROGRAM, *arguments], input=commands, text=True, capture_output=True, timeout=60)
     return done.returncode, done.stdout.splitlines(), done.stderr.splitlines()
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Whatever is wrong with the input: exit code 2, one line that says what, where and the remedy, and no files.
+// For every kind of bad input: exit code 2, one line that says what, where and the remedy, and no files.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -23,16 +23,16 @@ using support::write_text;
 
 struct BadInput {
   std::string name;
-  /// A line of the scenario of the small gas, and what stands in its place.
+  /// A line of the scenario of the small gas, and its replacement.
   std::string line;
   std::string replacement;
-  /// Besides `run gas.toml --out out`.
+  /// In addition to `run gas.toml --out out`.
   Arguments arguments;
-  /// What the message holds, in this order.
+  /// What the message contains, in this order.
   std::vector<std::string> fragments;
 };
 
-// What GoogleTest calls a case when it fails.
+// How GoogleTest prints a failed case.
 void PrintTo(const BadInput& input, std::ostream* out) {
   *out << input.name;
 }
@@ -371,7 +371,7 @@ TEST(RefusedCommand, IsExplainedInOneLine) {
   expect_refusal(run_program(folder, {"sweep"}),
                  {"'sweep'", "choose among 'run', 'verify', 'check', 'tune'"});
   expect_refusal(run_program(folder, {"run"}), {"SCENARIO", "--help"});
-  expect_refusal(run_program(folder, {"--json", "run", "gas.toml"}), {"'--json'", "behind the command"});
+  expect_refusal(run_program(folder, {"--json", "run", "gas.toml"}), {"'--json'", "after the command"});
   expect_refusal(run_program(folder, {"verify", "gas.toml", "--json"}), {"'--json'"});
 }
 

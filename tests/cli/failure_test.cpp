@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Runs that do not reach their end: exit code 1, a true message, and files that can be read.
+// Runs that do not reach their end: exit code 1, a correct message, and readable files.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -27,7 +27,7 @@ using support::write_text;
 const std::string kOutput =
     "[output]\ndirectory = \"out\"\nsnapshots_every = 0.5\nevent_log = true\nrecording = true\n";
 
-// The number of records that the header of an event log counts.
+// The number of records according to the header of an event log.
 std::uint64_t counted_records(const std::filesystem::path& path) {
   const std::string bytes = read_text(path);
   const std::string key = "'shape': (";
@@ -63,7 +63,7 @@ class Failure : public testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(Failure, OfADiskThatIsFull) {
+TEST_F(Failure, OfAFullDisk) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
   std::filesystem::create_directory(folder_ / "out");
   std::filesystem::create_symlink("/dev/full", folder_ / "out/trajectory.xyz");
@@ -161,7 +161,7 @@ TEST_F(Failure, OfAProcessKilledOutrightLosesLittleOfTheEventLog) {
       << outcome.messages;
 }
 
-TEST_F(Failure, OfARunThatCannotGoOn) {
+TEST_F(Failure, OfARunThatCannotContinue) {
   write_text(folder_ / "collapse.toml",
              "[box]\nsize = [20, 20, 20]\nboundary = ['wall', 'wall', 'wall']\n"
              "[[spheres]]\nradius = 0.5\nspeed = 0\npositions = [[2, 10, 10]]\n"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// What `hardball run` measures and writes.
+// The measures that `hardball run` writes.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -54,7 +54,7 @@ TEST_F(MeasuredRun, WritesAllMeasuresIntoItsDirectoryAndChangesNothing) {
   EXPECT_TRUE(quantities.starts_with("measure,name,value,error,theory,unit\npressure,compressibility,"));
 }
 
-TEST_F(MeasuredRun, FindsTheSameByEveryEngineAndWithSnapshots) {
+TEST_F(MeasuredRun, FindsTheSameWithEveryEngineAndWithSnapshots) {
   const auto found = [&](const Arguments& more) {
     Arguments arguments{"--out", "out"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -68,7 +68,7 @@ TEST_F(MeasuredRun, FindsTheSameByEveryEngineAndWithSnapshots) {
   EXPECT_EQ(found({"--set", "output.snapshots_every=0.3"}), expected);
 }
 
-TEST_F(MeasuredRun, MeasuresWhatItIsToldAndRemovesFilesOfAnEarlierRun) {
+TEST_F(MeasuredRun, MeasuresWhatIsRequestedAndRemovesFilesOfAnEarlierRun) {
   hash({"--out", "out"});
   hash({"--out", "out", "--set", "measures.names=[\"pressure\"]"});
   EXPECT_TRUE(exists("measures/pressure.csv"));
@@ -77,7 +77,7 @@ TEST_F(MeasuredRun, MeasuresWhatItIsToldAndRemovesFilesOfAnEarlierRun) {
   EXPECT_FALSE(exists("measures"));
 }
 
-TEST_F(MeasuredRun, BeginsWhenItIsTold) {
+TEST_F(MeasuredRun, StartsAtTheRequestedTime) {
   hash({"--out", "out", "--set", "measures.names=[\"temperature\"]", "--set", "measures.from=2", "--set",
         "measures.every=1"});
   const std::string table = read_text(folder_ / "out" / "measures" / "temperature.csv");

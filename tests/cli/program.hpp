@@ -15,23 +15,22 @@
 
 #include "support/scratch_folder.hpp"
 
-/// The real program, started as a user starts it.
+/// The real program, started as by a user.
 namespace hardball::support {
 
 using Arguments = std::vector<std::string>;
 
-/// How the program ended and what it said.
+/// The exit code of the program and its output.
 struct Outcome {
   int exit_code = -1;  ///< -1 if a signal killed it.
   std::string output;
   std::string messages;
 };
 
-/// The program running in a folder, in which it leaves its output and its messages.
+/// The program running in a folder, which gets its output and its messages.
 class Program {
  public:
-  /// `executable` is the program itself unless something else is named; `most_bytes` is the size beyond which
-  /// no file may grow.
+  /// `executable` is the program itself unless another is given; `most_bytes` limits the size of files.
   explicit Program(const ScratchFolder& folder, const Arguments& arguments,
                    const std::string& executable = HARDBALL_PROGRAM, std::optional<rlim_t> most_bytes = {})
       : output_(folder / "program.stdout"), messages_(folder / "program.stderr") {

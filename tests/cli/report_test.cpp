@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// The page that a run ends in.
+// The report of a run.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -93,7 +93,7 @@ TEST_F(ReportFile, CanBeSwitchedOff) {
   EXPECT_FALSE(exists("report.html"));
 }
 
-TEST_F(ReportFile, OfEveryKindOfRunIsSound) {
+TEST_F(ReportFile, OfEveryKindOfRunIsValid) {
   int number = 0;
   for (const Arguments& kind :
        std::vector<Arguments>{{"--set", R"(box.boundary=["wall", "wall", "wall"])"},
@@ -140,7 +140,7 @@ TEST_F(ReportFile, SaysThatTheRunWasInterrupted) {
   expect_in_report(" of 1·10<sup>6</sup>");
 }
 
-TEST_F(ReportFile, IsWholeOrAbsent) {
+TEST_F(ReportFile, IsCompleteOrAbsent) {
   run({"--out", "out"});
   const std::uintmax_t size = std::filesystem::file_size(folder_ / "out/report.html");
   const Outcome outcome =

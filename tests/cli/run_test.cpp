@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Runs that end well: what they print and write, and what must not change it.
+// Successful runs: what they print and write, and what must not change it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -105,7 +105,7 @@ TEST_F(Run, PrintsOneObjectWithAllKeys) {
   EXPECT_GT(summary["peak_rss_bytes"], 1'000'000);
 }
 
-TEST_F(Run, LeavesOutWhatHasNoMeaning) {
+TEST_F(Run, LeavesOutWhatDoesNotApply) {
   use(kPeriodicGas);
   const json periodic = run_json();
   EXPECT_GT(periodic["compressibility"], 1);
@@ -130,7 +130,7 @@ TEST_F(Run, ShowsNoProgressAwayFromATerminal) {
   EXPECT_EQ(run({"--until", "20"}).messages, "");
 }
 
-TEST_F(Run, WritesNoFilesUnlessAsked) {
+TEST_F(Run, WritesNoFilesUnlessRequested) {
   run();
   EXPECT_FALSE(std::filesystem::exists(folder_ / "trajectory.xyz"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "summary.json"));
@@ -160,7 +160,7 @@ TEST_F(Run, ChoosesCellsByTheUnitCosts) {
   EXPECT_EQ(edge({}), standard) << "a short run does not measure";
   EXPECT_LT(edge({"--unit-costs", "contact=1,enter=1,cell=1,prediction=30"}), standard);
   EXPECT_GT(edge({"--unit-costs", "contact=1,enter=1000,cell=1,prediction=1"}), standard);
-  // The paper's equation has no terms for the collisions that crowding adds.
+  // The paper's equation lacks the collisions due to excluded volume.
   EXPECT_GE(edge({"--cell-edge", "paper"}), standard);
 }
 
@@ -189,7 +189,7 @@ TEST_F(Run, WritesTheSummaryItPrints) {
   EXPECT_EQ(read_text(folder_ / "deep/out/summary.json"), output);
 }
 
-TEST_F(Run, OutOptionWinsOverTheScenario) {
+TEST_F(Run, OutOptionTakesPrecedenceOverTheScenario) {
   use(support::kSmallGas + "[output]\ndirectory = \"other\"\n");
   run({"--out", "out"});
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/summary.json"));
@@ -274,7 +274,7 @@ TEST_F(Run, WritesFilesThatPythonReads) {
   use(kPeriodicGas);
   const json summary = run_json({"--out", "out", "--set", "output.snapshots_every=2.5", "--set",
                                  "output.event_log=true", "--set", R"(box.boundary.1="wall")"});
-  write_text(folder_ / "look.py", R"(
+  write_text(folder_ / "read.py", R"(
 import json, sys
 import ase.io
 import numpy
@@ -295,9 +295,9 @@ json.dump({
     "radius": float(last.arrays["radius"].max()), "ids": last.arrays["id"].tolist() == list(range(300)),
 }, sys.stdout)
 )");
-  const Outcome looked = support::Program(folder_, {"look.py"}, python).wait();
-  ASSERT_EQ(looked.exit_code, 0) << looked.messages;
-  const json found = json::parse(looked.output);
+  const Outcome reading = support::Program(folder_, {"read.py"}, python).wait();
+  ASSERT_EQ(reading.exit_code, 0) << reading.messages;
+  const json found = json::parse(reading.output);
   EXPECT_EQ(found["collisions"], summary["events"]["collision"]);
   EXPECT_EQ(found["walls"], summary["events"]["wall"]);
   EXPECT_EQ(found["ordered"], true);
@@ -317,7 +317,7 @@ json.dump({
   }
 }
 
-TEST(Program, TellsItsVersionAndUse) {
+TEST(Program, PrintsItsVersionAndUsage) {
   const ScratchFolder folder;
   const Outcome version = run_program(folder, {"--version"});
   EXPECT_EQ(version.exit_code, 0);

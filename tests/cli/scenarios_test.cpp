@@ -48,7 +48,7 @@ TEST_P(EveryScenario, IsAcceptedByCheck) {
       << outcome.output;
 }
 
-TEST_P(EveryScenario, IsTheSameByAllEngines) {
+TEST_P(EveryScenario, IsTheSameWithAllEngines) {
   const ScratchFolder folder;
   const Outcome outcome = run_program(folder, {"verify", path_of(GetParam())});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages << outcome.output;
@@ -69,7 +69,7 @@ json run(const std::string& scenario, const Arguments& more = {}) {
   return json::parse(outcome.output);
 }
 
-TEST(Scenario, CradleCollidesOnceInAUnitOfTime) {
+TEST(Scenario, CradleCollidesOncePerUnitOfTime) {
   EXPECT_EQ(run("newtons_cradle", {"--until", "999.5"})["events"]["collision"], 999);
   EXPECT_EQ(run("newtons_cradle", {"--until", "1000"})["events"]["collision"], 1000);
 }

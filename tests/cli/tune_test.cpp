@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// hardball tune: what it prints and writes. How fast cells are is not looked at.
+// hardball tune: what it prints and writes. The speed of cells is not tested.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -34,7 +34,7 @@ temperature = 1.0
 until = 50.0
 )";
 
-// Costs so high that the rounds, which last as long as they would cost, are short.
+// Costs so high that the rounds, whose length follows from the expected cost, are short.
 const std::string kHighCosts = "contact=140000,enter=55000,cell=19000,prediction=5500";
 
 class Tune : public testing::Test {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// The viewer as a user starts it: what it prints, serves and leaves behind.
+// The viewer as started by a user: what it prints, serves and leaves behind.
 #include <gtest/gtest.h>
 #include <httplib.h>
 
@@ -71,7 +71,7 @@ class View : public testing::Test {
     return answer->body;
   }
 
-  // The status when the run has ended.
+  // The status after the end of the run.
   json final_status() const {
     for (;;) {
       const json status = json::parse(get("/api/status"));
@@ -92,7 +92,7 @@ class View : public testing::Test {
   std::string token_;
 };
 
-TEST_F(View, ShowsTheHistoryThatRunGoesThrough) {
+TEST_F(View, ShowsTheSameHistoryAsRun) {
   const json summary = run_json({"--seed", "3", "--until", "40"});
   start({"gas.toml", "--seed", "3", "--until", "40"});
   const json status = final_status();
@@ -119,7 +119,7 @@ TEST_P(StoppedView, EndsWellAndLeavesNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Signals, StoppedView, testing::Values(SIGINT, SIGTERM));
 
-TEST_F(View, ShowsARunThatWasRecorded) {
+TEST_F(View, ShowsARecordedRun) {
   const json summary = run_json({"--out", "out", "--set", "output.recording=true", "--until", "40"});
   start({"out"});
   const json status = final_status();
@@ -173,7 +173,7 @@ TEST_F(View, RefusesWhatItCannotDo) {
   }
 }
 
-TEST_F(View, RefusesARecordingThatIsNone) {
+TEST_F(View, RefusesAnInvalidRecording) {
   std::filesystem::create_directory(folder_ / "out");
   write_text(folder_ / "out/recording.hbr", "HBREC001 and then nonsense");
   const Outcome outcome = run_program(folder_, {"view", "out", "--no-open"});
@@ -186,14 +186,14 @@ TEST_F(View, ReplayIsOneFileWithTheWholeRecording) {
   ASSERT_EQ(run_program(folder_, {"replay", "out", "--out", "recorded.html"}).exit_code, 0);
   ASSERT_EQ(run_program(folder_, {"replay", "gas.toml", "--out", "live.html"}).exit_code, 0);
   const std::string recorded = read_text(folder_ / "recorded.html");
-  EXPECT_NE(recorded.find("id=\"recording\">SEJSRUMwMD"), std::string::npos) << "the begin in base 64";
+  EXPECT_NE(recorded.find("id=\"recording\">SEJSRUMwMD"), std::string::npos) << "the start in base 64";
   EXPECT_GT(recorded.size(), std::filesystem::file_size(folder_ / "out/recording.hbr") * 4 / 3);
   EXPECT_EQ(recorded.find("src=\"page.js\""), std::string::npos);
   EXPECT_EQ(recorded.find("href=\"page.css\""), std::string::npos);
   EXPECT_EQ(read_text(folder_ / "live.html").size(), recorded.size());
 }
 
-TEST_F(View, ReplayOfARunThatFailsShowsItAsFarAsItWent) {
+TEST_F(View, ReplayOfAFailedRunShowsItUpToTheFailure) {
   write_text(folder_ / "collapse.toml",
              "[box]\nsize = [20, 20, 20]\nboundary = ['wall', 'wall', 'wall']\n"
              "[[spheres]]\nradius = 0.5\nspeed = 0\npositions = [[2, 10, 10]]\n"
@@ -202,7 +202,7 @@ TEST_F(View, ReplayOfARunThatFailsShowsItAsFarAsItWent) {
              "[response]\nrestitution = 0.01\n[run]\nuntil = 1e9\n");
   const Outcome outcome = run_program(folder_, {"replay", "collapse.toml", "--out", "collapse.html"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.messages.find("collapse.html shows it as far as that"), std::string::npos)
+  EXPECT_NE(outcome.messages.find("collapse.html shows it up to there"), std::string::npos)
       << outcome.messages;
   EXPECT_NE(read_text(folder_ / "collapse.html").find("id=\"recording\">SEJSRUMwMD"), std::string::npos);
 }

@@ -24,7 +24,7 @@ Vec3 maxwell_velocity(Random& random, double scale) {
   return scale * Vec3{x, y, z};
 }
 
-// Spheres with radii and masses spread by a factor up to `spread`, placed at random.
+// Spheres with radii and masses that differ by a factor up to `spread`, placed at random.
 World random_gas(const Box& box, const Region& region, std::size_t count, double radius, double spread,
                  std::uint64_t seed) {
   Random random(seed);
@@ -45,7 +45,7 @@ World random_gas(const Box& box, const Region& region, std::size_t count, double
 
 World crystal(std::size_t count, double packing_fraction, std::uint64_t seed) {
   Random random(seed);
-  // A box of 8 cubed, so that the radius follows from the packing fraction without a root.
+  // A box of edge 8, so that the radius follows from the packing fraction without a root.
   const Box box = Box::periodic({8, 8, 8});
   const double radius = std::sqrt(std::sqrt(packing_fraction)) / 2.2;
   World world(box);
@@ -89,7 +89,7 @@ int main() {
   print("crystal", crystal(500, 0.35, 4), 20000);
   print("granular_gas", random_gas(Box::periodic({20, 20, 20}), cube, 1000, 0.6, 1, 5), 20000, 0.9);
   print("slab", random_gas(Box({periodic, wall, periodic}, {20, 20, 20}), cube, 500, 0.4, 2, 6), 20000, 0.97);
-  // An open burst ends by itself: in 1000 units of time all spheres have parted.
+  // An open burst ends by itself: after 1000 units of time all spheres have separated.
   {
     Simulation burst(random_gas(Box::open(), cube, 1000, 0.6, 1, 7));
     burst.run_until(1000);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Whether spheres that pass each other touch, against arithmetic that does not round: the quick answers of
-// time_to_reach, a certain miss and a contact that needs no more digits, must never be wrong.
+// Whether spheres that pass each other touch, against exact arithmetic: the fast decisions of time_to_reach,
+// a certain miss and a contact that needs no more digits, must never be wrong.
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -17,7 +17,7 @@ namespace hardball {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;  // 113 bits
-// Holds the discriminant, a sum of products of four doubles, exactly as long as their exponents are not far
+// Represents the discriminant, a sum of products of four doubles, exactly if their exponents are not far
 // apart.
 using Exact = boost::multiprecision::number<
     boost::multiprecision::cpp_bin_float<400, boost::multiprecision::digit_base_2>,
@@ -48,7 +48,7 @@ double spread(Random& random, double low_exponent, double high_exponent) {
   return std::exp2(low_exponent + random.uniform() * (high_exponent - low_exponent));
 }
 
-// With an impact parameter within `closeness` of reach, to either side, from a distance of 1 to 2^30 reaches.
+// With an impact parameter within `closeness` of reach, on either side, from a distance of 1 to 2^30 reaches.
 Passing passing(Random& random, double closeness) {
   const Vec3 along = random.direction();
   Vec3 across;
@@ -70,7 +70,8 @@ TEST(CertainMiss, IsNeverAContact) {
     const Passing p = passing(random, spread(random, -54, -1));
     if (!(dot(p.separation, p.separation) > 1.001 * p.reach * p.reach)) continue;
     const auto cosine = squared_cosine<Exact>(p.separation, p.velocity, p.reach);
-    // The grazing formula has some 106 bits, of a discriminant that shrinks with the square of the distance.
+    // The grazing formula has some 106 bits, for a discriminant that decreases with the square of the
+    // distance.
     const double distance = length(p.separation) / p.reach;
     if (abs(cosine) <= 0x1p-98 * distance * distance) continue;
     const double time = time_to_reach(p.separation, p.velocity, p.reach);
@@ -82,8 +83,8 @@ TEST(CertainMiss, IsNeverAContact) {
   EXPECT_GT(misses, support::cases(150000) / 4);
 }
 
-// The bound itself: what rounding does to the discriminant.
-TEST(CertainMiss, LiesBeyondWhatRoundingDoesToTheDiscriminant) {
+// The bound itself: the rounding error of the discriminant.
+TEST(CertainMiss, LiesBeyondTheRoundingErrorOfTheDiscriminant) {
   Random random(2);
   double worst = 0;
   for (std::uint64_t i = 0; i < support::cases(100000); ++i) {
@@ -99,13 +100,13 @@ TEST(CertainMiss, LiesBeyondWhatRoundingDoesToTheDiscriminant) {
     worst = std::max(worst, static_cast<double>(error));
   }
   EXPECT_LT(worst, kCertainMiss / 2);
-  // Were the bound far too large, every miss would be reckoned twice.
+  // If the bound were far too large, every miss would be computed twice.
   EXPECT_GT(worst, kCertainMiss / 256);
   RecordProperty("worst_error", std::to_string(worst / kCertainMiss));
 }
 
 // An ordinary miss is recognised without more digits.
-TEST(CertainMiss, IsTheRule) {
+TEST(CertainMiss, IsTheUsualCase) {
   Random random(3);
   std::uint64_t misses = 0;
   std::uint64_t certain = 0;

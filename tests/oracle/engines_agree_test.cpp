@@ -17,8 +17,7 @@ using support::RandomWorld;
 constexpr std::uint64_t kWorlds = 3200;
 constexpr std::uint64_t kParts = 8;
 
-// The history by one engine, its structures having been checked; nothing if the cells are refused as too
-// small.
+// The history by one engine, whose structures are checked; nothing if the cells are refused as too small.
 std::optional<History> history_by(const support::EngineVariant& variant, const RandomWorld& made,
                                   const RunLimits& limits) {
   try {
@@ -39,7 +38,7 @@ TEST_P(EnginesAgree, OnRandomWorlds) {
   for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
     const RandomWorld made = support::make_random_world(seed);
     SCOPED_TRACE(made.name);
-    // Contacts are bounded too: in a granular world infinitely many may happen in a finite time.
+    // Contacts are limited too: in a granular world infinitely many may happen in a finite time.
     const RunLimits limits{.until = Time(made.until), .contacts = 60 + 60 * (seed % 5)};
     std::optional<History> expected;
     for (const support::EngineVariant& variant : support::engine_variants(made.world, made.restitution)) {
@@ -52,13 +51,14 @@ TEST_P(EnginesAgree, OnRandomWorlds) {
     }
     contacts += expected->contacts;
   }
-  // The worlds are lively: some 50 contacts each on the average.
+  // The worlds have some 50 contacts each on average.
   EXPECT_GT(contacts, 30 * support::cases(kWorlds) / kParts);
 }
 
 INSTANTIATE_TEST_SUITE_P(Part, EnginesAgree, testing::Range<std::uint64_t>(0, kParts));
 
-// Spheres in a row that end up in one lump: all engines stop at the same contact with the same message.
+// Spheres in a row that collapse into one cluster: all engines stop at the same contact with the same
+// message.
 struct Collapse {
   double restitution;
   double size;                       // of the box along the row
@@ -66,7 +66,7 @@ struct Collapse {
 };
 
 TEST(InelasticCollapse, IsNoticedByAllEnginesAtTheSameContact) {
-  const std::array<Collapse, 4> collapses = {{// So symmetric that velocities vanish entirely.
+  const std::array<Collapse, 4> collapses = {{// So symmetric that velocities vanish completely.
                                               {0.02, 40, {1, 0, 0, 0, -1}},
                                               // Against a wall.
                                               {0.1, 8, {1, 0, 0, 0, 0}},
@@ -79,7 +79,7 @@ TEST(InelasticCollapse, IsNoticedByAllEnginesAtTheSameContact) {
       const double x = 0.75 + 1.375 * static_cast<double>(i);
       world.add({{x, 1, 1}, {collapse.velocities[i], 0, 0}, 0.5, 1});
     }
-    // Another one flies by, so that cells that are tuned are laid out anew in the midst of it.
+    // Another one passes by, so that tuned cells are rebuilt during the collapse.
     world.add({{1, 1, 20}, {0, 0, 1e4}, 0.125, 1});
     std::optional<History> expected;
     for (const support::EngineVariant& variant : support::engine_variants(world, collapse.restitution)) {

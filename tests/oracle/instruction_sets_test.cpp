@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// One gas by all vector instructions, and by engines that live side by side: one history, bit for bit.
+// One gas with all instruction sets, and with engines that run side by side: one history, bit for bit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ constexpr std::array kAllSets = {InstructionSet::portable, InstructionSet::avx2,
 using Cells = Engine<CalendarQueue, CellGrid, Restitution>;
 using Pairs = Engine<OrderedQueue, AllPairs, Restitution>;
 
-// An engine and the hash of what it has done.
+// An engine and the hash of its history.
 template <class Made>
 struct Recorded {
   Made engine;
@@ -48,7 +48,8 @@ Cells cells(const World& world, double edge, InstructionSet set, double restitut
   return {world, CellGrid(edge), Restitution(restitution), Time(0), Predictor(set)};
 }
 
-// Dilute and dense, so that cells are large and small against the box; 40 spheres have no nearest copies.
+// Dilute and dense, so that cells are large and small compared with the box; with 40 spheres images are not
+// the nearest.
 const std::vector<support::Gas>& gases() {
   static const std::vector<support::Gas> all = {
       {.count = 1000, .packing_fraction = 0.05, .seed = 1},
@@ -101,9 +102,9 @@ TEST(InstructionSets, GiveOneHistoryOfRandomWorlds) {
   }
 }
 
-// Made anew, copied at the start and copied on the way, with different instructions and cells, and run in
-// turns of different lengths: nothing of one may leak into another.
-TEST(EnginesSideBySide, HaveTheHistoryOfOneThatIsAlone) {
+// Newly made, copied at the start and copied later, with different instruction sets and cells, and run in
+// turns of different lengths: nothing may leak from one into another.
+TEST(EnginesSideBySide, HaveTheHistoryOfASingleOne) {
   const World world = support::make_gas({.count = 400, .packing_fraction = 0.3, .seed = 7});
   const World other_world = support::make_gas({.count = 300, .packing_fraction = 0.1, .seed = 8});
   constexpr std::uint64_t kContacts = 12000;
@@ -137,7 +138,7 @@ TEST(EnginesSideBySide, HaveTheHistoryOfOneThatIsAlone) {
     if (run.contacts == kContacts) continue;
     run.go_on({.contacts = std::min<std::uint64_t>(1 + random.bits() % 700, kContacts - run.contacts)});
     if (run.contacts == kContacts) --unfinished;
-    // A copy takes the place of another engine of the same gas, which is forgotten.
+    // A copy replaces another engine of the same gas.
     const std::size_t replaced = random.bits() % runs.size();
     const bool is_useful = random.uniform() < 0.1 && replaced != chosen && hashes[replaced] == hashes[chosen];
     if (!is_useful || runs[replaced].contacts == kContacts || run.contacts == kContacts) continue;

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// What must not change a history, to the last bit: the names of the spheres, questions asked on the way, how
-// a run is cut into pieces, copying, the choice of units by powers of two; and that edits between runs fit
-// into all this.
+// What must not change a history, to the last bit: the ids of the spheres, queries in between, how a run is
+// divided, copying, scaling of units by powers of two; and the same with edits between runs.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -69,7 +68,7 @@ TEST(Renaming, ChangesNothingButNames) {
     Simulation other(renamed, some_options(seed, made));
     const std::vector<Contact> log = support::record(original, limits);
     const std::vector<Contact> other_log = support::record(other, limits);
-    // Of simultaneous contacts, names decide which comes first.
+    // Ids decide the order of simultaneous contacts.
     if (has_simultaneous_contacts(log) || has_simultaneous_contacts(other_log)) continue;
     ++compared;
     ASSERT_EQ(log.size(), other_log.size());
@@ -89,8 +88,7 @@ TEST(Renaming, ChangesNothingButNames) {
   EXPECT_GT(compared, support::cases(kWorlds) / 2);
 }
 
-// Runs on to the limits by detours: in pieces of time, contacts and steps, with questions and copies in
-// between.
+// Runs to the limits by detours: in pieces of time, contacts and steps, with queries and copies in between.
 History run_by_detours(Simulation simulation, double until, std::uint64_t contacts, Random& random) {
   History history;
   for (;;) {
@@ -143,7 +141,7 @@ TEST(Detours, ChangeNothing) {
   }
 }
 
-TEST(Copies, GoOnAlikeAndApart) {
+TEST(Copies, ContinueAlikeAndIndependently) {
   for (std::uint64_t seed = 0; seed < support::cases(kWorlds) / 3; ++seed) {
     const RandomWorld made = support::make_random_world(seed);
     SCOPED_TRACE(made.name);
@@ -159,7 +157,7 @@ TEST(Copies, GoOnAlikeAndApart) {
   }
 }
 
-// Powers of two as units of length, time and mass change no bit but the exponents.
+// Scaling length, time and mass by powers of two changes only exponents.
 TEST(Units, ThatArePowersOfTwoChangeOnlyExponents) {
   for (std::uint64_t seed = 0; seed < support::cases(kWorlds) / 3; ++seed) {
     const RandomWorld made = support::make_random_world(seed);
@@ -199,8 +197,8 @@ Vec3 random_velocity(const World& world, double until, Random& random) {
   return speed * random.direction();
 }
 
-// Runs in pieces, with an edit after each; `ask` interleaves questions, which send the engine ahead of the
-// time.
+// Runs in pieces, with an edit after each; `ask` interleaves queries, which advance the engine beyond the
+// current time.
 History run_with_edits(Simulation& simulation, const RandomWorld& made, std::uint64_t seed, bool ask) {
   Random random(seed);
   Random questions(seed + 1);
@@ -223,7 +221,7 @@ History run_with_edits(Simulation& simulation, const RandomWorld& made, std::uin
       } else if (kind < 0.75 && simulation.size() > 0) {
         simulation.remove(simulation.world().id(static_cast<Slot>(chosen)));
       } else if (simulation.size() > 0) {
-        // A sphere a fifth as large, if it fits where it is tried.
+        // A sphere a fifth as large, if it fits there.
         const double radius = simulation.world().largest_radius() / 5;
         Vec3 place;
         for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -240,7 +238,7 @@ History run_with_edits(Simulation& simulation, const RandomWorld& made, std::uin
   return history;
 }
 
-TEST(Edits, AreTheSameForAllEnginesWhetherOrNotQuestionsWereAsked) {
+TEST(Edits, AreTheSameForAllEnginesWithAndWithoutQueries) {
   for (std::uint64_t seed = 0; seed < support::cases(kWorlds) / 5; ++seed) {
     const RandomWorld made = support::make_random_world(seed);
     SCOPED_TRACE(made.name);
@@ -261,7 +259,7 @@ TEST(Edits, AreTheSameForAllEnginesWhetherOrNotQuestionsWereAsked) {
   }
 }
 
-// The engine's cells are laid out anew while a burst spreads through open space.
+// The engine's cells are rebuilt while a burst expands in open space.
 TEST(Retuning, OfABurstKeepsTheHistory) {
   const std::uint64_t spheres = support::kIsSlowBuild ? 60 : 200;
   const double side = std::cbrt(static_cast<double>(spheres));

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// A simulation written a second time, the plain way: all spheres stand at one moment, the next contact is
-// sought among all pairs, copies and walls, everybody is moved there. It shares nothing with the library but
-// the start, and reckons with 113 bits, so that its history is the true one.
+// An independent, naive simulation: all spheres are at the same time, the next contact is searched among all
+// pairs, images and walls, and all spheres are moved there. It shares nothing with the library but the
+// initial state, and computes with 113 bits, so that its history is the true one.
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -54,10 +54,10 @@ class PlainSimulation {
     }
   }
 
-  // The next contact, carried out; nothing if there is none up to `until`.
+  // Executes and returns the next contact; nothing if there is none up to `until`.
   std::optional<Touch> next(double until) {
     for (;;) {
-      // In a stretch of time in which nobody crosses half a box, only the nearest copies can be met.
+      // In a time interval in which no sphere crosses half a box, only nearest images can be met.
       const Quad window = window_without_crossing();
       const std::optional<Found> found = least(window);
       if (found) {
@@ -117,8 +117,8 @@ class PlainSimulation {
     const Body& first = bodies_[i];
     const Body& second = bodies_[j];
     const Quad reach = first.radius + second.radius;
-    // Both are folded into the box: within the window, copies at most two boxes away can be reached, and no
-    // copy that is farther than half a box beyond reach now.
+    // Both are folded into the box: within the window, images at most two boxes away can be reached, and none
+    // that is now farther than half a box beyond reach.
     std::array<std::vector<Quad>, kAxes> places;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const Quad apart = second.x[axis] - first.x[axis];
@@ -206,9 +206,9 @@ class PlainSimulation {
 constexpr std::uint64_t kWorlds = 200;
 constexpr std::size_t kMostContacts = 40;
 
-// How the two histories have parted by a contact: rounding errors grow exponentially from contact to contact.
-// The library is held to kTolerance as long as a plain simulation that is jostled by as much as doubles
-// round, at every contact, stays within a tenth of it and in the same order.
+// How far the two histories have diverged by a contact: rounding errors grow exponentially from contact to
+// contact. The library must stay within kTolerance as long as a naive simulation perturbed at every contact
+// by as much as doubles round stays within a tenth of it and in the same order.
 constexpr double kTolerance = 1e-10;
 constexpr double kTrusted = kTolerance / 10;
 
@@ -235,7 +235,7 @@ std::size_t compare(const World& world, double restitution, double until) {
     const std::optional<Touch> shaken = jostled.next(until);
     if (expected.has_value() != shaken.has_value()) break;
     if (!expected) {
-      EXPECT_EQ(log.size(), compared) << "a contact too many";
+      EXPECT_EQ(log.size(), compared) << "an extra contact";
       break;
     }
     const bool trusted =
@@ -265,7 +265,7 @@ TEST_P(PlainSimulationInQuadPrecision, HasTheSameHistory) {
     compared += compare(made.world, made.restitution, made.until);
     if (HasFailure()) return;
   }
-  // In open space spheres soon have parted for ever; elsewhere some contacts can be compared in each world.
+  // In open space spheres soon separate for good; elsewhere some contacts can be compared in each world.
   const bool is_open = GetParam()[0] == Boundary::open;
   EXPECT_GT(compared, is_open ? support::cases(kWorlds) / 20 : 2 * support::cases(kWorlds));
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// What holds at every contact and every moment of every world.
+// What holds at every contact and every time in every world.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -39,7 +39,8 @@ double twice_energy(const Contact& contact, const Velocities& v) {
   return contact.first_mass * square(v.first) + second;
 }
 
-// Rounding of a contact, a few operations on numbers of the size of the sphere's own energy or momentum.
+// The rounding error of a contact, a few operations on numbers of the size of the sphere's energy or
+// momentum.
 constexpr double kRounding = 1e-14;
 
 RC_GTEST_PROP(EveryCollision, KeepsTheMomentumOfItsPair, ()) {
@@ -53,8 +54,8 @@ RC_GTEST_PROP(EveryCollision, KeepsTheMomentumOfItsPair, ()) {
   }
 }
 
-// A wall has infinite mass: of two spheres the reduced mass m1 m2 / (m1 + m2) counts.
-RC_GTEST_PROP(EveryContact, TakesTheEnergyThatItsRestitutionSaysAndNeverGivesAny, ()) {
+// A wall has infinite mass; for two spheres the reduced mass m1 m2 / (m1 + m2) counts.
+RC_GTEST_PROP(EveryContact, TakesTheEnergyGivenByItsRestitutionAndNeverAddsAny, ()) {
   const RandomWorld made = support::any_world();
   const double loss_factor = 1 - made.restitution * made.restitution;
   for (const Contact& contact : contacts_of(made)) {
@@ -71,16 +72,16 @@ RC_GTEST_PROP(EveryContact, TakesTheEnergyThatItsRestitutionSaysAndNeverGivesAny
   }
 }
 
-RC_GTEST_PROP(EveryContact, Parts, ()) {
+RC_GTEST_PROP(EveryContact, SeparatesItsSpheres, ()) {
   for (const Contact& contact : contacts_of(support::any_world())) {
-    // Bodies approach before, and do not after: the very expressions that predict contacts say so.
+    // Bodies approach before and not after, by the same expressions that predict contacts.
     RC_ASSERT(dot(contact.separation, contact.before.second - contact.before.first) <= 0);
     RC_ASSERT(dot(contact.separation, contact.after.second - contact.after.first) >= 0);
   }
 }
 
-// Places are rounded to 1e-16 of the largest coordinate, in worlds of up to 150 of the smallest radii and
-// flights through up to a hundred of them: 1e-16 * 1.5e4. Clumps start with overlaps of up to 1e-13.
+// Positions are rounded to 1e-16 of the largest coordinate, in worlds of up to 150 of the smallest radii and
+// paths through up to a hundred of them: 1e-16 * 1.5e4. Clusters start with overlaps of up to 1e-13.
 RC_GTEST_PROP(EveryContact, HappensWhenSurfacesTouch, ()) {
   for (const Contact& contact : contacts_of(support::any_world())) {
     RC_ASSERT(std::fabs(contact.overlap()) < 2e-12);
@@ -97,7 +98,7 @@ RC_GTEST_PROP(Contacts, FollowEachOtherInTime, ()) {
   }
 }
 
-RC_GTEST_PROP(TheClock, StandsWhereTheRunWasToldToStop, ()) {
+RC_GTEST_PROP(TheClock, IsAtTheTimeAtWhichTheRunWasToStop, ()) {
   const RandomWorld made = support::any_world();
   Simulation simulation(made.world, {.restitution = made.restitution});
   double time = 0;
@@ -105,7 +106,7 @@ RC_GTEST_PROP(TheClock, StandsWhereTheRunWasToldToStop, ()) {
     time += made.until / 50 * *rc::gen::inRange(0, 10);
     const RunStatus status = simulation.run({.until = Time(time), .contacts = support::kMostContacts});
     RC_ASSERT(simulation.now() <= Time(time));
-    // Touching spheres that lose energy may collide for ever without getting anywhere.
+    // Touching spheres that lose energy may collide without end and without progress.
     if (status != RunStatus::time_reached) return;
     RC_ASSERT(simulation.now() == Time(time));
     const std::optional<NextContact> next = simulation.next_contact(2 * made.until);
@@ -113,7 +114,7 @@ RC_GTEST_PROP(TheClock, StandsWhereTheRunWasToldToStop, ()) {
   }
 }
 
-RC_GTEST_PROP(AtAnyMoment, NothingOverlapsAndNobodyHasEscaped, ()) {
+RC_GTEST_PROP(AtAnyTime, NothingOverlapsAndNoSphereHasEscaped, ()) {
   const RandomWorld made = support::any_world();
   Simulation simulation(made.world, {.restitution = made.restitution});
   for (int stop = 1; stop <= 5; ++stop) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// The same motion, described in another way.
+// The same motion in a different description.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -47,9 +47,9 @@ Box scaled(const Box& box, double factor) {
   return {{box.boundary(0), box.boundary(1), box.boundary(2)}, size};
 }
 
-// ---- Changes under which every operation rounds alike: the same bits. ----
+// ---- Changes that do not affect rounding: the same bits. ----
 
-// Multiplying by a power of two is exact; so the whole history scales, to the bit, whatever the units.
+// Multiplying by a power of two is exact; so the whole history scales exactly.
 RC_GTEST_PROP(UnitsOfPowersOfTwo, ChangeNoBit, ()) {
   const RandomWorld made = support::any_world();
   const double of_length = std::ldexp(1, *rc::gen::inRange(-40, 40));
@@ -76,9 +76,9 @@ RC_GTEST_PROP(UnitsOfPowersOfTwo, ChangeNoBit, ()) {
   }
 }
 
-// Who is first in a pair changes signs only, and signs do not round. Without ties the log is the same but for
-// names. Elastic spheres only: inelastic ones may come to rest in the middle between two periodic copies of
-// another, which they then touch at one moment.
+// Which sphere of a pair is first affects only signs, which do not round. Without ties the log is the same
+// except for ids. Elastic spheres only: inelastic ones may come to rest midway between two periodic images of
+// another, which they then touch at the same time.
 RC_GTEST_PROP(OtherLabels, ChangeNothingButTheNames, ()) {
   const RandomWorld made = support::any_gas(support::any_boundary());
   const auto spheres = static_cast<SphereId>(made.world.size());
@@ -113,7 +113,7 @@ RC_GTEST_PROP(OtherLabels, ChangeNothingButTheNames, ()) {
   }
 }
 
-// Open space has no origin to round against other than zero, which a mirror leaves in place.
+// In open space the only origin is zero, which a mirror preserves.
 RC_GTEST_PROP(AMirrorInOpenSpace, ChangesNoBit, ()) {
   constexpr Boundary kOpen = Boundary::open;
   const RandomWorld made = support::any_gas({kOpen, kOpen, kOpen});
@@ -139,11 +139,11 @@ RC_GTEST_PROP(AMirrorInOpenSpace, ChangesNoBit, ()) {
   }
 }
 
-// ---- Changes that round otherwise: the same motion until rounding has grown. ----
+// ---- Changes that affect rounding: the same motion until rounding errors have grown. ----
 
-// Each collision multiplies an error by the ratio of flight to radius, ten to fifty here, and more if it
-// grazes. The comparison covers two collisions per sphere in the mean, up to six for some: 1e-16 * 50^6 =
-// 2e-6. Seen were 1e-9 in thousands of gases; a wrong image, wall or sign is off by a radius.
+// Each collision multiplies an error by the ratio of free path to radius, ten to fifty here, and more if it
+// grazes. The comparison covers two collisions per sphere on average, up to six for some: 1e-16 * 50^6 =
+// 2e-6. Observed in thousands of gases: 1e-9; a wrong image, wall or sign is off by a radius.
 constexpr double kSame = 1e-6;
 
 double largest_speed(const World& world) {
@@ -152,13 +152,12 @@ double largest_speed(const World& world) {
   return largest;
 }
 
-// In a few mean free times; an open gas may not make as many contacts as are asked for.
+// In a few mean free times; an open gas may have fewer contacts than requested.
 constexpr double kLongTime = 10;
 
 using Map = std::function<Vec3(const Vec3&, double time)>;
 
-// Compares two runs: `map` says where the first world's places lie in the second, `turn` does so for
-// velocities.
+// Compares two runs: `map` maps positions of the first world to the second, `turn` velocities.
 void expect_same_motion(const World& world, const World& other, const Map& map, const Map& turn) {
   const std::uint64_t count = world.size();
   const auto contacts = first_contacts(world, 1, count, kLongTime);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// What a contact costs, counted and not timed: the same for a thousand spheres and for a million, wherever
-// they are.
+// The work per contact, counted, not timed: the same for a thousand spheres and for a million, wherever they
+// are.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,9 +45,8 @@ struct Work {
   }
 };
 
-// Gases that start from the same crystal, so that the way to disorder is the same for all; a cell is a cube
-// of the crystal, four spheres, 2.8 diameters wide. Small gases run many times over, for the same number of
-// contacts.
+// Gases that start from the same crystal, so that all melt in the same way; a cell is a cube of the crystal,
+// four spheres, 2.8 diameters wide. Small gases run many times, for the same number of contacts.
 TEST(WorkPerContact, AndMemoryPerSphereDoNotGrowWithTheNumberOfSpheres) {
   const double cell_edge = support::cube_edge(4, kPacking) * (1 - 1e-9);
   std::vector<std::size_t> cubes_per_axis{6, 12, 30, 63};  // 864 to 1,000,188 spheres
@@ -68,7 +67,7 @@ TEST(WorkPerContact, AndMemoryPerSphereDoNotGrowWithTheNumberOfSpheres) {
     all.push_back(work);
   }
   for (const Work& work : all) {
-    // The counts are the same but for fluctuations of what 5e4 contacts find, below 1%.
+    // The counts are the same up to fluctuations over 5e4 contacts, below 1%.
     EXPECT_NEAR(work.predictions / work.contacts, all[0].predictions / all[0].contacts,
                 0.03 * all[0].predictions / all[0].contacts);
     EXPECT_NEAR(work.queue_operations / work.contacts, all[0].queue_operations / all[0].contacts,
@@ -80,10 +79,10 @@ TEST(WorkPerContact, AndMemoryPerSphereDoNotGrowWithTheNumberOfSpheres) {
 }
 
 // A sphere of diameter one has n0 ((L + 2)^3 - 4 pi / 3) others in the cells it touches, L being the edge,
-// and there are n0 (L + 1) (L + 2)^2 in a row of cells it enters, some of which it knows already. Cells are
-// left only at the next crossing or change of path, which adds about a quarter; visiting a pair in every cell
-// it shares would add another 40%.
-TEST(WorkPerContact, IsNoMoreThanAThirdAboveTheCountsOfTheTheory) {
+// and there are n0 (L + 1) (L + 2)^2 in a row of cells it enters, some of which are candidates already. Cells
+// are released only at the next crossing or change of path, which adds about a quarter; visiting a pair in
+// every cell it shares would add another 40%.
+TEST(WorkPerContact, IsAtMostAThirdAboveTheory) {
   constexpr std::size_t kSpheres = 4000;
   const double edge = support::cube_edge(kSpheres, kPacking) / 11;  // 2.5 diameters
   const World world =
@@ -131,7 +130,7 @@ TEST(Memory, DoesNotDependOnTheSizeOfTheBox) {
   }
 }
 
-// Cells of a fixed size, be there 1e9 times as many as spheres: each sphere has a few to itself, and no more.
+// Cells of a fixed size, 1e9 times as many as spheres: each sphere occupies a few, and no others take memory.
 TEST(Memory, DoesNotDependOnTheNumberOfEmptyCells) {
   constexpr std::size_t kSpheres = 4000;
   const double edge = support::cube_edge(kSpheres, kPacking) / 11 * (1 - 1e-9);
@@ -139,7 +138,7 @@ TEST(Memory, DoesNotDependOnTheNumberOfEmptyCells) {
   const double sparse = bytes_after_a_run(stretched(world, Boundary::periodic, 10), {.cell_edge = edge});
   support::record("dense", bytes_after_a_run(world, {.cell_edge = edge}));
   support::record("sparse", sparse);
-  // A sphere touches (1 + 1 / 2.5)^3 = 2.7 cells in the mean and holds some that it has left; each costs two
+  // A sphere touches (1 + 1 / 2.5)^3 = 2.7 cells on average and holds some that it has left; each costs two
   // cache lines and its share of a table that is a quarter to a half full.
   EXPECT_LT(sparse, 2500);
   for (const double stretch : {1e2, 1e4}) {

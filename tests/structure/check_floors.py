@@ -27,7 +27,7 @@ class Room(NamedTuple):
 
 
 def read_rooms(table):
-    """The rooms by name, and what is wrong with the table itself."""
+    """The rooms by name, and faults of the table itself."""
     rooms, faults = {}, []
     for number, text in enumerate(table.read_text().splitlines(), start=1):
         words = text.partition("#")[0].split()
@@ -49,7 +49,7 @@ def read_rooms(table):
 
 
 def read_includes(file):
-    """The (line number, text between and with the delimiters) of each #include outside comments."""
+    """The (line number, text with its delimiters) of each #include outside comments."""
     text = re.sub(r"/\*.*?\*/", lambda comment: "\n" * comment.group().count("\n"), file.read_text(), flags=re.DOTALL)
     for number, line in enumerate(text.splitlines(), start=1):
         if match := INCLUDE.match(line):
@@ -73,7 +73,7 @@ def check(project):
             continue
         if room is None:
             if file.name != "hardball.hpp":
-                faults.append(f"{file}: a file outside the rooms; only hardball.hpp stands there")
+                faults.append(f"{file}: a file outside the rooms; only hardball.hpp belongs there")
                 continue
         elif len(place) > 2:
             faults.append(f"{file}: a room has no folders")

@@ -30,7 +30,7 @@ HOUSE = {
 
 class CheckFloors(unittest.TestCase):
     def faults(self, **changes):
-        """The faults of the house with some files replaced, where `room__file` stands for room/file.hpp."""
+        """The faults of the sample rooms with some files replaced, where `room__file` stands for room/file.hpp."""
         files = dict(HOUSE)
         for name, text in changes.items():
             files["floors.txt" if name == "table" else name.replace("__", "/") + ".hpp"] = text

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""Checks that a page is well-formed, needs nothing but itself, and can be read by everybody.
+"""Checks that a page is well-formed, self-contained, and accessible.
 
 usage: check_page.py PAGE
 
@@ -24,7 +24,7 @@ SERIES_COLORS = tuple(f"series-{number}" for number in range(1, 9))
 
 
 class OpenElements(HTMLParser):
-    """Reads a page as browsers do; notes end tags that do not fit."""
+    """Reads a page as browsers do; records mismatched end tags."""
 
     def __init__(self):
         super().__init__()
@@ -93,7 +93,7 @@ def check(text):
         yield "the title is missing"
 
     ids = [element.get("id") for element in page.iter() if element.get("id")]
-    yield from (f"the id {name} is there twice" for name in set(ids) if ids.count(name) > 1)
+    yield from (f"the id {name} appears twice" for name in set(ids) if ids.count(name) > 1)
     for element in page.iter():
         if element.tag in FETCHING_ELEMENTS:
             yield f"there is a <{element.tag}>"
@@ -101,11 +101,11 @@ def check(text):
             if name in FETCHING_ATTRIBUTES or name.startswith("on"):
                 yield f"there is an attribute {name}"
             if name == "href" and not (value.startswith("#") and value[1:] in ids):
-                yield f"{value} is no place in the page"
+                yield f"{value} is not an id of the page"
             if name in ("aria-labelledby", "aria-describedby"):
                 yield from (f"{name} names {each}, which is not there" for each in value.split() if each not in ids)
             if "url(" in value:
-                yield f"{name} asks for {value}"
+                yield f"{name} requests {value}"
         if element.tag == "style":
             yield from (f"the style has {word}" for word in ("url(", "@import", "//", "src") if word in element.text)
             yield from check_colors(element.text)

@@ -12,7 +12,7 @@
 
 namespace hardball::support {
 
-/// A crystal by its orthogonal cell, the distance of nearest neighbours being one.
+/// A crystal given by its orthogonal cell, with nearest neighbours at distance one.
 struct Lattice {
   Vec3 cell;                ///< Edges.
   std::vector<Vec3> basis;  ///< In units of the edges.
@@ -34,8 +34,8 @@ inline Lattice hexagonal_close_packing() {
           {{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 5.0 / 6, 0.5}, {0, 1.0 / 3, 0.5}}};
 }
 
-/// So many cells along each axis in a periodic box, spheres of diameter one resting at `spacing` from their
-/// nearest neighbours.
+/// This many cells along each axis in a periodic box, with spheres of diameter one at rest at `spacing` from
+/// their nearest neighbours.
 inline World make_crystal(const Lattice& lattice, std::size_t cells, double spacing) {
   const Vec3 edge = spacing * lattice.cell;
   World world(Box::periodic(static_cast<double>(cells) * edge));
@@ -53,8 +53,8 @@ inline World make_crystal(const Lattice& lattice, std::size_t cells, double spac
   return world;
 }
 
-/// Spheres of these radii at places that know nothing of each other, overlaps allowed: an ideal gas, whose
-/// every average is known. Between walls centres keep their radius away from them.
+/// Spheres of these radii at independent random positions, overlaps allowed: an ideal gas, all of whose
+/// averages are known. Centres are at least a radius away from walls.
 inline World make_ideal_gas(const Box& box, const std::vector<double>& radii, std::uint64_t seed) {
   Random random(seed);
   World world(box);

@@ -8,7 +8,7 @@
 
 namespace hardball::support {
 
-// What the build says of itself, so that a test is the same on every machine.
+// Depends on the build alone, so that a test is the same on every machine.
 #if HARDBALL_VALIDATE || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || \
     !defined(__OPTIMIZE__)
 inline constexpr bool kIsSlowBuild = true;
@@ -16,7 +16,7 @@ inline constexpr bool kIsSlowBuild = true;
 inline constexpr bool kIsSlowBuild = false;
 #endif
 
-/// How many cases to try: all in an optimised build, a tenth of them in one that is slowed down by checks.
+/// The number of cases to try: all in an optimised build, a tenth in one slowed down by checks.
 constexpr std::uint64_t cases(std::uint64_t all) {
   return kIsSlowBuild ? all / 10 + 1 : all;
 }

@@ -19,8 +19,8 @@ namespace hardball::support {
 
 enum class Start {
   random,        ///< Random sequential addition, up to a packing fraction of 0.36.
-  fcc,           ///< A face-centred cubic crystal, which survives from a packing fraction of about 0.5 on.
-  simple_cubic,  ///< A lattice that thermal motion destroys at every density below its own 0.52. Takes k^3
+  fcc,           ///< A face-centred cubic crystal, stable from a packing fraction of about 0.5 on.
+  simple_cubic,  ///< A lattice that thermal motion destroys at every density below its own 0.52. Needs k^3
                  ///< spheres.
 };
 
@@ -34,12 +34,12 @@ struct Gas {
 
 inline constexpr double kDiameter = 1;
 
-/// The edge of the cube that `count` spheres of diameter one fill up to this packing fraction.
+/// The edge of the cube in which `count` spheres of diameter one have this packing fraction.
 inline double cube_edge(std::size_t count, double packing_fraction) {
   return std::cbrt(static_cast<double>(count) * std::numbers::pi / 6 / packing_fraction);
 }
 
-/// Maxwell velocities with a total momentum of zero, scaled so that the mean of m v^2 is 3 to rounding.
+/// Maxwell velocities with zero total momentum, scaled so that the mean of m v^2 is 3 up to rounding.
 inline std::vector<Vec3> thermal_velocities(std::span<const double> masses, Random& random) {
   std::vector<Vec3> velocities;
   Vec3 momentum;
@@ -102,7 +102,7 @@ inline World make_gas(const Gas& gas) {
   return world;
 }
 
-/// The spheres of a simulation as they are now, in a world whose clock stands at zero.
+/// The spheres of a simulation at its current time, in a world at time zero.
 inline World restarted(const Simulation& simulation) {
   World world(simulation.world().box());
   for (Slot slot = 0; slot < simulation.size(); ++slot) {
@@ -114,8 +114,7 @@ inline World restarted(const Simulation& simulation) {
   return world;
 }
 
-/// What a world has become after each sphere has collided so many times in the mean, and has forgotten its
-/// start.
+/// The world after this many collisions per sphere on average, equilibrated.
 inline World settled(World world, double collisions_per_sphere) {
   const double collisions = collisions_per_sphere * static_cast<double>(world.size()) / 2;
   Simulation simulation(std::move(world));

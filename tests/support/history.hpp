@@ -20,8 +20,8 @@ struct EngineVariant {
   std::string name;
 };
 
-/// All engines and queues, cells from half a diameter to larger than the box, and lists of neighbours where
-/// they suit the world.
+/// All engines and queues, cells from half a diameter to larger than the box, and neighbour lists where they
+/// suit the world.
 inline std::vector<EngineVariant> engine_variants(const World& world, double restitution) {
   std::vector<EngineVariant> variants;
   const auto add = [&](EngineKind engine, QueueKind queue, std::optional<double> edge) {
@@ -56,17 +56,17 @@ inline std::vector<EngineVariant> engine_variants(const World& world, double res
   return variants;
 }
 
-/// What became of a world.
+/// The outcome of a run.
 struct History {
   std::uint64_t hash = 0;
   std::uint64_t contacts = 0;
-  /// The message of the RunFailure that ended it; empty if it went on to the limit.
+  /// The message of the RunFailure that ended it; empty if it reached the limit.
   std::string failure;
   double time = 0;
   std::vector<Path> paths;
 };
 
-/// Runs on to the limits, or to an inelastic collapse.
+/// Runs to the limits, or to an inelastic collapse.
 inline History run_on(Simulation& simulation, const RunLimits& limits) {
   History history;
   try {
@@ -89,7 +89,7 @@ inline bool same_bits(const Vec3& a, const Vec3& b) {
   return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
 }
 
-/// Where two histories part; empty if they are the same to the last bit.
+/// Where two histories differ first; empty if they are the same to the last bit.
 inline std::string difference(const History& a, const History& b) {
   if (a.contacts != b.contacts) return "contacts: " + to_text(a.contacts) + " and " + to_text(b.contacts);
   if (a.hash != b.hash) return "hashes";

@@ -14,21 +14,21 @@
 
 namespace hardball::support {
 
-/// A small world to try everything on, and how to run it.
+/// A small world for any test, and how to run it.
 struct RandomWorld {
   World world;
   double restitution = 1;
-  /// A time in which the spheres cross the world some times [T]. A granular world may hold infinitely many
-  /// contacts before it: bound their number too.
+  /// A time in which the spheres cross the world a few times [T]. A granular world may have infinitely many
+  /// contacts before it: limit their number too.
   double until = 1;
-  /// Several contacts may happen at one moment.
+  /// Several contacts may happen at the same time.
   bool has_ties = false;
-  /// Says in a message which world it is.
+  /// Identifies the world in messages.
   std::string name;
 };
 
-/// Makes the worlds of make_random_world. Spheres are placed by trial against all others, which owes nothing
-/// to the library's own searches.
+/// Makes the worlds of make_random_world. Spheres are placed by trial against all others, independently of
+/// the library's own searches.
 class RandomWorldMaker {
  public:
   explicit RandomWorldMaker(std::uint64_t seed) : random_(seed), seed_(seed) {}
@@ -69,7 +69,7 @@ class RandomWorldMaker {
     wanted_ = below(kMost[below(kMost.size())]);
     if (chance(0.8)) wanted_ += 2;
     wanted_ = std::min<std::size_t>(wanted_, 40);
-    // Lengths and speeds far from one, now and then: nothing may depend on units.
+    // Sometimes lengths and speeds far from one: nothing may depend on units.
     largest_radius_ = chance(0.7) ? 0.5 : std::ldexp(between(1, 2), static_cast<int>(below(80)) - 40);
     speed_ = chance(0.7) ? 1 : std::ldexp(between(1, 2), static_cast<int>(below(80)) - 40);
     made_.restitution = chance(0.6) ? 1 : between(0.3, 1);
@@ -82,7 +82,7 @@ class RandomWorldMaker {
     return {kAll[below(3)], kAll[below(3)], kAll[below(3)]};
   }
 
-  // From barely larger than a sphere, by way of two or three diameters, to roomy [1].
+  // From barely larger than a sphere, through two or three diameters, to large [1].
   double random_roominess() {
     switch (below(5)) {
       case 0:
@@ -109,7 +109,7 @@ class RandomWorldMaker {
     made_.world = World(Box(boundary, size_));
   }
 
-  // How far two spheres lie apart, as a multiple of the distance at which they touch.
+  // The distance of two spheres, as a multiple of the distance at which they touch.
   double closeness(const Sphere& a, const Sphere& b) const {
     Vec3 apart = b.position - a.position;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -175,8 +175,8 @@ class RandomWorldMaker {
     }
   }
 
-  // Equal spheres in rows at equal distances with simple velocities: many contacts happen at the same moment,
-  // and numbers are dyadic, so that these moments are exactly the same.
+  // Equal spheres in rows at equal distances with simple velocities: many contacts happen at the same time,
+  // and numbers are dyadic, so that these times are exactly equal.
   void make_lattice() {
     kind_ = "lattice";
     made_.has_ties = true;
@@ -246,8 +246,8 @@ class RandomWorldMaker {
     }
   }
 
-  // Spheres moving along one axis only, many of them with the same speed: relative velocities vanish,
-  // crossings of the other axes never come.
+  // Spheres moving along one axis only, many of them with the same speed: relative velocities vanish, and
+  // there are no crossings along the other axes.
   void make_streams() {
     kind_ = "streams";
     made_.has_ties = true;
@@ -290,19 +290,19 @@ class RandomWorldMaker {
   std::size_t wanted_ = 0;
   double largest_radius_ = 0.5;
   double speed_ = 1;
-  Vec3 size_;  // of the box; along open axes, of the stretch in which spheres start
+  Vec3 size_;  // of the box; along open axes, of the interval in which spheres start
   std::vector<Sphere> spheres_;
 };
 
-/// A world of 0 to 40 spheres: every mix of boundaries, boxes from barely larger than a sphere to roomy,
+/// A world of 0 to 40 spheres: every mix of boundaries, boxes from barely larger than a sphere to large,
 /// radii mixed up to a ratio of 10 and masses up to 1000, spheres at rest, lattices full of ties, touching
-/// spheres, restitution from 0.3 to 1. Never an overlap.
+/// spheres, restitution from 0.3 to 1. No overlaps.
 inline RandomWorld make_random_world(std::uint64_t seed) {
   return RandomWorldMaker(seed).make();
 }
 
-/// A gas of up to `spheres` spheres in a box with these boundaries, no two contacts of which happen at one
-/// moment.
+/// A gas of up to `spheres` spheres in a box with these boundaries, no two contacts of which are
+/// simultaneous.
 inline RandomWorld make_random_gas(std::uint64_t seed, const std::array<Boundary, kAxes>& boundary,
                                    std::size_t spheres) {
   return RandomWorldMaker(seed).make_gas_within(boundary, spheres);

@@ -10,8 +10,8 @@
 
 namespace hardball::support {
 
-/// Keeps a measured number in the report that --gtest_output=xml writes, so that one sees how far from its
-/// limit a test has passed.
+/// Adds a measured number to the report written by --gtest_output=xml, which shows by what margin a test has
+/// passed.
 inline void record(const std::string& name, double value) {
   ::testing::Test::RecordProperty(name, to_text(value));
 }

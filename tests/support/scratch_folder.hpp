@@ -13,7 +13,7 @@
 
 namespace hardball::support {
 
-/// An empty folder of its own for a test, removed at its end.
+/// An empty folder for one test, removed at its end.
 class ScratchFolder {
  public:
   ScratchFolder() {

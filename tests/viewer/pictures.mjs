@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Makes the pictures of the viewer in docs/figures: HARDBALL_PROGRAM=build/release/hardball node pictures.mjs [NAME...]
-// Needs pngquant besides what the tests need.
+// Needs pngquant in addition to what the tests need.
 import { execFileSync } from 'node:child_process';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -31,7 +31,7 @@ const kPictures = {
       await page.evaluate(() => window.hardball.setTime(0.8));
     },
   },
-  // A gas that loses energy in each collision does not stay even: its spheres gather in clusters.
+  // A gas that loses energy in each collision does not stay uniform: its spheres form clusters.
   viewer_cluster: {
     scenario: 'granular_gas.toml',
     settings: [
@@ -70,7 +70,7 @@ for (const [name, { scenario, settings, scheme, prepare }] of Object.entries(kPi
       const { chunks, chunksInMemory, isBuffering } = window.hardball.state();
       return !isBuffering && chunksInMemory === chunks;
     });
-    // Plots follow in their own time.
+    // Plots are updated less often.
     await page.waitForTimeout(1500);
     const file = join(kRoot, 'docs', 'figures', `${name}.png`);
     await page.screenshot({ path: file });

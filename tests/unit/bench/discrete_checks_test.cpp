@@ -32,7 +32,7 @@ TEST(OverlapDuration, EndsWhereTheSpheresPartAgain) {
   EXPECT_NEAR(length(contact.separation + duration * velocity), 3, 1e-14);
 }
 
-TEST(IsSeen, AsksForACheckDuringTheOverlap) {
+TEST(IsSeen, RequiresACheckDuringTheOverlap) {
   EXPECT_TRUE(is_seen(0.9, 0.2, 0.5));
   EXPECT_FALSE(is_seen(0.6, 0.3, 0.5));
   EXPECT_TRUE(is_seen(0.6, 0.5, 0.5)) << "no overlap longer than a step is missed";
@@ -47,7 +47,8 @@ TEST(ExpectedMissedShare, IsThatOfTheCriterion) {
   for (const double advance : {0.3, 1.0, 4.0}) {
     int missed = 0;
     for (int i = 0; i < kCollisions; ++i) {
-      // u^3 exp(-u^2) is the law of the length of a vector of four normal components of variance 1/2.
+      // u^3 exp(-u^2) is the distribution of the length of a vector of four normal components of variance
+      // 1/2.
       double square = 0;
       for (int k = 0; k < 4; ++k) {
         const double component = random.normal();

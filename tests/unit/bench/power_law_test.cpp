@@ -11,7 +11,7 @@
 namespace hardball::bench {
 namespace {
 
-TEST(PowerLaw, FindsTheLawThatMadeThePoints) {
+TEST(PowerLaw, FindsTheLawThatGeneratedThePoints) {
   const std::vector<double> x = {1, 3, 10, 500};
   std::vector<double> y;
   for (const double value : x) y.push_back(0.25 * std::pow(value, 1.75));

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// What all broad phases owe the engine, on worlds in which spheres fly about and change their paths at will.
+// What the engine requires of all broad phases, in worlds where spheres move and change their paths at
+// random.
 #include "hardball/broadphase/broad_phase.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ namespace {
 
 using Partner = std::pair<Slot, std::array<std::int32_t, kAxes>>;
 
-// What has been collected for a sphere at `now`, each with its copy. These worlds are so small that nothing
+// The candidates collected for a sphere at `now`, each with its image. These worlds are so small that none
 // may be collected twice.
 std::set<Partner> partners(const Candidates& candidates, const World& world, const Time& now) {
   std::set<Partner> found;
@@ -48,7 +49,7 @@ std::set<Partner> candidates_of(const Phase& phase, const World& world, Slot slo
   return partners(candidates, world, now);
 }
 
-// All spheres and copies that touch the sphere now, found by looking at several boxes to all sides.
+// All spheres and images that touch the sphere now, found by searching several boxes in all directions.
 std::set<Partner> touching(const World& world, Slot slot, const Time& now) {
   std::set<Partner> found;
   for (Slot other = 0; other < world.size(); ++other) {
@@ -74,9 +75,8 @@ std::set<Partner> touching(const World& world, Slot slot, const Time& now) {
   return found;
 }
 
-// Lets spheres cross cells and change direction for a while, through each other. Whenever a sphere comes to
-// touch another, they must be candidates of each other, and crossings must have shown every candidate that is
-// new.
+// Lets spheres cross cells and change direction, passing through each other. Whenever two spheres touch, they
+// must be candidates of each other, and crossings must have returned every new candidate.
 template <BroadPhase Phase>
 void fly_about(Phase phase, World world, double until, std::uint64_t seed) {
   Random random(seed);
@@ -123,7 +123,8 @@ void fly_about(Phase phase, World world, double until, std::uint64_t seed) {
     for (Slot each = 0; each < world.size(); ++each) known[each] = candidates_of(phase, world, each, now);
     for (Slot each = 0; each < world.size(); ++each) {
       for (const Partner& partner : known[each]) {
-        ASSERT_TRUE(known[partner.first].contains(mirror(each, partner))) << "one knows of the other";
+        ASSERT_TRUE(known[partner.first].contains(mirror(each, partner)))
+            << "only one is a candidate of the other";
       }
       for (const Partner& partner : touching(world, each, now)) {
         ASSERT_TRUE(known[each].contains(partner)) << "spheres " << each << " and " << partner.first;
@@ -158,7 +159,7 @@ TEST(NeighborList, KnowsWhoMayTouch) {
     if (made.world.size() == 0 || !NeighborList::suits(made.world)) continue;
     ++suited;
     SCOPED_TRACE(made.name);
-    // From the least slack to as much as the box has room for.
+    // From the least slack to the most the box allows.
     constexpr std::array kSlacks = {0.01, 0.1, 0.5, 2.0, 20.0};
     const double slack = made.world.largest_radius() * kSlacks[seed % kSlacks.size()];
     fly_about(NeighborList(slack), made.world, made.until, seed);
@@ -226,14 +227,14 @@ TEST(NeighborList, ChangesBothListsWhenASphereCrosses) {
     list.validate(world, now);
     for (std::size_t i = 0; i < entered.size(); ++i) met.push_back(entered.slot(i));
   }
-  // A ball of radius 0.5 after another: the anchor is at 15 + 7.5 = 2.5, behind the edge of the box.
+  // One ball of radius 0.5 after another: the anchor is at 15 + 7.5 = 2.5, beyond the edge of the box.
   EXPECT_NEAR(now.value(), 7.5, 1e-6);
-  EXPECT_EQ(met, std::vector<Slot>{2}) << "only what is new is shown";
+  EXPECT_EQ(met, std::vector<Slot>{2}) << "only new candidates are collected";
   EXPECT_TRUE(candidates_of(list, world, 1, now).empty());
   EXPECT_EQ(candidates_of(list, world, 2, now), (std::set<Partner>{{0, {-1, 0, 0}}}));
 }
 
-TEST(NeighborList, TellsACrossingThatComesBeforeTheLimit) {
+TEST(NeighborList, ReportsACrossingThatComesBeforeTheLimit) {
   Random random(1);
   for (int i = 0; i < 2000; ++i) {
     World world(Box::periodic({20, 20, 20}));
@@ -244,7 +245,7 @@ TEST(NeighborList, TellsACrossingThatComesBeforeTheLimit) {
     const Time crossing = list.next_crossing(world, 0, Time(0), kNever);
     ASSERT_NEAR(crossing.value() * speed, 0.4, 1e-8);
     for (const double part : {0.0, 0.3, 0.9}) {
-      // Seen from anywhere on the way, the crossing is at the same place.
+      // From anywhere on the path, the crossing is at the same place.
       const Time now(part * crossing.value());
       ASSERT_NEAR(list.next_crossing(world, 0, now, kNever).value(), crossing.value(),
                   1e-12 * crossing.value());
@@ -253,7 +254,7 @@ TEST(NeighborList, TellsACrossingThatComesBeforeTheLimit) {
       const Time early = list.next_crossing(world, 0, now, Time(0.95 * crossing.value()));
       ASSERT_TRUE(early == kNever || early == list.next_crossing(world, 0, now, kNever));
     }
-    // It turns within its ball: the way to the edge is a chord.
+    // It turns within its ball: the path to the edge is a chord.
     const Time turn(0.7 * crossing.value());
     world.change_velocity(0, turn, speed * random.direction());
     const Time edge = list.next_crossing(world, 0, turn, kNever);
@@ -288,7 +289,7 @@ TEST(NeighborList, NeverLeavesItsBallAtRest) {
   }
 }
 
-TEST(NeighborList, SuitsBoxesInWhichNoTwoCopiesOfANeighborComeNear) {
+TEST(NeighborList, SuitsBoxesInWhichNoTwoImagesOfANeighborAreNear) {
   const auto suits = [](const Box& box, double radius) {
     World world(box);
     world.add({{1, 1, 1}, {}, radius, 1});
@@ -298,7 +299,7 @@ TEST(NeighborList, SuitsBoxesInWhichNoTwoCopiesOfANeighborComeNear) {
   EXPECT_TRUE(suits(Box::periodic({3.2, 3.2, 3.2}), 0.5));
   EXPECT_FALSE(suits(Box::periodic({3.1, 3.2, 3.2}), 0.5));
   EXPECT_FALSE(suits(Box::periodic({3.2, 3.2, 3.1}), 0.5));
-  EXPECT_TRUE(suits(Box::walls({2.5, 2.5, 2.5}), 0.5)) << "no copies";
+  EXPECT_TRUE(suits(Box::walls({2.5, 2.5, 2.5}), 0.5)) << "no images";
   EXPECT_TRUE(suits(Box(), 0.5));
   EXPECT_TRUE(suits(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {2.5, 3.2, 0}), 0.5));
   EXPECT_FALSE(suits(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {2.5, 3.1, 0}), 0.5));
@@ -331,7 +332,7 @@ TEST(NeighborList, NoticesASphereThatLeftItsBallUnseen) {
   EXPECT_THROW(list.validate(world, Time(0.501)), BrokenInvariant);
 }
 
-// How early cells of edge 1 admit a sphere [L].
+// By how much cells of edge 1 admit a sphere early [L].
 double margin(const Box& box, std::size_t axis) {
   return Subdivision(box, 1, 1 << 28).reach(axis, 0);
 }
@@ -353,7 +354,7 @@ TEST(CellGrid, CountsTheRowsOfCellsThatSpheresLeave) {
   EXPECT_EQ(grid.left_count(), 9U);
 }
 
-TEST(CellGrid, CountsTheRowsThatSpheresLeaveWhicheverWayTheyFly) {
+TEST(CellGrid, CountsTheRowsThatSpheresLeaveInEveryDirection) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     for (const double speed : {1.0, -1.0}) {
       World world(Box::periodic({10, 10, 10}));
@@ -367,12 +368,12 @@ TEST(CellGrid, CountsTheRowsThatSpheresLeaveWhicheverWayTheyFly) {
       for (std::uint64_t i = 0; i < 25; ++i) {
         EXPECT_NEAR(next.value(), 0.25 + static_cast<double>(i) - margin(world.box(), axis), 1e-12);
         grid.cross(world, 0, next, entered);
-        // It has just entered a cell and not yet left the one before.
+        // It has just entered a cell and not yet left the previous one.
         EXPECT_EQ(grid.left_count(), i);
         grid.validate(world, next);
         next = grid.next_crossing(world, 0, next, kNever);
       }
-      // At rest somewhere in between it keeps what it touches, and never crosses again.
+      // At rest in between it keeps the cells it touches, and never crosses again.
       const Time now(24.8);
       grid.refresh(world, 0, now, world.change_velocity(0, now, {}));
       EXPECT_EQ(grid.left_count(), 25U);
@@ -392,7 +393,7 @@ TEST(CellGrid, CountsNoMoreRowsAsLeftBecauseAPathIsFolded) {
     grid.cross(world, 0, next, entered);
     next = grid.next_crossing(world, 0, next, kNever);
   }
-  // At 2 it stands at 11.5: in cell 11, having left cells 9 and, as soon as somebody looks, 10.
+  // At time 2 it is at 11.5: in cell 11, having left cell 9 and, once refreshed, 10.
   const Image folded = world.change_velocity(0, Time(2), {0, 1, 0});
   ASSERT_EQ(folded, (Image{{1, 0, 0}}));
   const std::uint64_t left = grid.left_count();
@@ -417,7 +418,7 @@ TEST(BroadPhase, NextCrossingIsNeverBeforeNow) {
   }
 }
 
-TEST(CellGrid, TakesNearestCopiesOnlyWhereTheBoxIsManyCellsWide) {
+TEST(CellGrid, UsesNearestImagesOnlyWhereTheBoxIsManyCellsWide) {
   // A sphere of diameter 1 touches at most two cells of edge 1.5 along an axis: two that share one lie less
   // than three cells apart, which is less than half a box of seven.
   const auto nearest_in = [](const Vec3& size, const std::array<Boundary, kAxes>& boundary) {
@@ -436,16 +437,16 @@ TEST(CellGrid, TakesNearestCopiesOnlyWhereTheBoxIsManyCellsWide) {
       EXPECT_FALSE(nearest_in(small, kPeriodic)) << size;
       std::array<Boundary, kAxes> walled = kPeriodic;
       walled[axis] = Boundary::wall;
-      EXPECT_TRUE(nearest_in(small, walled)) << "no copies along this axis";
+      EXPECT_TRUE(nearest_in(small, walled)) << "no images along this axis";
       walled[axis] = Boundary::open;
       EXPECT_TRUE(nearest_in(small, walled));
     }
   }
 }
 
-// Where a box is only a few cells wide a sphere may meet several copies of another, or one that is not the
-// nearest: each contact that all pairs know of before one of the two crosses must be known to the grid.
-TEST(CellGrid, FindsEveryCopyInASmallBox) {
+// In a box only a few cells wide a sphere may meet several images of another, or one that is not the nearest:
+// each contact that all pairs find before one of the two crosses must be found by the grid.
+TEST(CellGrid, FindsEveryImageInASmallBox) {
   std::uint64_t contacts = 0;
   std::uint64_t with_far_copies = 0;
   std::uint64_t with_several_copies = 0;
@@ -481,7 +482,7 @@ TEST(CellGrid, FindsEveryCopyInASmallBox) {
       }
     }
   }
-  // The worlds are such that all this happens.
+  // All these cases occur.
   EXPECT_GT(contacts, support::cases(2000) / 4);
   EXPECT_GT(with_far_copies, support::cases(2000) / 100);
   EXPECT_GT(with_several_copies, support::cases(2000));
@@ -494,7 +495,7 @@ TEST(CellGrid, RefusesCellsThatAreTooSmall) {
     CellGrid grid(edge);
     EXPECT_THROW(grid.build(world, Time(0)), Error);
   }
-  CellGrid grid(0.4);  // the remedy that the message names
+  CellGrid grid(0.4);  // the remedy named by the message
   EXPECT_NO_THROW(grid.build(world, Time(0)));
 }
 

@@ -50,8 +50,8 @@ TEST(Candidates, KeepTheOrderInWhichTheyWereAddedAndArePadded) {
   }
 }
 
-// Lines of slots as cells hold them, with many repetitions: everybody is there, few are there twice.
-TEST(Candidates, DropRepeatedLeavesNobodyOutAndLetsFewThroughTwice) {
+// Cache lines of slots as in cells, with many repetitions: none is lost, few are repeated.
+TEST(Candidates, DropRepeatedLosesNoneAndLeavesFewRepetitions) {
   Random random(1);
   Candidates candidates;
   constexpr Slot kNotGiven = 4000000001U;
@@ -87,7 +87,7 @@ TEST(Candidates, DropRepeatedLeavesNobodyOutAndLetsFewThroughTwice) {
       ASSERT_TRUE(given.contains(slot)) << "never given";
       ASSERT_LE(count, given[slot]);
       if (slots == 100) {
-        ASSERT_EQ(count, 1) << "slots below 256 never share a place";
+        ASSERT_EQ(count, 1) << "slots below 256 never share an entry";
         ASSERT_NE(slot, self);
       }
       if (slot == self) continue;
@@ -95,10 +95,10 @@ TEST(Candidates, DropRepeatedLeavesNobodyOutAndLetsFewThroughTwice) {
       twice += static_cast<std::uint64_t>(count - 1);
     }
   }
-  // Of 60 slots on 256 places one in nine shares its place with the one that matters; one given some three
-  // times then comes some two times too often.
+  // Of 60 slots in 256 entries one in nine shares its entry with another; one given some three times is then
+  // repeated some two times.
   EXPECT_LT(static_cast<double>(twice), 0.3 * static_cast<double>(added));
-  EXPECT_GT(twice, 0U) << "the cache is put to the test";
+  EXPECT_GT(twice, 0U) << "the cache is tested";
 }
 
 TEST(Candidates, AddTheFirstOfALineInItsOrder) {
@@ -108,7 +108,7 @@ TEST(Candidates, AddTheFirstOfALineInItsOrder) {
   for (std::uint32_t count = 0; count <= line.size(); ++count) {
     candidates.begin(5, true);
     for (Slot before = 0; before < 60; ++before) {
-      // Lines end wherever the memory does.
+      // Lines may end at the end of the arrays.
       candidates.add(before);
       candidates.add(line, count);
     }
@@ -138,7 +138,7 @@ TEST(Candidates, DropRepeatedForgetsEarlierRounds) {
   }
 }
 
-TEST(Candidates, MarkTellsOneSphereFromAnotherOnTheSamePlace) {
+TEST(Candidates, MarkDistinguishesSpheresThatShareAnEntry) {
   Candidates candidates;
   candidates.begin(0, false);
   candidates.mark(5);
@@ -172,15 +172,16 @@ TEST(Candidates, ListedImagesAndShiftsAgree) {
       }
     }
     expect_padding(candidates);
-    // In between, a round without images.
+    // A round without images in between.
     candidates.begin(1, true);
     for (Slot slot = 2; slot < 400; ++slot) candidates.add(slot);
     candidates.end();
   }
 }
 
-// Rounds are counted in 32 bits, which an hour of events exhausts: an old mark must not hide a new candidate.
-TEST(Candidates, LoseNobodyWhenTheCountOfRoundsBeginsAgain) {
+// Rounds are counted in 32 bits, which overflow after an hour of events: an old mark must not hide a new
+// candidate.
+TEST(Candidates, LoseNoneWhenTheCountOfRoundsOverflows) {
   constexpr std::uint32_t kLast = std::numeric_limits<std::uint32_t>::max();
   for (const std::uint32_t rounds : {kLast - 1, kLast}) {
     Candidates candidates(rounds);

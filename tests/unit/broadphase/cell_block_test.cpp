@@ -11,7 +11,7 @@
 namespace hardball {
 namespace {
 
-// The place of a cell in its block along an axis.
+// The index of a cell in its block along an axis.
 bool is_upper_along(std::size_t axis, std::uint32_t cell) {
   return (cell & CellBlock::kAxisBit[axis]) != 0;
 }
@@ -48,7 +48,7 @@ TEST(CellBlock, VisitsTheListsOfASetOfCells) {
   }
 }
 
-TEST(CellBlock, CellsAboveACellHaveItsPlaceAlongAllOtherAxes) {
+TEST(CellBlock, CellsAboveACellHaveItsIndexAlongAllOtherAxes) {
   for (std::uint32_t from = 0; from < CellBlock::kCells; ++from) {
     for (std::uint32_t axes = 0; axes < CellBlock::kCells; ++axes) {
       if ((from & axes) != 0) continue;

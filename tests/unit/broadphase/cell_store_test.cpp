@@ -21,13 +21,13 @@ std::vector<Slot> occupants_of(const CellStore& store, const CellIndex& cell) {
   return found;
 }
 
-// The same traffic for an array, a hash table and a map.
+// The same operations on an array, a hash table and a map.
 TEST(CellStore, AgreesWithAMapWhetherDenseOrHashed) {
   CellStore dense;
   CellStore hashed;
   for (const std::int32_t cells : {2, 5}) {
     dense.reset({cells, cells, cells}, 100);
-    hashed.reset({0, 0, 0}, 10);  // more come than expected
+    hashed.reset({0, 0, 0}, 10);  // more than expected
     ASSERT_TRUE(dense.is_dense());
     ASSERT_FALSE(hashed.is_dense());
     std::multimap<CellIndex, Slot> map;
@@ -40,7 +40,7 @@ TEST(CellStore, AgreesWithAMapWhetherDenseOrHashed) {
       // Fill up and empty in turn, all the way down.
       const bool filling = step / 500 % 2 == 0;
       if (map.empty() || random.uniform() < (filling ? 0.8 : 0.2)) {
-        // A sphere may stand in a cell several times.
+        // A sphere can be in a cell several times.
         const auto slot = static_cast<Slot>(below(20));
         dense.insert(cell, slot);
         hashed.insert(cell, slot);
@@ -52,13 +52,13 @@ TEST(CellStore, AgreesWithAMapWhetherDenseOrHashed) {
         hashed.erase(chosen->first, chosen->second);
         map.erase(chosen);
       }
-      const CellIndex looked_at{below(cells), below(cells), below(cells)};
+      const CellIndex searched{below(cells), below(cells), below(cells)};
       std::vector<Slot> expected;
-      const auto [begin, end] = map.equal_range(looked_at);
+      const auto [begin, end] = map.equal_range(searched);
       for (auto it = begin; it != end; ++it) expected.push_back(it->second);
       std::sort(expected.begin(), expected.end());
-      ASSERT_EQ(occupants_of(dense, looked_at), expected) << "step " << step;
-      ASSERT_EQ(occupants_of(hashed, looked_at), expected) << "step " << step;
+      ASSERT_EQ(occupants_of(dense, searched), expected) << "step " << step;
+      ASSERT_EQ(occupants_of(hashed, searched), expected) << "step " << step;
     }
   }
 }
@@ -85,7 +85,7 @@ TEST(CellStore, ReusesItsMemory) {
   store.reset({0, 0, 0}, 100);
   std::size_t after_first = 0;
   for (std::int32_t round = 0; round < 200; ++round) {
-    // A swarm of 100 that wanders through space without end.
+    // A swarm of 100 that moves through space without end.
     for (Slot slot = 0; slot < 100; ++slot) store.insert({round, static_cast<std::int32_t>(slot), 0}, slot);
     if (round > 0) {
       for (Slot slot = 0; slot < 100; ++slot) {
@@ -97,7 +97,7 @@ TEST(CellStore, ReusesItsMemory) {
   EXPECT_EQ(store.memory_bytes(), after_first);
 }
 
-TEST(CellStore, IsHashedWhereAnArrayWouldOutweighTheSpheres) {
+TEST(CellStore, IsHashedWhereAnArrayWouldBeLargerThanTheSpheres) {
   CellStore store;
   store.reset({1000, 1000, 1000}, 100);
   EXPECT_FALSE(store.is_dense());
@@ -114,7 +114,7 @@ TEST(CellStore, NoticesThatAnOccupantIsNotThere) {
     EXPECT_THROW(store.erase({1, 2, 3}, 8), BrokenInvariant);
     EXPECT_THROW(store.erase({3, 2, 1}, 7), BrokenInvariant);
     EXPECT_NO_THROW(store.erase({1, 2, 3}, 7));
-    EXPECT_THROW(store.erase({1, 2, 3}, 7), BrokenInvariant) << "it stood there once";
+    EXPECT_THROW(store.erase({1, 2, 3}, 7), BrokenInvariant) << "it was there once";
   }
 }
 

@@ -20,7 +20,7 @@ std::multiset<Slot> slots_of(const SlotLists& lists, std::uint32_t list) {
   return found;
 }
 
-// The slots of a list line by line, no more lines than they need.
+// The slots of a list line by line, in no more lines than necessary.
 std::multiset<Slot> slots_by_lines(const SlotLists& lists, std::uint32_t list) {
   std::multiset<Slot> found;
   std::size_t lines = 0;
@@ -71,7 +71,7 @@ TEST(SlotLists, ChainAsManyLinesAsTheyNeed) {
     ASSERT_EQ(slots_by_lines(lists, 0), expected);
     ASSERT_EQ(lines_of(lists, 0), slot / SlotLists::kRoom + 1);
   }
-  // Emptied in the order in which they came.
+  // Emptied in the order of insertion.
   for (Slot slot = 0; slot < 100; ++slot) {
     EXPECT_FALSE(lists.is_empty(0));
     lists.erase(0, slot);
@@ -93,7 +93,7 @@ TEST(SlotLists, FirstLineIsAPartOfTheList) {
   }
 }
 
-// Lists that are there from the start, lists that come and go, slots that stand in a list several times.
+// Lists made by reset, lists made and released, slots that are in a list several times.
 TEST(SlotLists, AgreeWithMultisetsUnderRandomTraffic) {
   SlotLists lists;
   Random random(1);
@@ -118,10 +118,10 @@ TEST(SlotLists, AgreeWithMultisetsUnderRandomTraffic) {
         chosen.slots.clear();
       } else if (what < 0.02 && known.size() < 12) {
         known.push_back({lists.make(), {}});
-        ASSERT_TRUE(lists.is_empty(known.back().list)) << "made from memory given up before";
+        ASSERT_TRUE(lists.is_empty(known.back().list)) << "made from released memory";
       } else if (what < 0.04 && at >= fixed) {
         lists.clear(chosen.list);
-        lists.give_up(chosen.list);
+        lists.release(chosen.list);
         known.erase(known.begin() + static_cast<std::ptrdiff_t>(at));
       } else if (chosen.slots.empty() || random.uniform() < (filling ? 0.8 : 0.2)) {
         const auto slot = static_cast<Slot>(below(30));
@@ -154,17 +154,17 @@ TEST(SlotLists, ReuseTheirMemory) {
       for (Slot slot = 0; slot < 100; ++slot) lists.insert(list, slot);
     }
     for (const std::uint32_t list : made) {
-      // Cleared at once or slot by slot.
+      // Cleared together or slot by slot.
       if (round % 2 == 0) lists.clear(list);
       for (Slot slot = 0; slot < 100 && round % 2 == 1; ++slot) lists.erase(list, slot);
-      lists.give_up(list);
+      lists.release(list);
     }
     if (round == 0) after_first = lists.memory_bytes();
   }
   EXPECT_EQ(lists.memory_bytes(), after_first);
 }
 
-TEST(SlotLists, BeginOnACacheLine) {
+TEST(SlotLists, StartOnACacheLine) {
   SlotLists lists;
   lists.reset(100);
   for (std::uint32_t list = 0; list < 100; ++list) {
@@ -175,12 +175,12 @@ TEST(SlotLists, BeginOnACacheLine) {
 TEST(SlotLists, NoticeThatASlotIsNotThere) {
   SlotLists lists;
   lists.reset(2);
-  EXPECT_THROW(lists.erase(0, 0), BrokenInvariant) << "unused room is filled with zeros";
+  EXPECT_THROW(lists.erase(0, 0), BrokenInvariant) << "unused places are filled with zeros";
   for (Slot slot = 1; slot < 40; ++slot) lists.insert(0, slot);
   EXPECT_THROW(lists.erase(0, 40), BrokenInvariant);
   EXPECT_THROW(lists.erase(1, 5), BrokenInvariant);
   EXPECT_NO_THROW(lists.erase(0, 39));
-  EXPECT_THROW(lists.erase(0, 39), BrokenInvariant) << "it stood there once";
+  EXPECT_THROW(lists.erase(0, 39), BrokenInvariant) << "it was there once";
 }
 
 }  // namespace

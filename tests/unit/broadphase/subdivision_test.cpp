@@ -38,7 +38,7 @@ TEST(Subdivision, RefusesEdgesThatAreNotPositiveAndFinite) {
   }
 }
 
-TEST(Subdivision, FoldsPlacesByWholeBoxes) {
+TEST(Subdivision, FoldsIndicesByWholeBoxes) {
   const Subdivision cells(Box({Boundary::periodic, Boundary::wall, Boundary::periodic}, {10, 10, 10}), 2.5,
                           kMost);
   for (std::int32_t place = -13; place <= 13; ++place) {
@@ -86,7 +86,7 @@ TEST(Subdivision, SpheresBeyondTheOutermostCellsOfOpenSpaceBelongToThese) {
   EXPECT_EQ(next.wait, std::numeric_limits<double>::infinity());
 }
 
-TEST(Subdivision, RefusesToCountCellsForEver) {
+TEST(Subdivision, RefusesToCountCellsWithoutEnd) {
   const Subdivision cells(Box::periodic({1, 1, 1}), 1e-3, kMost);
   EXPECT_THROW(cells.range_at({1e9, 0, 0}, 0.1), RunFailure);
   EXPECT_EQ(cells.folded(0, 1 << 28), (1 << 28) % 1000);
@@ -96,7 +96,7 @@ TEST(Subdivision, RefusesToCountCellsForEver) {
 TEST(Subdivision, EntersTheNextCellSlightlyBeforeTouchingItAndLeavesSlightlyAfter) {
   const Subdivision cells(Box::open(), 2, kMost);
   const double radius = 0.5;
-  // Cells admit so much early and release so much late.
+  // By this much cells admit early and release late.
   const double margin_x = cells.reach(0, radius) - radius;
   const double margin_z = cells.reach(2, radius) - radius;
   const Path up{{1, 1, 1}, {2, 1, 0}, Time(7)};
@@ -135,7 +135,7 @@ TEST(CellRange, VisitsItsCellsOnceEach) {
   EXPECT_FALSE(range.contains({0, 3, 0}));
 }
 
-TEST(Subdivision, ReachAndDistanceBeyondAFaceTellWhichCellsASphereTouches) {
+TEST(Subdivision, ReachAndDistanceBeyondAFaceShowWhichCellsASphereTouches) {
   const Subdivision cells(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {10, 10, 0}), 1, kMost);
   Random random(1);
   for (int i = 0; i < 1000; ++i) {
@@ -155,8 +155,8 @@ TEST(Subdivision, ReachAndDistanceBeyondAFaceTellWhichCellsASphereTouches) {
   }
 }
 
-// Where cells are told apart at all, rounding is far below what they admit too early.
-TEST(Subdivision, MarginsExceedTheRoundingOfTheFarthestPlaces) {
+// Wherever cells are distinct, rounding errors are far smaller than their margin.
+TEST(Subdivision, MarginsExceedTheRoundingOfTheFarthestPositions) {
   const Subdivision cells(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {1e6, 10, 0}), 1, kMost);
   const std::array<double, kAxes> farthest{1e6, 0x1p29, kMost / 2.0};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

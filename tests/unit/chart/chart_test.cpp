@@ -22,7 +22,7 @@ struct Pixel {
   double y = 0;
 };
 
-// All groups of all matches; they refer to the text, which must live on.
+// All groups of all matches; they refer to the text, which must outlive them.
 std::vector<std::smatch> matches(const std::string& svg, const std::string& pattern) {
   const std::regex regex(pattern);
   return {std::sregex_iterator(svg.begin(), svg.end(), regex), std::sregex_iterator()};
@@ -36,12 +36,12 @@ std::vector<Pixel> marks(const std::string& svg) {
   return pixels;
 }
 
-// Where the tick with this label stands along the axis "x" or "y"; NaN if there is none.
+// The position of the tick with this label along the axis "x" or "y"; NaN if there is none.
 double tick(const std::string& svg, const std::string& axis, const std::string& label) {
   const std::string pattern = "<text class=\"" + axis + R"re(" x="(\S+)" y="(\S+)"[^>]*>(.*)</text>)re";
   for (const std::smatch& match : matches(svg, pattern)) {
     if (match[3] != label) continue;
-    // Labels of the y axis stand with their middle beside the tick.
+    // Labels of the y axis are vertically centred at the tick.
     return axis == "x" ? std::stod(match[1]) : std::stod(match[2]) - 4.5;
   }
   return std::numeric_limits<double>::quiet_NaN();
@@ -93,12 +93,12 @@ TEST(Chart, KeepsAllPointsWithinTheFrame) {
     for (const Pixel& at : marks(svg)) {
       EXPECT_GT(at.x, left);
       EXPECT_LT(at.x, left + std::stod(frame[0][3]));
-      EXPECT_NEAR(at.y, top + std::stod(frame[0][4]) / 2, kRounding) << "a single value stands in the middle";
+      EXPECT_NEAR(at.y, top + std::stod(frame[0][4]) / 2, kRounding) << "a single value is in the middle";
     }
   }
 }
 
-TEST(Chart, LeavesOutWhatHasNoPlaceAndInterruptsTheLine) {
+TEST(Chart, OmitsWhatCannotBeDrawnAndInterruptsTheLine) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   const std::string svg = draw({.x = {1, 2, 3, 4, 5, 6, 7}, .y = {1, 2, nan, 4, 0, -1, infinity}}, true);
@@ -107,10 +107,10 @@ TEST(Chart, LeavesOutWhatHasNoPlaceAndInterruptsTheLine) {
   EXPECT_EQ(line.size(), 1U) << svg;
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_EQ(svg.find("inf"), std::string::npos);
-  EXPECT_EQ(marks(draw({.x = {1, 2, 3}, .y = {0, -1, 1}})).size(), 3U) << "linear axes take them all";
+  EXPECT_EQ(marks(draw({.x = {1, 2, 3}, .y = {0, -1, 1}})).size(), 3U) << "linear axes show them all";
 }
 
-TEST(Chart, DrawsNothingOfNoPoints) {
+TEST(Chart, DrawsNothingWithoutPoints) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const bool logarithmic : {false, true}) {
     for (const Series& series : {Series{.name = "empty"}, Series{.name = "empty", .x = {nan}, .y = {1}}}) {
@@ -118,7 +118,7 @@ TEST(Chart, DrawsNothingOfNoPoints) {
       EXPECT_TRUE(marks(svg).empty());
       EXPECT_EQ(svg.find("class=\"line\""), std::string::npos);
       EXPECT_EQ(svg.find("nan"), std::string::npos);
-      EXPECT_NE(svg.find(">empty<"), std::string::npos) << "it keeps its place in the legend";
+      EXPECT_NE(svg.find(">empty<"), std::string::npos) << "it is still in the legend";
     }
   }
   EXPECT_EQ(to_svg({}).find("class=\"panel\""), std::string::npos);
@@ -143,7 +143,7 @@ TEST(Chart, SeriesLikeThePreviousOneHasItsColour) {
   EXPECT_EQ(same, line);
 }
 
-TEST(Chart, MarkersStandAtTheirPlaceAndWidenTheRange) {
+TEST(Chart, MarkersAreAtTheirValueAndWidenTheRange) {
   const Series series{.x = {0, 1}, .y = {0, 1}};
   const std::string svg = to_svg({{.series = {series}, .markers = {{.x = 2, .name = "end"}}}});
   const std::vector<std::smatch> marker = matches(svg, R"re(<text x="(\S+)"[^>]*>end</text>)re");
@@ -164,7 +164,7 @@ TEST(Chart, EscapesTexts) {
   EXPECT_NE(svg.find(">&amp;amp;<"), std::string::npos);
 }
 
-TEST(Chart, PanelsStandInTwoColumns) {
+TEST(Chart, PanelsAreInTwoColumns) {
   const Chart chart{.series = {{.x = {1}, .y = {1}}}};
   const std::string svg = to_svg({chart, chart, chart});
   const std::vector<std::smatch> panels =
@@ -176,7 +176,7 @@ TEST(Chart, PanelsStandInTwoColumns) {
   EXPECT_NE(panels[0][2], panels[2][2]);
 }
 
-// Where the error bars or the band go, as pairs of numbers.
+// The outline of the error bars or the band, as pairs of numbers.
 std::vector<double> error_numbers(const std::string& svg) {
   const std::vector<std::smatch> path = matches(svg, R"re(class="errors" d="([^"]*)")re");
   std::vector<double> numbers;
@@ -229,7 +229,7 @@ TEST(Chart, ErrorsEndAtTheFrameAndLeaveThePointsRoom) {
       const std::vector<double> numbers = error_numbers(svg);
       ASSERT_GT(numbers.size(), 5U);
       EXPECT_NEAR(numbers[1], top, kRounding);
-      EXPECT_GT(at[0].y - at[1].y, height / 4) << "errors out of all measure hide no points";
+      EXPECT_GT(at[0].y - at[1].y, height / 4) << "huge errors hide no points";
     }
   }
   EXPECT_TRUE(error_numbers(draw({.x = {1}, .y = {1}, .y_error = {std::nan("")}})).empty());
@@ -252,7 +252,7 @@ TEST(Chart, InlineChartsTakeTheirColoursFromThePage) {
   const std::vector<std::smatch> line = matches(svg, R"re(class="line" [^>]*stroke="([^"]+)")re");
   ASSERT_EQ(line.size(), 2U);
   EXPECT_EQ(line[0][1], "currentColor") << "a reference is drawn like the axes";
-  EXPECT_EQ(line[1][1], "var(--series-1)") << "and takes no colour from the others";
+  EXPECT_EQ(line[1][1], "var(--series-1)") << "and does not use up a colour";
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// The loops themselves, without the facade.
+// The event loops, without the facade.
 #include "hardball/engine/engine.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@
 namespace hardball {
 namespace {
 
-// Six spheres of diameter one in a ring of 11, one of them moving: collision k happens at time k exactly.
+// Six spheres of diameter one in a ring of 11, one of them moving: collision k happens exactly at time k.
 World newtons_cradle() {
   World world(Box::periodic({11, 11, 11}));
   for (const double x : {0.0, 1.0, 3.0, 5.0, 7.0, 9.0})
@@ -85,7 +85,7 @@ TYPED_TEST(EveryEngine, RunsNewtonsCradleWithoutRounding) {
     ASSERT_EQ(contact.overlap(), 0);
   });
   EXPECT_EQ(status, RunStatus::time_reached);
-  EXPECT_EQ(expected, 1000) << "events at the very end happen";
+  EXPECT_EQ(expected, 1000) << "events exactly at the end happen";
   EXPECT_EQ(engine.counters().collision, 1000U);
   EXPECT_EQ(engine.counters().wall, 0U);
   engine.validate();
@@ -104,7 +104,7 @@ TYPED_TEST(EveryEngine, StopsAtTheFirstLimitReached) {
   EXPECT_EQ(engine.run({.until = Time(50), .steps = 1}, kIgnore), RunStatus::steps_reached);
 }
 
-TYPED_TEST(EveryEngine, TellsTheNextContactAndDoesNotCarryItOut) {
+TYPED_TEST(EveryEngine, ReturnsTheNextContactWithoutExecutingIt) {
   auto engine = TypeParam::make(newtons_cradle());
   for (int i = 0; i < 3; ++i) {
     const std::optional<Event> next = engine.next_contact(Time(10));
@@ -116,7 +116,7 @@ TYPED_TEST(EveryEngine, TellsTheNextContactAndDoesNotCarryItOut) {
 }
 
 TYPED_TEST(EveryEngine, NamesSpheresByTheirIdsWhereverTheyAreStored) {
-  // Ids 3, 4, 5, ... stand for 0, 1, 2, ..., and slots run the other way.
+  // Ids 3, 4, 5, ... correspond to 0, 1, 2, ..., and slots are in reverse order.
   World world(newtons_cradle().box());
   for (int gone = 0; gone < 3; ++gone) world.add({{5, 1, 1}, {}, 0.5, 1});
   const World cradle = newtons_cradle();
@@ -188,7 +188,7 @@ TYPED_TEST(EveryEngine, NeedsMemoryInProportionToTheSpheres) {
   EXPECT_LT(bytes(4000), 4000U * 3000);
 }
 
-// Dense enough for spheres to be caged now and then; mixed radii make long lists.
+// Dense enough for spheres to be caged at times; mixed radii make long lists.
 World mixed_gas(const std::array<Boundary, kAxes>& boundary, std::uint64_t seed, double smallest_radius) {
   constexpr std::size_t kSpheres = 300;
   Random random(seed);
@@ -245,8 +245,8 @@ TEST(Engine, KeepsItsStructuresSoundInEveryKindOfBox) {
   }
 }
 
-// Prefetching looks at spheres whose entries in the queue are dead: those stopped have no crossing ahead, and
-// there are no cells behind a wall.
+// Prefetching reads spheres whose queue entries are dead: stopped ones have no next crossing, and there are
+// no cells behind a wall.
 template <class Phase>
 void stop_spheres_in_a_large_gas(Phase phase) {
   Random random(6);
@@ -267,7 +267,7 @@ void stop_spheres_in_a_large_gas(Phase phase) {
   EXPECT_GT(engine.counters().contacts(), 100U);
 }
 
-TEST(Engine, LooksAheadOfSpheresThatHaveBeenStopped) {
+TEST(Engine, PrefetchesForSpheresThatHaveBeenStopped) {
   stop_spheres_in_a_large_gas(CellGrid(3));
   stop_spheres_in_a_large_gas(NeighborList(0.5));
 }

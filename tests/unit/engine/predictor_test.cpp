@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Every set of instructions against the plain loop over contact_time and the order of events, bit for bit.
+// Every instruction set against the plain loop over contact_time and the order of events, bit for bit.
 #include "hardball/engine/predictor.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ constexpr Boundary kPeriodic = Boundary::periodic;
 constexpr Boundary kWall = Boundary::wall;
 constexpr Boundary kOpen = Boundary::open;
 
-// The least of the contacts by the order of events, one after another.
+// The least of the contacts by the order of events, found one by one.
 struct Expected {
   Event event;
   Slot partner = 0;
@@ -51,15 +51,15 @@ Expected plain_loop(const World& world, const Candidates& candidates, const Time
   return least;
 }
 
-// What has been put to the test.
+// Which cases have occurred.
 struct Coverage {
   std::uint64_t queries = 0;
   std::uint64_t contacts = 0;
-  std::uint64_t at_once = 0;  // contacts at the later of the two paths' moments
+  std::uint64_t at_once = 0;  // contacts at the later start of the two paths
   std::uint64_t ties = 0;
 };
 
-// Holds all instructions against the plain loop.
+// Compares all instruction sets with the plain loop.
 class Comparison {
  public:
   Comparison() {
@@ -77,7 +77,7 @@ class Comparison {
         for (const Time& limit : {expected.event.time, Time(high), Time(std::nextafter(high, 1e300))}) {
           expect_same(world, candidates, now, expected, predictor.earliest(world, candidates, now, limit));
         }
-        // Of what comes after the limit, only that it does so.
+        // After the limit, only that it is later.
         const Time limit(std::nextafter(high, -1e300));
         ASSERT_GT(predictor.earliest(world, candidates, now, limit).time.high, limit.high);
       }
@@ -138,10 +138,10 @@ double spread(Random& random, double low_exponent, double high_exponent) {
 struct Settings {
   std::array<Boundary, kAxes> boundary{};
   bool mixed_radii = false;
-  double start = 0;  // near which paths begin [T]
+  double start = 0;  // near which paths start [T]
 };
 
-// A sphere in the middle of things, and others that it may meet in every way there is.
+// A sphere in the middle, and others that it may meet in every possible way.
 class PairMaker {
  public:
   PairMaker(const Settings& settings, std::uint64_t seed)
@@ -163,20 +163,20 @@ class PairMaker {
  private:
   static constexpr double kSize = 128;
 
-  // A moment about halfway between two doubles.
+  // A time about halfway between two doubles.
   static Time with_low_part(double high) { return {high, 0.4 * (std::nextafter(high, 1e300) - high)}; }
 
   Vec3 normal() { return {random_.normal(), random_.normal(), random_.normal()}; }
   double radius() { return settings_.mixed_radii ? 0.5 + random_.uniform() : 0.75; }
 
-  // A sphere that is at `place` now, on a path that began a while ago.
+  // A sphere that is at `place` now, on a path that started earlier.
   void add(const Vec3& place, const Vec3& velocity, double radius) {
     double age = 0;
     Time begin = now_;
     switch (random_.bits() % 4) {
       case 0:
         break;
-      case 1:  // at another moment that only the low part tells from now
+      case 1:  // at a time that differs from now only in the low part
         begin.low *= random_.uniform();
         break;
       default:
@@ -196,7 +196,7 @@ class PairMaker {
     } while (length(across) < 0.1);
     across = (1 / length(across)) * across;
     const double speed = spread(random_, -3, 3);
-    // Meeting with this squared cosine, seen from this far.
+    // Meeting with this squared cosine, from this distance.
     const auto meeting = [&](double impact, double distance) {
       const double before = std::sqrt(std::max(0.0, 1 - impact * impact)) + distance;
       add(self_now_ + reach * (impact * across - before * along), self_velocity_ + speed * along,
@@ -208,13 +208,13 @@ class PairMaker {
         add(self_now_ + 8 * Vec3{random_.normal(), random_.normal(), random_.normal()}, normal(),
             other_radius);
         break;
-      case 1:  // a squared cosine from 0 to 1/2, about where more digits are taken
+      case 1:  // a squared cosine from 0 to 1/2, around the limit for more digits
         meeting(std::sqrt(1 - 0.5 * random_.uniform()), distance);
         break;
       case 2:
         meeting(std::sqrt(11.0 / 16 + spread(random_, -52, -10) * (random_.uniform() - 0.5)), distance);
         break;
-      case 3:  // grazing, or missing, by a hair's breadth
+      case 3:  // grazing, or just missing
         meeting(1 + spread(random_, -54, -3) * (random_.uniform() < 0.5 ? 1 : -1), distance);
         break;
       case 4:  // head on, or nearly
@@ -262,7 +262,7 @@ void collect_nearest(Candidates& candidates, Slot self, const std::vector<Slot>&
   candidates.end();
 }
 
-// The nearest copies among others that are not, in any order.
+// The nearest images among others, in any order.
 void collect_listed(Candidates& candidates, const World& world, Slot self, const std::vector<Slot>& others,
                     const Time& now, Random& random) {
   candidates.begin(self, false);
@@ -293,7 +293,7 @@ TEST_P(EveryPredictor, AgreesWithThePlainLoop) {
     World world = maker.make(random.bits() % (seed % 4 == 0 ? 200 : 71));
     ASSERT_EQ(world.radii().is_common(), world.size() == 1 || !GetParam().mixed_radii);
     shuffle(world, random);
-    // Most meet sphere 0 in the middle; another one sees them otherwise.
+    // Most meet sphere 0 in the middle; from another one they differ.
     for (const Slot self : {world.slot_of(0), static_cast<Slot>(random.bits() % world.size())}) {
       const std::vector<Slot> others = some_others(world, self, random);
       collect_nearest(candidates, self, others);
@@ -301,7 +301,7 @@ TEST_P(EveryPredictor, AgreesWithThePlainLoop) {
       collect_listed(candidates, world, self, others, maker.now(), random);
       comparison.compare(world, candidates, maker.now());
       if (HasFatalFailure()) return;
-      // One at a time, so that each kind of pair counts, in a lane of its own.
+      // One at a time, so that each kind of pair is tested in each lane.
       for (std::size_t i = 0; i < std::min<std::size_t>(others.size(), 8); ++i) {
         std::vector<Slot> lanes(i + 1, self);
         lanes[i] = others[i];
@@ -328,10 +328,9 @@ INSTANTIATE_TEST_SUITE_P(Settings, EveryPredictor,
                                          Settings{kAllOpen, false, 1e12}, Settings{kMixture, false, 0},
                                          Settings{kMixture, true, 1e12}));
 
-// Reach 13, all numbers dyadic: a sphere that comes from any side with an impact parameter of 0, 5 or 12
-// stands 13, 12 or 5 away along its way when it touches. So whole groups of contacts happen at one moment
-// exactly, by the plain and by the grazing formula. An impact parameter of 13 is an exact graze, which is no
-// contact.
+// Reach 13, all numbers dyadic: a sphere coming from any side with an impact parameter of 0, 5 or 12 is 13,
+// 12 or 5 away along its path when it touches. So whole groups of contacts happen at exactly one time, by the
+// plain and by the grazing formula. An impact parameter of 13 is an exact graze, which is not a contact.
 TEST(Predictor, DecidesExactTiesByTheOrderOfEvents) {
   constexpr std::array<std::array<double, 2>, 4> kMeetings = {{{0, 13}, {5, 12}, {12, 5}, {13, 0}}};
   Comparison comparison;
@@ -348,7 +347,7 @@ TEST(Predictor, DecidesExactTiesByTheOrderOfEvents) {
     World world(Box(periodic ? kAllPeriodic : kAllOpen, {512, 512, 512}));
     const Vec3 place{below(512), below(512), below(512)};
     const Vec3 velocity{below(3) - 1, below(3) - 1, below(3) - 1};
-    // On a path that began at any whole time before; places in the box, so that nothing is folded twice.
+    // On paths that started at integer times before; positions in the box, so that nothing is folded twice.
     const auto add = [&](const Vec3& place_now, const Vec3& v, double radius) {
       const double age = below(9);
       world.add({place_now - age * v, v, radius, 1}, Time(start + 8 - age, low));
@@ -370,7 +369,7 @@ TEST(Predictor, DecidesExactTiesByTheOrderOfEvents) {
       const double radius = 6.5;
       add(place + apart, velocity + v, radius);
     }
-    // Somebody else, far away, has another radius.
+    // A distant sphere has another radius.
     if (mixed_radii) add(place + Vec3{200, 0, 0}, velocity, 1);
     shuffle(world, random);
     const Slot self = world.slot_of(0);
@@ -379,7 +378,7 @@ TEST(Predictor, DecidesExactTiesByTheOrderOfEvents) {
     comparison.compare(world, candidates, now);
     collect_listed(candidates, world, self, all, now, random);
     comparison.compare(world, candidates, now);
-    // The same candidate twice does no harm.
+    // A repeated candidate is harmless.
     std::vector<Slot> twice = all;
     twice.insert(twice.begin(), all.rbegin(), all.rend());
     collect_nearest(candidates, self, twice);
@@ -389,7 +388,8 @@ TEST(Predictor, DecidesExactTiesByTheOrderOfEvents) {
   EXPECT_GT(comparison.coverage().ties, 10 * support::cases(4000));
 }
 
-// An exact graze is no contact, whoever else is in the vector; a unit in the last place closer, it is one.
+// An exact graze is not a contact, whatever else is in the vector; a unit in the last place closer, it is
+// one.
 TEST(Predictor, KnowsExactGrazes) {
   Comparison comparison;
   Candidates candidates;
@@ -412,7 +412,7 @@ TEST(Predictor, KnowsExactGrazes) {
   }
 }
 
-// The kernels reckon grazes only if they may come before the earliest other contact: here one comes just
+// The kernels compute grazes only if they may come before the earliest other contact: here one comes just
 // after, or just before, at every distance.
 TEST(Predictor, LosesNoGrazeJustBeforeAnotherContact) {
   Comparison comparison;
@@ -431,7 +431,7 @@ TEST(Predictor, LosesNoGrazeJustBeforeAnotherContact) {
                0.5, 1});
     const Time graze = contact_time(world, 0, 1, {});
     if (graze == kNever) continue;
-    // Head on, so that it touches a little later or earlier.
+    // Head on, touching slightly later or earlier.
     const double wait = graze.high * (1 + spread(random, -52, -20) * (random.uniform() < 0.7 ? 1 : -1));
     world.add({{1 + wait, 0, 0}, {-1, 0, 0}, 0.5, 1});
     collect_nearest(candidates, 0, i % 2 == 0 ? std::vector<Slot>{1, 2} : std::vector<Slot>{2, 1});
@@ -442,7 +442,7 @@ TEST(Predictor, LosesNoGrazeJustBeforeAnotherContact) {
   EXPECT_GT(grazes, support::cases(30000) / 4);
 }
 
-TEST(Predictor, FindsNothingAmongNobody) {
+TEST(Predictor, FindsNothingWithoutCandidates) {
   World world;
   world.add({{0, 0, 0}, {1, 0, 0}, 1, 1});
   Candidates candidates;
@@ -453,7 +453,7 @@ TEST(Predictor, FindsNothingAmongNobody) {
   }
 }
 
-TEST(NearestImage, IsTheNearestAndTheOppositeSeenFromTheOther) {
+TEST(NearestImage, IsTheNearestAndOppositeAsSeenFromTheOther) {
   Random random(5);
   for (std::uint64_t i = 0; i < support::cases(20000); ++i) {
     const Box box(i % 2 == 0 ? kAllPeriodic : kMixture, {3 + random.uniform(), 4, 5 + random.uniform()});

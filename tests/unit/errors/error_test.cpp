@@ -17,7 +17,7 @@ TEST(Error, SaysWhereWhatAndTheRemedyInOneLine) {
   EXPECT_STREQ(error.what(), "line 3: radius is -1; give a positive number");
 }
 
-TEST(Check, ThrowsAndNamesTheConditionThatDoesNotHold) {
+TEST(Check, ThrowsAndNamesTheFailedCondition) {
   EXPECT_NO_THROW(HARDBALL_CHECK(1 + 1 == 2));
   try {
     HARDBALL_CHECK(1 + 1 == 3);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Both queues against a list that is searched from end to end.
+// Both queues against a list searched linearly.
 #include "hardball/events/event_queue.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(Event, OrderIsByTimeThenKindThenIdsThenImage) {
     change(other);
     return other;
   };
-  // Each of these comes later, whatever the members that stand after the one changed.
+  // Each of these comes later, whatever the members after the changed one.
   EXPECT_LT(event, with([](Event& e) { e = {Time(1, 1e-20), EventKind::enter, 0, 0, {}}; }));
   EXPECT_LT(event, with([](Event& e) { e = {Time(1), EventKind::wall, 0, 0, {}}; }));
   EXPECT_LT(event, with([](Event& e) { e = {Time(1), EventKind::collision, 3, 0, {}}; }));
@@ -35,7 +35,7 @@ TEST(Event, OrderIsByTimeThenKindThenIdsThenImage) {
   EXPECT_LT(event, with([](Event& e) { e.image = {{0, 1, 1}}; }));
   EXPECT_LT(event, with([](Event& e) { e.image = {{1, -9, -9}}; }));
   EXPECT_EQ(event, with([](Event&) {}));
-  EXPECT_LT(event, Event{}) << "what does not happen comes last";
+  EXPECT_LT(event, Event{}) << "an event that does not happen comes last";
   EXPECT_FALSE(Event{}.happens());
 }
 
@@ -64,7 +64,7 @@ TEST(Face, IsTwiceTheAxisPlusOneForTheUpper) {
   }
 }
 
-// The plain truth, and the agenda of the queues.
+// The reference, and the event table of the queues.
 class ListQueue {
  public:
   explicit ListQueue(std::size_t owners) : entries_(owners) {}
@@ -72,7 +72,7 @@ class ListQueue {
   Time time(Owner owner) const { return entries_[owner].time; }
   void schedule(Owner owner, const Event& event) { entries_[owner] = event; }
   Owner least() const {
-    Scheduled least{Event{}, kNobody};
+    Scheduled least{Event{}, kNoOwner};
     for (Owner owner = 0; owner < entries_.size(); ++owner) {
       const Scheduled entry{entries_[owner], owner};
       if (entry.event.happens() && entry < least) least = entry;
@@ -84,9 +84,9 @@ class ListQueue {
  private:
   std::vector<Event> entries_;
 };
-static_assert(Agenda<ListQueue>);
+static_assert(EventTable<ListQueue>);
 
-// How long after the present new events lie.
+// How long after the current time new events are scheduled.
 enum class Waits { even, ties, bursts, all_scales, mostly_now, one_moment, low_parts, mostly_never };
 
 constexpr std::array kAllWaits = {Waits::even,       Waits::ties,        Waits::bursts,
@@ -130,7 +130,7 @@ class EveryQueue : public testing::Test {};
 using Queues = testing::Types<CalendarQueue, OrderedQueue>;
 TYPED_TEST_SUITE(EveryQueue, Queues);
 
-// A queue and its agenda, between which a test cannot tear a gap.
+// A queue and its event table, which a test cannot let get out of step.
 template <class Queue>
 struct Pair {
   Queue queue;
@@ -152,15 +152,15 @@ struct Pair {
     queue.pop();
     list.pop();
   }
-  // All that is left, in order.
+  // All remaining owners, in order.
   std::vector<Owner> emptied() {
     std::vector<Owner> owners;
-    for (Owner owner = least(); owner != kNobody; owner = least()) {
+    for (Owner owner = least(); owner != kNoOwner; owner = least()) {
       EXPECT_EQ(owner, list.least());
       owners.push_back(owner);
       pop();
     }
-    EXPECT_EQ(list.least(), kNobody);
+    EXPECT_EQ(list.least(), kNoOwner);
     return owners;
   }
 };
@@ -176,7 +176,7 @@ TYPED_TEST(EveryQueue, AgreesWithAListUnderRandomTraffic) {
     for (const std::size_t owners : {std::size_t{1}, std::size_t{2}, std::size_t{30}, std::size_t{300}}) {
       // The same queue again: reset must leave nothing behind.
       pair.reset(owners, Time(3));
-      EXPECT_EQ(pair.least(), kNobody);
+      EXPECT_EQ(pair.least(), kNoOwner);
       Time now(3);
       const auto schedule = [&](Owner owner) { pair.schedule(owner, random_event(random, now, waits)); };
       for (Owner owner = 0; owner < owners; ++owner) schedule(owner);
@@ -184,12 +184,12 @@ TYPED_TEST(EveryQueue, AgreesWithAListUnderRandomTraffic) {
         const Owner least = pair.list.least();
         ASSERT_EQ(pair.least(), least) << "step " << step << ", " << owners << " owners";
         const double what = random.uniform();
-        if (least != kNobody && what < 0.7) {
+        if (least != kNoOwner && what < 0.7) {
           now = pair.list.time(least);
           pair.pop();
           if (what < 0.6) schedule(least);
         }
-        // Others are replaced, an event or two at a time, or all at once.
+        // Others are replaced, one or two at a time, or all together.
         const std::uint64_t others = what < 0.99 ? random.bits() % 3 : owners;
         for (std::uint64_t i = 0; i < others; ++i) schedule(static_cast<Owner>(random.bits() % owners));
       }
@@ -197,7 +197,7 @@ TYPED_TEST(EveryQueue, AgreesWithAListUnderRandomTraffic) {
   }
 }
 
-// An agenda that can tell that two owners have one event.
+// An event table that knows when two owners share one event.
 struct SharingList : ListQueue {
   using ListQueue::ListQueue;
   bool share_event(Owner a, Owner b) const { return event(a) == event(b); }
@@ -222,13 +222,13 @@ TYPED_TEST(EveryQueue, ShowsEitherOfTwoOwnersThatShareTheLeastEvent) {
     for (std::uint64_t step = 0; step < support::cases(3000); ++step) {
       const Owner expected = list.least();
       const Owner shown = queue.least(list);
-      ASSERT_EQ(shown == kNobody, expected == kNobody);
-      if (shown == kNobody) break;
+      ASSERT_EQ(shown == kNoOwner, expected == kNoOwner);
+      if (shown == kNoOwner) break;
       ASSERT_EQ(list.event(shown), list.event(expected)) << "step " << step;
       now = list.time(shown);
       queue.pop();
       list.schedule(shown, Event{});
-      // The partner goes on to meet somebody else, or is left alone with an event that nobody shares.
+      // The partner gets an event with another owner, or keeps an event that no one shares.
       const auto other = static_cast<Owner>(random.bits() % kOwners);
       schedule_pair(shown, other == shown ? (other + 1) % kOwners : other);
     }
@@ -250,7 +250,7 @@ TYPED_TEST(EveryQueue, EmptiesInOrder) {
     ASSERT_EQ(pair.least(), entry.owner);
     pair.pop();
   }
-  EXPECT_EQ(pair.least(), kNobody);
+  EXPECT_EQ(pair.least(), kNoOwner);
   EXPECT_EQ(pair.queue.counters().scheduled, kOwners);
   EXPECT_EQ(pair.queue.counters().taken, kOwners);
 }
@@ -262,7 +262,7 @@ TYPED_TEST(EveryQueue, ForgetsAnEntryThatIsReplacedByNever) {
   pair.schedule(0, Event{});
   EXPECT_EQ(pair.least(), 1U);
   pair.schedule(1, Event{});
-  EXPECT_EQ(pair.least(), kNobody);
+  EXPECT_EQ(pair.least(), kNoOwner);
 }
 
 TYPED_TEST(EveryQueue, TakesEventsBeforeThoseItHasShown) {
@@ -288,7 +288,7 @@ TYPED_TEST(EveryQueue, MindsOnlyTheEventThatAnOwnerHasNow) {
       SCOPED_TRACE(testing::Message() << shown_before << with_others);
       for (const auto& [first, second] : {std::pair(early, late), std::pair(late, early)}) {
         Pair<TypeParam> pair(40);
-        // Others fill the day, so that the two entries stand in a list or in a heap with them.
+        // Others fill the bucket, so that the two entries are in a list or in a heap with them.
         for (Owner owner = 2; with_others && owner < 40; ++owner) {
           pair.schedule(owner, wall_at(Time(0.5 + 0.05 * owner), owner));
         }
@@ -303,19 +303,19 @@ TYPED_TEST(EveryQueue, MindsOnlyTheEventThatAnOwnerHasNow) {
         const std::vector<Owner> order =
             second == early ? std::vector<Owner>{0, 1} : std::vector<Owner>{1, 0};
         for (const Owner owner : order) {
-          ASSERT_EQ(pair.list.least(), owner) << "the list itself";
+          ASSERT_EQ(pair.list.least(), owner) << "in the reference";
           ASSERT_EQ(pair.least(), owner);
           pair.pop();
         }
         const std::vector<Owner> rest = pair.emptied();
-        EXPECT_EQ(std::count(rest.begin(), rest.end(), 0U), 0) << "its event has come already";
+        EXPECT_EQ(std::count(rest.begin(), rest.end(), 0U), 0) << "its event has already been taken";
         EXPECT_EQ(std::count(rest.begin(), rest.end(), 1U), 0);
       }
     }
   }
 }
 
-// To and fro between two events of one moment, popped now and then and scheduled at that moment again.
+// Alternating between two events at the same time, sometimes popped and rescheduled at that time.
 TYPED_TEST(EveryQueue, MindsOnlyTheEventThatAnOwnerHasNowHoweverOftenItChanges) {
   Random random(4);
   for (std::uint64_t round = 0; round < support::cases(300); ++round) {
@@ -330,15 +330,15 @@ TYPED_TEST(EveryQueue, MindsOnlyTheEventThatAnOwnerHasNowHoweverOftenItChanges) 
     for (int step = 0; step < 60; ++step) {
       for (std::uint64_t i = random.bits() % 5; i > 0; --i) schedule();
       ASSERT_EQ(pair.least(), pair.list.least());
-      if (pair.list.least() != kNobody && random.uniform() < 0.5) pair.pop();
+      if (pair.list.least() != kNoOwner && random.uniform() < 0.5) pair.pop();
     }
     pair.emptied();
     if (this->HasFailure()) return;
   }
 }
 
-// As the prospect of a sphere does when its partner gets another path.
-TYPED_TEST(EveryQueue, KeepsAnOwnerWhoseEventBecomesALesserOneOfTheSameMoment) {
+// Like the prospect of a sphere whose partner's path changes.
+TYPED_TEST(EveryQueue, KeepsAnOwnerWhoseEventBecomesALesserOneAtTheSameTime) {
   Random random(5);
   for (std::uint64_t round = 0; round < support::cases(2000); ++round) {
     const std::size_t owners = 2 + random.bits() % 30;
@@ -356,11 +356,11 @@ TYPED_TEST(EveryQueue, KeepsAnOwnerWhoseEventBecomesALesserOneOfTheSameMoment) {
       const Event scheduled = pair.list.event(changed);
       if (scheduled.happens()) pair.list.schedule(changed, {scheduled.time, EventKind::enter, 0, 0, {}});
       const Owner least = pair.least();
-      ASSERT_NE(least, kNobody) << "somebody is missing";
+      ASSERT_NE(least, kNoOwner) << "an owner is missing";
       ASSERT_FALSE(has_come[least]);
       has_come[least] = true;
       const Event event = pair.list.event(least);
-      // Those that have not changed come in order; those that have, at the right moment.
+      // Unchanged ones come in order; changed ones, at the right time.
       ASSERT_GE(event.time, last.time);
       if (event.kind == EventKind::collision) {
         ASSERT_GE(event, last);
@@ -369,22 +369,22 @@ TYPED_TEST(EveryQueue, KeepsAnOwnerWhoseEventBecomesALesserOneOfTheSameMoment) {
       pair.queue.pop();
       pair.list.schedule(least, Event{});
     }
-    ASSERT_EQ(pair.least(), kNobody);
+    ASSERT_EQ(pair.least(), kNoOwner);
   }
 }
 
-TYPED_TEST(EveryQueue, TellsMomentsApartThatRoundToOneDouble) {
+TYPED_TEST(EveryQueue, DistinguishesTimesThatRoundToOneDouble) {
   constexpr std::size_t kOwners = 100;
   for (const double moment : {1.0, 1e12}) {
     Pair<TypeParam> pair(kOwners);
     std::vector<Owner> expected;
     for (Owner rank = 0; rank < kOwners; ++rank) {
-      // Scattered, and by kind the other way round.
+      // Scattered, and in reverse order of kind.
       const auto owner = static_cast<Owner>(rank * 37 % kOwners);
       const double low = moment * 0x1p-90 * (static_cast<double>(rank) - 50);
       pair.schedule(owner, {Time(moment, low), rank < 50 ? EventKind::wall : EventKind::enter, 0, 0, {}});
       expected.push_back(owner);
-      // A look in between makes the rest come late.
+      // Calling least() in between makes the bucket current before the rest is scheduled.
       if (rank % 30 == 10) {
         EXPECT_EQ(pair.least(), expected.front());
       }
@@ -393,7 +393,7 @@ TYPED_TEST(EveryQueue, TellsMomentsApartThatRoundToOneDouble) {
   }
 }
 
-TYPED_TEST(EveryQueue, KeepsTheOrderOfEventsWhenAllHappenAtOneMoment) {
+TYPED_TEST(EveryQueue, KeepsTheOrderOfEventsWhenAllHappenAtOneTime) {
   constexpr std::size_t kOwners = 3000;
   for (const double moment : {0.0, 7.0}) {
     Pair<TypeParam> pair(kOwners);
@@ -404,7 +404,7 @@ TYPED_TEST(EveryQueue, KeepsTheOrderOfEventsWhenAllHappenAtOneMoment) {
       pair.schedule(owner, make_collision(Time(moment), rank / 3, 5000 + rank % 3, {}));
     }
     std::vector<Owner> found;
-    for (Owner owner = pair.least(); owner != kNobody; owner = pair.least()) {
+    for (Owner owner = pair.least(); owner != kNoOwner; owner = pair.least()) {
       found.push_back(owner);
       pair.queue.pop();
       pair.list.schedule(owner, Event{});
@@ -413,7 +413,7 @@ TYPED_TEST(EveryQueue, KeepsTheOrderOfEventsWhenAllHappenAtOneMoment) {
   }
 }
 
-// Rescheduling without end leaves dead entries behind: they must not pile up, wherever they lie.
+// Endless rescheduling leaves dead entries: they must not accumulate, wherever they are.
 TYPED_TEST(EveryQueue, KeepsItsMemoryInProportionToItsOwners) {
   constexpr std::size_t kOwners = 500;
   for (const Waits waits : {Waits::even, Waits::bursts, Waits::all_scales, Waits::mostly_now,
@@ -427,13 +427,13 @@ TYPED_TEST(EveryQueue, KeepsItsMemoryInProportionToItsOwners) {
       pair.schedule(static_cast<Owner>(random.bits() % kOwners), random_event(random, now, waits));
       if (step % 5 != 0) continue;
       const Owner least = pair.least();
-      ASSERT_NE(least, kNobody);
+      ASSERT_NE(least, kNoOwner);
       now = pair.list.time(least);
       pair.queue.pop();
       pair.schedule(least, random_event(random, now, waits));
     }
-    // At most 5 entries of some 72 bytes for each owner, in three or four places that may each have grown to
-    // hold them all with twice the capacity.
+    // At most 5 entries of some 72 bytes per owner, in three or four containers that may each hold all of
+    // them at twice the capacity.
     EXPECT_LT(pair.queue.memory_bytes(), kOwners * 3500);
   }
 }

@@ -13,7 +13,7 @@
 namespace hardball {
 namespace {
 
-// Wide enough to hold discriminants exactly: products of four doubles.
+// Wide enough for exact discriminants: products of four doubles.
 using Exact = boost::multiprecision::number<
     boost::multiprecision::cpp_bin_float<240, boost::multiprecision::digit_base_2>,
     boost::multiprecision::et_off>;
@@ -109,8 +109,8 @@ Case make_case(Random& random, std::uint64_t kind) {
   }
 }
 
-// Rounding may turn the sign of r.v or of the gap only if they are this small; what is then answered differs
-// from the truth by less than rounding may displace the spheres.
+// Rounding may change the sign of r.v or of the gap only if they are this small; the error is then less than
+// rounding may displace the spheres.
 bool is_rounding_noise(const Reference& exact, const Case& c) {
   const double r2 = dot(c.separation, c.separation);
   const Exact approach_noise = 4 * kEpsilon * sqrt(Exact(r2) * exact.speed_squared);
@@ -118,7 +118,7 @@ bool is_rounding_noise(const Reference& exact, const Case& c) {
   return abs(exact.approach) < approach_noise || abs(exact.excess) < excess_noise;
 }
 
-TEST(TimeToReach, IsRightToFourUlpsOfTheDistanceOverTheSpeed) {
+TEST(TimeToReach, IsAccurateToFourUlpsOfTheDistanceOverTheSpeed) {
   Random random(1);
   std::uint64_t contacts = 0;
   double worst = 0;
@@ -126,14 +126,14 @@ TEST(TimeToReach, IsRightToFourUlpsOfTheDistanceOverTheSpeed) {
     const Case c = make_case(random, i);
     const Reference exact(c.separation, c.velocity, c.reach);
     const double time = time_to_reach(c.separation, c.velocity, c.reach);
-    // Whether there is a contact at all is decided right unless the discriminant is all but zero.
+    // Whether there is a contact at all is decided correctly unless the discriminant is almost zero.
     const bool is_graze = abs(exact.discriminant) <= 1e-25 * exact.speed_squared * Exact(c.reach) * c.reach;
     if (is_graze || is_rounding_noise(exact, c)) continue;
     ASSERT_EQ(time < kInfinity, exact.touches()) << "case " << i;
     if (!exact.touches()) continue;
     ++contacts;
-    // Rounding r.r and r.v, three products and two sums each, costs up to three epsilons; of far spheres all
-    // of it may add up, and an epsilon may be two units.
+    // Rounding r.r and r.v, three products and two sums each, costs up to three epsilons; for distant spheres
+    // all of it may add up, and an epsilon may be two units.
     const double scale = length(c.separation) / length(c.velocity);
     const bool is_near = length(c.separation) <= 4 * c.reach;
     const auto error =
@@ -206,13 +206,13 @@ TEST(TimeToReach, IsNeverForAnExactGraze) {
     const double speed = std::floor(1 + 1000 * random.uniform()) / 32;
     ASSERT_EQ(time_to_reach({distance, reach, 0}, {-speed, 0, 0}, reach), kInfinity);
     ASSERT_EQ(time_to_reach({0, distance, -reach}, {0, -speed, 0}, reach), kInfinity);
-    // A hair's breadth closer is a contact, a hair's breadth farther is none.
+    // Slightly closer is a contact, slightly farther is not.
     ASSERT_LT(time_to_reach({distance, std::nextafter(reach, 0), 0}, {-speed, 0, 0}, reach), kInfinity);
     ASSERT_EQ(time_to_reach({distance, std::nextafter(reach, 1e9), 0}, {-speed, 0, 0}, reach), kInfinity);
   }
 }
 
-TEST(TimeToPlane, IsRightToOneUnitInTheLastPlace) {
+TEST(TimeToPlane, IsAccurateToOneUnitInTheLastPlace) {
   Random random(6);
   for (int i = 0; i < 20000; ++i) {
     const double distance = spread(random, -190, 190);
@@ -226,13 +226,13 @@ TEST(TimeToPlane, IsRightToOneUnitInTheLastPlace) {
 TEST(TimeToPlane, FollowsTheRulesOfContacts) {
   EXPECT_EQ(time_to_plane(3, 2), 1.5);
   EXPECT_EQ(time_to_plane(0, 2), 0) << "there already";
-  EXPECT_EQ(time_to_plane(-1e-12, 2), 0) << "beyond and going on";
+  EXPECT_EQ(time_to_plane(-1e-12, 2), 0) << "beyond and continuing";
   EXPECT_EQ(time_to_plane(3, 0), kInfinity) << "at rest";
   EXPECT_EQ(time_to_plane(3, -1), kInfinity) << "going away";
   EXPECT_EQ(time_to_plane(-3, -1), kInfinity) << "beyond and coming back";
 }
 
-TEST(ContactTime, IsReckonedFromTheLaterPathAndTheSameInEitherOrder) {
+TEST(ContactTime, IsComputedFromTheLaterPathAndTheSameInEitherOrder) {
   Random random(7);
   for (int i = 0; i < 20000; ++i) {
     const auto path = [&random] {

@@ -50,7 +50,7 @@ TEST(Time, AfterIsExactAsLongAsTheSumFits) {
   EXPECT_EQ(after(Time(0), 5e-324), Time(5e-324));
 }
 
-TEST(Time, DurationIsRightToTwoUnitsInTheLastPlaceOrToWhatTheMomentsResolve) {
+TEST(Time, DurationIsAccurateToTwoUnitsInTheLastPlaceOrToTheResolution) {
   Random random(2);
   for (int i = 0; i < 30000; ++i) {
     const Time a = random_time(random);
@@ -68,20 +68,20 @@ TEST(Time, WaitsComeBackAsDurations) {
   Random random(3);
   for (int i = 0; i < 30000; ++i) {
     const Time start = random_time(random);
-    // The 106 bits of the moment hold the 53 of the wait.
+    // The 106 bits of the time hold the 53 of the wait.
     const double wait = start.high * spread(random, -45, 0);
     const double back = duration(start, after(start, wait));
     ASSERT_LE(std::fabs(back - wait), 2 * (std::nextafter(wait, 1e300) - wait));
   }
 }
 
-TEST(Time, IsAsFineAfterALongRunAsAtItsBeginning) {
+TEST(Time, IsAsPreciseAfterALongRunAsAtItsStart) {
   const Time late(1e12);
   const Time a = after(late, 0.1);
   const Time b = after(a, 1e-17);
   EXPECT_LT(a, b);
-  EXPECT_EQ(a.high, b.high) << "a double cannot tell them apart";
-  // 1e12 is known to 1e12 * 2^-106 = 1.2e-20.
+  EXPECT_EQ(a.high, b.high) << "a double cannot distinguish them";
+  // 1e12 is resolved to 1e12 * 2^-106 = 1.2e-20.
   EXPECT_NEAR(duration(a, b), 1e-17, 2.5e-20);
   EXPECT_NEAR(duration(late, a), 0.1, 2.8e-17);
 }
@@ -98,7 +98,7 @@ TEST(Time, OrderIsThatOfTheExactSums) {
   }
 }
 
-TEST(Time, NeverIsLaterThanEverything) {
+TEST(Time, NeverIsLaterThanAllOthers) {
   EXPECT_LT(Time(1e308), kNever);
   EXPECT_EQ(after(Time(5), std::numeric_limits<double>::infinity()), kNever);
   EXPECT_EQ(after(Time(1.7e308), 1.7e308), kNever) << "a sum that overflows";
@@ -157,7 +157,7 @@ TEST(DoubleDouble, ArithmeticKeepsAbout106Bits) {
   for (int i = 0; i < 20000; ++i) {
     const DoubleDouble a = sum(random.normal(), random.normal() * 0x1p-54);
     DoubleDouble b = sum(random.normal() * spread(random, -30, 30), random.normal() * 0x1p-90);
-    // Now and then of the same size, so that most of a difference cancels.
+    // Sometimes of the same size, so that most of a difference cancels.
     if (i % 3 == 0) b = normalized(a.high * (1 + random.normal() * spread(random, -60, -2)), b.low * 0x1p-30);
     const Exact magnitude = abs(exactly(a)) + abs(exactly(b));
     ASSERT_LE(abs(exactly(a - b) - (exactly(a) - exactly(b))), magnitude * Exact(0x1p-103));
@@ -167,14 +167,14 @@ TEST(DoubleDouble, ArithmeticKeepsAbout106Bits) {
   }
 }
 
-TEST(DoubleDouble, DifferenceOfProductsIsRightTo104BitsOfTheLargerProduct) {
+TEST(DoubleDouble, DifferenceOfProductsIsAccurateTo104BitsOfTheLargerProduct) {
   Random random(9);
   for (int i = 0; i < 50000; ++i) {
     const double a = random.normal() * spread(random, -40, 40);
     const double b = random.normal() * spread(random, -40, 40);
     const double c = random.normal() * spread(random, -40, 40);
     double d = random.normal() * spread(random, -40, 40);
-    // Two thirds of the time of like size, or with most of the difference cancelling.
+    // Two thirds of the time of similar size, or with most of the difference cancelling.
     if (i % 3 == 1) d = a * b / c * (random.uniform() < 0.5 ? -1 : 1) * (0.5 + random.uniform());
     if (i % 3 == 2) d = a * b / c * (1 + random.normal() * spread(random, -56, -2));
     const DoubleDouble found = difference_of_products(a, b, c, d);
@@ -188,7 +188,7 @@ TEST(DoubleDouble, DifferenceOfProductsIsRightTo104BitsOfTheLargerProduct) {
   EXPECT_EQ(nothing.low, 0);
 }
 
-TEST(DoubleDouble, SumOfThreeIsRightTo103BitsOfTheLargest) {
+TEST(DoubleDouble, SumOfThreeIsAccurateTo103BitsOfTheLargest) {
   Random random(10);
   const auto any = [&random] {
     const double high = random.normal() * spread(random, -8, 8);

@@ -45,7 +45,7 @@ TEST(AppendSnapshot, WritesTheLineThatOvitoAndAseRead) {
             "1 1 2 3 0.1 0 -2 0.5 3 0 0 0 0\n");
 }
 
-TEST(AppendSnapshot, ShowsSpheresWhereTheyAreAtTheMoment) {
+TEST(AppendSnapshot, ShowsSpheresWhereTheyAreAtTheTime) {
   World world(Box::walls({10, 10, 10}));
   world.add({.position = {1, 2, 3}, .velocity = {2, 0, 0}, .radius = 0.5});
   const Snapshot snapshot = parse(frame_of(world, 1.5));
@@ -195,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "another type"},
         BadFile{"WrongWidth", "1\nProperties=pos:R:2:velo:R:3:radius:R:1\n0 0 0 0 0 1\n", "start.xyz:2:12",
                 "another type or width"},
-        BadFile{"NoWidth", "1\nProperties=pos:R:3:velo:R\n0 0 0 0 0 1\n", "start.xyz:2:20", "not counted"},
+        BadFile{"NoWidth", "1\nProperties=pos:R:3:velo:R\n0 0 0 0 0 1\n", "start.xyz:2:20", "have no count"},
         BadFile{"ColumnTwice", "1\nProperties=pos:R:3:pos:R:3\n0 0 0 0 0 1\n", "start.xyz:2:20", "twice"},
         BadFile{"TooFewValues", "1\n" + kGood + "1 2 3 4 5 6\n", "start.xyz:3", "6 values"},
         BadFile{"TooManyValues", "1\n" + kGood + "1 2 3 4 5 6 7 8\n", "start.xyz:3", "8 values"},
@@ -209,7 +209,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "start.xyz:3:1", "id is '1.5'"},
         BadFile{"IdTwice",
                 "2\nProperties=id:I:1:pos:R:3:velo:R:3:radius:R:1\n4 2 3 4 5 6 7 8\n4 2 3 4 5 6 7 8\n",
-                "start.xyz:4", "id 4 stands in line 3"}),
+                "start.xyz:4", "id 4 is already on line 3"}),
     [](const testing::TestParamInfo<BadFile>& test) { return test.param.name; });
 
 }  // namespace

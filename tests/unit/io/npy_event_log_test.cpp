@@ -39,7 +39,7 @@ Value value_at(const std::string& bytes, std::size_t offset) {
   return value;
 }
 
-TEST(NpyEventLog, BeginsWithAHeaderOfVersionOne) {
+TEST(NpyEventLog, StartsWithAHeaderOfVersionOne) {
   const ScratchFolder folder;
   NpyEventLog log(folder / "events.npy");
   log.close();
@@ -98,7 +98,7 @@ TEST(NpyEventLog, CanBeReadWhileItGrows) {
   EXPECT_EQ(bytes.size(), kHeaderBytes + 2 * kRecordBytes);
 }
 
-TEST(NpyEventLog, FlushesByItselfNowAndThen) {
+TEST(NpyEventLog, FlushesByItself) {
   const ScratchFolder folder;
   NpyEventLog log(folder / "events.npy");
   for (int i = 0; i < 100'000; ++i) log.append(make_contact(i));

@@ -19,7 +19,7 @@ using support::read_text;
 using support::ScratchFolder;
 using support::write_text;
 
-// While it lives, no file may grow beyond so many bytes.
+// While it exists, no file may exceed this many bytes.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) {
@@ -39,7 +39,7 @@ std::string message_of(const RunFailure& failure) {
   return failure.what();
 }
 
-TEST(OutputFile, HoldsWhatWasAppended) {
+TEST(OutputFile, ContainsWhatWasAppended) {
   const ScratchFolder folder;
   OutputFile file(folder / "file");
   file.append("one ");
@@ -53,7 +53,7 @@ TEST(OutputFile, HoldsWhatWasAppended) {
   EXPECT_FALSE(file.is_open());
 }
 
-TEST(OutputFile, EmptiesAFileThatIsThere) {
+TEST(OutputFile, EmptiesAnExistingFile) {
   const ScratchFolder folder;
   write_text(folder / "file", "something old and long");
   OutputFile file(folder / "file");
@@ -72,7 +72,7 @@ TEST(OutputFile, WritesLargeAmountsOnItsOwn) {
   EXPECT_EQ(std::filesystem::file_size(folder / "file"), 5'000'000U);
 }
 
-TEST(OutputFile, OverwritesAndGoesOnAtTheEnd) {
+TEST(OutputFile, OverwritesAndContinuesAtTheEnd) {
   const ScratchFolder folder;
   OutputFile file(folder / "file");
   file.append("count 0, a");
@@ -90,12 +90,12 @@ TEST(OutputFile, MayBeClosedTwice) {
   EXPECT_NO_THROW(file.close());
 }
 
-TEST(OutputFile, WithoutCloseKeepsWhatIsWhole) {
+TEST(OutputFile, WithoutCloseKeepsWhatIsComplete) {
   const ScratchFolder folder;
   {
     OutputFile file(folder / "file");
     file.append("whole\n");
-    file.flush_whole();
+    file.flush_complete();
     file.append("half");
     file.flush();
     file.append(" and more");
@@ -113,7 +113,7 @@ TEST(OutputFile, MovesWithItsContents) {
   EXPECT_EQ(read_text(folder / "file"), "one two");
 }
 
-TEST(OutputFile, CannotBeMadeInAFolderThatIsMissing) {
+TEST(OutputFile, CannotBeCreatedInAMissingFolder) {
   const ScratchFolder folder;
   try {
     OutputFile file(folder / "missing/file");
@@ -130,7 +130,7 @@ TEST(OutputFile, SaysThatTheDiskIsFull) {
   file.append("text");
   try {
     file.flush();
-    FAIL() << "a full disk took the text";
+    FAIL() << "a full disk accepted the text";
   } catch (const RunFailure& failure) {
     EXPECT_NE(message_of(failure).find("/dev/full"), std::string::npos) << failure.what();
     EXPECT_NE(message_of(failure).find("No space left on device"), std::string::npos) << failure.what();
@@ -138,11 +138,11 @@ TEST(OutputFile, SaysThatTheDiskIsFull) {
   EXPECT_FALSE(file.is_open());
 }
 
-TEST(OutputFile, IsCutBackToWhatIsWhole) {
+TEST(OutputFile, IsTruncatedToWhatIsComplete) {
   const ScratchFolder folder;
   OutputFile file(folder / "file");
   file.append("whole\n");
-  file.flush_whole();
+  file.flush_complete();
   {
     const FileSizeLimit limit(100);
     EXPECT_THROW(

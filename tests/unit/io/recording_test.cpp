@@ -42,7 +42,7 @@ Contact contact_at_time(double time) {
   return contact;
 }
 
-// Runs to `until` and records all of it.
+// Runs to `until`, recording everything.
 Simulation record(const std::filesystem::path& path, World world, double until) {
   Simulation simulation(std::move(world));
   RecordingWriter writer(path, {.until = until, .name = "test"}, simulation.world());
@@ -58,7 +58,7 @@ RecordedPath stored_path(const World& world, SphereId id) {
   return {path.position, path.velocity, path.time.value()};
 }
 
-TEST(Recording, TellsTheHeaderAndTheSpheres) {
+TEST(Recording, ContainsTheHeaderAndTheSpheres) {
   const ScratchFolder folder;
   const World world = make_mixture();
   const RecordingHeader header{.begin = 0.5,
@@ -89,20 +89,20 @@ TEST(Recording, TellsTheHeaderAndTheSpheres) {
   EXPECT_EQ(reader.spheres().offset % 8, 0U);
 }
 
-TEST(Recording, AnEndThatIsNotKnownIsNull) {
+TEST(Recording, AnUnknownEndIsNull) {
   EXPECT_TRUE(nlohmann::json::parse(to_json({}))["until"].is_null());
   EXPECT_EQ(parse_recording_header(to_json({}), "test").until, std::nullopt);
 }
 
-TEST(Recording, HoldsEveryContactInOrder) {
+TEST(Recording, ContainsEveryContactInOrder) {
   const ScratchFolder folder;
   Simulation simulation(make_mixture());
-  std::vector<Contact> told;
+  std::vector<Contact> noted;
   {
     RecordingWriter writer(folder / "recording.hbr", {}, simulation.world());
     simulation.on_contact([&](const Contact& contact) {
       writer.note(contact);
-      told.push_back(contact);
+      noted.push_back(contact);
     });
     simulation.run_until(40);
     writer.close(40);
@@ -111,23 +111,23 @@ TEST(Recording, HoldsEveryContactInOrder) {
   ASSERT_EQ(reader.chunks().size(), 1U);
   EXPECT_EQ(reader.reached(), 40);
   const RecordedChunk chunk = reader.read(0);
-  ASSERT_EQ(chunk.contacts.size(), told.size());
+  ASSERT_EQ(chunk.contacts.size(), noted.size());
   bool has_collision = false;
   bool has_wall = false;
-  for (std::size_t k = 0; k < told.size(); ++k) {
+  for (std::size_t k = 0; k < noted.size(); ++k) {
     const RecordedContact& recorded = chunk.contacts[k];
-    EXPECT_EQ(recorded.time, told[k].time.value());
-    EXPECT_EQ(recorded.first, told[k].first);
-    EXPECT_EQ(recorded.is_collision(), told[k].is_collision());
-    EXPECT_EQ(recorded.first_position, told[k].position);
-    EXPECT_EQ(recorded.first_velocity, told[k].after.first);
+    EXPECT_EQ(recorded.time, noted[k].time.value());
+    EXPECT_EQ(recorded.first, noted[k].first);
+    EXPECT_EQ(recorded.is_collision(), noted[k].is_collision());
+    EXPECT_EQ(recorded.first_position, noted[k].position);
+    EXPECT_EQ(recorded.first_velocity, noted[k].after.first);
     if (recorded.is_collision()) {
-      EXPECT_EQ(recorded.second, static_cast<std::int32_t>(told[k].second));
-      EXPECT_EQ(recorded.second_position, told[k].second_position);
-      EXPECT_EQ(recorded.second_velocity, told[k].after.second);
+      EXPECT_EQ(recorded.second, static_cast<std::int32_t>(noted[k].second));
+      EXPECT_EQ(recorded.second_position, noted[k].second_position);
+      EXPECT_EQ(recorded.second_velocity, noted[k].after.second);
       has_collision = true;
     } else {
-      EXPECT_EQ(recorded.second, -static_cast<std::int32_t>(told[k].second) - 1);
+      EXPECT_EQ(recorded.second, -static_cast<std::int32_t>(noted[k].second) - 1);
       EXPECT_EQ(recorded.second_position, Vec3{});
       EXPECT_EQ(recorded.second_velocity, Vec3{});
       has_wall = true;
@@ -148,7 +148,7 @@ TEST(Recording, ItsPathsAreTheStoredPathsBitForBit) {
   }
 }
 
-TEST(Recording, EachKeyframeIsWhatTheChunkBeforeLeads) {
+TEST(Recording, EachKeyframeIsWhereThePreviousChunkLeads) {
   const ScratchFolder folder;
   record(folder / "recording.hbr", make_gas({.count = 200, .packing_fraction = 0.3}), 5);
   RecordingReader reader(folder / "recording.hbr");
@@ -158,8 +158,8 @@ TEST(Recording, EachKeyframeIsWhatTheChunkBeforeLeads) {
   }
 }
 
-// The recording drops the low part of a time t, up to 2^-53 t: at each end of a path, a sphere is misplaced
-// by no more than it flies meanwhile, and by the rounding of its place.
+// The recording drops the low part of a time t, up to 2^-53 t: at each end of a path, a sphere is displaced
+// by no more than it moves in that time, and by rounding.
 TEST(Recording, CentresAreThoseOfTheSimulation) {
   const ScratchFolder folder;
   constexpr double kMoment = 4.75;
@@ -188,7 +188,7 @@ TEST(Recording, DoesNotAlterTheMotion) {
   EXPECT_EQ(record(folder / "recording.hbr", world, 5).event_log_hash(), alone.event_log_hash());
 }
 
-TEST(Recording, ContactsOfOneMomentAreNotParted) {
+TEST(Recording, ContactsAtOneTimeAreNotSplit) {
   const ScratchFolder folder;
   {
     RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
@@ -205,7 +205,7 @@ TEST(Recording, ContactsOfOneMomentAreNotParted) {
   EXPECT_EQ(reader.chunks()[1].end, 3);
 }
 
-TEST(Recording, FlushLetsReadersSeeWhatIsSurelyPast) {
+TEST(Recording, FlushLetsReadersSeeWhatIsSurelyComplete) {
   const ScratchFolder folder;
   RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
   RecordingReader reader(folder / "recording.hbr");
@@ -231,7 +231,7 @@ TEST(Recording, FlushLetsReadersSeeWhatIsSurelyPast) {
   EXPECT_EQ(reader.length(), std::filesystem::file_size(folder / "recording.hbr"));
 }
 
-TEST(Recording, ForetellsItsLength) {
+TEST(Recording, PredictsItsLength) {
   const ScratchFolder folder;
   RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
   for (const double time : {1.0, 2.0, 3.0}) writer.note(contact_at_time(time));
@@ -278,7 +278,7 @@ std::string small_recording(const ScratchFolder& folder) {
   return read_text(folder / "small.hbr");
 }
 
-// Reads all that the bytes hold; false if an Error refuses them.
+// Reads everything in the bytes; false if they are refused by an Error.
 bool is_read(const ScratchFolder& folder, const std::string& bytes) {
   write_text(folder / "tried.hbr", bytes);
   try {
@@ -295,7 +295,7 @@ bool is_read(const ScratchFolder& folder, const std::string& bytes) {
   }
 }
 
-TEST(Recording, CutAnywhereItShowsTheChunksThatAreWhole) {
+TEST(Recording, TruncatedAnywhereItShowsTheCompleteChunks) {
   const ScratchFolder folder;
   const std::string bytes = small_recording(folder);
   const RecordingReader whole(folder / "small.hbr");
@@ -309,7 +309,7 @@ TEST(Recording, CutAnywhereItShowsTheChunksThatAreWhole) {
   }
 }
 
-TEST(Recording, WhateverItHoldsIsReadOrRefused) {
+TEST(Recording, WhateverItContainsIsReadOrRefused) {
   const ScratchFolder folder;
   const std::string bytes = small_recording(folder);
   std::size_t refused = 0;
@@ -323,7 +323,7 @@ TEST(Recording, WhateverItHoldsIsReadOrRefused) {
   EXPECT_GT(refused, 0U);
 }
 
-TEST(Recording, RefusesWhatNoRunCanLeadTo) {
+TEST(Recording, RefusesWhatNoRunCanProduce) {
   const ScratchFolder folder;
   const std::string bytes = small_recording(folder);
   const RecordingReader whole(folder / "small.hbr");
@@ -345,7 +345,7 @@ TEST(Recording, RefusesWhatNoRunCanLeadTo) {
   EXPECT_FALSE(is_read(folder, with(chunk + 16, nan)));
   EXPECT_FALSE(is_read(folder, with(chunk + 24, nan)));
   EXPECT_FALSE(is_read(folder, with(chunk + 32, nan))) << "position";
-  EXPECT_FALSE(is_read(folder, with(chunk + 32 + 48, nan))) << "begin of a path";
+  EXPECT_FALSE(is_read(folder, with(chunk + 32 + 48, nan))) << "start of a path";
   EXPECT_FALSE(is_read(folder, with(contact, nan))) << "time";
   EXPECT_FALSE(is_read(folder, with(contact, std::string(8, '\0')))) << "time";
   EXPECT_FALSE(is_read(folder, with(contact + 8, std::string("\x03\x00\x00\x00", 4)))) << "first";
@@ -354,8 +354,8 @@ TEST(Recording, RefusesWhatNoRunCanLeadTo) {
   EXPECT_FALSE(is_read(folder, with(contact + 16, nan))) << "position";
 }
 
-// Its header says more than any memory holds.
-TEST(Recording, AsksForNoMoreMemoryThanTheFileJustifies) {
+// Its header announces more than any memory holds.
+TEST(Recording, AllocatesNoMoreMemoryThanTheFileJustifies) {
   const ScratchFolder folder;
   const std::string json =
       R"({"spheres": 4000000000, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}})";
@@ -363,7 +363,7 @@ TEST(Recording, AsksForNoMoreMemoryThanTheFileJustifies) {
   EXPECT_FALSE(is_read(folder, "HBREC001" + length + json + std::string(1000, '\0')));
 }
 
-TEST(Recording, HeadersWithoutSenseAreRefused) {
+TEST(Recording, InvalidHeadersAreRefused) {
   const std::string box = R"("box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
   EXPECT_EQ(parse_recording_header(R"({"more": {"a": [1, {}, null, "x"]}, "spheres": 2, )" + box + "} ", "x")
                 .spheres,
@@ -397,7 +397,7 @@ TEST(Recording, HeadersWithoutSenseAreRefused) {
   }
 }
 
-TEST(Recording, NoFileAndDirectoriesAreRefused) {
+TEST(Recording, MissingFilesAndDirectoriesAreRefused) {
   const ScratchFolder folder;
   EXPECT_THROW(RecordingReader(folder / "missing.hbr"), Error);
   EXPECT_THROW(RecordingReader(folder.path()), Error);

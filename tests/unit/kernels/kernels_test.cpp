@@ -34,7 +34,7 @@ TEST(InstructionSet, IsRefusedWhereItIsNotAvailable) {
   }
 }
 
-// Points in a box that is periodic along the axes with a period, and some that are asked about.
+// Points in a box that is periodic along the axes with a period, and a query for some of them.
 struct Points {
   std::vector<Vec3> places;
   std::vector<double> radii;
@@ -54,7 +54,7 @@ Points random_points(Random& random) {
   return points;
 }
 
-// As far from `place` as the nearest copy is.
+// The distance of the nearest image from `place`.
 double distance(const Points& points, std::uint32_t slot, const Vec3& place) {
   Vec3 apart = points.places[slot] - place;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -64,7 +64,7 @@ double distance(const Points& points, std::uint32_t slot, const Vec3& place) {
   return length(apart);
 }
 
-TEST(NearKernel, PicksThePointsWithinReachByAllInstructions) {
+TEST(NearKernel, PicksThePointsWithinReachWithAllInstructionSets) {
   std::size_t picked = 0;
   for (std::uint64_t seed = 0; seed < support::cases(2000); ++seed) {
     Random random(seed);
@@ -74,7 +74,7 @@ TEST(NearKernel, PicksThePointsWithinReachByAllInstructions) {
     const double reach = 3 * random.uniform();
     const bool has_radii = seed % 2 == 0;
     std::vector<std::uint32_t> expected;
-    bool is_close = false;  // to the edge, where rounding decides
+    bool is_close = false;  // to the reach, where rounding decides
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint32_t slot = points.asked[i];
       const double beyond = distance(points, slot, place) - reach - (has_radii ? points.radii[slot] : 0);
@@ -82,7 +82,7 @@ TEST(NearKernel, PicksThePointsWithinReachByAllInstructions) {
       is_close |= std::fabs(beyond) < 1e-12;
     }
     if (is_close) continue;
-    // Behind the end stand points that are near, too.
+    // The padding contains near points, too.
     const auto nearest =
         static_cast<std::uint32_t>(std::min_element(points.places.begin(), points.places.end(),
                                                     [&](const Vec3& a, const Vec3& b) {

@@ -36,7 +36,7 @@ bool is_numbered(const LargeVector<CacheLine>& lines, std::size_t count) {
   return true;
 }
 
-// From one cache line by way of the size from which on huge pages are used to 8 MB.
+// From one cache line to 8 MB, including the size from which huge pages are used.
 constexpr std::array<std::size_t, 6> kCounts = {1, 1000, (1 << 16) - 1, 1 << 16, (1 << 16) + 1, 1 << 17};
 
 TEST(LargeVector, CanBeFilledCopiedAndMoved) {
@@ -44,7 +44,7 @@ TEST(LargeVector, CanBeFilledCopiedAndMoved) {
     LargeVector<CacheLine> lines = numbered(count);
     const LargeVector<CacheLine> copy = lines;
     lines[count / 2].number = 0;
-    EXPECT_TRUE(is_numbered(copy, count)) << "a copy has memory of its own";
+    EXPECT_TRUE(is_numbered(copy, count)) << "a copy has its own memory";
     lines = copy;
     const CacheLine* const place = lines.data();
     const LargeVector<CacheLine> moved = std::move(lines);

@@ -14,13 +14,13 @@ TEST(PaperEngine, CountsEveryEnterAndLeave) {
   world.add({{0.75, 0.75, 0.75}, {1, 0, 0}, 0.25, 1});
   PaperEngine<Restitution> engine(world, 1.5, Restitution(1), Time(0));
   engine.run({.until = Time(30)}, [](const Contact&) {});
-  // It moves from 0.75 to 30.75: fronts pass 1.5, 3, ... 30 and backs 1.5, ... 30.
+  // It moves from 0.75 to 30.75: its front passes 1.5, 3, ... 30 and its back 1.5, ... 30.
   EXPECT_EQ(engine.counters().enter, 20U);
   EXPECT_EQ(engine.counters().leave, 20U);
 }
 
-TEST(PaperEngine, ForgetsCandidatesThatShareNoSubspaceAnyMore) {
-  // Two spheres that meet far from here share a subspace for a while, part, and share another when they meet.
+TEST(PaperEngine, RemovesCandidatesThatNoLongerShareASubspace) {
+  // Two spheres that will meet far away share a subspace for a while, part, and share another when they meet.
   World world;
   world.add({{0.5, 0.5, 0.5}, {1, 0, 0}, 0.25, 1});
   world.add({{0.625, 1.5, 0.5}, {1, -0.0625, 0}, 0.25, 1});

@@ -22,8 +22,8 @@ struct Rows {
   bool meets(const Rows& other) const { return low <= other.high && other.low <= high; }
 };
 
-// The slow twin: pairs thrown between two walls.
-TEST(CellAxes, BetweenWallsKnowHowManyPairsHaveARowInCommon) {
+// Reference: pairs placed at random between two walls.
+TEST(CellAxes, BetweenWallsKnowHowManyPairsShareARow) {
   constexpr int kPairs = 200000;
   constexpr double kRadius = 0.5;
   const Moments moments = support::gas_moments(1000, 0.01, kRadius, Boundary::wall);
@@ -43,14 +43,14 @@ TEST(CellAxes, BetweenWallsKnowHowManyPairsHaveARowInCommon) {
     }
     const double far_from_walls = axis.edge + 4 * kRadius;
     const double scale = axis.room / far_from_walls / kPairs;
-    // Four standard errors of what is counted.
+    // Four standard errors of the count.
     EXPECT_NEAR(axis.candidates, together * scale, 4 * std::sqrt(together) * scale) << cells;
     EXPECT_NEAR(axis.candidates_at_wall, together_at_wall * scale, 4 * std::sqrt(together_at_wall) * scale)
         << cells;
   }
 }
 
-TEST(CellAxes, BetweenWallsKnowWhichBoundariesCanBePassed) {
+TEST(CellAxes, BetweenWallsKnowWhichFacesCanBeCrossed) {
   const Moments moments = support::gas_moments(1000, 0.01, 0.5, Boundary::wall);
   const double size = moments.extent.x;
   const auto passed = [&](double cells) {
@@ -61,7 +61,7 @@ TEST(CellAxes, BetweenWallsKnowWhichBoundariesCanBePassed) {
   EXPECT_FALSE(cell_axes(moments, size)[0].is_divided);
   EXPECT_NEAR(passed(2), 1, 1e-9);
   EXPECT_NEAR(passed(10), 9, 1e-9);
-  EXPECT_NEAR(passed(90), 87, 1e-9) << "the front of a sphere begins two cells away from the wall";
+  EXPECT_NEAR(passed(90), 87, 1e-9) << "the front of a sphere starts two cells away from the wall";
 }
 
 TEST(CellAxes, WithoutWallsAreAllAlike) {

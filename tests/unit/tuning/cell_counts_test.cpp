@@ -16,7 +16,7 @@ namespace {
 
 using support::gas_moments;
 
-// Points of no size touch one cell at a time, and nothing that they have left is behind them.
+// Points touch one cell at a time.
 TEST(CellCounts, OfPointsAreThoseOfOneCellEach) {
   Moments moments = gas_moments(1000, 1e-21, 0.5);
   const double edge = moments.extent.x / 10;
@@ -24,12 +24,12 @@ TEST(CellCounts, OfPointsAreThoseOfOneCellEach) {
   EXPECT_NEAR(counts.enter, 3 * 0.5 / edge, 1e-6 * counts.enter) << "half the speed along each axis";
   EXPECT_NEAR(counts.cells, 1, 1e-5);
   EXPECT_NEAR(counts.cells_entered, 1, 1e-5);
-  // A row behind is kept until the next crossing along whichever axis.
+  // A row behind is kept until the next crossing along any axis.
   EXPECT_GT(counts.candidates_after_enter, 1);
   EXPECT_LT(counts.candidates_after_enter, 4);
 }
 
-TEST(CellCounts, SphereTouchesAsManyCellsAsItsExtentAsksFor) {
+TEST(CellCounts, SphereTouchesAsManyCellsAsItsExtentRequires) {
   const Moments moments = gas_moments(8000, 0.1, 0.5);
   const double edge = moments.extent.x / 20;
   const CellCounts counts = expected_counts(moments, edge * (1 - 1e-12));
@@ -38,8 +38,8 @@ TEST(CellCounts, SphereTouchesAsManyCellsAsItsExtentAsksFor) {
   EXPECT_NEAR(counts.collision, 1 / mean_free_time(moments), 1e-12);
 }
 
-// Were cells given up at once, a sphere would see all whose cells meet its own: those in a cube of edge L + 2
-// d.
+// If cells were released immediately, a sphere's candidates would be all whose cells meet its own: those in a
+// cube of edge L + 2 d.
 TEST(CellCounts, CandidatesAreThoseOfTheCellsTouchedAndSomeLeft) {
   for (const double packing_fraction : {1e-3, 0.1, 0.4}) {
     const Moments moments = gas_moments(8000, packing_fraction, 0.5);
@@ -51,7 +51,7 @@ TEST(CellCounts, CandidatesAreThoseOfTheCellsTouchedAndSomeLeft) {
     const double met_at_once =
         moments.number_density() * (edge + 1) * std::pow(edge + 2, 2) + excess_about_sphere(moments) / 2;
     EXPECT_GT(counts.candidates_after_enter, met_at_once);
-    // Late rows add up along all three axes.
+    // Rows released late add up along all three axes.
     EXPECT_LT(counts.candidates_after_enter, 3 * met_at_once);
     EXPECT_GT(counts.candidates_when_stale, counts.candidates_after_collision - 1);
   }
@@ -78,7 +78,7 @@ TEST(CellCounts, DoNotDependOnTheUnitOfLength) {
 }
 
 // One cell between walls: all spheres are candidates, and there is nothing to enter.
-TEST(CellCounts, OneCellBetweenWallsHoldsAll) {
+TEST(CellCounts, OneCellBetweenWallsContainsAll) {
   const Moments moments = gas_moments(100, 1e-4, 0.5, Boundary::wall);
   const CellCounts counts = expected_counts(moments, moments.extent.x);
   EXPECT_EQ(counts.enter, 0);
@@ -89,16 +89,16 @@ TEST(CellCounts, OneCellBetweenWallsHoldsAll) {
 TEST(CellCounts, LargeSpheresCountMoreAmongThoseThatCollide) {
   const Moments moments = gas_moments(1000, 0.2, 0.5);
   Moments wide = moments;
-  wide.radius_power[5] *= 1.5;  // enters only through the large spheres' share of collisions
+  wide.radius_power[5] *= 1.5;  // matters only through the large spheres' share of collisions
   EXPECT_GT(expected_counts(wide, 2).candidates_after_collision,
             expected_counts(moments, 2).candidates_after_collision);
 }
 
-TEST(CellCounts, RefuseEdgesThatAreNone) {
+TEST(CellCounts, RefuseInvalidEdges) {
   const Moments moments = gas_moments(1000, 0.2, 0.5);
   EXPECT_THROW(expected_counts(moments, 0), Error);
   EXPECT_THROW(expected_counts(moments, -1), Error);
-  EXPECT_EQ(expected_counts(Moments{}, 1).enter, 0) << "nothing is there";
+  EXPECT_EQ(expected_counts(Moments{}, 1).enter, 0) << "no spheres";
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ double cost_at(const Moments& moments, double edge, const UnitCosts& costs) {
   return cost_rate(expected_counts(moments, edge), costs);
 }
 
-TEST(CostRate, AddsUpWhatEachStepCosts) {
+TEST(CostRate, AddsUpTheCostsOfAllSteps) {
   CellCounts counts;
   counts.collision = 2;
   counts.wall = 3;
@@ -46,7 +46,7 @@ TEST(OptimalCellEdge, IsWhereTheCostIsLeast) {
         const UnitCosts costs{.contact = 25, .enter = 10, .cell = cell, .prediction = 1};
         const double edge = optimal_cell_edge(moments, costs);
         const double least = cost_at(moments, edge, costs);
-        // The scan misses at most what lies between two of its steps, where the minimum is flat.
+        // The scan misses at most what lies between two steps, where the minimum is flat.
         for (double other = edge / 16; other < 16 * edge; other *= 1.05) {
           if (other < radius / 4) continue;
           EXPECT_LE(least, cost_at(moments, other, costs) * 1.02) << packing_fraction << " " << cell;
@@ -56,7 +56,7 @@ TEST(OptimalCellEdge, IsWhereTheCostIsLeast) {
   }
 }
 
-TEST(OptimalCellEdge, GrowsAsTheGasThins) {
+TEST(OptimalCellEdge, GrowsAsTheGasBecomesDilute) {
   double last = 0;
   for (double packing_fraction = 0.5; packing_fraction > 1e-9; packing_fraction /= 3) {
     const double edge = optimal_cell_edge(gas_moments(1000, packing_fraction, 0.5));
@@ -111,7 +111,7 @@ TEST(PaperCellEdge, SolvesThePapersEquation) {
   }
 }
 
-// The paper's cost of one sphere in unit time, of which the equation is the derivative.
+// The paper's cost per sphere and time, whose derivative is the equation.
 TEST(PaperCellEdge, IsWhereThePapersCostIsLeast) {
   const Moments moments = gas_moments(10000, 0.02, 1.5);
   const UnitCosts costs;
@@ -127,43 +127,43 @@ TEST(PaperCellEdge, IsWhereThePapersCostIsLeast) {
   EXPECT_LT(cost(edge), cost(edge / 1.001));
 }
 
-// A gas of points in a cube that doubles its edge again and again, at speed one.
-TEST(CellEdgeWatch, RebuildsOnceWhatWasLostPaysForIt) {
+// A gas in a cube whose edge doubles, at speed one.
+TEST(CellEdgeWatch, RebuildsOnceTheLossExceedsItsCost) {
   const UnitCosts costs;
   CellEdgeWatch watch(costs);
   const Moments dense = gas_moments(100000, 0.1, 0.5);
   const double edge = optimal_cell_edge(dense, costs);
   watch.begin(edge);
   EXPECT_EQ(watch.look(dense, 1e6), std::nullopt) << "nothing is better";
-  const Moments thin = gas_moments(100000, 0.1 / 8, 0.5);  // the cube has grown twofold
-  const double better = optimal_cell_edge(thin, costs);
-  const CellCounts best = expected_counts(thin, better);
-  const double loss = cost_at(thin, edge, costs) - cost_rate(best, costs);
+  const Moments dilute = gas_moments(100000, 0.1 / 8, 0.5);  // the cube has grown twofold
+  const double better = optimal_cell_edge(dilute, costs);
+  const CellCounts best = expected_counts(dilute, better);
+  const double loss = cost_at(dilute, edge, costs) - cost_rate(best, costs);
   ASSERT_GT(loss, 0);
   const double patience = rebuild_cost(best, costs) / loss;
-  EXPECT_EQ(watch.look(thin, 0.6 * patience), std::nullopt);
-  EXPECT_EQ(watch.look(thin, 0.3 * patience), std::nullopt);
-  const std::optional<double> ahead = watch.look(thin, 0.2 * patience);
+  EXPECT_EQ(watch.look(dilute, 0.6 * patience), std::nullopt);
+  EXPECT_EQ(watch.look(dilute, 0.3 * patience), std::nullopt);
+  const std::optional<double> ahead = watch.look(dilute, 0.2 * patience);
   ASSERT_TRUE(ahead);
   EXPECT_DOUBLE_EQ(*ahead, better * std::sqrt(better / edge))
-      << "half as far again as the best edge has moved";
-  // The cloud does not go on growing, against what was to be expected.
-  EXPECT_EQ(watch.look(thin, 0.1 * patience), std::nullopt);
-  EXPECT_EQ(watch.look(thin, 1e6 * patience), better);
-  EXPECT_EQ(watch.look(thin, 1e6 * patience), std::nullopt);
+      << "by half as much again as the best edge has moved";
+  // The cloud stops growing, contrary to the extrapolation.
+  EXPECT_EQ(watch.look(dilute, 0.1 * patience), std::nullopt);
+  EXPECT_EQ(watch.look(dilute, 1e6 * patience), better);
+  EXPECT_EQ(watch.look(dilute, 1e6 * patience), std::nullopt);
 }
 
 TEST(CellEdgeWatch, CountsTimeByTheSpeedOfTheSpheres) {
   const UnitCosts costs;
-  Moments thin = gas_moments(100000, 0.1 / 64, 0.5);
-  const CellCounts best = expected_counts(thin, optimal_cell_edge(thin, costs));
-  const double patience = rebuild_cost(best, costs) / (cost_at(thin, 2, costs) - cost_rate(best, costs));
+  Moments dilute = gas_moments(100000, 0.1 / 64, 0.5);
+  const CellCounts best = expected_counts(dilute, optimal_cell_edge(dilute, costs));
+  const double patience = rebuild_cost(best, costs) / (cost_at(dilute, 2, costs) - cost_rate(best, costs));
   CellEdgeWatch watch(costs);
   watch.begin(2);
-  EXPECT_EQ(watch.look(thin, 0.1 * patience), std::nullopt);
-  thin.mean_speed /= 100;
-  EXPECT_EQ(watch.look(thin, 80 * patience), std::nullopt);
-  EXPECT_TRUE(watch.look(thin, 20 * patience));
+  EXPECT_EQ(watch.look(dilute, 0.1 * patience), std::nullopt);
+  dilute.mean_speed /= 100;
+  EXPECT_EQ(watch.look(dilute, 80 * patience), std::nullopt);
+  EXPECT_TRUE(watch.look(dilute, 20 * patience));
 }
 
 TEST(CellEdgeWatch, LeavesWorldsAloneInWhichNothingMoves) {

@@ -19,7 +19,7 @@ namespace {
 using support::gas_moments;
 
 // Carnahan and Starling's contact values at these packing fractions are (Z - 1) / (4 phi), Z as tabulated.
-TEST(KineticTheory, MeanFreePathAndTimeAreThoseOfTheTables) {
+TEST(KineticTheory, MeanFreePathAndTimeAgreeWithTables) {
   const std::array<std::pair<double, double>, 4> kTable = {
       {{0.1, 1.52126}, {0.2, 2.40625}, {0.3, 3.97376}, {0.45, 9.38467}}};
   for (const auto& [packing_fraction, tabulated] : kTable) {
@@ -37,7 +37,7 @@ TEST(KineticTheory, MeanFreePathAndTimeAreThoseOfTheTables) {
   EXPECT_EQ(mean_free_time(still), std::numeric_limits<double>::infinity());
 }
 
-// The mean over pairs of (r_i + r_j)^2 g_ij, each pair's contact value by the published formula.
+// The mean over pairs of (r_i + r_j)^2 g_ij, with the published contact value of each pair.
 TEST(KineticTheory, ContactValueOfAMixtureIsTheMeanOverItsPairs) {
   const std::vector<double> radii{0.3, 0.5, 0.5, 1.1};
   Moments moments = gas_moments(1000, 0.3, 1);
@@ -64,18 +64,19 @@ TEST(KineticTheory, ContactValueOfAMixtureIsTheMeanOverItsPairs) {
   EXPECT_NEAR(contact_value(moments), sum / weight, 1e-12 * sum / weight);
 }
 
-TEST(KineticTheory, WallsAreTouchedInProportionToSpeedAndInverselyToTheRoomBetween) {
+TEST(KineticTheory, WallRateIsProportionalToSpeedAndInverselyToTheDistance) {
   EXPECT_EQ(wall_rate(gas_moments(100, 0.1, 1)), 0) << "no walls";
   const Moments points = gas_moments(1000, 1e-15, 0.5, Boundary::wall);
   EXPECT_NEAR(wall_rate(points) * points.extent.x, 3.0 / 2, 1e-4)
-      << "three pairs, half the speed across each";
-  // Dilute: the room is less by a diameter, and the density at the wall is that inside times 1 + 4 phi.
+      << "three pairs, half the mean speed along each axis";
+  // Dilute: the accessible length is less by a diameter, and the density at the wall is that inside times 1 +
+  // 4 phi.
   const Moments dilute = gas_moments(100000, 1e-3, 0.5, Boundary::wall);
   EXPECT_NEAR(wall_rate(dilute) * (dilute.extent.x - 1), 1.5 * (1 + 4e-3), 1e-4);
 }
 
-// At low density a sphere excludes others from eight times its volume, a pair that touches from 8 + 8 - 2.5
-// times a sphere's; of the pair the other is counted.
+// At low density a sphere excludes others from eight times its volume, a touching pair from 8 + 8 - 2.5 times
+// a sphere's; the partner is counted.
 TEST(KineticTheory, ExcessAboutASphereIsTheVolumeItExcludes) {
   const double packing = 1e-5;
   const Moments moments = gas_moments(1000, packing, 0.5);

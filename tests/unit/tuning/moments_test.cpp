@@ -38,7 +38,7 @@ TEST(Moments, VolumeOfOpenSpaceFollowsTheCloudAndNotAFewStrays) {
   EXPECT_NEAR(moments_of(world, Time(0)).volume(), 1e6, 2e5);
 }
 
-TEST(Moments, OpenSpaceIsMeasuredAtTheMomentAskedFor) {
+TEST(Moments, OpenSpaceIsMeasuredAtTheGivenTime) {
   World world;
   Random random(2);
   for (int i = 0; i < 1000; ++i) {

@@ -20,7 +20,7 @@ CellAxes undisturbed(const Vec3& edges) {
   return axes;
 }
 
-// A sphere that flies through cells for ever, and the rows that it holds: the slow twin.
+// Reference: a sphere that moves through cells, and the rows that it holds.
 class Flyer {
  public:
   Flyer(const Vec3& edges, double diameter, double free_path)
@@ -28,7 +28,7 @@ class Flyer {
     turn();
   }
 
-  // Means at ways evenly spread.
+  // Means at evenly spaced path lengths.
   RowSurplus mean(int samples) {
     RowSurplus sum;
     const double spacing = 0.37 * edges_.x;
@@ -50,7 +50,7 @@ class Flyer {
   }
 
  private:
-  // Flies to the next crossing or collision, and not farther than `most`; returns how far.
+  // Moves to the next crossing or collision, at most by `most`; returns the distance.
   double advance(double most) {
     double way = std::min(most, until_collision_);
     std::size_t crossed = kAxes;
@@ -72,7 +72,7 @@ class Flyer {
     return way;
   }
 
-  // By symmetry all directions may be taken to point upwards, if the place in the cells is drawn anew.
+  // By symmetry all directions may be taken to point upwards, if the position in the cells is drawn again.
   void turn() {
     until_collision_ = -free_path_ * std::log(1 - random_.uniform());
     direction_ = {std::fabs(random_.normal()), std::fabs(random_.normal()), std::fabs(random_.normal())};
@@ -101,13 +101,13 @@ class Flyer {
   std::array<double, kAxes> back_{};
 };
 
-TEST(RowSurplus, IsThatOfASphereThatFliesThroughCells) {
+TEST(RowSurplus, IsThatOfASphereMovingThroughCells) {
   for (const Vec3& edges : {Vec3{1, 1, 1}, Vec3{1, 1.6, 2.5}}) {
     for (const double diameter : {0.01, 0.4, 1.7}) {
       for (const double free_path : {0.3, 2.0, 40.0}) {
         const RowSurplus expected = Flyer(edges, diameter, free_path).mean(200000);
         const RowSurplus surplus = mean_row_surplus(undisturbed(edges), diameter, free_path);
-        // Standard errors of the samples, which hang together over a few edges, and of 512 points: below
+        // Standard errors of the samples, which are correlated over a few edges, and of 512 points: below
         // 0.01.
         for (std::size_t axis = 0; axis < kAxes; ++axis) {
           EXPECT_NEAR(surplus.along[axis], expected.along[axis], 0.03);
@@ -119,7 +119,7 @@ TEST(RowSurplus, IsThatOfASphereThatFliesThroughCells) {
   }
 }
 
-TEST(RowSurplus, VanishesWhereCollisionsAreManyAndWhereThereIsOneCell) {
+TEST(RowSurplus, VanishesWithManyCollisionsAndWithOneCell) {
   const RowSurplus crowded = mean_row_surplus(undisturbed({1, 1, 1}), 0.4, 1e-4);
   for (std::size_t axis = 0; axis < kAxes; ++axis) EXPECT_NEAR(crowded.along[axis], 0, 0.01);
   CellAxes whole = undisturbed({1, 1, 1});
@@ -130,12 +130,12 @@ TEST(RowSurplus, VanishesWhereCollisionsAreManyAndWhereThereIsOneCell) {
 }
 
 TEST(RowSurplus, OfTwoIsThatOfTheSumOfIndependentNumbers) {
-  // A sphere that holds one row more along all axes half of the time, and none else.
+  // A sphere that holds one more row along all axes half of the time, and none otherwise.
   RowSurplus one;
   one.along = one.across = {0.5, 0.5, 0.5};
   one.all = 0.5;
   const RowSurplus two = of_two(one);
-  // Together zero, one or two rows with chances 1/4, 1/2, 1/4.
+  // Together zero, one or two rows with probabilities 1/4, 1/2, 1/4.
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     EXPECT_EQ(two.along[axis], 1);
     EXPECT_EQ(two.across[axis], 1.5);

@@ -22,7 +22,7 @@ using support::write_text;
 
 const World kGas = make_gas({.count = 100, .packing_fraction = 0.2, .boundary = Boundary::wall});
 
-TEST(LiveRun, GoesThroughTheHistoryOfTheRunAlone) {
+TEST(LiveRun, HasTheSameHistoryAsAnUnrecordedRun) {
   const ScratchFolder folder;
   Simulation alone(kGas);
   alone.run_until(20);
@@ -54,7 +54,7 @@ TEST(LiveRun, RecordsWhatAnyOtherRunRecords) {
   EXPECT_TRUE(contacts_in(folder / "live.hbr") == contacts_in(folder / "plain.hbr"));
 }
 
-TEST(LiveRun, EndsWhenNobodyWantsItAnyMore) {
+TEST(LiveRun, EndsWhenItIsDestroyed) {
   const ScratchFolder folder;
   { const SmallRun run(folder / "live.hbr", kGas, 1e9); }
   const RecordingReader reader(folder / "live.hbr");
@@ -74,19 +74,19 @@ TEST(LiveRun, KeepsToTheLimitOfItsRecording) {
   EXPECT_EQ(run.recording().length(), std::filesystem::file_size(folder / "live.hbr"));
 }
 
-TEST(LiveRun, TellsWhyItFailed) {
+TEST(LiveRun, ReportsWhyItFailed) {
   const ScratchFolder folder;
   Simulation simulation(kGas);
   RecordingWriter writer(folder / "live.hbr", {}, simulation.world());
   simulation.respond_with([](const Contact& contact) -> Velocities {
-    if (contact.time.value() > 1) throw RunFailure("nothing goes on for ever");
+    if (contact.time.value() > 1) throw RunFailure("nothing lasts for ever");
     return Restitution(1)(contact);
   });
   SharedRecording recording(folder / "live.hbr");
   const LiveRun run(std::move(simulation), std::move(writer), recording, 20, kNoLimit);
   while (!recording.progress().is_finished) std::this_thread::yield();
   ASSERT_TRUE(recording.progress().failure);
-  EXPECT_TRUE(recording.progress().failure->starts_with("nothing goes on for ever; the run reached time "));
+  EXPECT_TRUE(recording.progress().failure->starts_with("nothing lasts for ever; the run reached time "));
   const RecordingReader reader(folder / "live.hbr");
   EXPECT_GT(reader.reached(), 0.9);
   EXPECT_LE(reader.reached(), 1);

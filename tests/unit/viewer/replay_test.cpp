@@ -19,7 +19,7 @@ using support::make_gas;
 using support::read_text;
 using support::ScratchFolder;
 
-// The whole file, by pieces.
+// The whole file, in pieces.
 std::string text_of(const Replay& replay) {
   std::string text;
   while (text.size() < replay.length()) text += replay.piece(text.size());
@@ -49,7 +49,7 @@ TEST(Page, HasTheTokenInItsAddresses) {
   EXPECT_THROW(with_token({"<html></html>", "", ""}, "abc"), BrokenInvariant);
 }
 
-TEST(Page, InOnePieceNeedsNoOtherFile) {
+TEST(Page, InOneFileNeedsNoOther) {
   const OnePiece page(kSmallPage);
   EXPECT_EQ(page.head,
             "<html><head><style>body { margin: 0 }</style></head>"
@@ -58,7 +58,7 @@ TEST(Page, InOnePieceNeedsNoOtherFile) {
   EXPECT_THROW(OnePiece({"<html></html>", "", ""}), BrokenInvariant);
 }
 
-TEST(Replay, HoldsTheWholeRecording) {
+TEST(Replay, ContainsTheWholeRecording) {
   for (const std::size_t count : {20UL, 21UL, 22UL}) {
     const ScratchFolder folder;
     record(folder / "recording.hbr", make_gas({.count = count, .packing_fraction = 0.2}), 100);
@@ -76,8 +76,8 @@ TEST(Replay, HoldsTheWholeRecording) {
   }
 }
 
-// As a client asks that goes on where it was interrupted.
-TEST(Replay, CanBeReadFromAnyPlace) {
+// As requested by a client that resumes an interrupted download.
+TEST(Replay, CanBeReadFromAnyOffset) {
   const ScratchFolder folder;
   record(folder / "recording.hbr", make_gas({.count = 20, .packing_fraction = 0.2}), 1);
   const SharedRecording recording(folder / "recording.hbr");
@@ -90,7 +90,7 @@ TEST(Replay, CanBeReadFromAnyPlace) {
   }
 }
 
-TEST(Replay, HoldsWhatIsKnownWhenItIsMade) {
+TEST(Replay, ContainsWhatIsKnownWhenItIsCreated) {
   const ScratchFolder folder;
   const World world = make_gas({.count = 20, .packing_fraction = 0.2});
   RecordingWriter writer(folder / "recording.hbr", {}, world);

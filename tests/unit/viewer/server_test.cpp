@@ -45,9 +45,9 @@ class Connection {
   void say(const std::string& text) const {
     EXPECT_EQ(::send(socket_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
   }
-  /// Says no more, which the other side sees at once.
+  /// Closes the sending side.
   void fall_silent() const { shutdown(socket_, SHUT_WR); }
-  /// What comes next, `most` bytes at the most; empty at the end.
+  /// The next bytes, at most `most`; empty at the end.
   std::string hear(std::size_t most) const {
     std::string text(most, '\0');
     const ssize_t got = recv(socket_, text.data(), most, 0);
@@ -145,7 +145,7 @@ TEST_F(ServerTest, GivesTheStatus) {
   EXPECT_EQ(json::parse(get("/api/status?from=99999999999")->body)["chunk_ends"].size(), 0U);
 }
 
-TEST_F(ServerTest, GivesEveryChunkAsItStandsInTheFile) {
+TEST_F(ServerTest, GivesEveryChunkAsInTheFile) {
   const RecordingReader reader(folder_ / "recording.hbr");
   const std::string file = read_text(folder_ / "recording.hbr");
   ASSERT_GT(reader.chunks().size(), 1U);
@@ -228,7 +228,7 @@ TEST_F(ServerTest, ServesARecordingWithoutSpheres) {
   EXPECT_EQ(spheres->body, "");
 }
 
-TEST_F(ServerTest, AnswersOnlyThoseWhoKnowTheToken) {
+TEST_F(ServerTest, AnswersOnlyWithTheToken) {
   std::string wrong = server_->token();
   wrong.back() = wrong.back() == '0' ? '1' : '0';
   for (const std::string path : {"/", "/page.js", "/page.css", "/api/header", "/api/spheres", "/api/status",
@@ -258,7 +258,7 @@ TEST_F(ServerTest, AnswersOnlyToItsOwnName) {
   EXPECT_TRUE(nameless.starts_with("HTTP/1.1 403 ")) << nameless;
 }
 
-TEST_F(ServerTest, SaysWhatBrowsersMayDo) {
+TEST_F(ServerTest, SetsSecurityHeaders) {
   for (const auto& answer : {get("/"), get("/api/status"), get("/nowhere"), client().Get("/")}) {
     EXPECT_EQ(answer->get_header_value("Cache-Control"), "no-store");
     EXPECT_EQ(answer->get_header_value("X-Content-Type-Options"), "nosniff");
@@ -297,7 +297,7 @@ TEST_F(ServerTest, ReadsNoFileThatARequestNames) {
   }
 }
 
-TEST_F(ServerTest, RefusesQueriesWithoutSense) {
+TEST_F(ServerTest, RefusesInvalidQueries) {
   for (const std::string path : {"/api/chunk", "/api/chunk?number=", "/api/chunk?number=-1",
                                  "/api/chunk?number=x", "/api/chunk?number=1.5", "/api/chunk?number=1x",
                                  "/api/chunk?number=%201", "/api/chunk?number=18446744073709551616",
@@ -309,7 +309,7 @@ TEST_F(ServerTest, RefusesQueriesWithoutSense) {
   }
 }
 
-TEST_F(ServerTest, SurvivesWhatIsNoRequest) {
+TEST_F(ServerTest, SurvivesInvalidRequests) {
   const std::vector<std::string> nonsense{"\r\n\r\n",
                                           "GET\r\n\r\n",
                                           "GET / HTTP/9.9\r\n\r\n",
@@ -325,7 +325,7 @@ TEST_F(ServerTest, SurvivesWhatIsNoRequest) {
   EXPECT_EQ(get("/api/status")->status, 200);
 }
 
-TEST_F(ServerTest, TakesThePortThatItIsGiven) {
+TEST_F(ServerTest, UsesTheGivenPort) {
   const int taken = server_->port();
   EXPECT_THROW(Server(*recording_, kSmallPage, taken), Error);
   server_.reset();
@@ -344,13 +344,13 @@ TEST_F(ServerTest, ListensAtThisMachineAlone) {
   close(listener);
 }
 
-// Twenty clients download a replay from a run that goes on, and none of them goes on before all have begun.
-// Meanwhile twenty connections say nothing, five clients vanish in the middle of their download and five read
-// nothing of theirs. Neither the twenty nor the run may be held up.
-TEST(ServerOfALiveRun, ServesACrowdAndDoesNotHoldUpTheRun) {
+// Twenty clients download a replay from a live run, and none continues before all have started. Meanwhile
+// twenty connections send nothing, five clients vanish during their download and five read nothing. Neither
+// the twenty nor the run may be held up.
+TEST(ServerOfALiveRun, ServesManyClientsAndDoesNotHoldUpTheRun) {
   constexpr int kClients = 20;
   constexpr std::uint64_t kFurther = 20'000;
-  // More than systems keep on the way to a client that does not read.
+  // More than systems buffer for a client that does not read.
   constexpr std::uint64_t kLongReplay = 5'000'000;
   const ScratchFolder folder;
   const SmallRun run(folder / "live.hbr", make_gas({.count = 10'000, .packing_fraction = 0.2}), 1e9,
@@ -397,7 +397,7 @@ TEST(ServerOfALiveRun, ServesACrowdAndDoesNotHoldUpTheRun) {
   while (contacts() < contacts_before + kFurther && !run.recording().progress().is_finished) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  // A run that has come to the limit of its recording meanwhile has not been held up, either.
+  // A run that has meanwhile reached the limit of its recording has not been held up, either.
   EXPECT_TRUE(contacts() >= contacts_before + kFurther || run.recording().progress().is_finished);
 }
 

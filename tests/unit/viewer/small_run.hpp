@@ -19,7 +19,7 @@
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
 
-/// A page and runs small enough for tests of what shows them.
+/// A page and runs small enough for tests of the viewer.
 namespace hardball::viewer {
 
 inline constexpr Page kSmallPage{
@@ -39,7 +39,7 @@ inline std::uint64_t record(const std::filesystem::path& path, World world, doub
   return simulation.event_log_hash();
 }
 
-/// Writes a recording longer than a replay may be, of which hardly anything takes room on the disk.
+/// Writes a sparse recording file longer than a replay may be.
 inline void make_huge_recording(const std::filesystem::path& path) {
   constexpr std::uint32_t kContacts = 2'000'000;
   record(path, support::make_gas({.count = 2, .packing_fraction = 0.01}), 0);
@@ -63,7 +63,7 @@ class SmallRun {
 
   const SharedRecording& recording() const { return recording_; }
 
-  /// How it ended. Waits for that.
+  /// Waits for the end of the run and returns its progress.
   RunProgress finished() const {
     while (!recording_.progress().is_finished) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return recording_.progress();
@@ -75,7 +75,7 @@ class SmallRun {
         recording_(path),
         run_(std::move(simulation), std::move(writer_), recording_, until, most_bytes) {}
 
-  RecordingWriter writer_;  // until the run has it
+  RecordingWriter writer_;  // until moved into the run
   SharedRecording recording_;
   LiveRun run_;
 };

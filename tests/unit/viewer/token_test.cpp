@@ -9,7 +9,7 @@
 namespace hardball::viewer {
 namespace {
 
-TEST(Token, HasThirtyTwoDigitsAndNoOtherIsLikeIt) {
+TEST(Token, HasThirtyTwoDigitsAndIsUnique) {
   std::set<std::string> tokens;
   for (int k = 0; k < 100; ++k) {
     const std::string token = make_token();

@@ -86,13 +86,13 @@ async function contactTimes(out) {
 
 const state = (page) => page.evaluate(() => window.hardball.state());
 
-test('a finished run plays, pauses, is scrubbed and stepped through, without an error', async () => {
+test('a finished run can be played, paused, scrubbed and stepped through, without errors', async () => {
   await withRun(kGas, async (page, { out }) => {
-    const begin = await state(page);
-    assert.equal(begin.time, 0);
-    assert.equal(begin.spheres, 300);
-    assert.equal(begin.knownEnd, 8);
-    assert.ok(begin.status.finished);
+    const start = await state(page);
+    assert.equal(start.time, 0);
+    assert.equal(start.spheres, 300);
+    assert.equal(start.knownEnd, 8);
+    assert.ok(start.status.finished);
     assert.match(await page.textContent('#count-hash'), /^[0-9a-f]{16}$/);
 
     await page.click('#play');
@@ -162,7 +162,7 @@ test('centers are those that the library writes into its trajectory', async () =
   });
 });
 
-test('spheres are drawn where they are, in their colors and sizes, in both ways of drawing', async () => {
+test('spheres are drawn where they are, in their colors and sizes, as impostors and as points', async () => {
   await withRun(kPair, async (page) => {
     const area = await page.locator('#canvas').boundingBox();
     const isBlue = (red, green, blue) => blue > red + 25;
@@ -181,7 +181,7 @@ test('spheres are drawn where they are, in their colors and sizes, in both ways 
         const seen = [middleOf(image, area, isBlue), middleOf(image, area, isOrange)];
         for (const id of [0, 1]) {
           const radius = Math.sqrt(seen[id].count / Math.PI);
-          // What is near the rim of a picture looks like an ellipse, its middle beside the center.
+          // Near the edge of the picture a sphere looks like an ellipse, whose middle is not its center.
           const tolerance = 1 + 0.06 * radius;
           assert.ok(seen[id].count > 100, `${way}: sphere ${id} covers ${seen[id].count} pixels`);
           assert.ok(
@@ -201,7 +201,7 @@ test('spheres are drawn where they are, in their colors and sizes, in both ways 
   });
 });
 
-test('a sphere that is clicked is followed: its numbers, its path, its cells', async () => {
+test('a clicked sphere is followed: its numbers, its path, its cells', async () => {
   await withRun(kPair, async (page) => {
     await page.evaluate(() => window.hardball.setTime(1));
     const { x, y } = await page.evaluate(() => window.hardball.screenPosition(1));
@@ -236,7 +236,7 @@ test('all colorings, cells, flashes and a screenshot', async () => {
       await page.evaluate(() => window.hardball.setTime(3));
       pictures.add((await page.locator('#canvas').screenshot()).toString('base64'));
     }
-    // All spheres are alike, so that two of the colorings need not differ from others.
+    // All spheres are equal, so that two of the colorings need not differ from others.
     assert.ok(pictures.size >= 4);
     await page.uncheck('#show-events');
     await page.check('#show-cells');
@@ -251,7 +251,7 @@ test('all colorings, cells, flashes and a screenshot', async () => {
   });
 });
 
-test('a run is watched while it goes on', async () => {
+test('a live run can be watched', async () => {
   await withFolder(async (folder) => {
     const program = await view(await writeScenario(folder, kGas), '--until', '20');
     try {
@@ -285,7 +285,7 @@ test('a saved replay needs no server', async () => {
   });
 });
 
-test('nobody is served without the right token', async () => {
+test('no one is served without the right token', async () => {
   await withRun(kPair, async (page, { program }) => {
     const wrong = new URL(program.url);
     wrong.searchParams.set('token', '0'.repeat(32));
@@ -298,7 +298,7 @@ test('nobody is served without the right token', async () => {
   });
 });
 
-test('when the program is gone, the page says so, and what is loaded can be looked at', async () => {
+test('when the program is gone, the page says so, and the part loaded can be viewed', async () => {
   await withFolder(async (folder) => {
     const program = await view(await writeScenario(folder, kGas), '--until', '1e7');
     const page = await browser.open(program.url);

@@ -3,7 +3,7 @@
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 
-// The build installs packages in a folder of its own; otherwise they lie beside the tests.
+// The build installs packages in a separate folder; otherwise they are beside the tests.
 const packages = process.env.HARDBALL_TEST_PACKAGES;
 const { chromium } = createRequire(packages ? join(packages, 'package.json') : import.meta.url)(
   'playwright-core',
@@ -21,9 +21,9 @@ const kArguments = [
   '--enable-unsafe-swiftshader',
   '--ignore-gpu-blocklist',
 ];
-const kPatience = 120_000; // milliseconds; far more than anything takes
+const kPatience = 120_000; // milliseconds; far longer than anything takes
 
-/** A browser whose graphics card is emulated, so that it draws the same everywhere. */
+/** A browser with an emulated graphics card, so that it draws the same everywhere. */
 export class Browser {
   static async launch() {
     const executablePath = process.env.HARDBALL_CHROMIUM ?? '/usr/bin/chromium';
@@ -38,7 +38,7 @@ export class Browser {
     return this.browser.close();
   }
 
-  /** Opens `url`, and returns the page once it shows the first moment. What goes wrong is listed in `page.errors`. */
+  /** Opens `url`, and returns the page once it shows the first frame. Errors are listed in `page.errors`. */
   async open(url, { width = 1000, height = 700, scheme = 'light', pixelRatio = 1 } = {}) {
     const context = await this.browser.newContext({
       viewport: { width, height },
@@ -53,12 +53,12 @@ export class Browser {
     page.on('console', (message) => message.type() === 'error' && page.errors.push(message.text()));
     await page.goto(url);
     await page.waitForFunction(() => window.hardball?.state().isReady);
-    // Tests look at spheres as they are at best, however slow the machine.
+    // Tests use the best quality, however slow the machine.
     await page.evaluate(() => window.hardball.setQuality('full'));
     return page;
   }
 
-  /** What is seen of `page`: {width, height, data}, four bytes for each pixel. */
+  /** A screenshot of `page`: {width, height, data}, four bytes per pixel. */
   async pixels(page) {
     const image = (await page.screenshot()).toString('base64');
     this.decoder ??= await this.browser.newPage();

@@ -10,7 +10,7 @@ import { createInterface } from 'node:readline';
 const kProgram = process.env.HARDBALL_PROGRAM;
 if (!kProgram) throw new Error('HARDBALL_PROGRAM is not set; give the path of the program to be tested');
 
-/** A folder of its own for what `work(folder)` writes; it is removed in the end. */
+/** A temporary folder for `work(folder)`, removed at the end. */
 export async function withFolder(work) {
   const folder = await mkdtemp(join(tmpdir(), 'hardball_viewer_'));
   try {
@@ -27,7 +27,7 @@ export async function run(...words) {
   if (code !== 0) throw new Error(`hardball ${words.join(' ')} ended with ${code}`);
 }
 
-/** Lets the program serve `what`, a scenario or the folder of a run: {url, stop}. */
+/** Starts the program serving `what`, a scenario or the folder of a run: {url, stop}. */
 export async function view(what, ...options) {
   const process = spawn(kProgram, ['view', what, '--no-open', ...options], {
     stdio: ['ignore', 'pipe', 'ignore'],

@@ -4,7 +4,7 @@
 /**
  * A few spheres that collide with each other and with walls, found by comparing all pairs after each contact:
  * slow, short, and independent of the program. `box`: as in the header of a recording. Returns the bytes of a
- * recording, with `contactsOfChunk` contacts in each chunk or, where some happen at one moment, a few more.
+ * recording, with `contactsOfChunk` contacts in each chunk or, if some are simultaneous, a few more.
  */
 export function recordSmallGas({
   box,
@@ -92,7 +92,7 @@ function place({ box, positions, velocities }, times, id, axis, time) {
   return unfolded - Math.floor(unfolded / box.size[axis]) * box.size[axis];
 }
 
-// The earliest contact of all, other than the one that was last.
+// The earliest contact of all, other than the previous one.
 function earliest(gas, times, last) {
   const now = Math.max(...times);
   const { box, radii, velocities } = gas;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 import { readRecording } from '../../../apps/viewer/page/src/recording/recording_file.js';
 
-/** A source of a recording's `bytes` whose chunks arrive when the test says so. */
+/** A source of a recording's `bytes` whose chunks arrive when the test lets them. */
 export class StoredSource {
   constructor(bytes) {
     const { header, radii, masses, chunks } = readRecording(bytes);
@@ -27,7 +27,7 @@ export class StoredSource {
   }
 }
 
-/** Lets everything that waits for a chunk go on. */
+/** Lets everything that waits for a chunk continue. */
 export function settle() {
   return new Promise((resolve) => setImmediate(resolve));
 }

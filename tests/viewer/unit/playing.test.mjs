@@ -57,11 +57,11 @@ async function openPlayer(options) {
   return { source, store, player };
 }
 
-test('the small gas has chunks enough to go through', () => {
+test('the small gas has enough chunks', () => {
   assert.ok(new StoredSource(kGas).chunks.length > 8);
 });
 
-test('the paths shown are those of the recording, forward, backward and in leaps', () => {
+test('the paths shown are those of the recording, forward, backward and in jumps', () => {
   const source = new StoredSource(kGas);
   const playback = new Playback(27, () => undefined);
   const moments = [0, 0.01, 0.5, 0.51, 3, 2.9, 8, 0.2, 7.9, source.ends[2], source.ends[1]];
@@ -72,7 +72,7 @@ test('the paths shown are those of the recording, forward, backward and in leaps
   }
 });
 
-test('only spheres in contacts are touched while the moment moves on', () => {
+test('only spheres in contacts are touched while time advances', () => {
   const source = new StoredSource(kGas);
   const playback = new Playback(27, () => undefined);
   const [chunk] = source.chunks;
@@ -85,7 +85,7 @@ test('only spheres in contacts are touched while the moment moves on', () => {
   assert.deepEqual([...playback.touched.subarray(0, playback.touchedCount)], partners);
 });
 
-test('collisions are counted from the begin, also after going back', () => {
+test('collisions are counted from the start, also after going back', () => {
   const source = new StoredSource(kGas);
   const playback = new Playback(27, () => undefined);
   const go = (time) => {
@@ -98,7 +98,7 @@ test('collisions are counted from the begin, also after going back', () => {
   for (let id = 0; id < 27; ++id) assert.equal(playback.collisions[id], collisionsOf(source, id, 3));
 });
 
-test('after a leap, collisions are counted through the chunks in memory', () => {
+test('after a jump, collisions are counted through the chunks in memory', () => {
   const source = new StoredSource(kGas);
   const playback = new Playback(27, (number) => source.chunks[number]);
   playback.moveTo(0, source.chunks[0], 0);
@@ -108,7 +108,7 @@ test('after a leap, collisions are counted through the chunks in memory', () => 
     assert.equal(playback.collisions[id], collisionsOf(source, id, source.ends[5]));
 });
 
-test('after a leap into the unknown, collisions are counted from there and say so', () => {
+test('after a jump across missing chunks, collisions are counted from there, as shown', () => {
   const source = new StoredSource(kGas);
   const playback = new Playback(27, () => undefined);
   playback.moveTo(0, source.chunks[0], 0);
@@ -122,7 +122,7 @@ test('after a leap into the unknown, collisions are counted from there and say s
   }
 });
 
-test('a moment whose chunk is not there is not shown until it is', async () => {
+test('a time whose chunk is missing is not shown until it arrives', async () => {
   const { source, player } = await openPlayer();
   source.isHeld = true;
   const shown = player.seek(source.ends[7]);
@@ -142,7 +142,7 @@ test('a moment whose chunk is not there is not shown until it is', async () => {
   assertShows(player.playback, source, source.ends[7]);
 });
 
-test('playing goes on at its speed, waits for chunks, and ends with the recording', async () => {
+test('playback keeps its speed, waits for chunks, and ends with the recording', async () => {
   const { source, player } = await openPlayer();
   player.speed = 0.5;
   player.play();
@@ -183,7 +183,7 @@ test('steps stop at each contact, of all spheres or of one, forward and back', a
   assert.equal(await step('stepBack', 4), of4[1]);
 });
 
-test('memory stays within its budget, and what was dropped is loaded again', async () => {
+test('memory stays within its budget, and dropped chunks are loaded again', async () => {
   const size = Math.max(...new StoredSource(kGas).chunks.map((chunk) => chunk.bytes));
   const { source, store, player } = await openPlayer({ budget: 4 * size });
   player.speed = 1;
@@ -208,7 +208,7 @@ test('memory stays within its budget, and what was dropped is loaded again', asy
   assert.ok(source.asked.filter((number) => number === 0).length > 1);
 });
 
-test('a lost source leaves what is shown as it is', async () => {
+test('a lost source leaves the picture unchanged', async () => {
   let lost = 0;
   const { source, store, player } = await openPlayer({ onLost: () => (lost += 1) });
   await settle();

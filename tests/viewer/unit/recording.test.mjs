@@ -53,14 +53,14 @@ test('the path of a sphere follows from keyframe and contacts', () => {
   assert.deepEqual([...path], [5.5, 2, 1, 1, 0, 0, 1.5]);
 });
 
-test('contacts up to a moment are counted, those at that very moment included', () => {
+test('contacts up to a time are counted, including those at that time', () => {
   const [chunk] = readRecording(recordSmallGas({ ...kTwo, contactsOfChunk: 100 })).chunks;
   const counted = (time) =>
     Array.from({ length: chunk.contacts }, (_, k) => chunk.time(k)).filter((t) => t <= time).length;
   for (const time of [0, 1.4, 1.5, 1.6, 5.5, 5.9, 6]) assert.equal(chunk.contactsUntil(time), counted(time));
 });
 
-test('a last chunk that is cut off is left out, wherever it was cut', () => {
+test('a truncated last chunk is ignored, wherever it ends', () => {
   const bytes = recordSmallGas(kTwo);
   const whole = readRecording(bytes).chunks;
   const cut = whole.at(-1).bytes;
@@ -69,7 +69,7 @@ test('a last chunk that is cut off is left out, wherever it was cut', () => {
   }
 });
 
-test('damage is told from a cut', () => {
+test('damage is distinguished from truncation', () => {
   const bytes = recordSmallGas(kTwo);
   const second = bytes.byteLength - readRecording(bytes).chunks.at(-1).bytes;
   for (const offset of [0, second, second + 4, second + 8]) {

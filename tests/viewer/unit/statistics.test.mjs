@@ -19,7 +19,7 @@ function assertNear(value, expected, tolerance) {
   assert.ok(Math.abs(value - expected) <= tolerance, `${value} is not ${expected}`);
 }
 
-test('intervals of a chunk hold all its contacts, and the energy that collisions keep', () => {
+test('intervals of a chunk contain all its contacts, and the energy that collisions conserve', () => {
   const box = { size: [5, 5, 5], boundary: ['wall', 'wall', 'wall'] };
   const { chunks, masses } = new StoredSource(
     recordSmallGas({ box, ...randomSpheres(27, 5), until: 20, contactsOfChunk: 1000 }),
@@ -63,7 +63,7 @@ test('a density sums to the share of values below its end', () => {
   assert.deepEqual([...shares], [1, 0, 0, 0.5]);
 });
 
-test('spheres of like radius and mass are one species', () => {
+test('spheres of equal radius and mass are one species', () => {
   const { of, list } = findSpecies([1, 2, 1, 1], [1, 1, 1, 3]);
   assert.deepEqual([...of], [0, 1, 0, 2]);
   assert.deepEqual(
@@ -72,7 +72,7 @@ test('spheres of like radius and mass are one species', () => {
   );
 });
 
-test('ends of ranges are round and hold their values', () => {
+test('ends of ranges are round and contain their values', () => {
   for (const value of [0.0123, 0.99, 1, 17.3, 4500]) {
     assert.ok(roundUp(value) >= value);
     assert.ok(roundUp(value) <= 1.6 * value);
@@ -80,7 +80,7 @@ test('ends of ranges are round and hold their values', () => {
   assert.equal(quantile([5, 1, 3, 2, 4], 0.5), 3);
 });
 
-test('numbers are written as people write them', () => {
+test('numbers are formatted for people', () => {
   assert.equal(show(0), '0');
   assert.equal(show(-1.23456), '−1.235');
   assert.equal(show(1.5e-7, 2), '1.5·10⁻⁷');
@@ -88,7 +88,7 @@ test('numbers are written as people write them', () => {
   assert.equal(showTime(1.23456, 0.01), '1.23');
 });
 
-test('drawing becomes simpler step by step while frames are slow, and never if it is fixed', () => {
+test('drawing quality drops step by step while frames are slow, and never if it is fixed', () => {
   const chosen = [];
   const quality = new Quality(1, (way) => chosen.push(way.name));
   for (let frame = 0; frame < 200; ++frame) quality.note(1 / 60);

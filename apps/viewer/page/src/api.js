@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-/** window.hardball: what tests and the curious can ask and do from the console. */
+/** window.hardball: the API for tests and for the console. */
 export function createApi(viewer) {
   const { player, store, view, quality, source } = viewer;
   return {
-    /** The moment shown [T]. */
+    /** The time shown [T]. */
     get time() {
       return player.time;
     },
-    /** Shows the moment `time`; the promise is kept once it is drawn, and tells which moment that is. */
+    /** Shows `time`; the promise resolves to the time shown once it is drawn. */
     async setTime(time) {
       const shown = await player.seek(time);
       viewer.drawMoment();
@@ -27,7 +27,7 @@ export function createApi(viewer) {
     },
     /** Follows sphere `id`, or none if it is null. */
     follow: (id) => viewer.follow(id),
-    /** Draws in the way called `name`: "full", "reduced", "points" or "coarse". */
+    /** Draws in quality `name`: "full", "reduced", "points" or "coarse". */
     setQuality: (name) => viewer.setQuality(name),
     /** Everything else, in numbers. */
     state: () => ({

@@ -24,9 +24,9 @@ import { Trail } from './scene/trail.js';
 import { View } from './scene/view.js';
 import { findSpecies, quantile, roundUp } from './statistics/speeds.js';
 
-const kFewEnoughForFlashes = 3000; // spheres; of more, contacts would hide everything else
+const kFewEnoughForFlashes = 3000; // spheres; with more, contacts would hide everything else
 const kFlashSeconds = 0.6; // how long a flash lasts while playing
-const kManyForSoftware = 2000; // spheres; of more, an emulated graphics card draws points from the start
+const kManyForSoftware = 2000; // spheres; with more, an emulated graphics card draws points from the start
 const kContactsOfTrail = 24;
 const kSecondsBetweenPanels = 0.1;
 const kSecondsBetweenPlots = 0.5;
@@ -66,7 +66,7 @@ export class Viewer {
     this.spherePanel = new SpherePanel(this);
     this.quality = new Quality(window.devicePixelRatio, (way) => this.draw(way));
 
-    /** The id of the sphere followed, or null. */
+    /** The id of the followed sphere, or null. */
     this.followed = null;
     this.next = undefined;
     this.scales = null;
@@ -79,7 +79,7 @@ export class Viewer {
     showEventLegend(header.box.boundary.includes('wall'));
   }
 
-  /** Shows moment after moment from here on. */
+  /** Starts the animation. */
   start() {
     this.poll();
     requestAnimationFrame((now) => this.frame(now));
@@ -93,7 +93,7 @@ export class Viewer {
     this.quality.restart();
   }
 
-  /** Goes to the next contact, or to the one before if `direction` < 0: any, or one of the sphere followed. */
+  /** Goes to the next contact, or to the previous one if `direction` < 0: any, or one of the followed sphere. */
   step(direction, isOfFollowed) {
     const id = isOfFollowed ? this.followed : null;
     const stepped = direction > 0 ? this.player.stepForward(id) : this.player.stepBack(id);
@@ -128,7 +128,7 @@ export class Viewer {
     this.last.panels = -Infinity;
   }
 
-  /** Looks at the sphere followed from near by, as the neighborhood of a few cells shows best. */
+  /** Moves the camera to the followed sphere, so that the surrounding cells are seen best. */
   approach() {
     if (this.followed === null) return;
     element('near-only').checked = this.source.header.spheres > kFew;
@@ -152,15 +152,15 @@ export class Viewer {
     if (this.scales) this.updateColors();
   }
 
-  /** Draws in one of the ways of Quality, and keeps to it. */
+  /** Draws in one of the qualities of Quality, and keeps it. */
   setQuality(name) {
     this.quality.fix(name);
     this.notices.hide('quality');
   }
 
-  // --- where things are ---
+  // --- positions ---
 
-  /** Center of sphere `id` at the moment shown, folded into the box [L]. */
+  /** Center of sphere `id` at the time shown, folded into the box [L]. */
   center(id) {
     return readCenter(this.playback.paths, kPathNumbers * id, this.playback.time, this.box, [0, 0, 0]);
   }
@@ -200,10 +200,10 @@ export class Viewer {
     if (hasMoved || this.view.isStale) this.drawMoment();
     if (this.player.isPlaying && hasMoved) this.quality.note(seconds);
     else this.quality.restart();
-    this.tell(now / 1000);
+    this.updateNumbers(now / 1000);
   }
 
-  // The first moment: what typical scales decide.
+  // The first frame: what depends on typical scales.
   begin() {
     this.scales = typicalScales(this.playback.chunk, this.source.radii, this.source.header);
     this.transport.center(this.scales.playing);
@@ -283,8 +283,8 @@ export class Viewer {
     this.view.isStale = true;
   }
 
-  // Brings numbers and plots up to date, as often as people can read them.
-  tell(seconds) {
+  // Updates numbers and plots, as often as people can read them.
+  updateNumbers(seconds) {
     this.transport.update();
     this.plots.mark(this.playback.time);
     const { player } = this;
@@ -327,7 +327,7 @@ export class Viewer {
   lose() {
     if (this.isLost) return;
     this.isLost = this.store.isSuspended = true;
-    this.notices.show('lost', 'The program does not answer. What is loaded can be looked at.', { kind: 'bad' });
+    this.notices.show('lost', 'The program does not answer. The part loaded can still be viewed.', { kind: 'bad' });
     this.pollIn(kRetrySeconds);
   }
 

@@ -19,7 +19,7 @@ export class Box {
     return place - Math.floor(place / period) * period;
   }
 
-  /** The shortest of the differences `difference` along `axis` between all copies of two places [L]. */
+  /** The shortest of the differences `difference` along `axis` between all images of two places [L]. */
   nearest(difference, axis) {
     const period = this.period[axis];
     return period === 0 ? difference : difference - Math.round(difference / period) * period;

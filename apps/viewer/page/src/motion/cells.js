@@ -10,11 +10,11 @@ export class Cells {
   constructor(edge, origin, box) {
     this.edge = edge;
     this.origin = origin;
-    /** How many cells there are along each periodic axis; zero along the others. */
+    /** The number of cells along each periodic axis; zero along the others. */
     this.count = box.period.map((period, axis) => Math.round(period / edge[axis]));
   }
 
-  /** Cells with edges of about `edge` [L], of which a whole number fits into the box. */
+  /** Cells with edges of about `edge` [L], a whole number of which fits into the box. */
   static fitting(edge, box) {
     const edges = box.boundary.map((boundary, axis) =>
       boundary === 'open' ? edge : box.size[axis] / Math.max(1, Math.round(box.size[axis] / edge)),
@@ -27,7 +27,7 @@ export class Cells {
     return Math.floor((place - this.origin[axis]) / this.edge[axis]);
   }
 
-  /** Where cell `index` begins along `axis` [L], folded into the box. */
+  /** The lower end of cell `index` along `axis` [L], folded into the box. */
   begin(index, axis) {
     const count = this.count[axis];
     const folded = count === 0 ? index : index - Math.floor(index / count) * count;
@@ -36,7 +36,7 @@ export class Cells {
 
   /**
    * When a sphere of radius `radius` on `path` enters the layer of cells `index` across `axis`, and when it
-   * leaves it [T]: a pair; enter is not before leave if it is never there. The path is taken as endless.
+   * leaves it [T]: a pair; enter is not before leave if it is never there. The path is taken as infinite.
    */
   layerTimes(path, radius, index, axis) {
     const begin = this.origin[axis] + index * this.edge[axis];
@@ -92,7 +92,7 @@ export class Cells {
     return true;
   }
 
-  /** The first moment after `time` at which a sphere on `path` enters or leaves a layer of cells. */
+  /** The first time after `time` at which a sphere on `path` enters or leaves a layer of cells. */
   nextCrossing(path, radius, time) {
     let next = { time: Infinity, kind: 'enter', axis: 0 };
     for (let axis = 0; axis < 3; ++axis) {

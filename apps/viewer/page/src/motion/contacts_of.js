@@ -3,8 +3,8 @@
 import { kPathNumbers } from '../recording/chunk.js';
 
 /**
- * The paths of sphere `id` that began before the first `count` contacts of chunk `number` were over, the latest
- * first, at most `most`: each with `numbers`, as in a keyframe, and `until`, when it ended (Infinity for the
+ * The paths of sphere `id` that started before or at the first `count` contacts of chunk `number`, latest first,
+ * at most `most`: each with `numbers`, as in a keyframe, and `until`, when it ended (Infinity for the
  * latest). As far back as the chunks in memory reach.
  */
 export function recentPaths(store, id, number, count, most) {
@@ -22,15 +22,15 @@ export function recentPaths(store, id, number, count, most) {
     }
     if (paths.length === most) return paths;
     const isLast = !store.get(number - 1);
-    // The first keyframe in memory says how the oldest path began.
+    // The first keyframe in memory has the start of the oldest path.
     if (isLast) add((numbers) => chunk.readPath(id, 0, numbers));
   }
   return paths;
 }
 
 /**
- * The next contact after the first `count` of chunk `number`, of sphere `id` or, where that is null, of any:
- * its time and its two partners. Undefined if the chunks in memory, which follow each other, hold none.
+ * The next contact after the first `count` of chunk `number`, of sphere `id` or, if that is null, of any:
+ * its time and its two partners. Undefined if there is none in the consecutive chunks in memory.
  */
 export function nextContact(store, id, number, count) {
   for (let chunk = store.get(number); chunk; chunk = store.get(++number), count = 0) {

@@ -4,7 +4,7 @@ import { kPathNumbers } from '../recording/chunk.js';
 
 /**
  * Typical scales of a recording, from its first chunk: how fast spheres are [L/T], how often each collides [1/T],
- * and the speed of playing at which one sees them move [T per second].
+ * and a playback speed at which they are seen to move [T per second].
  */
 export function typicalScales(chunk, radii, { begin, until, box }) {
   const spheres = radii.length;
@@ -21,8 +21,8 @@ export function typicalScales(chunk, radii, { begin, until, box }) {
   const duration = chunk.end - chunk.begin;
   const rate = duration > 0 ? (2 * collisions) / (spheres * duration) : 0;
 
-  // In a second of the viewer's time a sphere collides once; but it moves at least a fifth of its radius, and
-  // at most a twelfth of the way through the box. A whole run takes at least ten seconds.
+  // In a second of real time a sphere collides once; but it moves at least a fifth of its radius, and at most a
+  // twelfth of the box. A whole run takes at least ten seconds.
   const edges = box.size.filter((size, axis) => box.boundary[axis] !== 'open' && size > 0);
   const longest = edges.length > 0 ? Math.max(...edges) / 12 : 3 * radius;
   const wanted = Math.min(Math.max(rate > 0 ? speed / rate : Infinity, radius / 5), longest);

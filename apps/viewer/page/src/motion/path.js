@@ -3,7 +3,7 @@
 
 /**
  * Writes the center at `time` [L], folded into the box, into `center`.
- * `paths` holds the path from number `start` on: position, velocity, the time at which it began.
+ * `paths` holds the path from number `start` on: position, velocity, start time.
  */
 export function readCenter(paths, start, time, box, center) {
   const elapsed = time - paths[start + 6];
@@ -27,11 +27,11 @@ export function piecesInBox(path, from, until, box, most = 64) {
       const period = box.period[axis];
       const velocity = path[3 + axis];
       if (period === 0 || velocity === 0) continue;
-      // The middle of a short step ahead tells in which copy of the box the motion goes on.
+      // The middle of a short step ahead shows in which image of the box the motion continues.
       const place = path[axis] + (time - path[6]) * velocity;
-      const copy = Math.floor(place / period + Math.sign(velocity) * 1e-9);
-      boxes[axis] = copy;
-      const face = (velocity > 0 ? copy + 1 : copy) * period;
+      const image = Math.floor(place / period + Math.sign(velocity) * 1e-9);
+      boxes[axis] = image;
+      const face = (velocity > 0 ? image + 1 : image) * period;
       next = Math.min(next, path[6] + (face - path[axis]) / velocity);
     }
     if (!(next > time)) break;

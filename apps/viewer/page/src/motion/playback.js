@@ -3,11 +3,11 @@
 import { kPathNumbers } from '../recording/chunk.js';
 
 /**
- * The paths that hold at one moment, and how they change as the moment moves.
- * Moving on by a few contacts touches only the spheres that are in them.
+ * The paths that hold at one time, and how they change as time moves.
+ * Moving by a few contacts touches only their spheres.
  */
 export class Playback {
-  /** `spheres`: how many. `chunkAt(number)`: a chunk if it is in memory. */
+  /** `spheres`: their number. `chunkAt(number)`: a chunk if it is in memory. */
   constructor(spheres, chunkAt) {
     this.chunkAt = chunkAt;
     this.spheres = spheres;
@@ -47,7 +47,7 @@ export class Playback {
     this.time = time;
   }
 
-  /** Forgets which spheres were touched. */
+  /** Clears the list of touched spheres. */
   takeTouched() {
     this.touchedCount = 0;
     this.allTouched = false;
@@ -110,7 +110,7 @@ export class Playback {
 
 const kBytesKept = 64 << 20;
 
-// The collisions of each sphere up to the begin of chunks that were passed, all counted from one moment.
+// The collisions of each sphere up to the start of chunks already passed, all counted from one time.
 class CollisionsAtBegin {
   constructor() {
     this.kept = new Map();

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 import { Playback } from './playback.js';
 
-const kLongestFrame = 0.1; // seconds; a page that was hidden goes on where it was
+const kLongestFrame = 0.1; // seconds; a page that was hidden continues where it was
 
 /**
- * The clock: which moment is shown, and which comes next.
- * It never shows a moment whose chunk is not in memory, but waits for it.
+ * The clock: which time is shown, and which comes next.
+ * If the chunk of a time is not in memory, it waits for it.
  */
 export class Player {
   constructor(source, store) {
@@ -18,12 +18,12 @@ export class Player {
     this.isPlaying = false;
     /** Whether a chunk is being waited for. */
     this.isBuffering = true;
-    /** The moment that is to be shown as soon as its chunk is there [T]; null if it is shown. */
+    /** The time to show as soon as its chunk is there [T]; null if it is shown. */
     this.wanted = source.header.begin;
     this.waiting = [];
   }
 
-  /** The moment shown [T]; the begin of the recording while nothing is shown. */
+  /** The time shown [T]; the start of the recording while nothing is shown. */
   get time() {
     return this.playback.chunk ? this.playback.time : this.source.header.begin;
   }
@@ -46,13 +46,13 @@ export class Player {
     this.isPlaying = false;
   }
 
-  /** Shows `time` [T], or the nearest moment that is known; the promise is kept once it is shown. */
+  /** Shows `time` [T], or the nearest known time; the promise resolves once it is shown. */
   seek(time) {
     this.wanted = Math.min(Math.max(time, this.source.header.begin), this.knownEnd);
     return new Promise((resolve) => this.waiting.push(resolve));
   }
 
-  /** Goes on by `seconds` of the viewer's time, as far as the recording is in memory. */
+  /** Advances by `seconds` of real time, as far as the recording is in memory. */
   advance(seconds) {
     if (this.wanted === null && this.isPlaying) {
       const next = this.time + this.speed * Math.min(seconds, kLongestFrame);
@@ -77,8 +77,8 @@ export class Player {
   }
 
   /**
-   * Shows the moment of the next contact, of sphere `id` or, where that is null, of any; the end of what is
-   * known if there is none.
+   * Shows the time of the next contact, of sphere `id` or, if that is null, of any; the end of what is known if
+   * there is none.
    */
   async stepForward(id = null) {
     this.pause();
@@ -94,7 +94,7 @@ export class Player {
     return this.seek(this.knownEnd);
   }
 
-  /** Shows the moment of the last contact before this one, as `stepForward` does; the begin if there is none. */
+  /** Shows the time of the last contact before the present one, as `stepForward` does; the start if there is none. */
   async stepBack(id = null) {
     this.pause();
     const time = this.time;

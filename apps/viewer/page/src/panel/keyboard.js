@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-/** Lets keys do what buttons do. Fields and buttons keep the keys that they use themselves. */
+/** Keyboard shortcuts. Fields and buttons keep the keys that they use themselves. */
 export function listenToKeys(viewer) {
   const actions = {
     ' ': () => viewer.togglePlay(),

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-/** Short messages over the picture, one for each matter. */
+/** Short messages over the picture, one per matter. */
 export class Notices {
   constructor() {
     this.place = document.getElementById('notices');

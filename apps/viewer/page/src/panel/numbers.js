@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-/** `value` with `digits` significant digits, as people write it. */
+/** `value` with `digits` significant digits, for people. */
 export function show(value, digits = 4) {
   if (value === null || value === undefined || Number.isNaN(value)) return '–';
   if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
@@ -16,7 +16,7 @@ export function showCount(value) {
   return Math.round(value).toLocaleString('en-US');
 }
 
-/** A moment with as many decimals as tell moments apart that are `step` from each other. */
+/** A time with enough decimals to distinguish times `step` apart. */
 export function showTime(time, step) {
   const decimals = Math.min(12, Math.max(0, Math.ceil(-Math.log10(step))));
   return time.toFixed(decimals).replace('-', '−');

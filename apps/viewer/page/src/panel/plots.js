@@ -11,7 +11,7 @@ const kFewestSpheres = 20; // fewer have no distribution of speeds worth a plot
 
 /** The plots beside the picture: collision rate, speeds, and the energy where it is lost. */
 export class Plots {
-  /** `player` tells how far the recording is known; `species` as findSpecies lists them. */
+  /** `player` knows how far the recording is known; `species` as listed by findSpecies. */
   constructor({ header, masses }, player, species) {
     this.begin = header.begin;
     this.masses = masses;
@@ -45,14 +45,14 @@ export class Plots {
     return [this.rate, this.energy, this.histogram].filter((plot) => plot !== null);
   }
 
-  /** Takes over what happens in chunk `number`. */
+  /** Adds chunk `number`. */
   add(chunk, number) {
     if (this.summaries.has(number)) return;
     this.summaries.set(number, summarize(chunk, this.masses, this.begin));
     this.isStale = true;
   }
 
-  /** Draws what has changed up to the moment of `playback`; returns whether the speeds have. */
+  /** Draws what has changed up to the time of `playback`; returns whether the speeds have. */
   update(playback) {
     if (this.isStale || this.player.knownEnd !== this.knownEnd) this.drawTimes();
     this.isStale = false;
@@ -77,7 +77,7 @@ export class Plots {
     }
   }
 
-  /** Fits the plots into their places, in the colors of the page. */
+  /** Fits the plots to their elements, in the colors of the page. */
   resize() {
     for (const plot of this.all) {
       const width = plot.root.parentElement.clientWidth;
@@ -89,7 +89,7 @@ export class Plots {
     const rows = [];
     let last = null;
     for (const number of [...this.summaries.keys()].sort((a, b) => a - b)) {
-      // A line does not run across what is not known.
+      // A line is interrupted where data are unknown.
       if (last !== null && number !== last + 1)
         rows.push({
           time: this.summaries.get(number)[0]?.time ?? 0,
@@ -120,7 +120,7 @@ export class Plots {
   }
 }
 
-// The end of a range that holds `value` and follows only great changes of it, so that axes stay still.
+// The end of a range that contains `value` and follows only large changes of it, so that axes stay still.
 function steady(end, value) {
   return value > 1.1 * end || value < 0.6 * end ? roundUp(value) : end;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 import { show, showCount } from './numbers.js';
 
-/** What the header of the page says of the run. */
+/** The status of the run in the header of the page. */
 export function showRunStatus({ header, status, replayAddress }, isLost) {
   const put = (id, text) => {
     const element = document.getElementById(id);

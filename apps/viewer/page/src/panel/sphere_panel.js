@@ -7,7 +7,7 @@ import { show, showCount } from './numbers.js';
 const kFaces = ['lower x', 'upper x', 'lower y', 'upper y', 'lower z', 'upper z'];
 const kAxes = ['x', 'y', 'z'];
 
-/** All about the sphere followed, in numbers. */
+/** The followed sphere in numbers. */
 export class SpherePanel {
   constructor(viewer) {
     this.viewer = viewer;
@@ -43,7 +43,7 @@ export class SpherePanel {
     );
     text(
       'sphere-next',
-      next ? `${partner(next, followed)} in ${show(next.time - time, 3)}` : 'not known yet',
+      next ? `${partner(next, followed)} in ${show(next.time - time, 3)}` : 'unknown',
     );
     text('sphere-crossing', this.crossing());
   }

@@ -4,7 +4,7 @@ import { show, showTime } from './numbers.js';
 
 const kScrubSteps = 100000;
 
-/** Play, pause, steps, the scrub bar, and the slider of the speed. */
+/** Play, pause, steps, the scrub bar, and the speed slider. */
 export class Transport {
   constructor(viewer) {
     this.viewer = viewer;
@@ -37,13 +37,13 @@ export class Transport {
     this.speed.addEventListener('input', () => viewer.setSpeed(10 ** Number(this.speed.value)));
   }
 
-  /** Lets the slider of the speed reach three powers of ten down and two up from `middle` [T per second]. */
+  /** Sets the range of the speed slider to three powers of ten below and two above `middle` [T per second]. */
   center(middle) {
     this.speed.min = Math.log10(middle) - 3;
     this.speed.max = Math.log10(middle) + 2;
   }
 
-  /** The moment at the end of the scrub bar [T]. */
+  /** The time at the end of the scrub bar [T]. */
   get last() {
     const { header, status } = this.player.source;
     const { knownEnd } = this.player;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-/** Numbers of one path: position (3) [L], velocity (3) [L/T], the time at which it began [T]. */
+/** Numbers of one path: position (3) [L], velocity (3) [L/T], start time [T]. */
 export const kPathNumbers = 7;
 
 const kMagic = 0x4b4e4843; // "CHNK"
@@ -11,7 +11,7 @@ const kContactNumbers = kContactBytes / 8;
 const kContactIntegers = kContactBytes / 4;
 
 /**
- * The length of the chunk at `offset` [bytes], or undefined where the buffer ends before the chunk does.
+ * The length of the chunk at `offset` [bytes], or undefined if the buffer ends before the chunk does.
  * Error: there is no chunk of `sphereCount` spheres.
  */
 export function chunkLength(buffer, offset, sphereCount) {
@@ -27,18 +27,18 @@ export function chunkLength(buffer, offset, sphereCount) {
 }
 
 /**
- * A stretch of the recording: the paths that hold at `begin`, and all contacts in (begin, end], in order.
- * It looks into the buffer and copies nothing, so that decoding costs no time.
+ * A part of the recording: the paths at `begin`, and all contacts in (begin, end], in order.
+ * It is a view of the buffer and copies nothing, so that decoding costs no time.
  */
 export class Chunk {
-  /** Precondition: `offset` is a multiple of 8. Error: no whole chunk of `sphereCount` spheres is there. */
+  /** Precondition: `offset` is a multiple of 8. Error: there is no complete chunk of `sphereCount` spheres. */
   constructor(buffer, offset, sphereCount) {
     const length = chunkLength(buffer, offset, sphereCount);
-    if (length === undefined) throw new Error('the recording is damaged: a chunk is cut off');
+    if (length === undefined) throw new Error('the recording is damaged: a chunk is truncated');
     const view = new DataView(buffer, offset, kHeadBytes);
     const keyframeNumbers = kPathNumbers * sphereCount;
     const first = offset + kHeadBytes + 8 * keyframeNumbers;
-    /** How many contacts. */
+    /** Number of contacts. */
     this.contacts = view.getUint32(4, true);
     /** Length in the recording. */
     this.bytes = length;
@@ -57,12 +57,12 @@ export class Chunk {
     return this.numbers[kContactNumbers * k];
   }
 
-  /** The sphere of contact `k`; of a collision the one with the lower id. */
+  /** The sphere of contact `k`; for a collision, the one with the lower id. */
   first(k) {
     return this.integers[kContactIntegers * k + 2];
   }
 
-  /** The other sphere of contact `k`, or −(face + 1) of a wall. */
+  /** The other sphere of contact `k`, or −(face + 1) for a wall. */
   second(k) {
     return this.integers[kContactIntegers * k + 3];
   }
@@ -71,12 +71,12 @@ export class Chunk {
     return this.first(k) === id || this.second(k) === id;
   }
 
-  /** Where in `numbers` stand position and velocity of the first sphere after contact `k`. */
+  /** The offset in `numbers` of position and velocity of the first sphere after contact `k`. */
   firstPlace(k) {
     return kContactNumbers * k + 2;
   }
 
-  /** Where in `numbers` stand position and velocity of the second sphere after contact `k`. */
+  /** The offset in `numbers` of position and velocity of the second sphere after contact `k`. */
   secondPlace(k) {
     return kContactNumbers * k + 8;
   }
@@ -104,7 +104,7 @@ export class Chunk {
     for (let n = 0; n < kPathNumbers; ++n) path[n] = this.keyframe[kPathNumbers * id + n];
   }
 
-  /** Writes the path of sphere `id` that begins with contact `k` into `path`. Precondition: `id` is in it. */
+  /** Writes the path of sphere `id` that starts with contact `k` into `path`. Precondition: `id` is in it. */
   readPathAfter(k, id, path) {
     const place = this.first(k) === id ? this.firstPlace(k) : this.secondPlace(k);
     for (let n = 0; n < 6; ++n) path[n] = this.numbers[place + n];

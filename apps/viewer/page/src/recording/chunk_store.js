@@ -4,11 +4,11 @@
 const kLoadsAtOnce = 2;
 
 /**
- * The chunks held in memory: those around the moment shown, within a budget of bytes.
- * What is near is loaded ahead of its use; what is far is dropped, and loaded again when it is needed.
+ * The chunks held in memory: those around the time shown, within a budget of bytes.
+ * Near chunks are loaded ahead of use; distant ones are dropped, and loaded again when needed.
  */
 export class ChunkStore {
-  /** `onLoad(chunk, number)` is told of each chunk that arrives, `onLost(error)` of each that does not. */
+  /** `onLoad(chunk, number)` is called for each chunk that arrives, `onLost(error)` for each that does not. */
   constructor(source, { budget = 256 << 20, onLoad = () => {}, onLost = () => {} } = {}) {
     this.source = source;
     this.budget = budget;
@@ -26,7 +26,7 @@ export class ChunkStore {
     return this.chunks.get(number);
   }
 
-  /** The chunk in which `time` lies; the first or last one for a time before or after all. */
+  /** The chunk that contains `time`; the first or last one for times outside all. */
   numberAt(time) {
     const ends = this.source.ends;
     let low = 0;
@@ -47,7 +47,7 @@ export class ChunkStore {
     return loading;
   }
 
-  /** Makes `number` the middle of what is held, and loads what is near and fits, first what will be needed first. */
+  /** Centers the chunks held on `number`, and loads the near ones that fit, those needed first first. */
   focus(number) {
     this.center = number;
     if (this.isSuspended) return;

@@ -5,12 +5,12 @@ import { Chunk, chunkLength } from './chunk.js';
 const kMagic = 'HBREC001';
 
 /**
- * Reads a whole recording: its header, radii [L], masses [M], and chunks, which look into `buffer`.
- * A last chunk that is cut off is left out. Error: not a recording.
+ * Reads a whole recording: its header, radii [L], masses [M], and chunks, which are views of `buffer`.
+ * A truncated last chunk is ignored. Error: not a recording.
  */
 export function readRecording(buffer) {
   const magic = new TextDecoder().decode(new Uint8Array(buffer, 0, Math.min(8, buffer.byteLength)));
-  if (magic !== kMagic) throw new Error(`not a recording: it begins with '${magic}', not '${kMagic}'`);
+  if (magic !== kMagic) throw new Error(`not a recording: it starts with '${magic}', not '${kMagic}'`);
   const headerLength = new DataView(buffer).getUint32(8, true);
   const header = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 12, headerLength)));
   const radiiStart = 12 + headerLength;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 import { readRecording } from './recording_file.js';
 
-const kPiece = 1 << 22; // letters decoded at once; a multiple of 4
+const kPiece = 1 << 22; // letters decoded at a time; a multiple of 4
 
-/** The bytes that `text`, in base 64, stands for. */
+/** Decodes the base-64 `text`. */
 export function decodeBase64(text) {
   const letters = text.replace(/\s+/g, '');
   const padding = letters.endsWith('==') ? 2 : letters.endsWith('=') ? 1 : 0;
@@ -18,7 +18,7 @@ export function decodeBase64(text) {
 
 /** A whole recording that was saved inside the page: it needs no server. */
 export class SavedSource {
-  /** `element` holds the recording in base 64, and is emptied. Error: it is no recording. */
+  /** `element` holds the recording in base 64, and is emptied. Error: it is not a recording. */
   constructor(element) {
     const { header, radii, masses, chunks } = readRecording(decodeBase64(element.textContent));
     element.textContent = '';

@@ -4,7 +4,7 @@ import { Chunk } from './chunk.js';
 
 /** A recording that the program serves, and that may still be growing. */
 export class ServerSource {
-  /** `token`: the one in the page's address; the server answers nobody without it. */
+  /** `token`: the one in the page's address, which every request needs. */
   constructor(token) {
     this.token = token;
     this.header = null;
@@ -12,16 +12,16 @@ export class ServerSource {
     this.masses = null;
     /** Where each chunk ends [T]. */
     this.ends = [];
-    /** What the run last said of itself. */
+    /** The last known status of the run. */
     this.status = { finished: false, failed: null, reached: 0, collisions: 0, walls: 0, rate: 0 };
   }
 
-  /** Where the whole recording can be saved from as one page. */
+  /** The address from which the whole recording can be saved as one page. */
   get replayAddress() {
     return this.address('replay.html');
   }
 
-  /** Learns header, radii, masses and the chunks there are. Error: the server does not answer. */
+  /** Fetches header, radii, masses and the list of chunks. Error: the server does not answer. */
   async open() {
     this.header = await (await this.ask('header')).json();
     const numbers = new Float64Array(await (await this.ask('spheres')).arrayBuffer());
@@ -30,7 +30,7 @@ export class ServerSource {
     await this.poll();
   }
 
-  /** Learns how far the run has come. Error: the server does not answer. */
+  /** Fetches the progress of the run. Error: the server does not answer. */
   async poll() {
     const { chunk_ends: ends, ...status } = await (
       await this.ask('status', { from: this.ends.length })

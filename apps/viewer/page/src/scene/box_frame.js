@@ -32,7 +32,7 @@ const kVertex = /* glsl */ `
   }
 `;
 
-// Walls are filled and have a whole line around them, periodic faces have a dashed line, open ones corners only.
+// Walls are filled and have a solid outline, periodic faces a dashed one, open ones corners only.
 const kFragment = /* glsl */ `
   precision highp float;
   in vec2 spot;
@@ -62,7 +62,7 @@ const kFragment = /* glsl */ `
 
 const kKinds = { wall: 0, periodic: 1, open: 2 };
 
-/** The box, seen from within: its faces toward the viewer are left out, so that one looks inside. */
+/** The box without its faces toward the camera, so that the inside is visible. */
 export class BoxFrame {
   /** `boundary`: three of "wall", "periodic", "open". */
   constructor(boundary) {
@@ -89,7 +89,7 @@ export class BoxFrame {
     this.object.renderOrder = -1;
   }
 
-  /** Makes the box reach from `low` to `high`, three lengths [L] each. */
+  /** Makes the box extend from `low` to `high`, three lengths [L] each. */
   span(low, high) {
     const size = high.map((end, axis) => end - low[axis]);
     this.object.scale.set(...size);

@@ -14,10 +14,10 @@ import {
 import { kPathNumbers } from '../recording/chunk.js';
 import { kEventColors } from './colors.js';
 
-const kMost = 2048; // cells drawn at once
+const kMost = 2048; // cells drawn at a time
 const kSpheresAround = 60; // whose cells are drawn besides those of the followed sphere
 
-/** Up to so many spheres the cells of all are drawn. */
+/** Up to this many spheres the cells of all are drawn. */
 export const kFew = 60;
 
 const kVertex = /* glsl */ `
@@ -111,8 +111,8 @@ export class CellLayer {
   }
 
   /**
-   * Shows the cells of `cells` at the moment of `playback`; what sphere `followed` (or −1) has entered or left
-   * within the last `window` [T] is highlighted.
+   * Shows the cells of `cells` at the time of `playback`; those that sphere `followed` (or −1) has entered or left
+   * within the last `window` [T] are highlighted.
    */
   update(playback, followed, cells, window) {
     this.count = 0;
@@ -127,7 +127,7 @@ export class CellLayer {
 
   add({ paths, time }, id, cells, window, color, strength) {
     const path = paths.subarray(kPathNumbers * id, kPathNumbers * (id + 1));
-    // What happened before the path began happened on another path.
+    // Earlier crossings were on another path.
     const from = Math.max(path[6], time - window);
     const show = (indices, enter, leave) => {
       if (leave <= time) this.put(cells, indices, kEventColors.leave, 1 - (time - leave) / window);
@@ -135,7 +135,7 @@ export class CellLayer {
         this.put(cells, indices, kEventColors.enter, 1, color, (time - enter) / window, strength);
       else this.put(cells, indices, color, strength);
     };
-    // Of a sphere so fast that it has crossed too many, only those are shown that it touches.
+    // If a sphere is so fast that it has crossed too many, only those it touches are shown.
     if (!cells.visit(path, this.radii[id], from, time, show))
       cells.visit(path, this.radii[id], time, time, show);
   }

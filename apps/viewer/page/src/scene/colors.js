@@ -27,7 +27,7 @@ export function toCss([red, green, blue]) {
   return `rgb(${[red, green, blue].map((part) => Math.round(255 * part)).join(' ')})`;
 }
 
-/** A texture of `list`, one color beside the other, blended if `isSmooth`. */
+/** A texture of the colors in `list` side by side, blended if `isSmooth`. */
 export function colorTexture(list, isSmooth) {
   const data = new Uint8Array(list.flatMap((entry) => [...entry.map((part) => Math.round(255 * part)), 255]));
   const texture = new DataTexture(data, list.length, 1, RGBAFormat);

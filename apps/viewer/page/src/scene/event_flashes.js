@@ -15,7 +15,7 @@ export class EventFlashes {
     this.place = [0, 0, 0];
   }
 
-  /** Shows the contacts of the last `window` [T] before the moment of `playback`, the latest of them at most. */
+  /** Shows the contacts of the last `window` [T] before the time of `playback`, the latest if there are too many. */
   update({ chunk, cursor, time }, window) {
     this.rings.clear();
     for (let k = cursor - 1; k >= 0 && !this.rings.isFull; --k) {

@@ -5,7 +5,7 @@ import { readCenter } from '../motion/path.js';
 
 /**
  * The sphere that a ray from `origin` along the unit vector `direction` meets first, or −1; a ray that misses
- * by less than `tolerance` times the distance meets, too. `isShown(id, center)` tells which spheres count.
+ * by less than `tolerance` times the distance meets, too. `isShown(id, center)` says which spheres count.
  * Cost: O(spheres).
  */
 export function pick({ paths, time }, radii, box, origin, direction, tolerance, isShown) {

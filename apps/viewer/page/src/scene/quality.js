@@ -6,7 +6,7 @@ const kFramesLooked = 24;
 const kFewestFrames = 3;
 const kSecondsLooked = 2;
 
-/** Ways of drawing, the best first. */
+/** Drawing qualities, best first. */
 export const kWays = [
   { name: 'full', spheres: 'impostors', mostPixelRatio: 2 },
   { name: 'reduced', spheres: 'impostors', mostPixelRatio: 1 },
@@ -14,15 +14,15 @@ export const kWays = [
   { name: 'coarse', spheres: 'points', mostPixelRatio: 0.6 },
 ];
 
-/** Watches how long frames take, and takes a cheaper way of drawing where the machine is too slow. */
+/** Watches how long frames take, and lowers the quality if the machine is too slow. */
 export class Quality {
-  /** `pixelRatio`: that of the screen; `onChange(way)` is told of each new way. */
+  /** `pixelRatio`: that of the screen; `onChange(way)` is called on each change. */
   constructor(pixelRatio, onChange) {
     this.pixelRatio = pixelRatio;
     this.onChange = onChange;
     this.level = 0;
     this.isFixed = false;
-    /** Frames drawn in a second, as of late; 0 if it is not known. */
+    /** Recent frames per second; 0 if unknown. */
     this.framesPerSecond = 0;
     this.seconds = 0;
     this.frames = 0;
@@ -32,18 +32,18 @@ export class Quality {
     return kWays[this.level];
   }
 
-  /** Begins with the way called `name`. */
+  /** Starts with quality `name`. */
   begin(name) {
     this.choose(kWays.findIndex((way) => way.name === name));
   }
 
-  /** Keeps to the way called `name` from here on. */
+  /** Fixes quality `name` from here on. */
   fix(name) {
     this.isFixed = true;
     this.begin(name);
   }
 
-  /** Takes note of a frame that came `seconds` after the one before it. */
+  /** Records a frame drawn `seconds` after the previous one. */
   note(seconds) {
     this.seconds += seconds;
     ++this.frames;
@@ -54,12 +54,12 @@ export class Quality {
     if (!this.isFixed && mean > kSlow && this.level + 1 < kWays.length) this.choose(this.nextLevel());
   }
 
-  /** Forgets the frames noted: the drawing was interrupted. */
+  /** Discards the frames recorded: drawing was interrupted. */
   restart() {
     this.seconds = this.frames = 0;
   }
 
-  // A step that changes nothing on this screen is left out.
+  // Skips a step that changes nothing on this screen.
   nextLevel() {
     const isWorse = (way) =>
       way.spheres !== this.way.spheres ||

@@ -11,7 +11,7 @@ const kVertex = /* glsl */ `
   uniform mat4 modelViewMatrix;
   uniform float pixels;
   out vec4 light;
-  flat out float line;       // how wide, with the radius of the ring as unit
+  flat out float line;       // width, in units of the ring's radius
 
   void main() {
     light = flash;
@@ -78,7 +78,7 @@ export class Rings {
     this.count = 0;
   }
 
-  /** Adds a ring about `place`, for a sphere of radius `radius` [L]; from age 0 to 1 it grows and fades. */
+  /** Adds a ring around `place`, for a sphere of radius `radius` [L]; from age 0 to 1 it grows and fades. */
   add(place, radius, color, age) {
     const slot = this.count++;
     for (let axis = 0; axis < 3; ++axis) {
@@ -89,7 +89,7 @@ export class Rings {
     this.extents.array[slot] = radius;
   }
 
-  /** Lets the rings added be drawn. */
+  /** Makes the added rings visible. */
   send() {
     this.object.geometry.setDrawRange(0, this.count);
     for (const attribute of [this.places, this.flashes, this.extents]) attribute.needsUpdate = true;

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Where a sphere is now, and its color: common to both ways of drawing.
+// Where a sphere is now, and its color: common to impostors and points.
 const kMotion = /* glsl */ `
   precision highp float;
   precision highp int;
 
-  in vec4 place;      // center at the reference moment, and when the path began relative to it
+  in vec4 place;      // center at the reference time, and the path's start relative to it
   in vec4 motion;     // velocity, and the collisions so far
   in vec2 kind;       // radius, species
 
   uniform mat4 projectionMatrix;
   uniform mat4 modelViewMatrix;
-  uniform float elapsed;     // since the reference moment
+  uniform float elapsed;     // since the reference time
   uniform vec3 period;       // of the box, zero along axes that are not periodic
   uniform vec3 inversePeriod; // likewise zero
   uniform int colorBy;
@@ -53,7 +53,7 @@ const kMotion = /* glsl */ `
 const kShading = /* glsl */ `
   precision highp float;
   uniform vec3 background;
-  uniform vec2 haze;         // distances at which the depth cue begins and is full
+  uniform vec2 haze;         // distances at which the depth cue starts and is full
   flat in vec3 color;
   flat in float isFollowed;
   out vec4 outColor;
@@ -80,7 +80,7 @@ export const kImpostorVertex = /* glsl */ `
     vec3 center = centerNow();
     ball.xyz = (modelViewMatrix * vec4(center, 1.0)).xyz;
     float distance = length(ball.xyz);
-    // None is smaller than a pixel, lest it vanish.
+    // At least a pixel, lest it vanish.
     ball.w = max(kind.x, 1.2 * distance / (projectionMatrix[1][1] * pixels));
     color = colorNow();
     isFollowed = gl_InstanceID == followed ? 1.0 : 0.0;

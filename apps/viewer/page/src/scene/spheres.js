@@ -19,15 +19,15 @@ import { kPathNumbers } from '../recording/chunk.js';
 import { colorTexture, kMapColors, kSpeciesColors } from './colors.js';
 import { kImpostorFragment, kImpostorVertex, kPointFragment, kPointVertex } from './sphere_shaders.js';
 
-const kNumbers = 8; // of a sphere on the graphics card: place and motion
+const kNumbers = 8; // per sphere on the graphics card: place and motion
 const kBlock = 256; // spheres sent to the graphics card together
 
 /** What spheres can be colored by, in the order in which the shader knows them. */
 export const kColorBy = ['speed', 'radius', 'species', 'collisions', 'last contact'];
 
 /**
- * All spheres as the graphics card draws them. It gets each path once, relative to a reference moment, and moves
- * the sphere by itself; only what a contact has touched is sent again.
+ * All spheres, drawn by the graphics card. It gets each path once, relative to a reference time, and moves the
+ * sphere by itself; only paths changed by a contact are sent again.
  */
 export class Spheres {
   /** `species`: for each sphere the number of its kind. */
@@ -39,7 +39,7 @@ export class Spheres {
       this.kinds[2 * id] = radii[id];
       this.kinds[2 * id + 1] = species[id] % kSpeciesColors.length;
     }
-    /** The moment to which all places refer [T]. */
+    /** The time to which all places refer [T]. */
     this.reference = NaN;
     this.referenceEnd = NaN;
     this.dirty = new Uint8Array(Math.ceil(this.count / kBlock));
@@ -102,7 +102,7 @@ export class Spheres {
     this.way = way;
   }
 
-  /** Takes over the paths that `playback` has touched, and its moment. */
+  /** Takes over the paths touched by `playback`, and its time. */
   update(playback) {
     const { time } = playback;
     if (playback.allTouched || !(time >= this.reference && time < this.referenceEnd)) {
@@ -119,7 +119,7 @@ export class Spheres {
     this.uniforms.elapsed.value = time - this.reference;
   }
 
-  // Makes the moment of `playback` the reference. It lasts while spheres cross the space that they take up but a few
+  // Makes the time of `playback` the reference. It holds until spheres have crossed the space they occupy a few
   // times, so that single precision suffices.
   refer(playback) {
     const { paths, time } = playback;

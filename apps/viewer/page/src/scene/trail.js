@@ -7,7 +7,7 @@ import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeome
 import { piecesInBox } from '../motion/path.js';
 import { Rings } from './rings.js';
 
-/** The path of the followed sphere: where it came from, contact by contact, and where it goes to. */
+/** The path of the followed sphere: its past, contact by contact, and its next segment. */
 export class Trail {
   constructor(box) {
     this.box = box;
@@ -45,7 +45,7 @@ export class Trail {
 }
 
 function line(options) {
-  // The path is to be seen through the spheres before it.
+  // The path is visible through the spheres in front of it.
   const material = new LineMaterial({ ...options, depthTest: false, depthWrite: false, transparent: true });
   const object = new LineSegments2(new LineSegmentsGeometry(), material);
   object.frustumCulled = false;

@@ -42,7 +42,7 @@ export class View {
     this.isStale = true;
   }
 
-  /** Fits the picture into its place on the page. */
+  /** Fits the picture to its element on the page. */
   resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
@@ -85,7 +85,7 @@ export class View {
     this.controls.target.copy(center);
     this.camera.position.copy(center).add(direction);
     this.camera.lookAt(center);
-    // What is near looks larger: the box is moved until it is in the middle of the picture.
+    // Perspective enlarges the near side: the box is moved until it is in the middle of the picture.
     for (let round = 0; round < 4; ++round) {
       const [distance, aside, above] = this.frameCorners(low, high);
       this.controls.target.add(new Vector3(aside, above, 0).applyQuaternion(this.camera.quaternion));
@@ -97,8 +97,8 @@ export class View {
     this.isStale = true;
   }
 
-  // How far from its target the camera must be, looking as it does, to see all corners of a box; and by how much
-  // what it sees would then be aside of the middle of the picture and above it [L].
+  // The distance from its target at which the camera, in its present direction, sees all corners of a box; and by
+  // how much the box would then be off the middle of the picture, sideways and upwards [L].
   frameCorners(low, high) {
     const tangent = Math.tan((this.camera.fov * Math.PI) / 360) * 0.95;
     const turn = this.camera.quaternion.clone().invert();
@@ -116,7 +116,7 @@ export class View {
     return [distance, aside, above];
   }
 
-  /** Looks at `center` from the distance at which `length` fills the picture [L]. */
+  /** Turns the camera to `center` at the distance at which `length` fills the picture [L]. */
   zoomTo(center, length) {
     const direction = this.camera.position.clone().sub(this.controls.target).normalize();
     const aspect = Math.min(1, this.camera.aspect);
@@ -127,7 +127,7 @@ export class View {
     this.isStale = true;
   }
 
-  /** Moves the camera along, so that it looks at `center` [L]. */
+  /** Moves the camera so that it is directed at `center` [L]. */
   lookAlong(center) {
     const shift = new Vector3(...center).sub(this.controls.target);
     if (shift.lengthSq() === 0) return;
@@ -141,7 +141,7 @@ export class View {
     return this.renderer.domElement.height;
   }
 
-  /** Brings the camera up to date; haze and depth range follow from where it is. */
+  /** Updates the camera; haze and depth range follow from its position. */
   prepare(haze) {
     this.controls.update();
     const distance = this.camera.position.distanceTo(this.controls.target);

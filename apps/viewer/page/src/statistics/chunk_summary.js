@@ -4,7 +4,7 @@ import { kPathNumbers } from '../recording/chunk.js';
 
 const kMostIntervals = 8;
 const kContactsOfInterval = 200;
-const kFewestContacts = 50; // a chunk that was closed early may hold too few to tell a rate
+const kFewestContacts = 50; // a chunk that was closed early may hold too few for a rate
 
 /**
  * What happens in a chunk, in intervals of equal length: a list of {time, collisions, walls, energy}, the rates

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 import { kPathNumbers } from '../recording/chunk.js';
 
-/** Groups spheres of like radius and mass: `of` gives the species of each sphere, `list` what they are. */
+/** Groups spheres of equal radius and mass: `of` gives the species of each sphere, `list` what they are. */
 export function findSpecies(radii, masses) {
   const numbers = new Map();
   const of = new Uint16Array(radii.length);
