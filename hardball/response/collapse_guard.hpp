@@ -9,7 +9,7 @@
 
 namespace hardball {
 
-/// Whether a sphere on this path has stood still until `now`, as far as its position can tell.
+/// Whether a sphere on this path has not moved until `now`, to within rounding of its position.
 inline bool is_idle(const Path& path, double radius, const Time& now) {
   constexpr double kHardlyMoved = 1e-15;
   const double time = duration(path.time, now);
@@ -17,13 +17,13 @@ inline bool is_idle(const Path& path, double radius, const Time& now) {
   return !(dot(path.velocity, path.velocity) * time * time > least * least);
 }
 
-/// Notices inelastic collapse: spheres that lose energy may collide ever faster, infinitely often in a finite
-/// time. A sphere that keeps being hit without moving any more ends the run with a message instead of a hang.
-/// Source: McNamara and Young, Phys. Fluids A 4 (1992) 496.
+/// Detects inelastic collapse: spheres that lose energy may collide at an ever higher rate, infinitely often
+/// in a finite time. A sphere that keeps being hit without moving ends the run with a message instead of a
+/// hang. Source: McNamara and Young, Phys. Fluids A 4 (1992) 496.
 class CollapseGuard {
  public:
-  /// To be called at every contact of a sphere, with whether it has been idle since the one before. Error
-  /// (RunFailure): too many contacts in a row before which it was.
+  /// To be called at every contact of a sphere, with whether it has been idle since its last one. Error
+  /// (RunFailure): too many idle contacts in a row.
   void note_contact(SphereId id, bool was_idle, const Time& now) {
     if (was_idle || !idle_contacts_.empty()) [[unlikely]] {
       count(id, was_idle, now);
@@ -35,8 +35,8 @@ class CollapseGuard {
  private:
   void count(SphereId id, bool was_idle, const Time& now);
 
-  // Of the few spheres whose last contact was idle. By id, so that neither an edit nor new cells make it
-  // forget.
+  // Only spheres whose last contact was idle, which are few. Keyed by id, so that counts survive edits and
+  // rebuilds.
   std::unordered_map<SphereId, std::uint32_t> idle_contacts_;
 };
 

@@ -17,13 +17,13 @@ struct Velocities {
   friend bool operator==(const Velocities&, const Velocities&) = default;
 };
 
-/// Negative if bodies that are `separation` [L] apart approach each other [L^2/T]: the very expression whose
+/// Negative if bodies that are `separation` [L] apart approach each other [L^2/T]: the same expression whose
 /// sign decides whether a contact is predicted.
 inline double approach(const Vec3& separation, const Velocities& velocities) {
   return dot(separation, velocities.second - velocities.first);
 }
 
-/// One collision or wall contact: everything about the moment of touch, and what became of it.
+/// One collision or wall contact: the state at the moment of contact, and the velocities after it.
 struct Contact {
   Time time;
   EventKind kind = EventKind::collision;  ///< collision or wall

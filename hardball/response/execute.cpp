@@ -11,8 +11,8 @@
 namespace hardball {
 namespace {
 
-// An approach is put down to rounding if it is below this fraction of the speeds involved, or below the
-// operating range, where numbers lose their digits.
+// An approach is attributed to rounding if it is below this fraction of the speeds involved, or below the
+// operating range, where numbers lose precision.
 constexpr double kRounding = 1e-12;
 
 [[noreturn]] void refuse_response(const Contact& contact, const std::string& what, const char* remedy) {

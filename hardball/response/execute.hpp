@@ -13,7 +13,7 @@
 
 namespace hardball {
 
-/// A contact that has been carried out, and what only engines ask of it.
+/// A contact that has been carried out, and what only engines need of it.
 struct Executed {
   Contact contact;
   /// By how many boxes the centres were folded back into a periodic box.
@@ -26,16 +26,16 @@ struct Executed {
 struct Participants {
   Slot first = 0;
   Slot second = 0;
-  /// Whether the copy of the second that is met is the nearest one, whatever the event says.
+  /// Whether the collision is with the nearest image of the second, whatever image the event names.
   bool nearest = false;
 };
 
 /// The participants of a collision or wall event. Cost: that of World::slot_of.
 Participants participants_of(const World& world, const Event& event);
 
-/// The contact that a collision or wall event is, in the world as it was before it: centres and velocities as
-/// the stored paths give them at the event's time, by how many boxes the centres lie beyond, and who was
-/// idle.
+/// Describes the contact of a collision or wall event in the world before it: centres and velocities from the
+/// stored paths at the event's time, by how many boxes the centres lie outside the box, and which spheres
+/// were idle.
 void contact_at(const World& world, const Event& event, const Participants& participants, Executed& done);
 
 /// Throws the Error of check_velocities.
@@ -52,21 +52,21 @@ inline void check_velocities(const Contact& contact) {
   refuse_velocities(contact);
 }
 
-/// Undoes an approach of the bodies of `contact`, having `after` as velocities; see settle.
+/// Removes an approach of the bodies of `contact` with the velocities `after`; see settle.
 void undo_approach(Contact& contact);
 
-/// Makes sure that the bodies of `contact`, having `after` as velocities, do not approach: an approach that
-/// rounding explains is undone by the least impulse that does it, so that no contact follows itself.
-/// Error: the response left them truly approaching.
+/// Ensures that the bodies of `contact` do not approach with the velocities `after`: an approach that
+/// rounding explains is removed by the least impulse that does so, so that no contact repeats itself. Error:
+/// the response left them approaching by more than rounding.
 inline void settle(Contact& contact) {
   if (contact.is_collision() && !(approach(contact.separation, contact.after) < 0)) return;
   undo_approach(contact);
 }
 
-/// Carries out a collision or wall event: evaluates the paths at its time, asks the response, stores the new
-/// paths. The one place, shared by all engines, where a contact changes the motion. Error: what the response
-/// returned is refused by check_velocities or settle; RunFailure: inelastic collapse, see CollapseGuard.
-/// Then, or if the response throws, nothing has changed.
+/// Carries out a collision or wall event: evaluates the paths at its time, calls the response, stores the new
+/// paths. The one place, shared by all engines, where a contact changes the motion. Error: check_velocities
+/// or settle refuses what the response returned. RunFailure: inelastic collapse, see CollapseGuard. In these
+/// cases, and if the response throws, nothing has changed.
 template <Response R>
 void execute(World& world, CollapseGuard& guard, const Event& event, const Participants& participants,
              const R& response, Executed& done) {

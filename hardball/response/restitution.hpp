@@ -22,10 +22,10 @@ class Restitution {
   Velocities collide(const Contact& contact) const {
     Velocities after = contact.before;
     if (!(approach(contact.separation, contact.before) < 0)) return after;
-    // The impulse lies along the separation r, of length reach up to rounding: dividing by r.r instead of
-    // normalising keeps exact cases exact. Energy is kept only if rounding errors have mean zero, and that of
-    // a number which is the same at every contact has not. So r, on whose length the impulse does not depend,
-    // is stretched by a factor between 1 and 2 that varies with its direction, and no function of the masses
+    // The impulse lies along the separation r, whose length is reach up to rounding: dividing by r.r instead
+    // of normalising keeps exact cases exact. Energy drifts unless rounding errors have mean zero, which
+    // those of a number that hardly varies from contact to contact do not have. So r, whose length cancels,
+    // is scaled by a factor between 1 and 2 that depends on its direction, and no function of the masses
     // alone is rounded.
     const Vec3& separation = contact.separation;
     const Vec3 r = (1 + separation.x * separation.x / dot(separation, separation)) * separation;
