@@ -20,6 +20,7 @@ constexpr void expect(bool condition) {
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -591,9 +592,11 @@ Scenario load_scenario(const std::filesystem::path& path, std::span<const std::s
     throw Error("the file cannot be read", path.string(), "name a scenario file");
   }
   // A device or a pipe may have no end.
-  std::string text(kMostBytes + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
+  std::string text;
+  std::array<char, 1 << 16> piece;
+  while (text.size() <= kMostBytes && (in.read(piece.data(), piece.size()) || in.gcount() > 0)) {
+    text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
+  }
   if (text.size() > kMostBytes) {
     throw Error("the file is larger than 16 MiB", path.string(),
                 "describe many spheres in groups, or in an extended XYZ file named in [start]");

@@ -403,16 +403,16 @@ TEST(RefusedScenario, HasNoEnd) {
 
 TEST(RefusedScenario, HasAKeyThatNeedsQuotes) {
   const ScratchFolder folder;
-  const auto refused = [&](const std::string& text, const std::string& place) {
+  const auto refused = [&](const std::string& text, const std::string& place, const std::string& remedy) {
     write_text(folder / "gas.toml", text);
-    expect_refusal(run_program(folder, {"check", "gas.toml"}), {place, "no valid TOML", "quotes"});
+    expect_refusal(run_program(folder, {"check", "gas.toml"}), {place, "no valid TOML", remedy});
   };
   refused(
       "[gr\xc3\xb6\xc3\x9f"
       "e]\n",
-      "gas.toml:1:");
-  refused("[box]\nsize = [1, 1, 1]\n\n  [\xc3\xb6l]\n", "gas.toml:4:4: ");
-  refused("[box]\n[[ \xe6\x97\xa5\xe6\x9c\xac ]]\n", "gas.toml:2:4: ");
+      "gas.toml:1:4: ", "toml.io");
+  refused("[box]\nsize = [1, 1, 1]\n\n  [\xc3\xb6l]\n", "gas.toml:4:4: ", "quotes");
+  refused("[box]\n[[ \xe6\x97\xa5\xe6\x9c\xac ]]\n", "gas.toml:2:", "quotes");
 }
 
 class RefusedStart : public testing::Test {
@@ -446,13 +446,13 @@ TEST_F(RefusedStart, NamesTheLineOfTheStartFile) {
 
 TEST_F(RefusedStart, IsNoRegularFile) {
   std::filesystem::create_symlink("/dev/zero", folder_ / "start.xyz");
-  expect_refusal(run(), {"start.xyz: ", "no regular file"});
+  expect_refusal(run(), {"start.xyz: ", "not a regular file"});
   std::filesystem::remove(folder_ / "start.xyz");
   ASSERT_EQ(mkfifo((folder_ / "start.xyz").c_str(), 0600), 0);
-  expect_refusal(run(), {"start.xyz: ", "no regular file"});
+  expect_refusal(run(), {"start.xyz: ", "not a regular file"});
   std::filesystem::remove(folder_ / "start.xyz");
   std::filesystem::create_directory(folder_ / "start.xyz");
-  expect_refusal(run(), {"start.xyz: ", "no regular file"});
+  expect_refusal(run(), {"start.xyz: ", "not a regular file"});
 }
 
 class RefusedDirectory : public testing::Test {
