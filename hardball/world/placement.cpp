@@ -10,6 +10,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/world/neighborhood.hpp"
+#include "hardball/world/spacing.hpp"
 
 namespace hardball {
 namespace {
@@ -69,7 +70,7 @@ Lattice make_lattice(const Box& box, const Region& region, double radius,
 // The lattice with room for `count` spheres whose nearest sites are farthest apart.
 Lattice widest_lattice(const Box& box, const Region& region, std::size_t count, double radius) {
   const Vec3 size = region.high - region.low;
-  const double edge = std::cbrt(4 * volume(region) / static_cast<double>(count));
+  const double edge = spacing(size, static_cast<double>(count) / 4);
   std::array<std::size_t, kAxes> low{};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     low[axis] = static_cast<std::size_t>(std::max(1.0, std::floor(size[axis] / edge) - 2));
