@@ -144,6 +144,7 @@ void add_groups(const Scenario& scenario, World& world) {
   const std::vector<Vec3> positions = place(scenario, world.box(), random);
   const bool without_drift = world.box().is_all(Boundary::periodic);
   const std::vector<Vec3> velocities = draw_velocities(scenario.spheres, without_drift, random);
+  world.reserve(positions.size());
   std::size_t next = 0;
   for (const SphereGroup& group : scenario.spheres) {
     for (std::size_t i = 0; i < group.count; ++i, ++next) {
@@ -157,6 +158,7 @@ void add_from_file(const std::filesystem::path& file, World& world) {
   if (snapshot.spheres.empty()) {
     throw Error("the last frame holds no spheres", file.string(), "give at least one sphere");
   }
+  world.reserve(snapshot.spheres.size());
   for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
     add(world, snapshot.spheres[i], file.string() + ":" + to_text(snapshot.lines[i]));
   }

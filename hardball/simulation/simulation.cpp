@@ -48,10 +48,10 @@ std::vector<Vec3> centers_at(const World& world, const Time& moment) {
 Simulation::Simulation(World world, const EngineOptions& options)
     : options_(options), watch_(options.unit_costs) {
   now_ = latest_change(world);
-  refuse_overlaps(world, now_);
   kind_ = choose_engine(world, options_, now_);
   const double length = choose_length(world, kind_, options_, now_);
   put_in_order(world, kind_, now_);
+  refuse_overlaps(world, now_);  // faster in order
   engine_ = make_engine(std::move(world), kind_, options_, length, now_);
   watch_.begin(length);
   last_look_ = now_;

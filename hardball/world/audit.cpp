@@ -34,10 +34,13 @@ Audit audit(const World& world, const Time& moment) {
   Audit found;
   std::vector<Slot> by_size(world.size());
   std::iota(by_size.begin(), by_size.end(), Slot{0});
-  std::stable_sort(by_size.begin(), by_size.end(),
-                   [&](Slot a, Slot b) { return world.radius(a) > world.radius(b); });
+  if (!world.radii().is_common()) {
+    std::stable_sort(by_size.begin(), by_size.end(),
+                     [&](Slot a, Slot b) { return world.radius(a) > world.radius(b); });
+  }
   Neighborhood neighborhood(world.box(), world.size(), world.largest_radius());
   std::vector<Slot> inserted;
+  inserted.reserve(world.size());
   for (const Slot slot : by_size) {
     const Path& path = world.path(slot);
     if (!is_finite(path.position) || !is_finite(path.velocity)) {
@@ -48,6 +51,8 @@ Audit audit(const World& world, const Time& moment) {
     look_for_escape(world, slot, position, found);
     neighborhood.for_each_near(position, world.radius(slot),
                                [&](std::uint32_t index, const Vec3& separation, double reach) {
+                                 // By more than rounding can hide: most neighbours are farther away.
+                                 if (dot(separation, separation) > 1.001 * (reach * reach)) return;
                                  const double overlap = 1 - length(separation) / reach;
                                  if (overlap <= found.max_overlap) return;
                                  found.max_overlap = overlap;

@@ -30,6 +30,16 @@ Span span_for_centers(const Box& box, const Region& region, double radius, std::
   return {region.low[axis] + inset, region.high[axis] - inset};
 }
 
+// A place for a sphere anywhere in the region.
+Vec3 draw_center(const Box& box, const Region& region, double radius, Random& random) {
+  Vec3 center;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const Span span = span_for_centers(box, region, radius, axis);
+    center[axis] = span.low + random.uniform() * (span.high - span.low);
+  }
+  return center;
+}
+
 double volume(const Region& region) {
   const Vec3 size = region.high - region.low;
   return size.x * size.y * size.z;
@@ -111,15 +121,11 @@ std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span
   for (const std::size_t i : by_size) {
     bool fits = false;
     for (int attempt = 0; attempt < kMaxAttempts && !fits; ++attempt) {
-      Vec3 center;
-      for (std::size_t axis = 0; axis < kAxes; ++axis) {
-        const Span span = span_for_centers(box, region, radii[i], axis);
-        center[axis] = span.low + random.uniform() * (span.high - span.low);
-      }
-      fits = true;
-      neighborhood.for_each_near(center, radii[i], [&](std::uint32_t, const Vec3& separation, double reach) {
-        if (dot(separation, separation) < reach * reach) fits = false;
-      });
+      const Vec3 center = draw_center(box, region, radii[i], random);
+      fits = !neighborhood.is_any_near(center, radii[i],
+                                       [](std::uint32_t, const Vec3& separation, double reach) {
+                                         return dot(separation, separation) < reach * reach;
+                                       });
       if (fits) centers[i] = center;
     }
     if (!fits) {

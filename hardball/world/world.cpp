@@ -16,10 +16,15 @@ namespace {
 
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 
+// Of what is in range no name has to be made up.
+bool is_in_range(double number) {
+  return std::fabs(number) <= kLargestMagnitude;
+}
+
 void check_velocity(const Vec3& velocity, const std::string& where) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double v = velocity[axis];
-    check_finite(v, std::string("velocity along ") + kAxisNames[axis], where);
+    if (!is_in_range(v)) check_finite(v, std::string("velocity along ") + kAxisNames[axis], where);
     if (v != 0 && std::fabs(v) < kSmallestMagnitude) {
       throw Error(std::string("velocity along ") + kAxisNames[axis] + " is " + to_text(v), where,
                   "give zero, or a magnitude of at least 1e-60");
@@ -31,6 +36,12 @@ void check_velocity(const Vec3& velocity, const std::string& where) {
 constexpr double kWallTolerance = 1e-12;
 
 }  // namespace
+
+void World::reserve(std::size_t count) {
+  ids_.reserve(count);
+  paths_.reserve(count);
+  folded_.reserve(count);
+}
 
 SphereId World::add(const Sphere& sphere, const Time& moment) {
   check(sphere);
@@ -51,7 +62,7 @@ void World::check(const Sphere& sphere) const {
   check_velocity(sphere.velocity, where);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double x = sphere.position[axis];
-    check_finite(x, std::string("position along ") + kAxisNames[axis], where);
+    if (!is_in_range(x)) check_finite(x, std::string("position along ") + kAxisNames[axis], where);
     if (box_.is_open(axis)) continue;
     const double size = box_.size()[axis];
     if (2 * sphere.radius > size * (1 + kWallTolerance)) {
