@@ -11,6 +11,7 @@
 #include "hardball/response/contact.hpp"
 #include "hardball/response/restitution.hpp"
 #include "hardball/tuning/cell_edge.hpp"
+#include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -86,7 +87,7 @@ class AnyEngine {
 /// Makes an engine with the length [L] that choose_length has chosen for it. Precondition: `engine` is one
 /// that choose_engine has chosen.
 std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
-                                       double length, const Time& now);
+                                       double length, const Time& now, const Progress& progress = {});
 
 /// The engine for a world as it is at `moment`: the one that the options fix, if it suits the world, or that
 /// which kinetic theory expects to be the fastest; never `automatic`. `current` is the one at work, which

@@ -14,6 +14,7 @@
 #include "hardball/response/contact.hpp"
 #include "hardball/simulation/any_engine.hpp"
 #include "hardball/tuning/cell_edge.hpp"
+#include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -36,8 +37,8 @@ struct NextContact {
 class Simulation {
  public:
   /// Starts at the latest moment at which a sphere was added to the world, or zero. Error: overlapping
-  /// spheres; options that make no sense (see EngineOptions).
-  explicit Simulation(World world, const EngineOptions& options = {});
+  /// spheres; options that make no sense (see EngineOptions). Tells `on_progress` how far it is.
+  explicit Simulation(World world, const EngineOptions& options = {}, const OnProgress& on_progress = {});
   Simulation(const Simulation& other);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation other) noexcept;

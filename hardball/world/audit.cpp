@@ -30,7 +30,7 @@ void look_for_escape(const World& world, Slot slot, const Vec3& position, Audit&
 
 }  // namespace
 
-Audit audit(const World& world, const Time& moment) {
+Audit audit(const World& world, const Time& moment, const Progress& progress) {
   Audit found;
   std::vector<Slot> by_size(world.size());
   std::iota(by_size.begin(), by_size.end(), Slot{0});
@@ -41,7 +41,9 @@ Audit audit(const World& world, const Time& moment) {
   Neighborhood neighborhood(world.box(), world.size(), world.largest_radius());
   std::vector<Slot> inserted;
   inserted.reserve(world.size());
+  std::size_t seen = 0;
   for (const Slot slot : by_size) {
+    progress.note(seen++, by_size.size());
     const Path& path = world.path(slot);
     if (!is_finite(path.position) || !is_finite(path.velocity)) {
       ++found.not_finite;
@@ -65,8 +67,8 @@ Audit audit(const World& world, const Time& moment) {
   return found;
 }
 
-void refuse_overlaps(const World& world, const Time& moment) {
-  const Audit found = audit(world, moment);
+void refuse_overlaps(const World& world, const Time& moment, const Progress& progress) {
+  const Audit found = audit(world, moment, progress);
   if (found.max_overlap <= kOverlapTolerance) return;
   throw Error("spheres " + to_text(found.overlap_first) + " and " + to_text(found.overlap_second) +
                   " overlap by " + to_text(found.max_overlap) + " of the sum of their radii",

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -28,10 +29,10 @@ struct Audit {
 };
 
 /// Looks for overlaps, escapes and numbers gone wrong, by a search of its own. Cost: O(n log n).
-Audit audit(const World& world, const Time& moment);
+Audit audit(const World& world, const Time& moment, const Progress& progress = {});
 
 /// Refuses a start in which spheres overlap by more than kOverlapTolerance. Error: names the worst pair.
-void refuse_overlaps(const World& world, const Time& moment);
+void refuse_overlaps(const World& world, const Time& moment, const Progress& progress = {});
 
 /// Refuses a sphere that would overlap one of the world by more than kOverlapTolerance. Cost: O(n).
 /// Error: names the sphere in the way.

@@ -100,7 +100,7 @@ Lattice widest_lattice(const Box& box, const Region& region, std::size_t count, 
 }  // namespace
 
 std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span<const double> radii,
-                                 Random& random, const std::string& where) {
+                                 Random& random, const std::string& where, const Progress& progress) {
   std::vector<Vec3> centers(radii.size());
   if (radii.empty()) return centers;
   const double packing = sphere_volume(radii) / volume(region);
@@ -119,6 +119,7 @@ std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span
   Neighborhood neighborhood(box, radii.size(), std::ranges::max(radii));
   std::size_t placed = 0;
   for (const std::size_t i : by_size) {
+    progress.note(placed, radii.size());
     bool fits = false;
     for (int attempt = 0; attempt < kMaxAttempts && !fits; ++attempt) {
       const Vec3 center = draw_center(box, region, radii[i], random);
