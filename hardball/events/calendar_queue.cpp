@@ -29,6 +29,7 @@ void CalendarQueue::reset(std::size_t owners, Time start) {
   blocks_.clear();
   free_block_ = kNone;
   beyond_.clear();
+  beyond_.reserve(owners);  // where all events wait that are scheduled before the days are laid out
   origin_ = start.high;
   days_per_time_ = 0;
   today_ = 0;
