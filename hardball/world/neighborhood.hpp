@@ -87,15 +87,18 @@ class Neighborhood {
   template <class Predicate>
   bool search(const Level& level, const Cells& cells, const Vec3& center, double radius,
               Predicate&& predicate) const {
+    const Bucket* const buckets = level.buckets.data();
+    const std::uint64_t mask = level.buckets.size() - 1;
+    const std::array<std::int64_t, kAxes> count = level.count;
     for (std::int64_t x = cells.low[0]; x <= cells.high[0]; ++x) {
-      const Folded in_x = fold(x, level.count[0]);
+      const Folded in_x = fold(x, count[0]);
       for (std::int64_t y = cells.low[1]; y <= cells.high[1]; ++y) {
-        const Folded in_y = fold(y, level.count[1]);
+        const Folded in_y = fold(y, count[1]);
         const std::uint64_t column = column_key(in_x.index, in_y.index);
         for (std::int64_t z = cells.low[2]; z <= cells.high[2]; ++z) {
-          const Folded in_z = fold(z, level.count[2]);
+          const Folded in_z = fold(z, count[2]);
           const std::uint64_t key = cell_key(column, in_z.index);
-          const Bucket& bucket = bucket_of(level, key);
+          const Bucket& bucket = buckets[key & mask];
           if ((bucket.tags & tag(key)) == 0) continue;
           const Vec3 shift = box_.shift({{in_x.boxes, in_y.boxes, in_z.boxes}});
           for (std::uint32_t i = bucket.last; i != kNone; i = spheres_[i].next) {
@@ -131,9 +134,6 @@ class Neighborhood {
     return key ^ (key >> 32);
   }
   static std::uint32_t tag(std::uint64_t key) { return std::uint32_t{1} << (key >> 59); }
-  static const Bucket& bucket_of(const Level& level, std::uint64_t key) {
-    return level.buckets[key & (level.buckets.size() - 1)];
-  }
   Level& level_for(double radius);
 
   Box box_;

@@ -114,8 +114,10 @@ std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span
   }
   std::vector<std::size_t> by_size(radii.size());
   std::iota(by_size.begin(), by_size.end(), std::size_t{0});
-  std::stable_sort(by_size.begin(), by_size.end(),
-                   [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
+  if (std::ranges::min(radii) != std::ranges::max(radii)) {
+    std::stable_sort(by_size.begin(), by_size.end(),
+                     [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
+  }
   Neighborhood neighborhood(box, radii.size(), std::ranges::max(radii));
   std::size_t placed = 0;
   for (const std::size_t i : by_size) {
