@@ -7,10 +7,10 @@
 #include <string>
 
 #include "apps/cli/commands.hpp"
+#include "apps/cli/interruption.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/scenario/make_world.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/kinetic_theory.hpp"
 
@@ -35,10 +35,9 @@ std::string describe(const Box& box) {
 }  // namespace
 
 ExitCode check(const Options& options) {
+  catch_signals();
   const Scenario scenario = read_scenario(options);
-  World start = make_world(scenario);
-  const EngineOptions engine_options = read_engine_options(options, scenario, start);
-  const Simulation simulation = make_simulation(scenario, std::move(start), engine_options);
+  const Simulation simulation = set_up(options, scenario).simulation;
   const Moments moments = moments_of(simulation.world(), simulation.now());
   const auto spheres = static_cast<double>(moments.spheres);
   const double until = *scenario.until;

@@ -3,17 +3,16 @@
 #include "apps/cli/progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
+
+#include "apps/cli/interruption.hpp"
+#include "hardball/errors/error.hpp"
 
 namespace hardball::cli {
 namespace {
-
-constexpr int kBarWidth = 24;
 
 std::string readable_duration(double seconds) {
   if (!(seconds < 360000)) return "long";
@@ -25,28 +24,22 @@ std::string readable_duration(double seconds) {
 
 }  // namespace
 
-Progress::Progress(bool wanted, double until)
-    : visible_(wanted && isatty(STDERR_FILENO) == 1), until_(until) {}
-
-Progress::~Progress() {
-  if (width_ > 0) std::fprintf(stderr, "\r%*s\r", static_cast<int>(width_), "");
+void Progress::show(const Simulation& simulation) {
+  if (!line_.is_due()) return;
+  const double done = until_ > 0 ? std::clamp(simulation.time() / until_, 0.0, 1.0) : 1;
+  const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
+  const double rate = static_cast<double>(simulation.counters().collision) / std::max(elapsed, 1e-9);
+  line_.show(done, fmt::format("t = {:.6g}  {:.3g} collisions/s  {} left", simulation.time(), rate,
+                               readable_duration(elapsed * (1 - done) / done)));
 }
 
-void Progress::show(const Simulation& simulation) {
-  if (!visible_) return;
-  const Clock::time_point now = Clock::now();
-  if (now < next_) return;
-  next_ = now + std::chrono::milliseconds(100);
-  const double done = until_ > 0 ? std::clamp(simulation.time() / until_, 0.0, 1.0) : 1;
-  const double elapsed = std::chrono::duration<double>(now - begin_).count();
-  const double rate = static_cast<double>(simulation.counters().collision) / std::max(elapsed, 1e-9);
-  const std::string bar(static_cast<std::size_t>(done * kBarWidth), '#');
-  const std::string line =
-      fmt::format("[{:<{}}] {:3.0f}%  t = {:.6g}  {:.3g} collisions/s  {} left", bar, kBarWidth, 100 * done,
-                  simulation.time(), rate, readable_duration(elapsed * (1 - done) / done));
-  fmt::print(stderr, "\r{:<{}}", line, width_);
-  std::fflush(stderr);
-  width_ = std::max(width_, line.size());
+OnProgress SetUpProgress::part(double begin, double end) {
+  return [this, begin, end](double share) {
+    const double done = begin + (end - begin) * share;
+    if (is_interrupted())
+      throw RunFailure(fmt::format("interrupted in the set-up, {:.0f}% done", 100 * done));
+    if (line_.is_due()) line_.show(done, "setting up");
+  };
 }
 
 }  // namespace hardball::cli

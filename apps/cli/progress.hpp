@@ -3,8 +3,8 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
 
+#include "apps/cli/status_line.hpp"
 #include "hardball/simulation/simulation.hpp"
 
 namespace hardball::cli {
@@ -13,10 +13,7 @@ namespace hardball::cli {
 class Progress {
  public:
   /// Shows nothing unless `wanted` and the standard error is a terminal. `until` [T] is when the run ends.
-  Progress(bool wanted, double until);
-  /// Removes the line.
-  ~Progress();
-  Progress(const Progress&) = delete;
+  Progress(bool wanted, double until) : line_(wanted), until_(until) {}
 
   /// Updates the line, at most ten times a second.
   void show(const Simulation& simulation);
@@ -24,11 +21,22 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
 
-  bool visible_;
+  StatusLine line_;
   double until_;
   Clock::time_point begin_ = Clock::now();
-  Clock::time_point next_ = begin_;
-  std::size_t width_ = 0;  // of the line shown
+};
+
+/// The same for the set-up of a run.
+class SetUpProgress {
+ public:
+  explicit SetUpProgress(bool wanted) : line_(wanted) {}
+
+  /// Shows the part of the set-up between two shares. Error (RunFailure), from calling it: a signal has come;
+  /// see catch_signals. It must not outlive this object.
+  OnProgress part(double begin, double end);
+
+ private:
+  StatusLine line_;
 };
 
 }  // namespace hardball::cli

@@ -15,7 +15,6 @@
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/measures.hpp"
-#include "hardball/scenario/make_world.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -84,11 +83,9 @@ bool run_to_end(Simulation& simulation, const Scenario& scenario, std::optional<
 
 ExitCode run(const Options& options) {
   const Clock::time_point begin = Clock::now();
-  const Scenario scenario = read_scenario(options);
-  World start = make_world(scenario);
-  const EngineOptions engine_options = read_engine_options(options, scenario, start);
-  Simulation simulation = make_simulation(scenario, std::move(start), engine_options);
   catch_signals();
+  const Scenario scenario = read_scenario(options);
+  auto [engine_options, simulation] = set_up(options, scenario);
   std::optional<RunFiles> files;
   if (options.out) {
     files.emplace(*options.out, scenario, simulation);

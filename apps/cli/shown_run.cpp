@@ -15,7 +15,6 @@
 #include "apps/cli/start.hpp"
 #include "apps/viewer/recorded_progress.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/scenario/make_world.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -70,9 +69,7 @@ void ShownRun::open_directory(const Options& options) {
 
 void ShownRun::start_scenario(const Options& options, std::uint64_t most_bytes) {
   const Scenario scenario = read_scenario(options);
-  World start = make_world(scenario);
-  const EngineOptions engine_options = read_engine_options(options, scenario, start);
-  Simulation simulation = make_simulation(scenario, std::move(start), engine_options);
+  Simulation simulation = set_up(options, scenario).simulation;
   const TemporaryFile file;
   RecordingWriter writer = begin_recording(file.path(), scenario, simulation);
   recording_ = std::make_unique<viewer::SharedRecording>(file.path());

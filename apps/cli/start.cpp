@@ -6,8 +6,10 @@
 #include <string_view>
 
 #include "apps/cli/parse_number.hpp"
+#include "apps/cli/progress.hpp"
 #include "apps/cli/unit_costs.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/nearest_name.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/cell_edge.hpp"
@@ -87,15 +89,25 @@ EngineOptions read_engine_options(const Options& options, const Scenario& scenar
   return engine_options;
 }
 
-Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options) {
+Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options,
+                           const OnProgress& on_progress) {
   try {
-    return Simulation(std::move(start), options);
+    return Simulation(std::move(start), options, on_progress);
   } catch (const Error& error) {
     const std::string where = options.cell_edge && error.where() == "cell edge"
                                   ? "--cell-edge"
                                   : scenario.name + ": " + error.where();
     throw Error(error.problem(), where, error.remedy());
   }
+}
+
+Start set_up(const Options& options, const Scenario& scenario) {
+  constexpr double kWorldMade = 0.5;  // the share of the work that this is
+  SetUpProgress progress(!options.quiet);
+  World start = make_world(scenario, progress.part(0, kWorldMade));
+  const EngineOptions engine_options = read_engine_options(options, scenario, start);
+  return {engine_options,
+          make_simulation(scenario, std::move(start), engine_options, progress.part(kWorldMade, 1))};
 }
 
 std::string name_of(EngineKind engine) {

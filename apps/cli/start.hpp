@@ -21,7 +21,18 @@ EngineOptions read_engine_options(const Options& options, const Scenario& scenar
 
 /// The simulation of a scenario from its start. Error: see Simulation, located on the command line or in the
 /// scenario.
-Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options);
+Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options,
+                           const OnProgress& on_progress = {});
+
+/// A simulation and how it is run.
+struct Start {
+  EngineOptions options;
+  Simulation simulation;
+};
+
+/// Both of the above for the start of a scenario, with progress shown on the terminal. Error: as for both.
+/// RunFailure: interrupted by a signal.
+Start set_up(const Options& options, const Scenario& scenario);
 
 /// The engine's name on the command line.
 std::string name_of(EngineKind engine);

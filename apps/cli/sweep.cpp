@@ -96,7 +96,8 @@ Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options) {
 
   // Long enough for the number of rows left behind to become stationary.
   const CellCounts& expected = contenders[chosen].point.expected;
-  double until = contenders[chosen].simulation.time() + 3 / (expected.enter + expected.collision);
+  double until =
+      contenders[chosen].simulation.time() + 3 / (expected.enter + expected.collision + expected.wall);
   for (Contender& contender : contenders) {
     run_timed(contender.simulation, until);
     contender.before = contender.simulation.counters();

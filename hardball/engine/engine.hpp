@@ -14,6 +14,7 @@
 #include "hardball/memory/huge_pages.hpp"
 #include "hardball/memory/prefetch.hpp"
 #include "hardball/response/execute.hpp"
+#include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -29,12 +30,13 @@ template <EventQueue Queue, BroadPhase Phase, Response Respond>
 class Engine {
  public:
   /// Takes over a world as it is at `now`. Precondition: no path starts later, no two spheres overlap.
-  Engine(World world, Phase phase, Respond respond, const Time& now, Predictor predictor = Predictor())
+  Engine(World world, Phase phase, Respond respond, const Time& now, Predictor predictor = Predictor(),
+         const Progress& progress = {})
       : world_(std::move(world)),
         phase_(std::move(phase)),
         respond_(std::move(respond)),
         predictor_(std::move(predictor)) {
-    rebuild(now);
+    rebuild(now, progress);
   }
 
   const World& world() const { return world_; }
@@ -104,7 +106,7 @@ class Engine {
     counters_ = counters();
     ++counters_.rebuilds;
     phase_ = std::move(phase);
-    rebuild(now);
+    rebuild(now, Progress());
   }
 
   /// The world for editing between runs; `rebuild` must follow.
@@ -209,7 +211,7 @@ class Engine {
     return make_collision(plan.contact, plan.id, plans_[plan.partner].id, image_of_partner(slot));
   }
 
-  void rebuild(const Time& now) {
+  void rebuild(const Time& now, const Progress& progress) {
     now_ = now;
     phase_.build(world_, now_);
     queue_.reset(world_.size(), now_);
@@ -219,7 +221,10 @@ class Engine {
     is_cached_ = world_.size() <= kCachedSpheres;
     const Box& box = world_.box();
     has_walls_ = box.is_wall(0) || box.is_wall(1) || box.is_wall(2);
-    for (Slot slot = 0; slot < world_.size(); ++slot) predict(slot);
+    for (Slot slot = 0; slot < world_.size(); ++slot) {
+      progress.note(slot, world_.size());
+      predict(slot);
+    }
   }
 
   // Whose event is the least, if it comes no later than `until`; otherwise kNoOwner.

@@ -30,6 +30,7 @@ void CalendarQueue::reset(std::size_t owners, Time start) {
   blocks_.clear();
   free_block_ = kNone;
   overflow_.clear();
+  overflow_.reserve(owners);  // holds all events until the ring has its size
   origin_ = start.high;
   buckets_per_time_ = 0;
   current_ = 0;

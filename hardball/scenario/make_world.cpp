@@ -18,6 +18,9 @@ namespace {
 
 constexpr double kOpenPackingFraction = 0.1;
 
+// The share of the work that placement is.
+constexpr double kPlaced = 0.75;
+
 using Groups = std::span<const SphereGroup>;
 
 Box make_box(const Scenario& scenario) {
@@ -109,7 +112,7 @@ void check_one_placement(Groups groups) {
   }
 }
 
-std::vector<Vec3> place(const Scenario& scenario, const Box& box, Random& random) {
+std::vector<Vec3> place(const Scenario& scenario, const Box& box, Random& random, const Progress& progress) {
   const Groups groups = scenario.spheres;
   check_one_placement(groups);
   const SphereGroup& first = groups.front();
@@ -127,7 +130,7 @@ std::vector<Vec3> place(const Scenario& scenario, const Box& box, Random& random
   if (first.placement == Placement::fcc) {
     return place_on_lattice(box, region, radii.size(), first.radius, first.where);
   }
-  return place_randomly(box, region, radii, random, first.where);
+  return place_randomly(box, region, radii, random, first.where, progress);
 }
 
 // Adds a sphere that stands at `where` in a file.
@@ -139,14 +142,17 @@ void add(World& world, const Sphere& sphere, const std::string& where) {
   }
 }
 
-void add_groups(const Scenario& scenario, World& world) {
+void add_groups(const Scenario& scenario, World& world, const Progress& progress) {
   Random random(scenario.seed);
-  const std::vector<Vec3> positions = place(scenario, world.box(), random);
+  const std::vector<Vec3> positions = place(scenario, world.box(), random, progress.part(0, kPlaced));
   const bool without_drift = world.box().is_all(Boundary::periodic);
   const std::vector<Vec3> velocities = draw_velocities(scenario.spheres, without_drift, random);
+  world.reserve(positions.size());
+  const Progress added = progress.part(kPlaced, 1);
   std::size_t next = 0;
   for (const SphereGroup& group : scenario.spheres) {
     for (std::size_t i = 0; i < group.count; ++i, ++next) {
+      added.note(next, positions.size());
       add(world, {positions[next], velocities[next], group.radius, group.mass}, group.where);
     }
   }
@@ -157,6 +163,7 @@ void add_from_file(const std::filesystem::path& file, World& world) {
   if (snapshot.spheres.empty()) {
     throw Error("the last frame holds no spheres", file.string(), "give at least one sphere");
   }
+  world.reserve(snapshot.spheres.size());
   for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
     add(world, snapshot.spheres[i], file.string() + ":" + to_text(snapshot.lines[i]));
   }
@@ -164,13 +171,16 @@ void add_from_file(const std::filesystem::path& file, World& world) {
 
 }  // namespace
 
-World make_world(const Scenario& scenario) {
+World make_world(const Scenario& scenario, const OnProgress& on_progress) {
+  const Progress progress(on_progress);
+  progress.note(0, 1);
   World world(make_box(scenario));
   if (scenario.start_file) {
     add_from_file(*scenario.start_file, world);
   } else if (!scenario.spheres.empty()) {
-    add_groups(scenario, world);
+    add_groups(scenario, world, progress);
   }
+  progress.note_end();
   return world;
 }
 

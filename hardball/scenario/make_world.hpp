@@ -3,6 +3,7 @@
 #pragma once
 
 #include "hardball/scenario/scenario.hpp"
+#include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -14,6 +15,6 @@ namespace hardball {
 /// Along open axes without a size, placement uses a stretch around 0 in which the spheres fill a tenth.
 /// Error, with its place in the scenario or the start file: the spheres do not fit; groups on a lattice have
 /// several radii; what World::add refuses. Overlaps among listed or read positions are not looked for here.
-World make_world(const Scenario& scenario);
+World make_world(const Scenario& scenario, const OnProgress& on_progress = {});
 
 }  // namespace hardball

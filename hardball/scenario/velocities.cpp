@@ -75,7 +75,10 @@ void scale_to_rule(const SphereGroup& group, std::span<Vec3> velocities) {
 }  // namespace
 
 std::vector<Vec3> draw_velocities(std::span<const SphereGroup> groups, bool without_drift, Random& random) {
+  std::size_t count = 0;
+  for (const SphereGroup& group : groups) count += group.count;
   std::vector<Vec3> velocities;
+  velocities.reserve(count);
   for (const SphereGroup& group : groups) {
     for (std::size_t i = 0; i < group.count; ++i) velocities.push_back(draw(group, i, random));
   }

@@ -86,34 +86,34 @@ std::unique_ptr<AnyEngine> make_model(Arguments&&... arguments) {
 
 template <EventQueue Queue>
 std::unique_ptr<AnyEngine> make_queued(World world, EngineKind engine, const EngineOptions& options,
-                                       double length, const Time& now) {
+                                       double length, const Time& now, const Progress& progress) {
   const AnyResponse response{Restitution(options.restitution)};
   const InstructionSet instructions = options.instructions.value_or(widest_instruction_set());
   Predictor predictor(instructions);
   if (engine == EngineKind::all_pairs) {
     return make_model<Engine<Queue, AllPairs, AnyResponse>>(std::move(world), AllPairs(), response, now,
-                                                            std::move(predictor));
+                                                            std::move(predictor), progress);
   }
   if (engine == EngineKind::neighbors) {
     return make_model<Engine<Queue, NeighborList, AnyResponse>>(
-        std::move(world), NeighborList(length, instructions), response, now, std::move(predictor));
+        std::move(world), NeighborList(length, instructions), response, now, std::move(predictor), progress);
   }
   return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(length), response, now,
-                                                          std::move(predictor));
+                                                          std::move(predictor), progress);
 }
 
 }  // namespace
 
 std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
-                                       double length, const Time& now) {
+                                       double length, const Time& now, const Progress& progress) {
   if (engine == EngineKind::paper) {
     const AnyResponse response{Restitution(options.restitution)};
     return make_model<PaperEngine<AnyResponse>>(std::move(world), length, response, now);
   }
   if (options.queue == QueueKind::ordered) {
-    return make_queued<OrderedQueue>(std::move(world), engine, options, length, now);
+    return make_queued<OrderedQueue>(std::move(world), engine, options, length, now, progress);
   }
-  return make_queued<CalendarQueue>(std::move(world), engine, options, length, now);
+  return make_queued<CalendarQueue>(std::move(world), engine, options, length, now, progress);
 }
 
 void check(const EngineOptions& options) {

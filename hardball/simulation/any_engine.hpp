@@ -11,6 +11,7 @@
 #include "hardball/response/contact.hpp"
 #include "hardball/response/restitution.hpp"
 #include "hardball/tuning/cell_edge.hpp"
+#include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -88,7 +89,7 @@ class AnyEngine {
 /// Makes an engine with the length [L] that choose_length has chosen for it. Precondition: `engine` is one
 /// that choose_engine has chosen.
 std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
-                                       double length, const Time& now);
+                                       double length, const Time& now, const Progress& progress = {});
 
 /// Error: options that make no sense for any world; see EngineOptions.
 void check(const EngineOptions& options);

@@ -25,6 +25,10 @@ constexpr std::uint64_t kSliceSteps = 1024;
 // Fewer spheres stay in the caches however they lie in memory.
 constexpr std::size_t kSpheresToOrder = 10000;
 
+// Shares of the work that making a simulation is.
+constexpr double kOrdered = 0.2;
+constexpr double kAudited = 0.5;
+
 // The paper's engine and all pairs gain nothing from it.
 void put_in_order(World& world, EngineKind engine, const Time& moment) {
   const bool gains = engine == EngineKind::cells || engine == EngineKind::neighbors;
@@ -58,20 +62,23 @@ std::vector<Vec3> centers_at(const World& world, const Time& moment) {
 
 }  // namespace
 
-Simulation::Simulation(World world, const EngineOptions& options)
+Simulation::Simulation(World world, const EngineOptions& options, const OnProgress& on_progress)
     : options_(options), watch_(options.unit_costs) {
   check(options_);
+  const Progress progress(on_progress);
+  progress.note(0, 1);
   now_ = latest_change(world);
-  refuse_unsound(world, now_);
   begin_paths(world, now_);
   kind_ = choose_engine(world, options_, now_);
   const double length = choose_length(world, kind_, options_, now_);
   put_in_order(world, kind_, now_);
-  engine_ = make_engine(std::move(world), kind_, options_, length, now_);
+  refuse_unsound(world, now_, progress.part(kOrdered, kAudited));  // faster in order
+  engine_ = make_engine(std::move(world), kind_, options_, length, now_, progress.part(kAudited, 1));
   watch_.begin(length);
   last_look_ = now_;
   next_look_ = kEventsPerLook * size();
   tally_.begin(this->world(), now_);
+  progress.note_end();
 }
 
 Simulation::Simulation(const Simulation& other)

@@ -14,6 +14,7 @@
 #include "hardball/response/contact.hpp"
 #include "hardball/simulation/any_engine.hpp"
 #include "hardball/tuning/cell_edge.hpp"
+#include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -35,11 +36,11 @@ struct NextContact {
 /// share only what their listeners and response refer to.
 class Simulation {
  public:
-  /// Starts at the latest moment at which a sphere was added to the world, or zero. Spheres added at earlier
-  /// moments have flown freely until then, and begin a new path there; to go on with a history, copy the
-  /// simulation. Error: spheres that overlap or reach through a wall at that moment; options that make no
-  /// sense (see EngineOptions).
-  explicit Simulation(World world, const EngineOptions& options = {});
+  /// Starts at the latest time at which a sphere was added to the world, or zero. Spheres added earlier have
+  /// moved freely until then and start a new path there; to continue a history, copy the simulation. Reports
+  /// to `on_progress` how much of the set-up is done. Error: spheres that overlap or reach through a wall at
+  /// the start; invalid options (see EngineOptions).
+  explicit Simulation(World world, const EngineOptions& options = {}, const OnProgress& on_progress = {});
   Simulation(const Simulation& other);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation other) noexcept;

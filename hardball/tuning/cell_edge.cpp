@@ -7,14 +7,14 @@
 #include <limits>
 #include <numbers>
 
+#include "hardball/world/spacing.hpp"
+
 namespace hardball {
 namespace {
 
-// The edge of a cube containing one sphere on average [L].
-double spacing(const Moments& moments) {
-  double product = 1;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) product *= std::cbrt(moments.extent[axis]);
-  return product / std::cbrt(static_cast<double>(moments.spheres));
+// The edge of a cell containing one sphere on average [L].
+double spacing_of(const Moments& moments) {
+  return spacing(moments.extent, static_cast<double>(moments.spheres));
 }
 
 bool is_close(double a, double b) {
@@ -70,7 +70,7 @@ double optimal_cell_edge(const Moments& moments, const UnitCosts& costs) {
   constexpr double kSmallest = 1.0 / 8;
   constexpr double kStep = 1.25;
   constexpr int kSteps = 24;  // up to 26 times the spacing
-  const double smallest = std::max(kSmallest * spacing(moments), moments.largest_radius / 4);
+  const double smallest = std::max(kSmallest * spacing_of(moments), moments.largest_radius / 4);
   scan(smallest, kStep, kSteps);
   const double coarse = best;
   scan(std::max(smallest, coarse / kStep), std::pow(kStep, 0.25), 8);
@@ -89,7 +89,7 @@ double paper_cell_edge(const Moments& moments, const UnitCosts& costs) {
     return 2 * density * reach * reach * (collisions + crossings) > costs.enter + costs.cell;
   };
   double low = 0;
-  double high = std::max(radius, spacing(moments));
+  double high = std::max(radius, spacing_of(moments));
   while (!is_beyond(high)) high *= 2;
   constexpr int kHalvings = 50;
   for (int i = 0; i < kHalvings; ++i) {

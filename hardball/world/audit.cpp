@@ -30,15 +30,20 @@ void look_for_escape(const World& world, Slot slot, const Vec3& position, Audit&
 
 }  // namespace
 
-Audit audit(const World& world, const Time& moment) {
+Audit audit(const World& world, const Time& moment, const Progress& progress) {
   Audit found;
   std::vector<Slot> by_size(world.size());
   std::iota(by_size.begin(), by_size.end(), Slot{0});
-  std::stable_sort(by_size.begin(), by_size.end(),
-                   [&](Slot a, Slot b) { return world.radius(a) > world.radius(b); });
+  if (!world.radii().is_common()) {
+    std::stable_sort(by_size.begin(), by_size.end(),
+                     [&](Slot a, Slot b) { return world.radius(a) > world.radius(b); });
+  }
   Neighborhood neighborhood(world.box(), world.size(), world.largest_radius());
   std::vector<Slot> inserted;
+  inserted.reserve(world.size());
+  std::size_t seen = 0;
   for (const Slot slot : by_size) {
+    progress.note(seen++, by_size.size());
     const Path& path = world.path(slot);
     if (!is_finite(path.position) || !is_finite(path.velocity)) {
       ++found.not_finite;
@@ -48,6 +53,8 @@ Audit audit(const World& world, const Time& moment) {
     look_for_escape(world, slot, position, found);
     neighborhood.for_each_near(position, world.radius(slot),
                                [&](std::uint32_t index, const Vec3& separation, double reach) {
+                                 // By more than rounding can hide: most neighbours are farther away.
+                                 if (dot(separation, separation) > 1.001 * (reach * reach)) return;
                                  const double overlap = 1 - length(separation) / reach;
                                  if (overlap <= found.max_overlap) return;
                                  found.max_overlap = overlap;
@@ -60,13 +67,13 @@ Audit audit(const World& world, const Time& moment) {
   return found;
 }
 
-void refuse_unsound(const World& world, const Time& moment) {
-  const Audit found = audit(world, moment);
+void refuse_unsound(const World& world, const Time& moment, const Progress& progress) {
+  const Audit found = audit(world, moment, progress);
   HARDBALL_CHECK(found.not_finite == 0);
   if (found.max_escape > kOverlapTolerance) {
     throw Error("at time " + to_text(moment.value()) + " sphere " + to_text(found.escaped) +
                     " reaches through a wall by " + to_text(found.max_escape) + " of its diameter",
-                "start state", "add it at a later moment, or farther from the wall");
+                "start state", "add it at a later time, or farther from the wall");
   }
   if (found.max_overlap <= kOverlapTolerance) return;
   throw Error("spheres " + to_text(found.overlap_first) + " and " + to_text(found.overlap_second) +

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -28,11 +29,11 @@ struct Audit {
 };
 
 /// Looks for overlaps, escapes and numbers gone wrong, by a search of its own. Cost: O(n log n).
-Audit audit(const World& world, const Time& moment);
+Audit audit(const World& world, const Time& moment, const Progress& progress = {});
 
-/// Refuses a start that is not sound: spheres that overlap, or reach through a wall, by more than
-/// kOverlapTolerance at `moment`. Error: names the worst pair, or the sphere.
-void refuse_unsound(const World& world, const Time& moment);
+/// Refuses an unsound start: spheres that overlap or reach through a wall by more than kOverlapTolerance at
+/// `moment`. Error: names the worst pair, or the sphere.
+void refuse_unsound(const World& world, const Time& moment, const Progress& progress = {});
 
 /// Refuses a sphere that would overlap one of the world by more than kOverlapTolerance. Cost: O(n).
 /// Error: names the sphere in the way.

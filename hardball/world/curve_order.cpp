@@ -30,19 +30,18 @@ std::vector<Slot> order_along_curve(const World& world, const Time& moment) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Vec3 low{kInfinity, kInfinity, kInfinity};
   Vec3 high = -low;
-  std::vector<Vec3> centers(world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    centers[slot] = world.position(slot, moment);
+    const Vec3 center = world.position(slot, moment);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      low[axis] = std::min(low[axis], centers[slot][axis]);
-      high[axis] = std::max(high[axis], centers[slot][axis]);
+      low[axis] = std::min(low[axis], center[axis]);
+      high[axis] = std::max(high[axis], center[axis]);
     }
   }
   const double longest = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
   const double places = longest > 0 ? ((1 << kBits) - 1) / longest : 0;
   std::vector<std::pair<std::uint64_t, Slot>> keyed(world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    const Vec3 place = places * (centers[slot] - low);
+    const Vec3 place = places * (world.position(slot, moment) - low);
     keyed[slot] = {spread(static_cast<std::uint64_t>(place.x)) << 2 |
                        spread(static_cast<std::uint64_t>(place.y)) << 1 |
                        spread(static_cast<std::uint64_t>(place.z)),

@@ -24,28 +24,29 @@ Neighborhood::Neighborhood(const Box& box, std::size_t capacity, double largest_
     levels_.push_back(std::move(level));
   }
   spheres_.reserve(capacity);
-  next_.reserve(capacity);
 }
 
 void Neighborhood::insert(const Vec3& center, double radius) {
   Level& level = level_for(radius);
-  if (level.head.empty()) level.head.assign(std::bit_ceil(std::max<std::size_t>(capacity_, 1)), kNone);
+  if (level.buckets.empty()) level.buckets.resize(std::bit_ceil(std::max<std::size_t>(capacity_, 1)));
   const Cell cell = cell_at(level, center);
-  std::uint64_t key = 0;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) key = mix(key, fold(cell[axis], level.count[axis]).index);
-  std::uint32_t& head = level.head[bucket(level, key)];
-  next_.push_back(head);
-  head = static_cast<std::uint32_t>(spheres_.size());
-  spheres_.push_back({center, radius, key});
+  const auto folded = [&](std::size_t axis) { return fold(cell[axis], level.count[axis]).index; };
+  const std::uint64_t key = cell_key(column_key(folded(0), folded(1)), folded(2));
+  Bucket& bucket = level.buckets[key & (level.buckets.size() - 1)];
+  spheres_.push_back({center, radius, key, bucket.last});
+  bucket.last = static_cast<std::uint32_t>(spheres_.size() - 1);
+  bucket.tags |= tag(key);
 }
 
-Neighborhood::Cell Neighborhood::cell_at(const Level& level, const Vec3& place) const {
+Neighborhood::Cell Neighborhood::cell_at(const Level& level, const Vec3& place) {
   // Spheres beyond this many cells share the outermost ones.
   constexpr double kFarthest = 1e15;
   Cell cell;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double index = std::floor(place[axis] / level.edge[axis]);
-    cell[axis] = static_cast<std::int64_t>(std::clamp(index, -kFarthest, kFarthest));
+    const double index = std::clamp(place[axis] / level.edge[axis], -kFarthest, kFarthest);
+    // Without SSE4.1, std::floor is the call of a function.
+    cell[axis] = static_cast<std::int64_t>(index);
+    cell[axis] -= static_cast<double>(cell[axis]) > index ? 1 : 0;
   }
   return cell;
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hardball/memory/huge_pages.hpp"
 #include "hardball/world/box.hpp"
 
 namespace hardball {
@@ -29,46 +30,52 @@ class Neighborhood {
   template <class Visit>
   void for_each_near(const Vec3& center, double radius, Visit&& visit) const {
     for (const Level& level : levels_) {
-      if (level.head.empty()) continue;
-      const double margin = (radius + level.largest_radius) * (1 + 1e-9);
-      const Cell low = cell_at(level, center - Vec3{margin, margin, margin});
-      const Cell high = cell_at(level, center + Vec3{margin, margin, margin});
-      for (std::int64_t x = low[0]; x <= high[0]; ++x) {
-        const Folded in_x = fold(x, level.count[0]);
-        for (std::int64_t y = low[1]; y <= high[1]; ++y) {
-          const Folded in_y = fold(y, level.count[1]);
-          const std::uint64_t column = mix(mix(0, in_x.index), in_y.index);
-          for (std::int64_t z = low[2]; z <= high[2]; ++z) {
-            const Folded in_z = fold(z, level.count[2]);
-            const std::uint64_t key = mix(column, in_z.index);
-            std::uint32_t i = level.head[bucket(level, key)];
-            if (i == kNone) continue;
-            const Vec3 shift = box_.shift({{in_x.boxes, in_y.boxes, in_z.boxes}});
-            for (; i != kNone; i = next_[i]) {
-              const Resting& sphere = spheres_[i];
-              if (sphere.cell != key) continue;
-              visit(i, (sphere.center - center) + shift, radius + sphere.radius);
-            }
-          }
-        }
-      }
+      if (level.buckets.empty()) continue;
+      const auto go_on = [&visit](std::uint32_t index, const Vec3& separation, double reach) {
+        visit(index, separation, reach);
+        return false;
+      };
+      search(level, cells_near(level, center, radius), center, radius, go_on);
     }
+  }
+
+  /// Whether predicate(index, separation, reach) holds for any of them. Cost: less than that of visiting all
+  /// if it does.
+  template <class Predicate>
+  bool is_any_near(const Vec3& center, double radius, Predicate&& predicate) const {
+    for (const Level& level : levels_) {
+      if (level.buckets.empty()) continue;
+      const Cell own = cell_at(level, center);  // where there is most to find
+      if (search(level, {own, own}, center, radius, predicate)) return true;
+      if (search(level, cells_near(level, center, radius), center, radius, predicate)) return true;
+    }
+    return false;
   }
 
  private:
   using Cell = std::array<std::int64_t, kAxes>;
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+  // Cells share buckets. Most of those that ask for another cell see so without a visit to its spheres.
+  struct Bucket {
+    std::uint32_t last = kNone;  // the sphere inserted last
+    std::uint32_t tags = 0;      // a bit for the tag of each cell that it holds
+  };
   struct Level {
     double largest_radius = 0;
     Vec3 edge;
     std::array<std::int64_t, kAxes> count{};  // cells along a periodic axis, zero along the others
-    std::vector<std::uint32_t> head;          // per bucket: the sphere inserted last, or kNone
+    LargeVector<Bucket> buckets;              // a power of two; empty while the level is
   };
   struct Resting {
     Vec3 center;
     double radius;
     std::uint64_t cell;  // the key of its cell: cells share buckets, and none may be found twice
+    std::uint32_t next;  // the sphere inserted before it into the same bucket, or kNone
   };
-  static constexpr std::uint32_t kNone = UINT32_MAX;
+  struct Cells {
+    Cell low;
+    Cell high;
+  };
 
   // A cell along one axis, folded into a periodic box from so many boxes away.
   struct Folded {
@@ -76,25 +83,63 @@ class Neighborhood {
     std::int32_t boxes;
   };
 
-  Cell cell_at(const Level& level, const Vec3& place) const;
+  // Whether predicate(index, separation, reach) holds for any sphere in these cells of a level.
+  template <class Predicate>
+  bool search(const Level& level, const Cells& cells, const Vec3& center, double radius,
+              Predicate&& predicate) const {
+    const Bucket* const buckets = level.buckets.data();
+    const std::uint64_t mask = level.buckets.size() - 1;
+    const std::array<std::int64_t, kAxes> count = level.count;
+    for (std::int64_t x = cells.low[0]; x <= cells.high[0]; ++x) {
+      const Folded in_x = fold(x, count[0]);
+      for (std::int64_t y = cells.low[1]; y <= cells.high[1]; ++y) {
+        const Folded in_y = fold(y, count[1]);
+        const std::uint64_t column = column_key(in_x.index, in_y.index);
+        for (std::int64_t z = cells.low[2]; z <= cells.high[2]; ++z) {
+          const Folded in_z = fold(z, count[2]);
+          const std::uint64_t key = cell_key(column, in_z.index);
+          const Bucket& bucket = buckets[key & mask];
+          if ((bucket.tags & tag(key)) == 0) continue;
+          const Vec3 shift = box_.shift({{in_x.boxes, in_y.boxes, in_z.boxes}});
+          for (std::uint32_t i = bucket.last; i != kNone; i = spheres_[i].next) {
+            const Resting& sphere = spheres_[i];
+            if (sphere.cell != key) continue;
+            if (predicate(i, (sphere.center - center) + shift, radius + sphere.radius)) return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  static Cell cell_at(const Level& level, const Vec3& place);
+  static Cells cells_near(const Level& level, const Vec3& center, double radius) {
+    const double margin = (radius + level.largest_radius) * (1 + 1e-9);
+    const Vec3 reach{margin, margin, margin};
+    return {cell_at(level, center - reach), cell_at(level, center + reach)};
+  }
   static Folded fold(std::int64_t index, std::int64_t count) {
     if (count == 0 || (index >= 0 && index < count)) return {index, 0};
     const std::int64_t boxes = index >= 0 ? index / count : -((count - 1 - index) / count);
     return {index - boxes * count, static_cast<std::int32_t>(boxes)};
   }
-  // Three of these in a row make the key of a cell: 64 bits, alike for two cells once in 10^19 times.
+  // The key of a cell: 64 bits, alike for two cells once in 10^19 times. Cells next to each other along z lie
+  // side by side in memory.
+  static std::uint64_t column_key(std::int64_t x, std::int64_t y) { return mix(mix(0, x), y); }
+  static std::uint64_t cell_key(std::uint64_t column, std::int64_t z) {
+    return column + static_cast<std::uint64_t>(z);
+  }
   static std::uint64_t mix(std::uint64_t key, std::int64_t index) {
     key = (key ^ static_cast<std::uint64_t>(index)) * 0x9e3779b97f4a7c15;
     return key ^ (key >> 32);
   }
-  static std::size_t bucket(const Level& level, std::uint64_t key) { return key & (level.head.size() - 1); }
+  static std::uint32_t tag(std::uint64_t key) { return std::uint32_t{1} << (key >> 59); }
   Level& level_for(double radius);
 
   Box box_;
   std::size_t capacity_;
   std::vector<Level> levels_;
-  std::vector<Resting> spheres_;
-  std::vector<std::uint32_t> next_;  // the next sphere in the same bucket
+  LargeVector<Resting> spheres_;
 };
 
 }  // namespace hardball

@@ -10,6 +10,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/world/neighborhood.hpp"
+#include "hardball/world/spacing.hpp"
 
 namespace hardball {
 namespace {
@@ -27,6 +28,16 @@ struct Span {
 Span span_for_centers(const Box& box, const Region& region, double radius, std::size_t axis) {
   const double inset = box.is_periodic(axis) ? 0 : radius;
   return {region.low[axis] + inset, region.high[axis] - inset};
+}
+
+// A place for a sphere anywhere in the region.
+Vec3 draw_center(const Box& box, const Region& region, double radius, Random& random) {
+  Vec3 center;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const Span span = span_for_centers(box, region, radius, axis);
+    center[axis] = span.low + random.uniform() * (span.high - span.low);
+  }
+  return center;
 }
 
 double volume(const Region& region) {
@@ -69,7 +80,7 @@ Lattice make_lattice(const Box& box, const Region& region, double radius,
 // The lattice with room for `count` spheres whose nearest sites are farthest apart.
 Lattice widest_lattice(const Box& box, const Region& region, std::size_t count, double radius) {
   const Vec3 size = region.high - region.low;
-  const double edge = std::cbrt(4 * volume(region) / static_cast<double>(count));
+  const double edge = spacing(size, static_cast<double>(count) / 4);
   std::array<std::size_t, kAxes> low{};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     low[axis] = static_cast<std::size_t>(std::max(1.0, std::floor(size[axis] / edge) - 2));
@@ -89,7 +100,7 @@ Lattice widest_lattice(const Box& box, const Region& region, std::size_t count, 
 }  // namespace
 
 std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span<const double> radii,
-                                 Random& random, const std::string& where) {
+                                 Random& random, const std::string& where, const Progress& progress) {
   std::vector<Vec3> centers(radii.size());
   if (radii.empty()) return centers;
   const double packing = sphere_volume(radii) / volume(region);
@@ -103,22 +114,21 @@ std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span
   }
   std::vector<std::size_t> by_size(radii.size());
   std::iota(by_size.begin(), by_size.end(), std::size_t{0});
-  std::stable_sort(by_size.begin(), by_size.end(),
-                   [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
+  if (std::ranges::min(radii) != std::ranges::max(radii)) {
+    std::stable_sort(by_size.begin(), by_size.end(),
+                     [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
+  }
   Neighborhood neighborhood(box, radii.size(), std::ranges::max(radii));
   std::size_t placed = 0;
   for (const std::size_t i : by_size) {
+    progress.note(placed, radii.size());
     bool fits = false;
     for (int attempt = 0; attempt < kMaxAttempts && !fits; ++attempt) {
-      Vec3 center;
-      for (std::size_t axis = 0; axis < kAxes; ++axis) {
-        const Span span = span_for_centers(box, region, radii[i], axis);
-        center[axis] = span.low + random.uniform() * (span.high - span.low);
-      }
-      fits = true;
-      neighborhood.for_each_near(center, radii[i], [&](std::uint32_t, const Vec3& separation, double reach) {
-        if (dot(separation, separation) < reach * reach) fits = false;
-      });
+      const Vec3 center = draw_center(box, region, radii[i], random);
+      fits = !neighborhood.is_any_near(center, radii[i],
+                                       [](std::uint32_t, const Vec3& separation, double reach) {
+                                         return dot(separation, separation) < reach * reach;
+                                       });
       if (fits) centers[i] = center;
     }
     if (!fits) {

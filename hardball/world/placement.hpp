@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hardball/world/box.hpp"
+#include "hardball/world/progress.hpp"
 #include "hardball/world/random.hpp"
 
 namespace hardball {
@@ -25,7 +26,7 @@ inline constexpr double kClosePacking = 0.74048048969306104;
 /// that are not periodic. Error, with `where` as its place: they do not fit, or random placement cannot reach
 /// so dense a state. Cost: O(n) until the region is nearly full.
 std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span<const double> radii,
-                                 Random& random, const std::string& where);
+                                 Random& random, const std::string& where, const Progress& progress = {});
 
 /// Centres for `count` spheres of one radius [L] on a face-centred cubic lattice stretched to fill the
 /// region, vacancies spread evenly. Error, with `where` as its place: no such lattice leaves room for the

@@ -44,6 +44,12 @@ constexpr double kWallTolerance = 1e-12;
 
 }  // namespace
 
+void World::reserve(std::size_t count) {
+  ids_.reserve(count);
+  paths_.reserve(count);
+  folded_.reserve(count);
+}
+
 SphereId World::add(const Sphere& sphere, const Time& moment) {
   check(sphere);
   check_moment(moment, name_of(next_id_));

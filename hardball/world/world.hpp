@@ -31,6 +31,9 @@ class World {
   const Box& box() const { return box_; }
   std::size_t size() const { return paths_.size(); }
 
+  /// Makes room for so many spheres.
+  void reserve(std::size_t count);
+
   /// Adds a sphere that is where it says at `moment`, and returns its id: ids count up from zero.
   /// Positions outside a periodic box are folded into it. Overlaps are not looked for here (see audit.hpp).
   /// Error: a number that is NaN, infinite or out of range; a radius or mass that is not positive; a centre

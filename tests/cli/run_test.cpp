@@ -330,5 +330,25 @@ TEST(Program, PrintsItsVersionAndUsage) {
   }
 }
 
+TEST_F(Run, BeginsAtOnceInABoxOfAnyShape) {
+  for (const std::string size :
+       {"1e15, 10, 10", "10, 1e15, 1e15", "1e60, 10, 10", "10, 1e60, 1e60", "1e60, 1e60, 1e60",
+        "1e-15, 10, 10", "10, 1e-58, 1e-58", "1e-58, 10, 10", "1e-58, 1e-58, 1e-58", "1e-58, 1, 1e60"}) {
+    for (const std::string boundary : {"wall", "periodic", "open"}) {
+      for (const std::string placement : {"random", "fcc"}) {
+        const std::string each = "\"" + boundary + "\"";
+        use("[box]\nsize = [" + size + "]\nboundary = [" + each + ", " + each + ", " + each +
+            "]\n[[spheres]]\ncount = 2\nradius = 1e-60\nplacement = \"" + placement +
+            "\"\nspeed = 1.0\n[run]\nuntil = 1e-60\n");
+        SCOPED_TRACE(size + " " + boundary + " " + placement);
+        const Outcome checked = run_program(folder_, {"check", "gas.toml"});
+        EXPECT_EQ(checked.exit_code, 0) << checked.messages;
+        EXPECT_EQ(checked.output.find("nan"), std::string::npos) << checked.output;
+        run();
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hardball

@@ -286,5 +286,30 @@ TEST(MakeWorld, RefusesToMixWaysOfPlacement) {
   EXPECT_TRUE(contains(error_of(scenario), "different ways")) << error_of(scenario);
 }
 
+TEST(MakeWorld, TellsHowFarItIs) {
+  for (const std::string placement : {"random", "fcc"}) {
+    const Scenario scenario = parse_scenario(
+        "[box]\nsize = [100, 100, 100]\nboundary = [\"wall\", \"wall\", \"wall\"]\n"
+        "[[spheres]]\ncount = 2000\nradius = 1\nplacement = \"" +
+            placement + "\"\nspeed = 1\n",
+        "here.toml");
+    std::vector<double> shares;
+    const World told = make_world(scenario, [&](double share) { shares.push_back(share); });
+    ASSERT_GE(shares.size(), 100U);
+    EXPECT_LE(shares.size(), 400U);
+    EXPECT_EQ(shares.front(), 0);
+    EXPECT_EQ(shares.back(), 1);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    const World untold = make_world(scenario);
+    for (Slot slot = 0; slot < told.size(); ++slot) {
+      ASSERT_EQ(told.path(slot).position, untold.path(slot).position);
+    }
+    const auto interrupt = [](double share) {
+      if (share > 0.5) throw RunFailure("enough");
+    };
+    EXPECT_THROW(make_world(scenario, interrupt), RunFailure);
+  }
+}
+
 }  // namespace
 }  // namespace hardball

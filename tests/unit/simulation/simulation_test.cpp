@@ -466,5 +466,45 @@ TEST(Simulation, MovedOnIsAnotherAndMovable) {
   EXPECT_EQ(second.time(), 5);
 }
 
+World gas_of(std::size_t spheres) {
+  World world(Box::periodic({1000, 10, 10}));
+  for (std::size_t i = 0; i < spheres; ++i) {
+    world.add({{1000.0 * static_cast<double>(i) / static_cast<double>(spheres), 5, 5}, {1, 0, 0}, 0.01, 1});
+  }
+  return world;
+}
+
+TEST(Simulation, TellsHowFarItsMakingIs) {
+  for (const std::size_t spheres : {std::size_t{0}, std::size_t{1}, std::size_t{1000}, std::size_t{12000}}) {
+    for (const EngineKind engine : {EngineKind::cells, EngineKind::neighbors}) {
+      EngineOptions options;
+      options.engine = engine;
+      std::vector<double> shares;
+      Simulation simulation(gas_of(spheres), options, [&](double share) { shares.push_back(share); });
+      ASSERT_GE(shares.size(), spheres >= 1000 ? 200U : 2U);
+      EXPECT_LE(shares.size(), 400U) << spheres;
+      EXPECT_EQ(shares.front(), 0);
+      EXPECT_EQ(shares.back(), 1);
+      EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+      const std::size_t calls = shares.size();
+      Simulation copy = simulation;
+      copy.add({{500, 1, 1}, {1, 0, 0}, 0.01, 1});
+      copy.run_until(0.01);
+      simulation.remove(simulation.add({{500, 1, 1}, {1, 0, 0}, 0.01, 1}));
+      simulation.run_until(0.01);
+      EXPECT_EQ(shares.size(), calls) << "only its making";
+    }
+  }
+}
+
+TEST(Simulation, IsNotMadeIfTheListenerToItsProgressThrows) {
+  for (const double end : {0.0, 0.3, 0.6, 1.0}) {
+    const auto interrupt = [end](double share) {
+      if (share >= end) throw RunFailure("enough");
+    };
+    EXPECT_THROW(Simulation(gas_of(1000), {}, interrupt), RunFailure) << end;
+  }
+}
+
 }  // namespace
 }  // namespace hardball

@@ -22,6 +22,15 @@ struct Rows {
   bool meets(const Rows& other) const { return low <= other.high && other.low <= high; }
 };
 
+Moments moments_between_walls(double size, double radius) {
+  Moments moments;
+  moments.spheres = 1000;
+  moments.radius_power[1] = moments.largest_radius = radius;
+  moments.extent = {size, size, size};
+  moments.box = Box::walls(moments.extent);
+  return moments;
+}
+
 // Reference: pairs placed at random between two walls.
 TEST(CellAxes, BetweenWallsKnowHowManyPairsShareARow) {
   constexpr int kPairs = 200000;
@@ -64,6 +73,40 @@ TEST(CellAxes, BetweenWallsKnowWhichFacesCanBeCrossed) {
   EXPECT_NEAR(passed(90), 87, 1e-9) << "the front of a sphere starts two cells away from the wall";
 }
 
+// The slow twin: the rows one by one.
+TEST(CellAxes, BetweenWallsSumUpAllRows) {
+  for (const double diameter : {1e-9, 0.2, 1.0, 3.7}) {
+    for (const double size : {4.0, 5.3, 40.0, 4000.0}) {
+      for (const double edge : {0.3, 1.0, 2.2, 7.0, 300.0}) {
+        const Moments moments = moments_between_walls(size, diameter / 2);
+        const CellAxis axis = cell_axes(moments, edge)[0];
+        double apart = 0;
+        for (double row = std::floor(diameter / axis.edge) + 1; row * axis.edge < axis.room; ++row) {
+          const double ends = std::min(axis.edge, row * axis.edge - diameter);  // where upper ends may lie
+          apart += ends * (axis.room - row * axis.edge);
+        }
+        const double spread = axis.room * (1 - 2 * apart / (axis.room * axis.room));
+        EXPECT_NEAR(axis.candidates * (axis.edge + 2 * diameter), spread, 1e-9 * spread)
+            << diameter << " " << size << " " << edge;
+      }
+    }
+  }
+}
+
+// Far from walls a row is as good as any other: a wide box must not take the digits of what remains.
+TEST(CellAxes, OfAWideBoxBetweenWallsAreThoseOfOpenSpace) {
+  for (const double scale : {1e-60, 1e-30, 1.0, 1e30, 1e45}) {
+    const CellAxis axis = cell_axes(moments_between_walls(1e8 * scale, scale), scale)[0];
+    EXPECT_NEAR(axis.candidates, 1, 1e-7) << scale;
+    const CellAxis widest = cell_axes(moments_between_walls(1e60, scale), 1e53)[0];
+    EXPECT_NEAR(widest.candidates, 1, 1e-6) << scale;
+  }
+  for (const double scale : {1e-60, 1.0, 1e60}) {
+    const CellAxis undivided = cell_axes(moments_between_walls(scale, scale / 4), 1e60)[0];
+    EXPECT_DOUBLE_EQ(undivided.candidates, 0.5 / 2) << "the room, over the edge and two diameters";
+  }
+}
+
 TEST(CellAxes, WithoutWallsAreAllAlike) {
   for (const Boundary boundary : {Boundary::periodic, Boundary::open}) {
     const CellAxis axis = cell_axes(support::gas_moments(1000, 0.01, 0.5, boundary), 1)[2];
@@ -72,6 +115,12 @@ TEST(CellAxes, WithoutWallsAreAllAlike) {
     EXPECT_TRUE(axis.is_divided);
     EXPECT_DOUBLE_EQ(axis.crossings, 1 / axis.edge);
   }
+}
+
+TEST(CellAxes, OfCellsLargerThanAnOpenCloudHoldWhatThereIs) {
+  const Moments moments = support::gas_moments(1000, 0.01, 0.5, Boundary::open);
+  const CellAxis axis = cell_axes(moments, 100 * moments.extent.x)[0];
+  EXPECT_DOUBLE_EQ(axis.candidates * (axis.edge + 2), moments.extent.x);
 }
 
 }  // namespace

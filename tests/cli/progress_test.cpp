@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// What the program shows of its progress, and where.
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+
+#include "cli/program.hpp"
+
+namespace hardball {
+namespace {
+
+using support::Arguments;
+using support::Program;
+using support::run_program;
+using support::ScratchFolder;
+using support::write_text;
+
+std::string gas_of(int spheres) {
+  return "[box]\nsize = [120, 120, 120]\nboundary = [\"periodic\", \"periodic\", "
+         "\"periodic\"]\n[[spheres]]\ncount = " +
+         std::to_string(spheres) +
+         "\nradius = 0.5\nplacement = \"random\"\ntemperature = 1.0\n[run]\nuntil = 1e-3\n";
+}
+
+// What a program wrote to a terminal as its standard error, and how it ended.
+struct Shown {
+  std::string text;
+  int exit_code = -1;
+};
+
+class ProgressOnTerminal : public testing::Test {
+ protected:
+  // Sends the program a signal, if one is given, as soon as it has shown the text.
+  Shown run(const Arguments& arguments, int signal = 0, const std::string& after = "") const {
+    const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    EXPECT_EQ(grantpt(terminal), 0);
+    EXPECT_EQ(unlockpt(terminal), 0);
+    std::filesystem::remove(folder_ / "program.stderr");
+    std::filesystem::create_symlink(ptsname(terminal), folder_ / "program.stderr");
+    const Program program(folder_, arguments);
+    Shown shown;
+    char piece[512];
+    for (ssize_t length = 0; (length = read(terminal, piece, sizeof piece)) > 0;) {
+      shown.text.append(piece, static_cast<std::size_t>(length));
+      if (signal == 0 || shown.text.find(after) == std::string::npos) continue;
+      kill(program.process(), signal);
+      signal = 0;
+    }
+    close(terminal);
+    int status = 0;
+    waitpid(program.process(), &status, 0);
+    if (WIFEXITED(status)) shown.exit_code = WEXITSTATUS(status);
+    return shown;
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(ProgressOnTerminal, ShowsTheSetUpAndTheRun) {
+  write_text(folder_ / "gas.toml", gas_of(20000));
+  for (const std::string command : {"run", "check"}) {
+    const Shown shown = run({command, "gas.toml"});
+    EXPECT_EQ(shown.exit_code, 0);
+    EXPECT_NE(shown.text.find("\r[                        ]   0%  setting up"), std::string::npos)
+        << shown.text;
+    EXPECT_EQ(shown.text.find("collisions/s") != std::string::npos, command == "run");
+    EXPECT_TRUE(shown.text.ends_with(" \r")) << "the line is removed";
+  }
+}
+
+TEST_F(ProgressOnTerminal, IsNotShownToTheQuiet) {
+  write_text(folder_ / "gas.toml", gas_of(20000));
+  const Shown shown = run({"run", "gas.toml", "--quiet"});
+  EXPECT_EQ(shown.exit_code, 0);
+  EXPECT_EQ(shown.text, "");
+}
+
+TEST_F(ProgressOnTerminal, LetsASignalEndTheSetUp) {
+  write_text(folder_ / "gas.toml", gas_of(1000000));
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const Shown shown = run({"run", "gas.toml", "--out", "out"}, signal, "setting up");
+    EXPECT_EQ(shown.exit_code, 1);
+    EXPECT_NE(shown.text.find("hardball: interrupted in the set-up, "), std::string::npos) << shown.text;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+  }
+}
+
+TEST(ProgressElsewhere, IsNotShown) {
+  const ScratchFolder folder;
+  write_text(folder / "gas.toml", gas_of(20000));
+  for (const std::string command : {"run", "check"}) {
+    EXPECT_EQ(run_program(folder, {command, "gas.toml"}).messages, "");
+  }
+}
+
+}  // namespace
+}  // namespace hardball
