@@ -16,20 +16,20 @@
 namespace hardball {
 namespace {
 
-// Engine and cell edge are looked at again after this many crossings and contacts per sphere.
-constexpr std::uint64_t kEventsPerLook = 8;
+// Engine and cell edge are reviewed after this many crossings and contacts per sphere.
+constexpr std::uint64_t kEventsPerReview = 8;
 
-// Steps between two looks, at the least.
+// Fewest steps between two reviews.
 constexpr std::uint64_t kSliceSteps = 1024;
 
-// Fewer spheres stay in the caches however they lie in memory.
+// Fewer spheres fit in the caches in any order.
 constexpr std::size_t kSpheresToOrder = 10000;
 
-// Shares of the work that making a simulation is.
+// Progress of the set-up after its stages [1].
 constexpr double kOrdered = 0.2;
 constexpr double kAudited = 0.5;
 
-// The paper's engine and all pairs gain nothing from it.
+// The paper's engine and all pairs would gain nothing.
 void put_in_order(World& world, EngineKind engine, const Time& moment) {
   const bool gains = engine == EngineKind::cells || engine == EngineKind::neighbors;
   if (gains && world.size() >= kSpheresToOrder) world.reorder(order_along_curve(world, moment));
@@ -41,7 +41,7 @@ Time latest_change(const World& world) {
   return latest;
 }
 
-// Whatever spheres may have met before, they meet from here on.
+// Contacts before the start do not count.
 void begin_paths(World& world, const Time& moment) {
   for (Slot slot = 0; slot < world.size(); ++slot) {
     const Path& path = world.path(slot);
@@ -75,8 +75,8 @@ Simulation::Simulation(World world, const EngineOptions& options, const OnProgre
   refuse_unsound(world, now_, progress.part(kOrdered, kAudited));  // faster in order
   engine_ = make_engine(std::move(world), kind_, options_, length, now_, progress.part(kAudited, 1));
   watch_.begin(length);
-  last_look_ = now_;
-  next_look_ = kEventsPerLook * size();
+  last_review_ = now_;
+  next_review_ = kEventsPerReview * size();
   tally_.begin(this->world(), now_);
   progress.note_end();
 }
@@ -93,8 +93,8 @@ Simulation::Simulation(const Simulation& other)
       tally_(other.tally_),
       watch_(other.watch_),
       edited_(other.edited_),
-      next_look_(other.next_look_),
-      last_look_(other.last_look_) {}
+      next_review_(other.next_review_),
+      last_review_(other.last_review_) {}
 
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
@@ -111,8 +111,8 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   tally_ = other.tally_;
   watch_ = other.watch_;
   edited_ = other.edited_;
-  next_look_ = other.next_look_;
-  last_look_ = other.last_look_;
+  next_review_ = other.next_review_;
+  last_review_ = other.last_review_;
   return *this;
 }
 
@@ -156,7 +156,7 @@ RunStatus Simulation::run(const RunLimits& limits, Measures& measures) {
   check_idle("run");
   RunLimits left = limits;
   for (;;) {
-    // A sample that a run without these measures has passed by is taken now.
+    // A sample that is overdue after a run without these measures is taken now.
     const Time sample = later(measures.next_sample(), now_);
     const bool is_next = sample <= limits.until && sample < kNever;
     left.until = is_next ? sample : limits.until;
@@ -170,7 +170,7 @@ RunStatus Simulation::run(const RunLimits& limits, Measures& measures) {
   }
 }
 
-// Runs until the first of the limits is met and tells `measures`, if there are any, of every contact.
+// Runs until the first of the limits is met, notifying `measures`, if any, of every contact.
 RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) {
   check_idle("run");
   check_not_past(limits.until);
@@ -199,10 +199,10 @@ RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) 
     if (status == RunStatus::time_reached && std::isfinite(limits.until.high)) {
       now_ = later(now_, limits.until);
     } else if (status == RunStatus::steps_reached && !goes_on) {
-      // Only here is it an engine's own event that the run stops at; elsewhere engines must not differ.
+      // Only here may the time reached depend on the engine.
       now_ = later(now_, engine_->now());
     }
-    // Also before returning: a run may be cut into pieces of any size.
+    // Also before returning: a run may be split into pieces of any size.
     if (!edited_) retune_if_due();
     if (!goes_on) return status;
   }
@@ -318,7 +318,7 @@ void Simulation::check_editable(const char* what) const {
                 "edit it from the listener, which is called after the contact");
   }
   if (activity_ == Activity::measuring) {
-    throw Error("measures look on, which need the spheres and velocities that contacts leave", what,
+    throw Error("the run takes measures, which need the spheres and velocities left by contacts", what,
                 "run without measures, or edit the simulation when the run has ended");
   }
 }
@@ -340,8 +340,8 @@ void Simulation::apply_edits() {
 
 void Simulation::retune_if_due() {
   const Counters done = counters();
-  if (done.enter + done.contacts() < next_look_) return;
-  next_look_ = done.enter + done.contacts() + kEventsPerLook * size();
+  if (done.enter + done.contacts() < next_review_) return;
+  next_review_ = done.enter + done.contacts() + kEventsPerReview * size();
   const Time moment = later(now_, engine_->now());
   if (choose_engine(world(), options_, moment, kind_) != kind_) {
     rebuild(moment);
@@ -349,14 +349,15 @@ void Simulation::retune_if_due() {
   }
   const bool has_cells = kind_ == EngineKind::cells || kind_ == EngineKind::paper;
   if (!has_cells || options_.cell_edge) return;
-  const std::optional<double> better = watch_.look(moments_of(world(), moment), duration(last_look_, moment));
-  last_look_ = moment;
+  const std::optional<double> better =
+      watch_.look(moments_of(world(), moment), duration(last_review_, moment));
+  last_review_ = moment;
   if (!better) return;
   put_in_order(engine_->world_to_edit(), kind_, moment);
   engine_->rebuild(moment, allowed_cell_edge(world(), kind_, *better));
 }
 
-// Makes all regions and predictions anew, by another engine if that suits the world better.
+// Rebuilds all regions and predictions, with another engine if that suits the world better.
 void Simulation::rebuild(const Time& moment) {
   const EngineKind kind = choose_engine(world(), options_, moment, kind_);
   const double length = choose_length(world(), kind, options_, moment);
@@ -371,7 +372,7 @@ void Simulation::rebuild(const Time& moment) {
     kind_ = kind;
   }
   watch_.begin(length);
-  last_look_ = moment;
+  last_review_ = moment;
 }
 
 }  // namespace hardball

@@ -21,7 +21,7 @@ namespace hardball {
 
 class Measures;
 
-/// A contact that lies ahead.
+/// A contact in the future.
 struct NextContact {
   double time = 0;  ///< [T]
   EventKind kind = EventKind::collision;
@@ -29,11 +29,11 @@ struct NextContact {
   std::uint32_t second = 0;  ///< The id of the other sphere, or the Face of the box.
 };
 
-/// Spheres in motion: the one face of Hardball.
+/// Spheres in motion: the interface to Hardball.
 ///
-/// Every collision happens exactly when it should and in order; the history does not depend on the options,
-/// on how a run is cut into pieces, or on what is asked in between. Copies are independent of each other, and
-/// share only what their listeners and response refer to.
+/// Every collision happens at its exact time and in order; the history does not depend on the options, on how
+/// a run is split, or on queries in between. Copies are independent of each other, and share only what their
+/// listeners and responses refer to.
 class Simulation {
  public:
   /// Starts at the latest time at which a sphere was added to the world, or zero. Spheres added earlier have
@@ -46,36 +46,36 @@ class Simulation {
   Simulation& operator=(Simulation other) noexcept;
   ~Simulation();
 
-  /// Called after every collision and wall contact, when the contact has been carried out and time() is its
-  /// moment. What it throws ends the run after that contact, and the simulation can go on.
+  /// Sets a listener, called after every collision and wall contact: the contact has been carried out, and
+  /// time() is its time. If it throws, the run ends after that contact, and the simulation can be run on.
   ///
-  /// The listener may ask for the state, copy the simulation, and edit it: change_velocity, add, remove, and
-  /// replace response or listener. An edit takes effect at once, before any other event, those of the same
-  /// moment included; so the history is the same for every engine. It may not run the simulation, ask what
-  /// lies ahead, move it, assign to it or destroy it; nor edit it while measures look on. Error, from such
-  /// calls: see check_idle and check_editable below for what they say.
+  /// The listener may query the simulation, copy it, and edit it: change_velocity, add, remove, on_contact,
+  /// respond_with. An edit takes effect before any other event, simultaneous ones included, so that the
+  /// history is the same for every engine. Error, from the calls in question: it runs the simulation, asks
+  /// for future contacts or positions, or edits it during a run with measures. It must not move it, assign to
+  /// it or destroy it.
   void on_contact(std::function<void(const Contact&)> listener);
 
-  /// Replaces what contacts do to velocities; see Response. Between contacts the spheres must not be made to
-  /// approach. The response may not run or edit the simulation (Error). Error, from running: the velocities
-  /// returned still approach, or are not finite and of magnitude at most 1e60; the contact has not happened.
+  /// Replaces the response, which gives the velocities after a contact; see Response. Error, from running:
+  /// the bodies still approach with the velocities returned; a velocity is not finite or exceeds 1e60; the
+  /// response runs or edits the simulation. The contact has then not happened.
   void respond_with(std::function<Velocities(const Contact&)> response);
 
-  /// Runs to `time` [T], events at that very moment included. Error: `time` is before now, NaN, or finite and
+  /// Runs to `time` [T], events at that time included. Error: `time` is in the past, NaN, or finite and
   /// beyond 1e120.
   void run_until(double time);
-  /// The same, and lets `measures` look on; see Measures.
+  /// The same, with `measures` taken; see Measures.
   void run_until(double time, Measures& measures);
-  /// Runs until `count` contacts have happened, and not past `until` [T]; returns how many did happen.
-  /// Where spheres may part for ever, in open space or a periodic box, give a finite time.
+  /// Runs until `count` contacts have happened, but not beyond `until` [T]; returns how many happened. Where
+  /// spheres may never meet again, in open space or a periodic box, give a finite time.
   std::uint64_t run_contacts(std::uint64_t count, double until = std::numeric_limits<double>::infinity());
   /// Runs until the first of the limits is met. Error: RunLimits::until, as for run_until.
   RunStatus run(const RunLimits& limits);
-  /// The same, and lets `measures` look on. The spheres must be those with which the measures began.
+  /// The same, with `measures` taken. The spheres must be those with which the measures began.
   RunStatus run(const RunLimits& limits, Measures& measures);
 
-  /// The next collision or wall contact up to `until` [T], which does not yet happen. In a periodic box
-  /// spheres may miss each other for ever: then give a finite time. Error: `until`, as for run_until.
+  /// The next collision or wall contact up to `until` [T], without carrying it out. In a periodic box spheres
+  /// may never meet: then give a finite time. Error: `until`, as for run_until.
   std::optional<NextContact> next_contact(double until = std::numeric_limits<double>::infinity());
 
   double time() const { return now_.value(); }  ///< [T]
@@ -87,11 +87,12 @@ class Simulation {
   Vec3 velocity(SphereId id) const;
   /// All centres now [L], in the order of ids, folded into a periodic box. Shape (size, 3).
   std::vector<Vec3> positions() const;
-  /// All centres at `time` [L], finite, not before now and not past the next contact. Error: any other time.
+  /// All centres at `time` [L], which is finite, not in the past and not after the next contact. Error: any
+  /// other time.
   std::vector<Vec3> positions_at(double time);
 
-  /// Gives a sphere a new velocity [L/T], now. Error: no such sphere, a number that is NaN, infinite or out
-  /// of range.
+  /// Changes the velocity of a sphere [L/T], now. Error: no such sphere; a number that is NaN, infinite or
+  /// out of range. Cost: that of a collision.
   void change_velocity(SphereId id, const Vec3& velocity);
   /// Adds a sphere, now. Cost: O(n). Error: see World::add; it overlaps another sphere.
   SphereId add(const Sphere& sphere);
@@ -105,7 +106,7 @@ class Simulation {
   /// Hash of all contacts so far, see EventLogHash.
   std::uint64_t event_log_hash() const { return hash_.value(); }
   const Tally& tally() const { return tally_; }
-  /// The engine that runs, never `automatic`.
+  /// The engine in use, never `automatic`.
   EngineKind engine() const { return kind_; }
   /// Edges of a cell along each axis [L], a corner of one lying at the origin; zero if the engine has no
   /// cells.
@@ -116,19 +117,19 @@ class Simulation {
   /// no lists.
   double slack() const;
   std::size_t memory_bytes() const;
-  /// Checks all structures; throws BrokenInvariant. Cost: that of predicting all pairs of candidates.
+  /// Checks all structures; throws BrokenInvariant. Cost: that of predicting all candidate pairs.
   void validate() const;
 
  private:
-  // What is going on, which decides what may be called.
+  // Decides what may be called.
   enum class Activity {
-    none,       // nothing: everything may be called
-    running,    // events are being handled; the response may be at work
-    listening,  // the listener is at work
-    measuring,  // the listener is at work, and measures depend on the spheres
+    none,
+    running,    // events are being handled, and the response may be running
+    listening,  // the listener is running
+    measuring,  // the listener is running, and measures depend on the spheres
   };
 
-  // Back to what it was when the scope ends.
+  // Sets an activity until the end of the scope.
   class During {
    public:
     During(Activity& activity, Activity now) : activity_(activity), before_(activity) { activity = now; }
@@ -152,20 +153,20 @@ class Simulation {
   void rebuild(const Time& moment);
 
   EngineOptions options_;
-  EngineKind kind_ = EngineKind::cells;  // what the options make of it
+  EngineKind kind_ = EngineKind::cells;  // the one in use
   std::unique_ptr<AnyEngine> engine_;
   std::function<Velocities(const Contact&)> response_;  // the user's own, if there is one
-  Counters counters_before_;                            // of engines given up
+  Counters counters_before_;                            // of engines replaced
   std::function<void(const Contact&)> listener_;
-  std::optional<std::function<void(const Contact&)>> next_listener_;  // given by the listener itself
+  std::optional<std::function<void(const Contact&)>> next_listener_;  // set by the listener itself
   Activity activity_ = Activity::none;
   Time now_;
   EventLogHash hash_;
   Tally tally_;
   CellEdgeWatch watch_;
-  bool edited_ = false;          // the engine's structures do not know the world any more
-  std::uint64_t next_look_ = 0;  // the number of crossings and contacts at which to look again
-  Time last_look_;
+  bool edited_ = false;            // the engine's structures are out of date
+  std::uint64_t next_review_ = 0;  // number of crossings and contacts at which the tuning is reviewed
+  Time last_review_;
 };
 
 }  // namespace hardball
