@@ -34,10 +34,10 @@ void Progress::show(const Simulation& simulation) {
 }
 
 OnProgress SetUpProgress::part(double begin, double end) {
-  return [this, begin, end](double share) {
-    const double done = begin + (end - begin) * share;
+  return [this, begin, end](double fraction) {
+    const double done = begin + (end - begin) * fraction;
     if (is_interrupted())
-      throw RunFailure(fmt::format("interrupted in the set-up, {:.0f}% done", 100 * done));
+      throw RunFailure(fmt::format("interrupted during the set-up, {:.0f}% done", 100 * done));
     if (line_.is_due()) line_.show(done, "setting up");
   };
 }

@@ -31,8 +31,8 @@ class SetUpProgress {
  public:
   explicit SetUpProgress(bool wanted) : line_(wanted) {}
 
-  /// Shows the part of the set-up between two shares. Error (RunFailure), from calling it: a signal has come;
-  /// see catch_signals. It must not outlive this object.
+  /// A function that shows the part of the set-up between two fractions of it, and must not outlive this
+  /// object. It throws RunFailure after a signal; see catch_signals.
   OnProgress part(double begin, double end);
 
  private:

@@ -102,7 +102,7 @@ Simulation make_simulation(const Scenario& scenario, World start, const EngineOp
 }
 
 Start set_up(const Options& options, const Scenario& scenario) {
-  constexpr double kWorldMade = 0.5;  // the share of the work that this is
+  constexpr double kWorldMade = 0.5;  // the fraction of the work that this takes
   SetUpProgress progress(!options.quiet);
   World start = make_world(scenario, progress.part(0, kWorldMade));
   const EngineOptions engine_options = read_engine_options(options, scenario, start);

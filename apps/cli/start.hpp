@@ -10,11 +10,11 @@
 
 namespace hardball::cli {
 
-/// The scenario with the changes of the command line; it has an end. Error: see load_scenario; an option that
-/// is not a number or out of range; neither scenario nor command line gives the end.
+/// The scenario with the changes of the command line; `until` is set. Error: see load_scenario; an option
+/// that is not a number or out of range; neither scenario nor command line gives `until`.
 Scenario read_scenario(const Options& options);
 
-/// How to run it from its start. The unit costs for choosing cells are measured if the run is expected to
+/// The options to run it with. The unit costs for choosing cells are measured if the run is expected to
 /// take long, unless the command line says otherwise. Error: an unknown engine or queue; an edge that is not
 /// a positive number; invalid unit costs.
 EngineOptions read_engine_options(const Options& options, const Scenario& scenario, const World& start);

@@ -29,7 +29,7 @@ struct Contact {
   EventKind kind = EventKind::collision;  ///< collision or wall
   SphereId first = 0;                     ///< The sphere; of a collision, the one with the lower id.
   std::uint32_t second = 0;               ///< The id of the other sphere, or the Face of the box.
-  Image image;    ///< Which copy of the second sphere was met, both folded into the box.
+  Image image;    ///< The image of the second sphere that was met, both being folded into the box.
   Vec3 position;  ///< Centre of the first sphere, folded into the box [L].
   /// Collision: centre of the second sphere, folded into the box [L]. Wall: zero.
   Vec3 second_position;
@@ -41,7 +41,7 @@ struct Contact {
   double first_mass = 0;    ///< [M]
   double second_mass = 0;   ///< [M]; infinite for a wall.
   Velocities before;        ///< [L/T]
-  Velocities after;         ///< [L/T]; equal to `before` while the response is being asked.
+  Velocities after;         ///< [L/T]; equal to `before` while the response is called.
 
   bool is_collision() const { return kind == EventKind::collision; }
   /// Unit vector along `separation`, or towards the wall [1].

@@ -13,7 +13,7 @@
 
 namespace hardball {
 
-/// A contact that has been carried out, and what only engines need of it.
+/// A contact that has been carried out, and what only engines need to know about it.
 struct Executed {
   Contact contact;
   /// By how many boxes the centres were folded back into a periodic box.

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kOpenPackingFraction = 0.1;
 
-// The share of the work that placement is.
+// The fraction of the work that placement takes.
 constexpr double kPlaced = 0.75;
 
 using Groups = std::span<const SphereGroup>;
@@ -47,7 +47,7 @@ const SphereGroup& group_of_largest(Groups groups) {
                            [](const SphereGroup& a, const SphereGroup& b) { return a.radius < b.radius; });
 }
 
-// The length by which the axes without a size give the box this volume. Bisection, since the C library's
+// The length of the axes without a size at which the box has this volume. Bisection, since the C library's
 // roots may differ in the last bit from one platform to the next.
 double length_for_volume(const Scenario& scenario, double volume) {
   const auto volume_at = [&](double length) {
@@ -64,8 +64,7 @@ double length_for_volume(const Scenario& scenario, double volume) {
   return high;
 }
 
-// The part of space in which spheres are placed: what sizes there are, and along other axes a stretch around
-// 0.
+// The region in which spheres are placed: the sizes given, and along other axes an interval around 0.
 Region make_region(const Scenario& scenario) {
   const bool has_all_sizes = std::all_of(scenario.box.begin(), scenario.box.end(),
                                          [](const Scenario::Axis& axis) { return axis.size.has_value(); });
@@ -96,7 +95,7 @@ void check_room(Groups groups, const Region& region) {
   }
 }
 
-// Spheres are placed without regard to others, so that one way of placement must do for all of them.
+// No placement avoids spheres that another has placed, so all groups must use the same.
 void check_one_placement(Groups groups) {
   for (const SphereGroup& group : groups) {
     const SphereGroup& first = groups.front();
@@ -133,7 +132,7 @@ std::vector<Vec3> place(const Scenario& scenario, const Box& box, Random& random
   return place_randomly(box, region, radii, random, first.where, progress);
 }
 
-// Adds a sphere that stands at `where` in a file.
+// Adds a sphere that a file describes at `where`.
 void add(World& world, const Sphere& sphere, const std::string& where) {
   try {
     world.add(sphere);

@@ -38,9 +38,9 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
       names.begin(), names.end(),
       [&](std::string_view a, std::string_view b) { return distance(word, a) < distance(word, b); });
   const auto in_quotes = [quote](std::string_view name) { return quote + std::string(name) + quote; };
-  constexpr std::size_t kLettersPerSlip = 3;
-  const std::size_t slips = std::max<std::size_t>(1, std::max(word.size(), nearest.size()) / kLettersPerSlip);
-  if (distance(word, nearest) <= slips) return "did you mean " + in_quotes(nearest) + "?";
+  constexpr std::size_t kLettersPerEdit = 3;
+  const std::size_t edits = std::max<std::size_t>(1, std::max(word.size(), nearest.size()) / kLettersPerEdit);
+  if (distance(word, nearest) <= edits) return "did you mean " + in_quotes(nearest) + "?";
   std::string all;
   for (const std::string_view name : names) all += (all.empty() ? "choose among " : ", ") + in_quotes(name);
   return all;

@@ -8,9 +8,9 @@
 
 namespace hardball {
 
-/// What to write instead of `word`: the nearest of them, if it is fewer changes away than a
-/// slip of the pen makes, otherwise all of them. A change is an insertion, a removal, a replacement or an
-/// exchange of neighbours; of several names equally near, the first is meant. `quote` is put about each name.
+/// What to write instead of `word`: the nearest of `names` if so few edits away that `word` may be a
+/// misspelling of it, otherwise all of them. An edit is an insertion, a removal, a replacement or a swap of
+/// adjacent letters; of several names equally near, the first is suggested. Each name is put between `quote`.
 /// Precondition: there are names. Source: Damerau, Commun. ACM 7 (1964) 171.
 std::string suggestion(std::string_view word, std::span<const std::string_view> names, char quote = '\'');
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/scenario/scenario.hpp"
 
-// toml++ takes some faulty texts, such as "[.[a]]", for impossible ones: it aborts or goes on regardless, as
-// NDEBUG has it. Here it throws in every build.
+// Some invalid texts, such as "[.[a]]", violate an assertion in toml++: it aborts or carries on, depending on
+// NDEBUG. Here it throws in every build.
 namespace hardball {
 namespace {
 
@@ -37,7 +37,7 @@ namespace {
 
 using Names = std::span<const std::string_view>;
 
-// Of a scenario file, which becomes a tree many times its size.
+// The largest scenario file, which becomes a tree many times its size.
 constexpr std::size_t kMostBytes = std::size_t{16} << 20;
 
 std::string in_quotes(std::string_view text) {
@@ -59,9 +59,9 @@ bool has_parser_fault(std::string_view text) {
   return false;
 }
 
-// The line and column of the character at which the parser meets a fault. Precondition: it does.
+// The line and column of the character at which the parser throws ParserFault. Precondition: it does.
 std::string place_of_fault(std::string_view text) {
-  // Where a character has been read to its end: with less the parser finds another mistake, or none.
+  // The end of that character: in a shorter text the parser finds another error, or none.
   std::size_t low = 0;
   std::size_t high = text.size();
   while (low < high) {
@@ -93,10 +93,10 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
     std::string message(error.description());
     std::replace(message.begin(), message.end(), '\n', ' ');
     std::replace(message.begin(), message.end(), ';', ',');
-    throw Error("no valid TOML: " + message, place_of(name, error.source()), remedy);
+    throw Error("invalid TOML: " + message, place_of(name, error.source()), remedy);
   } catch (const ParserFault&) {
-    throw Error("no valid TOML", name + ":" + place_of_fault(text),
-                "write keys in quotes unless they are of letters a to z, digits, _ and -; " + remedy);
+    throw Error("invalid TOML", name + ":" + place_of_fault(text),
+                "put keys in quotes unless they consist of letters a to z, digits, _ and -; " + remedy);
   }
 }
 
@@ -107,7 +107,7 @@ std::string kind_of(const toml::node& node) {
     case toml::node_type::array:
       return "an array";
     case toml::node_type::string:
-      return "a text";
+      return "a string";
     case toml::node_type::integer:
       return "an integer";
     case toml::node_type::floating_point:
@@ -130,7 +130,7 @@ struct Document {
       if (path == key || path.starts_with(key + ".")) return "--set " + key;
     }
     if (source.begin.line == 0) {
-      // A table that is there only for the sake of a key in it.
+      // A table that exists only because an override sets a key in it.
       for (const std::string& key : overridden) {
         if (key.starts_with(path + ".")) return "--set " + key;
       }
@@ -142,7 +142,7 @@ struct Document {
 
 // --- overriding values ---
 
-// The value of an override: as in TOML, or a plain word, which TOML would want in quotes.
+// The value of an override: as in TOML, or a plain word, which TOML would require in quotes.
 toml::table parse_override(const std::string& value, const std::string& where) {
   const auto is_plain = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
@@ -156,8 +156,8 @@ toml::table parse_override(const std::string& value, const std::string& where) {
                          value[0] != '-' && std::all_of(value.begin(), value.end(), is_plain);
     if (is_word) return toml::table{{"value", value}};
   }
-  throw Error("the value " + in_quotes(value) + " is no valid TOML", where,
-              "give a number, true, false, a word, a text in double quotes, or an array in brackets");
+  throw Error("the value " + in_quotes(value) + " is not valid TOML", where,
+              "give a number, true, false, a word, a string in double quotes, or an array in brackets");
 }
 
 std::optional<std::size_t> parse_index(std::string_view text) {
@@ -277,8 +277,8 @@ class Value {
   }
   std::string text() const {
     const auto* string = node_->as_string();
-    if (!string) wrong_kind("give a text in double quotes");
-    if (string->get().empty()) throw Error(name() + " is empty", place(), "give a text");
+    if (!string) wrong_kind("give a string in double quotes");
+    if (string->get().empty()) throw Error(name() + " is empty", place(), "give a string that is not empty");
     return string->get();
   }
   /// The index of the text among `names`.
@@ -327,10 +327,10 @@ class Value {
   std::string path_;
 };
 
-// A table whose keys are among those known.
+// A table all of whose keys are known.
 class Section {
  public:
-  /// `title` is how the table is called in messages, `path` its dotted key. Error: an unknown key.
+  /// `title` is the table's name in messages, `path` its dotted key. Error: an unknown key.
   Section(const Document& document, const toml::node& node, std::string title, std::string path, Names known)
       : document_(&document), table_(node.as_table()), title_(std::move(title)), path_(std::move(path)) {
     if (!table_) {
@@ -440,7 +440,7 @@ void read_box(const Section& section, std::array<Scenario::Axis, kAxes>& box) {
   }
   if (const auto gravity = section.find("gravity"); gravity && gravity->vector() != Vec3{}) {
     throw Error("gravity is not zero", gravity->place(),
-                "remove it or give [0.0, 0.0, 0.0], since this version knows no gravity");
+                "remove it or give [0.0, 0.0, 0.0], since this version has no gravity");
   }
 }
 
@@ -480,9 +480,9 @@ void read_velocities(const Section& section, SphereGroup& group) {
   group.velocity_rule = *rule;
 }
 
-// Lists give the count, if it is not there, and must agree with it.
+// Lists give the count if it is missing, and must agree with it otherwise.
 void read_count(const Section& section, SphereGroup& group) {
-  // Ids are below 2^32, and the largest means none.
+  // Ids are below 2^32, and the largest stands for none.
   constexpr std::uint64_t kMostSpheres = std::numeric_limits<SphereId>::max() - 1;
   const bool has_positions = group.placement == Placement::listed;
   const bool has_velocities = group.velocity_rule == VelocityRule::listed;
@@ -587,11 +587,11 @@ Scenario read_scenario(const Document& document) {
 
 Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> overrides) {
   std::ifstream in(path, std::ios::binary);
-  // Opening a directory succeeds on some systems and shows only when reading.
+  // On some systems a directory can be opened, and only reading it fails.
   if (!in || std::filesystem::is_directory(path)) {
     throw Error("the file cannot be read", path.string(), "name a scenario file");
   }
-  // A device or a pipe may have no end.
+  // A device or a pipe may be endless.
   std::string text;
   std::array<char, 1 << 16> piece;
   while (text.size() <= kMostBytes && (in.read(piece.data(), piece.size()) || in.gcount() > 0)) {

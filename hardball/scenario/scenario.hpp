@@ -16,14 +16,14 @@
 
 namespace hardball {
 
-/// How the centres of a group's spheres are found.
+/// How the centres of a group's spheres are chosen.
 enum class Placement {
   random,  ///< Anywhere without overlap.
   fcc,     ///< On a face-centred cubic lattice that fills the region.
   listed,  ///< Where SphereGroup::positions says.
 };
 
-/// How the velocities of a group's spheres are found.
+/// How the velocities of a group's spheres are chosen.
 enum class VelocityRule {
   mean_speed,   ///< Maxwell's distribution with this mean of |v| [L/T].
   temperature,  ///< Maxwell's distribution with this k T = m <v^2> / 3 [M L^2 T^-2].
@@ -31,7 +31,7 @@ enum class VelocityRule {
   listed,       ///< As SphereGroup::velocities says.
 };
 
-/// Spheres that are alike: a [[spheres]] of a scenario.
+/// Spheres of one kind: a table [[spheres]] of a scenario.
 struct SphereGroup {
   std::size_t count = 0;
   double radius = 1;  ///< [L]
@@ -39,22 +39,22 @@ struct SphereGroup {
   Placement placement = Placement::random;
   std::vector<Vec3> positions;  ///< Shape (count, 3) for Placement::listed, otherwise empty [L].
   VelocityRule velocity_rule = VelocityRule::speed;
-  double velocity_scale = 0;     ///< What the rule prescribes; of no meaning for VelocityRule::listed.
+  double velocity_scale = 0;     ///< What the rule prescribes; unused for VelocityRule::listed.
   std::vector<Vec3> velocities;  ///< Shape (count, 3) for VelocityRule::listed, otherwise empty [L/T].
   std::string where;             ///< Its place in the scenario, for messages.
 };
 
-/// A description of a run: what a scenario file says, checked as far as single values go.
+/// A description of a run: the contents of a scenario file, each value checked by itself.
 struct Scenario {
   /// The box along an axis.
   struct Axis {
     Boundary boundary = Boundary::open;
-    /// Length of the box; along an open axis, of the stretch from 0 on in which placement puts spheres [L].
+    /// Length of the box; along an open axis, of the interval from 0 on in which spheres are placed [L].
     std::optional<double> size;
   };
 
   std::string name;  ///< The file, for messages.
-  std::string text;  ///< What it says, without overrides.
+  std::string text;  ///< Its contents, without overrides.
   std::array<Axis, kAxes> box;
   std::vector<SphereGroup> spheres;                 ///< In the order of ids.
   std::optional<std::filesystem::path> start_file;  ///< An extended XYZ file, instead of `spheres`.
@@ -74,8 +74,8 @@ struct Scenario {
 ///
 /// Each of `overrides` is a text key=value that replaces a value or adds one, as in `run.until=5` or
 /// `spheres.0.count=10`. Values are written as in TOML; the quotes around a plain word may be left out.
-/// Error, with file:line:column or `--set key` as its place: the file cannot be read; it is no TOML; a key is
-/// unknown, missing or contradicts another; a value has the wrong type or is out of range.
+/// Error, with file:line:column or `--set key` as its place: the file cannot be read; it is not TOML; a key
+/// is unknown, missing or contradicts another; a value has the wrong type or is out of range.
 Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
 /// The same from a text; `name` stands for the file in messages and in the path of the start file.

@@ -84,7 +84,7 @@ std::vector<Vec3> draw_velocities(std::span<const SphereGroup> groups, bool with
   }
   const bool removes_drift =
       without_drift && velocities.size() >= 2 && std::all_of(groups.begin(), groups.end(), is_maxwell);
-  // Scaling several groups by different factors brings a little momentum back, each time far less.
+  // Scaling several groups by different factors brings back some momentum, far less in each round.
   const int rounds = removes_drift && groups.size() > 1 ? 20 : 1;
   for (int round = 0; round < rounds; ++round) {
     if (removes_drift) remove_drift(groups, velocities);

@@ -28,7 +28,7 @@ Vec3 edges_of(const Model& cells) {
   return {cells.edge(0), cells.edge(1), cells.edge(2)};
 }
 
-// Gives any engine the common face.
+// Gives any engine the common interface.
 template <class Wrapped>
 class EngineModel final : public AnyEngine {
  public:

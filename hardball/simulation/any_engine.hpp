@@ -18,10 +18,10 @@ namespace hardball {
 
 /// How collisions are found. The choice changes the speed and never the motion.
 enum class EngineKind {
-  automatic,  ///< The fastest for the world at hand.
+  automatic,  ///< The fastest for the world.
   cells,      ///< The cell grid.
-  neighbors,  ///< A list of neighbours for each sphere; where a box is too small for it, the cell grid.
-  all_pairs,  ///< Every sphere against every other: slow, and plainly right.
+  neighbors,  ///< A neighbour list for each sphere; in a box too small for that, the cell grid.
+  all_pairs,  ///< Every sphere against every other: slow, and obviously correct.
   paper,      ///< The algorithm of the paper to the letter.
 };
 
@@ -34,16 +34,16 @@ enum class QueueKind {
 struct EngineOptions {
   EngineKind engine = EngineKind::automatic;
   QueueKind queue = QueueKind::calendar;  ///< The paper's engine has its own.
-  /// Edge of the cells [L], of the engines that have them; chosen by `tuning` and kept up to date if absent.
+  /// Edge of the cells [L], for engines that have them; if absent, chosen by `tuning` and adapted.
   /// Error: not positive, or so small that a sphere would lie in hundreds of cells; for the paper's engine,
   /// less than the largest diameter.
   std::optional<double> cell_edge = {};
   /// Coefficient of restitution [1]. Error: not between 0 and 1.
   double restitution = 1;
-  /// By which the cell edge is chosen; measure_unit_costs gives those of this machine. Error: not
+  /// From which the cell edge is chosen; measure_unit_costs gives those of this machine. Error: not
   /// are_meaningful.
   UnitCosts unit_costs = {};
-  /// With which contact times are computed; the widest available if absent. Error: not available.
+  /// Used to compute contact times; if absent, the widest available. Error: not available.
   std::optional<InstructionSet> instructions = {};
 };
 
@@ -62,10 +62,10 @@ class AnyResponse {
   std::function<Velocities(const Contact&)> custom_;
 };
 
-/// The face that all engines share; see Engine for what its members do.
+/// The interface that all engines share; see Engine for what its members do.
 class AnyEngine {
  public:
-  /// Whether the run goes on; see notify (run.hpp).
+  /// Returns whether the run goes on; see notify (run.hpp).
   using Observe = std::function<bool(const Contact&)>;
 
   virtual ~AnyEngine() = default;
@@ -80,7 +80,7 @@ class AnyEngine {
   virtual RunStatus run(const RunLimits& limits, const Observe& observe) = 0;
   virtual std::optional<Event> next_contact(const Time& until) = 0;
   virtual void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) = 0;
-  /// Makes all regions and predictions anew, with this cell edge or slack [L] where there is one.
+  /// Rebuilds all regions and predictions, with this cell edge or slack [L] where there is one.
   virtual void rebuild(const Time& now, double length) = 0;
   virtual void replace_response(std::function<Velocities(const Contact&)> custom) = 0;
   virtual void validate() const = 0;
@@ -91,20 +91,20 @@ class AnyEngine {
 std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
                                        double length, const Time& now, const Progress& progress = {});
 
-/// Error: options that make no sense for any world; see EngineOptions.
+/// Error: options that are valid for no world; see EngineOptions.
 void check(const EngineOptions& options);
 
-/// The engine for a world as it is at `moment`: the one that the options fix, if it suits the world, or that
-/// which kinetic theory expects to be the fastest; never `automatic`. `current` is the one at work, which
-/// another must surpass by a tenth.
+/// The engine for a world as it is at `moment`: the one that the options fix, if it suits the world, or the
+/// one that kinetic theory predicts to be the fastest; never `automatic`. `current` is the one in use;
+/// another must be cheaper by a tenth to replace it.
 EngineKind choose_engine(const World& world, const EngineOptions& options, const Time& moment,
                          EngineKind current = EngineKind::automatic);
 
-/// The length [L] that such an engine takes: the cell edge that the options fix, or the best; for neighbour
-/// lists the slack; for all pairs, any.
+/// The length [L] for such an engine: the cell edge that the options fix, or the best one; for neighbour
+/// lists, the slack; for all pairs, any.
 double choose_length(const World& world, EngineKind engine, const EngineOptions& options, const Time& moment);
 
-/// The same for an edge that somebody has proposed: the paper's engine takes none below the largest diameter.
+/// A proposed edge [L], for the paper's engine raised to the largest diameter if it is smaller.
 double allowed_cell_edge(const World& world, EngineKind engine, double edge);
 
 }  // namespace hardball

@@ -24,7 +24,7 @@ namespace {
 using CellEngine = Engine<CalendarQueue, CellGrid, Restitution>;
 using Steps = std::array<double, 4>;  // contacts, crossings, cells, predictions
 
-// A cubic crystal has 4 k^3; in a smaller box cells would be so few that several copies of a sphere are in
+// A cubic crystal has 4 k^3. A smaller box would have so few cells that several images of a sphere are in
 // reach.
 constexpr std::size_t kSpheres = 1372;
 
@@ -41,7 +41,7 @@ World make_gas(double packing_fraction) {
   return world;
 }
 
-// A gas with cells of one size, and how long it has taken for how many steps of each kind.
+// A gas with cells of one size, and the times measured for its steps of each kind.
 class Trial {
  public:
   Trial(World world, double edge)
@@ -50,16 +50,16 @@ class Trial {
     run(3 * kSpheres);
   }
 
-  // Runs for so many seconds.
+  // Runs for `enough` seconds.
   void measure(const std::function<double()>& seconds, double enough) {
-    constexpr std::uint64_t kStepsBetweenLooks = 100;
+    constexpr std::uint64_t kStepsPerReading = 100;
     const Counters before = engine_.counters();
-    const double begin = seconds();
+    const double start = seconds();
     double taken = 0;
-    // The bound on steps ends the measurement if the clock stands still.
-    for (int looks = 0; taken < enough && looks < 100; ++looks) {
-      run(kStepsBetweenLooks);
-      taken = seconds() - begin;
+    // The bound on readings ends the measurement if the clock stands still.
+    for (int readings = 0; taken < enough && readings < 100; ++readings) {
+      run(kStepsPerReading);
+      taken = seconds() - start;
     }
     pieces_.push_back({steps_of(engine_.counters() - before), taken});
   }
@@ -69,8 +69,8 @@ class Trial {
     double taken;
   };
 
-  // Of three pieces or more one that was not interrupted: the median of the time for each contact or
-  // crossing.
+  // Of three pieces or more, one that was probably not interrupted: the one with the median time per contact
+  // or crossing.
   Piece typical() const {
     std::vector<Piece> pieces = pieces_;
     std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
@@ -84,12 +84,12 @@ class Trial {
     engine_.run({.steps = steps}, [](const Contact&) {});
   }
 
-  // Cells are not counted; the theory knows their mean.
+  // Cells are not counted; theory gives their mean.
   Steps steps_of(const Counters& done) const {
     const auto contacts = static_cast<double>(done.contacts());
     const auto enters = static_cast<double>(done.enter);
-    const double looks = 2 * contacts + static_cast<double>(done.stale);
-    return {contacts, enters, looks * expected_.cells + enters * expected_.cells_entered,
+    const double passes = 2 * contacts + static_cast<double>(done.stale);
+    return {contacts, enters, passes * expected_.cells + enters * expected_.cells_entered,
             static_cast<double>(done.predictions)};
   }
 
@@ -98,8 +98,8 @@ class Trial {
   std::vector<Piece> pieces_;
 };
 
-// The costs, none negative, with which the sum over trials of the squared relative error is least: each in
-// turn is set to its best value, the others given.
+// The non-negative costs that minimise the sum over trials of the squared relative error, by coordinate
+// descent.
 Steps fit(const std::vector<Trial>& trials) {
   std::vector<Steps> shares;  // steps in each second
   for (const Trial& trial : trials) {
@@ -147,7 +147,7 @@ UnitCosts measure_unit_costs(const std::function<double()>& seconds) {
                    .enter = kNanoseconds * costs[1],
                    .cell = kNanoseconds * costs[2],
                    .prediction = kNanoseconds * costs[3]};
-  // A clock too coarse for this says nothing.
+  // Too coarse a clock measures nothing meaningful.
   return are_meaningful(result) ? result : UnitCosts{};
 }
 

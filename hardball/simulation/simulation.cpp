@@ -74,7 +74,7 @@ Simulation::Simulation(World world, const EngineOptions& options, const OnProgre
   put_in_order(world, kind_, now_);
   refuse_unsound(world, now_, progress.part(kOrdered, kAudited));  // faster in order
   engine_ = make_engine(std::move(world), kind_, options_, length, now_, progress.part(kAudited, 1));
-  watch_.begin(length);
+  watch_.restart(length);
   last_review_ = now_;
   next_review_ = kEventsPerReview * size();
   tally_.begin(this->world(), now_);
@@ -350,7 +350,7 @@ void Simulation::retune_if_due() {
   const bool has_cells = kind_ == EngineKind::cells || kind_ == EngineKind::paper;
   if (!has_cells || options_.cell_edge) return;
   const std::optional<double> better =
-      watch_.look(moments_of(world(), moment), duration(last_review_, moment));
+      watch_.update(moments_of(world(), moment), duration(last_review_, moment));
   last_review_ = moment;
   if (!better) return;
   put_in_order(engine_->world_to_edit(), kind_, moment);
@@ -371,7 +371,7 @@ void Simulation::rebuild(const Time& moment) {
     if (response_) engine_->replace_response(response_);
     kind_ = kind;
   }
-  watch_.begin(length);
+  watch_.restart(length);
   last_review_ = moment;
 }
 

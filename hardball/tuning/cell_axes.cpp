@@ -13,7 +13,7 @@ namespace {
 // The length over which partners are spread that share a row of cells with a sphere, both being anywhere
 // between two walls: `room` times the fraction of such pairs. Pairs that share no row are those with one's
 // upper end in row k and the other's lower end beyond it; their fraction is the sum of an arithmetic series.
-// The rest is written as a sum of positive terms, so that a wide box costs no digits.
+// The rest is written as a sum of positive terms, so that no digits are lost in a wide box.
 double spread_of_row_mates(double edge, double diameter, double room) {
   const double first = (std::floor(diameter / edge) + 1) * edge;  // the first boundary with spheres below it
   const double beyond = room - first;

@@ -38,7 +38,7 @@ struct CellCounts {
   }
 };
 
-/// The counts expected for a wanted edge of `edge` [L], see Subdivision. Cost: O(1), some ten microseconds.
+/// The counts expected for a wanted edge of `edge` [L], see Subdivision. Cost: O(1), about ten microseconds.
 /// Error: the edge is not positive and finite.
 CellCounts expected_counts(const Moments& moments, double edge);
 

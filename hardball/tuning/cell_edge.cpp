@@ -99,13 +99,13 @@ double paper_cell_edge(const Moments& moments, const UnitCosts& costs) {
   return high;
 }
 
-void CellEdgeWatch::begin(double edge) {
+void CellEdgeWatch::restart(double edge) {
   edge_ = best_before_ = edge;
   regret_ = 0;
   last_moments_ = {};
 }
 
-std::optional<double> CellEdgeWatch::look(const Moments& moments, double elapsed) {
+std::optional<double> CellEdgeWatch::update(const Moments& moments, double elapsed) {
   if (moments.spheres == 0 || !(moments.mean_speed > 0)) return std::nullopt;
   if (!is_like(moments, last_moments_)) {
     last_moments_ = moments;

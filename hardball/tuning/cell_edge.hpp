@@ -13,7 +13,7 @@ namespace hardball {
 /// cell edge. The defaults were measured on one core at 2.8 GHz with 20,000 spheres.
 struct UnitCosts {
   double contact = 900;    ///< Independent of cells: new velocities, two new regions, two queue entries.
-  double enter = 350;      ///< A crossing, whatever it finds: removed from the queue and rescheduled.
+  double enter = 350;      ///< A crossing without its cells and pairs: taken from the queue and rescheduled.
   double cell = 50;        ///< Each cell searched or entered.
   double prediction = 18;  ///< Each pair.
 
@@ -49,12 +49,12 @@ class CellEdgeWatch {
   explicit CellEdgeWatch(const UnitCosts& costs = {}) : costs_(costs) {}
 
   /// Starts over with cells of this edge [L].
-  void begin(double edge);
+  void restart(double edge);
 
   /// The new edge [L] if cells should be rebuilt, `elapsed` [T] after the last call. It anticipates the best
   /// edge expected halfway to the next rebuild. Cost: O(1), and up to a millisecond if density or radii have
   /// changed by more than 2%.
-  std::optional<double> look(const Moments& moments, double elapsed);
+  std::optional<double> update(const Moments& moments, double elapsed);
 
  private:
   UnitCosts costs_;

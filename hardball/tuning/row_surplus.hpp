@@ -17,7 +17,7 @@ struct RowSurplus {
   double all = 0;                      ///< Along all three [1].
 };
 
-/// For spheres in a gas of mean free path `free_path` [L]. Cost: O(1), some microseconds.
+/// For spheres in a gas of mean free path `free_path` [L]. Cost: O(1), a few microseconds.
 /// Source: docs/theory.md.
 RowSurplus mean_row_surplus(const CellAxes& axes, double diameter, double free_path);
 

@@ -16,7 +16,7 @@ bool is_finite(const Vec3& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
-void look_for_escape(const World& world, Slot slot, const Vec3& position, Audit& found) {
+void note_escape(const World& world, Slot slot, const Vec3& position, Audit& found) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_wall(axis)) continue;
     const double radius = world.radius(slot);
@@ -50,10 +50,10 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
       continue;
     }
     const Vec3 position = world.position(slot, moment);
-    look_for_escape(world, slot, position, found);
+    note_escape(world, slot, position, found);
     neighborhood.for_each_near(position, world.radius(slot),
                                [&](std::uint32_t index, const Vec3& separation, double reach) {
-                                 // By more than rounding can hide: most neighbours are farther away.
+                                 // With a margin for rounding; most neighbours are farther away.
                                  if (dot(separation, separation) > 1.001 * (reach * reach)) return;
                                  const double overlap = 1 - length(separation) / reach;
                                  if (overlap <= found.max_overlap) return;

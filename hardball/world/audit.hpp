@@ -8,10 +8,10 @@
 namespace hardball {
 
 /// Spheres may overlap by this fraction of the sum of their radii, or reach through a wall by this fraction
-/// of their diameter, and still count as touching: what rounding may do to a contact, and no more.
+/// of their diameter, and still count as touching: it allows for rounding at contacts, and no more.
 inline constexpr double kOverlapTolerance = 1e-9;
 
-/// What a look at all spheres at one moment found.
+/// The result of a check of all spheres at one moment.
 struct Audit {
   /// The deepest overlap, as a fraction of the sum of the two radii [1]; zero if no two spheres overlap.
   double max_overlap = 0;
@@ -28,14 +28,15 @@ struct Audit {
   }
 };
 
-/// Looks for overlaps, escapes and numbers gone wrong, by a search of its own. Cost: O(n log n).
+/// Finds overlaps, escapes and numbers that are not finite, independently of the broad phases. Cost: O(n log
+/// n).
 Audit audit(const World& world, const Time& moment, const Progress& progress = {});
 
 /// Refuses an unsound start: spheres that overlap or reach through a wall by more than kOverlapTolerance at
 /// `moment`. Error: names the worst pair, or the sphere.
 void refuse_unsound(const World& world, const Time& moment, const Progress& progress = {});
 
-/// Refuses a sphere that would overlap one of the world by more than kOverlapTolerance. Cost: O(n).
+/// Refuses a sphere that would overlap one in the world by more than kOverlapTolerance. Cost: O(n).
 /// Error: names the sphere in the way.
 void refuse_overlap(const World& world, const Sphere& sphere, const Time& moment);
 

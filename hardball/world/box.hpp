@@ -14,7 +14,7 @@ namespace hardball {
 enum class Boundary {
   wall,      ///< Hard faces at 0 and at the size.
   periodic,  ///< What leaves at one end enters at the other.
-  open,      ///< Nothing: space goes on for ever.
+  open,      ///< Nothing: space is unbounded.
 };
 
 /// The space in which spheres move: along each axis from 0 to a size, or unbounded.
@@ -23,7 +23,7 @@ class Box {
   /// Open space.
   Box() : Box({Boundary::open, Boundary::open, Boundary::open}, {}) {}
 
-  /// `size` [L] counts along axes that are not open. Error: a size that is not finite, positive and in the
+  /// `size` [L] is ignored along open axes. Error: a size that is not finite, positive and in the
   /// operating range (range.hpp).
   Box(const std::array<Boundary, kAxes>& boundary, const Vec3& size);
 
@@ -46,7 +46,7 @@ class Box {
   /// [L^3]; infinite if an axis is open.
   double volume() const { return size_.x * size_.y * size_.z; }
 
-  /// The displacement [L] of the copy `image`.
+  /// The displacement [L] of `image`.
   Vec3 shift(const Image& image) const {
     return {image[0] * period_.x, image[1] * period_.y, image[2] * period_.z};
   }
@@ -54,13 +54,13 @@ class Box {
   /// Edge lengths along periodic axes, zero along the others [L].
   const Vec3& period() const { return period_; }
 
-  /// One over each of those, zero along axes that are not periodic [1/L].
+  /// Their reciprocals, zero along axes that are not periodic [1/L].
   const Vec3& inverse_period() const { return inverse_period_; }
 
-  /// A position may lie so many boxes away along a periodic axis, and no more [1].
+  /// The largest number of boxes by which a position may lie outside along a periodic axis [1].
   static constexpr double kMostBoxesBeyond = 1 << 30;
 
-  /// How many boxes `position` lies beyond this one; zero along axes that are not periodic.
+  /// By how many boxes `position` lies outside this one; zero along axes that are not periodic.
   /// Error (RunFailure): more than 2^30 boxes away.
   Image boxes_beyond(const Vec3& position) const {
     return needs_no_folding(position) ? Image{} : count_boxes_beyond(position);
@@ -74,34 +74,34 @@ class Box {
     return beyond;
   }
 
-  /// Which copy of a body is the nearest to another, if `apart` [L] leads from the body to the other; zero
-  /// along axes that are not periodic. Precondition: they are fewer than 2^31 boxes apart.
+  /// The image of a body that is nearest to another, `apart` [L] being the vector from the body to the other;
+  /// zero along axes that are not periodic. Precondition: they are fewer than 2^31 boxes apart.
   Image nearest_image(const Vec3& apart) const {
     return {{nearest_integer(apart.x * inverse_period_.x), nearest_integer(apart.y * inverse_period_.y),
              nearest_integer(apart.z * inverse_period_.z)}};
   }
 
  private:
-  // As in the kernels: adding this number pushes the fraction out.
+  // As in the kernels: adding this number rounds the fraction away.
   static std::int32_t nearest_integer(double number) {
     constexpr double kPusher = 0x1.8p52;
     return static_cast<std::int32_t>((number + kPusher) - kPusher);
   }
 
-  // Most centres lie in the box, and need no division to tell.
+  // Most centres lie in the box, which takes no division to find out.
   bool needs_no_folding(const Vec3& position) const {
     return position.x >= lower_end_.x && position.x < upper_end_.x && position.y >= lower_end_.y &&
            position.y < upper_end_.y && position.z >= lower_end_.z && position.z < upper_end_.z;
   }
 
-  // By value: what is passed by reference has to be in memory, also where nobody asks for it.
+  // By value: passed by reference, a position would be kept in memory even where this is not called.
   Image count_boxes_beyond(Vec3 position) const;
 
   std::array<Boundary, kAxes> boundary_;
   Vec3 size_;
   Vec3 period_;  // the size along periodic axes, zero along the others
   Vec3 inverse_period_;
-  // What lies between these needs no folding; without end along axes that are not periodic.
+  // Positions between these need no folding; infinite along axes that are not periodic.
   Vec3 lower_end_;
   Vec3 upper_end_;
 };

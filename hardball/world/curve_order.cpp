@@ -11,10 +11,10 @@
 namespace hardball {
 namespace {
 
-// Bits of a place along each axis.
+// Bits of a coordinate along each axis.
 constexpr int kBits = 21;
 
-// Spreads bits apart so that two zeros stand between them.
+// Inserts two zeros between any two bits.
 std::uint64_t spread(std::uint64_t bits) {
   bits = (bits | bits << 32) & 0x1f00000000ffff;
   bits = (bits | bits << 16) & 0x1f0000ff0000ff;

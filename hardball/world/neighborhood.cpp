@@ -9,7 +9,7 @@ namespace hardball {
 
 Neighborhood::Neighborhood(const Box& box, std::size_t capacity, double largest_radius)
     : box_(box), capacity_(capacity) {
-  // Radii more than 2^-19 below the largest share the last level.
+  // Radii of at most 2^-19 times the largest share the last level.
   constexpr int kLevels = 20;
   for (int i = 0; i < kLevels; ++i) {
     Level level;
@@ -44,7 +44,7 @@ Neighborhood::Cell Neighborhood::cell_at(const Level& level, const Vec3& place) 
   Cell cell;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double index = std::clamp(place[axis] / level.edge[axis], -kFarthest, kFarthest);
-    // Without SSE4.1, std::floor is the call of a function.
+    // Without SSE4.1, std::floor is a function call.
     cell[axis] = static_cast<std::int64_t>(index);
     cell[axis] -= static_cast<double>(cell[axis]) > index ? 1 : 0;
   }

@@ -11,22 +11,22 @@
 
 namespace hardball {
 
-/// Finds resting spheres near a place: what placement, the audit and measures of structure need, kept apart
-/// from the broad phases so that it can check them.
+/// Finds resting spheres near a point, for placement, the audit and measures of structure. It shares nothing
+/// with the broad phases, so that it can check them.
 ///
 /// Radii are sorted into levels by powers of two, each with its own hashed grid. Insert large spheres before
 /// small ones: then a query costs O(1) per level, whatever the spread of radii.
 class Neighborhood {
  public:
-  /// `capacity` is the number of spheres to come, `largest_radius` [L] bounds their radii.
+  /// `capacity` is the number of spheres that will be inserted, `largest_radius` [L] bounds their radii.
   Neighborhood(const Box& box, std::size_t capacity, double largest_radius);
 
   /// Adds a sphere; its index is the number of spheres inserted before. `center` lies inside a periodic box.
   void insert(const Vec3& center, double radius);
 
-  /// Calls visit(index, separation, reach) once for every sphere or periodic copy that may touch the sphere
-  /// given, and perhaps for others close by; `separation` [L] points from `center` to it, `reach` [L] is the
-  /// sum of radii. The order depends on that of insertion alone.
+  /// Calls visit(index, separation, reach) once for every sphere or periodic image that may touch the given
+  /// sphere, and perhaps for others nearby; `separation` [L] points from `center` to it, `reach` [L] is the
+  /// sum of the radii. The order of visits depends only on the order of insertion.
   template <class Visit>
   void for_each_near(const Vec3& center, double radius, Visit&& visit) const {
     for (const Level& level : levels_) {
@@ -39,13 +39,13 @@ class Neighborhood {
     }
   }
 
-  /// Whether predicate(index, separation, reach) holds for any of them. Cost: less than that of visiting all
-  /// if it does.
+  /// Whether predicate(index, separation, reach) holds for any of them. Cost: if it does, less than that of
+  /// visiting all.
   template <class Predicate>
   bool is_any_near(const Vec3& center, double radius, Predicate&& predicate) const {
     for (const Level& level : levels_) {
       if (level.buckets.empty()) continue;
-      const Cell own = cell_at(level, center);  // where there is most to find
+      const Cell own = cell_at(level, center);  // the likeliest
       if (search(level, {own, own}, center, radius, predicate)) return true;
       if (search(level, cells_near(level, center, radius), center, radius, predicate)) return true;
     }
@@ -55,21 +55,21 @@ class Neighborhood {
  private:
   using Cell = std::array<std::int64_t, kAxes>;
   static constexpr std::uint32_t kNone = UINT32_MAX;
-  // Cells share buckets. Most of those that ask for another cell see so without a visit to its spheres.
+  // Cells share buckets. The tags usually show that a cell is empty without a visit to the spheres of others.
   struct Bucket {
     std::uint32_t last = kNone;  // the sphere inserted last
-    std::uint32_t tags = 0;      // a bit for the tag of each cell that it holds
+    std::uint32_t tags = 0;      // a bit for the tag of each cell in it
   };
   struct Level {
     double largest_radius = 0;
     Vec3 edge;
     std::array<std::int64_t, kAxes> count{};  // cells along a periodic axis, zero along the others
-    LargeVector<Bucket> buckets;              // a power of two; empty while the level is
+    LargeVector<Bucket> buckets;              // a power of two, or none while the level is empty
   };
   struct Resting {
     Vec3 center;
     double radius;
-    std::uint64_t cell;  // the key of its cell: cells share buckets, and none may be found twice
+    std::uint64_t cell;  // the key of its cell, since cells share buckets
     std::uint32_t next;  // the sphere inserted before it into the same bucket, or kNone
   };
   struct Cells {
@@ -77,7 +77,7 @@ class Neighborhood {
     Cell high;
   };
 
-  // A cell along one axis, folded into a periodic box from so many boxes away.
+  // The index of a cell along one axis, folded into a periodic box by `boxes` boxes.
   struct Folded {
     std::int64_t index;
     std::int32_t boxes;
@@ -123,8 +123,8 @@ class Neighborhood {
     const std::int64_t boxes = index >= 0 ? index / count : -((count - 1 - index) / count);
     return {index - boxes * count, static_cast<std::int32_t>(boxes)};
   }
-  // The key of a cell: 64 bits, alike for two cells once in 10^19 times. Cells next to each other along z lie
-  // side by side in memory.
+  // The key of a cell: 64 bits, equal for two cells about once in 10^19 times. Cells adjacent along z are
+  // adjacent in memory.
   static std::uint64_t column_key(std::int64_t x, std::int64_t y) { return mix(mix(0, x), y); }
   static std::uint64_t cell_key(std::uint64_t column, std::int64_t z) {
     return column + static_cast<std::uint64_t>(z);

@@ -11,18 +11,18 @@
 
 namespace hardball {
 
-/// One number for each sphere, stored once as long as it is the same for all.
+/// One number for each sphere, stored only once while all are equal.
 ///
-/// Most systems have equal radii or masses: then neither memory nor a cache line is spent on them.
+/// Most systems have equal radii or masses, which then take neither memory nor a cache line.
 class PerSphere {
  public:
   double operator[](Slot slot) const { return each_.empty() ? common_ : each_[slot]; }
 
-  /// Whether it is the same number for all.
+  /// Whether one number is stored for all.
   bool is_common() const { return each_.empty(); }
-  /// The number of all; zero for no spheres. Precondition: is_common().
+  /// That number; zero if there are no spheres. Precondition: is_common().
   double common() const { return common_; }
-  /// The numbers by slot; empty while there is one for all.
+  /// The numbers by slot; empty if is_common().
   std::span<const double> each() const { return each_; }
 
   void push_back(double value) {

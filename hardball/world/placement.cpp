@@ -19,7 +19,7 @@ namespace {
 constexpr double kRandomLimit = 0.36;
 constexpr int kMaxAttempts = 20000;
 
-// The part of the region a centre may lie in along an axis.
+// The interval along an axis in which a centre may lie.
 struct Span {
   double low;
   double high;
@@ -30,7 +30,7 @@ Span span_for_centers(const Box& box, const Region& region, double radius, std::
   return {region.low[axis] + inset, region.high[axis] - inset};
 }
 
-// A place for a sphere anywhere in the region.
+// A random centre in the region.
 Vec3 draw_center(const Box& box, const Region& region, double radius, Random& random) {
   Vec3 center;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -51,7 +51,8 @@ double sphere_volume(std::span<const double> radii) {
   return 4 * std::numbers::pi / 3 * cubes;
 }
 
-// Half the edges of the lattice's cube: sites lie on every second point of this grid, as on a chessboard.
+// A face-centred cubic lattice. Its sites are every second point, as on a chessboard, of a grid with half the
+// edges of its cube.
 struct Lattice {
   std::array<std::size_t, kAxes> cubes{};
   Vec3 half_edge;
@@ -158,7 +159,7 @@ std::vector<Vec3> place_on_lattice(const Box& box, const Region& region, std::si
   for (std::size_t x = 0; x < 2 * lattice.cubes[0]; ++x) {
     for (std::size_t y = 0; y < 2 * lattice.cubes[1]; ++y) {
       for (std::size_t z = (x + y) % 2; z < 2 * lattice.cubes[2]; z += 2) {
-        // Site k is taken when (k * count) / sites steps up: count of them, evenly spread.
+        // Site k is taken where k * count / sites increases: at `count` sites, evenly spread.
         const bool taken = (site + 1) * count / sites > site * count / sites;
         ++site;
         if (!taken) continue;

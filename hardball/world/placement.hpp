@@ -12,7 +12,7 @@
 
 namespace hardball {
 
-/// Where placement puts spheres: the box along bounded axes, and a stretch of space along open ones.
+/// Where placement puts spheres: the box along bounded axes, an interval along open ones.
 struct Region {
   Vec3 low;   ///< [L]
   Vec3 high;  ///< [L]
@@ -21,16 +21,16 @@ struct Region {
 /// The densest packing of equal spheres, pi / sqrt(18).
 inline constexpr double kClosePacking = 0.74048048969306104;
 
-/// Centres for spheres of these radii [L], in the order given, uniform among all places that overlap no
-/// sphere placed before; large spheres are placed first. Centres keep a radius away from the ends of axes
-/// that are not periodic. Error, with `where` as its place: they do not fit, or random placement cannot reach
-/// so dense a state. Cost: O(n) until the region is nearly full.
+/// Centres for spheres of these radii [L], in the order given, each uniform among the positions without
+/// overlap with spheres placed before; large spheres are placed first. Centres stay a radius away from the
+/// ends of axes that are not periodic. Error, with `where` as its place: they do not fit, or random placement
+/// cannot reach this density. Cost: O(n) until the region is nearly full.
 std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span<const double> radii,
                                  Random& random, const std::string& where, const Progress& progress = {});
 
 /// Centres for `count` spheres of one radius [L] on a face-centred cubic lattice stretched to fill the
-/// region, vacancies spread evenly. Error, with `where` as its place: no such lattice leaves room for the
-/// spheres.
+/// region, with vacancies spread evenly. Error, with `where` as its place: no such lattice leaves room for
+/// the spheres.
 std::vector<Vec3> place_on_lattice(const Box& box, const Region& region, std::size_t count, double radius,
                                    const std::string& where);
 

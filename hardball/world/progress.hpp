@@ -7,18 +7,18 @@
 
 namespace hardball {
 
-/// Called now and then with the share of a long work that is done, which rises from 0 to 1. What it throws
-/// ends the work, of which then nothing remains.
-using OnProgress = std::function<void(double share)>;
+/// Called from time to time during a long operation with the fraction done, which rises from 0 to 1. An
+/// exception that it throws ends the operation, of which nothing remains.
+using OnProgress = std::function<void(double fraction)>;
 
-/// Reports a loop over many things as a part of a whole. Refers to the function that it reports to.
+/// Reports the progress of a loop, as part of a longer operation. Refers to the function that it calls.
 class Progress {
  public:
   /// Reports nothing.
   Progress() = default;
   explicit Progress(const OnProgress& report) : report_(report ? &report : nullptr) {}
 
-  /// The part of this one from one share to another.
+  /// The part of this one between two fractions of it.
   Progress part(double begin, double end) const {
     Progress part = *this;
     part.begin_ = begin_ + length_ * begin;
@@ -26,19 +26,19 @@ class Progress {
     return part;
   }
 
-  /// `done` things of `all` are done; to be called for each, and reports at most some hundred of them.
+  /// `done` of `all` items are done. To be called for each; reports about a hundred of them at most.
   void note(std::size_t done, std::size_t all) const {
     constexpr std::size_t kReports = 128;
     if (report_ && (done % (all / kReports + 1) == 0 || done == all)) report(done, all);
   }
 
-  /// All is done.
+  /// Everything is done.
   void note_end() const { note(1, 1); }
 
  private:
   void report(std::size_t done, std::size_t all) const {
-    const double share = all > 0 ? static_cast<double>(done) / static_cast<double>(all) : 1;
-    (*report_)(begin_ + length_ * share);
+    const double fraction = all > 0 ? static_cast<double>(done) / static_cast<double>(all) : 1;
+    (*report_)(begin_ + length_ * fraction);
   }
 
   const OnProgress* report_ = nullptr;

@@ -14,7 +14,7 @@ namespace hardball {
 inline constexpr double kSmallestMagnitude = 1e-60;
 inline constexpr double kLargestMagnitude = 1e60;
 
-/// Moments are no farther from zero than this: the largest length over the smallest speed [T].
+/// The largest magnitude of a moment: the largest length over the smallest speed [T].
 inline constexpr double kLargestTime = kLargestMagnitude / kSmallestMagnitude;
 
 /// Error, with `where` as its place: `number` is NaN, infinite or beyond kLargestMagnitude.

@@ -6,8 +6,8 @@
 
 namespace hardball {
 
-/// The edge [L] of a cube such that `count` of them fill a box of this `extent` [L]. Cubes that are wider
-/// than the box along an axis count with the part of them that lies inside. Precondition: all are positive.
+/// The edge [L] of cubes of which `count` fill a box of this `extent` [L]. Of cubes wider than the box along
+/// an axis, only the part inside it counts. Precondition: all arguments are positive.
 double spacing(const Vec3& extent, double count);
 
 }  // namespace hardball

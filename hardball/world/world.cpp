@@ -33,13 +33,12 @@ std::string name_of(SphereId id) {
   return "sphere " + to_text(id);
 }
 
-// Events of spheres that inelastic collapse has slowed down may lie beyond the moments that check_moment
-// allows.
+// Events of spheres slowed down by inelastic collapse may lie beyond the moments that check_moment allows.
 void check_queried(const Time& moment, std::string_view where) {
   if (!std::isfinite(moment.high)) refuse_moment(moment, where);
 }
 
-// How far inside a wall's reach a centre may lie by rounding alone, relative to the box.
+// How much closer to a wall than its radius a centre may lie through rounding alone, relative to the box.
 constexpr double kWallTolerance = 1e-12;
 
 }  // namespace

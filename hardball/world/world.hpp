@@ -31,17 +31,16 @@ class World {
   const Box& box() const { return box_; }
   std::size_t size() const { return paths_.size(); }
 
-  /// Makes room for so many spheres.
+  /// Reserves memory for `count` spheres.
   void reserve(std::size_t count);
 
-  /// Adds a sphere that is where it says at `moment`, and returns its id: ids count up from zero.
-  /// Positions outside a periodic box are folded into it. Overlaps are not looked for here (see audit.hpp).
+  /// Adds a sphere in its state at `moment`, and returns its id: ids count up from zero.
+  /// Positions outside a periodic box are folded into it. Overlaps are not checked here (see audit.hpp).
   /// Error: a number that is NaN, infinite or out of range; a radius or mass that is not positive; a centre
-  /// closer to a wall than the radius, or more than 2^30 boxes away; a periodic box too small to hold the
-  /// sphere.
+  /// closer to a wall than the radius, or more than 2^30 boxes away; a box too small to hold the sphere.
   SphereId add(const Sphere& sphere, const Time& moment = Time(0));
 
-  /// Error: whatever `add` would refuse of this sphere.
+  /// Error: `add` would refuse this sphere.
   void check(const Sphere& sphere) const;
 
   /// Removes a sphere. Cost: O(n). Error: no sphere has this id.
@@ -55,7 +54,7 @@ class World {
   /// new velocity. Returns by how many boxes the centre was folded back.
   Image rewrite_path(Slot slot, const Time& moment, const Vec3& velocity);
 
-  /// Replaces a path by one that begins inside the box, the old one having led `folded` boxes further.
+  /// Replaces a path by one that starts inside the box, `folded` boxes back from where the old one led.
   void store_path(Slot slot, const Path& path, const Image& folded) {
     paths_[slot] = path;
     if (!folded.is_zero()) folded_[slot] = folded_[slot] + folded;
@@ -71,7 +70,7 @@ class World {
   /// Where the sphere with this id is stored. Cost: O(log n). Error: no sphere has this id.
   Slot slot_of(SphereId id) const;
 
-  /// Where the sphere is stored that has so many lower ids before it. Precondition: they are fewer than
+  /// Where the sphere is stored that has `rank` lower ids before it. Precondition: `rank` is less than
   /// size().
   Slot slot_of_rank(std::size_t rank) const {
     return slots_by_id_.empty() ? static_cast<Slot>(rank) : slots_by_id_[rank];
@@ -89,8 +88,8 @@ class World {
 
   /// The centre at `moment` [L], folded into a periodic box. Error: `moment` is NaN or infinite.
   Vec3 position(Slot slot, const Time& moment) const;
-  /// How many boxes the centre at `moment` lies from where the sphere was added, as if it had never been
-  /// folded. Error: as for position().
+  /// By how many boxes the centre at `moment` would lie outside the box if it had never been folded. Error:
+  /// as for position().
   Image image(Slot slot, const Time& moment) const;
 
   /// Sum of m v^2 / 2 [M L^2 T^-2]. Cost: O(n).
@@ -99,7 +98,7 @@ class World {
   Vec3 momentum() const;
   /// Volume of the spheres [L^3]. Cost: O(n).
   double sphere_volume() const;
-  /// Zero in an empty world. [L]
+  /// The largest radius [L]; zero in an empty world.
   double largest_radius() const;
 
   std::size_t memory_bytes() const;
@@ -114,7 +113,7 @@ class World {
   LargeVector<Path> paths_;
   PerSphere radii_;
   PerSphere masses_;
-  std::vector<Image> folded_;  // boxes folded away since the sphere was added
+  std::vector<Image> folded_;  // by how many boxes the centre has been folded back
 };
 
 /// m v^2 / 2 of one sphere [M L^2 T^-2].
@@ -123,13 +122,13 @@ inline double kinetic_energy(const World& world, Slot slot) {
   return world.mass(slot) * dot(velocity, velocity) / 2;
 }
 
-/// The moment at which two spheres touch, `image` being the copy of `b` that `a` meets; kNever if never.
+/// The moment at which two spheres touch, `image` being that of `b` which `a` meets; kNever if never.
 inline Time contact_time(const World& world, Slot a, Slot b, const Image& image) {
   return contact_time(world.path(a), world.path(b), world.box().shift(image),
                       world.radius(a) + world.radius(b));
 }
 
-/// The next event of a sphere with a wall of the box; one that does not happen if there is none.
+/// The next contact of a sphere with a wall of the box; if there is none, an event that never happens.
 Event next_wall_event(const World& world, Slot slot);
 
 }  // namespace hardball

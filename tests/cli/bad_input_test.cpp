@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// For every kind of bad input: exit code 2, one line that says what, where and the remedy, and no files.
+// Every kind of bad input: exit code 2, one line that says what, where and the remedy, and no files.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -388,7 +388,7 @@ TEST(RefusedScenario, IsNamed) {
   expect_refusal(run_program(folder, {"run", "binary.toml"}), {"binary.toml:1:1", "TOML"});
 }
 
-TEST(RefusedScenario, HasNoEnd) {
+TEST(RefusedScenario, IsEndless) {
   if (!std::filesystem::exists("/dev/zero")) GTEST_SKIP() << "there is no /dev/zero";
   const ScratchFolder folder;
   for (const std::string command : {"run", "verify", "check", "tune"}) {
@@ -405,7 +405,7 @@ TEST(RefusedScenario, HasAKeyThatNeedsQuotes) {
   const ScratchFolder folder;
   const auto refused = [&](const std::string& text, const std::string& place, const std::string& remedy) {
     write_text(folder / "gas.toml", text);
-    expect_refusal(run_program(folder, {"check", "gas.toml"}), {place, "no valid TOML", remedy});
+    expect_refusal(run_program(folder, {"check", "gas.toml"}), {place, "invalid TOML", remedy});
   };
   refused(
       "[gr\xc3\xb6\xc3\x9f"
@@ -444,7 +444,7 @@ TEST_F(RefusedStart, NamesTheLineOfTheStartFile) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
-TEST_F(RefusedStart, IsNoRegularFile) {
+TEST_F(RefusedStart, IsNotARegularFile) {
   std::filesystem::create_symlink("/dev/zero", folder_ / "start.xyz");
   expect_refusal(run(), {"start.xyz: ", "not a regular file"});
   std::filesystem::remove(folder_ / "start.xyz");

@@ -42,7 +42,7 @@ TEST_F(MeasuredRun, WritesAllMeasuresIntoItsDirectoryAndChangesNothing) {
   const std::string expected = hash();
   EXPECT_FALSE(exists("measures"));
   EXPECT_EQ(hash({"--out", "out"}), expected);
-  // No wave fits between walls.
+  // There are no wave vectors between walls.
   EXPECT_FALSE(exists("measures/structure_factor.csv"));
   for (const std::string_view name : measure_names()) {
     if (name == "structure_factor") continue;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// What the program shows of its progress, and where.
+// Which progress the program shows, and where.
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
@@ -73,7 +73,7 @@ TEST_F(ProgressOnTerminal, ShowsTheSetUpAndTheRun) {
   }
 }
 
-TEST_F(ProgressOnTerminal, IsNotShownToTheQuiet) {
+TEST_F(ProgressOnTerminal, IsNotShownIfQuiet) {
   write_text(folder_ / "gas.toml", gas_of(20000));
   const Shown shown = run({"run", "gas.toml", "--quiet"});
   EXPECT_EQ(shown.exit_code, 0);
@@ -85,7 +85,7 @@ TEST_F(ProgressOnTerminal, LetsASignalEndTheSetUp) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const Shown shown = run({"run", "gas.toml", "--out", "out"}, signal, "setting up");
     EXPECT_EQ(shown.exit_code, 1);
-    EXPECT_NE(shown.text.find("hardball: interrupted in the set-up, "), std::string::npos) << shown.text;
+    EXPECT_NE(shown.text.find("hardball: interrupted during the set-up, "), std::string::npos) << shown.text;
     EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
   }
 }

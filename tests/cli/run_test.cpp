@@ -330,7 +330,7 @@ TEST(Program, PrintsItsVersionAndUsage) {
   }
 }
 
-TEST_F(Run, BeginsAtOnceInABoxOfAnyShape) {
+TEST_F(Run, StartsAtOnceInABoxOfAnyShape) {
   for (const std::string size :
        {"1e15, 10, 10", "10, 1e15, 1e15", "1e60, 10, 10", "10, 1e60, 1e60", "1e60, 1e60, 1e60",
         "1e-15, 10, 10", "10, 1e-58, 1e-58", "1e-58, 10, 10", "1e-58, 1e-58, 1e-58", "1e-58, 1, 1e60"}) {

@@ -92,7 +92,7 @@ TEST_F(Tune, WritesATableInWhichPredictionsAgreeWithCounts) {
     EXPECT_GT(number(row, "measured_median"), 0);
     EXPECT_LE(number(row, "measured_least"), number(row, "measured_median"));
     EXPECT_GE(number(row, "measured_most"), number(row, "measured_median"));
-    // Counted over a short while.
+    // Counted over a short time.
     EXPECT_NEAR(number(row, "counted_after_contact") / number(row, "predicted_after_contact"), 1, 0.2);
     EXPECT_NEAR(number(row, "counted_enter") / number(row, "predicted_enter"), 1, 0.3);
   }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// A listener that edits the simulation: one history by every engine, the one that the same edits give between
-// runs.
+// A listener that edits the simulation: the history is the same with every engine, and the same as with these
+// edits made between runs.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -21,7 +21,7 @@ using support::RandomWorld;
 constexpr std::uint64_t kWorlds = 800;
 constexpr std::uint64_t kParts = 4;
 
-// Edits of all kinds, chosen by the number of the contact alone.
+// Edits of all kinds; which, depends only on the number of the contact.
 class Editor {
  public:
   Editor(const RandomWorld& made, std::uint64_t seed) : random_(seed), speed_(rms_speed(made.world)) {
@@ -37,7 +37,7 @@ class Editor {
     if (kind < 0.7) {
       simulation.change_velocity(any_sphere(), velocity());
     } else if (kind < 0.8) {
-      // The very spheres of the contact, so that what comes next may come at the same moment.
+      // The spheres of the contact themselves, so that the next event may be at the same moment.
       simulation.change_velocity(contact.first, velocity());
       if (contact.is_collision()) simulation.change_velocity(contact.second, velocity());
     } else if (kind < 0.9 && ids_.size() > 2) {
@@ -75,7 +75,7 @@ class Editor {
     try {
       ids_.push_back(simulation.add({place, its_velocity, radius, 1}));
     } catch (const Error&) {
-      // No room: for all engines alike.
+      // No room, whatever the engine.
     }
   }
 
@@ -86,7 +86,8 @@ class Editor {
   std::uint64_t edits_ = 0;
 };
 
-// Bodies that an edit makes approach again at one moment may do so for ever: the guard ends that.
+// Spheres that edits keep sending at each other may collide for ever at one moment; the collapse guard ends
+// that.
 History edited_by_listener(Simulation& simulation, Editor& editor, const RunLimits& limits) {
   simulation.on_contact([&](const Contact& contact) { editor.edit(simulation, contact); });
   return support::run_on(simulation, limits);
@@ -129,7 +130,7 @@ TEST_P(ListenerEdits, GiveOneHistory) {
         ASSERT_EQ(history.hash, expected.hash);
         ASSERT_EQ(simulation.size(), pieces.size());
         if (!history.failure.empty()) continue;
-        // Only this applies the last edits.
+        // Applies the edits made at the last contact.
         simulation.on_contact(nullptr);
         simulation.run({.until = simulation.now(), .steps = 0});
         simulation.validate();

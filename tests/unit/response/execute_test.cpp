@@ -61,7 +61,7 @@ TEST(ParticipantsOf, AreTheSlotsOfTheIdsThatAnEventNames) {
   const Participants collision = participants_of(world, make_collision(Time(1), 3, 2, {}));
   EXPECT_EQ(collision.first, 2U) << "the sphere with the lower id";
   EXPECT_EQ(collision.second, 0U);
-  // Face 1 is the number of no slot.
+  // Face 1 is not a slot.
   EXPECT_EQ(participants_of(world, {Time(1), EventKind::wall, 3, 1, {}}).first, 0U);
   EXPECT_THROW(participants_of(world, make_collision(Time(1), 1, 2, {})), Error) << "it has been removed";
 }
@@ -74,7 +74,7 @@ TEST(Contact, NormalPointsAlongTheSeparationOrOutOfTheBox) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     for (const bool upper : {false, true}) {
       contact.second = face_of(axis, upper);
-      // Whatever rounding has made of the distance, even if it is on the other side.
+      // Whatever rounding has done to the distance, even if it has changed its sign.
       for (const double distance : {-1e-17, 0.0, 1e-17, 2.0}) {
         contact.separation = {};
         contact.separation[axis] = distance;
@@ -90,7 +90,7 @@ TEST(ContactAt, CountsTheImageBetweenFoldedCentres) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{9, 5, 5}, {2, 0, 0}, 0.5, 1});
   world.add({{4, 5, 5}, {0, 0, 0}, 0.5, 1});
-  // The first flies on to the second's next copy, over the edge of the box: from 9 to 13.
+  // The first flies on to the second's next image, across the edge of the box: from 9 to 13.
   const Event event = make_collision(contact_time(world, 0, 1, {{1, 0, 0}}), 0, 1, {{1, 0, 0}});
   ASSERT_EQ(event.time, Time(2));
   Executed done;
@@ -102,7 +102,7 @@ TEST(ContactAt, CountsTheImageBetweenFoldedCentres) {
   EXPECT_EQ(done.folded[0], (Image{{1, 0, 0}}));
 }
 
-TEST(ContactAt, FindsTheNearestCopyByItself) {
+TEST(ContactAt, FindsTheNearestImageByItself) {
   World world(Box::periodic({10, 10, 10}));
   // One leaves the box along y, the other along x; along z they meet through its edge.
   world.add({{9, 0.5, 0.25}, {0, -1, 0}, 0.5, 1});
@@ -121,7 +121,7 @@ TEST(ContactAt, FindsTheNearestCopyByItself) {
   EXPECT_EQ(found.contact.separation, -given.contact.separation);
 }
 
-TEST(ContactAt, TellsWhoWasIdle) {
+TEST(ContactAt, ShowsWhichSpheresWereIdle) {
   World world;
   world.add({{0, 0, 0}, {1, 0, 0}, 1, 1});
   world.add({{2, 0, 0}, {0, 0, 0}, 1, 1}, Time(1));
@@ -188,7 +188,7 @@ TEST(Settle, UndoesAnApproachThatRoundingLeft) {
     contact.separation = random.direction();
     contact.first_mass = 1;
     contact.second_mass = 1 + 100 * random.uniform();
-    // Perfectly plastic: both go on as one, up to rounding.
+    // Perfectly inelastic: both move on with one velocity, up to rounding.
     const Vec3 common{random.normal(), random.normal(), random.normal()};
     const auto rounding = [&random] { return 1e-16 * random.direction(); };
     contact.before = {common + 1e-8 * contact.separation, common};
@@ -196,7 +196,7 @@ TEST(Settle, UndoesAnApproachThatRoundingLeft) {
     const Velocities wanted = contact.after;
     settled += approach_after(contact) < 0;
     settle(contact);
-    ASSERT_GE(approach_after(contact), 0) << "no contact may follow itself";
+    ASSERT_GE(approach_after(contact), 0) << "no contact may repeat itself";
     ASSERT_LT(length(contact.after.first - wanted.first), 1e-14 * (1 + length(common)));
     ASSERT_LT(length(contact.after.second - wanted.second), 1e-14 * (1 + length(common)));
   }
@@ -214,7 +214,7 @@ TEST(Settle, LeavesSeparatingBodiesAlone) {
   EXPECT_EQ(contact.after, after);
 }
 
-TEST(Settle, RefusesATrueApproach) {
+TEST(Settle, RefusesAnApproachBeyondRounding) {
   Contact contact;
   contact.separation = {1, 0, 0};
   contact.first_mass = contact.second_mass = 1;
@@ -232,7 +232,7 @@ TEST(Settle, RefusesATrueApproach) {
   EXPECT_EQ(wall.after.first, (Vec3{5, 5, 0}));
 }
 
-TEST(Execute, RefusesVelocitiesThatAreNoNumbersOrOutOfRange) {
+TEST(Execute, RefusesVelocitiesThatAreNotFiniteOrOutOfRange) {
   World world(Box::walls({10, 10, 10}));
   world.add({{2, 5, 5}, {1, 0, 0}, 1, 1});
   world.add({{6, 5, 5}, {-1, 0, 0}, 1, 1});
@@ -265,7 +265,7 @@ TEST(Execute, RefusesVelocitiesThatAreNoNumbersOrOutOfRange) {
             "response to sphere 0 and sphere 1: the velocities (-1, 0, 0) and (1, inf, 0) are returned at "
             "the contact "
             "at time 1; return finite velocities of magnitude at most 1e60");
-  EXPECT_EQ(std::vector<Path>(world.paths().begin(), world.paths().end()), paths) << "it has not happened";
+  EXPECT_EQ(std::vector<Path>(world.paths().begin(), world.paths().end()), paths) << "nothing has changed";
   EXPECT_EQ(refused(wall, {{-1, 0, 0}, {kInfinity, 0, 0}}), "") << "a wall has no velocity";
 }
 
@@ -286,7 +286,7 @@ TEST(CollapseGuard, CountsContactsInWhichASphereHasNotMoved) {
   CollapseGuard guard;
   for (int i = 0; i < 9999; ++i) ASSERT_NO_THROW(note_contact(guard, world, 0, Time(1e-13)));
   EXPECT_THROW(note_contact(guard, world, 0, Time(1e-13)), RunFailure);
-  // A thousandth of a millionth of the radius is movement.
+  // A billionth of the radius counts as movement.
   ASSERT_NO_THROW(note_contact(guard, world, 0, Time(1e-6)));
   for (int i = 0; i < 9999; ++i) ASSERT_NO_THROW(note_contact(guard, world, 0, Time(0)));
   try {
@@ -297,18 +297,18 @@ TEST(CollapseGuard, CountsContactsInWhichASphereHasNotMoved) {
   }
 }
 
-TEST(CollapseGuard, KnowsSpheresByTheirIds) {
+TEST(CollapseGuard, IdentifiesSpheresByTheirIds) {
   World world;
   world.add({{0, 0, 0}, {1e-3, 0, 0}, 1, 1});
   world.add({{9, 0, 0}, {1e-3, 0, 0}, 1, 1});
   CollapseGuard guard;
   for (int i = 0; i < 9999; ++i) note_contact(guard, world, 0, Time(0));
   world.reorder(std::array<Slot, 2>{1, 0});
-  EXPECT_NO_THROW(note_contact(guard, world, 0, Time(0))) << "another sphere is stored there now";
+  EXPECT_NO_THROW(note_contact(guard, world, 0, Time(0))) << "another sphere is stored there";
   EXPECT_THROW(note_contact(guard, world, 1, Time(0)), RunFailure);
 }
 
-TEST(CollapseGuard, NeedsMemoryOnlyForSpheresThatAreHitWithoutMoving) {
+TEST(CollapseGuard, NeedsMemoryOnlyForIdleSpheres) {
   World world;
   for (int i = 0; i < 1000; ++i) world.add({{3.0 * i, 0, 0}, {1, 0, 0}, 1, 1});
   CollapseGuard guard;

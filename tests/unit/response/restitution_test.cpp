@@ -34,7 +34,7 @@ double kinetic_energy(const Contact& contact, const Velocities& v) {
   return (contact.first_mass * dot(v.first, v.first) + contact.second_mass * dot(v.second, v.second)) / 2;
 }
 
-TEST(Restitution, KeepsMomentumAndSeparatesAtTheFractionOfTheApproach) {
+TEST(Restitution, ConservesMomentumAndSeparatesAtTheFractionOfTheApproach) {
   Random random(1);
   for (int i = 0; i < 20000; ++i) {
     const Contact contact = random_collision(random);
@@ -51,7 +51,7 @@ TEST(Restitution, KeepsMomentumAndSeparatesAtTheFractionOfTheApproach) {
     const double approach = dot(contact.normal(), contact.before.first - contact.before.second);
     const double separation = dot(contact.normal(), after.second - after.first);
     ASSERT_NEAR(separation, coefficient * approach, 8 * kEpsilon * speeds);
-    // Nothing happens across the normal.
+    // Nothing changes perpendicular to the normal.
     ASSERT_LT(length(cross(gained, contact.normal())), 8 * kEpsilon * momenta);
     // The energy lost is that of the relative motion along the normal.
     const double reduced =
@@ -77,7 +77,7 @@ TEST(Restitution, SwapsVelocitiesOfEqualSpheresHeadOnWithoutRounding) {
   }
 }
 
-TEST(Restitution, ReflectsAtWallsAndTouchesNoOtherComponent) {
+TEST(Restitution, ReflectsAtWallsAndChangesNoOtherComponent) {
   for (Face face = 0; face < 6; ++face) {
     Contact contact;
     contact.kind = EventKind::wall;
@@ -89,7 +89,7 @@ TEST(Restitution, ReflectsAtWallsAndTouchesNoOtherComponent) {
   }
 }
 
-TEST(Restitution, LeavesSpheresAloneThatDoNotApproach) {
+TEST(Restitution, DoesNotChangeSpheresThatDoNotApproach) {
   Contact contact;
   contact.separation = {1, 0, 0};
   contact.first_mass = contact.second_mass = 1;
@@ -97,7 +97,7 @@ TEST(Restitution, LeavesSpheresAloneThatDoNotApproach) {
   EXPECT_EQ(Restitution(1)(contact), contact.before);
 }
 
-TEST(Restitution, RefusesCoefficientsBeyondZeroToOne) {
+TEST(Restitution, RefusesCoefficientsOutsideZeroToOne) {
   for (const double bad : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW(Restitution{bad}, Error);
   }

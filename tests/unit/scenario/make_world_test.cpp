@@ -90,7 +90,7 @@ TEST(MakeWorld, IsAFunctionOfTheSeed) {
   EXPECT_FALSE(std::equal(first.paths().begin(), first.paths().end(), other.paths().begin()));
 }
 
-TEST(MakeWorld, PlacesDoNotDependOnTheVelocityRule) {
+TEST(MakeWorld, PositionsDoNotDependOnTheVelocityRule) {
   Scenario scenario = make_scenario(Boundary::wall, 10);
   scenario.spheres = {make_group(50, VelocityRule::temperature, 1)};
   const World warm = make_world(scenario);
@@ -279,33 +279,33 @@ TEST(MakeWorld, RefusesALatticeOfUnequalSpheres) {
   EXPECT_TRUE(contains(error_of(scenario), "placement = \"random\"")) << error_of(scenario);
 }
 
-TEST(MakeWorld, RefusesToMixWaysOfPlacement) {
+TEST(MakeWorld, RefusesToMixPlacements) {
   Scenario scenario = make_scenario(Boundary::wall, 10);
   scenario.spheres = {make_group(5, VelocityRule::speed, 0), make_group(5, VelocityRule::speed, 0)};
   scenario.spheres[1].placement = Placement::fcc;
   EXPECT_TRUE(contains(error_of(scenario), "different ways")) << error_of(scenario);
 }
 
-TEST(MakeWorld, TellsHowFarItIs) {
+TEST(MakeWorld, ReportsItsProgress) {
   for (const std::string placement : {"random", "fcc"}) {
     const Scenario scenario = parse_scenario(
         "[box]\nsize = [100, 100, 100]\nboundary = [\"wall\", \"wall\", \"wall\"]\n"
         "[[spheres]]\ncount = 2000\nradius = 1\nplacement = \"" +
             placement + "\"\nspeed = 1\n",
         "here.toml");
-    std::vector<double> shares;
-    const World told = make_world(scenario, [&](double share) { shares.push_back(share); });
-    ASSERT_GE(shares.size(), 100U);
-    EXPECT_LE(shares.size(), 400U);
-    EXPECT_EQ(shares.front(), 0);
-    EXPECT_EQ(shares.back(), 1);
-    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
-    const World untold = make_world(scenario);
-    for (Slot slot = 0; slot < told.size(); ++slot) {
-      ASSERT_EQ(told.path(slot).position, untold.path(slot).position);
+    std::vector<double> reports;
+    const World reported = make_world(scenario, [&](double done) { reports.push_back(done); });
+    ASSERT_GE(reports.size(), 100U);
+    EXPECT_LE(reports.size(), 400U);
+    EXPECT_EQ(reports.front(), 0);
+    EXPECT_EQ(reports.back(), 1);
+    EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+    const World silent = make_world(scenario);
+    for (Slot slot = 0; slot < reported.size(); ++slot) {
+      ASSERT_EQ(reported.path(slot).position, silent.path(slot).position);
     }
-    const auto interrupt = [](double share) {
-      if (share > 0.5) throw RunFailure("enough");
+    const auto interrupt = [](double done) {
+      if (done > 0.5) throw RunFailure("enough");
     };
     EXPECT_THROW(make_world(scenario, interrupt), RunFailure);
   }

@@ -16,7 +16,7 @@ std::string did_you_mean(const std::string& name) {
   return "did you mean '" + name + "'?";
 }
 
-TEST(Suggestion, ForgivesSlips) {
+TEST(Suggestion, CorrectsMisspellings) {
   EXPECT_EQ(suggestion("raduis", kNames), did_you_mean("radius"));
   EXPECT_EQ(suggestion("radus", kNames), did_you_mean("radius"));
   EXPECT_EQ(suggestion("radii", kNames), did_you_mean("radius"));
@@ -36,7 +36,7 @@ TEST(Suggestion, NamesAllWhereNoneIsNear) {
   EXPECT_EQ(suggestion("chekc", kCommands), did_you_mean("check"));
 }
 
-TEST(Suggestion, CountsAnExchangeOfNeighboursOnce) {
+TEST(Suggestion, CountsASwapOfAdjacentLettersOnce) {
   constexpr std::array<std::string_view, 2> kTwo{"xx", "ba"};
   EXPECT_EQ(suggestion("ab", kTwo), did_you_mean("ba"));
 }

@@ -176,7 +176,7 @@ TEST(Overrides, AddKeysAndTables) {
   EXPECT_EQ(scenario.seed, 9U);
 }
 
-TEST(Overrides, TakePlainWordsAsTexts) {
+TEST(Overrides, TakePlainWordsAsStrings) {
   EXPECT_EQ(parse(kLeast, {"spheres.0.placement=fcc"}).spheres.at(0).placement, Placement::fcc);
   EXPECT_EQ(parse(kLeast, {"spheres.0.placement=\"fcc\""}).spheres.at(0).placement, Placement::fcc);
   EXPECT_EQ(parse(kLeast, {"output.directory=some/folder-2"}).output_directory, "some/folder-2");
@@ -220,10 +220,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Refusal{"NoEquals", "run.until", "--set", "key=value"}, Refusal{"NoKey", "=5", "--set", "key=value"},
         Refusal{"EndsInADot", "run.=5", "--set", "key=value"},
-        Refusal{"NoValue", "run.until=", "--set run.until", "no valid TOML"},
-        Refusal{"TwoLines", "run.until=1\nx=2", "--set run.until", "no valid TOML"},
-        Refusal{"BadValue", "run.until=1x", "--set run.until", "no valid TOML"},
-        Refusal{"WrongType", "run.until=soon", "--set run.until", "until is a text"},
+        Refusal{"NoValue", "run.until=", "--set run.until", "invalid TOML"},
+        Refusal{"TwoLines", "run.until=1\nx=2", "--set run.until", "invalid TOML"},
+        Refusal{"BadValue", "run.until=1x", "--set run.until", "invalid TOML"},
+        Refusal{"WrongType", "run.until=soon", "--set run.until", "until is a string"},
         Refusal{"UnknownKey", "run.untill=5", "--set run.untill", "did you mean 'until'?"},
         Refusal{"UnknownTable", "rum.until=5", "--set rum.until", "did you mean 'run'?"},
         Refusal{"NoSuchGroup", "spheres.1.count=5", "--set spheres.1.count", "no entry '1'"},

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Boxes of every scale in the operating range, cubes, slabs and needles: what is done before the first event
-// and in the cells depends on the number of spheres alone.
+// Boxes of every scale in the operating range, cubes, slabs and needles: the work of the set-up and of the
+// cells depends only on the number of spheres.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::array<double, 9> kScales{1e-60, 1e-45, 1e-30, 1e-15, 1, 1e15, 1e30, 1e45, 1e60};
 
-// Each axis alone and each two at every scale, the others of size ten; and cubes.
+// Each axis and each pair of axes at every scale, the others of size ten; and cubes.
 std::vector<Vec3> boxes() {
   std::vector<Vec3> sizes;
   for (const double scale : kScales) {
@@ -52,8 +52,8 @@ double shortest(const Vec3& size) {
   return std::min({size.x, size.y, size.z});
 }
 
-// Two spheres apart along the longest axis, which one of them would fly along in a unit of time; it hits the
-// other.
+// Two spheres on a line along the longest axis. One moves, by the length of that axis in a unit of time, and
+// hits the other.
 World two_spheres(const Box& box, const Vec3& size, double radius) {
   World world(box);
   const std::size_t along = longest_axis(size);
@@ -103,18 +103,18 @@ TEST(BoxesOfEveryScale, HaveTheSameHistoryForAllPairsWithFewCrossings) {
   });
 }
 
-TEST(BoxesOfEveryScale, AreRunByListsOfNeighborsToo) {
+TEST(BoxesOfEveryScale, AreRunByNeighborListsToo) {
   for_each_world([](const World& world) {
     EngineOptions options;
     options.engine = EngineKind::neighbors;
     Simulation simulation(world, options);
-    // Balls are small against the box: only the beginning.
+    // Balls are small compared with the box, so only the first steps are run.
     simulation.run({.until = Time(5), .steps = 100});
     simulation.validate();
   });
 }
 
-TEST(BoxesOfEveryScale, HaveFiniteExpectations) {
+TEST(BoxesOfEveryScale, HaveFiniteExpectedCosts) {
   for_each_world([](const World& world) {
     const Moments moments = moments_of(world, Time(0));
     const double edge = optimal_cell_edge(moments);
@@ -130,7 +130,7 @@ TEST(BoxesOfEveryScale, HaveFiniteExpectations) {
   });
 }
 
-TEST(BoxesOfEveryScale, AreFilledByALatticeOfAsManySitesAsSpheres) {
+TEST(BoxesOfEveryScale, AreFilledByALattice) {
   for (const Vec3& size : boxes()) {
     for (const Boundary boundary : {Boundary::wall, Boundary::periodic, Boundary::open}) {
       const Box box({boundary, boundary, boundary}, size);

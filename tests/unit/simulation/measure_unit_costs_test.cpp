@@ -12,7 +12,7 @@
 namespace hardball {
 namespace {
 
-TEST(MeasureUnitCosts, FindsCostsByWhichCellsCanBeChosen) {
+TEST(MeasureUnitCosts, FindsCostsFromWhichCellsCanBeChosen) {
   const auto clock = [] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
   };
@@ -22,14 +22,14 @@ TEST(MeasureUnitCosts, FindsCostsByWhichCellsCanBeChosen) {
   EXPECT_GE(costs.enter, 0);
   EXPECT_GE(costs.cell, 0);
   EXPECT_GT(costs.enter + costs.cell, 0);
-  // On whatever machine, however busy: the optimum is flat, and forgives costs that are wrong by a lot.
+  // On any machine, however busy: the optimum is flat and tolerates large errors in the costs.
   const Moments moments = support::gas_moments(20000, 0.05, 0.5);
   const double edge = optimal_cell_edge(moments, costs);
   EXPECT_GT(edge, optimal_cell_edge(moments) / 10);
   EXPECT_LT(edge, optimal_cell_edge(moments) * 10);
 }
 
-TEST(MeasureUnitCosts, ComesToAnEndWithAClockThatStandsStill) {
+TEST(MeasureUnitCosts, EndsEvenIfTheClockStandsStill) {
   EXPECT_EQ(measure_unit_costs([] { return 0.0; }), UnitCosts{});
 }
 

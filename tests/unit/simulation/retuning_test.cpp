@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// The cells follow the spheres: when they are rebuilt, how often, and that nothing else changes.
+// Cells adapt to the spheres: when they are rebuilt, how often, and that nothing else changes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,11 +21,11 @@ TEST(Retuning, CellsGrowWithACloudThatFliesApart) {
   Simulation simulation(burst());
   const double edge = simulation.cell_edge();
   simulation.run_until(1000);
-  // The fastest are at a distance of some 4000, a thousand times the first extent; most at half of that.
+  // The fastest are at a distance of about 4000, a thousand times the initial extent; most at half of that.
   EXPECT_GT(simulation.cell_edge(), 50 * edge);
   EXPECT_GE(simulation.counters().rebuilds, 4U);
-  EXPECT_LE(simulation.counters().rebuilds, 40U) << "each lasts until the cloud has grown notably";
-  // A sphere that crossed cells of the first size all the way would do so 1500 times along each axis.
+  EXPECT_LE(simulation.counters().rebuilds, 40U) << "each lasts until the cloud has grown considerably";
+  // With cells of the initial size, a sphere would make 1500 crossings along each axis.
   EXPECT_LT(simulation.counters().enter, 600U * 300U);
 }
 
@@ -40,8 +40,8 @@ TEST(Retuning, ChangesNoContact) {
   EXPECT_EQ(tuned.event_log_hash(), fixed.event_log_hash());
 }
 
-// Speeds do not matter to the choice, and the density of a closed box stays what it is.
-TEST(Retuning, LeavesAGasAloneThatOnlyCools) {
+// The choice does not depend on speeds, and the density in a closed box is constant.
+TEST(Retuning, DoesNotRebuildForAGasThatOnlyCools) {
   const World world = support::make_gas({.count = 500, .packing_fraction = 0.1, .seed = 402});
   Simulation simulation(world, {.restitution = 0.7});
   simulation.run_contacts(20000);
@@ -49,7 +49,7 @@ TEST(Retuning, LeavesAGasAloneThatOnlyCools) {
   EXPECT_EQ(simulation.counters().rebuilds, 0U);
 }
 
-// Dense, spheres are best found by lists of neighbours; thin, by cells. The user's response goes along.
+// Neighbour lists are best for a dense cloud, cells for a dilute one. The user's response is kept.
 TEST(Retuning, ChangesTheEngineWhenADenseCloudFliesApart) {
   const auto dense = [] {
     return support::make_gas({.count = 800,
@@ -94,7 +94,7 @@ TEST(Retuning, IsForEnginesWithCells) {
   options.engine = EngineKind::all_pairs;
   Simulation simulation(world, options);
   simulation.run_until(2000);
-  EXPECT_GT(simulation.counters().enter, 8U * 30U) << "its stretches are entered too";
+  EXPECT_GT(simulation.counters().enter, 8U * 30U) << "it has regions to leave too";
   EXPECT_EQ(simulation.counters().rebuilds, 0U);
 }
 

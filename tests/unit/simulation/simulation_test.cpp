@@ -41,7 +41,7 @@ TEST(Simulation, IsEmbeddedInAFewLines) {
   EXPECT_EQ(simulation.velocity(1), (Vec3{0, 0, 0}));
 }
 
-TEST(Simulation, OfNothingJustLetsTimePass) {
+TEST(Simulation, WithoutSpheresJustLetsTimePass) {
   for (const EngineKind engine : all_engines()) {
     EngineOptions options;
     options.engine = engine;
@@ -61,7 +61,7 @@ TEST(Simulation, OfNothingJustLetsTimePass) {
   }
 }
 
-TEST(Simulation, OfOneSphereBouncesWithAnExactPeriod) {
+TEST(Simulation, WithOneSphereBouncesWithAnExactPeriod) {
   for (const EngineKind engine : all_engines()) {
     World world(Box::walls({10, 10, 10}));
     world.add({{5, 5, 5}, {2, 0, 0}, 1, 1});
@@ -78,7 +78,7 @@ TEST(Simulation, OfOneSphereBouncesWithAnExactPeriod) {
   }
 }
 
-TEST(Simulation, TellsTheNextContactAsOftenAsAsked) {
+TEST(Simulation, PredictsTheNextContactAnyNumberOfTimes) {
   Simulation simulation(head_on_pair());
   EXPECT_EQ(simulation.next_contact(3.5), std::nullopt);
   for (int i = 0; i < 2; ++i) {
@@ -98,8 +98,7 @@ TEST(Simulation, TellsTheNextContactAsOftenAsAsked) {
   EXPECT_EQ(wall->second, face_of(0, false));
 }
 
-// Times are finer than doubles; whoever asks for the next contact and runs to the double it is told gets
-// there.
+// Times are finer than doubles, yet a run to the double returned for the next contact reaches it.
 TEST(Simulation, RunToTheNextContactCarriesItOut) {
   for (std::uint64_t seed = 0; seed < support::cases(200); ++seed) {
     const support::RandomWorld made = support::make_random_world(seed);
@@ -120,7 +119,7 @@ TEST(Simulation, RunToTheNextContactCarriesItOut) {
 
 TEST(Simulation, RunWithoutEndStopsAtTheLastContact) {
   for (const EngineKind engine : all_engines()) {
-    // Walls on all sides but spheres at rest after a plastic bounce: nothing is left to happen.
+    // At rest after a perfectly inelastic bounce: no event is left, in spite of the walls.
     World world(Box::walls({20, 10, 10}));
     world.add({{5, 5, 5}, {-1, 0, 0}, 1, 1});
     EngineOptions options;
@@ -130,7 +129,7 @@ TEST(Simulation, RunWithoutEndStopsAtTheLastContact) {
     EXPECT_EQ(simulation.run({}), RunStatus::time_reached);
     EXPECT_EQ(simulation.time(), 4);
     EXPECT_EQ(simulation.velocity(0), (Vec3{0, 0, 0}));
-    // A look ahead moves the engine, and not the time.
+    // A prediction of the next contact advances the engine, not the time.
     simulation.change_velocity(0, {0.25, 0, 0});
     EXPECT_TRUE(simulation.next_contact());
     EXPECT_EQ(simulation.run_contacts(0), 0U);
@@ -142,7 +141,7 @@ TEST(Simulation, PositionsAtAreThoseOfTheRunThatFollows) {
   for (std::uint64_t seed = 0; seed < support::cases(200); ++seed) {
     const support::RandomWorld made = support::make_random_world(seed);
     Simulation simulation(made.world);
-    // A sphere that just fits between two walls bounces infinitely often in no time.
+    // A sphere that just fits between two walls bounces infinitely often at one moment.
     if (!support::run_on(simulation, {.until = Time(made.until / 2), .contacts = 10}).failure.empty())
       continue;
     const std::optional<NextContact> next = simulation.next_contact(made.until);
@@ -198,7 +197,7 @@ TEST(Simulation, RefusesUnknownSpheresAndBadEdits) {
   EXPECT_EQ(simulation.event_log_hash(), untouched.event_log_hash()) << "nothing was half done";
 }
 
-TEST(Simulation, RefusesOverlapsAndOptionsThatMakeNoSense) {
+TEST(Simulation, RefusesOverlapsAndInvalidOptions) {
   World overlapping = head_on_pair();
   overlapping.add({{5, 6, 5}, {}, 1, 1});
   EXPECT_THROW(Simulation{overlapping}, Error);
@@ -226,7 +225,7 @@ TEST(Simulation, NamesTheEngineThatRuns) {
       << "whole cells fill the box";
 }
 
-TEST(Simulation, AsksTheResponseOfTheUser) {
+TEST(Simulation, CallsTheResponseOfTheUser) {
   for (const EngineKind engine : all_engines()) {
     EngineOptions options;
     options.engine = engine;
@@ -242,7 +241,7 @@ TEST(Simulation, AsksTheResponseOfTheUser) {
     EXPECT_EQ(simulation.velocity(1), (Vec3{1, 0, 0}));
     simulation.respond_with([](const Contact& contact) { return contact.before; });
     EXPECT_THROW(simulation.run_until(10), Error) << "through the wall";
-    // Nothing has happened, and with a better response it goes on.
+    // Nothing has changed, and with a better response the run goes on.
     EXPECT_EQ(simulation.counters().contacts(), 1U);
     simulation.respond_with(nullptr);
     simulation.run_until(10);
@@ -264,7 +263,7 @@ TEST(Simulation, ListenerThatThrowsEndsTheRunAfterThatContact) {
   EXPECT_EQ(simulation.event_log_hash(), undisturbed.event_log_hash());
 }
 
-TEST(Simulation, ListenerMayNotRunItOrLookAhead) {
+TEST(Simulation, ListenerMayNotRunItOrPredict) {
   for (const EngineKind engine : all_engines()) {
     EngineOptions options;
     options.engine = engine;
@@ -297,7 +296,7 @@ TEST(Simulation, ListenerMayNotRunItOrLookAhead) {
   }
 }
 
-TEST(Simulation, ListenerMayTryThingsOnACopy) {
+TEST(Simulation, ListenerMayExperimentOnACopy) {
   Simulation simulation(head_on_pair());
   std::optional<NextContact> next;
   simulation.on_contact([&](const Contact&) {
@@ -326,7 +325,7 @@ TEST(Simulation, ListenerMayReplaceItselfAndTheResponse) {
   simulation.run_until(13);
   EXPECT_EQ(calls, "abb");
   EXPECT_EQ(simulation.velocity(0), (Vec3{0.5, 0, 0}));
-  // What the listener has given counts even if it throws afterwards.
+  // The replacements count even if the listener throws afterwards.
   simulation.on_contact([&](const Contact&) {
     simulation.on_contact([&](const Contact&) { calls += "c"; });
     throw std::runtime_error("enough");
@@ -358,7 +357,7 @@ TEST(Simulation, ResponseMayNotEditOrRunIt) {
   EXPECT_EQ(simulation.counters().contacts(), 1U) << "and it goes on";
 }
 
-TEST(Simulation, IsNotEditedWhileMeasuresLookOn) {
+TEST(Simulation, IsNotEditedDuringARunWithMeasures) {
   Simulation simulation(head_on_pair());
   Measures measures;
   simulation.on_contact([&](const Contact&) { simulation.remove(1); });
@@ -366,7 +365,7 @@ TEST(Simulation, IsNotEditedWhileMeasuresLookOn) {
   EXPECT_EQ(simulation.size(), 2U);
 }
 
-TEST(Simulation, RefusesResponsesThatReturnNoNumbers) {
+TEST(Simulation, RefusesResponsesThatReturnInvalidVelocities) {
   for (const EngineKind engine : all_engines()) {
     for (const Box& box : {Box::open(), Box::walls({20, 10, 10}), Box::periodic({20, 10, 10})}) {
       for (const double bad : {kNan, kInfinity, 1e300}) {
@@ -404,8 +403,8 @@ TEST(Simulation, StartsWhenTheLastSphereIsAdded) {
   }
 }
 
-// Free flights through each other before the start must not come back as contacts of the past.
-TEST(Simulation, ForgetsWhatSpheresAddedEarlierHavePassed) {
+// Spheres that flew through each other before the start must not collide in the past.
+TEST(Simulation, IgnoresEncountersBeforeItsStart) {
   for (const EngineKind engine : all_engines()) {
     for (const Box& box : {Box::open(), Box::periodic({40, 10, 10})}) {
       World world(box);
@@ -433,7 +432,7 @@ TEST(Simulation, ForgetsRemovedSpheresAndMeetsAddedOnes) {
   std::vector<std::pair<SphereId, std::uint32_t>> pairs;
   simulation.on_contact([&](const Contact& contact) { pairs.emplace_back(contact.first, contact.second); });
   simulation.run_until(3);
-  EXPECT_EQ(pairs.size(), 3U) << "both at once at time 3, and the middle one hands on what it got";
+  EXPECT_EQ(pairs.size(), 3U) << "two at time 3, and then the middle sphere passes the impulse on";
   simulation.remove(in_between);
   pairs.clear();
   simulation.run_until(6.5);
@@ -443,12 +442,12 @@ TEST(Simulation, ForgetsRemovedSpheresAndMeetsAddedOnes) {
   EXPECT_EQ(simulation.positions(), (std::vector<Vec3>{{4.5, 5, 5}, {15.5, 5, 5}}));
 }
 
-TEST(Simulation, SaysWhatIsWrongWithASphereBeforeWhatIsInItsWay) {
+TEST(Simulation, ReportsAnInvalidSphereBeforeAnOverlap) {
   Simulation simulation(head_on_pair());
   const double nan = std::numeric_limits<double>::quiet_NaN();
   try {
     simulation.add({{nan, 5, 5}, {0, 0, 0}, 1, 1});
-    FAIL() << "a sphere that is nowhere was added";
+    FAIL() << "a sphere without a position was added";
   } catch (const Error& error) {
     EXPECT_EQ(error.problem(), "position along x is nan");
   }
@@ -456,7 +455,7 @@ TEST(Simulation, SaysWhatIsWrongWithASphereBeforeWhatIsInItsWay) {
   EXPECT_EQ(simulation.size(), 2U);
 }
 
-TEST(Simulation, MovedOnIsAnotherAndMovable) {
+TEST(Simulation, CanBeMovedAndAssigned) {
   Simulation first(head_on_pair());
   Simulation second(std::move(first));
   second.run_until(5);
@@ -474,33 +473,33 @@ World gas_of(std::size_t spheres) {
   return world;
 }
 
-TEST(Simulation, TellsHowFarItsMakingIs) {
+TEST(Simulation, ReportsTheProgressOfItsSetUp) {
   for (const std::size_t spheres : {std::size_t{0}, std::size_t{1}, std::size_t{1000}, std::size_t{12000}}) {
     for (const EngineKind engine : {EngineKind::cells, EngineKind::neighbors}) {
       EngineOptions options;
       options.engine = engine;
-      std::vector<double> shares;
-      Simulation simulation(gas_of(spheres), options, [&](double share) { shares.push_back(share); });
-      ASSERT_GE(shares.size(), spheres >= 1000 ? 200U : 2U);
-      EXPECT_LE(shares.size(), 400U) << spheres;
-      EXPECT_EQ(shares.front(), 0);
-      EXPECT_EQ(shares.back(), 1);
-      EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
-      const std::size_t calls = shares.size();
+      std::vector<double> reports;
+      Simulation simulation(gas_of(spheres), options, [&](double done) { reports.push_back(done); });
+      ASSERT_GE(reports.size(), spheres >= 1000 ? 200U : 2U);
+      EXPECT_LE(reports.size(), 400U) << spheres;
+      EXPECT_EQ(reports.front(), 0);
+      EXPECT_EQ(reports.back(), 1);
+      EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+      const std::size_t calls = reports.size();
       Simulation copy = simulation;
       copy.add({{500, 1, 1}, {1, 0, 0}, 0.01, 1});
       copy.run_until(0.01);
       simulation.remove(simulation.add({{500, 1, 1}, {1, 0, 0}, 0.01, 1}));
       simulation.run_until(0.01);
-      EXPECT_EQ(shares.size(), calls) << "only its making";
+      EXPECT_EQ(reports.size(), calls) << "only the set-up is reported";
     }
   }
 }
 
-TEST(Simulation, IsNotMadeIfTheListenerToItsProgressThrows) {
+TEST(Simulation, IsNotMadeIfItsProgressListenerThrows) {
   for (const double end : {0.0, 0.3, 0.6, 1.0}) {
-    const auto interrupt = [end](double share) {
-      if (share >= end) throw RunFailure("enough");
+    const auto interrupt = [end](double done) {
+      if (done >= end) throw RunFailure("enough");
     };
     EXPECT_THROW(Simulation(gas_of(1000), {}, interrupt), RunFailure) << end;
   }

@@ -133,24 +133,24 @@ TEST(CellEdgeWatch, RebuildsOnceTheLossExceedsItsCost) {
   CellEdgeWatch watch(costs);
   const Moments dense = gas_moments(100000, 0.1, 0.5);
   const double edge = optimal_cell_edge(dense, costs);
-  watch.begin(edge);
-  EXPECT_EQ(watch.look(dense, 1e6), std::nullopt) << "nothing is better";
+  watch.restart(edge);
+  EXPECT_EQ(watch.update(dense, 1e6), std::nullopt) << "nothing is better";
   const Moments dilute = gas_moments(100000, 0.1 / 8, 0.5);  // the cube has grown twofold
   const double better = optimal_cell_edge(dilute, costs);
   const CellCounts best = expected_counts(dilute, better);
   const double loss = cost_at(dilute, edge, costs) - cost_rate(best, costs);
   ASSERT_GT(loss, 0);
   const double patience = rebuild_cost(best, costs) / loss;
-  EXPECT_EQ(watch.look(dilute, 0.6 * patience), std::nullopt);
-  EXPECT_EQ(watch.look(dilute, 0.3 * patience), std::nullopt);
-  const std::optional<double> ahead = watch.look(dilute, 0.2 * patience);
+  EXPECT_EQ(watch.update(dilute, 0.6 * patience), std::nullopt);
+  EXPECT_EQ(watch.update(dilute, 0.3 * patience), std::nullopt);
+  const std::optional<double> ahead = watch.update(dilute, 0.2 * patience);
   ASSERT_TRUE(ahead);
   EXPECT_DOUBLE_EQ(*ahead, better * std::sqrt(better / edge))
       << "by half as much again as the best edge has moved";
   // The cloud stops growing, contrary to the extrapolation.
-  EXPECT_EQ(watch.look(dilute, 0.1 * patience), std::nullopt);
-  EXPECT_EQ(watch.look(dilute, 1e6 * patience), better);
-  EXPECT_EQ(watch.look(dilute, 1e6 * patience), std::nullopt);
+  EXPECT_EQ(watch.update(dilute, 0.1 * patience), std::nullopt);
+  EXPECT_EQ(watch.update(dilute, 1e6 * patience), better);
+  EXPECT_EQ(watch.update(dilute, 1e6 * patience), std::nullopt);
 }
 
 TEST(CellEdgeWatch, CountsTimeByTheSpeedOfTheSpheres) {
@@ -159,20 +159,20 @@ TEST(CellEdgeWatch, CountsTimeByTheSpeedOfTheSpheres) {
   const CellCounts best = expected_counts(dilute, optimal_cell_edge(dilute, costs));
   const double patience = rebuild_cost(best, costs) / (cost_at(dilute, 2, costs) - cost_rate(best, costs));
   CellEdgeWatch watch(costs);
-  watch.begin(2);
-  EXPECT_EQ(watch.look(dilute, 0.1 * patience), std::nullopt);
+  watch.restart(2);
+  EXPECT_EQ(watch.update(dilute, 0.1 * patience), std::nullopt);
   dilute.mean_speed /= 100;
-  EXPECT_EQ(watch.look(dilute, 80 * patience), std::nullopt);
-  EXPECT_TRUE(watch.look(dilute, 20 * patience));
+  EXPECT_EQ(watch.update(dilute, 80 * patience), std::nullopt);
+  EXPECT_TRUE(watch.update(dilute, 20 * patience));
 }
 
 TEST(CellEdgeWatch, LeavesWorldsAloneInWhichNothingMoves) {
   CellEdgeWatch watch;
-  watch.begin(1e-3);
-  EXPECT_EQ(watch.look(Moments{}, 1), std::nullopt);
+  watch.restart(1e-3);
+  EXPECT_EQ(watch.update(Moments{}, 1), std::nullopt);
   Moments still = gas_moments(1000, 0.1, 0.5);
   still.mean_speed = 0;
-  EXPECT_EQ(watch.look(still, 1e300), std::nullopt);
+  EXPECT_EQ(watch.update(still, 1e300), std::nullopt);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace hardball {
 namespace {
 
-// The deepest overlap among all pairs and the copies next to them.
+// The deepest overlap among all pairs and their adjacent images.
 double deepest_overlap(const World& world, const Time& moment) {
   double deepest = 0;
   for (Slot a = 0; a < world.size(); ++a) {
@@ -45,8 +45,8 @@ double farthest_escape(const World& world, const Time& moment) {
   return farthest;
 }
 
-// Nobody collides here: the spheres fly through each other and through the walls.
-TEST(Audit, FindsWhatALookAtAllPairsFinds) {
+// Without collisions: the spheres fly through each other and through the walls.
+TEST(Audit, FindsWhatACheckOfAllPairsFinds) {
   std::uint64_t overlapping = 0;
   for (std::uint64_t seed = 0; seed < support::cases(1000); ++seed) {
     const support::RandomWorld made = support::make_random_world(seed);
@@ -55,7 +55,7 @@ TEST(Audit, FindsWhatALookAtAllPairsFinds) {
     for (const double fraction : {0.0, 0.01, 0.1}) {
       const Time moment(fraction * made.until);
       const Audit found = audit(made.world, moment);
-      // Positions of the same pair are subtracted the other way round, or folded otherwise.
+      // Positions of the same pair are subtracted the other way round, or folded differently.
       ASSERT_NEAR(found.max_overlap, deepest_overlap(made.world, moment), 1e-12);
       ASSERT_EQ(found.max_escape, farthest_escape(made.world, moment));
       ASSERT_EQ(found.not_finite, 0U);
@@ -100,7 +100,7 @@ TEST(Audit, SeesOverlapsBetweenVeryUnequalSpheres) {
   EXPECT_EQ(found.overlap_second, 1U);
 }
 
-TEST(RefuseOverlap, MindsAllSpheresAndTheirCopies) {
+TEST(RefuseOverlap, ChecksAllSpheresAndTheirImages) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{1, 5, 5}, {1, 0, 0}, 1, 1});
   EXPECT_THROW(refuse_overlap(world, {{9.5, 5, 5}, {}, 1, 1}, Time(0)), Error);

@@ -14,11 +14,11 @@
 namespace hardball {
 namespace {
 
-// Who was found, and which periodic copy.
+// The indices of the spheres found, each with its image.
 using Found = std::vector<std::tuple<std::uint32_t, long, long, long>>;
 
-// So few buckets that cells share them, and boxes so small that copies share cells.
-TEST(Neighborhood, FindsEveryCopyThatTouchesOnceAndNoOther) {
+// So few buckets that cells share them, and boxes so small that images share cells.
+TEST(Neighborhood, FindsEveryTouchingImageOnceAndNoOther) {
   constexpr std::uint32_t kSpheres = 40;
   constexpr double kRadius = 0.5;
   for (const double size : {1.1, 2.3, 7.0, 40.0}) {

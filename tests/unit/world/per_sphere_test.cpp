@@ -14,7 +14,7 @@
 namespace hardball {
 namespace {
 
-TEST(PerSphere, NeedsNoMemoryWhileTheNumberIsTheSameForAll) {
+TEST(PerSphere, NeedsNoMemoryWhileAllNumbersAreEqual) {
   PerSphere values;
   EXPECT_TRUE(values.is_common());
   EXPECT_EQ(values.common(), 0);
@@ -35,7 +35,7 @@ TEST(PerSphere, NeedsNoMemoryWhileTheNumberIsTheSameForAll) {
   EXPECT_GE(values.memory_bytes(), 1001 * sizeof(double));
 }
 
-TEST(PerSphere, ForgetsTheNumberOfSpheresThatAreAllGone) {
+TEST(PerSphere, ForgetsTheNumberWhenAllSpheresAreGone) {
   for (const double second : {2.0, 3.0}) {
     PerSphere values;
     values.push_back(2);

@@ -25,7 +25,7 @@ Audit audit_of(const Box& box, const std::vector<Vec3>& centers, const std::vect
   return audit(world, Time(0));
 }
 
-TEST(PlaceRandomly, MakesSpheresOfManySizesFitWithoutOverlap) {
+TEST(PlaceRandomly, PlacesSpheresOfManySizesWithoutOverlap) {
   const Vec3 size{12, 10, 8};
   std::vector<double> radii;
   for (int i = 0; i < 600; ++i) radii.push_back(0.05 + 0.6 * (i % 11 == 0) + 0.02 * (i % 7));
@@ -82,7 +82,7 @@ TEST(PlaceOnLattice, MakesDenseCrystals) {
     for (const std::size_t count : {std::size_t{1}, std::size_t{7}, std::size_t{256}, std::size_t{500}}) {
       const Vec3 size{10, 10, 10};
       const Box box(boundary, size);
-      // Some 70 percent of the radius at close packing in a periodic box of whole cubes.
+      // About 70 percent of the radius at close packing in a periodic box of whole cubes.
       const double radius =
           0.7 * std::cbrt(1000 * kClosePacking / (4.18879 * static_cast<double>(count + 200)));
       const std::vector<Vec3> centers = place_on_lattice(box, {{}, size}, count, radius, "here");
@@ -93,7 +93,7 @@ TEST(PlaceOnLattice, MakesDenseCrystals) {
 }
 
 TEST(PlaceOnLattice, ReachesClosePackingAndNoFarther) {
-  // 4 * 5^3 spheres: with cubes of edge 2, neighbours stand sqrt(2) apart.
+  // 4 * 5^3 spheres: with cubes of edge 2, neighbours are sqrt(2) apart.
   const Box box = Box::periodic({10, 10, 10});
   const double most = std::sqrt(0.5);
   EXPECT_EQ(place_on_lattice(box, {{}, box.size()}, 500, most * (1 - 1e-12), "here").size(), 500U);

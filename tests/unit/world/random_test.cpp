@@ -11,7 +11,7 @@
 namespace hardball {
 namespace {
 
-// The algorithms written a second time, from Vigna's C code.
+// A second implementation of the algorithms, after Vigna's C code.
 struct Reference {
   std::uint64_t s[4];
   explicit Reference(std::uint64_t x) {
@@ -42,7 +42,7 @@ TEST(Random, IsXoshiro256PlusPlusSeededBySplitMix64) {
     Reference reference(seed);
     for (int i = 0; i < 100; ++i) ASSERT_EQ(random.bits(), reference.next());
   }
-  // The first output for seed 0, as other implementations give it.
+  // The first output for seed 0, as given by other implementations.
   EXPECT_EQ(Random(0).bits(), 0x53175d61490b23dfULL);
 }
 

@@ -29,7 +29,7 @@ TEST(Box, RefusesSizesThatAreNotPositiveAndFinite) {
     EXPECT_THROW(Box::walls({10, size, 10}), Error);
     EXPECT_THROW(Box::periodic({10, 10, size}), Error);
   }
-  // Along an open axis the size does not count.
+  // The size along an open axis is ignored.
   EXPECT_NO_THROW(Box({Boundary::open, Boundary::wall, Boundary::open}, {kNan, 1, -1}));
 }
 
@@ -81,7 +81,7 @@ TEST(World, StoresAPathAndCountsTheBoxesItHasLeft) {
   EXPECT_EQ(world.image(0, Time(4)), Image{});
 }
 
-TEST(World, CountsIdsUpAndNeverUsesOneTwice) {
+TEST(World, NumbersSpheresInOrderAndNeverReusesAnId) {
   World world;
   for (SphereId id = 0; id < 5; ++id) EXPECT_EQ(world.add({{3.0 * id, 0, 0}, {}, 1, 1}), id);
   world.remove(1);
@@ -100,7 +100,7 @@ TEST(World, CountsIdsUpAndNeverUsesOneTwice) {
   }
 }
 
-TEST(World, RefusesNumbersThatMakeNoSenseAndChangesNothing) {
+TEST(World, RefusesInvalidNumbersAndChangesNothing) {
   World world(mixed_box());
   const Sphere good{{5, 4, 0}, {1, 0, 0}, 1, 1};
   std::vector<Sphere> bad(0);
@@ -127,7 +127,7 @@ TEST(World, RefusesNumbersThatMakeNoSenseAndChangesNothing) {
   EXPECT_EQ(world.path(0).velocity, good.velocity);
 }
 
-TEST(World, RefusesMomentsThatMakeNoSense) {
+TEST(World, RefusesInvalidMoments) {
   World world(mixed_box());
   world.add({{5, 4, 0}, {1, 1, 1}, 1, 1}, Time(3));
   for (const Time& bad : {Time(kNan), Time(kInfinity), Time(-kInfinity), Time(1e300), Time(0, kNan),
@@ -157,7 +157,7 @@ TEST(World, HoldsSpheresThatTouchTheWallsOrFillTheBox) {
   EXPECT_NO_THROW(world.add({{1, 4, 0}, {}, 1, 1}));
   EXPECT_NO_THROW(world.add({{9, 4, 3}, {}, 1, 1}));
   EXPECT_NO_THROW(world.add({{5, 4, 1e30}, {}, 4, 1}));
-  // Rounding may let a centre lie a little too near.
+  // Rounding may put a centre slightly too close.
   EXPECT_NO_THROW(world.add({{1 - 1e-13, 4, 8}, {}, 1, 1}));
 }
 
@@ -166,10 +166,10 @@ TEST(World, FoldsPositionsAndCountsWhatItFolded) {
   world.add({{-3, 25, 5}, {1, -2, 0}, 1, 1});
   EXPECT_EQ(world.path(0).position, (Vec3{7, 5, 5}));
   EXPECT_EQ(world.image(0, Time(0)), (Image{{-1, 2, 0}}));
-  // After 6 it stands at x = 13, y = -7 of the folded start.
+  // At time 6 it is at x = 13, y = -7, relative to the folded start.
   EXPECT_EQ(world.position(0, Time(6)), (Vec3{3, 3, 5}));
   EXPECT_EQ(world.image(0, Time(6)), (Image{{0, 1, 0}}));
-  EXPECT_EQ(world.path(0).time, Time(0)) << "asking moves nothing";
+  EXPECT_EQ(world.path(0).time, Time(0)) << "a query moves nothing";
   const Image folded = world.change_velocity(0, Time(6), {0, 0, 1});
   EXPECT_EQ(folded, (Image{{1, -1, 0}}));
   EXPECT_EQ(world.path(0), (Path{{3, 3, 5}, {0, 0, 1}, Time(6)}));
@@ -196,7 +196,7 @@ std::vector<Slot> random_order(std::size_t size, Random& random) {
   return order;
 }
 
-// What a world tells of a sphere by its id.
+// What a world knows about a sphere.
 struct Known {
   SphereId id = 0;
   Path path;
@@ -207,7 +207,7 @@ struct Known {
   friend bool operator==(const Known&, const Known&) = default;
 };
 
-// By the order of ids; checks that all ways to a sphere lead to the same.
+// In the order of ids; checks that all ways to look up a sphere agree.
 std::vector<Known> known_by_id(const World& world) {
   std::vector<Known> known;
   world.for_each_by_id([&](Slot slot) {
@@ -222,7 +222,7 @@ std::vector<Known> known_by_id(const World& world) {
   return known;
 }
 
-// Worlds in which radii or masses are the same for all, or not.
+// Worlds with and without equal radii and equal masses.
 class Reorder : public testing::TestWithParam<std::pair<bool, bool>> {
  protected:
   Sphere random_sphere(Random& random) const {
@@ -251,7 +251,7 @@ TEST_P(Reorder, ChangesNothingButTheSlots) {
     world.reorder(order);
     for (Slot slot = 0; slot < world.size(); ++slot) ASSERT_EQ(world.id(slot), ids[slot]);
     ASSERT_EQ(known_by_id(world), before);
-    // To the last bit: sums are taken in the order of ids.
+    // To the last bit, since sums are taken in the order of ids.
     EXPECT_TRUE(support::same_bits(world.kinetic_energy(), energy));
     EXPECT_TRUE(support::same_bits(world.momentum(), momentum));
     EXPECT_TRUE(support::same_bits(world.sphere_volume(), volume));
@@ -267,9 +267,9 @@ TEST_P(Reorder, ChangesNothingButTheSlots) {
   EXPECT_EQ(known_by_id(world), before);
 }
 
-// Spheres come, go and change their paths between one order and the next, in this world and in one whose
-// slots stay in the order of ids.
-TEST_P(Reorder, LetsSpheresComeAndGo) {
+// Between reorderings, spheres are added and removed and change their paths, here and in a world whose slots
+// stay in the order of ids.
+TEST_P(Reorder, AllowsSpheresToBeAddedAndRemoved) {
   Random random(2);
   World world(Box::periodic({10, 10, 10}));
   World plain = world;
@@ -331,14 +331,14 @@ TEST(NextWallEvent, IsTheFirstFaceAheadAndPrefersTheLowerOnATie) {
   EXPECT_FALSE(next_wall_event(open, 0).happens());
 }
 
-TEST(ContactTime, OfTwoSpheresOfAWorldMindsTheImage) {
+TEST(ContactTime, OfTwoSpheresOfAWorldDependsOnTheImage) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{1, 5, 5}, {-1, 0, 0}, 0.5, 1});
   world.add({{8, 5, 5}, {0, 0, 0}, 0.5, 1});
   EXPECT_EQ(contact_time(world, 0, 1, {}), kNever);
   EXPECT_EQ(contact_time(world, 0, 1, {{-1, 0, 0}}), Time(2));
   EXPECT_EQ(contact_time(world, 1, 0, {{1, 0, 0}}), Time(2));
-  EXPECT_EQ(contact_time(world, 0, 1, {{-2, 0, 0}}), Time(12)) << "once round the box";
+  EXPECT_EQ(contact_time(world, 0, 1, {{-2, 0, 0}}), Time(12)) << "once around the box";
 }
 
 }  // namespace
