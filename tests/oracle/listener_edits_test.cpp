@@ -21,7 +21,7 @@ using support::RandomWorld;
 constexpr std::uint64_t kWorlds = 800;
 constexpr std::uint64_t kParts = 4;
 
-// Edits of all kinds; which, depends only on the number of the contact.
+// Edits of all kinds, chosen by the number of the contact alone.
 class Editor {
  public:
   Editor(const RandomWorld& made, std::uint64_t seed) : random_(seed), speed_(rms_speed(made.world)) {
@@ -86,7 +86,7 @@ class Editor {
   std::uint64_t edits_ = 0;
 };
 
-// Spheres that edits keep sending at each other may collide for ever at one moment; the collapse guard ends
+// Spheres that edits keep sending at each other may collide endlessly at one moment; the collapse guard ends
 // that.
 History edited_by_listener(Simulation& simulation, Editor& editor, const RunLimits& limits) {
   simulation.on_contact([&](const Contact& contact) { editor.edit(simulation, contact); });

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// A dense cloud let loose in open space: it flies apart, collides ever more rarely, and at last not at all.
+// A dense cloud released in open space: it flies apart, with ever fewer collisions and finally none.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ TEST(BurstIntoOpenSpace, EndsAfterFinitelyManyContactsAndNeedsNoMoreMemoryThanIt
   Simulation simulation(world);
   const double start_extent = extent(simulation);
   const std::size_t start_memory = simulation.memory_bytes();
-  // The fastest move with about four, the slowest tenth with a half.
+  // The fastest have a speed of about four, the slowest tenth of a half.
   std::vector<std::uint64_t> contacts;
   std::size_t largest_memory = 0;
   for (double growth = 1; growth <= 1e4; growth *= 10) {
@@ -44,11 +44,11 @@ TEST(BurstIntoOpenSpace, EndsAfterFinitelyManyContactsAndNeedsNoMoreMemoryThanIt
   // Twice, as tables grow by doubling.
   EXPECT_LE(largest_memory, 2 * start_memory);
 
-  // Most spheres collide a few times on their way out, and none when the cloud is thin.
+  // Most spheres collide a few times on their way out, and none once the cloud is dilute.
   EXPECT_GT(contacts.front(), kSpheres / 2);
   EXPECT_LT(contacts.back(), 10 * kSpheres);
   EXPECT_EQ(contacts[contacts.size() - 2], contacts.back());
-  // There will be no other: no two spheres are bound to meet.
+  // No more contacts follow: no two spheres will ever meet.
   for (Slot a = 0; a < kSpheres; ++a) {
     for (Slot b = a + 1; b < kSpheres; ++b) ASSERT_EQ(contact_time(simulation.world(), a, b, {}), kNever);
   }

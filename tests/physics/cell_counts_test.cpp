@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// What the cell grid has to do, counted, against kinetic theory: from thin gas to dense fluid, with cells
-// from one diameter to ten.
+// The work of the cell grid compared with kinetic theory: from dilute gas to dense fluid, with cells from one
+// diameter to ten.
 #include "hardball/tuning/cell_counts.hpp"
 
 #include <gtest/gtest.h>
@@ -23,38 +23,38 @@ namespace hardball {
 namespace {
 
 struct Counted {
-  double enters = 0;  // in all
-  double enter = 0;   // of one sphere per time
+  double enters = 0;  // in total
+  double enter = 0;   // per sphere and time
   double collision = 0;
   double wall = 0;
   double after_contact = 0;
   double after_enter = 0;
 };
 
-// Runs long enough for rows of cells left behind to become as many as they stay, then counts.
+// Runs until the number of rows of cells left behind is stationary, then counts.
 Counted count(const World& world, double edge, const CellCounts& expected) {
   const auto spheres = static_cast<double>(world.size());
   Simulation simulation(world, {.cell_edge = edge});
   const double unchanged = 1 / (expected.enter + expected.collision);  // time between two changes of region
   simulation.run_until(simulation.time() + 6 * unchanged);
   const Counters before = simulation.counters();
-  const double begin = simulation.time();
-  // Enough of each kind for a standard error of 1%, or what a test may take.
+  const double start = simulation.time();
+  // Enough of each kind for a standard error of 1%, as far as the time for a test allows.
   constexpr double kEvents = 10000;
   const double wanted =
       std::max(kEvents / (spheres * expected.collision), kEvents / (spheres * expected.enter));
   constexpr double kMostPredictions = 2e7;
   const double affordable = kMostPredictions / (spheres * expected.predictions());
-  simulation.run_until(begin + std::min(wanted, affordable));
+  simulation.run_until(start + std::min(wanted, affordable));
   const Counters done = simulation.counters() - before;
-  const double span = spheres * (simulation.time() - begin);
+  const double span = spheres * (simulation.time() - start);
   Counted counted;
   counted.enters = static_cast<double>(done.enter);
   counted.enter = counted.enters / span;
   counted.collision = 2 * static_cast<double>(done.collision) / span;
   counted.wall = static_cast<double>(done.wall) / span;
-  const double looks = (counted.collision + counted.wall) * span;
-  counted.after_contact = static_cast<double>(done.contact_predictions) / looks;
+  const double passes = (counted.collision + counted.wall) * span;
+  counted.after_contact = static_cast<double>(done.contact_predictions) / passes;
   counted.after_enter = static_cast<double>(done.enter_predictions) / counted.enters;
   return counted;
 }
@@ -65,7 +65,7 @@ double after_contact(const CellCounts& expected) {
          (expected.collision + expected.wall);
 }
 
-// Within 5%, or within four standard errors where so few were counted that these are more.
+// 5%, or four standard errors where so few events were counted that these are larger.
 double tolerance(double number) {
   return std::max(0.05, 4 / std::sqrt(number));
 }
@@ -78,9 +78,10 @@ void expect_counts(const World& world, double edge, const std::string& name) {
   support::record(name + "_after_enter", counted.after_enter / expected.candidates_after_enter);
   EXPECT_NEAR(counted.enter / expected.enter, 1, tolerance(counted.enters)) << name;
   EXPECT_NEAR(counted.after_contact / after_contact(expected), 1, 0.05) << name;
-  // Few are found at a time where it is thin: then each of them counts.
+  // A crossing finds few candidates in a dilute gas: then their number limits the precision.
   const double found = counted.enters * std::min(1.0, counted.after_enter);
-  // Those in a row are known less well: the spheres near the one that enters, and rows not yet given up.
+  // The candidates in a row are known less precisely: the spheres near the one that enters, and rows not yet
+  // released.
   EXPECT_NEAR(counted.after_enter / expected.candidates_after_enter, 1, std::max(0.08, tolerance(found)))
       << name;
   EXPECT_NEAR(counted.collision / expected.collision, 1, 0.05) << name;
@@ -96,7 +97,7 @@ TEST_P(CellCountsOfGas, AreThoseExpectedFromOneDiameterToTen) {
                          .packing_fraction = packing_fraction,
                          .seed = 301,
                          .start = is_dense ? support::Start::simple_cubic : support::Start::random};
-  // Dense, spheres have to leave their places in the lattice; thin, they are in disorder from the start.
+  // A dense start is a lattice that has to melt; a dilute one is disordered from the start.
   const double collisions_per_sphere = is_dense ? 150 : packing_fraction < 0.05 ? 0.1 : 2;
   const World world = support::settled(support::make_gas(gas), collisions_per_sphere);
   const double box = support::cube_edge(spheres, packing_fraction);
@@ -112,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Packing, CellCountsOfGas, testing::Values(0.001, 0.01, 
                            return "Permille" + to_text(std::lround(1000 * each.param));
                          });
 
-// Half of the spheres half as wide: the theory knows the moments of the radii alone.
+// Half of the spheres have half the diameter: the theory depends only on the moments of the radii.
 TEST(CellCounts, OfAMixtureAreThoseExpected) {
   const std::size_t spheres = 8000;
   std::vector<double> radii;
@@ -141,7 +142,7 @@ TEST(CellCounts, BetweenWallsAreThoseExpected) {
       const CellCounts expected = expected_counts(moments_of(world, Time(0)), edge);
       const Counted counted = count(world, edge, expected);
       EXPECT_NEAR(counted.enter / expected.enter, 1, 0.05);
-      // What walls do to spheres nearby is known to first order only.
+      // The effect of walls on spheres nearby is known to first order only.
       EXPECT_NEAR(counted.wall / expected.wall, 1, 0.08);
       EXPECT_NEAR(counted.after_contact / after_contact(expected), 1, 0.08);
       EXPECT_NEAR(counted.after_enter / expected.candidates_after_enter, 1, 0.08);

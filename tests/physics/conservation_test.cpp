@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// What a million collisions leave of energy and momentum.
+// The conservation of energy and momentum in a million collisions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,8 +22,8 @@ constexpr std::uint64_t kContacts = 1000000;
 
 // An elastic collision conserves energy and momentum whatever the spheres' distance; only the arithmetic
 // rounds, by about 1e-16 of a sphere's share each time and with a random sign: sqrt(1e6) * 1e-16 / sqrt(1000)
-// of the whole. The limits leave room for a factor of a hundred: it is a drift that must not be.
-TEST(MillionCollisions, LeaveEnergyAndMomentum) {
+// of the whole. The limits allow a hundred times that: they are to catch a drift.
+TEST(MillionCollisions, ConserveEnergyAndMomentum) {
   const World world = support::make_gas({.count = kSpheres, .packing_fraction = 0.3, .seed = 81});
   Simulation simulation(world);
   simulation.run_contacts(kContacts);
@@ -42,8 +42,8 @@ TEST(MillionCollisions, LeaveEnergyAndMomentum) {
   EXPECT_LT(found.max_overlap, 1e-13);
 }
 
-// Walls take momentum, and must not take energy: they turn a component round, which rounds nothing.
-TEST(MillionCollisions, BetweenWallsLeaveEnergy) {
+// Walls change the momentum but must not change the energy: they reverse a component, without rounding.
+TEST(MillionCollisions, BetweenWallsConserveEnergy) {
   const World world =
       support::make_gas({.count = kSpheres, .packing_fraction = 0.1, .seed = 82, .boundary = Boundary::wall});
   Simulation simulation(world);
@@ -55,12 +55,12 @@ TEST(MillionCollisions, BetweenWallsLeaveEnergy) {
   EXPECT_TRUE(audit(simulation.world(), simulation.now()).is_sound());
 }
 
-// A rounding error that is the same at every collision adds up as the number of collisions, not as its root.
-// Here the reach squared is next to one, where doubles change their spacing, and the ratios of the masses are
-// no doubles. The steps by which the energy changes must have mean zero, as far as their scatter can tell;
-// with the square of the separation, or the ratios of the masses, rounded alike each time, the mean is 10 to
-// 20 of its errors.
-TEST(MillionCollisions, LetTheEnergyWanderAndNotDrift) {
+// A rounding error that is the same at every collision grows with the number of collisions, not with its
+// square root. Here the squared reach is close to one, where doubles change their spacing, and the ratios of
+// the masses are not doubles. The steps by which the energy changes must have mean zero within their standard
+// error; if the squared separation or the mass ratios are always rounded the same way, the mean is 10 to 20
+// standard errors.
+TEST(MillionCollisions, LetTheEnergyWanderButNotDrift) {
   constexpr std::size_t kEdge = 6;
   constexpr std::size_t kSteps = 20;
   constexpr std::uint64_t kContactsPerStep = 10000;
@@ -94,7 +94,7 @@ TEST(MillionCollisions, LetTheEnergyWanderAndNotDrift) {
 }
 
 // A packed crystal, where collisions follow each other a hundred times faster than in a dilute gas.
-TEST(MillionCollisions, OfACrystalLeaveEnergyAndMomentum) {
+TEST(MillionCollisions, OfACrystalConserveEnergyAndMomentum) {
   const World world =
       support::make_gas({.count = 864, .packing_fraction = 0.72, .seed = 83, .start = support::Start::fcc});
   Simulation simulation(world);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Motions that are known in closed form, or that must undo themselves.
+// Motions that are known in closed form or must reverse.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace hardball {
 namespace {
 
-// Every way to find collisions, with cells that a sphere fills many times over and cells larger than the box.
+// Every engine, with cells far smaller than a sphere and cells larger than the box.
 std::vector<EngineOptions> all_ways() {
   std::vector<EngineOptions> ways;
   for (const QueueKind queue : {QueueKind::calendar, QueueKind::ordered}) {
@@ -43,8 +43,7 @@ std::string name_of(const EngineOptions& options) {
   return engine + ", edge " + edge + (options.queue == QueueKind::ordered ? ", ordered queue" : "");
 }
 
-// Each of these numbers is a small dyadic fraction, so that nothing rounds and equality is meant to the last
-// bit.
+// All these numbers are small dyadic fractions, so nothing is rounded and equality is exact.
 TEST(HeadOnPair, MeetsWhenTheGapIsClosedAndExchangesVelocitiesToTheBit) {
   for (const EngineOptions& way : all_ways()) {
     SCOPED_TRACE(name_of(way));
@@ -73,15 +72,15 @@ TEST(HeadOnPair, OfUnequalMassesKeepsMomentumAndEnergyToTheBit) {
   world.add({.position = {3, 0, 0}, .velocity = {-1, 0, 0}, .radius = 1.5, .mass = 1});
   Simulation simulation(world);
   simulation.run_until(1);
-  // The centre of mass moves with 1/2; seen from it both velocities turn round.
+  // The centre of mass moves at 1/2; relative to it both velocities are reversed.
   EXPECT_EQ(simulation.velocity(0), (Vec3{0, 0, 0}));
   EXPECT_EQ(simulation.velocity(1), (Vec3{2, 0, 0}));
 }
 
-// Six touching or evenly spaced spheres on a ring hand one unit of velocity on, each after one unit of time.
+// Six touching or evenly spaced spheres on a ring pass on one unit of velocity, each after one unit of time.
 // A ring of eleven and six diameters leave five gaps of one, so that the motion never ends, and every number
 // is an integer.
-TEST(NewtonsCradle, HandsItsMotionOnAtEveryWholeTimeWhateverTheEngineAndItsCells) {
+TEST(NewtonsCradle, PassesItsMotionOnAtEveryIntegerTimeWhateverTheEngineAndItsCells) {
   constexpr std::uint32_t kSpheres = 6;
   constexpr std::uint32_t kContacts = 600;
   for (const EngineOptions& way : all_ways()) {
@@ -108,7 +107,7 @@ TEST(NewtonsCradle, HandsItsMotionOnAtEveryWholeTimeWhateverTheEngineAndItsCells
   }
 }
 
-TEST(NewtonsCradle, StandsStillWhenNothingPushesIt) {
+TEST(NewtonsCradle, StaysAtRestWhenNothingPushesIt) {
   World world(Box::periodic({11, 11, 11}));
   for (int i = 0; i < 11; ++i) world.add({.position = {0.5 + i, 5.5, 5.5}, .radius = 0.5});
   Simulation simulation(world);
@@ -116,7 +115,7 @@ TEST(NewtonsCradle, StandsStillWhenNothingPushesIt) {
   EXPECT_EQ(simulation.counters().contacts(), 0U);
 }
 
-// A sphere alone meets the two walls of an axis in turn, each time after (D - 2r) / |v|.
+// A single sphere hits the two walls of an axis alternately, each time after (D - 2r) / |v|.
 TEST(OneSphereInABox, BouncesPeriodicallyAlongEachAxisToTheBit) {
   constexpr double kSize = 4;
   constexpr double kRadius = 0.5;
@@ -155,9 +154,9 @@ TEST(OneSphereInABox, BouncesPeriodicallyAlongEachAxisToTheBit) {
   }
 }
 
-// Hard spheres know no direction of time. Rounding errors grow in every collision, ten- to a hundredfold at
-// this density and less in denser gases (the error is stretched by the ratio of free path to radius); after
-// five collisions per sphere there and five back, 1e-16 has been seen to become 1e-11 to 1e-8.
+// The motion of hard spheres is reversible. Rounding errors grow in every collision, ten- to a hundredfold at
+// this density and less in denser gases (the error grows by the ratio of free path to radius); after five
+// collisions per sphere there and five back, 1e-16 was observed to become 1e-11 to 1e-8.
 double expect_to_return(const support::Gas& gas) {
   constexpr double kCollisionsPerSphere = 5;
   const World world = support::make_gas(gas);

@@ -15,11 +15,11 @@
 namespace hardball {
 namespace {
 
-// The centres move in a cube of edge a = D - 2r and keep a distance of s = 2r <= a. The volume left to the
-// six coordinates, and the area A of its inner boundary, the derivative of what is left out by s, are
-// polynomials: the mean over all directions of the overlap of two cubes displaced by s, (a - |s_x|)(a -
-// |s_y|)(a - |s_z|). See Urrutia, arXiv:1005.0723 (2010), on the partition function of two hard spheres in a
-// cuboid.
+// The centres move in a cube of edge a = D - 2r and stay a distance of s = 2r <= a apart. The volume Q
+// accessible to the six coordinates, and the area A of its inner boundary, which follows from the derivative
+// of the excluded volume with respect to s, are polynomials: the mean over all directions of the overlap of
+// two cubes displaced by s, (a - |s_x|)(a - |s_y|)(a - |s_z|). See Urrutia, arXiv:1005.0723 (2010), on the
+// partition function of two hard spheres in a cuboid.
 struct TwoSpheres {
   double a;
   double s;
@@ -41,8 +41,8 @@ struct TwoSpheres {
   }
 };
 
-// The polynomials against the definition: two points at random in the cube, at least s apart.
-TEST(TwoSpheresInACube, HaveTheVolumeThatCountingFinds) {
+// The polynomials compared with the definition: random pairs of points in the cube at least s apart.
+TEST(TwoSpheresInACube, HaveTheVolumeFoundByMonteCarlo) {
   const TwoSpheres two{.a = 7, .s = 3};
   Random random(31);
   constexpr int kTrials = 1000000;
@@ -74,7 +74,7 @@ TEST(TwoSpheresInACube, HaveTheVolumeThatCountingFinds) {
 //                          velocity of length sqrt(2E): sqrt(2E) Gamma(3) / (sqrt(pi) Gamma(7/2)).
 // With 1.8 million wall contacts the standard errors are 0.05% of F and 0.2% of nu; the tolerances are four
 // of them.
-TEST(TwoSpheresInACube, PressAndCollideAsTheClosedFormSays) {
+TEST(TwoSpheresInACube, HaveThePressureAndCollisionRateOfTheClosedForm) {
   constexpr double kSize = 10;
   constexpr double kRadius = 1.5;
   const TwoSpheres two{.a = kSize - 2 * kRadius, .s = 2 * kRadius};
@@ -95,7 +95,7 @@ TEST(TwoSpheresInACube, PressAndCollideAsTheClosedFormSays) {
   support::record("rate_ratio", rate / expected_rate);
   EXPECT_NEAR(force / expected_force, 1, 0.002);
   EXPECT_NEAR(rate / expected_rate, 1, 0.008);
-  // Rounding of positions in a box of ten: a few 1e-15 of the radius. It has not grown with time.
+  // Rounding of positions in a box of ten: a few 1e-15 of the radius. It does not grow with time.
   EXPECT_LT(simulation.tally().max_overlap(), 1e-14);
 }
 

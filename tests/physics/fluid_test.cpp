@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Hard spheres in equilibrium, fluid and crystal, against the equations of state and kinetic theory.
+// Hard spheres in equilibrium, fluid and crystal, compared with equations of state and kinetic theory.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,8 +23,8 @@ struct State {
   std::uint64_t collisions;
 };
 
-// How the long-range order of a lattice shows: |sum exp(i k.x)|^2 / n is n for spheres on sites of the
-// lattice that k belongs to. In a fluid it is distributed exponentially, with a mean of less than one below
+// The long-range order of a lattice: |sum exp(i k.x)|^2 / n is n for spheres on the sites of the lattice that
+// k belongs to. In a fluid it is distributed exponentially, with a mean of less than one below
 // the first peak of its structure factor, where these k lie.
 double structure_factor(const World& world, const Vec3& k) {
   double cosines = 0;
@@ -77,8 +77,8 @@ class PathLength {
   double sum_ = 0;
 };
 
-// Everything that collisions tell about a state, from one run. With N collisions the relative errors are:
-// - Z - 1 and the collision rate: about 1 / sqrt(N), as if collisions were independent; in truth less, as
+// Everything that collisions show about a state, from one run. With N collisions the relative errors are:
+// - Z - 1 and the collision rate: about 1 / sqrt(N), as if collisions were independent; in fact less, as
 //   energy and momentum are fixed.
 // - Impact speeds have Rayleigh's distribution at any density, fluid or crystal: deviations of 0.52 / sqrt(N)
 //   of the mean and 1 / sqrt(N) of the mean square. Four of these.
@@ -92,7 +92,7 @@ void expect_equilibrium(const State& state) {
     const auto n = static_cast<double>(state.gas.count);
     if (state.gas.packing_fraction < 0.49) {
       // exp(-10) is the chance of more in a fluid; a crystal has hundreds.
-      EXPECT_LT(order, 10) << "the lattice of the start has not melted";
+      EXPECT_LT(order, 10) << "the initial lattice has not melted";
     } else {
       EXPECT_GT(order, 0.1 * n) << "the crystal has melted";
     }
@@ -107,8 +107,8 @@ void expect_equilibrium(const State& state) {
   ASSERT_EQ(tally.collisions(), state.collisions);
   const double statistical = 4 / std::sqrt(collisions);
 
-  // With the total momentum fixed at zero n spheres have n - 1 times three degrees of freedom, and meet a
-  // little faster than their mean energy says.
+  // With the total momentum fixed at zero, n spheres have n - 1 times three degrees of freedom and meet
+  // slightly faster than their mean energy implies.
   const double excess = (state.compressibility - 1) * n / (n - 1);
   const double compressibility = tally.compressibility(simulation.now());
   support::record("compressibility", compressibility);
@@ -137,7 +137,7 @@ void expect_equilibrium(const State& state) {
 State fluid(double packing_fraction, std::size_t count, support::Start start, std::uint64_t collisions) {
   return {.gas = {.count = count, .packing_fraction = packing_fraction, .seed = 41, .start = start},
           .compressibility = support::fluid_compressibility(packing_fraction),
-          // The statistical one; of the reference 4e-5, of a finite number of spheres about 1 / n.
+          // The statistical error; that of the reference is 4e-5, that of finitely many spheres about 1 / n.
           .tolerance = 4 / std::sqrt(static_cast<double>(collisions)) + 1e-3,
           .collisions = collisions};
 }
@@ -167,8 +167,7 @@ TEST(Fluid, AgreesWithItsEquationOfStateAtPackingFraction30) {
   expect_equilibrium(fluid(0.3, 4000, support::Start::random, 1000000));
 }
 
-// Random placement does not reach these densities; a simple cubic lattice, which no density makes stable,
-// does.
+// Random placement does not reach these densities; a simple cubic lattice, which is stable at none, does.
 TEST(Fluid, AgreesWithItsEquationOfStateAtPackingFraction40) {
   expect_equilibrium(fluid(0.4, 16 * 16 * 16, support::Start::simple_cubic, 1000000));
 }
@@ -181,8 +180,8 @@ State crystal(double packing_fraction) {
   return {
       .gas = {.count = 4000, .packing_fraction = packing_fraction, .seed = 42, .start = support::Start::fcc},
       .compressibility = support::crystal_compressibility(packing_fraction),
-      // Spheres in their cages collide regularly: the statistical error is below 0.1%. The rest is the fit's
-      // against its own data, and that of a few thousand spheres against infinitely many.
+      // Spheres in their cages collide regularly: the statistical error is below 0.1%. The rest is the error
+      // of the fit and that of a few thousand spheres instead of infinitely many.
       .tolerance = 3e-3,
       .collisions = 1000000};
 }

@@ -14,8 +14,8 @@
 namespace hardball {
 namespace {
 
-// A collision at the normal speed v takes m (1 - e^2) v^2 / 4 away, and v^2 is 4 kT in the mean: after C
-// collisions per sphere ln(T / T0) = -(1 - e^2) C / 3, at any density. The velocities depart from Maxwell's
+// A collision at the normal speed v dissipates m (1 - e^2) v^2 / 4, and v^2 is 4 kT on average: after C
+// collisions per sphere ln(T / T0) = -(1 - e^2) C / 3, at any density. The velocities deviate from Maxwell's
 // distribution by a2,
 //   a2 = 16 (1 - e)(1 - 2e^2) / (81 - 17e + 30e^2 (1 - e)),
 // which changes the mean of v^2 by a factor of (1 + 3 a2 / 16) / (1 - a2 / 16).
@@ -37,7 +37,7 @@ void expect_cooling(double restitution) {
   const double per_collision = -std::log(temperature) / kCollisionsPerSphere;
   support::record("cooling_ratio", per_collision / cooling_per_collision(restitution));
   // The deviation of the energy lost in N = 1e5 collisions is 1 / sqrt(N), 0.3%; growing correlations of
-  // velocities, which the theory leaves out, make up to 1% at these C and e.
+  // velocities, which the theory neglects, contribute up to 1% at these C and e.
   EXPECT_NEAR(per_collision / cooling_per_collision(restitution), 1, 0.02);
 
   // Haff's law, T = T0 / (1 + t / tau)^2 with tau = 6 / ((1 - e^2) w0) to the same order, w0 being the rate
@@ -57,8 +57,8 @@ TEST(GranularGas, CoolsByOneMinusESquaredOverThreePerCollisionAtRestitution90) {
   expect_cooling(0.9);
 }
 
-// Nobody can lose energy that is not there: the motion of the centre of mass stays.
-TEST(GranularGas, KeepsItsMomentum) {
+// Inelastic collisions do not slow the centre of mass.
+TEST(GranularGas, ConservesItsMomentum) {
   const World world = support::make_gas({.count = 1000, .packing_fraction = 0.1, .seed = 62});
   Simulation simulation(world, {.restitution = 0.9});
   for (SphereId id = 0; id < world.size(); ++id) {

@@ -22,16 +22,16 @@ constexpr double kLargeDiameter = 2;
 constexpr double kLargeMass = 8;
 constexpr double kPacking = 0.3;
 
-// All motion is in the large spheres at first: kT = 1 in the mean over all.
+// At first only the large spheres move: kT = 1 on average over all.
 World binary_mixture(std::uint64_t seed) {
   Random random(seed);
   std::vector<double> radii(kSmall, support::kDiameter / 2);
   std::vector<double> masses(kSmall, 1);
   radii.resize(kSmall + kLarge, kLargeDiameter / 2);
   masses.resize(kSmall + kLarge, kLargeMass);
-  // In diameters cubed the spheres are worth so many small ones.
-  const double worth = kSmall + kLarge * kLargeDiameter * kLargeDiameter * kLargeDiameter;
-  const double edge = std::cbrt(worth * std::numbers::pi / 6 / kPacking);
+  // The number of small spheres with the volume of all.
+  const double equivalent = kSmall + kLarge * kLargeDiameter * kLargeDiameter * kLargeDiameter;
+  const double edge = std::cbrt(equivalent * std::numbers::pi / 6 / kPacking);
   const Box box = Box::periodic({edge, edge, edge});
   const std::vector<Vec3> centers = place_randomly(box, {{}, box.size()}, radii, random, "mixture");
   const std::vector<double> large_masses(kLarge, kLargeMass);
@@ -48,28 +48,27 @@ World binary_mixture(std::uint64_t seed) {
 TEST(BinaryMixture, SharesItsEnergyEquallyAndHasThePressureOfItsEquationOfState) {
   const World start = binary_mixture(51);
   EXPECT_NEAR(start.kinetic_energy() / (1.5 * (kSmall + kLarge)), 1, 1e-12);
-  // Light spheres hand their energy to heavy ones in a few collisions: m1 m2 / (m1 + m2)^2 is a tenth.
+  // Heavy and light spheres exchange their energy in a few collisions: m1 m2 / (m1 + m2)^2 is a tenth.
   const World world = support::settled(start, 40);
   Simulation simulation(world);
-  constexpr int kLooks = 40;
-  constexpr std::uint64_t kCollisionsPerLook = 8 * (kSmall + kLarge);
+  constexpr int kSamples = 40;
+  constexpr std::uint64_t kCollisionsPerSample = 8 * (kSmall + kLarge);
   std::array<double, 2> temperature{};
-  for (int look = 0; look < kLooks; ++look) {
-    simulation.run_contacts(kCollisionsPerLook);
+  for (int sample = 0; sample < kSamples; ++sample) {
+    simulation.run_contacts(kCollisionsPerSample);
     std::array<double, 2> energy{};
     for (Slot slot = 0; slot < simulation.size(); ++slot) {
       energy[slot < kSmall ? 0 : 1] += kinetic_energy(simulation.world(), slot);
     }
-    temperature[0] += energy[0] / (1.5 * kSmall) / kLooks;
-    temperature[1] += energy[1] / (1.5 * kLarge) / kLooks;
+    temperature[0] += energy[0] / (1.5 * kSmall) / kSamples;
+    temperature[1] += energy[1] / (1.5 * kLarge) / kSamples;
   }
   support::record("temperature_of_small", temperature[0]);
   support::record("temperature_of_large", temperature[1]);
-  // One look at the mean energy of n spheres deviates by sqrt(2 / 3n), and looks 16 collisions per sphere
-  // apart are independent; the rest of the spheres is a bath that shares the fluctuation, which only makes it
-  // smaller.
-  EXPECT_NEAR(temperature[0], 1, 4 * std::sqrt(2.0 / (3 * kSmall * kLooks)));
-  EXPECT_NEAR(temperature[1], 1, 4 * std::sqrt(2.0 / (3 * kLarge * kLooks)));
+  // A sample of the mean energy of n spheres has a standard deviation of sqrt(2 / 3n), and samples 16
+  // collisions per sphere apart are independent. That the total energy is fixed only reduces it.
+  EXPECT_NEAR(temperature[0], 1, 4 * std::sqrt(2.0 / (3 * kSmall * kSamples)));
+  EXPECT_NEAR(temperature[1], 1, 4 * std::sqrt(2.0 / (3 * kLarge * kSamples)));
 
   const double volume = world.box().volume();
   const std::array<support::Species, 2> species{

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// After a thousand million mean free times a gap is resolved as well as in the first.
+// After a billion mean free times gaps are resolved as well as in the first.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 namespace hardball {
 namespace {
 
-// How well contacts were met.
+// How precisely spheres touch at contacts.
 struct Gaps {
   std::uint64_t contacts = 0;
   double sum = 0;  ///< Of |distance / reach - 1|.
@@ -34,7 +34,7 @@ struct Gaps {
     const double gap = std::fabs(contact.overlap());
     sum += gap;
     largest = std::max(largest, gap);
-    // A double clock would have dropped the low part: the spheres would be taken where they are that much
+    // A clock of one double would drop the low part: the spheres would be placed where they are that much
     // earlier.
     blur_sum += contact.impact_speed() * std::fabs(contact.time.low) / contact.reach;
     since_start.push_back(duration(start, contact.time));
@@ -46,7 +46,7 @@ struct Gaps {
 constexpr double kPacking = 0.3;
 constexpr std::uint64_t kContacts = 20000;
 
-// A gas that lies at rest until `start` and is then set in motion.
+// A gas that is at rest until `start` and is then set in motion.
 Gaps gaps_of_gas_started_at(double start) {
   const World moving = support::make_gas({.count = 500, .packing_fraction = kPacking, .seed = 91});
   World resting(moving.box());
@@ -77,23 +77,21 @@ TEST(AfterABillionMeanFreeTimes, GapsAtContactAreAsSmallAsInTheFirst) {
   support::record("mean_gap_later", later.mean());
   support::record("largest_gap_later", later.largest);
   support::record("mean_gap_with_a_double_clock", later.blur());
-  // Positions in a box of ten are multiples of 2^-50 or less, about 1e-15, and come into a distance six
+  // Positions in a box of ten are multiples of 2^-50 or less, about 1e-15, and enter a distance six
   // times.
   EXPECT_LT(first.mean(), 2e-15);
   EXPECT_LT(first.largest, 4e-14);
-  // The gaps are those of the same gas after other roundings: their means agree to 1 / sqrt(kContacts), below
-  // 1%.
+  // The gas is the same but for rounding: the mean gaps agree to 1 / sqrt(kContacts), below 1%.
   EXPECT_NEAR(later.mean() / first.mean(), 1, 0.1);
   EXPECT_LT(later.largest, 4e-14);
-  // The contrast: a double near 1e8 is known to 7e-9, half an interval of 1.5e-8; half of that in the mean,
+  // The contrast: a double near 1e8 is known to 7e-9, half an interval of 1.5e-8; half of that on average,
   // at a mean impact speed of sqrt(pi), makes gaps of 7e-9, ten million times as large.
   const double interval = std::nextafter(late, std::numeric_limits<double>::infinity()) - late;
   EXPECT_NEAR(later.blur() / (std::sqrt(std::numbers::pi) * interval / 4), 1, 0.05);
   EXPECT_GT(later.blur(), 1e6 * later.mean());
 }
 
-// The motion is the same, as long as the differences in rounding have not grown: a sphere's first few
-// collisions.
+// The motion is the same until differences in rounding have grown: for a sphere's first few collisions.
 TEST(AfterABillionMeanFreeTimes, TheMotionIsTheSameAsFromTimeZero) {
   const Gaps first = gaps_of_gas_started_at(0);
   const Gaps later = gaps_of_gas_started_at(1e9 * mean_free_time());
@@ -103,7 +101,7 @@ TEST(AfterABillionMeanFreeTimes, TheMotionIsTheSameAsFromTimeZero) {
   }
 }
 
-// An engine by itself can begin at any moment, be it 2^40, about 1e12, where doubles are 2.4e-4 apart. The
+// An engine by itself can start at any moment, such as 2^40, about 1e12, where doubles are 2.4e-4 apart. The
 // box is small, the mean free time of its two spheres about one.
 TEST(AnEngineStartedLate, MeetsContactsAsWellAsOneStartedAtZero) {
   const auto gaps_from = [](const Time& start) {
@@ -123,13 +121,13 @@ TEST(AnEngineStartedLate, MeetsContactsAsWellAsOneStartedAtZero) {
   EXPECT_LT(later.largest, 1e-14);
   EXPECT_NEAR(later.mean() / first.mean(), 1, 0.01);
   for (std::size_t i = 0; i < 10; ++i) EXPECT_NEAR(first.since_start[i], later.since_start[i], 1e-11);
-  // A double clock would miss by the ten-thousandth part of a radius.
+  // With a clock of one double they would miss by a ten-thousandth of a radius.
   EXPECT_GT(later.blur(), 2e-5);
 }
 
-// Between walls the moments of a sphere's bounces are known for ever: t = t1 + k (D - 2r) / v. With numbers
-// that do round, a million of them make an error that does not grow with the moment itself but only with
-// their number.
+// Between walls the times of all of a sphere's bounces are known: t = t1 + k (D - 2r) / v. With numbers that
+// are rounded, the error after a million of them does not grow with the time itself but only with their
+// number.
 TEST(AMillionBounces, KeepTheirPeriod) {
   constexpr double kSize = 1.7;
   constexpr double kSpeed = 0.37;
@@ -144,7 +142,7 @@ TEST(AMillionBounces, KeepTheirPeriod) {
   const long double first = (static_cast<long double>(kSize) - kRadius - 0.3) / kSpeed;
   const long double expected = first + (kBounces - 1) * flight;
   const long double moment = static_cast<long double>(simulation.now().high) + simulation.now().low;
-  // Each flight is rounded by at most two units in the last place of 4, and the place of the wall by one
+  // Each flight is rounded by at most two units in the last place of 4, and the position of the wall by one
   // of 1.6: below 2e-15 of time in each, always with the same sign.
   support::record("error_per_bounce", static_cast<double>(moment - expected) / kBounces);
   EXPECT_LT(std::fabs(static_cast<double>(moment - expected)), kBounces * 2e-15);

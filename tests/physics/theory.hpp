@@ -13,7 +13,7 @@
 /// What is known about hard spheres; diameter, mass and kT are one unless said otherwise.
 namespace hardball::support {
 
-/// Z = P V / N k T of the fluid, good to 4e-5; a unit test holds it against a table.
+/// Z = P V / N k T of the fluid, accurate to 4e-5; a unit test compares it with a table.
 using hardball::fluid_compressibility;
 
 /// Z of the face-centred cubic crystal. Source: Speedy, J. Phys.: Condens. Matter 10 (1998) 4387, table 1.
@@ -29,7 +29,7 @@ struct Species {
   double diameter;
 };
 
-/// Z of a fluid mixture. Against simulations at size ratios up to three it is good to 0.5% or better.
+/// Z of a fluid mixture. Against simulations at size ratios up to three it is accurate to 0.5% or better.
 /// Source: Mansoori, Carnahan, Starling and Leland, J. Chem. Phys. 54 (1971) 1523, doi:10.1063/1.1675048.
 inline double mixture_compressibility(std::span<const Species> mixture) {
   std::array<double, 4> xi{};
@@ -56,7 +56,7 @@ inline double mean_speed() {
 }
 
 /// Velocities of spheres whose total energy is fixed: a point uniform on a sphere in as many dimensions as
-/// there are degrees of freedom. Exact for any number of spheres, where Maxwell's distribution errs by 1/n.
+/// there are degrees of freedom. Exact for any number of spheres, where Maxwell's distribution is off by 1/n.
 /// Hard spheres: velocities do not depend on positions, so that all this holds at every density.
 ///
 /// One of the coordinates, u, is distributed as (1 - u^2 / 2E)^((f - 3) / 2); hence

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Sums over all contacts of a run that must agree with its first and its last state: a contact that is lost,
-// counted twice, misplaced or carried out wrongly breaks them.
+// Sums over all contacts of a run that must agree with its initial and final states: any contact that is
+// lost, counted twice, misplaced or carried out wrongly violates them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@
 namespace hardball {
 namespace {
 
-// Sum of m x.v: how fast the moment of inertia grows, halved.
+// Sum of m x.v: half the rate at which the moment of inertia grows.
 double inertia_rate(const World& world, const Time& moment) {
   double sum = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
@@ -30,7 +30,7 @@ double inertia_rate(const World& world, const Time& moment) {
 // impulse J and the second -J adds J.(x1 - x2), a wall that gives J adds J.x. So, whatever the masses, radii
 // and response,
 //   S(t) - S(0) = int 2K dt - sum over collisions of J.(x2 - x1) + sum over wall contacts of J.x.
-// Exact but for rounding, of which each term has a few units in the last place and of a random sign.
+// Exact but for rounding, a few units in the last place of each term with random signs.
 struct VirialBalance {
   double left = 0;
   double right = 0;
@@ -72,7 +72,7 @@ VirialBalance balance_of(const World& world, const EngineOptions& options, const
   return balance;
 }
 
-// The sums have about 1e4 terms, each right to about 1e-15; the residual was seen below 1e-14.
+// The sums have about 1e4 terms, each right to about 1e-15; the residual was observed to be below 1e-14.
 constexpr double kResidual = 1e-12;
 
 World mixed_gas(const Box& box, std::size_t spheres, std::uint64_t seed) {
@@ -138,7 +138,7 @@ TEST(VirialBalance, IsKeptByEveryRandomWorldWithoutPeriodicAxes) {
   EXPECT_GT(contacts, 20000U);
 }
 
-// The same sums as the tally keeps them.
+// The same sums as kept by the tally.
 TEST(VirialBalance, IsWhatTheTallyAddsUp) {
   constexpr double kRadius = support::kDiameter / 2;
   const World world =
@@ -156,7 +156,7 @@ TEST(VirialBalance, IsWhatTheTallyAddsUp) {
   EXPECT_LT(std::fabs(left - (2 * energy + tally.virial() + walls)), kResidual * 2 * energy);
 }
 
-// Seen from the middle of the box S stays bounded, and the balance becomes the pressure on the walls:
+// Relative to the middle of the box S stays bounded, and the balance becomes the pressure on the walls:
 //   sum over axes of F (D - 2r) = 2K + virial / t,
 // with an error of |S(t) - S(0)| / t. Positions in equilibrium are uniform within h = D / 2 - r of the
 // middle, so that S has a variance of h^2 kT for each sphere; the two S are independent, and four deviations
@@ -190,7 +190,7 @@ TEST(WallPressure, ObeysTheSumRuleOfKineticEnergyAndVirial) {
 // Source: Henderson, Blum and Lebowitz, J. Electroanal. Chem. 102 (1979) 315.
 TEST(WallPressure, IsTheDensityAtContactTimesTemperature) {
   constexpr std::size_t kSpheres = 1000;
-  constexpr int kLooks = 1200;
+  constexpr int kSamples = 1200;
   constexpr double kBin = 0.04;
   const World start =
       support::make_gas({.count = kSpheres, .packing_fraction = 0.2, .seed = 26, .boundary = Boundary::wall});
@@ -198,10 +198,10 @@ TEST(WallPressure, IsTheDensityAtContactTimesTemperature) {
   Simulation simulation(world);
   std::array<double, 2> counts{};
   const double size = world.box().size().x;
-  for (int look = 1; look <= kLooks; ++look) {
-    // Between two looks most spheres near a wall have been replaced: a wall's layer is 0.04 deep, speeds are
-    // one.
-    simulation.run_until(0.25 * look);
+  for (int sample = 1; sample <= kSamples; ++sample) {
+    // From one sample to the next most spheres near a wall are replaced: the layer is 0.04 deep, speeds are
+    // about one.
+    simulation.run_until(0.25 * sample);
     for (const Vec3& position : simulation.positions()) {
       for (std::size_t axis = 0; axis < kAxes; ++axis) {
         const double gap = std::min(position[axis], size - position[axis]) - support::kDiameter / 2;
@@ -210,9 +210,9 @@ TEST(WallPressure, IsTheDensityAtContactTimesTemperature) {
       }
     }
   }
-  // Centres keep half a diameter away from the other walls, too.
+  // Centres stay half a diameter away from the other walls, too.
   const double area = 6 * (size - support::kDiameter) * (size - support::kDiameter);
-  const double density_at_contact = (1.5 * counts[0] - 0.5 * counts[1]) / (kLooks * area * kBin);
+  const double density_at_contact = (1.5 * counts[0] - 0.5 * counts[1]) / (kSamples * area * kBin);
   const double force = simulation.tally().wall_pressure(world.box(), simulation.now()) * size * size;
   const double pressure = force / ((size - support::kDiameter) * (size - support::kDiameter));
   // Independent counts of N spheres have a relative deviation of sqrt((1.5^2 + 0.5^2) / N): 0.7% with N =
