@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/scenario/scenario.hpp"
 
-// Some invalid texts, such as "[.[a]]", violate an assertion in toml++: it aborts or carries on, depending on
+// Some invalid texts, such as "[.[a]]", fail an assertion in toml++, which aborts or carries on, depending on
 // NDEBUG. Here it throws in every build.
 namespace hardball {
 namespace {

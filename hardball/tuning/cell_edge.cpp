@@ -122,7 +122,7 @@ std::optional<double> CellEdgeWatch::update(const Moments& moments, double elaps
   constexpr double kFarthestAhead = 2;
   const double ahead = std::clamp(std::sqrt(best_edge_ / best_before_), 1 / kFarthestAhead, kFarthestAhead);
   const double best = best_edge_;
-  begin(best * ahead);
+  restart(best * ahead);
   best_before_ = best;
   return edge_;
 }

@@ -8,7 +8,7 @@
 namespace hardball {
 
 /// Spheres may overlap by this fraction of the sum of their radii, or reach through a wall by this fraction
-/// of their diameter, and still count as touching: it allows for rounding at contacts, and no more.
+/// of their diameter, and still count as touching: this allows for rounding at contacts, and no more.
 inline constexpr double kOverlapTolerance = 1e-9;
 
 /// The result of a check of all spheres at one moment.
@@ -28,8 +28,7 @@ struct Audit {
   }
 };
 
-/// Finds overlaps, escapes and numbers that are not finite, independently of the broad phases. Cost: O(n log
-/// n).
+/// Finds overlaps, escapes and numbers that are not finite, without the broad phases. Cost: O(n log n).
 Audit audit(const World& world, const Time& moment, const Progress& progress = {});
 
 /// Refuses an unsound start: spheres that overlap or reach through a wall by more than kOverlapTolerance at

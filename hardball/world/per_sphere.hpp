@@ -11,7 +11,7 @@
 
 namespace hardball {
 
-/// One number for each sphere, stored only once while all are equal.
+/// One number for each sphere, stored only once until two differ.
 ///
 /// Most systems have equal radii or masses, which then take neither memory nor a cache line.
 class PerSphere {
