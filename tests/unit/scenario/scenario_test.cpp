@@ -220,9 +220,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Refusal{"NoEquals", "run.until", "--set", "key=value"}, Refusal{"NoKey", "=5", "--set", "key=value"},
         Refusal{"EndsInADot", "run.=5", "--set", "key=value"},
-        Refusal{"NoValue", "run.until=", "--set run.until", "invalid TOML"},
-        Refusal{"TwoLines", "run.until=1\nx=2", "--set run.until", "invalid TOML"},
-        Refusal{"BadValue", "run.until=1x", "--set run.until", "invalid TOML"},
+        Refusal{"NoValue", "run.until=", "--set run.until", "not valid TOML"},
+        Refusal{"TwoLines", "run.until=1\nx=2", "--set run.until", "not valid TOML"},
+        Refusal{"BadValue", "run.until=1x", "--set run.until", "not valid TOML"},
         Refusal{"WrongType", "run.until=soon", "--set run.until", "until is a string"},
         Refusal{"UnknownKey", "run.untill=5", "--set run.untill", "did you mean 'until'?"},
         Refusal{"UnknownTable", "rum.until=5", "--set rum.until", "did you mean 'run'?"},
