@@ -8,7 +8,7 @@
 
 namespace hardball::cli {
 
-/// A line on the terminal that is written anew in place.
+/// A line on the terminal that is rewritten in place.
 class StatusLine {
  public:
   /// Shows nothing unless `wanted` and the standard error is a terminal.

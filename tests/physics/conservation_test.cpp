@@ -55,12 +55,12 @@ TEST(MillionCollisions, BetweenWallsConserveEnergy) {
   EXPECT_TRUE(audit(simulation.world(), simulation.now()).is_sound());
 }
 
-// A rounding error that is the same at every collision grows with the number of collisions, not with its
-// square root. Here the squared reach is close to one, where doubles change their spacing, and the ratios of
-// the masses are not doubles. The steps by which the energy changes must have mean zero within their standard
-// error; if the squared separation or the mass ratios are always rounded the same way, the mean is 10 to 20
-// standard errors.
-TEST(MillionCollisions, LetTheEnergyWanderButNotDrift) {
+// A rounding error that is the same at every collision adds up as the number of collisions, not as its root.
+// Here the reach squared is next to one, where doubles change their spacing, and the ratios of the masses are
+// no doubles. The steps by which the energy changes must have mean zero, as far as their scatter can tell;
+// with the square of the separation, or the ratios of the masses, rounded alike each time, the mean is 10 to
+// 20 of its errors.
+TEST(MillionCollisions, LetTheEnergyWanderAndNotDrift) {
   constexpr std::size_t kEdge = 6;
   constexpr std::size_t kSteps = 20;
   constexpr std::uint64_t kContactsPerStep = 10000;
