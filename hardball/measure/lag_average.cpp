@@ -110,7 +110,8 @@ Estimate LagAverage::estimate(std::size_t species, const FunctionOfMeans& quanti
       sums.push_back(sums_[lag * groups_.size() + g] / static_cast<double>(origins_[lag]));
     }
   }
-  return jackknife(sums, spheres, quantity);
+  const Parts found = jackknife(sums, spheres, quantity);
+  return {found.value, error_of_independent(found.shares)};
 }
 
 }  // namespace hardball
