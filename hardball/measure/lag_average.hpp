@@ -24,7 +24,8 @@ namespace hardball {
 /// 4.4.2.
 ///
 /// Errors are from the scatter among up to 32 groups of spheres of a species, see error_of_independent: the
-/// same sphere at different moments is not independent of itself, nor are lags that overlap.
+/// same sphere at different moments is not independent of itself, nor are lags that overlap. Their square is
+/// doubled for what spheres do together.
 class LagAverage {
  public:
   /// Spheres that are followed at the most; of more, some are chosen evenly by their ids.

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,14 +64,6 @@ void MeanSquareDisplacement::sample(const Scene& scene) {
   });
 }
 
-// In a dense fluid neighbours drag each other along, and the mean over all varies up to about twice as much
-// as if they did not.
-Estimate MeanSquareDisplacement::estimate(std::size_t species, const FunctionOfMeans& quantity) const {
-  Estimate found = average_.estimate(species, quantity);
-  found.error *= std::numbers::sqrt2;
-  return found;
-}
-
 // The linear part: lags after which a sphere has forgotten its velocity, ten times the time constant of that,
 // 3/2 free times in Enskog's theory, and has left its cage, having come as far as its radius.
 Estimate MeanSquareDisplacement::diffusion(std::size_t species) const {
@@ -93,7 +84,7 @@ Estimate MeanSquareDisplacement::diffusion(std::size_t species) const {
     weights.push_back(1 / (error * error));
   }
   if (linear.size() < kFewest) return {};
-  return estimate(species, [&](std::span<const double> means) {
+  return average_.estimate(species, [&](std::span<const double> means) {
     std::vector<double> y;
     for (const std::size_t lag : linear) y.push_back(means[lag]);
     return slope(x, y, weights) / 6;
@@ -134,7 +125,7 @@ Measurement MeanSquareDisplacement::result(const Scene& scene) const {
     Column theory{name + "_theory", "L^2", ColumnRole::theory, {}};
     const double forgetting = enskog * species.mass(s) / temperature;
     for (std::size_t lag = 1; lag < lags.size(); ++lag) {
-      const Estimate square = estimate(s, [lag](std::span<const double> means) { return means[lag]; });
+      const Estimate square = average_.at(s, lag);
       value.values.push_back(square.value);
       error.values.push_back(square.error);
       theory.values.push_back(6 * enskog * (lags[lag] + forgetting * std::expm1(-lags[lag] / forgetting)));

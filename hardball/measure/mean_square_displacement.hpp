@@ -31,7 +31,6 @@ class MeanSquareDisplacement {
   Measurement result(const Scene& scene) const;
 
  private:
-  Estimate estimate(std::size_t species, const FunctionOfMeans& quantity) const;
   Estimate diffusion(std::size_t species) const;
 
   FluidTheory theory_;

@@ -76,9 +76,9 @@ Measurement NearestNeighbor::result(const Scene& /*scene*/) const {
   const FunctionOfMeans gap_of = [&](std::span<const double> means) {
     return means[gaps_bin()] / means[known_bin()];
   };
-  const Transient transient = find_transient(average_, std::array{gap_of}, BlockAverage::Groups::separate);
+  const Transient transient = find_transient(average_, std::array{gap_of}, BlockAverage::Groups::coupled);
   const BlockAverage average = transient.left_out_of(average_);
-  const Estimate mean = average.ratio(gaps_bin(), known_bin());
+  const Estimate mean = average.estimate(gap_of, BlockAverage::Groups::coupled);
   const std::vector<Estimate> shares = average.histogram(0, bins_, spheres_bin());
   Column gap{"gap", "L", ColumnRole::argument, {}};
   Column value{"probability_density", "L^-1", ColumnRole::value, {}};
@@ -100,7 +100,7 @@ Measurement NearestNeighbor::result(const Scene& /*scene*/) const {
     // The mean is the integral of the probability that the gap is wider; by Simpson's rule.
     mean_by_theory += (none_within(low) + 4 * none_within(middle) + none_within(high)) * width / 6;
   }
-  result.quantities = {{"mean_gap", "L", mean.value, mean.error, mean_by_theory}};
+  result.quantities = {{"mean_gap", "L", mean.value, mean.error / 2, mean_by_theory}};
   result.columns = {std::move(gap), std::move(value), std::move(error)};
   if (std::isfinite(packing_fraction_)) result.columns.push_back(std::move(theory));
   transient.note_in(result);

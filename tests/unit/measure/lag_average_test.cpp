@@ -99,7 +99,7 @@ TEST(LagAverage, HasTheErrorOfIndependentSpheres) {
   // The mean of 1, 2, 3 and 4.
   EXPECT_NEAR(average.at(0, 0).value, 2.5, 1e-12);
   const std::array shares{-1.5 / 4, -0.5 / 4, 0.5 / 4, 1.5 / 4};
-  EXPECT_NEAR(average.at(0, 0).error, error_of_independent(shares), 1e-12);
+  EXPECT_NEAR(average.at(0, 0).error, std::sqrt(2) * error_of_independent(shares), 1e-12);
 }
 
 // Two kinds fly freely in opposite directions, through the periodic ends of the box many times.
