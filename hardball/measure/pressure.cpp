@@ -218,6 +218,8 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
         };
         return sum_over_walls(expected) / areas;
       });
+  double impulse = 0;
+  for (Face face = 0; face < 2 * kAxes; ++face) impulse += average.total(kFaces + face);
   for (Face face = 0; face < 2 * kAxes; ++face) {
     const std::size_t axis = axis_of(face);
     if (!box_.is_wall(axis)) continue;
@@ -226,8 +228,6 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
         [&](Means means) { return means[kFaces + face] / area(axis); },
         [&](Means means) { return inside(means, axis) / (open_length(means, axis) * area(axis)); });
     // It might have been hit once more: see BlockAverage::histogram.
-    double impulse = 0;
-    for (Face other = 0; other < 2 * kAxes; ++other) impulse += average.total(kFaces + other);
     const double of_one = impulse / average.total(kHits) / area(axis) / average.total(BlockAverage::kWeight);
     found.quantities.back().error = std::hypot(found.quantities.back().error, of_one);
   }
