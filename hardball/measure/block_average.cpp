@@ -114,6 +114,7 @@ Estimate BlockAverage::ratio(std::size_t bin, std::size_t over) const {
 }
 
 std::vector<Estimate> BlockAverage::histogram(std::size_t first, std::size_t count, std::size_t over) const {
+  if (total(over) == 0) return std::vector<Estimate>(count);
   std::vector<Estimate> found;
   const double one = 1 / total(over);
   double squares = 0;

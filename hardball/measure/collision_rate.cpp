@@ -108,13 +108,7 @@ Measurement CollisionRate::result(const Scene& scene) const {
     free_time.error = per_time.error * free_time.value * free_time.value;
   }
   add("mean_free_time", "T", free_time, 1 / expected);
-  // Where energy is fixed, spheres have shares of it, and vary less than each for itself.
-  const double square = speeds.ratio(kSquare, kSpheres).value;
-  const Estimate speed = speeds.estimate(
-      [square](Means means) {
-        return means[kSpeed] / means[kSpheres] * std::sqrt(square * means[kSpheres] / means[kSquare]);
-      },
-      is_conserved ? BlockAverage::Groups::exchanging : BlockAverage::Groups::none);
+  const Estimate speed = mean_speed(speeds, kSpeed, kSquare, kSpheres, is_conserved);
   add("mean_free_path", "L", speed * free_time, theory_.mean_speed(temperature) / expected);
   if (has_walls_) add_rate("wall_rate", kWalls, 1 / spheres_, kNone);
   for (std::size_t a = 0; species_.size() > 1 && a < species_.size(); ++a) {

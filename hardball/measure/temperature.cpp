@@ -107,7 +107,7 @@ Measurement Temperature::result(const Scene& scene) const {
   const double square = average.mean(kSquare);
   for (const Part& part : parts) {
     const FunctionOfMeans of_sum = [&](Means means) { return means[part.bin] / part.freedom; };
-    // Where energy is fixed, spheres have shares of it, and vary less than each for itself.
+    // As in mean_speed.
     const FunctionOfMeans of_share = [&](Means means) { return of_sum(means) / means[kSquare] * square; };
     const Estimate value = is_conserved ? average.estimate(of_share, BlockAverage::Groups::exchanging)
                                         : average.estimate(of_sum);

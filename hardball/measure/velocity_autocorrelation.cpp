@@ -62,7 +62,7 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
   std::size_t last = 0;
   while (last + 1 < lags.size() && lags[last + 1] <= kFreeTimes * mean_free_time_) ++last;
   found.columns.push_back({"lag", "T", ColumnRole::argument, lags});
-  // Where energy is fixed, spheres have shares of it, and vary less than each for itself.
+  // As in mean_speed.
   const bool is_all_energy = average_.followed() == scene.world().size() && species.is_one_kind() &&
                              is_energy_conserved(motion_, scene.motion());
   for (std::size_t s = 0; s < species.size(); ++s) {

@@ -75,19 +75,13 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
       find_transient(average_, std::array{kurtosis_of}, BlockAverage::Groups::exchanging);
   const BlockAverage average = transient.left_out_of(average_);
   const Estimate kurtosis = average.estimate(kurtosis_of, BlockAverage::Groups::exchanging);
-  // Where energy is fixed, spheres have shares of it, and vary less than each for itself: c^2 is its measure.
-  const double square = average.ratio(kSquare, kSpheres).value;
-  const Estimate mean_speed = average.estimate(
-      [square](Means means) {
-        return means[kSpeed] / means[kSpheres] * std::sqrt(square * means[kSpheres] / means[kSquare]);
-      },
-      is_energy_conserved(motion_, scene.motion()) ? BlockAverage::Groups::exchanging
-                                                   : BlockAverage::Groups::none);
+  const Estimate mean =
+      mean_speed(average, kSpeed, kSquare, kSpheres, is_energy_conserved(motion_, scene.motion()));
   // 5/3 for many spheres; exact where the energy is fixed.
   const double freedom = motion_.degrees_of_freedom;
   found.quantities = {
       {"speed_kurtosis", "1", kurtosis.value, kurtosis.error, 5.0 / 3 * freedom / (freedom + 2)},
-      {"mean_speed", "L T^-1", mean_speed.value, mean_speed.error,
+      {"mean_speed", "L T^-1", mean.value, mean.error,
        std::sqrt(8 / std::numbers::pi) * average.ratio(kExpectedSpeed, kSpheres).value}};
   const std::vector<Estimate> components = average.histogram(kComponents, kBins, kSpheres);
   const std::vector<Estimate> speeds = average.histogram(kSpeeds, kBins / 2, kSpheres);

@@ -19,6 +19,10 @@ TEST(BlockAverage, KnowsNothingOfNoSamples) {
   EXPECT_TRUE(std::isnan(nothing.mean()));
   EXPECT_TRUE(std::isnan(nothing.error()));
   EXPECT_TRUE(std::isnan(nothing.ratio(0, 0).value));
+  ASSERT_EQ(nothing.histogram(0, 1).size(), 1U);
+  EXPECT_TRUE(std::isnan(nothing.histogram(0, 1).front().value));
+  EXPECT_TRUE(std::isnan(nothing.histogram(0, 1).front().error));
+  EXPECT_TRUE(std::isnan(nothing.estimate([](std::span<const double> means) { return means[0]; }).value));
 }
 
 TEST(BlockAverage, KnowsAMeanAndNoErrorOfOneSample) {
