@@ -118,6 +118,7 @@ void Measures::sample(const World& world, const Time& now) {
       if (entry.is_wanted) begin(entry, scene, pace);
     });
     has_begun_ = true;
+    begin_ = now;
   }
   for_each([&](auto& entry) {
     if (entry.cadence.next() > now) return;
@@ -143,7 +144,9 @@ std::vector<Measurement> Measures::results(const World& world, const Time& now) 
   const Scene scene(world, now);
   std::vector<Measurement> results;
   for_each([&](const auto& entry) {
-    if (entry.measure) results.push_back(entry.measure->result(scene));
+    if (!entry.measure) return;
+    results.push_back(entry.measure->result(scene));
+    results.back().duration = duration(begin_, now);
   });
   return results;
 }

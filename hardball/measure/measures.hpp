@@ -89,6 +89,7 @@ class Measures {
   MeasureSettings settings_;
   bool is_any_wanted_ = false;
   bool has_begun_ = false;
+  Time begin_;
   std::uint64_t contacts_ = 0;
   Entries entries_;
 };
