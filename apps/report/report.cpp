@@ -84,6 +84,16 @@ std::string agreement_sentence(const Report& report) {
       agreement.compared, agreement.near == agreement.compared ? "all" : std::to_string(agreement.near));
 }
 
+std::string transient_sentence(const Report& report) {
+  double longest = 0;
+  for (const Measurement& measurement : report.measurements) {
+    longest = std::max(longest, measurement.transient);
+  }
+  if (longest == 0) return {};
+  return fmt::format(" Initial transients are left out of means, the longest up to {} after measuring began.",
+                     number_text(longest, 3));
+}
+
 // --- summary ---
 
 // The first paragraph of the comment at the head of a scenario.
@@ -125,9 +135,9 @@ std::string verdict(const Report& report) {
     text += "; the energy is conserved";
   }
   const std::string_view word = !is_sound ? "Not sound" : report.is_complete ? "Sound" : "Interrupted";
-  return fmt::format("<p class=\"verdict {}\"><strong>{}.</strong> <span>{}.{}</span></p>\n",
+  return fmt::format("<p class=\"verdict {}\"><strong>{}.</strong> <span>{}.{}{}</span></p>\n",
                      is_sound && report.is_complete ? "good" : "bad", word, typeset(text),
-                     agreement_sentence(report));
+                     agreement_sentence(report), transient_sentence(report));
 }
 
 std::string key_figures(const Report& report) {
@@ -199,6 +209,7 @@ std::string reading() {
   return paragraph(
       "note",
       "A standard error stands in parentheses, in units of the last digit: 1.234(56) is 1.234 ± 0.056. "
+      "Two of them cover 95% of runs; there is none where the run is too short to know it. "
       "Deviations from theory are in standard errors, σ, or in percent where no error is known; those "
       "of more than three σ are bold. Many theories are approximations.");
 }
@@ -208,6 +219,19 @@ std::string rates(const Report& report) {
                                                     "Means over the whole run, the way from the start to "
                                                     "equilibrium included; the theory is that of "
                                                     "equilibrium.");
+}
+
+// What of the run the means are of.
+std::string transient_note(const Measurement& measurement) {
+  if (!measurement.is_transient_over) {
+    return paragraph("note",
+                     "Still changing in the second half of the run: the means depend on its length and "
+                     "have no standard errors.");
+  }
+  if (measurement.transient <= 0) return {};
+  return paragraph("note",
+                   fmt::format("The first {} of {} are left out of the means as a transient.",
+                               number_text(measurement.transient, 3), number_text(measurement.duration, 3)));
 }
 
 std::string article(const Measurement& measurement) {
@@ -223,6 +247,7 @@ std::string article(const Measurement& measurement) {
   html += "<div class=\"pair\">\n" + figures;
   if (!measurement.quantities.empty()) html += quantities_table(measurement.quantities);
   html += "</div>\n";
+  html += transient_note(measurement);
   if (figures.empty() && measurement.quantities.empty())
     html += paragraph("note", "The run gave no numbers.");
   if (!measurement.source.empty()) html += paragraph("source", escaped(measurement.source));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "hardball/errors/error.hpp"
 
@@ -13,43 +14,40 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// Sum over blocks of numerators over that of denominators.
-template <class Numerator, class Denominator>
-double ratio_of_sums(std::size_t blocks, const Numerator& numerator, const Denominator& denominator) {
-  double above = 0;
-  double below = 0;
-  for (std::size_t block = 0; block < blocks; ++block) {
-    above += numerator(block);
-    below += denominator(block);
-  }
-  return below != 0 ? above / below : kNone;
+// That of the blocks, or the larger one where these do not tell enough.
+double error_of(std::span<const double> blocks, double of_groups) {
+  constexpr double kEnough = 16;
+  const double of_series = error_of_series(blocks);
+  const bool is_enough = independent_parts(blocks) >= kEnough && !std::isnan(of_series);
+  return is_enough ? of_series : std::fmax(of_series, of_groups);
 }
 
-// The standard error of that ratio. Blocks of unequal weight, such as an unfinished one, count accordingly.
-template <class Numerator, class Denominator>
-double error_of_ratio(std::size_t blocks, const Numerator& numerator, const Denominator& denominator) {
-  if (blocks < 2) return kNone;
-  const double ratio = ratio_of_sums(blocks, numerator, denominator);
+// Whether one share is different from all others, as if by a rare kind of sphere: then nothing is
+// known of how rare it is.
+bool is_of_few(std::span<const double> shares) {
+  constexpr double kFewest = 1.5;
   double squares = 0;
-  double below = 0;
-  for (std::size_t block = 0; block < blocks; ++block) {
-    const double deviation = numerator(block) - ratio * denominator(block);
-    squares += deviation * deviation;
-    below += denominator(block);
+  double fourths = 0;
+  for (const double share : shares) {
+    squares += share * share;
+    fourths += share * share * share * share;
   }
-  const auto count = static_cast<double>(blocks);
-  return std::sqrt(squares * count / (count - 1)) / std::fabs(below);
+  return squares * squares < kFewest * fourths;
 }
 
 }  // namespace
 
-BlockAverage::BlockAverage(std::size_t bins)
-    : bins_(bins), sums_(kMostBlocks * bins), weights_(kMostBlocks) {}
+BlockAverage::BlockAverage(std::size_t bins, std::size_t groups)
+    : bins_(bins),
+      groups_(groups),
+      sums_(kMostBlocks * groups * bins),
+      weights_(kMostBlocks),
+      ends_(kMostBlocks) {}
 
-void BlockAverage::add(std::span<const double> values, double weight) {
-  HARDBALL_CHECK(values.size() == bins_);
+void BlockAverage::add(std::span<const double> values, double time, double weight) {
+  HARDBALL_CHECK(values.size() == bins_ && groups_ == 1);
   for (std::size_t bin = 0; bin < bins_; ++bin) put(bin, values[bin] * weight);
-  close_sample(weight);
+  close_sample(time, weight);
 }
 
 void BlockAverage::close_block() {
@@ -58,46 +56,124 @@ void BlockAverage::close_block() {
 }
 
 void BlockAverage::merge_neighbors() {
+  const std::size_t size = groups_ * bins_;
   for (std::size_t block = 0; block < kMostBlocks / 2; ++block) {
     weights_[block] = weights_[2 * block] + weights_[2 * block + 1];
-    for (std::size_t bin = 0; bin < bins_; ++bin) {
-      sums_[block * bins_ + bin] = sum(bin, 2 * block) + sum(bin, 2 * block + 1);
+    ends_[block] = ends_[2 * block + 1];
+    for (std::size_t k = 0; k < size; ++k) {
+      sums_[block * size + k] = sums_[2 * block * size + k] + sums_[(2 * block + 1) * size + k];
     }
   }
   full_blocks_ = kMostBlocks / 2;
   samples_per_block_ *= 2;
   std::fill(weights_.begin() + kMostBlocks / 2, weights_.end(), 0);
-  std::fill(sums_.begin() + static_cast<std::ptrdiff_t>(full_blocks_ * bins_), sums_.end(), 0);
+  std::fill(sums_.begin() + static_cast<std::ptrdiff_t>(full_blocks_ * size), sums_.end(), 0);
 }
 
-double BlockAverage::mean(std::size_t bin) const {
-  return ratio_of_sums(
-      blocks(), [&](std::size_t block) { return sum(bin, block); },
-      [&](std::size_t block) { return weights_[block]; });
+void BlockAverage::leave_out_until(double time) {
+  while (first_ < full_blocks_ && ends_[first_] <= time) ++first_;
 }
 
-double BlockAverage::error(std::size_t bin) const {
-  return error_of_ratio(
-      blocks(), [&](std::size_t block) { return sum(bin, block); },
-      [&](std::size_t block) { return weights_[block]; });
+double BlockAverage::sum(std::size_t bin, std::size_t block) const {
+  double sum = 0;
+  for (std::size_t group = 0; group < groups_; ++group) sum += sums_[(block * groups_ + group) * bins_ + bin];
+  return sum;
 }
 
-double BlockAverage::ratio(std::size_t bin, std::size_t over) const {
-  return ratio_of_sums(
-      blocks(), [&](std::size_t block) { return sum(bin, block); },
-      [&](std::size_t block) { return sum(over, block); });
+double BlockAverage::weight_of(std::size_t over, std::size_t block) const {
+  return over == kWeight ? weights_[block] : sum(over, block);
 }
 
-double BlockAverage::ratio_error(std::size_t bin, std::size_t over) const {
-  return error_of_ratio(
-      blocks(), [&](std::size_t block) { return sum(bin, block); },
-      [&](std::size_t block) { return sum(over, block); });
+double BlockAverage::total(std::size_t bin) const {
+  double total = 0;
+  for (std::size_t block = first_; block < end(); ++block) total += weight_of(bin, block);
+  return total;
 }
 
-Estimate BlockAverage::estimate(const FunctionOfMeans& quantity) const {
-  const std::span<const double> sums(sums_);
-  const std::span<const double> weights(weights_);
-  return jackknife(sums.first(blocks() * bins_), weights.first(blocks()), quantity);
+Estimate BlockAverage::ratio(std::size_t bin, std::size_t over) const {
+  const double below = total(over);
+  if (below == 0) return {};
+  const double value = total(bin) / below;
+  std::vector<double> of_blocks;
+  for (std::size_t block = first_; block < end(); ++block) {
+    of_blocks.push_back((sum(bin, block) - value * weight_of(over, block)) / below);
+  }
+  std::vector<double> of_groups;
+  for (std::size_t group = 0; over != kWeight && group < groups_; ++group) {
+    double share = 0;
+    double counted = 0;
+    for (std::size_t block = first_; block < end(); ++block) {
+      const double* const sums = &sums_[(block * groups_ + group) * bins_];
+      share += sums[bin] - value * sums[over];
+      counted += sums[over];
+    }
+    // Of fewer spheres than groups some groups are empty.
+    if (counted > 0) of_groups.push_back(share / below);
+  }
+  return {value, error_of(of_blocks, error_of_independent(of_groups))};
+}
+
+std::vector<Estimate> BlockAverage::histogram(std::size_t first, std::size_t count, std::size_t over) const {
+  if (total(over) == 0) return std::vector<Estimate>(count);
+  std::vector<Estimate> found;
+  const double one = 1 / total(over);
+  double squares = 0;
+  double counts = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    found.push_back(ratio(first + k, over));
+    if (std::isnan(found.back().error)) continue;
+    squares += found.back().error * found.back().error / (one * one);
+    counts += found.back().value / one;
+  }
+  const double at_a_time = counts > 0 ? std::max(squares / counts, 1.0) : 1;
+  for (Estimate& bin : found) bin.error = std::hypot(bin.error, at_a_time * one);
+  return found;
+}
+
+// By how much each group moves what is found of some blocks.
+std::vector<double> BlockAverage::shares_of_groups(const FunctionOfMeans& quantity, std::size_t first,
+                                                   std::size_t end) const {
+  std::vector<double> sums;
+  for (std::size_t group = 0; group < groups_; ++group) {
+    const std::size_t begin = sums.size();
+    sums.resize(begin + bins_);
+    for (std::size_t block = first; block < end; ++block) {
+      for (std::size_t bin = 0; bin < bins_; ++bin) {
+        sums[begin + bin] += sums_[(block * groups_ + group) * bins_ + bin];
+      }
+    }
+    const auto is_zero = [](double sum) { return sum == 0; };
+    if (std::all_of(sums.begin() + static_cast<std::ptrdiff_t>(begin), sums.end(), is_zero))
+      sums.resize(begin);
+  }
+  const std::vector<double> equal(sums.size() / bins_, 1);
+  return jackknife(sums, equal, quantity).shares;
+}
+
+Estimate BlockAverage::estimate(const FunctionOfMeans& quantity, Groups groups) const {
+  std::vector<double> sums;
+  for (std::size_t block = first_; block < end(); ++block) {
+    for (std::size_t bin = 0; bin < bins_; ++bin) sums.push_back(sum(bin, block));
+  }
+  const Parts of_blocks = jackknife(sums, std::span(weights_).subspan(first_, blocks()), quantity);
+  if (groups == Groups::none) return {of_blocks.value, error_of_series(of_blocks.shares)};
+  const std::vector<double> shares = shares_of_groups(quantity, first_, end());
+  double of_groups = is_of_few(shares) ? kNone : error_of_independent(shares);
+  if (groups == Groups::coupled) of_groups *= std::numbers::sqrt2;
+  if (groups == Groups::exchanging) {
+    double of_one_block = 0;
+    for (std::size_t block = first_; block < end(); ++block) {
+      const double error = error_of_independent(shares_of_groups(quantity, block, block + 1));
+      of_one_block += error * error / static_cast<double>(blocks());
+    }
+    // What a group remembers from block to block makes it vary more than if blocks were independent. Of that,
+    // it hands on to others what it forgets during the run.
+    const double square = of_groups * of_groups;
+    const double remembered = std::max(square - of_one_block / static_cast<double>(blocks()), 0.0);
+    const double forgotten = std::max(1 - square / of_one_block, 0.0);
+    of_groups = std::sqrt(square + remembered * forgotten);
+  }
+  return {of_blocks.value, error_of(of_blocks.shares, of_groups)};
 }
 
 std::vector<double> BlockAverage::history(const FunctionOfMeans& quantity) const {

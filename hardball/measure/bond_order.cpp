@@ -5,14 +5,31 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "hardball/measure/sphere_groups.hpp"
+#include "hardball/measure/transient.hpp"
 
 namespace hardball {
 namespace {
 
 constexpr std::size_t kBins = 100;  // of q4 and q6, which lie between 0 and 1
+
+// Bins of the averages: counts of spheres by q4 and by q6; Q4 and Q6 of all bonds; all spheres, those that
+// have a bond, and sums over these.
+constexpr std::size_t kCountsFour = 0;
+constexpr std::size_t kCountsSix = kCountsFour + kBins;
+constexpr std::size_t kAllFour = kCountsSix + kBins;
+constexpr std::size_t kAllSix = kAllFour + 1;
+constexpr std::size_t kSpheres = kAllSix + 1;
+constexpr std::size_t kBonded = kSpheres + 1;
+constexpr std::size_t kSumFour = kBonded + 1;
+constexpr std::size_t kSumSix = kSumFour + 1;
+constexpr std::size_t kBonds = kSumSix + 1;
+constexpr std::size_t kAllBins = kBonds + 1;
 
 // Sums over bonds of the spherical harmonics of one even degree, order 0 up to the degree; those of negative
 // order are their conjugates. They are normalised so that the squares for one bond add up to one.
@@ -103,7 +120,7 @@ std::size_t bin_of(double invariant) {
 }  // namespace
 
 BondOrder::BondOrder(const Scene& scene, double reach)
-    : reach_(reach), averages_(5), four_(kBins), six_(kBins) {
+    : reach_(reach), begin_(scene.now()), average_(kAllBins, kSphereGroups) {
   constexpr double kEachBond = 100;
   const World& world = scene.world();
   if (world.size() == 0) return;
@@ -116,35 +133,40 @@ void BondOrder::sample(const Scene& scene) {
   const Surroundings& surroundings = scene.surroundings();
   const double range = 2 * reach_ * scene.world().largest_radius();
   Bonds all;
-  double centers = 0;
-  double bonded = 0;  // spheres that have any bond
-  double sum_four = 0;
-  double sum_six = 0;
-  std::vector<double> density_four(kBins);
-  std::vector<double> density_six(kBins);
   surroundings.for_each_center(range, [&](std::size_t center) {
     Bonds bonds;
+    double nearest = std::numeric_limits<double>::infinity();
+    std::size_t nearest_one = center;
     surroundings.for_each_neighbor(
         center, range, [&](std::size_t neighbor, const Vec3& separation, double square) {
           const double farthest = reach_ * (surroundings.radius(center) + surroundings.radius(neighbor));
-          if (square <= farthest * farthest) bonds.add(1 / std::sqrt(square) * separation);
+          if (square > farthest * farthest) return;
+          if (square < nearest) {
+            nearest = square;
+            nearest_one = neighbor;
+          }
+          bonds.add(1 / std::sqrt(square) * separation);
+          average_.put(kBonds, 1, group_of_pair(center, neighbor));
         });
-    ++centers;
+    average_.put(kSpheres, 1, group_of(center));
     if (bonds.count == 0) return;
-    ++bonded;
     all.add(bonds);
-    sum_four += bonds.invariant_four();
-    sum_six += bonds.invariant_six();
-    density_four[bin_of(bonds.invariant_four())] += kBins;
-    density_six[bin_of(bonds.invariant_six())] += kBins;
+    // Near spheres have bonds in common.
+    double* const sums = average_.open_bins(0, group_of_pair(center, nearest_one));
+    ++sums[kBonded];
+    const double four = bonds.invariant_four();
+    const double six = bonds.invariant_six();
+    sums[kSumFour] += four;
+    sums[kSumSix] += six;
+    ++sums[kCountsFour + bin_of(four)];
+    ++sums[kCountsSix + bin_of(six)];
   });
-  if (bonded == 0) return;
-  averages_.add(std::array{all.invariant_four(), all.invariant_six(), sum_four / bonded, sum_six / bonded,
-                           all.count / centers});
-  for (double& density : density_four) density /= bonded;
-  for (double& density : density_six) density /= bonded;
-  four_.add(density_four);
-  six_.add(density_six);
+  if (all.count > 0) {
+    average_.put(kAllFour, all.invariant_four());
+    average_.put(kAllSix, all.invariant_six());
+  }
+  // Without a bond nothing is known of the order.
+  average_.close_sample(duration(begin_, scene.now()), all.count > 0 ? 1 : 0);
 }
 
 Measurement BondOrder::result(const Scene& /*scene*/) const {
@@ -154,28 +176,39 @@ Measurement BondOrder::result(const Scene& /*scene*/) const {
                         "Q_l = sqrt(4 pi / (2 l + 1) * sum over m of |mean of Y_lm over bonds|^2), over all "
                         "bonds; q_l the same over the bonds of one sphere",
                     .source = "Steinhardt, Nelson and Ronchetti, Phys. Rev. B 28 (1983) 784"};
-  const auto quantity = [&](const std::string& name, std::size_t bin) {
-    return Quantity{name, "1", averages_.mean(bin), averages_.error(bin)};
+  const auto mean_of = [](std::size_t sum) {
+    return [sum](std::span<const double> means) { return means[sum] / means[kBonded]; };
   };
-  found.quantities = {quantity("Q4", 0),      quantity("Q6", 1),         quantity("mean_q4", 2),
-                      quantity("mean_q6", 3), quantity("mean_bonds", 4), {"neighbor_reach", "1", reach_}};
+  const FunctionOfMeans six_of = mean_of(kSumSix);
+  const Transient transient = find_transient(average_, std::array{six_of}, BlockAverage::Groups::coupled);
+  const BlockAverage average = transient.left_out_of(average_);
+  const auto quantity = [&](const std::string& name, const Estimate& estimate) {
+    return Quantity{name, "1", estimate.value, estimate.error};
+  };
+  found.quantities = {quantity("Q4", average.ratio(kAllFour)),
+                      quantity("Q6", average.ratio(kAllSix)),
+                      quantity("mean_q4", average.estimate(mean_of(kSumFour), BlockAverage::Groups::coupled)),
+                      quantity("mean_q6", average.estimate(six_of, BlockAverage::Groups::coupled)),
+                      quantity("mean_bonds", average.ratio(kBonds, kSpheres)),
+                      {"neighbor_reach", "1", reach_}};
   Column invariant{"invariant", "1", ColumnRole::argument, {}};
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     invariant.values.push_back((static_cast<double>(bin) + 0.5) / kBins);
   }
   found.columns.push_back(std::move(invariant));
-  const auto add_density = [&](const std::string& name, const BlockAverage& densities) {
+  const auto add_density = [&](const std::string& name, std::size_t first) {
     Column value{name, "1", ColumnRole::value, {}};
     Column error{name + "_error", "1", ColumnRole::error, {}};
-    for (std::size_t bin = 0; bin < kBins; ++bin) {
-      value.values.push_back(densities.mean(bin));
-      error.values.push_back(densities.error(bin));
+    for (const Estimate& share : average.histogram(first, kBins, kBonded)) {
+      value.values.push_back(share.value * kBins);
+      error.values.push_back(share.error * kBins);
     }
     found.columns.push_back(std::move(value));
     found.columns.push_back(std::move(error));
   };
-  add_density("q6_density", six_);
-  add_density("q4_density", four_);
+  add_density("q6_density", kCountsSix);
+  add_density("q4_density", kCountsFour);
+  transient.note_in(found);
   return found;
 }
 

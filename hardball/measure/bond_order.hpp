@@ -31,9 +31,8 @@ class BondOrder {
  private:
   double reach_;
   double sample_cost_ = 0;  // [ns]
-  BlockAverage averages_;   // Q4 and Q6 of all bonds, the means of q4 and of q6, and of the number of bonds
-  BlockAverage four_;       // probability density of q4, by bins
-  BlockAverage six_;        // and of q6
+  Time begin_;
+  BlockAverage average_;  // by groups of spheres
 };
 
 }  // namespace hardball

@@ -3,12 +3,13 @@
 #include "hardball/measure/collision_rate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 
-#include "hardball/errors/error.hpp"
+#include "hardball/measure/transient.hpp"
 
 namespace hardball {
 namespace {
@@ -36,7 +37,7 @@ std::size_t CollisionRate::pair_bin(std::size_t a, std::size_t b) const {
 }
 
 void CollisionRate::advance(const Time& now) {
-  contacts_.close_sample(duration(last_, now));
+  contacts_.close_sample(duration(begin_, now), duration(last_, now));
   last_ = now;
 }
 
@@ -53,9 +54,16 @@ void CollisionRate::note(const Contact& contact) {
 void CollisionRate::sample(const Scene& scene) {
   const World& world = scene.world();
   if (world.size() == 0) return;
-  double sum = 0;
-  world.for_each_by_id([&](Slot slot) { sum += length(world.path(slot).velocity); });
-  speed_.add(sum / static_cast<double>(world.size()));
+  std::size_t rank = 0;
+  world.for_each_by_id([&](Slot slot) {
+    const Vec3& velocity = world.path(slot).velocity;
+    const double square = dot(velocity, velocity);
+    double* const sums = speed_.open_bins(0, group_of(rank++));
+    sums[kSpeed] += std::sqrt(square);
+    sums[kSquare] += world.mass(slot) * square;
+    ++sums[kSpheres];
+  });
+  speed_.close_sample(duration(begin_, scene.now()));
 }
 
 Measurement CollisionRate::result(const Scene& scene) const {
@@ -69,51 +77,55 @@ Measurement CollisionRate::result(const Scene& scene) const {
                         "and 16.2"};
   CollisionRate up_to_now = *this;
   up_to_now.advance(scene.now());
-  const BlockAverage& contacts = up_to_now.contacts_;
-  const double temperature = is_energy_conserved(motion_, scene.motion()) ? motion_.temperature() : kNone;
-  const double expected = theory_.collision_rate(temperature);
-  const double elapsed = duration(begin_, scene.now());
-  const auto add = [&](std::string name, const char* unit, const FunctionOfMeans& quantity, double theory) {
-    const Estimate estimate = contacts.estimate(quantity);
-    // Without a collision there is no free time.
-    const double value = std::isfinite(estimate.value) ? estimate.value : kNone;
-    found.quantities.push_back({std::move(name), unit, value, estimate.error, theory});
-  };
-  found.quantities.push_back(
-      {.name = "collisions", .unit = "1", .value = std::round(contacts.mean(kCollisions) * elapsed)});
-  if (has_walls_) {
-    found.quantities.push_back(
-        {.name = "wall_contacts", .unit = "1", .value = std::round(contacts.mean(kWalls) * elapsed)});
-  }
+  const BlockAverage& whole = up_to_now.contacts_;
   using Means = std::span<const double>;
-  const auto rate = [&](Means means) { return 2 * means[kCollisions] / spheres_; };
-  const auto wall_rate = [&](Means means) { return means[kWalls] / spheres_; };
-  add("collision_rate", "T^-1", rate, expected);
-  add(
-      "mean_free_time", "T", [&](Means means) { return 1 / rate(means); }, 1 / expected);
-  const double speed = speed_.mean();
-  add(
-      "mean_free_path", "L", [&](Means means) { return speed / rate(means); },
-      theory_.mean_speed(temperature) / expected);
+  const FunctionOfMeans rate = [&](Means means) { return 2 * means[kCollisions] / spheres_; };
+  const FunctionOfMeans wall_rate = [&](Means means) { return means[kWalls] / spheres_; };
+  const Transient transient = find_transient(whole, std::array{rate});
+  const BlockAverage contacts = transient.left_out_of(whole);
+  const BlockAverage speeds = transient.left_out_of(speed_);
+  const bool is_conserved = is_energy_conserved(motion_, scene.motion());
+  const double temperature = is_conserved ? motion_.temperature() : kNone;
+  const double expected = theory_.collision_rate(temperature);
+  const auto add = [&](std::string name, const char* unit, const Estimate& estimate, double theory) {
+    found.quantities.push_back({std::move(name), unit, estimate.value, estimate.error, theory});
+  };
+  const auto add_rate = [&](std::string name, std::size_t bin, double per_sphere, double theory) {
+    const Estimate count = contacts.histogram(bin, 1).front();
+    add(std::move(name), "T^-1", {per_sphere * count.value, per_sphere * count.error}, theory);
+  };
+  found.quantities.push_back({.name = "collisions", .unit = "1", .value = whole.total(kCollisions)});
   if (has_walls_) {
-    add("wall_rate", "T^-1", wall_rate, kNone);
+    found.quantities.push_back({.name = "wall_contacts", .unit = "1", .value = whole.total(kWalls)});
   }
+  add_rate("collision_rate", kCollisions, 2 / spheres_, expected);
+  const Quantity per_time = found.quantities.back();
+  // Without a collision there is no free time, and by a few it is known badly: a reciprocal is not symmetric.
+  constexpr double kWell = 0.2;
+  Estimate free_time;
+  if (per_time.value > 0) free_time.value = 1 / per_time.value;
+  if (per_time.error < kWell * per_time.value) {
+    free_time.error = per_time.error * free_time.value * free_time.value;
+  }
+  add("mean_free_time", "T", free_time, 1 / expected);
+  const Estimate speed = mean_speed(speeds, kSpeed, kSquare, kSpheres, is_conserved);
+  add("mean_free_path", "L", speed * free_time, theory_.mean_speed(temperature) / expected);
+  if (has_walls_) add_rate("wall_rate", kWalls, 1 / spheres_, kNone);
   for (std::size_t a = 0; species_.size() > 1 && a < species_.size(); ++a) {
     for (std::size_t b = a; b < species_.size(); ++b) {
       // Of two alike both have had a collision.
-      const double per_sphere = (a == b ? 2 : 1) / static_cast<double>(species_.count(a));
-      add(
-          "collision_rate" + species_.suffix(a) + species_.suffix(b), "T^-1",
-          [&](Means means) { return per_sphere * means[pair_bin(a, b)]; },
-          theory_.collision_rate(a, b, temperature));
+      add_rate("collision_rate" + species_.suffix(a) + species_.suffix(b), pair_bin(a, b),
+               (a == b ? 2 : 1) / static_cast<double>(species_.count(a)),
+               theory_.collision_rate(a, b, temperature));
     }
   }
-  found.columns = {{"time", "T", ColumnRole::argument, contacts.middles()},
-                   {"collision_rate", "T^-1", ColumnRole::value, contacts.history(rate)}};
+  found.columns = {{"time", "T", ColumnRole::argument, whole.middles()},
+                   {"collision_rate", "T^-1", ColumnRole::value, whole.history(rate)}};
   if (has_walls_) {
-    found.columns.push_back({"wall_rate", "T^-1", ColumnRole::value, contacts.history(wall_rate)});
+    found.columns.push_back({"wall_rate", "T^-1", ColumnRole::value, whole.history(wall_rate)});
   }
   for (double& time : found.columns.front().values) time += begin_.value();
+  transient.note_in(found);
   return found;
 }
 

@@ -10,6 +10,7 @@
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
 #include "hardball/measure/species.hpp"
+#include "hardball/measure/sphere_groups.hpp"
 #include "hardball/measure/thermal_motion.hpp"
 #include "hardball/response/contact.hpp"
 
@@ -38,6 +39,9 @@ class CollisionRate {
   static constexpr std::size_t kWalls = 1;
   static constexpr std::size_t kPairs = 2;
   std::size_t pair_bin(std::size_t a, std::size_t b) const;
+  static constexpr std::size_t kSpeed = 0;
+  static constexpr std::size_t kSquare = 1;
+  static constexpr std::size_t kSpheres = 2;
   void advance(const Time& now);
 
   Species species_;
@@ -48,7 +52,9 @@ class CollisionRate {
   Time begin_;
   Time last_;
   BlockAverage contacts_;  // each count per time [1/T]
-  BlockAverage speed_;     // the mean over all spheres [L/T]
+  // Sums over spheres, by groups of these: of the speed [L/T] and of m v^2, for where energy is fixed the
+  // mean speed varies less than that of spheres each for itself.
+  BlockAverage speed_{3, kSphereGroups};
 };
 
 }  // namespace hardball

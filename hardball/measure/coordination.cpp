@@ -3,9 +3,14 @@
 #include "hardball/measure/coordination.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "hardball/measure/sphere_groups.hpp"
+#include "hardball/measure/transient.hpp"
 
 namespace hardball {
 namespace {
@@ -13,9 +18,15 @@ namespace {
 // Equal spheres have at most 12 or 13; a large one among small ones may have more, which count as so many.
 constexpr std::size_t kMostNeighbors = 100;
 
+// Bins: spheres by their number of neighbours, all of these, and all neighbours.
+constexpr std::size_t kSpheres = kMostNeighbors + 1;
+constexpr std::size_t kNeighbors = kSpheres + 1;
+constexpr std::size_t kBins = kNeighbors + 1;
+
 }  // namespace
 
-Coordination::Coordination(const Scene& scene, double reach) : reach_(reach), fractions_(kMostNeighbors + 1) {
+Coordination::Coordination(const Scene& scene, double reach)
+    : reach_(reach), begin_(scene.now()), average_(kBins, kSphereGroups) {
   const World& world = scene.world();
   if (world.size() == 0) return;
   sample_cost_ = Surroundings::effort(world, 2 * reach_ * world.largest_radius()).cost;
@@ -25,22 +36,26 @@ void Coordination::sample(const Scene& scene) {
   if (scene.world().size() == 0) return;
   const Surroundings& surroundings = scene.surroundings();
   const double range = 2 * reach_ * scene.world().largest_radius();
-  std::vector<double> spheres(kMostNeighbors + 1);
-  double centers = 0;
-  double sum = 0;
   surroundings.for_each_center(range, [&](std::size_t center) {
     std::size_t neighbors = 0;
+    double nearest = std::numeric_limits<double>::infinity();
+    std::size_t nearest_one = center;
     surroundings.for_each_neighbor(center, range, [&](std::size_t neighbor, const Vec3&, double square) {
       const double farthest = reach_ * (surroundings.radius(center) + surroundings.radius(neighbor));
-      if (square <= farthest * farthest) ++neighbors;
+      if (square > farthest * farthest) return;
+      ++neighbors;
+      if (square < nearest) {
+        nearest = square;
+        nearest_one = neighbor;
+      }
+      average_.put(kNeighbors, 1, group_of_pair(center, neighbor));
     });
-    ++centers;
-    sum += static_cast<double>(neighbors);
-    ++spheres[std::min(neighbors, kMostNeighbors)];
+    average_.put(kSpheres, 1, group_of(center));
+    // Near spheres have neighbours in common.
+    const std::size_t group = neighbors > 0 ? group_of_pair(center, nearest_one) : group_of(center);
+    average_.put(std::min(neighbors, kMostNeighbors), 1, group);
   });
-  for (double& count : spheres) count /= centers;
-  fractions_.add(spheres);
-  mean_.add(sum / centers);
+  average_.close_sample(duration(begin_, scene.now()));
 }
 
 Measurement Coordination::result(const Scene& /*scene*/) const {
@@ -50,23 +65,31 @@ Measurement Coordination::result(const Scene& /*scene*/) const {
       .formula =
           "fraction of the spheres with k neighbours closer than a multiple of the distance at contact",
       .source = "Bernal and Mason, Nature 188 (1960) 910"};
+  const FunctionOfMeans neighbors_of = [](std::span<const double> means) {
+    return means[kNeighbors] / means[kSpheres];
+  };
+  const Transient transient =
+      find_transient(average_, std::array{neighbors_of}, BlockAverage::Groups::separate);
+  const BlockAverage average = transient.left_out_of(average_);
+  const Estimate mean = average.ratio(kNeighbors, kSpheres);
   found.quantities = {
-      {"mean_neighbors", "1", mean_.mean(), mean_.error()},
+      {"mean_neighbors", "1", mean.value, mean.error},
       {"neighbor_reach", "1", reach_},
   };
+  std::size_t rows = 0;
+  for (std::size_t k = 0; k <= kMostNeighbors; ++k) {
+    if (average.total(k) > 0) rows = k + 1;
+  }
   Column neighbors{"neighbors", "1", ColumnRole::argument, {}};
   Column value{"fraction", "1", ColumnRole::value, {}};
   Column error{"fraction_error", "1", ColumnRole::error, {}};
-  std::size_t rows = 0;
-  for (std::size_t k = 0; k < fractions_.bins(); ++k) {
-    if (fractions_.mean(k) > 0) rows = k + 1;
-  }
-  for (std::size_t k = 0; k < rows; ++k) {
-    neighbors.values.push_back(static_cast<double>(k));
-    value.values.push_back(fractions_.mean(k));
-    error.values.push_back(fractions_.error(k));
+  for (const Estimate& fraction : average.histogram(0, rows, kSpheres)) {
+    neighbors.values.push_back(static_cast<double>(neighbors.values.size()));
+    value.values.push_back(fraction.value);
+    error.values.push_back(fraction.error);
   }
   found.columns = {std::move(neighbors), std::move(value), std::move(error)};
+  transient.note_in(found);
   return found;
 }
 

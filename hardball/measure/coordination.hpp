@@ -27,8 +27,8 @@ class Coordination {
  private:
   double reach_;
   double sample_cost_ = 0;  // [ns]
-  BlockAverage fractions_;  // of the spheres, by their number of neighbours
-  BlockAverage mean_;
+  Time begin_;
+  BlockAverage average_;  // counts, by groups of spheres
 };
 
 }  // namespace hardball

@@ -29,11 +29,12 @@ std::string columns_csv(const Measurement& measurement) {
 }
 
 std::string quantities_csv(std::span<const Measurement> measurements) {
-  std::string text = "measure,name,value,error,theory,unit\n";
+  std::string text = "measure,name,value,error,theory,unit,transient [T]\n";
   for (const Measurement& measurement : measurements) {
     for (const Quantity& quantity : measurement.quantities) {
       text += measurement.name + "," + quantity.name + "," + field(quantity.value) + "," +
-              field(quantity.error) + "," + field(quantity.theory) + "," + quantity.unit + "\n";
+              field(quantity.error) + "," + field(quantity.theory) + "," + quantity.unit + "," +
+              field(measurement.is_transient_over ? measurement.transient : measurement.duration) + "\n";
     }
   }
   return text;

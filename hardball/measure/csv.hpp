@@ -13,7 +13,8 @@ namespace hardball {
 /// in "radius [L]"; numbers read back to the same bits, and "nan" stands where there is none.
 std::string columns_csv(const Measurement& measurement);
 
-/// The quantities of all measurements, a line for each: measure, name, value, error, theory, unit.
+/// The quantities of all measurements, a line for each: measure, name, value, error, theory, unit, and how
+/// much of the beginning was left out as a transient; all of the run's length if the transient is not over.
 std::string quantities_csv(std::span<const Measurement> measurements);
 
 }  // namespace hardball

@@ -8,6 +8,9 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "hardball/measure/transient.hpp"
 
 namespace hardball {
 namespace {
@@ -54,6 +57,7 @@ double temperature_between_walls(const World& world) {
 
 DensityProfiles::DensityProfiles(const Scene& scene, double bin_width)
     : box_(scene.world().box()),
+      begin_(scene.now()),
       contact_(2 * ContactExtrapolation::kReach * mean_radius(scene.world()),
                std::numeric_limits<double>::infinity()) {
   const World& world = scene.world();
@@ -65,7 +69,7 @@ DensityProfiles::DensityProfiles(const Scene& scene, double bin_width)
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     bins_[axis] = static_cast<std::size_t>(std::ceil(box_.size()[axis] / bin_width_ * (1 - 1e-12)));
   }
-  profiles_ = BlockAverage(2 * kAxes * most_bins_);
+  average_ = BlockAverage(first_at_walls() + kAtWalls);
   const double bins_across = 2 + 2 * mean_radius(world) / bin_width_;
   sample_cost_ = static_cast<double>(world.size()) * (50 + 5 * kAxes * bins_across);
 }
@@ -128,15 +132,17 @@ void DensityProfiles::sample(const Scene& scene) {
     for (std::size_t bin = 0; bin < bins_[axis]; ++bin) {
       const double volume = area * slab_width(axis, bin);
       const std::size_t index = axis * most_bins_ + bin;
-      profiles_.put(index, centers[index] / volume);
-      profiles_.put(kAxes * most_bins_ + index, filled[index] / volume);
+      average_.put(index, centers[index]);
+      average_.put(first_fraction() + index, filled[index] / volume);
     }
   }
-  profiles_.close_sample();
-  if (wall_area == 0) return;
-  for (double& count : near_walls) count /= wall_area * contact_.bin_width();
-  const double density = contact_.at_contact(near_walls);
-  at_walls_.add(std::array{density, density * temperature_between_walls(world)});
+  if (wall_area > 0) {
+    for (double& count : near_walls) count /= wall_area * contact_.bin_width();
+    const double density = contact_.at_contact(near_walls);
+    average_.put(first_at_walls(), density);
+    average_.put(first_at_walls() + 1, density * temperature_between_walls(world));
+  }
+  average_.close_sample(duration(begin_, scene.now()));
 }
 
 Measurement DensityProfiles::result(const Scene& /*scene*/) const {
@@ -148,34 +154,50 @@ Measurement DensityProfiles::result(const Scene& /*scene*/) const {
           "its volume; pressure = kT * density of centres that touch a wall",
       .source = "Henderson, Blum and Lebowitz, J. Electroanal. Chem. 102 (1979) 315 (contact theorem)"};
   if (most_bins_ == 0) return found;
+  Transient transient;
   if (walled_axes(box_) > 0) {
+    const FunctionOfMeans at_walls = [&](std::span<const double> means) { return means[first_at_walls()]; };
+    transient = find_transient(average_, std::array{at_walls});
+  }
+  const BlockAverage average = transient.left_out_of(average_);
+  if (walled_axes(box_) > 0) {
+    const Estimate density = average.ratio(first_at_walls());
+    const Estimate pressure = average.ratio(first_at_walls() + 1);
     found.quantities = {
-        {"density_at_walls", "L^-3", at_walls_.mean(0), at_walls_.error(0)},
-        {"pressure_at_walls", "M L^-1 T^-2", at_walls_.mean(1), at_walls_.error(1)},
+        {"density_at_walls", "L^-3", density.value, density.error},
+        {"pressure_at_walls", "M L^-1 T^-2", pressure.value, pressure.error},
     };
   }
-  const double none = std::numeric_limits<double>::quiet_NaN();
   Column position{"position", "L", ColumnRole::argument, {}};
   for (std::size_t bin = 0; bin < most_bins_; ++bin) {
     position.values.push_back((static_cast<double>(bin) + 0.5) * bin_width_);
   }
   found.columns.push_back(std::move(position));
   const auto add_profile = [&](const std::string& name, const std::string& unit, std::size_t axis,
-                               std::size_t first) {
+                               std::vector<Estimate> slabs) {
     Column value{name + "_" + kAxisNames[axis], unit, ColumnRole::value, {}};
     Column error{value.name + "_error", unit, ColumnRole::error, {}};
-    for (std::size_t bin = 0; bin < most_bins_; ++bin) {
-      const bool is_in_box = bin < bins_[axis];
-      value.values.push_back(is_in_box ? profiles_.mean(first + bin) : none);
-      error.values.push_back(is_in_box ? profiles_.error(first + bin) : none);
+    slabs.resize(most_bins_);
+    for (const Estimate& slab : slabs) {
+      value.values.push_back(slab.value);
+      error.values.push_back(slab.error);
     }
     found.columns.push_back(std::move(value));
     found.columns.push_back(std::move(error));
   };
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    add_profile("number_density", "L^-3", axis, axis * most_bins_);
-    add_profile("packing_fraction", "1", axis, (kAxes + axis) * most_bins_);
+    std::vector<Estimate> densities = average.histogram(axis * most_bins_, bins_[axis]);
+    std::vector<Estimate> fractions;
+    const double area = box_.volume() / box_.size()[axis];
+    for (std::size_t bin = 0; bin < bins_[axis]; ++bin) {
+      const double per_volume = 1 / (area * slab_width(axis, bin));
+      densities[bin] = {densities[bin].value * per_volume, densities[bin].error * per_volume};
+      fractions.push_back(average.ratio(first_fraction() + axis * most_bins_ + bin));
+    }
+    add_profile("number_density", "L^-3", axis, std::move(densities));
+    add_profile("packing_fraction", "1", axis, std::move(fractions));
   }
+  transient.note_in(found);
   return found;
 }
 

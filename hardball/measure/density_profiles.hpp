@@ -36,16 +36,19 @@ class DensityProfiles {
   void add_slices(double center, double radius, std::size_t axis, std::vector<double>& filled) const;
 
   Box box_;
+  Time begin_;
   double bin_width_ = 0;  // [L]; the last bin along an axis may be thinner
   std::array<std::size_t, kAxes> bins_{};
   std::size_t most_bins_ = 0;  // the largest of these
   ContactExtrapolation contact_;
   double sample_cost_ = 0;  // [ns]
-  // Sums to average: by axis and bin, first the number densities [L^-3] and then the packing fractions.
-  BlockAverage profiles_{0};
+  // Bins, by axis and slab: counts of centres, then packing fractions, then by kAtWalls.
+  std::size_t first_fraction() const { return kAxes * most_bins_; }
+  std::size_t first_at_walls() const { return 2 * kAxes * most_bins_; }
   // Of centres that touch a wall, in the mean over all walls: the density [L^-3], and times kT of the world
   // the pressure [M L^-1 T^-2].
-  BlockAverage at_walls_{2};
+  static constexpr std::size_t kAtWalls = 2;
+  BlockAverage average_{0};
 };
 
 }  // namespace hardball

@@ -2,40 +2,100 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/measure/estimate.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace hardball {
+namespace {
 
-Estimate jackknife(std::span<const double> sums, std::span<const double> weights,
-                   const FunctionOfMeans& quantity) {
-  const std::size_t blocks = weights.size();
-  if (blocks == 0) return {};
-  const std::size_t bins = sums.size() / blocks;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// By which a standard deviation known with so many degrees of freedom is multiplied so that twice it covers
+// as much as two known ones would. Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 26.7.5.
+double student_factor(double freedom) {
+  return 1 + (1.25 + (1.5313 + 1.4297 / freedom) / freedom) / freedom;
+}
+
+// The sum over parts of the product with the share `lag` parts later.
+double autocovariance(std::span<const double> shares, std::size_t lag) {
+  double sum = 0;
+  for (std::size_t i = lag; i < shares.size(); ++i) sum += shares[i - lag] * shares[i];
+  return sum;
+}
+
+// Standard error if this sum of squares of `parts` shares is worth so many independent ones.
+double error_of(double squares, double parts, double independent) {
+  return std::sqrt(squares * parts / (independent - 1)) * student_factor(std::min(independent, parts) - 1);
+}
+
+}  // namespace
+
+Estimate operator*(const Estimate& a, const Estimate& b) {
+  return {a.value * b.value, std::hypot(a.error * b.value, a.value * b.error)};
+}
+
+Parts jackknife(std::span<const double> sums, std::span<const double> weights,
+                const FunctionOfMeans& quantity) {
+  const std::size_t parts = weights.size();
+  if (parts == 0) return {};
+  const std::size_t bins = sums.size() / parts;
   std::vector<double> total(bins);
   double weight = 0;
-  for (std::size_t block = 0; block < blocks; ++block) {
-    weight += weights[block];
-    for (std::size_t bin = 0; bin < bins; ++bin) total[bin] += sums[block * bins + bin];
+  for (std::size_t part = 0; part < parts; ++part) {
+    weight += weights[part];
+    for (std::size_t bin = 0; bin < bins; ++bin) total[bin] += sums[part * bins + bin];
   }
   std::vector<double> means(bins);
   for (std::size_t bin = 0; bin < bins; ++bin) means[bin] = total[bin] / weight;
-  Estimate estimate{.value = quantity(means)};
-  if (blocks < 2) return estimate;
-  std::vector<double> without;
+  Parts found{.value = quantity(means)};
+  if (parts < 2) return found;
   double mean = 0;
-  for (std::size_t block = 0; block < blocks; ++block) {
+  for (std::size_t part = 0; part < parts; ++part) {
     for (std::size_t bin = 0; bin < bins; ++bin) {
-      means[bin] = (total[bin] - sums[block * bins + bin]) / (weight - weights[block]);
+      means[bin] = (total[bin] - sums[part * bins + bin]) / (weight - weights[part]);
     }
-    without.push_back(quantity(means));
-    mean += without.back() / static_cast<double>(blocks);
+    found.shares.push_back(quantity(means));
+    mean += found.shares.back() / static_cast<double>(parts);
   }
-  double squares = 0;
-  for (const double value : without) squares += (value - mean) * (value - mean);
-  const auto count = static_cast<double>(blocks);
-  estimate.error = std::sqrt(squares * (count - 1) / count);
-  return estimate;
+  const auto count = static_cast<double>(parts);
+  for (double& share : found.shares) share = (mean - share) * (count - 1) / count;
+  return found;
+}
+
+double error_of_independent(std::span<const double> shares) {
+  constexpr std::size_t kFewest = 4;
+  if (shares.size() < kFewest) return kNone;
+  const auto parts = static_cast<double>(shares.size());
+  return error_of(autocovariance(shares, 0), parts, parts);
+}
+
+double independent_parts(std::span<const double> shares) {
+  // Where parts make up for each other they tell more; by chance they seem to.
+  constexpr double kMost = 2;
+  const auto parts = static_cast<double>(shares.size());
+  const double squares = autocovariance(shares, 0);
+  if (squares == 0) return parts;
+  // Sums of two autocorrelations in a row fall towards zero; from the first below it there is only noise.
+  double least = std::numeric_limits<double>::infinity();
+  double sum = -1;
+  for (std::size_t lag = 0; lag + 1 < shares.size(); lag += 2) {
+    least = std::min(least, (autocovariance(shares, lag) + autocovariance(shares, lag + 1)) / squares);
+    if (!(least > 0)) break;
+    sum += 2 * least;
+  }
+  const double of_sequence = parts / std::max(sum, 1 / kMost);
+  const double seen = autocovariance(shares, 1) / squares;
+  const double memory = std::clamp(seen + (1 + 3 * seen) / parts, (1 - kMost) / (1 + kMost), 1.0);
+  return std::min(of_sequence, parts * (1 - memory) / (1 + memory));
+}
+
+double error_of_series(std::span<const double> shares) {
+  constexpr std::size_t kFewestParts = 16;
+  constexpr double kFewest = 8;
+  if (shares.size() < kFewestParts) return kNone;
+  const double independent = independent_parts(shares);
+  if (!(independent >= kFewest)) return kNone;
+  return error_of(autocovariance(shares, 0), static_cast<double>(shares.size()), independent);
 }
 
 }  // namespace hardball

@@ -3,11 +3,15 @@
 #include "hardball/measure/impact_speeds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "hardball/measure/transient.hpp"
 
 namespace hardball {
 namespace {
@@ -58,6 +62,7 @@ ImpactSpeeds::ImpactSpeeds(const Scene& scene)
     : species_(scene.species()),
       motion_(scene.motion()),
       has_open_axis_(!std::isfinite(scene.world().box().volume())),
+      begin_(scene.now()),
       width_(histogram_width(scene.world(), motion_) / kBins),
       bins_per_speed_(1 / width_),
       average_(kPairs + species_.size() * species_.size()) {}
@@ -70,7 +75,7 @@ void ImpactSpeeds::note(const Contact& contact) {
   average_.put(kSpeed, speed);
   average_.put(kSpeedSquare, speed * speed);
   average_.put(kPairs + species_.of(contact.first) * species_.size() + species_.of(contact.second), 1);
-  average_.close_sample();
+  average_.close_sample(duration(begin_, contact.time));
 }
 
 Measurement ImpactSpeeds::result(const Scene& scene) const {
@@ -84,23 +89,27 @@ Measurement ImpactSpeeds::result(const Scene& scene) const {
                         "Kinetic theory: pairs meet in proportion to their normal relative speed; "
                         "docs/measures.md"};
   const MeetingSpeed theory(motion_);
+  const FunctionOfMeans speed_of = [](std::span<const double> means) { return means[kSpeed]; };
+  const Transient transient = find_transient(average_, std::array{speed_of});
+  const BlockAverage average = transient.left_out_of(average_);
   // The sum over pairs of species, as often as they met, of a function of their reduced mass.
   const bool is_equilibrium = is_energy_conserved(motion_, scene.motion()) && !has_open_axis_;
   const auto over_pairs = [&](const auto& of_mass) {
     double sum = 0;
     for (std::size_t a = 0; a < species_.size(); ++a) {
       for (std::size_t b = 0; b < species_.size(); ++b) {
-        const double share = average_.mean(kPairs + a * species_.size() + b);
+        const double share = average.mean(kPairs + a * species_.size() + b);
         if (share != 0) sum += share * of_mass(reduced_mass(species_, a, b));
       }
     }
     return is_equilibrium && average_.samples() > 0 ? sum : kNone;
   };
-  found.quantities.push_back({"mean_impact_speed", "L T^-1", average_.mean(kSpeed), average_.error(kSpeed),
+  found.quantities.push_back({"mean_impact_speed", "L T^-1", average.mean(kSpeed), average.error(kSpeed),
                               over_pairs([&](double mass) { return theory.mean() / std::sqrt(mass); })});
-  found.quantities.push_back({"mean_square_impact_speed", "L^2 T^-2", average_.mean(kSpeedSquare),
-                              average_.error(kSpeedSquare),
+  found.quantities.push_back({"mean_square_impact_speed", "L^2 T^-2", average.mean(kSpeedSquare),
+                              average.error(kSpeedSquare),
                               over_pairs([&](double mass) { return theory.mean_square() / mass; })});
+  const std::vector<Estimate> densities = average.histogram(0, kBins);
   Column speed{"impact_speed", "L T^-1", ColumnRole::argument, {}};
   Column density{"probability_density", "L^-1 T", ColumnRole::value, {}};
   Column error{"probability_density_error", "L^-1 T", ColumnRole::error, {}};
@@ -109,13 +118,14 @@ Measurement ImpactSpeeds::result(const Scene& scene) const {
     const double low = static_cast<double>(bin) * width_;
     const double high = static_cast<double>(bin + 1) * width_;
     speed.values.push_back((low + high) / 2);
-    density.values.push_back(average_.mean(bin) / width_);
-    error.values.push_back(average_.error(bin) / width_);
+    density.values.push_back(densities[bin].value / width_);
+    error.values.push_back(densities[bin].error / width_);
     expected.values.push_back(over_pairs([&](double mass) {
       return (theory.below(high * std::sqrt(mass)) - theory.below(low * std::sqrt(mass))) / width_;
     }));
   }
   found.columns = {std::move(speed), std::move(density), std::move(error), std::move(expected)};
+  transient.note_in(found);
   return found;
 }
 

@@ -38,6 +38,7 @@ class ImpactSpeeds {
   Species species_;
   ThermalMotion motion_;  // in the beginning
   bool has_open_axis_;
+  Time begin_;
   double width_;           // of a bin [L/T]
   double bins_per_speed_;  // its inverse
   BlockAverage average_;

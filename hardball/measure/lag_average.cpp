@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "hardball/errors/error.hpp"
 
@@ -110,7 +111,10 @@ Estimate LagAverage::estimate(std::size_t species, const FunctionOfMeans& quanti
       sums.push_back(sums_[lag * groups_.size() + g] / static_cast<double>(origins_[lag]));
     }
   }
-  return jackknife(sums, spheres, quantity);
+  const Parts found = jackknife(sums, spheres, quantity);
+  // Neighbours drag each other along and hand on their energy: the mean over all varies up to twice as much
+  // as if they did not, the most in a dense fluid.
+  return {found.value, std::numbers::sqrt2 * error_of_independent(found.shares)};
 }
 
 }  // namespace hardball

@@ -23,8 +23,9 @@ namespace hardball {
 /// a sphere and doubling. Source: Frenkel and Smit, Understanding Molecular Simulation, 2nd edition, section
 /// 4.4.2.
 ///
-/// Errors are from the scatter among up to 32 groups of spheres of a species: different spheres are nearly
-/// independent, the same sphere at different moments is not.
+/// Errors are from the scatter among up to 32 groups of spheres of a species, see error_of_independent: the
+/// same sphere at different moments is not independent of itself, nor are lags that overlap. Their square is
+/// doubled for what spheres do together.
 class LagAverage {
  public:
   /// Spheres that are followed at the most; of more, some are chosen evenly by their ids.
@@ -50,6 +51,8 @@ class LagAverage {
   const Species& species() const { return species_; }
   /// The lags for which there are samples, in rising order, zero first [T].
   std::vector<double> lags() const;
+  /// How many spheres are followed.
+  std::size_t followed() const { return followed_.size(); }
   /// A function of the means at these lags of one species.
   Estimate estimate(std::size_t species, const FunctionOfMeans& quantity) const;
   /// The mean at one of these lags.

@@ -13,7 +13,7 @@ struct Quantity {
   std::string name;  ///< As in "compressibility".
   std::string unit;  ///< A product of powers of L, T and M, as in "L^2 T^-1"; "1" for a pure number.
   double value = std::numeric_limits<double>::quiet_NaN();
-  double error = std::numeric_limits<double>::quiet_NaN();   ///< Standard error; NaN if it is not known.
+  double error = std::numeric_limits<double>::quiet_NaN();   ///< As in Estimate; NaN if the run cannot tell.
   double theory = std::numeric_limits<double>::quiet_NaN();  ///< Expected value; NaN if there is no theory.
 };
 
@@ -35,12 +35,15 @@ struct Column {
 
 /// What one measure has found: numbers, and a function as a table.
 struct Measurement {
-  std::string name;                         ///< As in scenarios and file names: "radial_distribution".
-  std::string title;                        ///< For people: "Radial distribution function".
-  std::string formula;                      ///< How the numbers are defined, in plain text.
-  std::string source;                       ///< Where the definition or the theory is from.
-  std::vector<Quantity> quantities = {};    ///< May be empty.
-  std::vector<Column> columns = {};         ///< May be empty; all of one length, the first an argument.
+  std::string name;                       ///< As in scenarios and file names: "radial_distribution".
+  std::string title;                      ///< For people: "Radial distribution function".
+  std::string formula;                    ///< How the numbers are defined, in plain text.
+  std::string source;                     ///< Where the definition or the theory is from.
+  std::vector<Quantity> quantities = {};  ///< May be empty.
+  std::vector<Column> columns = {};       ///< May be empty; all of one length, the first an argument.
+  double duration = std::numeric_limits<double>::quiet_NaN();  ///< For how long it was measured [T].
+  double transient = 0;                     ///< How much of this was left out of means, at the beginning [T].
+  bool is_transient_over = true;            ///< Whether the means settled; if not, they have no errors.
   bool is_logarithmic_in_argument = false;  ///< How the function is best drawn.
   bool is_logarithmic_in_value = false;
 };

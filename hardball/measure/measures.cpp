@@ -31,6 +31,10 @@ concept FollowsSpheres = requires {
   Measure::kCostPerSphereFollowed;
 };
 
+SphereId last_id_of(const World& world) {
+  return world.size() > 0 ? world.id(world.slot_of_rank(world.size() - 1)) : 0;
+}
+
 // How many spheres a measure may follow at samples an interval apart. Fewer tell too little.
 std::size_t affordable_spheres(double cost_per_sphere, double interval, const Pace& pace) {
   constexpr double kFewest = 250;
@@ -66,6 +70,12 @@ Measures::Measures(const MeasureSettings& settings) : settings_(settings) {
     for (const std::string_view known : measure_names()) all += ", " + std::string(known);
     throw Error("there is no measure '" + name + "'", "measures", "choose among " + all);
   }
+}
+
+void Measures::check_spheres(const World& world) const {
+  if (!has_begun_ || (world.size() == spheres_ && last_id_of(world) == last_id_)) return;
+  throw Error("spheres have been added or removed since the measures began", "measures",
+              "begin new measures after such an edit");
 }
 
 void Measures::note(const Contact& contact) {
@@ -118,6 +128,9 @@ void Measures::sample(const World& world, const Time& now) {
       if (entry.is_wanted) begin(entry, scene, pace);
     });
     has_begun_ = true;
+    spheres_ = world.size();
+    last_id_ = last_id_of(world);
+    begin_ = now;
   }
   for_each([&](auto& entry) {
     if (entry.cadence.next() > now) return;
@@ -143,7 +156,9 @@ std::vector<Measurement> Measures::results(const World& world, const Time& now) 
   const Scene scene(world, now);
   std::vector<Measurement> results;
   for_each([&](const auto& entry) {
-    if (entry.measure) results.push_back(entry.measure->result(scene));
+    if (!entry.measure) return;
+    results.push_back(entry.measure->result(scene));
+    results.back().duration = duration(begin_, now);
   });
   return results;
 }

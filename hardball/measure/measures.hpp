@@ -42,6 +42,9 @@ class Measures {
   /// Error: no measure has this name; `every` is not positive, or `from` not finite.
   explicit Measures(const MeasureSettings& settings = {});
 
+  /// Error: the spheres of `world` are not those with which the measures began.
+  void check_spheres(const World& world) const;
+
   void note(const Contact& contact);
   /// When the world is wanted next; kNever if not at all.
   Time next_sample() const;
@@ -89,6 +92,9 @@ class Measures {
   MeasureSettings settings_;
   bool is_any_wanted_ = false;
   bool has_begun_ = false;
+  std::size_t spheres_ = 0;  // at the start
+  SphereId last_id_ = 0;     // at the start; of spheres added later all ids are higher
+  Time begin_;
   std::uint64_t contacts_ = 0;
   Entries entries_;
 };

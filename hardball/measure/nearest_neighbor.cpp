@@ -3,6 +3,7 @@
 #include "hardball/measure/nearest_neighbor.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -10,6 +11,8 @@
 #include <vector>
 
 #include "hardball/measure/fluid_structure.hpp"
+#include "hardball/measure/sphere_groups.hpp"
+#include "hardball/measure/transient.hpp"
 
 namespace hardball {
 namespace {
@@ -22,7 +25,9 @@ constexpr double kWidestInOpenSpace = 10;
 NearestNeighbor::NearestNeighbor(const Scene& scene, std::size_t bins)
     : diameter_(2 * scene.world().largest_radius()),
       packing_fraction_(fluid_packing_fraction(scene)),
-      density_(bins) {
+      begin_(scene.now()),
+      bins_(bins),
+      average_(bins + 3, kSphereGroups) {
   const World& world = scene.world();
   if (world.size() < 2) return;
   widest_ = kWidestInOpenSpace * diameter_;
@@ -39,27 +44,26 @@ void NearestNeighbor::sample(const Scene& scene) {
   if (widest_ == 0 || scene.world().size() < 2) return;
   const Surroundings& surroundings = scene.surroundings();
   const double range = diameter_ + widest_;
-  const auto bins = static_cast<double>(density_.bins());
-  double centers = 0;
-  double found = 0;
-  double sum = 0;
-  std::vector<double> density(density_.bins());
+  const auto bins = static_cast<double>(bins_);
   surroundings.for_each_center(range, [&](std::size_t center) {
     double nearest = widest_;
+    std::size_t nearest_one = center;
     surroundings.for_each_neighbor(center, range, [&](std::size_t neighbor, const Vec3&, double square) {
       const double reach = surroundings.radius(center) + surroundings.radius(neighbor);
-      nearest = std::min(nearest, std::sqrt(square) - reach);
+      const double gap = std::sqrt(square) - reach;
+      if (gap >= nearest) return;
+      nearest = gap;
+      nearest_one = neighbor;
     });
-    ++centers;
+    average_.put(spheres_bin(), 1, group_of(center));
     if (nearest == widest_) return;
-    ++found;
-    sum += nearest;
-    const auto bin = static_cast<std::size_t>(std::max(nearest, 0.0) / widest_ * bins);
-    ++density[std::min(bin, density.size() - 1)];
+    // Most are the nearest of each other, and see the same gap.
+    double* const sums = average_.open_bins(0, group_of_pair(center, nearest_one));
+    ++sums[known_bin()];
+    sums[gaps_bin()] += nearest;
+    ++sums[std::min(static_cast<std::size_t>(std::max(nearest, 0.0) / widest_ * bins), bins_ - 1)];
   });
-  for (double& count : density) count /= centers * widest_ / bins;
-  density_.add(density);
-  if (found > 0) mean_.add(sum / found, found);
+  average_.close_sample(duration(begin_, scene.now()));
 }
 
 Measurement NearestNeighbor::result(const Scene& /*scene*/) const {
@@ -69,29 +73,37 @@ Measurement NearestNeighbor::result(const Scene& /*scene*/) const {
       .formula = "probability density of the gap between a sphere and the one whose surface is nearest",
       .source = "Torquato, Phys. Rev. E 51 (1995) 3170"};
   if (widest_ == 0) return result;
+  const FunctionOfMeans gap_of = [&](std::span<const double> means) {
+    return means[gaps_bin()] / means[known_bin()];
+  };
+  const Transient transient = find_transient(average_, std::array{gap_of}, BlockAverage::Groups::coupled);
+  const BlockAverage average = transient.left_out_of(average_);
+  const Estimate mean = average.estimate(gap_of, BlockAverage::Groups::coupled);
+  const std::vector<Estimate> shares = average.histogram(0, bins_, spheres_bin());
   Column gap{"gap", "L", ColumnRole::argument, {}};
   Column value{"probability_density", "L^-1", ColumnRole::value, {}};
   Column error{"probability_density_error", "L^-1", ColumnRole::error, {}};
   Column theory{"probability_density_theory", "L^-1", ColumnRole::theory, {}};
-  const double width = widest_ / static_cast<double>(density_.bins());
+  const double width = widest_ / static_cast<double>(bins_);
   const auto none_within = [&](double gap_width) {
     return nearest_neighbor_beyond(packing_fraction_, 1 + gap_width / diameter_);
   };
   double mean_by_theory = 0;
-  for (std::size_t bin = 0; bin < density_.bins(); ++bin) {
+  for (std::size_t bin = 0; bin < bins_; ++bin) {
     const double low = static_cast<double>(bin) * width;
     const double middle = low + width / 2;
     const double high = low + width;
     gap.values.push_back(middle);
-    value.values.push_back(density_.mean(bin));
-    error.values.push_back(density_.error(bin));
+    value.values.push_back(shares[bin].value / width);
+    error.values.push_back(shares[bin].error / width);
     theory.values.push_back((none_within(low) - none_within(high)) / width);
     // The mean is the integral of the probability that the gap is wider; by Simpson's rule.
     mean_by_theory += (none_within(low) + 4 * none_within(middle) + none_within(high)) * width / 6;
   }
-  result.quantities = {{"mean_gap", "L", mean_.mean(), mean_.error(), mean_by_theory}};
+  result.quantities = {{"mean_gap", "L", mean.value, mean.error, mean_by_theory}};
   result.columns = {std::move(gap), std::move(value), std::move(error)};
   if (std::isfinite(packing_fraction_)) result.columns.push_back(std::move(theory));
+  transient.note_in(result);
   return result;
 }
 

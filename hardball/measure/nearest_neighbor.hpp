@@ -26,12 +26,19 @@ class NearestNeighbor {
   Measurement result(const Scene& scene) const;
 
  private:
+  std::size_t spheres_bin() const { return bins_; }
+  std::size_t known_bin() const { return bins_ + 1; }
+  std::size_t gaps_bin() const { return bins_ + 2; }
+
   double widest_ = 0;        // the gaps that are known [L]
   double diameter_ = 0;      // the largest [L]
   double sample_cost_ = 0;   // [ns]
   double packing_fraction_;  // of a fluid of one species, see fluid_packing_fraction
-  BlockAverage density_;     // of probability [1/L], by bins of the gap
-  BlockAverage mean_;        // [L], the weight being the number of spheres
+  Time begin_;
+  std::size_t bins_;
+  // Counts by bins of the gap, all spheres looked at, and those with a known gap, and the sum of these [L],
+  // by groups of spheres.
+  BlockAverage average_;
 };
 
 }  // namespace hardball

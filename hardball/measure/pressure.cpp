@@ -7,6 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "hardball/measure/transient.hpp"
+#include "hardball/tuning/kinetic_theory.hpp"
+
 namespace hardball {
 namespace {
 
@@ -45,6 +48,7 @@ Pressure::Pressure(const Scene& scene)
       theory_(scene.fluid()),
       motion_(scene.motion()),
       spheres_(static_cast<double>(scene.world().size())),
+      mean_free_time_(mean_free_time(scene.moments())),
       begin_(scene.now()),
       last_(scene.now()) {
   const World& world = scene.world();
@@ -61,7 +65,7 @@ void Pressure::advance(const Time& now) {
   last_ = now;
   double* const carried = average_.open_bins(kKinetic);
   for (std::size_t k = 0; k < kComponents; ++k) carried[k] += kinetic_[k] * elapsed;
-  average_.close_sample(elapsed);
+  average_.close_sample(duration(begin_, now), elapsed);
 }
 
 void Pressure::note(const Contact& contact) {
@@ -78,6 +82,7 @@ void Pressure::note(const Contact& contact) {
     const double force = std::fabs(impulse[axis]);
     average_.put(kFaces + contact.second, force);
     average_.put(kRadii + axis, force * contact.first_radius);
+    average_.put(kHits, 1);
     return;
   }
   const Vec3 second_impulse = contact.second_mass * (contact.after.second - contact.before.second);
@@ -96,18 +101,20 @@ Measurement Pressure::result(const Scene& scene) const {
   if (has_open_axis(box_)) return found;
   Pressure up_to_now = *this;
   up_to_now.advance(scene.now());
-  const BlockAverage& average = up_to_now.average_;
+  const BlockAverage& whole = up_to_now.average_;
 
   const auto trace = [](std::span<const double> means, std::size_t begin) {
     return means[begin] + means[begin + 1] + means[begin + 2];
   };
   const double volume = box_.volume();
-  const auto compressibility = [&](std::span<const double> means) {
+  const FunctionOfMeans compressibility = [&](std::span<const double> means) {
     return 1 + trace(means, kCollisional) / trace(means, kKinetic);
   };
   const auto pressure = [&](std::span<const double> means) {
     return (trace(means, kKinetic) + trace(means, kCollisional)) / (3 * volume);
   };
+  const Transient transient = find_transient(whole, std::array{compressibility});
+  const BlockAverage average = transient.left_out_of(whole);
   // With the total momentum fixed n spheres have n - 1 times three degrees of freedom, and meet a little
   // faster than their mean energy says.
   const double excess = (theory_.compressibility() - 1) * spheres_ / (spheres_ - 1);
@@ -121,22 +128,39 @@ Measurement Pressure::result(const Scene& scene) const {
   add("pressure", kPressureUnit, pressure, expected * kinetic_pressure);
   for (std::size_t k = 0; k < kComponents; ++k) {
     const bool is_diagonal = kTensor[k].first == kTensor[k].second;
-    add(
-        std::string("pressure_") + kTensor[k].name, kPressureUnit,
-        [&](std::span<const double> means) {
-          return (means[kKinetic + k] + means[kCollisional + k]) / volume;
-        },
-        is_diagonal ? expected * kinetic_pressure : expected * 0);
+    Estimate estimate = average.estimate([&](std::span<const double> means) {
+      return (means[kKinetic + k] + means[kCollisional + k]) / volume;
+    });
+    const Estimate collisional =
+        average.estimate([&](std::span<const double> means) { return means[kCollisional + k] / volume; });
+    const double elapsed = average.total(BlockAverage::kWeight);
+    estimate.error =
+        std::fmax(estimate.error, std::hypot(collisional.error, kinetic_error(k, elapsed) / volume));
+    found.quantities.push_back({std::string("pressure_") + kTensor[k].name, kPressureUnit, estimate.value,
+                                estimate.error, is_diagonal ? expected * kinetic_pressure : expected * 0});
   }
   add_walls(found, average);
 
   found.columns = {
-      {"time", "T", ColumnRole::argument, average.middles()},
-      {"compressibility", "1", ColumnRole::value, average.history(compressibility)},
-      {"pressure", kPressureUnit, ColumnRole::value, average.history(pressure)},
+      {"time", "T", ColumnRole::argument, whole.middles()},
+      {"compressibility", "1", ColumnRole::value, whole.history(compressibility)},
+      {"pressure", kPressureUnit, ColumnRole::value, whole.history(pressure)},
   };
   for (double& time : found.columns.front().values) time += begin_.value();
+  transient.note_in(found);
   return found;
+}
+
+// The standard deviation of a component of what spheres carry, in the mean over some time [M L^2 T^-2]. At
+// one moment it is that of so many independent spheres that share a fixed energy; it is forgotten within 5/4
+// mean free times, by which the viscosity of a dilute gas is its pressure. Source: Chapman and Cowling, The
+// Mathematical Theory of Non-Uniform Gases, section 10.2.
+double Pressure::kinetic_error(std::size_t component, double elapsed) const {
+  const bool is_diagonal = kTensor[component].first == kTensor[component].second;
+  const double variance = spheres_ * (is_diagonal ? 4.0 / 3 : 1);
+  const double x = elapsed / (1.25 * mean_free_time_);
+  const double forgotten = x > 1e-3 ? 2 * (x + std::expm1(-x)) / (x * x) : 1;
+  return motion_.temperature() * std::sqrt(variance * forgotten);
 }
 
 // The virial theorem: along an axis with walls, what spheres carry and collisions hand on equals the force on
@@ -194,6 +218,8 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
         };
         return sum_over_walls(expected) / areas;
       });
+  double impulse = 0;
+  for (Face face = 0; face < 2 * kAxes; ++face) impulse += average.total(kFaces + face);
   for (Face face = 0; face < 2 * kAxes; ++face) {
     const std::size_t axis = axis_of(face);
     if (!box_.is_wall(axis)) continue;
@@ -201,6 +227,9 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
         std::string("wall_pressure_") + kFaceNames[face], kPressureUnit,
         [&](Means means) { return means[kFaces + face] / area(axis); },
         [&](Means means) { return inside(means, axis) / (open_length(means, axis) * area(axis)); });
+    // It might have been hit once more: see BlockAverage::histogram.
+    const double of_one = impulse / average.total(kHits) / area(axis) / average.total(BlockAverage::kWeight);
+    found.quantities.back().error = std::hypot(found.quantities.back().error, of_one);
   }
 }
 

@@ -38,17 +38,20 @@ class Pressure {
   static constexpr std::size_t kCollisional = kKinetic + kComponents;  // [M L^2 T^-2]
   static constexpr std::size_t kFaces = kCollisional + kComponents;    // force on each face [M L T^-2]
   static constexpr std::size_t kRadii = kFaces + 2 * kAxes;            // force times radius [M L^2 T^-2]
-  static constexpr std::size_t kBins = kRadii + kAxes;
+  static constexpr std::size_t kHits = kRadii + kAxes;                 // contacts with walls [1/T]
+  static constexpr std::size_t kBins = kHits + 1;
 
   using Tensor = std::array<double, kComponents>;
 
   void advance(const Time& now);
+  double kinetic_error(std::size_t component, double elapsed) const;
   void add_walls(Measurement& found, const BlockAverage& average) const;
 
   Box box_;
   FluidTheory theory_;
   ThermalMotion motion_;  // in the beginning
   double spheres_;
+  double mean_free_time_;  // expected [T]
   Time begin_;
   Time last_;
   Tensor kinetic_{};  // relative to the drift [M L^2 T^-2]

@@ -3,11 +3,14 @@
 #include "hardball/measure/radial_distribution.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <utility>
+
+#include "hardball/measure/sphere_groups.hpp"
+#include "hardball/measure/transient.hpp"
 
 namespace hardball {
 namespace {
@@ -31,7 +34,8 @@ double largest_range(const World& world) {
 RadialDistribution::RadialDistribution(const Scene& scene, double range, double bin_width)
     : box_(scene.world().box()),
       species_(scene.species()),
-      is_by_species_(species_.size() <= kMostSpecies && !std::isnan(species_.radius(0))) {
+      is_by_species_(species_.size() <= kMostSpecies && !std::isnan(species_.radius(0))),
+      begin_(scene.now()) {
   const World& world = scene.world();
   if (world.size() < 2 || !std::isfinite(box_.volume())) return;
   double mean_diameter = 0;
@@ -54,8 +58,7 @@ RadialDistribution::RadialDistribution(const Scene& scene, double range, double 
   bin_width_ = mean_diameter * bin_width;
   const double high = std::min(mean_diameter * range, largest_range(world));
   bins_ = high > low_ ? static_cast<std::size_t>((high - low_) / bin_width_) : 0;
-  function_ = BlockAverage(kinds_.size() * bins_);
-  contact_ = BlockAverage(kinds_.size());
+  average_ = BlockAverage(pairs_bin(kinds_.size()), kSphereGroups);
   if (has_meaning()) sample_cost_ = Surroundings::effort(world, high).cost;
 }
 
@@ -102,11 +105,10 @@ void RadialDistribution::sample(const Scene& scene) {
     species.push_back(species_of(world.id(slot)));
     ++spheres[species.back()];
   });
-  std::vector<double> centers(many);
-  std::vector<std::uint32_t> counts(kinds_.size() * bins_);
-  std::vector<ContactExtrapolation::Bins> near_contact(kinds_.size());
+  std::vector<double> centers(kSphereGroups * many);
+  std::vector<ContactExtrapolation::Bins> near_contact(kSphereGroups * kinds_.size());
   surroundings.for_each_center(high, [&](std::size_t center) {
-    ++centers[species[center]];
+    ++centers[group_of(center) * many + species[center]];
     const std::size_t* const kind_with = &kind_of_[species[center] * many];
     surroundings.for_each_neighbor(center, high, [&](std::size_t neighbor, const Vec3&, double square) {
       const std::size_t index = kind_with[species[neighbor]];
@@ -116,9 +118,10 @@ void RadialDistribution::sample(const Scene& scene) {
       const double place = (distance - low_) / bin_width_;
       if (place <= -ContactExtrapolation::kRounding) return;
       const auto bin = static_cast<std::size_t>(std::max(place, 0.0));
-      if (bin < bins_) ++counts[index * bins_ + bin];
+      const std::size_t group = group_of_pair(center, neighbor);
+      if (bin < bins_) average_.put(index * bins_ + bin, 1, group);
       const std::size_t near = kind.contact.bin(distance - kind.reach);
-      if (near < ContactExtrapolation::kBins) ++near_contact[index][near];
+      if (near < ContactExtrapolation::kBins) ++near_contact[group * kinds_.size() + index][near];
     });
   });
 
@@ -126,26 +129,26 @@ void RadialDistribution::sample(const Scene& scene) {
     for (std::size_t b = a; b < many; ++b) {
       const std::size_t index = kind_of_[a * many + b];
       const Kind& kind = kinds_[index];
-      const double pairs = centers[a] * spheres[b] + (a == b ? 0 : centers[b] * spheres[a]);
-      if (pairs == 0) continue;
-      const auto ideal_pairs = [&](double begin, double width) {
-        return pairs * (ideal_share(begin + width, kind.reach) - ideal_share(begin, kind.reach));
-      };
-      for (std::size_t bin = 0; bin < bins_; ++bin) {
-        const double begin = low_ + static_cast<double>(bin) * bin_width_;
-        const std::size_t place = index * bins_ + bin;
-        function_.put(place, counts[place] / ideal_pairs(begin, bin_width_));
+      ContactExtrapolation::Bins shares;
+      for (std::size_t bin = 0; bin < shares.size(); ++bin) {
+        const double width = kind.contact.bin_width();
+        const double begin = kind.reach + static_cast<double>(bin) * width;
+        shares[bin] = ideal_share(begin + width, kind.reach) - ideal_share(begin, kind.reach);
       }
-      ContactExtrapolation::Bins& near = near_contact[index];
-      const double width = kind.contact.bin_width();
-      for (std::size_t bin = 0; bin < near.size(); ++bin) {
-        near[bin] /= ideal_pairs(kind.reach + static_cast<double>(bin) * width, width);
+      for (std::size_t group = 0; group < kSphereGroups; ++group) {
+        const double* const of_group = &centers[group * many];
+        average_.put(pairs_bin(index), of_group[a] * spheres[b] + (a == b ? 0 : of_group[b] * spheres[a]),
+                     group);
+        ContactExtrapolation::Bins& near = near_contact[group * kinds_.size() + index];
+        for (std::size_t bin = 0; bin < near.size(); ++bin) {
+          average_.put(near_bin(index), near[bin], group);
+          near[bin] /= shares[bin];
+        }
+        average_.put(contact_bin(index), kind.contact.at_contact(near), group);
       }
-      contact_.put(index, kind.contact.at_contact(near));
     }
   }
-  function_.close_sample();
-  contact_.close_sample();
+  average_.close_sample(duration(begin_, scene.now()));
 }
 
 Measurement RadialDistribution::result(const Scene& /*scene*/) const {
@@ -157,6 +160,12 @@ Measurement RadialDistribution::result(const Scene& /*scene*/) const {
                         "equal spheres: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) "
                         "2335; of mixtures: Mansoori et al., J. Chem. Phys. 54 (1971) 1523"};
   if (!has_meaning()) return found;
+  const FunctionOfMeans contact_of = [&](std::span<const double> means) {
+    return means[contact_bin(0)] / means[pairs_bin(0)];
+  };
+  const Transient transient =
+      find_transient(average_, std::array{contact_of}, BlockAverage::Groups::separate);
+  const BlockAverage average = transient.left_out_of(average_);
   Column distance{"distance", "L", ColumnRole::argument, {}};
   for (std::size_t bin = 0; bin < bins_; ++bin) {
     distance.values.push_back(low_ + (static_cast<double>(bin) + 0.5) * bin_width_);
@@ -165,18 +174,27 @@ Measurement RadialDistribution::result(const Scene& /*scene*/) const {
   for (std::size_t index = 0; index < kinds_.size(); ++index) {
     const Kind& kind = kinds_[index];
     if (has_contact()) {
+      Estimate contact = average.ratio(contact_bin(index), pairs_bin(index));
+      // Fewer pairs than the cubic takes do not tell how many there could have been.
+      constexpr double kFewestNear = 100;
+      if (average.total(near_bin(index)) < kFewestNear)
+        contact.error = std::numeric_limits<double>::quiet_NaN();
       found.quantities.push_back(
-          {"contact_value" + kind.suffix, "1", contact_.mean(index), contact_.error(index), kind.theory});
+          {"contact_value" + kind.suffix, "1", contact.value, contact.error, kind.theory});
     }
     Column value{"g" + kind.suffix, "1", ColumnRole::value, {}};
     Column error{value.name + "_error", "1", ColumnRole::error, {}};
-    for (std::size_t bin = index * bins_; bin < (index + 1) * bins_; ++bin) {
-      value.values.push_back(function_.mean(bin));
-      error.values.push_back(function_.error(bin));
+    const std::vector<Estimate> counts = average.histogram(index * bins_, bins_, pairs_bin(index));
+    for (std::size_t bin = 0; bin < bins_; ++bin) {
+      const double begin = low_ + static_cast<double>(bin) * bin_width_;
+      const double ideal = ideal_share(begin + bin_width_, kind.reach) - ideal_share(begin, kind.reach);
+      value.values.push_back(counts[bin].value / ideal);
+      error.values.push_back(counts[bin].error / ideal);
     }
     found.columns.push_back(std::move(value));
     found.columns.push_back(std::move(error));
   }
+  transient.note_in(found);
   return found;
 }
 

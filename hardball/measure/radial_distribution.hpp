@@ -50,6 +50,9 @@ class RadialDistribution {
   bool has_contact() const;
   std::size_t species_of(SphereId id) const { return is_by_species_ ? species_.of(id) : 0; }
   double ideal_share(double distance, double reach) const;
+  std::size_t contact_bin(std::size_t kind) const { return kinds_.size() * bins_ + kind; }
+  std::size_t near_bin(std::size_t kind) const { return contact_bin(kind) + kinds_.size(); }
+  std::size_t pairs_bin(std::size_t kind) const { return near_bin(kind) + kinds_.size(); }
 
   Box box_;
   Species species_;
@@ -60,8 +63,10 @@ class RadialDistribution {
   double bin_width_ = 0;              // [L]
   std::size_t bins_ = 0;              // of each kind
   double sample_cost_ = 0;            // [ns]
-  BlockAverage function_{0};          // g by kind and bin
-  BlockAverage contact_{0};           // g at contact, by kind
+  Time begin_;
+  // By groups of spheres: counts of neighbours by kind and bin; by kind the density at contact times pairs,
+  // and the pairs that could be neighbours.
+  BlockAverage average_{0};
 };
 
 }  // namespace hardball

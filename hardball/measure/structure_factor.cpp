@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <utility>
 
 #include "hardball/measure/fluid_structure.hpp"
+#include "hardball/measure/transient.hpp"
 
 namespace hardball {
 namespace {
@@ -70,7 +72,7 @@ Vec3 direction(std::size_t index) {
 
 StructureFactor::StructureFactor(const Scene& scene, double longest,
                                  std::optional<std::size_t> vectors_in_shell)
-    : packing_fraction_(fluid_packing_fraction(scene)) {
+    : packing_fraction_(fluid_packing_fraction(scene)), begin_(scene.now()) {
   const World& world = scene.world();
   if (world.size() == 0) return;
   unit_ = 2 * std::numbers::pi * world.box().inverse_period();
@@ -170,7 +172,7 @@ void StructureFactor::sample(const Scene& scene) {
       shells_.put(shell, intensity / static_cast<double>(centers.size()) / vectors);
     }
   }
-  shells_.close_sample();
+  shells_.close_sample(duration(begin_, scene.now()));
 }
 
 Measurement StructureFactor::result(const Scene& /*scene*/) const {
@@ -180,6 +182,11 @@ Measurement StructureFactor::result(const Scene& /*scene*/) const {
       .formula = "S(k) = |sum over spheres of exp(i k.x)|^2 / n",
       .source = "Hansen and McDonald, Theory of Simple Liquids, sections 4.1 and 4.4 (Percus and Yevick)"};
   if (waves_.empty()) return found;
+  const FunctionOfMeans mean_of_shells = [](std::span<const double> means) {
+    return std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(means.size());
+  };
+  const Transient transient = find_transient(shells_, std::array{mean_of_shells});
+  const BlockAverage shells = transient.left_out_of(shells_);
   Column wave_number{"wave_number", "L^-1", ColumnRole::argument, {}};
   Column value{"structure_factor", "1", ColumnRole::value, {}};
   Column error{"structure_factor_error", "1", ColumnRole::error, {}};
@@ -195,8 +202,9 @@ Measurement StructureFactor::result(const Scene& /*scene*/) const {
       expected += percus_yevick_structure_factor(packing_fraction_, wave_length * diameter_) / vectors;
     }
     wave_number.values.push_back(mean_length);
-    value.values.push_back(shells_.mean(shell));
-    error.values.push_back(shells_.error(shell));
+    const Estimate estimate = shells.ratio(shell);
+    value.values.push_back(estimate.value);
+    error.values.push_back(estimate.error);
     theory.values.push_back(expected);
   }
   if (shells_.samples() > 0) {
@@ -209,6 +217,7 @@ Measurement StructureFactor::result(const Scene& /*scene*/) const {
   }
   found.columns = {std::move(wave_number), std::move(value), std::move(error)};
   if (std::isfinite(packing_fraction_)) found.columns.push_back(std::move(theory));
+  transient.note_in(found);
   return found;
 }
 

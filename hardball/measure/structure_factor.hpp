@@ -49,6 +49,7 @@ class StructureFactor {
   double diameter_ = 0;                  // the mean [L]
   double packing_fraction_;              // of a fluid of one species, see fluid_packing_fraction
   double sample_cost_ = 0;               // [ns]
+  Time begin_;
   BlockAverage shells_{0};
 };
 

@@ -6,7 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "hardball/errors/error.hpp"
+#include "hardball/measure/sphere_groups.hpp"
+#include "hardball/measure/transient.hpp"
 
 namespace hardball {
 namespace {
@@ -15,9 +16,10 @@ constexpr const char* kEnergyUnit = "M L^2 T^-2";
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 
 // Bins of the average; those of the species follow.
-constexpr std::size_t kTime = 0;  // since the beginning
-constexpr std::size_t kAll = 1;
-constexpr std::size_t kAlong = 2;
+constexpr std::size_t kTime = 0;    // since the beginning
+constexpr std::size_t kAll = 1;     // kT
+constexpr std::size_t kSquare = 2;  // sum of m v^2, by groups of spheres, and so in each of the rest
+constexpr std::size_t kAlong = 3;
 constexpr std::size_t kOfSpecies = kAlong + kAxes;
 
 }  // namespace
@@ -27,8 +29,9 @@ Temperature::Temperature(const Scene& scene)
       masses_(species_.size()),
       box_(scene.world().box()),
       spheres_(static_cast<double>(scene.world().size())),
+      motion_(scene.motion()),
       begin_(scene.now()),
-      average_(kOfSpecies + species_.size()) {
+      average_(kOfSpecies + species_.size(), kSphereGroups) {
   const World& world = scene.world();
   world.for_each_by_id([&](Slot slot) { masses_[species_.of(world.id(slot))] += world.mass(slot); });
 }
@@ -37,31 +40,28 @@ void Temperature::sample(const Scene& scene) {
   const World& world = scene.world();
   if (world.size() == 0) return;
   const ThermalMotion& motion = scene.motion();
-  std::vector<double> values(average_.bins());
-  values[kTime] = duration(begin_, scene.now());
-  values[kAll] = motion.temperature();
+  average_.put(kTime, duration(begin_, scene.now()));
+  average_.put(kAll, motion.temperature());
+  std::size_t rank = 0;
   world.for_each_by_id([&](Slot slot) {
     const Vec3 v = world.path(slot).velocity - motion.drift;
     const double mass = world.mass(slot);
-    for (std::size_t axis = 0; axis < kAxes; ++axis) values[kAlong + axis] += mass * v[axis] * v[axis];
-    values[kOfSpecies + species_.of(world.id(slot))] += mass * dot(v, v);
+    double* const sums = average_.open_bins(0, group_of(rank++));
+    const double square = mass * dot(v, v);
+    sums[kSquare] += square;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) sums[kAlong + axis] += mass * v[axis] * v[axis];
+    sums[kOfSpecies + species_.of(world.id(slot))] += square;
   });
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    values[kAlong + axis] /= box_.is_wall(axis) ? spheres_ : spheres_ - 1;
-  }
-  // Spheres share in the motion of the centre of mass by their mass: what they have beside it is less.
-  const double total_mass = std::accumulate(masses_.begin(), masses_.end(), 0.0);
-  for (std::size_t s = 0; s < species_.size(); ++s) {
-    double freedom = 0;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      freedom += static_cast<double>(species_.count(s)) - (box_.is_wall(axis) ? 0 : masses_[s] / total_mass);
-    }
-    values[kOfSpecies + s] /= freedom;
-  }
-  average_.add(values);
+  average_.close_sample(duration(begin_, scene.now()));
 }
 
-Measurement Temperature::result(const Scene& /*scene*/) const {
+// How many independent components of velocity spheres have that count so many and so much mass: along an axis
+// without walls they share in the motion of the centre of mass by their mass.
+double Temperature::freedom(std::size_t axis, double spheres, double mass) const {
+  return spheres - (box_.is_wall(axis) ? 0 : mass / std::accumulate(masses_.begin(), masses_.end(), 0.0));
+}
+
+Measurement Temperature::result(const Scene& scene) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Temperature",
@@ -69,25 +69,52 @@ Measurement Temperature::result(const Scene& /*scene*/) const {
           "kT = sum m v^2 / degrees of freedom, three for each sphere less one for each "
           "axis without walls",
       .source = "Equipartition; Allen and Tildesley, Computer Simulation of Liquids, section 2.4"};
-  const double all = average_.mean(kAll);
-  const auto add = [&](std::string name, std::size_t bin, double theory) {
-    found.quantities.push_back(
-        {std::move(name), kEnergyUnit, average_.mean(bin), average_.error(bin), theory});
+  using Means = std::span<const double>;
+  // Of the energy, and how many degrees of freedom have it.
+  struct Part {
+    std::string name;
+    std::size_t bin;
+    double freedom;
   };
-  add("temperature", kAll, std::numeric_limits<double>::quiet_NaN());
+  std::vector<Part> parts;
+  const double total_mass = std::accumulate(masses_.begin(), masses_.end(), 0.0);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    add(std::string("temperature_along_") + kAxisNames[axis], kAlong + axis, all);
+    parts.push_back({std::string("temperature_along_") + kAxisNames[axis], kAlong + axis,
+                     freedom(axis, spheres_, total_mass)});
   }
-  const bool is_mixture = species_.size() > 1;
-  for (std::size_t s = 0; is_mixture && s < species_.size(); ++s) {
-    add("temperature_of_species" + species_.suffix(s), kOfSpecies + s, all);
+  for (std::size_t s = 0; species_.size() > 1 && s < species_.size(); ++s) {
+    double of_species = 0;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      of_species += freedom(axis, static_cast<double>(species_.count(s)), masses_[s]);
+    }
+    parts.push_back({"temperature_of_species" + species_.suffix(s), kOfSpecies + s, of_species});
   }
+  std::vector<FunctionOfMeans> shares;
+  for (const Part& part : parts) {
+    shares.push_back([bin = part.bin](Means means) { return means[bin] / means[kSquare]; });
+  }
+  const Transient transient = find_transient(average_, shares, BlockAverage::Groups::exchanging);
+  const BlockAverage average = transient.left_out_of(average_);
+
+  const bool is_conserved = is_energy_conserved(motion_, scene.motion());
+  Estimate all = average.ratio(kAll);
+  if (is_conserved) all.error = 0;
+  found.quantities.push_back({"temperature", kEnergyUnit, all.value, all.error});
   found.columns.push_back({"time", "T", ColumnRole::argument,
-                           average_.history([&](auto means) { return begin_.value() + means[kTime]; })});
-  for (std::size_t k = 0; k < found.quantities.size(); ++k) {
-    found.columns.push_back({found.quantities[k].name, kEnergyUnit, ColumnRole::value,
-                             average_.history([&](auto means) { return means[kAll + k]; })});
+                           average_.history([&](Means means) { return begin_.value() + means[kTime]; })});
+  found.columns.push_back({"temperature", kEnergyUnit, ColumnRole::value,
+                           average_.history([](Means means) { return means[kAll]; })});
+  const double square = average.mean(kSquare);
+  for (const Part& part : parts) {
+    const FunctionOfMeans of_sum = [&](Means means) { return means[part.bin] / part.freedom; };
+    // As in mean_speed.
+    const FunctionOfMeans of_share = [&](Means means) { return of_sum(means) / means[kSquare] * square; };
+    const Estimate value = is_conserved ? average.estimate(of_share, BlockAverage::Groups::exchanging)
+                                        : average.estimate(of_sum);
+    found.quantities.push_back({part.name, kEnergyUnit, value.value, value.error, all.value});
+    found.columns.push_back({part.name, kEnergyUnit, ColumnRole::value, average_.history(of_sum)});
   }
+  transient.note_in(found);
   return found;
 }
 

@@ -9,11 +9,13 @@
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
 #include "hardball/measure/species.hpp"
+#include "hardball/measure/thermal_motion.hpp"
 
 namespace hardball {
 
 /// Temperature k T, of all spheres, along each axis and of each species, and its history. In equilibrium all
-/// are equal. A common drift along axes without walls does not count.
+/// are equal. A common drift along axes without walls does not count. That of all has no error if energy is
+/// conserved, and none is known of it if the spheres cool.
 class Temperature {
  public:
   static constexpr std::string_view kName = "temperature";
@@ -28,10 +30,13 @@ class Temperature {
   Measurement result(const Scene& scene) const;
 
  private:
+  double freedom(std::size_t axis, double spheres, double mass) const;
+
   Species species_;
   std::vector<double> masses_;  // of all spheres of a species [M]
   Box box_;
   double spheres_;
+  ThermalMotion motion_;  // in the beginning
   Time begin_;
   BlockAverage average_;
 };

@@ -62,10 +62,18 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
   std::size_t last = 0;
   while (last + 1 < lags.size() && lags[last + 1] <= kFreeTimes * mean_free_time_) ++last;
   found.columns.push_back({"lag", "T", ColumnRole::argument, lags});
+  // As in mean_speed.
+  const bool is_all_energy = average_.followed() == scene.world().size() && species.is_one_kind() &&
+                             is_energy_conserved(motion_, scene.motion());
   for (std::size_t s = 0; s < species.size(); ++s) {
+    const double square = lags.empty() ? kNone : average_.at(s, 0).value;
+    const auto estimate = [&](const FunctionOfMeans& quantity) {
+      return average_.estimate(s, [&](std::span<const double> means) {
+        return quantity(means) * (is_all_energy ? square / means[0] : 1);
+      });
+    };
     const auto integral_to = [&](std::size_t lag) {
-      return average_.estimate(s,
-                               [&](std::span<const double> means) { return green_kubo(lags, means, lag); });
+      return estimate([&](std::span<const double> means) { return green_kubo(lags, means, lag); });
     };
     if (last > 0) {
       const Estimate constant = integral_to(last);
@@ -85,7 +93,7 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
     Column integral_error{integral_name + "_error", "L^2 T^-1", ColumnRole::error, {}};
     const double square_speed = 3 * temperature / species.mass(s);
     for (std::size_t lag = 0; lag < lags.size(); ++lag) {
-      const Estimate product = average_.at(s, lag);
+      const Estimate product = estimate([lag](std::span<const double> means) { return means[lag]; });
       const Estimate up_to = integral_to(lag);
       value.values.push_back(product.value);
       error.values.push_back(product.error);

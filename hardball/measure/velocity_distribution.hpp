@@ -7,6 +7,7 @@
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/measure/thermal_motion.hpp"
 
 namespace hardball {
 
@@ -31,18 +32,20 @@ class VelocityDistribution {
   static constexpr std::size_t kBins = 100;  // from -5 to 5
   static constexpr double kWidth = 0.1;
   static constexpr double kEdge = kWidth * kBins / 2;
-  // Bins of the averages.
-  static constexpr std::size_t kComponents = 0;                  // share of all components
-  static constexpr std::size_t kSpeeds = kComponents + kBins;    // share of all speeds
-  static constexpr std::size_t kSquare = kSpeeds + kBins / 2;    // <c^2>
-  static constexpr std::size_t kFourth = kSquare + 1;            // <c^4>
-  static constexpr std::size_t kMeanSpeed = kFourth + 1;         // [L/T]
-  static constexpr std::size_t kExpectedSpeed = kMeanSpeed + 1;  // [L/T]
+  // Bins of the averages: counts, and sums over spheres, by groups of these.
+  static constexpr std::size_t kComponents = 0;
+  static constexpr std::size_t kSpeeds = kComponents + kBins;
+  static constexpr std::size_t kSpheres = kSpeeds + kBins / 2;
+  static constexpr std::size_t kSquare = kSpheres + 1;       // of c^2
+  static constexpr std::size_t kFourth = kSquare + 1;        // of c^4
+  static constexpr std::size_t kSpeed = kFourth + 1;         // of |v| [L/T]
+  static constexpr std::size_t kExpectedSpeed = kSpeed + 1;  // that of Maxwell's distribution [L/T]
   static constexpr std::size_t kAllBins = kExpectedSpeed + 1;
 
   double spheres_;
-  double degrees_of_freedom_;
-  BlockAverage average_{kAllBins};
+  ThermalMotion motion_;  // in the beginning
+  Time begin_;
+  BlockAverage average_;
 };
 
 }  // namespace hardball

@@ -154,6 +154,7 @@ RunStatus Simulation::run(const RunLimits& limits) {
 
 RunStatus Simulation::run(const RunLimits& limits, Measures& measures) {
   check_idle("run");
+  measures.check_spheres(world());
   RunLimits left = limits;
   for (;;) {
     // A sample that is overdue after a run without these measures is taken now.

@@ -71,7 +71,7 @@ class Simulation {
   std::uint64_t run_contacts(std::uint64_t count, double until = std::numeric_limits<double>::infinity());
   /// Runs until the first of the limits is met. Error: RunLimits::until, as for run_until.
   RunStatus run(const RunLimits& limits);
-  /// The same, with `measures` taken. The spheres must be those with which the measures began.
+  /// The same, with `measures` taken. Error: spheres have been added or removed since the measures began.
   RunStatus run(const RunLimits& limits, Measures& measures);
 
   /// The next collision or wall contact up to `until` [T], without carrying it out. In a periodic box spheres

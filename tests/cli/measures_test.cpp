@@ -51,7 +51,8 @@ TEST_F(MeasuredRun, WritesAllMeasuresIntoItsDirectoryAndChangesNothing) {
     EXPECT_LT(table.find("["), table.find("\n")) << name;
   }
   const std::string quantities = read_text(folder_ / "out" / "measures" / "quantities.csv");
-  EXPECT_TRUE(quantities.starts_with("measure,name,value,error,theory,unit\npressure,compressibility,"));
+  EXPECT_TRUE(quantities.starts_with(
+      "measure,name,value,error,theory,unit,transient [T]\npressure,compressibility,"));
 }
 
 TEST_F(MeasuredRun, FindsTheSameWithEveryEngineAndWithSnapshots) {

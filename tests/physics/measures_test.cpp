@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "hardball/measure/measures.hpp"
@@ -106,6 +107,48 @@ TEST(MeasuredFluid, DiffusesAsSpeedyFound) {
   for (std::size_t lag = 0; lag < 4; ++lag) {
     EXPECT_NEAR(forgotten.values[lag] / theory.values[lag], 1, 0.03) << lag;
   }
+}
+
+// Equal speeds have a kurtosis of 1; it nears 5/3 within some four collisions of each sphere.
+TEST(MeasuredRelaxation, IsLeftOutOfMeans) {
+  World world = support::make_gas({.count = 1000, .packing_fraction = 0.1, .seed = 54});
+  Random random(55);
+  Vec3 velocity;
+  World start(world.box());
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    velocity = slot % 2 == 0 ? std::sqrt(3.0) * random.direction() : -velocity;
+    start.add({.position = world.path(slot).position, .velocity = velocity, .radius = world.radius(slot)});
+  }
+  Simulation simulation(std::move(start));
+  Measures measures({.names = {"velocity_distribution"}, .every = 0.25});
+  constexpr double kLong = 25;  // about 44 mean free times
+  simulation.run_until(kLong, measures);
+  const Measurement found = measures.results(simulation.world(), simulation.now()).front();
+  EXPECT_EQ(found.duration, kLong);
+  EXPECT_TRUE(found.is_transient_over);
+  support::record("transient", found.transient);
+  EXPECT_GE(found.transient, 1);
+  EXPECT_LE(found.transient, kLong / 2);
+  const Quantity& kurtosis = quantity(found, "speed_kurtosis");
+  support::record("deviation", (kurtosis.value - kurtosis.theory) / kurtosis.error);
+  EXPECT_LT(std::fabs(kurtosis.value - kurtosis.theory), 3 * kurtosis.error);
+  EXPECT_LT(kurtosis.error, 0.02 * kurtosis.theory);
+}
+
+// A gas that cools has no temperature to know the error of, but its velocities in units of the temperature of
+// the moment settle.
+TEST(MeasuredCooling, HasNoStandardErrorOfATemperature) {
+  const World start =
+      support::settled(support::make_gas({.count = 1000, .packing_fraction = 0.1, .seed = 56}), 5);
+  Simulation simulation(start, {.restitution = 0.9});
+  Measures measures({.names = {"temperature", "collision_rate", "velocity_distribution"}, .every = 0.5});
+  simulation.run_until(30, measures);
+  const std::vector<Measurement> all = measures.results(simulation.world(), simulation.now());
+  for (const Quantity& temperature : named(all, "temperature").quantities) {
+    EXPECT_TRUE(std::isnan(temperature.error)) << temperature.name;
+  }
+  EXPECT_TRUE(std::isnan(quantity(named(all, "collision_rate"), "collision_rate").error));
+  EXPECT_GT(quantity(named(all, "velocity_distribution"), "speed_kurtosis").error, 0);
 }
 
 // The sum rule of wall_pressure and virial; its bound is derived in virial_test.cpp.

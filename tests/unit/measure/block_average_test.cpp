@@ -18,94 +18,83 @@ TEST(BlockAverage, KnowsNothingOfNoSamples) {
   EXPECT_EQ(nothing.blocks(), 0U);
   EXPECT_TRUE(std::isnan(nothing.mean()));
   EXPECT_TRUE(std::isnan(nothing.error()));
-  EXPECT_TRUE(std::isnan(nothing.ratio(0, 0)));
+  EXPECT_TRUE(std::isnan(nothing.ratio(0, 0).value));
+  ASSERT_EQ(nothing.histogram(0, 1).size(), 1U);
+  EXPECT_TRUE(std::isnan(nothing.histogram(0, 1).front().value));
+  EXPECT_TRUE(std::isnan(nothing.histogram(0, 1).front().error));
+  EXPECT_TRUE(std::isnan(nothing.estimate([](std::span<const double> means) { return means[0]; }).value));
 }
 
 TEST(BlockAverage, KnowsAMeanAndNoErrorOfOneSample) {
   BlockAverage average;
-  average.add(3, 2);
+  average.add(std::array{3.0}, 2, 2);
   EXPECT_EQ(average.mean(), 3);
   EXPECT_TRUE(std::isnan(average.error()));
 }
 
-TEST(BlockAverage, OfFewSamplesHasTheirStandardError) {
-  BlockAverage average;
-  for (const double value : {1.0, 2.0, 4.0, 5.0}) average.add(value);
-  EXPECT_EQ(average.blocks(), 4U);
-  EXPECT_EQ(average.mean(), 3);
-  // Squared deviations of 4 + 1 + 1 + 4, over 4 * 3.
-  EXPECT_DOUBLE_EQ(average.error(), std::sqrt(10.0 / 12));
-}
-
 TEST(BlockAverage, WeighsValuesByTheTimeForWhichTheyHeld) {
   BlockAverage average;
-  average.add(1, 3);
-  average.add(5, 1);
+  average.add(std::array{1.0}, 3, 3);
+  average.add(std::array{5.0}, 4, 1);
+  EXPECT_EQ(average.blocks(), 2U);
   EXPECT_EQ(average.mean(), 2);
-  // Deviations 3 (1 - 2) and 1 (5 - 2), twice the sum of their squares over the square of 4.
-  EXPECT_DOUBLE_EQ(average.error(), std::sqrt(2 * (9.0 + 9)) / 4);
 }
 
 TEST(BlockAverage, SpreadsWhatCameAtOneMomentOverTheTimeSinceTheLast) {
   BlockAverage average(2);
   average.put(0, 6);
-  average.close_sample(2);
+  average.close_sample(2, 2);
   average.put(1, 8);
-  average.close_sample(0);
-  average.close_sample(2);
+  average.close_sample(2, 0);
+  average.close_sample(4, 2);
   EXPECT_EQ(average.samples(), 3U);
   EXPECT_EQ(average.mean(0), 1.5);
   EXPECT_EQ(average.mean(1), 2);
 }
 
 // The same numbers cut into blocks and added up with pencil and paper.
-struct Blocks {
+Estimate direct(const std::vector<double>& values, std::size_t per_block) {
   double mean = 0;
-  double error = 0;
-};
-
-Blocks direct(const std::vector<double>& values, std::size_t per_block) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  Blocks found;
-  found.mean = sum / static_cast<double>(values.size());
-  const std::size_t count = values.size() / per_block;
-  double squares = 0;
-  for (std::size_t block = 0; block < count; ++block) {
-    double of_block = 0;
-    for (std::size_t i = 0; i < per_block; ++i) of_block += values[block * per_block + i];
-    const double deviation = of_block / static_cast<double>(per_block) - found.mean;
-    squares += deviation * deviation;
+  for (const double value : values) mean += value / static_cast<double>(values.size());
+  std::vector<double> shares;
+  for (std::size_t begin = 0; begin < values.size(); begin += per_block) {
+    shares.push_back(0);
+    for (std::size_t i = begin; i < begin + per_block; ++i) {
+      shares.back() += (values[i] - mean) / static_cast<double>(values.size());
+    }
   }
-  found.error = std::sqrt(squares / static_cast<double>(count * (count - 1)));
-  return found;
+  return {mean, error_of_series(shares)};
 }
 
 TEST(BlockAverage, IsADirectComputationOverItsBlocks) {
   Random random(31);
-  for (const std::size_t samples : {2U, 63U, 64U, 96U, 128U, 4096U, 5120U}) {
+  for (const std::size_t samples : {20U, 63U, 64U, 96U, 128U, 4096U, 5120U}) {
     BlockAverage average(3);
     std::vector<double> values;
     for (std::size_t i = 0; i < samples; ++i) {
       values.push_back(random.normal());
-      average.add(std::array{1.0, values.back(), 2 * values.back()});
+      average.add(std::array{1.0, values.back(), 2 * values.back()}, static_cast<double>(i));
     }
     std::size_t per_block = 1;
     while (samples / per_block >= BlockAverage::kMostBlocks) per_block *= 2;
-    const Blocks expected = direct(values, per_block);
+    const Estimate expected = direct(values, per_block);
     EXPECT_EQ(average.blocks(), samples / per_block);
+    EXPECT_EQ(average.ends().back(), static_cast<double>(samples - 1));
     EXPECT_EQ(average.mean(0), 1);
     EXPECT_EQ(average.error(0), 0);
-    EXPECT_NEAR(average.mean(1), expected.mean, 1e-14);
+    EXPECT_NEAR(average.mean(1), expected.value, 1e-14);
     EXPECT_NEAR(average.error(1), expected.error, 1e-14);
     EXPECT_NEAR(average.error(2), 2 * expected.error, 1e-14);
+    const Estimate same = average.estimate([](std::span<const double> means) { return means[1]; });
+    EXPECT_NEAR(same.value, expected.value, 1e-14);
+    EXPECT_NEAR(same.error, expected.error, 1e-12);
   }
 }
 
 TEST(BlockAverage, KeepsBetween32And64Blocks) {
   BlockAverage average;
   for (int i = 1; i <= 10000; ++i) {
-    average.add(i);
+    average.add(std::array{static_cast<double>(i)}, i);
     EXPECT_LE(average.blocks(), 64U);
     if (i < 64) continue;
     EXPECT_GE(average.blocks(), 32U);
@@ -124,7 +113,7 @@ TEST(BlockAverage, KnowsTheErrorOfACorrelatedSeries) {
   double x = 0;
   for (int i = 0; i < kSamples; ++i) {
     x = kMemory * x + random.normal();
-    average.add(x);
+    average.add(std::array{x}, i);
   }
   const double expected = 1 / (std::sqrt(kSamples) * (1 - kMemory));
   EXPECT_NEAR(average.error() / expected, 1, 0.52);
@@ -133,16 +122,133 @@ TEST(BlockAverage, KnowsTheErrorOfACorrelatedSeries) {
 
 TEST(BlockAverage, TakesRatiosBlockByBlock) {
   BlockAverage average(2);
-  average.add(std::array{2.0, 1.0});
-  average.add(std::array{4.0, 3.0});
-  EXPECT_EQ(average.ratio(0, 1), 1.5);
-  // Deviations 2 - 1.5 and 4 - 4.5.
-  EXPECT_DOUBLE_EQ(average.ratio_error(0, 1), std::sqrt(2 * (0.25 + 0.25)) / 4);
+  for (int i = 0; i < 10; ++i) average.add(std::array{i % 2 + 2.0, i % 2 + 1.0}, i);
+  EXPECT_DOUBLE_EQ(average.ratio(0, 1).value, 25.0 / 15);
   // Where both grow together the ratio is certain.
   BlockAverage exact(2);
-  for (int i = 1; i <= 10; ++i) exact.add(std::array{2.0 * i, 1.0 * i});
-  EXPECT_EQ(exact.ratio(0, 1), 2);
-  EXPECT_EQ(exact.ratio_error(0, 1), 0);
+  for (int i = 1; i <= 20; ++i) exact.add(std::array{2.0 * i, 1.0 * i}, i);
+  EXPECT_EQ(exact.ratio(0, 1).value, 2);
+  EXPECT_EQ(exact.ratio(0, 1).error, 0);
+}
+
+TEST(BlockAverage, LeavesOutBlocksThatEndedBefore) {
+  BlockAverage average;
+  for (int i = 0; i < 25; ++i) average.add(std::array{i < 5 ? 100.0 : 1.0}, i);
+  average.leave_out_until(4);
+  EXPECT_EQ(average.blocks(), 20U);
+  EXPECT_EQ(average.mean(), 1);
+  EXPECT_EQ(average.error(), 0);
+  EXPECT_EQ(average.history([](std::span<const double> means) { return means[0]; }).size(), 25U);
+}
+
+constexpr std::size_t kGroups = 16;
+
+// One sample of so many members of each group; the value of each, and how many they are.
+BlockAverage one_look(const std::array<double, kGroups>& sums, double members) {
+  BlockAverage average(2, kGroups);
+  for (std::size_t group = 0; group < kGroups; ++group) {
+    average.put(0, sums[group], group);
+    average.put(1, members, group);
+  }
+  average.close_sample(0);
+  return average;
+}
+
+const FunctionOfMeans kRatio = [](std::span<const double> means) { return means[0] / means[1]; };
+
+TEST(BlockAverage, OfASingleSampleHasTheErrorOfItsGroups) {
+  const BlockAverage average = one_look({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}, 2);
+  // The sums scatter by sqrt(340 / 15) about 8.5.
+  const double expected = std::sqrt(340.0 / 15 / kGroups) / 2 * 2.1812 / 2;
+  EXPECT_EQ(average.ratio(0, 1).value, 8.5 / 2);
+  EXPECT_NEAR(average.ratio(0, 1).error, expected, 1e-3);
+  EXPECT_NEAR(average.estimate(kRatio, BlockAverage::Groups::separate).error, expected, 1e-3);
+  EXPECT_NEAR(average.estimate(kRatio, BlockAverage::Groups::exchanging).error, expected, 1e-3);
+  EXPECT_TRUE(std::isnan(average.estimate(kRatio).error));
+  EXPECT_TRUE(std::isnan(average.ratio(0).error));
+}
+
+// Groups that keep their values tell no more for being looked at again; the scatter of the blocks is zero.
+TEST(BlockAverage, OfTheSameAgainAndAgainHasTheErrorOfItsGroupsWhereBlocksAreFew) {
+  BlockAverage average(2, kGroups);
+  for (int i = 0; i < 12; ++i) {
+    for (std::size_t group = 0; group < kGroups; ++group) {
+      average.put(0, static_cast<double>(group + 1), group);
+      average.put(1, 2, group);
+    }
+    average.close_sample(i);
+  }
+  const double expected = std::sqrt(340.0 / 15 / kGroups) / 2 * 2.1812 / 2;
+  EXPECT_NEAR(average.ratio(0, 1).error, expected, 1e-3);
+  EXPECT_NEAR(average.estimate(kRatio, BlockAverage::Groups::exchanging).error, expected, 1e-3);
+}
+
+// Groups that remember half their value from sample to sample hand on the rest: the square of the error grows
+// by that. Those that remember nothing have nothing to hand on.
+TEST(BlockAverage, AllowsForWhatGroupsHandOn) {
+  constexpr int kSamples = 12;
+  const auto growth = [](double memory) {
+    Random random(33);
+    double separate = 0;
+    double exchanging = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+      BlockAverage average(2, kGroups);
+      std::array<double, kGroups> values{};
+      for (double& value : values) value = random.normal();
+      for (int i = 0; i < kSamples; ++i) {
+        for (std::size_t group = 0; group < kGroups; ++group) {
+          average.put(0, values[group], group);
+          average.put(1, 1, group);
+          values[group] = memory * values[group] + std::sqrt(1 - memory * memory) * random.normal();
+        }
+        average.close_sample(i);
+      }
+      separate += std::pow(average.estimate(kRatio, BlockAverage::Groups::separate).error, 2);
+      exchanging += std::pow(average.estimate(kRatio, BlockAverage::Groups::exchanging).error, 2);
+    }
+    return exchanging / separate;
+  };
+  EXPECT_NEAR(growth(0), 1, 0.15);
+  // The sum of 0.5^|i - j| over 12 by 12 samples is 32: so much of 144 is kept, and 20 of 32 are remembered.
+  EXPECT_NEAR(growth(0.5), 1 + 20.0 / 32 * (1 - 32.0 / 144), 0.1);
+  EXPECT_EQ(growth(1), 1);
+}
+
+// Every sixteenth count of 0, 1 and 100 lies in the first, second and third bin.
+TEST(BlockAverage, AllowsForOneMoreCountInAHistogram) {
+  BlockAverage average(4, kGroups);
+  for (std::size_t group = 0; group < kGroups; ++group) {
+    average.put(1, group == 0 ? 1 : 0, group);
+    average.put(2, group % 2 == 0 ? 3 : 5, group);
+    average.put(3, 100, group);
+  }
+  average.close_sample(0);
+  const std::vector<Estimate> bins = average.histogram(0, 3, 3);
+  const double one = 1.0 / (100 * kGroups);
+  EXPECT_EQ(bins[0].value, 0);
+  EXPECT_DOUBLE_EQ(bins[0].error, one);
+  EXPECT_DOUBLE_EQ(bins[1].value, one);
+  EXPECT_NEAR(bins[1].error, std::hypot(one, average.ratio(1, 3).error), 1e-15);
+  EXPECT_NEAR(bins[2].value, 64 * one, 1e-15);
+}
+
+// Spheres that are seen ten times each, or not at all, make ten counts of one.
+TEST(BlockAverage, CountsThatComeTenAtATimeAsOne) {
+  Random random(34);
+  BlockAverage average(21, kGroups);
+  for (std::size_t group = 0; group < kGroups; ++group) {
+    for (std::size_t bin = 0; bin < 20; ++bin) {
+      if (random.uniform() < 0.5) average.put(bin, 10, group);
+    }
+    average.put(20, 100, group);
+  }
+  average.close_sample(0);
+  const double one = 1.0 / (100 * kGroups);
+  // p (1 - p) of ten counts squared, over ten p, is five for p = 1/2.
+  const Estimate plain = average.ratio(0, 20);
+  const Estimate allowed = average.histogram(0, 20, 20)[0];
+  const double added = std::sqrt(allowed.error * allowed.error - plain.error * plain.error) / one;
+  EXPECT_NEAR(added, 5 * 2.1812 * 2.1812 / 4, 1);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -97,7 +98,8 @@ TEST(LagAverage, HasTheErrorOfIndependentSpheres) {
   average.sample({world, Time(0)}, [&](Slot slot) { return Vec3{std::sqrt(1.0 + slot), 0, 0}; });
   // The mean of 1, 2, 3 and 4.
   EXPECT_NEAR(average.at(0, 0).value, 2.5, 1e-12);
-  EXPECT_NEAR(average.at(0, 0).error, std::sqrt(5.0 / 12), 1e-12);
+  const std::array shares{-1.5 / 4, -0.5 / 4, 0.5 / 4, 1.5 / 4};
+  EXPECT_NEAR(average.at(0, 0).error, std::sqrt(2) * error_of_independent(shares), 1e-12);
 }
 
 // Two kinds fly freely in opposite directions, through the periodic ends of the box many times.

@@ -214,8 +214,15 @@ TEST(Csv, NamesColumnsWithTheirUnitsAndRoundTrips) {
                   {"count", "1", ColumnRole::value, {third, -std::nan("")}}},
   };
   EXPECT_EQ(columns_csv(measurement), "radius [L],count [1]\n1,0.3333333333333333\n2,nan\n");
-  EXPECT_EQ(quantities_csv(std::vector{measurement}),
-            "measure,name,value,error,theory,unit\nthings,size,0.3333333333333333,0.5,nan,L\n");
+  EXPECT_EQ(
+      quantities_csv(std::vector{measurement}),
+      "measure,name,value,error,theory,unit,transient [T]\nthings,size,0.3333333333333333,0.5,nan,L,0\n");
+  Measurement changing = measurement;
+  changing.duration = 8;
+  changing.transient = 1.5;
+  EXPECT_NE(quantities_csv(std::vector{changing}).find(",L,1.5\n"), std::string::npos);
+  changing.is_transient_over = false;
+  EXPECT_NE(quantities_csv(std::vector{changing}).find(",L,8\n"), std::string::npos);
   EXPECT_EQ(columns_csv({.name = "none", .title = "", .formula = "", .source = ""}), "");
 }
 

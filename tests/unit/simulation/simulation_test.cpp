@@ -365,6 +365,21 @@ TEST(Simulation, IsNotEditedDuringARunWithMeasures) {
   EXPECT_EQ(simulation.size(), 2U);
 }
 
+TEST(Simulation, RefusesMeasuresOfOtherSpheres) {
+  Simulation simulation(head_on_pair());
+  Measures measures;
+  simulation.run_until(1, measures);
+  const SphereId added = simulation.add({{10, 5, 8}, {}, 1, 1});
+  EXPECT_THROW(simulation.run_until(2, measures), Error);
+  simulation.remove(added);
+  EXPECT_NO_THROW(simulation.run_until(2, measures)) << "the same spheres again";
+  simulation.remove(1);
+  EXPECT_THROW(simulation.run_until(3, measures), Error);
+  simulation.add({{15, 5, 5}, {}, 1, 1});
+  EXPECT_THROW(simulation.run_until(3, measures), Error) << "as many, but not the same";
+  EXPECT_EQ(simulation.time(), 2);
+}
+
 TEST(Simulation, RefusesResponsesThatReturnInvalidVelocities) {
   for (const EngineKind engine : all_engines()) {
     for (const Box& box : {Box::open(), Box::walls({20, 10, 10}), Box::periodic({20, 10, 10})}) {
