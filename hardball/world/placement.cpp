@@ -10,6 +10,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/world/neighborhood.hpp"
+#include "hardball/world/range.hpp"
 #include "hardball/world/spacing.hpp"
 
 namespace hardball {
@@ -18,6 +19,14 @@ namespace {
 // Random sequential addition of equal spheres jams at a packing fraction of 0.38 and slows down long before.
 constexpr double kRandomLimit = 0.36;
 constexpr int kMaxAttempts = 20000;
+
+void check_region(const Region& region, const std::string& where) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    check_finite(region.low[axis], "an end of the region", where);
+    check_finite(region.high[axis], "an end of the region", where);
+    check_positive(region.high[axis] - region.low[axis], "a length of the region", where);
+  }
+}
 
 // The interval along an axis in which a centre may lie.
 struct Span {
@@ -104,6 +113,8 @@ std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span
                                  Random& random, const std::string& where, const Progress& progress) {
   std::vector<Vec3> centers(radii.size());
   if (radii.empty()) return centers;
+  check_region(region, where);
+  for (const double radius : radii) check_positive(radius, "radius", where);
   const double packing = sphere_volume(radii) / volume(region);
   if (packing > kClosePacking && std::ranges::min(radii) == std::ranges::max(radii)) {
     throw Error("a packing fraction of " + to_text(packing) + " cannot exist", where,
@@ -147,6 +158,8 @@ std::vector<Vec3> place_on_lattice(const Box& box, const Region& region, std::si
                                    const std::string& where) {
   std::vector<Vec3> centers;
   if (count == 0) return centers;
+  check_region(region, where);
+  check_positive(radius, "radius", where);
   const Lattice lattice = widest_lattice(box, region, count, radius);
   if (lattice.nearest < 2 * radius) {
     throw Error("no face-centred cubic lattice holds " + to_text(count) + " spheres of radius " +

@@ -23,14 +23,14 @@ inline constexpr double kClosePacking = 0.74048048969306104;
 
 /// Centres for spheres of these radii [L], in the order given, each uniform among the positions without
 /// overlap with spheres placed before; large spheres are placed first. Centres stay a radius away from the
-/// ends of axes that are not periodic. Error, with `where` as its place: they do not fit, or random placement
-/// cannot reach this density. Cost: O(n) until the region is nearly full.
+/// ends of axes that are not periodic. Error, with `where` as its place: a number out of range; they do not
+/// fit; random placement cannot reach this density. Cost: O(n) until the region is nearly full.
 std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span<const double> radii,
                                  Random& random, const std::string& where, const Progress& progress = {});
 
 /// Centres for `count` spheres of one radius [L] on a face-centred cubic lattice stretched to fill the
-/// region, with vacancies spread evenly. Error, with `where` as its place: no such lattice leaves room for
-/// the spheres.
+/// region, with vacancies spread evenly. Error, with `where` as its place: a number out of range; no such
+/// lattice leaves room for the spheres.
 std::vector<Vec3> place_on_lattice(const Box& box, const Region& region, std::size_t count, double radius,
                                    const std::string& where);
 

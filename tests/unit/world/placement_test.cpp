@@ -77,6 +77,23 @@ TEST(PlaceRandomly, RefusesWhatCannotBeReached) {
   EXPECT_THROW(place_randomly(box, {{}, box.size()}, unequal, random, "here"), Error) << "no room is found";
 }
 
+TEST(Placement, RefusesNumbersOutOfRange) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Box box = Box::periodic({10, 10, 10});
+  const Region region{{}, box.size()};
+  Random random(1);
+  for (const double radius : {nan, kInfinity, -kInfinity, 0.0, -1.0, 1e61, 1e-61}) {
+    EXPECT_THROW(place_randomly(box, region, std::vector<double>{0.5, radius}, random, "here"), Error);
+    EXPECT_THROW(place_on_lattice(box, region, 4, radius, "here"), Error);
+  }
+  for (const Region& bad : {Region{{0, 0, nan}, {10, 10, 10}}, Region{{0, 0, 0}, {10, kInfinity, 10}},
+                            Region{{0, 0, 0}, {10, 0, 10}}, Region{{5, 0, 0}, {4, 10, 10}}}) {
+    EXPECT_THROW(place_randomly(box, bad, std::vector<double>{0.5}, random, "here"), Error);
+    EXPECT_THROW(place_on_lattice(box, bad, 4, 0.5, "here"), Error);
+  }
+}
+
 TEST(PlaceOnLattice, MakesDenseCrystals) {
   for (const auto& boundary : kBoundaries) {
     for (const std::size_t count : {std::size_t{1}, std::size_t{7}, std::size_t{256}, std::size_t{500}}) {
