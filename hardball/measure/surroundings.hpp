@@ -49,19 +49,19 @@ class Surroundings {
   /// away than `range` [L]; `separation` [L] points to it, `square` [L^2] is its squared length.
   template <class Visit>
   void for_each_neighbor(std::size_t sphere, double range, Visit&& visit) const {
-    const auto look_at = [&](std::uint32_t neighbor, const Vec3& separation, double /*reach*/) {
+    const auto check = [&](std::uint32_t neighbor, const Vec3& separation, double /*reach*/) {
       const double square = dot(separation, separation);
       if (square > range * range || (neighbor == sphere && square == 0)) return;
       visit(std::size_t{neighbor}, separation, square);
     };
-    neighborhood_.for_each_near(centers_[sphere], range - ball_, look_at);
+    neighborhood_.for_each_near(centers_[sphere], range - ball_, check);
   }
 
  private:
   const World& world_;
   std::span<const Vec3> centers_;
   std::vector<double> radii_;
-  double ball_;                // radius of all in the neighbourhood [L]
+  double ball_;                // radius of all balls in the neighbourhood [L]
   Neighborhood neighborhood_;  // its cells hold about two centres each
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Collisions make Maxwell's distribution from any other.
+// Collisions turn any distribution into Maxwell's.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -46,17 +46,17 @@ World equal_speeds() {
 TEST(EqualSpeeds, RelaxToMaxwellsDistribution) {
   const World start = equal_speeds();
   EXPECT_NEAR(speed_kurtosis(start), 1, 1e-12);
-  // Four collisions per sphere bring the fourth moment to its end; 15 are more than enough.
+  // The fourth moment relaxes within four collisions per sphere; 15 are more than enough.
   Simulation simulation(support::settled(start, 15));
-  constexpr int kLooks = 100;
-  constexpr std::uint64_t kContactsPerLook = 2 * kSpheres;  // four per sphere
+  constexpr int kSamples = 100;
+  constexpr std::uint64_t kContactsPerSample = 2 * kSpheres;  // four per sphere
   double kurtosis = 0;
   // How often a component of the velocity lies in each of sixteen ranges of equal probability.
   constexpr std::size_t kRanges = 16;
   std::array<double, kRanges> counts{};
-  for (int look = 0; look < kLooks; ++look) {
-    simulation.run_contacts(kContactsPerLook);
-    kurtosis += speed_kurtosis(simulation.world()) / kLooks;
+  for (int sample = 0; sample < kSamples; ++sample) {
+    simulation.run_contacts(kContactsPerSample);
+    kurtosis += speed_kurtosis(simulation.world()) / kSamples;
     for (const Path& path : simulation.world().paths()) {
       for (std::size_t axis = 0; axis < kAxes; ++axis) {
         const double below = std::erfc(-path.velocity[axis] / std::sqrt(2)) / 2;
@@ -66,11 +66,11 @@ TEST(EqualSpeeds, RelaxToMaxwellsDistribution) {
   }
   const double expected = support::FixedEnergy::periodic(kSpheres).speed_kurtosis();
   support::record("kurtosis_ratio", kurtosis / expected);
-  // One look has a relative deviation of 1.217 / sqrt(n); the looks count as independent.
-  EXPECT_NEAR(kurtosis / expected, 1, 4 * 1.217 / std::sqrt(static_cast<double>(kSpheres) * kLooks));
+  // One sample has a relative deviation of 1.217 / sqrt(n); the samples count as independent.
+  EXPECT_NEAR(kurtosis / expected, 1, 4 * 1.217 / std::sqrt(static_cast<double>(kSpheres) * kSamples));
   // Chi squared with fifteen degrees of freedom: above 45 once in 1e4. Fixed energy and momentum only lower
   // it.
-  const double mean = static_cast<double>(3 * kSpheres * kLooks) / kRanges;
+  const double mean = static_cast<double>(3 * kSpheres * kSamples) / kRanges;
   double chi_squared = 0;
   for (const double count : counts) chi_squared += (count - mean) * (count - mean) / mean;
   support::record("chi_squared", chi_squared);
