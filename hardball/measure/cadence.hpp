@@ -37,7 +37,7 @@ class Cadence {
   Cadence(const Time& begin, double finest, double sample_cost, const Pace& pace);
 
   double interval() const { return interval_; }
-  /// The next moment; kNever for one that never samples.
+  /// The next sampling time; kNever for one that never samples.
   Time next() const;
   /// Advances to the first sampling time after `now`; `contacts` is how many there were since the start.
   void advance(const Time& now, std::uint64_t contacts);

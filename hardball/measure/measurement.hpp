@@ -26,7 +26,7 @@ enum class ColumnRole {
   theory,  ///< Expected values of the value column before it.
 };
 
-/// One column of a measured table; NaN stands where there is no number.
+/// One column of a measured table; NaN where there is no number.
 struct Column {
   std::string name;
   std::string unit;  ///< As in Quantity.

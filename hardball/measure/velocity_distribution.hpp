@@ -43,7 +43,7 @@ class VelocityDistribution {
   static constexpr std::size_t kAllBins = kExpectedSpeed + 1;
 
   double spheres_;
-  ThermalMotion motion_;  // in the beginning
+  ThermalMotion motion_;  // at the start
   Time begin_;
   BlockAverage average_;
 };

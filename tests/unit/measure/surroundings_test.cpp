@@ -42,13 +42,13 @@ TEST(Surroundings, HoldTheImagesOfASphereInASmallBox) {
   World world(Box::periodic({1.1, 1.1, 5}));
   world.add({.position = {0.3, 0.3, 1}, .radius = 0.5});
   const Scene scene(world, Time(0));
-  std::size_t copies = 0;
+  std::size_t images = 0;
   scene.surroundings().for_each_neighbor(0, 1.2, [&](std::size_t neighbor, const Vec3& separation, double) {
     EXPECT_EQ(neighbor, 0U);
     EXPECT_NEAR(length(separation), 1.1, 1e-12);
-    ++copies;
+    ++images;
   });
-  EXPECT_EQ(copies, 4U);
+  EXPECT_EQ(images, 4U);
 }
 
 TEST(Surroundings, AreWhereSpheresHaveMovedTo) {
