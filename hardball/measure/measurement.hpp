@@ -13,8 +13,7 @@ struct Quantity {
   std::string name;  ///< As in "compressibility".
   std::string unit;  ///< A product of powers of L, T and M, as in "L^2 T^-1"; "1" for a pure number.
   double value = std::numeric_limits<double>::quiet_NaN();
-  double error =
-      std::numeric_limits<double>::quiet_NaN();  ///< As in Estimate; NaN if the run does not determine it.
+  double error = std::numeric_limits<double>::quiet_NaN();   ///< As in Estimate; NaN if undetermined.
   double theory = std::numeric_limits<double>::quiet_NaN();  ///< Expected value; NaN if there is no theory.
 };
 
