@@ -18,7 +18,7 @@ std::string label_of(const std::string& name, const std::string& unit) {
   return text.empty() ? name : name + "  [" + text + "]";
 }
 
-// A chart in the making.
+// A chart under construction.
 struct Group {
   const Column* argument;
   std::string unit;
@@ -105,7 +105,7 @@ std::vector<chart::Chart> charts_of(const Measurement& measurement) {
     std::erase_if(each.chart.series,
                   [&](const chart::Series& series) { return !has_points(each.chart, series); });
     if (each.chart.series.empty()) continue;
-    // Points that no curve goes through are joined.
+    // Points without a theory are joined.
     const auto is_reference = [](const chart::Series& series) { return series.reference; };
     if (std::none_of(each.chart.series.begin(), each.chart.series.end(), is_reference)) {
       for (chart::Series& series : each.chart.series) series.line = true;

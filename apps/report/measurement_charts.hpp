@@ -10,11 +10,11 @@
 
 namespace hardball::report {
 
-/// A name of a column or quantity for people: "mean_free_time" without the underscores.
+/// A readable name of a column or quantity: "mean free time" for "mean_free_time".
 std::string readable(std::string name);
 
-/// Charts of a measured table: one for each argument and unit of values, with their errors and theories.
-/// Where points are many they make a line, and their errors a band. Charts without a point are left out.
+/// Charts of a measured table: one for each argument and unit of values, with their errors and theories. Many
+/// points are drawn as a line, and their errors as a band. Charts without points are omitted.
 std::vector<chart::Chart> charts_of(const Measurement& measurement);
 
 }  // namespace hardball::report

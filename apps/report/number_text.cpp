@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kNone = "–";
 constexpr std::string_view kMinus = "−";
 
-// Beyond these, a power of ten is set apart.
+// Beyond these, a power of ten is split off.
 constexpr int kLeastExponent = -4;
 constexpr int kMostExponent = 5;
 constexpr int kMostExactExponent = 8;  // of a number all of whose digits count
@@ -84,7 +84,7 @@ std::string measured_text(double value, double error) {
   const int error_exponent = exponent_of(error, kErrorDigits);
   const int exponent =
       value == 0 ? error_exponent : std::max(exponent_of(value, kErrorDigits), error_exponent);
-  // Set apart as well where the last digit of the error stands left of the point.
+  // Split off as well if the last digit of the error is left of the point.
   const bool is_plain =
       exponent >= kLeastExponent && exponent <= kMostExactExponent && error_exponent < kErrorDigits;
   const int shift = is_plain ? 0 : exponent;

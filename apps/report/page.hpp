@@ -7,27 +7,26 @@
 #include <string_view>
 #include <vector>
 
-/// The pieces that a page is made of. Arguments called `html` are markup, taken as it is; all others are
-/// text.
+/// The pieces of a page. Arguments called `html` are markup, inserted verbatim; all others are text.
 namespace hardball::report {
 
-/// A text with its raised exponents set as such.
+/// A text with its raised exponents as superscripts.
 std::string typeset(std::string_view text);
 
 /// A paragraph of a class.
 std::string paragraph(std::string_view css_class, std::string_view html);
 
-/// A section with its heading, to be linked to as `id`.
+/// A section with its heading; `id` is its link target.
 std::string section(std::string_view id, std::string_view heading, std::string_view html);
 
 /// A plot.
 std::string figure(std::string_view svg_html);
 
-/// A table whose rows begin with their name.
+/// A table whose rows start with their name.
 class Table {
  public:
-  /// `css_class` is "facts" for names and what they are, "numbers" for columns of numbers. With no heads
-  /// there is no row of heads; the first stands above the names.
+  /// `css_class` is "facts" for names and values, "numbers" for columns of numbers. With no heads there is no
+  /// header row; the first head is above the names.
   Table(std::string_view css_class, std::string_view caption, const std::vector<std::string>& heads = {});
 
   void add_row(std::string_view name_html, const std::vector<std::string>& cells_html);
@@ -41,8 +40,7 @@ class Table {
   std::string rows_;
 };
 
-/// A skeleton in which each {{name}} has become what `pieces` says for it, as it is. Precondition: they have
-/// it.
+/// A skeleton with each {{name}} replaced verbatim by its entry in `pieces`. Precondition: there is one.
 std::string fill(std::string_view skeleton, const std::map<std::string, std::string, std::less<>>& pieces);
 
 }  // namespace hardball::report

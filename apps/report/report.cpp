@@ -23,10 +23,10 @@ using chart::escaped;
 // Rounding changes the energy of elastic spheres by less, however long the run.
 constexpr double kEnergyTolerance = 1e-10;
 constexpr double kFarInErrors = 3;
-constexpr double kManyTimes = 4;  // from which on costs are best compared on a logarithmic axis
+constexpr double kManyTimes = 4;  // beyond this costs are best compared on a logarithmic axis
 constexpr std::size_t kMostScenarioBytes = 20'000;
 
-// A file of ours without the lines at its head that say whose it is.
+// One of our files without its licence header.
 std::string_view without_license(std::string_view file) {
   return file.substr(file.find("\n\n") + 2);
 }
@@ -47,13 +47,13 @@ bool is_elastic(const Report& report) {
   return report.restitution == 1;
 }
 
-// Relative to that at the start; zero if there was none.
+// Relative to the energy at the start; zero if there was none.
 double energy_change(const Report& report) {
   const double change = report.final_energy - report.initial_energy;
   return report.initial_energy > 0 ? change / report.initial_energy : change;
 }
 
-// --- how much is near its theory ---
+// --- agreement with theory ---
 
 bool is_far(const Quantity& quantity) {
   return is_known_error(quantity.value, quantity.error) &&
@@ -80,7 +80,7 @@ std::string agreement_sentence(const Report& report) {
   if (agreement.compared == 0) return {};
   return fmt::format(
       " Of {} measured numbers with a standard error and a theory, {} lie within three standard errors of "
-      "it.",
+      "theory.",
       agreement.compared, agreement.near == agreement.compared ? "all" : std::to_string(agreement.near));
 }
 
@@ -208,20 +208,21 @@ std::string quantities_table(const std::vector<Quantity>& quantities) {
 std::string reading() {
   return paragraph(
       "note",
-      "A standard error stands in parentheses, in units of the last digit: 1.234(56) is 1.234 ± 0.056. "
-      "Two of them cover 95% of runs; there is none where the run is too short to know it. "
+      "A standard error is given in parentheses, in units of the last digit: 1.234(56) is 1.234 ± 0.056. "
+      "The true value is within two of them in 95% of runs; there is none where the run is too short to "
+      "determine it. "
       "Deviations from theory are in standard errors, σ, or in percent where no error is known; those "
       "of more than three σ are bold. Many theories are approximations.");
 }
 
 std::string rates(const Report& report) {
   return quantities_table(report.rates) + paragraph("note",
-                                                    "Means over the whole run, the way from the start to "
-                                                    "equilibrium included; the theory is that of "
+                                                    "Means over the whole run, including the approach to "
+                                                    "equilibrium; the theory is that of "
                                                     "equilibrium.");
 }
 
-// What of the run the means are of.
+// Which part of the run the means are over.
 std::string transient_note(const Measurement& measurement) {
   if (!measurement.is_transient_over) {
     return paragraph("note",
@@ -249,7 +250,7 @@ std::string article(const Measurement& measurement) {
   html += "</div>\n";
   html += transient_note(measurement);
   if (figures.empty() && measurement.quantities.empty())
-    html += paragraph("note", "The run gave no numbers.");
+    html += paragraph("note", "The run gave no results.");
   if (!measurement.source.empty()) html += paragraph("source", escaped(measurement.source));
   return html + "</article>\n";
 }
@@ -308,7 +309,7 @@ std::string speed(const Report& report) {
   return table.html();
 }
 
-// A text up to a line end near the most bytes to be shown.
+// A text up to a line end near the most bytes shown.
 std::string_view beginning_of(std::string_view text) {
   if (text.size() <= kMostScenarioBytes) return text;
   return text.substr(0, std::min(text.rfind('\n', kMostScenarioBytes), kMostScenarioBytes));
@@ -317,16 +318,16 @@ std::string_view beginning_of(std::string_view text) {
 std::string scenario(const Report& report) {
   std::string html;
   if (report.changes.empty()) {
-    html += paragraph("note", "As the file says, without changes on the command line.");
+    html += paragraph("note", "As in the file, without changes on the command line.");
   } else {
-    html += paragraph("note", "As the file says; the command line changed:") + "<ul class=\"changes\">\n";
+    html += paragraph("note", "As in the file; the command line changed:") + "<ul class=\"changes\">\n";
     for (const std::string& change : report.changes) html += "<li>" + code(change) + "</li>\n";
     html += "</ul>\n";
   }
   const std::string_view shown = beginning_of(report.scenario);
   html += "<pre tabindex=\"0\"><code>" + escaped(shown) + "</code></pre>\n";
   if (shown.size() < report.scenario.size()) {
-    html += paragraph("note", fmt::format("The file goes on for another {} bytes.",
+    html += paragraph("note", fmt::format("The file continues for another {} bytes.",
                                           count_text(report.scenario.size() - shown.size())));
   }
   return html;

@@ -14,30 +14,30 @@
 
 namespace hardball::report {
 
-/// What was predicted of the choice of the engine's cells or lists.
+/// The predicted cost for a choice of the engine's cells or lists.
 struct CostCurve {
   std::string title;        ///< "Choice of the cells".
   std::string quantity;     ///< What was chosen: "edge of the cells".
   std::string explanation;  ///< Why it matters, in a sentence or two.
   std::vector<double>
-      length;  ///< The edges, or radii, compared, in rising order [L]; empty if there was no choice.
+      length;  ///< The edges, or radii, compared, in ascending order [L]; empty if there was no choice.
   std::vector<double> cost;          ///< What each would cost, over the least [1].
   std::vector<chart::Marker> marks;  ///< The one in use, and others of interest.
 };
 
-/// All that a report says of a run. A number that has no meaning for the run is NaN.
+/// All contents of the report of a run. A number without meaning for the run is NaN.
 struct Report {
-  // What was asked for.
+  // Input.
   std::string name;                  ///< Of the scenario.
   std::string scenario;              ///< Its text (TOML).
   std::vector<std::string> changes;  ///< What the command line changed in it, as "--until 5".
   std::string program;               ///< Name and version.
-  std::string date;                  ///< When the run ended, to be read.
+  std::string date;                  ///< When the run ended, as text.
   double until = 0;                  ///< When the run should end [T].
   std::uint64_t seed = 0;
   double restitution = 1;  ///< [1]
 
-  // What came of it.
+  // Results.
   double time = 0;  ///< When it ended [T].
   bool is_complete = true;
   std::uint64_t event_log_hash = 0;
@@ -49,7 +49,7 @@ struct Report {
   Vec3 momentum;                                                       ///< [M L T^-1]
   double max_overlap = 0;                                              ///< In diameters [1].
 
-  // How it went.
+  // Performance.
   std::string engine;
   double cell_edge = std::numeric_limits<double>::quiet_NaN();  ///< [L]
   double slack = std::numeric_limits<double>::quiet_NaN();      ///< Of neighbour lists [L].
@@ -58,12 +58,12 @@ struct Report {
   double bytes_per_sphere = 0;
   double peak_bytes = 0;
 
-  std::vector<Quantity> rates;  ///< With what kinetic theory predicts.
+  std::vector<Quantity> rates;  ///< With the predictions of kinetic theory.
   CostCurve choice;
   std::vector<Measurement> measurements;
 };
 
-/// The report as one HTML page that needs nothing else, no network and no script; it is well-formed XML too.
+/// The report as one self-contained HTML page, without network or script; it is also well-formed XML.
 std::string to_html(const Report& report);
 
 }  // namespace hardball::report

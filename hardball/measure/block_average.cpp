@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// That of the blocks, or the larger one where these do not tell enough.
+// The error from blocks, or the larger one if there are too few independent blocks.
 double error_of(std::span<const double> blocks, double of_groups) {
   constexpr double kEnough = 16;
   const double of_series = error_of_series(blocks);
@@ -22,8 +22,8 @@ double error_of(std::span<const double> blocks, double of_groups) {
   return is_enough ? of_series : std::fmax(of_series, of_groups);
 }
 
-// Whether one share is different from all others, as if by a rare kind of sphere: then nothing is
-// known of how rare it is.
+// Whether one share differs from all others, as if due to a rare kind of sphere: then how rare it is cannot
+// be estimated.
 bool is_of_few(std::span<const double> shares) {
   constexpr double kFewest = 1.5;
   double squares = 0;
@@ -107,7 +107,7 @@ Estimate BlockAverage::ratio(std::size_t bin, std::size_t over) const {
       share += sums[bin] - value * sums[over];
       counted += sums[over];
     }
-    // Of fewer spheres than groups some groups are empty.
+    // With fewer spheres than groups some groups are empty.
     if (counted > 0) of_groups.push_back(share / below);
   }
   return {value, error_of(of_blocks, error_of_independent(of_groups))};
@@ -130,7 +130,7 @@ std::vector<Estimate> BlockAverage::histogram(std::size_t first, std::size_t cou
   return found;
 }
 
-// By how much each group moves what is found of some blocks.
+// By how much each group moves the result of some blocks.
 std::vector<double> BlockAverage::shares_of_groups(const FunctionOfMeans& quantity, std::size_t first,
                                                    std::size_t end) const {
   std::vector<double> sums;
@@ -167,7 +167,7 @@ Estimate BlockAverage::estimate(const FunctionOfMeans& quantity, Groups groups) 
       of_one_block += error * error / static_cast<double>(blocks());
     }
     // What a group remembers from block to block makes it vary more than if blocks were independent. Of that,
-    // it hands on to others what it forgets during the run.
+    // it passes to others what it forgets during the run.
     const double square = of_groups * of_groups;
     const double remembered = std::max(square - of_one_block / static_cast<double>(blocks()), 0.0);
     const double forgotten = std::max(1 - square / of_one_block, 0.0);

@@ -44,7 +44,7 @@ struct Harmonics {
       imaginary[m] += other.imaginary[m];
     }
   }
-  /// The root of the sum of squares, for a mean over so many bonds: 1 if all have one direction.
+  /// The root of the sum of squares, for a mean over `bonds`: 1 if all have one direction.
   double invariant(double bonds) const {
     double sum = real[0] * real[0];
     for (std::size_t m = 1; m <= kDegree; ++m) sum += 2 * (real[m] * real[m] + imaginary[m] * imaginary[m]);
@@ -64,14 +64,14 @@ std::array<double, kDegree + 1> normalisation() {
   return factor;
 }
 
-// What has been seen of the bonds of one sphere, or of all.
+// Sums over the bonds of one sphere, or of all.
 struct Bonds {
   double count = 0;
   Harmonics<4> four;
   Harmonics<6> six;
 
   // Adds the bond along a unit vector. Associated Legendre functions without their powers of sin(theta) are
-  // polynomials in z, which go with powers of x + i y. Source: Abramowitz and Stegun, Handbook of
+  // polynomials in z, multiplied by powers of x + i y. Source: Abramowitz and Stegun, Handbook of
   // Mathematical Functions, 8.5.3 (recurrence by degree).
   void add(const Vec3& direction) {
     static const std::array<double, 5> kFour = normalisation<4>();
@@ -151,7 +151,7 @@ void BondOrder::sample(const Scene& scene) {
     average_.put(kSpheres, 1, group_of(center));
     if (bonds.count == 0) return;
     all.add(bonds);
-    // Near spheres have bonds in common.
+    // Neighbours have bonds in common.
     double* const sums = average_.open_bins(0, group_of_pair(center, nearest_one));
     ++sums[kBonded];
     const double four = bonds.invariant_four();
@@ -165,7 +165,7 @@ void BondOrder::sample(const Scene& scene) {
     average_.put(kAllFour, all.invariant_four());
     average_.put(kAllSix, all.invariant_six());
   }
-  // Without a bond nothing is known of the order.
+  // Without a bond the order is undefined.
   average_.close_sample(duration(begin_, scene.now()), all.count > 0 ? 1 : 0);
 }
 

@@ -10,12 +10,12 @@
 
 namespace hardball {
 
-/// How the directions to neighbours are ordered: the invariants Q4 and Q6 of all bonds, and q4 and q6 of the
+/// The order in the directions to neighbours: the invariants Q4 and Q6 of all bonds, and q4 and q6 of the
 /// bonds of each sphere.
 ///
-/// Neighbours are centres not farther away than 1.4 times the distance at which the two touch. Q6 of all
-/// bonds is 0.575 for a face-centred, 0.511 for a body-centred and 0.354 for a simple cubic crystal, 0.485
-/// for a hexagonal close packing, and goes to zero as one over the root of the number of bonds for a fluid.
+/// Neighbours are centres no farther away than 1.4 times the distance at which the two touch. Q6 of all bonds
+/// is 0.575 for a face-centred, 0.511 for a body-centred and 0.354 for a simple cubic crystal, 0.485 for a
+/// hexagonal close packing, and goes to zero as one over the square root of the number of bonds for a fluid.
 class BondOrder {
  public:
   static constexpr std::string_view kName = "bond_order";
@@ -23,7 +23,7 @@ class BondOrder {
   /// `reach` [1]: how far away neighbours are at most, as a multiple of the sum of the radii.
   explicit BondOrder(const Scene& scene, double reach = 1.4);
 
-  /// What a sample costs [ns]: 700 to 2000 ns for each sphere looked at, see Surroundings.
+  /// What a sample costs [ns]: 700 to 2000 ns for each chosen sphere, see Surroundings.
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;

@@ -10,10 +10,11 @@
 namespace hardball {
 
 Pace expected_pace(const Moments& moments) {
-  // What a fast engine takes with spheres that the caches hold; samples are to be cheap beside that, too.
+  // The cost of a fast engine with spheres that fit in the caches; samples must be cheap compared with that,
+  // too.
   constexpr double kContactCost = 1000;
-  // Nothing moves, or there is nothing: time has no measure, and the first doublings of the interval find
-  // one.
+  // Nothing moves, or there are no spheres: there is no time scale, and doubling the interval finds a
+  // suitable one.
   if (!(moments.mean_speed > 0)) return {1, 0, kContactCost};
   const double crossing =
       std::max({moments.extent.x, moments.extent.y, moments.extent.z}) / moments.mean_speed;

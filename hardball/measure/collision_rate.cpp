@@ -70,7 +70,7 @@ Measurement CollisionRate::result(const Scene& scene) const {
   Measurement found{.name = std::string(kName),
                     .title = "Collision rate",
                     .formula =
-                        "w = 2 collisions / (N t); free time 1 / w, free path <|v|> / w; theory: "
+                        "w = 2 collisions / (N t); mean free time 1 / w, path <|v|> / w; theory: "
                         "w = (6 / sqrt(pi)) (Z - 1) sqrt(kT / m) / diameter",
                     .source =
                         "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, sections 5.2 "
@@ -100,7 +100,8 @@ Measurement CollisionRate::result(const Scene& scene) const {
   }
   add_rate("collision_rate", kCollisions, 2 / spheres_, expected);
   const Quantity per_time = found.quantities.back();
-  // Without a collision there is no free time, and by a few it is known badly: a reciprocal is not symmetric.
+  // Without a collision there is no mean free time; from a few it is poorly known, as a reciprocal is not
+  // symmetric.
   constexpr double kWell = 0.2;
   Estimate free_time;
   if (per_time.value > 0) free_time.value = 1 / per_time.value;
@@ -113,7 +114,7 @@ Measurement CollisionRate::result(const Scene& scene) const {
   if (has_walls_) add_rate("wall_rate", kWalls, 1 / spheres_, kNone);
   for (std::size_t a = 0; species_.size() > 1 && a < species_.size(); ++a) {
     for (std::size_t b = a; b < species_.size(); ++b) {
-      // Of two alike both have had a collision.
+      // Of two spheres of the same species both have collided.
       add_rate("collision_rate" + species_.suffix(a) + species_.suffix(b), pair_bin(a, b),
                (a == b ? 2 : 1) / static_cast<double>(species_.count(a)),
                theory_.collision_rate(a, b, temperature));

@@ -16,8 +16,8 @@
 
 namespace hardball {
 
-/// How often spheres collide, with whom, how long and how far they fly freely, and how often they hit a wall.
-/// Source: Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, sections 5.2 and 16.2.
+/// How often spheres collide, with which species, the mean free time and path, and how often spheres hit a
+/// wall. Source: Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, sections 5.2 and 16.2.
 class CollisionRate {
  public:
   static constexpr std::string_view kName = "collision_rate";
@@ -28,9 +28,9 @@ class CollisionRate {
   void note(const Contact& contact);
   /// What a sample costs [ns].
   double sample_cost() const { return 8 * spheres_; }
-  /// Looks at the speeds, from which the free path follows. Cost: O(n).
+  /// Samples the speeds, from which the mean free path follows. Cost: O(n).
   void sample(const Scene& scene);
-  /// What was found up to the moment of the scene.
+  /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
  private:
@@ -46,14 +46,14 @@ class CollisionRate {
 
   Species species_;
   FluidTheory theory_;
-  ThermalMotion motion_;  // in the beginning
+  ThermalMotion motion_;  // at the start
   double spheres_;
   bool has_walls_;
   Time begin_;
   Time last_;
-  BlockAverage contacts_;  // each count per time [1/T]
-  // Sums over spheres, by groups of these: of the speed [L/T] and of m v^2, for where energy is fixed the
-  // mean speed varies less than that of spheres each for itself.
+  BlockAverage contacts_;  // each count per unit time [1/T]
+  // Sums over spheres, by groups of spheres: of the speed [L/T] and of m v^2, since at fixed energy the mean
+  // speed varies less than that of independent spheres.
   BlockAverage speed_{3, kSphereGroups};
 };
 

@@ -17,7 +17,7 @@ double power_integral(std::size_t bin, std::size_t power) {
   return (std::pow(high, exponent) - std::pow(low, exponent)) / exponent;
 }
 
-// A polynomial in the gap as the fit sees it: its means in the bins, and its value at contact.
+// A polynomial in the gap: its means in the bins, and its value at contact.
 struct Polynomial {
   ContactExtrapolation::Bins means{};
   double at_contact = 0;
@@ -36,13 +36,13 @@ struct Polynomial {
 }  // namespace
 
 ContactExtrapolation::ContactExtrapolation(double width, double radius) : width_(width) {
-  // At gap x width the space grows as (1 + c x)^2.
+  // At the gap x width the area grows as (1 + c x)^2.
   const double c = width / radius;
   const auto integral = [c](std::size_t bin, std::size_t power) {
     return power_integral(bin, power) + 2 * c * power_integral(bin, power + 1) +
            c * c * power_integral(bin, power + 2);
   };
-  // Least squares by orthogonal polynomials, each of which adds its share. Source: Golub and Van Loan, Matrix
+  // Least squares by orthogonal polynomials, each of which adds its part. Source: Golub and Van Loan, Matrix
   // Computations, section 5.2 (modified Gram and Schmidt).
   std::array<Polynomial, kCoefficients> basis;
   for (std::size_t power = 0; power < kCoefficients; ++power) {

@@ -7,33 +7,33 @@
 
 namespace hardball {
 
-/// Extrapolates a density to contact, from its means in bins of the gap next to it: fits a cubic in the gap,
+/// Extrapolates a density to contact, from its means in bins of the gap near it: fits a cubic in the gap,
 /// whose value at contact is a weighted sum of the means.
 class ContactExtrapolation {
  public:
   static constexpr std::size_t kBins = 15;
-  /// The bins together, in diameters: there the pair density of the densest fluid falls by two thirds, and
-  /// the cubic follows it to 0.1%.
+  /// Width of all bins together, in diameters: there the pair density of the densest fluid falls by two
+  /// thirds, and the cubic follows it to 0.1%.
   static constexpr double kReach = 0.15;
 
-  /// Overlaps by rounding are smaller than this [bins].
+  /// Overlaps due to rounding are smaller than this [bins].
   static constexpr double kRounding = 1e-6;
 
   using Bins = std::array<double, kBins>;
 
-  /// Bins fill the space within the gap 0 to `width` [L] of a sphere of radius `radius` [L] on whose surface
-  /// contact is, or of a wall if that is infinite.
+  /// Bins fill the space within the gap 0 to `width` [L] of a sphere at contact with a sphere of radius
+  /// `radius` [L], or with a wall if that is infinite.
   ContactExtrapolation(double width, double radius);
 
   double bin_width() const { return width_ / kBins; }  ///< [L]
-  /// The bin of a gap [L]; kBins if it is in none. Contacts may overlap by rounding.
+  /// The bin of a gap [L]; kBins if it is in none. Spheres in contact may overlap by rounding.
   std::size_t bin(double gap) const {
     const double place = gap / width_ * kBins;
     if (!(place > -kRounding && place < kBins)) return kBins;
     return place > 0 ? static_cast<std::size_t>(place) : 0;
   }
 
-  /// The density at contact, that in each bin being given; in the same unit.
+  /// The density at contact from that in each bin, in the same unit.
   double at_contact(const Bins& density) const;
 
  private:

@@ -15,7 +15,8 @@
 namespace hardball {
 namespace {
 
-// Equal spheres have at most 12 or 13; a large one among small ones may have more, which count as so many.
+// Equal spheres have at most 12 or 13; a large one among small ones may have more, which are counted in the
+// last bin.
 constexpr std::size_t kMostNeighbors = 100;
 
 // Bins: spheres by their number of neighbours, all of these, and all neighbours.
@@ -51,7 +52,7 @@ void Coordination::sample(const Scene& scene) {
       average_.put(kNeighbors, 1, group_of_pair(center, neighbor));
     });
     average_.put(kSpheres, 1, group_of(center));
-    // Near spheres have neighbours in common.
+    // Nearby spheres have neighbours in common.
     const std::size_t group = neighbors > 0 ? group_of_pair(center, nearest_one) : group_of(center);
     average_.put(std::min(neighbors, kMostNeighbors), 1, group);
   });
@@ -62,8 +63,7 @@ Measurement Coordination::result(const Scene& /*scene*/) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Numbers of neighbours",
-      .formula =
-          "fraction of the spheres with k neighbours closer than a multiple of the distance at contact",
+      .formula = "fraction of the spheres with k neighbours closer than a multiple of the sum of the radii",
       .source = "Bernal and Mason, Nature 188 (1960) 910"};
   const FunctionOfMeans neighbors_of = [](std::span<const double> means) {
     return means[kNeighbors] / means[kSpheres];

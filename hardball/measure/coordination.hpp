@@ -10,7 +10,7 @@
 
 namespace hardball {
 
-/// How many neighbours spheres have: centres not farther away than 1.2 times the distance at which the two
+/// How many neighbours spheres have: centres no farther away than 1.2 times the distance at which the two
 /// touch.
 class Coordination {
  public:
@@ -19,7 +19,7 @@ class Coordination {
   /// `reach` [1]: how far away neighbours are at most, as a multiple of the sum of the radii.
   explicit Coordination(const Scene& scene, double reach = 1.2);
 
-  /// What a sample costs [ns]: 300 to 1200 ns for each sphere looked at, see Surroundings.
+  /// What a sample costs [ns]: 300 to 1200 ns for each chosen sphere, see Surroundings.
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;

@@ -9,7 +9,7 @@
 namespace hardball {
 namespace {
 
-// The sign of what is no number means nothing.
+// The sign of a NaN has no meaning.
 std::string field(double number) {
   return std::isnan(number) ? "nan" : to_text(number);
 }

@@ -10,11 +10,11 @@
 namespace hardball {
 
 /// The columns of a measurement as comma-separated values. The first line names them, each with its unit, as
-/// in "radius [L]"; numbers read back to the same bits, and "nan" stands where there is none.
+/// in "radius [L]"; numbers read back to the same bits, and "nan" where there is none.
 std::string columns_csv(const Measurement& measurement);
 
-/// The quantities of all measurements, a line for each: measure, name, value, error, theory, unit, and how
-/// much of the beginning was left out as a transient; all of the run's length if the transient is not over.
+/// The quantities of all measurements, a line for each: measure, name, value, error, theory, unit, and the
+/// length of the transient left out, which is that of the whole run if the transient is not over.
 std::string quantities_csv(std::span<const Measurement> measurements);
 
 }  // namespace hardball

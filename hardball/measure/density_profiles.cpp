@@ -24,7 +24,7 @@ double mean_radius(const World& world) {
   return sum / static_cast<double>(world.size());
 }
 
-// Of a ball of this radius, the volume on the lower side of a plane this far from its centre, which cuts it.
+// Volume of a ball of this radius below a plane this far from its centre, which cuts it.
 double volume_below_inside(double plane, double radius) {
   const double h = plane + radius;
   return std::numbers::pi / 3 * h * h * (3 * radius - h);
@@ -86,7 +86,7 @@ void DensityProfiles::add_slices(double center, double radius, std::size_t axis,
   const auto bin_of = [&](double place) {
     return std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(place / bin_width_), 0, count - 1);
   };
-  // A sphere that crosses a periodic end reaches into the box a second time, as its copy.
+  // A sphere that crosses a periodic boundary extends into the box a second time, as its image.
   for (const double boxes : {-1.0, 0.0, 1.0}) {
     const double place = center + boxes * size;
     if (place + radius <= 0 || place - radius >= size || (boxes != 0 && !box_.is_periodic(axis))) continue;

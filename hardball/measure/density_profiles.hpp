@@ -16,9 +16,9 @@ namespace hardball {
 /// How number density and packing fraction change along each axis that is not open, and the density of
 /// centres that touch a wall.
 ///
-/// A bin is a slab across the whole box. The number density counts centres; the packing fraction, the volume
-/// of the slab that lies within spheres, exactly. If an axis is open a slab has no volume, and the
-/// measurement is empty.
+/// A bin is a slab across the whole box. The number density counts centres; the packing fraction is the exact
+/// volume of the slab that lies within spheres. If an axis is open a slab has no volume, and the measurement
+/// is empty.
 class DensityProfiles {
  public:
   static constexpr std::string_view kName = "density_profiles";
@@ -26,7 +26,7 @@ class DensityProfiles {
   /// In bins of `bin_width` mean radii, or wider so that there are no more than 2000.
   explicit DensityProfiles(const Scene& scene, double bin_width = 0.1);
 
-  /// What a sample costs [ns]: 5 ns for each sphere and bin it reaches into, along each axis.
+  /// What a sample costs [ns]: 5 ns for each sphere and bin it overlaps, along each axis.
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;
@@ -39,14 +39,14 @@ class DensityProfiles {
   Time begin_;
   double bin_width_ = 0;  // [L]; the last bin along an axis may be thinner
   std::array<std::size_t, kAxes> bins_{};
-  std::size_t most_bins_ = 0;  // the largest of these
+  std::size_t most_bins_ = 0;  // the largest of bins_
   ContactExtrapolation contact_;
   double sample_cost_ = 0;  // [ns]
   // Bins, by axis and slab: counts of centres, then packing fractions, then by kAtWalls.
   std::size_t first_fraction() const { return kAxes * most_bins_; }
   std::size_t first_at_walls() const { return 2 * kAxes * most_bins_; }
-  // Of centres that touch a wall, in the mean over all walls: the density [L^-3], and times kT of the world
-  // the pressure [M L^-1 T^-2].
+  // Of centres that touch a wall, averaged over all walls: the density [L^-3], and its product with the kT of
+  // the world, the pressure [M L^-1 T^-2].
   static constexpr std::size_t kAtWalls = 2;
   BlockAverage average_{0};
 };

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// By which a standard deviation known with so many degrees of freedom is multiplied so that twice it covers
-// as much as two known ones would. Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 26.7.5.
+// The factor for a standard deviation estimated with so many degrees of freedom, so that two of them cover as
+// much as two exact ones would. Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 26.7.5.
 double student_factor(double freedom) {
   return 1 + (1.25 + (1.5313 + 1.4297 / freedom) / freedom) / freedom;
 }
@@ -23,7 +23,7 @@ double autocovariance(std::span<const double> shares, std::size_t lag) {
   return sum;
 }
 
-// Standard error if this sum of squares of `parts` shares is worth so many independent ones.
+// Standard error from the sum of squares of `parts` shares that are worth so many independent ones.
 double error_of(double squares, double parts, double independent) {
   return std::sqrt(squares * parts / (independent - 1)) * student_factor(std::min(independent, parts) - 1);
 }
@@ -70,12 +70,13 @@ double error_of_independent(std::span<const double> shares) {
 }
 
 double independent_parts(std::span<const double> shares) {
-  // Where parts make up for each other they tell more; by chance they seem to.
+  // Anticorrelated parts are worth more independent ones; by chance they may seem so.
   constexpr double kMost = 2;
   const auto parts = static_cast<double>(shares.size());
   const double squares = autocovariance(shares, 0);
   if (squares == 0) return parts;
-  // Sums of two autocorrelations in a row fall towards zero; from the first below it there is only noise.
+  // Sums of two successive autocorrelations fall towards zero; from the first negative one there is only
+  // noise.
   double least = std::numeric_limits<double>::infinity();
   double sum = -1;
   for (std::size_t lag = 0; lag + 1 < shares.size(); lag += 2) {

@@ -15,7 +15,7 @@ class EventLogHash {
  public:
   void note(const Contact& contact) {
     mix(std::bit_cast<std::uint64_t>(contact.time.high));
-    // Zero has two signs; they are one moment.
+    // Zero has two signs but is one time.
     mix(std::bit_cast<std::uint64_t>(contact.time.low + 0.0));
     mix(std::uint64_t{contact.second} << 32 | contact.first);
     mix(static_cast<std::uint64_t>(contact.is_collision() ? 0 : 1));

@@ -15,7 +15,7 @@ double fluid_packing_fraction(const Scene& scene) {
 }
 
 double percus_yevick_structure_factor(double packing_fraction, double wave_number) {
-  // Closer to zero the closed form loses its digits, and the structure factor does not change any more.
+  // Closer to zero the closed form suffers from cancellation, and the structure factor is constant.
   const double q = std::max(wave_number, 0.02);
   const double sine = std::sin(q);
   const double cosine = std::cos(q);
@@ -38,8 +38,8 @@ double nearest_neighbor_beyond(double packing_fraction, double distance) {
   const double p = packing_fraction;
   const double x = std::max(distance, 1.0);
   const double cube = std::pow(1 - p, 3);
-  // Spheres at the surface of an empty ball of radius x stand a0 + a1 / x + a2 / x^2 times as densely as in
-  // the mean.
+  // The density of spheres at the surface of an empty ball of radius x is a0 + a1 / x + a2 / x^2 times the
+  // mean.
   const double a0 = (1 + p + p * p - p * p * p) / cube;
   const double a1 = p * (3 * p * p - 4 * p - 3) / (2 * cube);
   const double a2 = p * p * (2 - p) / (2 * cube);

@@ -4,12 +4,12 @@
 
 #include "hardball/measure/scene.hpp"
 
-/// The structure of the fluid of equal hard spheres in equilibrium: what the measures of structure are
-/// compared with. Lengths are in diameters.
+/// The structure of the fluid of equal hard spheres in equilibrium, for comparison with the measures of
+/// structure. Lengths are in diameters.
 namespace hardball {
 
-/// Packing fraction of spheres to which this theory applies: a FluidTheory that holds, of spheres of equal
-/// radius; NaN for any other. Cost: O(n).
+/// Packing fraction of spheres to which this theory applies: those of equal radius to which FluidTheory
+/// applies; NaN for any others. Cost: O(n).
 double fluid_packing_fraction(const Scene& scene);
 
 /// The static structure factor in the approximation of Percus and Yevick [1]; `wave_number` in 1 / diameter.

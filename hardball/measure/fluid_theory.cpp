@@ -106,7 +106,7 @@ double FluidTheory::mean_speed(double temperature) const {
 
 double FluidTheory::enskog_diffusion(double temperature) const {
   if (!species_.is_one_kind()) return kNone;
-  // The dilute gas to first and to higher order in Sonine's polynomials.
+  // The dilute gas to first and to higher order in Sonine polynomials.
   constexpr double kHigherOrders = 1.01896;
   const double diameter = 2 * species_.radius(0);
   const double dilute =

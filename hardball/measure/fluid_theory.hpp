@@ -11,8 +11,8 @@ namespace hardball {
 /// fraction of 0.494. Source: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) 2335.
 double fluid_compressibility(double packing_fraction);
 
-/// What is known of hard spheres in equilibrium that fill a periodic box as a fluid. Where that does not
-/// hold, as with walls, or beyond freezing, everything is NaN. Temperatures are k T [M L^2 T^-2].
+/// Theory of the hard-sphere fluid in equilibrium in a periodic box. Where it does not apply, as with walls,
+/// or beyond freezing, everything is NaN. Temperatures are k T [M L^2 T^-2].
 class FluidTheory {
  public:
   /// The densest fluid of equal spheres. Source: Hoover and Ree, J. Chem. Phys. 49 (1968) 3609.
@@ -25,20 +25,20 @@ class FluidTheory {
   /// and Starling, extended to mixtures. Source: Mansoori, Carnahan, Starling and Leland, J. Chem. Phys. 54
   /// (1971) 1523.
   double compressibility() const { return compressibility_; }
-  /// How much likelier than in a dilute gas spheres of two species touch [1]. Source: as compressibility.
+  /// How much likelier than in a dilute gas spheres of two species touch [1]. Source: as for compressibility.
   double contact_value(std::size_t a, std::size_t b) const;
-  /// How often one sphere of species `a` meets spheres of species `b` [1/T]. Source: Chapman and Cowling, The
-  /// Mathematical Theory of Non-Uniform Gases, section 16.2.
+  /// How often a sphere of species `a` collides with spheres of species `b` [1/T]. Source: Chapman and
+  /// Cowling, The Mathematical Theory of Non-Uniform Gases, section 16.2.
   double collision_rate(std::size_t a, std::size_t b, double temperature) const;
-  /// How often a sphere collides, in the mean over all spheres [1/T].
+  /// How often a sphere collides, averaged over all spheres [1/T].
   double collision_rate(double temperature) const;
   /// Mean speed of all spheres [L/T].
   double mean_speed(double temperature) const;
   /// Diffusion constant of equal spheres by Enskog's theory [L^2 T^-1]; NaN for mixtures. Source: Chapman and
   /// Cowling, section 16.3.
   double enskog_diffusion(double temperature) const;
-  /// Diffusion constant of equal spheres as simulations of some hundred found it, to a few per cent
-  /// [L^2 T^-1]; NaN for mixtures. Source: Speedy, Mol. Phys. 62 (1987) 509.
+  /// Diffusion constant of equal spheres from simulations of some hundred, to a few per cent [L^2 T^-1]; NaN
+  /// for mixtures. Source: Speedy, Mol. Phys. 62 (1987) 509.
   double diffusion(double temperature) const;
 
  private:

@@ -18,10 +18,10 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// Along any direction in the space of all velocities, scaled by the roots of the masses, the motion of an
-// isolated system has one component, u, distributed as (1 - u^2 / 2E)^((f - 3) / 2): uniform on a sphere in f
-// dimensions. Pairs meet in proportion to it. For large f this is Rayleigh's distribution, u exp(-u^2 / 2kT)
-// / kT.
+// Along any direction in the space of all velocities, scaled by the square roots of the masses, the motion of
+// an isolated system has one component, u, distributed as (1 - u^2 / 2E)^((f - 3) / 2): uniform on a sphere
+// in f dimensions. Pairs meet in proportion to it. For large f this is Rayleigh's distribution, u exp(-u^2 /
+// 2kT) / kT.
 class MeetingSpeed {
  public:
   explicit MeetingSpeed(const ThermalMotion& motion)
@@ -32,7 +32,7 @@ class MeetingSpeed {
     return std::sqrt(twice_energy_ * std::numbers::pi) / freedom_ * gammas;
   }
   double mean_square() const { return 2 * twice_energy_ / (freedom_ + 1); }
-  /// The chance of less than `u`.
+  /// The probability of less than `u`.
   double below(double u) const {
     const double share = std::min(u * u / twice_energy_, 1.0);
     return 1 - std::exp((freedom_ - 1) / 2 * std::log1p(-share));
@@ -92,7 +92,7 @@ Measurement ImpactSpeeds::result(const Scene& scene) const {
   const FunctionOfMeans speed_of = [](std::span<const double> means) { return means[kSpeed]; };
   const Transient transient = find_transient(average_, std::array{speed_of});
   const BlockAverage average = transient.left_out_of(average_);
-  // The sum over pairs of species, as often as they met, of a function of their reduced mass.
+  // The sum over pairs of species, weighted by their collisions, of a function of their reduced mass.
   const bool is_equilibrium = is_energy_conserved(motion_, scene.motion()) && !has_open_axis_;
   const auto over_pairs = [&](const auto& of_mass) {
     double sum = 0;

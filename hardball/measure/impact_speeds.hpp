@@ -14,9 +14,9 @@
 
 namespace hardball {
 
-/// How fast spheres meet along their line of centres. In equilibrium the distribution is Rayleigh's at every
-/// density, in the gas, the liquid and the crystal: the sharpest test that velocities and contacts are right.
-/// Source: docs/measures.md.
+/// The relative speed of colliding spheres along their line of centres. In equilibrium the distribution is
+/// Rayleigh's at every density, in the gas, the liquid and the crystal: the sharpest test that velocities and
+/// contacts are right. Source: docs/measures.md.
 class ImpactSpeeds {
  public:
   static constexpr std::string_view kName = "impact_speeds";
@@ -25,7 +25,7 @@ class ImpactSpeeds {
 
   /// Cost: O(1).
   void note(const Contact& contact);
-  /// What was found up to the moment of the scene.
+  /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
  private:
@@ -33,10 +33,10 @@ class ImpactSpeeds {
   // Further bins of the averages.
   static constexpr std::size_t kSpeed = kBins;             // [L/T]
   static constexpr std::size_t kSpeedSquare = kSpeed + 1;  // [L^2 T^-2]
-  static constexpr std::size_t kPairs = kSpeedSquare + 1;  // share of each pair of species
+  static constexpr std::size_t kPairs = kSpeedSquare + 1;  // fraction of each pair of species
 
   Species species_;
-  ThermalMotion motion_;  // in the beginning
+  ThermalMotion motion_;  // at the start
   bool has_open_axis_;
   Time begin_;
   double width_;           // of a bin [L/T]

@@ -16,7 +16,7 @@ LagAverage::LagAverage(const Scene& scene, double interval, std::size_t most_sph
   HARDBALL_CHECK(interval > 0);
   const World& world = scene.world();
   const std::size_t count = std::min(world.size(), most_spheres);
-  // Of the spheres followed, in the order of ids, the species.
+  // The species of the spheres followed, in the order of ids.
   std::vector<std::size_t> kinds;
   std::size_t rank = 0;
   world.for_each_by_id([&](Slot slot) {
@@ -58,7 +58,7 @@ std::size_t LagAverage::lag_of(std::size_t level, std::size_t steps) {
 void LagAverage::link_to_earlier() {
   for (std::size_t k = 0; k < kLevels; ++k) {
     const std::int64_t index = tick_ >> k;
-    // Only multiples of 2^k belong to level k, and the beginning belongs to the first level alone.
+    // Only multiples of 2^k belong to level k, and the start belongs to the first level alone.
     if (index << k != tick_ || (k > 0 && index == 0)) return;
     if (k == levels_.size()) {
       levels_.emplace_back();
@@ -112,8 +112,8 @@ Estimate LagAverage::estimate(std::size_t species, const FunctionOfMeans& quanti
     }
   }
   const Parts found = jackknife(sums, spheres, quantity);
-  // Neighbours drag each other along and hand on their energy: the mean over all varies up to twice as much
-  // as if they did not, the most in a dense fluid.
+  // Neighbours move collectively and exchange energy: the variance of the mean over all is up to twice as
+  // large as for independent spheres, the most in a dense fluid.
   return {found.value, std::numbers::sqrt2 * error_of_independent(found.shares)};
 }
 

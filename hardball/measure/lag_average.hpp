@@ -14,31 +14,31 @@
 
 namespace hardball {
 
-/// Means over spheres and moments of what links a vector of a sphere to the same vector some time later, the
-/// lag: the square of a displacement, or the product of two velocities.
+/// Means over spheres and times of a product that links a vector of a sphere to the same vector a lag later:
+/// the square of a displacement, or the product of two velocities.
 ///
 /// Samples are taken at multiples of an interval. Lags are 0 to 7 intervals, then 8, 10, 12, 14, then 16, 20,
-/// 24, 28 and so on, four for each doubling; those of the k-th doubling begin at every 2^k-th sample. So the
+/// 24, 28 and so on, four for each doubling; those of the k-th doubling start at every 2^k-th sample. So the
 /// work for each sample and sphere is bounded, and memory grows with the logarithm of the run: 192 bytes for
 /// a sphere and doubling. Source: Frenkel and Smit, Understanding Molecular Simulation, 2nd edition, section
 /// 4.4.2.
 ///
 /// Errors are from the scatter among up to 32 groups of spheres of a species, see error_of_independent: the
-/// same sphere at different moments is not independent of itself, nor are lags that overlap. Their square is
-/// doubled for what spheres do together.
+/// values of a sphere at different times are not independent, nor are lags that overlap. Their square is
+/// doubled for the collective motion of spheres.
 class LagAverage {
  public:
-  /// Spheres that are followed at the most; of more, some are chosen evenly by their ids.
+  /// The most spheres that are followed; of more, some are chosen evenly by id.
   static constexpr std::size_t kMostSpheres = 10000;
 
-  /// The sum over spheres of what links the earlier vectors to the later ones.
+  /// The sum over spheres of the product that links the earlier vectors to the later ones.
   using Link = double (*)(std::span<const Vec3> earlier, std::span<const Vec3> later);
 
-  /// Begins at the moment of the scene; `interval` [T] is positive. Cost: O(n).
+  /// Starts at the time of the scene; `interval` [T] is positive. Cost: O(n).
   LagAverage(const Scene& scene, double interval, std::size_t most_spheres, Link link);
 
-  /// Adds a sample; `vector_of` gives the vector of the sphere in a slot. A moment that is no multiple of the
-  /// interval, or not later than the last, is passed over. Cost: some 10 links for each sphere followed.
+  /// Adds a sample; `vector_of` gives the vector of the sphere in a slot. A time that is no multiple of the
+  /// interval, or not later than the last, is ignored. Cost: some 10 links for each sphere followed.
   template <class VectorOf>
   void sample(const Scene& scene, const VectorOf& vector_of) {
     if (!is_due(scene.now())) return;
@@ -49,7 +49,7 @@ class LagAverage {
   }
 
   const Species& species() const { return species_; }
-  /// The lags for which there are samples, in rising order, zero first [T].
+  /// The lags for which there are samples, in ascending order, zero first [T].
   std::vector<double> lags() const;
   /// How many spheres are followed.
   std::size_t followed() const { return followed_.size(); }
@@ -63,13 +63,13 @@ class LagAverage {
  private:
   static constexpr std::size_t kLevelLags = 8;  // samples of a level that are kept
   static constexpr std::size_t kFirstLag =
-      4;  // of all levels but the first: shorter ones the level before has
+      4;  // of all levels but the first: the level before has shorter ones
   static constexpr std::size_t kLevels = 32;
   static constexpr std::size_t kMostGroups = 32;
 
   struct Followed {
     std::size_t rank;   // among all spheres, by id
-    std::size_t place;  // among those followed, which stand group by group
+    std::size_t place;  // among those followed, which are ordered by group
   };
   struct Group {
     std::size_t species;
@@ -90,7 +90,7 @@ class LagAverage {
   Time begin_;
   double interval_;
   Link link_;
-  std::int64_t tick_ = -1;  // the last sample, in intervals since the beginning
+  std::int64_t tick_ = -1;  // the last sample, in intervals since the start
   std::vector<Followed> followed_;
   std::vector<Group> groups_;
   std::vector<Vec3> vectors_;  // of the last sample

@@ -64,8 +64,8 @@ void MeanSquareDisplacement::sample(const Scene& scene) {
   });
 }
 
-// The linear part: lags after which a sphere has forgotten its velocity, ten times the time constant of that,
-// 3/2 free times in Enskog's theory, and has left its cage, having come as far as its radius.
+// The linear part: lags after which a sphere has forgotten its velocity, ten times the decay time, 3/2 mean
+// free times in Enskog's theory, and has left its cage, having moved by its radius.
 Estimate MeanSquareDisplacement::diffusion(std::size_t species) const {
   constexpr double kFreeTimes = 15;
   constexpr std::size_t kFewest = 3;
@@ -95,7 +95,7 @@ Measurement MeanSquareDisplacement::result(const Scene& scene) const {
   Measurement found{.name = std::string(kName),
                     .title = "Mean square displacement",
                     .formula =
-                        "<|x(s + t) - x(s)|^2> over spheres and moments s; D: a sixth of the slope of its "
+                        "<|x(s + t) - x(s)|^2> over spheres and times s; D: a sixth of the slope of its "
                         "linear part; theory: 6 D (t - T (1 - exp(-t / T))), T = m D / kT, with D of "
                         "Enskog's theory",
                     .source =

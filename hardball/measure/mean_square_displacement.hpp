@@ -12,7 +12,7 @@
 
 namespace hardball {
 
-/// How far spheres come in a time, and the diffusion constant. Paths are followed through periodic
+/// How far spheres move in a given time, and the diffusion constant. Paths are followed through periodic
 /// boundaries; a common drift along axes without walls does not count. Source: Einstein, Ann. Phys. 322
 /// (1905) 549; Allen and Tildesley, Computer Simulation of Liquids, 2nd edition, section 2.7.
 class MeanSquareDisplacement {
@@ -25,16 +25,16 @@ class MeanSquareDisplacement {
   MeanSquareDisplacement(const Scene& scene, double interval,
                          std::size_t most_spheres = LagAverage::kMostSpheres);
 
-  /// A moment that is no multiple of the interval after the beginning is passed over. Cost: see LagAverage.
+  /// A time that is no multiple of the interval after the start is ignored. Cost: see LagAverage.
   void sample(const Scene& scene);
-  /// What was found up to the moment of the scene.
+  /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
  private:
   Estimate diffusion(std::size_t species) const;
 
   FluidTheory theory_;
-  ThermalMotion motion_;  // in the beginning
+  ThermalMotion motion_;  // at the start
   bool is_periodic_;
   double mean_free_time_;  // expected [T]
   Time begin_;

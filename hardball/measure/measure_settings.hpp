@@ -13,13 +13,13 @@ namespace hardball {
 /// The names of all measures, in the order of their results.
 std::span<const std::string_view> measure_names();
 
-/// What is to be measured in a run, and when.
+/// What to measure in a run, and when.
 struct MeasureSettings {
-  /// Some of measure_names(); "all" stands for all of them.
+  /// Some of measure_names(); "all" means all of them.
   std::vector<std::string> names = {"all"};
   /// The time between samples [T]; if absent, each measure has its own, see Cadence.
   std::optional<double> every = {};
-  /// When measuring begins [T].
+  /// When measuring starts [T].
   double from = 0;
 };
 

@@ -13,19 +13,19 @@ struct Quantity {
   std::string name;  ///< As in "compressibility".
   std::string unit;  ///< A product of powers of L, T and M, as in "L^2 T^-1"; "1" for a pure number.
   double value = std::numeric_limits<double>::quiet_NaN();
-  double error = std::numeric_limits<double>::quiet_NaN();   ///< As in Estimate; NaN if the run cannot tell.
+  double error = std::numeric_limits<double>::quiet_NaN();   ///< As in Estimate; NaN if undetermined.
   double theory = std::numeric_limits<double>::quiet_NaN();  ///< Expected value; NaN if there is no theory.
 };
 
 /// What the numbers of a column are.
 enum class ColumnRole {
-  argument,  ///< What the columns after it are functions of.
+  argument,  ///< The argument of the columns after it.
   value,
   error,   ///< Standard errors of the value column before it.
-  theory,  ///< What the value column before it is expected to be.
+  theory,  ///< Expected values of the value column before it.
 };
 
-/// One column of a measured table; NaN stands where there is no number.
+/// One column of a measured table; NaN where there is no number.
 struct Column {
   std::string name;
   std::string unit;  ///< As in Quantity.
@@ -33,7 +33,7 @@ struct Column {
   std::vector<double> values;
 };
 
-/// What one measure has found: numbers, and a function as a table.
+/// The result of one measure: numbers, and a function as a table.
 struct Measurement {
   std::string name;                       ///< As in scenarios and file names: "radial_distribution".
   std::string title;                      ///< For people: "Radial distribution function".
@@ -42,7 +42,7 @@ struct Measurement {
   std::vector<Quantity> quantities = {};  ///< May be empty.
   std::vector<Column> columns = {};       ///< May be empty; all of one length, the first an argument.
   double duration = std::numeric_limits<double>::quiet_NaN();  ///< For how long it was measured [T].
-  double transient = 0;                     ///< How much of this was left out of means, at the beginning [T].
+  double transient = 0;                     ///< The initial part of this that was left out of means [T].
   bool is_transient_over = true;            ///< Whether the means settled; if not, they have no errors.
   bool is_logarithmic_in_argument = false;  ///< How the function is best drawn.
   bool is_logarithmic_in_value = false;

@@ -12,7 +12,7 @@
 namespace hardball {
 namespace {
 
-// What a sample costs however few spheres there are [ns].
+// What a sample costs, however few the spheres [ns].
 constexpr double kFixedCost = 1000;
 
 template <class Measure>
@@ -35,7 +35,8 @@ SphereId last_id_of(const World& world) {
   return world.size() > 0 ? world.id(world.slot_of_rank(world.size() - 1)) : 0;
 }
 
-// How many spheres a measure may follow at samples an interval apart. Fewer tell too little.
+// How many spheres a measure may follow at samples an interval apart. With fewer the errors would be too
+// large.
 std::size_t affordable_spheres(double cost_per_sphere, double interval, const Pace& pace) {
   constexpr double kFewest = 250;
   const double affordable = (Cadence::kShare * pace.cost * interval - kFixedCost) / cost_per_sphere;
@@ -74,8 +75,8 @@ Measures::Measures(const MeasureSettings& settings) : settings_(settings) {
 
 void Measures::check_spheres(const World& world) const {
   if (!has_begun_ || (world.size() == spheres_ && last_id_of(world) == last_id_)) return;
-  throw Error("spheres have been added or removed since the measures began", "measures",
-              "begin new measures after such an edit");
+  throw Error("spheres have been added or removed since the measures started", "measures",
+              "start new measures after such an edit");
 }
 
 void Measures::note(const Contact& contact) {
@@ -99,7 +100,7 @@ Time Measures::next_sample() const {
 template <class Measure>
 void Measures::begin(Entry<Measure>& entry, const Scene& scene, const Pace& pace) const {
   const Time& now = scene.now();
-  // So many samples in a free time show how a velocity is forgotten.
+  // So many samples in a mean free time resolve the decay of velocities.
   constexpr double kSamplesPerFreeTime = 4;
   if constexpr (FollowsSpheres<Measure>) {
     const double finest = power_of_two_from(pace.free_time / kSamplesPerFreeTime);

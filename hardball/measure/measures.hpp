@@ -31,31 +31,31 @@
 
 namespace hardball {
 
-/// The measures of a run, those that are switched on.
+/// The measures that are switched on for a run.
 ///
-/// They are told of every contact and are given the world at moments of their choice; Simulation does both.
-/// They see the world as const and compute where spheres are without storing it, so that no contact changes.
-/// The spheres must stay those of the beginning, and only contacts may change velocities. Results depend on
-/// nothing but the scenario: they are the same bits for every engine.
+/// They receive every contact, and the world at times of their choice; Simulation provides both. They see the
+/// world as const and compute where spheres are without storing it, so that no contact changes. The spheres
+/// must stay those of the start, and only contacts may change velocities. Results depend only on the
+/// scenario: they are the same bits for every engine.
 class Measures {
  public:
   /// Error: no measure has this name; `every` is not positive, or `from` not finite.
   explicit Measures(const MeasureSettings& settings = {});
 
-  /// Error: the spheres of `world` are not those with which the measures began.
+  /// Error: the spheres of `world` are not those with which the measures started.
   void check_spheres(const World& world) const;
 
   void note(const Contact& contact);
-  /// When the world is wanted next; kNever if not at all.
+  /// When the next sample is due; kNever if none is.
   Time next_sample() const;
-  /// Looks at the world, and begins when it does so first. Precondition: `now` is not before next_sample()
+  /// Samples the world; the first call starts the measures. Precondition: `now` is not before next_sample()
   /// and no contact lies between the stored paths and it.
   void sample(const World& world, const Time& now);
-  /// Takes a sample for each measure that would take some and has none yet: for the end of a run that was
-  /// too short for them. Precondition: as for sample().
+  /// Takes a sample for each measure that needs samples and has none yet: for the end of a run that was too
+  /// short for them. Precondition: as for sample().
   void sample_the_rest(const World& world, const Time& now);
-  /// What each measure has found up to `now`, those that are switched on in the order of measure_names();
-  /// none before the beginning. Precondition: as for sample().
+  /// The result of each measure that is switched on, up to `now`, in the order of measure_names(); none
+  /// before the start. Precondition: as for sample().
   std::vector<Measurement> results(const World& world, const Time& now) const;
 
  private:
@@ -63,7 +63,7 @@ class Measures {
   struct Entry {
     using Type = Measure;
     bool is_wanted = false;
-    std::optional<Measure> measure;  // once it has begun
+    std::optional<Measure> measure;  // once it has started
     bool has_sample = false;
     Cadence cadence;
   };

@@ -57,7 +57,7 @@ void NearestNeighbor::sample(const Scene& scene) {
     });
     average_.put(spheres_bin(), 1, group_of(center));
     if (nearest == widest_) return;
-    // Most are the nearest of each other, and see the same gap.
+    // Most are mutual nearest neighbours, with the same gap.
     double* const sums = average_.open_bins(0, group_of_pair(center, nearest_one));
     ++sums[known_bin()];
     sums[gaps_bin()] += nearest;

@@ -20,7 +20,7 @@ class NearestNeighbor {
 
   explicit NearestNeighbor(const Scene& scene, std::size_t bins = 100);
 
-  /// What a sample costs [ns]: 600 to 1500 ns for each sphere looked at, see Surroundings.
+  /// What a sample costs [ns]: 600 to 1500 ns for each chosen sphere, see Surroundings.
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;
@@ -30,14 +30,14 @@ class NearestNeighbor {
   std::size_t known_bin() const { return bins_ + 1; }
   std::size_t gaps_bin() const { return bins_ + 2; }
 
-  double widest_ = 0;        // the gaps that are known [L]
+  double widest_ = 0;        // the widest gap that is known [L]
   double diameter_ = 0;      // the largest [L]
   double sample_cost_ = 0;   // [ns]
   double packing_fraction_;  // of a fluid of one species, see fluid_packing_fraction
   Time begin_;
   std::size_t bins_;
-  // Counts by bins of the gap, all spheres looked at, and those with a known gap, and the sum of these [L],
-  // by groups of spheres.
+  // Counts by bins of the gap, all chosen spheres, and those with a known gap, and the sum of these [L], by
+  // groups of spheres.
   BlockAverage average_;
 };
 

@@ -70,8 +70,8 @@ void Pressure::advance(const Time& now) {
 
 void Pressure::note(const Contact& contact) {
   advance(contact.time);
-  // A sphere that an impulse dp brings from v to w carries m w w - m v v more, which is dp (v + w), made
-  // symmetric.
+  // An impulse dp that changes a velocity from v to w changes m v v by m w w - m v v, which is dp (v + w),
+  // symmetrised.
   const auto change_kinetic = [this](const Vec3& impulse, const Vec3& before, const Vec3& after) {
     add_symmetric_product(kinetic_.data(), impulse, (before + after) - 2 * motion_.drift);
   };
@@ -116,7 +116,7 @@ Measurement Pressure::result(const Scene& scene) const {
   const Transient transient = find_transient(whole, std::array{compressibility});
   const BlockAverage average = transient.left_out_of(whole);
   // With the total momentum fixed n spheres have n - 1 times three degrees of freedom, and meet a little
-  // faster than their mean energy says.
+  // faster than their mean energy suggests.
   const double excess = (theory_.compressibility() - 1) * spheres_ / (spheres_ - 1);
   const double expected = is_energy_conserved(motion_, scene.motion()) ? 1 + excess : kNone;
   const double kinetic_pressure = 2 * motion_.energy / (3 * volume);
@@ -151,9 +151,9 @@ Measurement Pressure::result(const Scene& scene) const {
   return found;
 }
 
-// The standard deviation of a component of what spheres carry, in the mean over some time [M L^2 T^-2]. At
-// one moment it is that of so many independent spheres that share a fixed energy; it is forgotten within 5/4
-// mean free times, by which the viscosity of a dilute gas is its pressure. Source: Chapman and Cowling, The
+// The standard deviation of a component of the kinetic part, averaged over some time [M L^2 T^-2]. At one
+// time it is that of so many independent spheres that share a fixed energy; it is forgotten within 5/4 mean
+// free times, the ratio of viscosity to pressure of a dilute gas. Source: Chapman and Cowling, The
 // Mathematical Theory of Non-Uniform Gases, section 10.2.
 double Pressure::kinetic_error(std::size_t component, double elapsed) const {
   const bool is_diagonal = kTensor[component].first == kTensor[component].second;
@@ -163,8 +163,8 @@ double Pressure::kinetic_error(std::size_t component, double elapsed) const {
   return motion_.temperature() * std::sqrt(variance * forgotten);
 }
 
-// The virial theorem: along an axis with walls, what spheres carry and collisions hand on equals the force on
-// a face times the length open to the centres, in the mean over those that hit it.
+// The virial theorem: along an axis with walls, the kinetic and collisional parts equal the force on a face
+// times the length open to the centres, averaged over those that hit it.
 void Pressure::add_walls(Measurement& found, const BlockAverage& average) const {
   using Means = std::span<const double>;
   const auto area = [&](std::size_t axis) { return box_.volume() / box_.size()[axis]; };
@@ -227,7 +227,7 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
         std::string("wall_pressure_") + kFaceNames[face], kPressureUnit,
         [&](Means means) { return means[kFaces + face] / area(axis); },
         [&](Means means) { return inside(means, axis) / (open_length(means, axis) * area(axis)); });
-    // It might have been hit once more: see BlockAverage::histogram.
+    // One more hit is allowed for: see BlockAverage::histogram.
     const double of_one = impulse / average.total(kHits) / area(axis) / average.total(BlockAverage::kWeight);
     found.quantities.back().error = std::hypot(found.quantities.back().error, of_one);
   }

@@ -15,20 +15,19 @@
 
 namespace hardball {
 
-/// The pressure tensor from what spheres carry and what collisions hand on, the compressibility, and the
-/// pressure on the walls. An open axis leaves nothing to say: without a volume there is no pressure.
-/// Source: Allen and Tildesley, Computer Simulation of Liquids, 2nd edition, section 2.4; for walls the
-/// virial theorem.
+/// The pressure tensor from its kinetic and collisional parts, the compressibility, and the pressure on the
+/// walls. With an open axis there is no volume, and so no pressure. Source: Allen and Tildesley, Computer
+/// Simulation of Liquids, 2nd edition, section 2.4; for walls the virial theorem.
 class Pressure {
  public:
   static constexpr std::string_view kName = "pressure";
 
-  /// Begins at the moment of the scene. Cost: O(n).
+  /// Starts at the time of the scene. Cost: O(n).
   explicit Pressure(const Scene& scene);
 
   /// Cost: O(1).
   void note(const Contact& contact);
-  /// What was found up to the moment of the scene.
+  /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
  private:
@@ -49,7 +48,7 @@ class Pressure {
 
   Box box_;
   FluidTheory theory_;
-  ThermalMotion motion_;  // in the beginning
+  ThermalMotion motion_;  // at the start
   double spheres_;
   double mean_free_time_;  // expected [T]
   Time begin_;

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t kMostSpecies = 3;
 
-// How far the space about a sphere is known: to half the smallest edge, for beyond it a periodic box closes
-// upon itself; and between walls no farther than centres can be apart.
+// How far the space about a sphere is known: to half the smallest edge (minimum images); and between walls no
+// farther than centres can be apart.
 double largest_range(const World& world) {
   const Box& box = world.box();
   double range = std::numeric_limits<double>::infinity();
@@ -62,7 +62,7 @@ RadialDistribution::RadialDistribution(const Scene& scene, double range, double 
   if (has_meaning()) sample_cost_ = Surroundings::effort(world, high).cost;
 }
 
-// Whether the bins reach as far beyond contact as extrapolating to it takes.
+// Whether the bins reach far enough beyond contact for the extrapolation to it.
 bool RadialDistribution::has_contact() const {
   const double high = low_ + static_cast<double>(bins_) * bin_width_;
   return is_by_species_ && std::all_of(kinds_.begin(), kinds_.end(), [&](const Kind& kind) {
@@ -70,9 +70,10 @@ bool RadialDistribution::has_contact() const {
          });
 }
 
-// How much space, as a fraction of that in which centres can be, lies within this distance of a centre, in
-// the mean over all its places there. A place is lost for a displacement u if it lies less than |u_x| from
-// one wall along x: hence the mean over all directions of the product over axes of 1 - |u_x| / L.
+// How much space, as a fraction of that in which centres can be, lies within this distance of a centre,
+// averaged over all its positions. A displacement u from a position leads out of that space if it is less
+// than |u_x| from one wall along x: hence the mean over all directions of the product over axes of 1 - |u_x|
+// / L.
 double RadialDistribution::ideal_share(double distance, double reach) const {
   double volume = 1;
   double ones = 0;    // the sum over walls of 1 / L,
@@ -154,7 +155,7 @@ void RadialDistribution::sample(const Scene& scene) {
 Measurement RadialDistribution::result(const Scene& /*scene*/) const {
   Measurement found{.name = std::string(kName),
                     .title = "Radial distribution function",
-                    .formula = "g(r) = pairs at the distance r / such pairs of an ideal gas in the same box",
+                    .formula = "g(r) = pairs at the distance r / those of an ideal gas in the same box",
                     .source =
                         "Allen and Tildesley, Computer Simulation of Liquids, section 2.6; contact value of "
                         "equal spheres: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) "
@@ -175,7 +176,7 @@ Measurement RadialDistribution::result(const Scene& /*scene*/) const {
     const Kind& kind = kinds_[index];
     if (has_contact()) {
       Estimate contact = average.ratio(contact_bin(index), pairs_bin(index));
-      // Fewer pairs than the cubic takes do not tell how many there could have been.
+      // From so few pairs the error of the cubic fit cannot be estimated.
       constexpr double kFewestNear = 100;
       if (average.total(near_bin(index)) < kFewestNear)
         contact.error = std::numeric_limits<double>::quiet_NaN();

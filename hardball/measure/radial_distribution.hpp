@@ -14,26 +14,26 @@
 
 namespace hardball {
 
-/// The radial distribution function g(r): how much more densely spheres stand at the distance r from a sphere
-/// than an ideal gas of as many points would in the same box; and its value at contact.
+/// The radial distribution function g(r): the density of spheres at the distance r from a sphere over that of
+/// an ideal gas of as many points in the same box; and its value at contact.
 ///
-/// Of two or three species there is a function for each pair of species; of more, one for all spheres, for
-/// which contact has no meaning. The ideal gas fills the space in which centres can be: between walls it ends
-/// a radius before them, and shells about a sphere near a wall end there, too, which is allowed for exactly
-/// (for two species, to the difference of their radii over the size of the box). In a box open along an axis
-/// there is no density to compare with, and the measurement is empty. Source: Allen and Tildesley, Computer
-/// Simulation of Liquids, section 2.6.
+/// Of two or three species there is a function for each pair of species; of more, one for all spheres,
+/// without a contact value. The ideal gas fills the space in which centres can be: it ends a radius before
+/// walls, and so do shells about a sphere near a wall, which is allowed for exactly (for two species, to the
+/// difference of their radii over the size of the box). In a box open along an axis there is no density to
+/// compare with, and the measurement is empty. Source: Allen and Tildesley, Computer Simulation of Liquids,
+/// section 2.6.
 class RadialDistribution {
  public:
   static constexpr std::string_view kName = "radial_distribution";
 
-  /// Reaches out to `range` mean diameters, at most to half the smallest edge of the box, in bins of
-  /// `bin_width` mean diameters.
+  /// Extends to `range` mean diameters, at most to half the smallest edge of the box, in bins of `bin_width`
+  /// mean diameters.
   explicit RadialDistribution(const Scene& scene, double range = 5, double bin_width = 0.02);
 
   /// What a sample costs [ns]: mostly 30 ns for each neighbour within the range, see Surroundings.
   double sample_cost() const { return sample_cost_; }
-  /// Precondition: the spheres are those of the beginning.
+  /// Precondition: the spheres are those of the start.
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;
 
@@ -59,7 +59,7 @@ class RadialDistribution {
   bool is_by_species_;
   std::vector<Kind> kinds_;
   std::vector<std::size_t> kind_of_;  // shape (species, species)
-  double low_ = 0;                    // where the bins begin: the least distance at contact [L]
+  double low_ = 0;                    // where the bins start: the least distance at contact [L]
   double bin_width_ = 0;              // [L]
   std::size_t bins_ = 0;              // of each kind
   double sample_cost_ = 0;            // [ns]

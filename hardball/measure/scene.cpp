@@ -5,7 +5,7 @@
 namespace hardball {
 namespace {
 
-// What has been found, found now if it has not been.
+// The stored value, computed first if there is none.
 template <class Found, class Find>
 const Found& once(std::optional<Found>& found, const Find& find) {
   if (!found) found.emplace(find());

@@ -14,12 +14,12 @@
 
 namespace hardball {
 
-/// The world at one moment, as measures look at it: what several of them need is found when the first asks
-/// for it, and once.
+/// The world at one time, as measures see it: what several of them need is computed once, when first
+/// requested.
 class Scene {
  public:
-  /// Refers to the world, which must not change while it is looked at. Precondition: no contact lies between
-  /// the stored paths and `now`.
+  /// Refers to the world, which must not change while the scene is in use. Precondition: no contact lies
+  /// between the stored paths and `now`.
   Scene(const World& world, const Time& now) : world_(world), now_(now) {}
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
@@ -27,7 +27,7 @@ class Scene {
   const World& world() const { return world_; }
   const Time& now() const { return now_; }
 
-  // Each costs O(n) when it is first asked for.
+  // Each costs O(n) when first requested.
   const Species& species() const;
   const FluidTheory& fluid() const;
   const Moments& moments() const;
@@ -39,7 +39,7 @@ class Scene {
  private:
   const World& world_;
   Time now_;
-  // Found so far.
+  // Computed so far.
   mutable std::optional<Species> species_;
   mutable std::optional<FluidTheory> fluid_;
   mutable std::optional<Moments> moments_;

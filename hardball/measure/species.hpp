@@ -10,8 +10,8 @@
 
 namespace hardball {
 
-/// The spheres of a world by kind: those of equal radius and equal mass are one species. Species count from
-/// zero in the order of their lowest ids, which is that of the groups of a scenario.
+/// The spheres of a world by kind: those of equal radius and equal mass are one species. Species are numbered
+/// from zero in the order of their lowest ids, which is that of the groups of a scenario.
 ///
 /// If there are more than eight kinds, as with radii from a distribution, all spheres are one species.
 class Species {
@@ -22,16 +22,16 @@ class Species {
   explicit Species(const World& world);
 
   std::size_t size() const { return kinds_.size(); }
-  /// The species of a sphere. Precondition: the sphere was there at the beginning.
+  /// The species of a sphere. Precondition: the sphere was there at the start.
   std::size_t of(SphereId id) const { return kinds_.size() == 1 ? 0 : species_[id]; }
   std::size_t count(std::size_t species) const { return kinds_[species].count; }
-  /// The share of the spheres that belong to it [1].
+  /// The fraction of the spheres that belong to it [1].
   double fraction(std::size_t species) const;
   double radius(std::size_t species) const { return kinds_[species].radius; }  ///< [L]; NaN if they differ.
   double mass(std::size_t species) const { return kinds_[species].mass; }      ///< [M]; NaN if they differ.
   /// Whether all spheres have equal radii and masses.
   bool is_one_kind() const { return is_one_kind_; }
-  /// What names of quantities end in: nothing if there is one species, otherwise "_1" for the first and so
+  /// The suffix of names of quantities: empty if there is one species, otherwise "_1" for the first and so
   /// on.
   std::string suffix(std::size_t species) const;
 

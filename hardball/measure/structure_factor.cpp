@@ -23,7 +23,7 @@ using Pair = double __attribute__((vector_size(16)));
 constexpr std::size_t kPairs = 4;
 constexpr std::size_t kLanes = 2 * kPairs;
 
-// One complex number for each lane.
+// One complex number per lane.
 struct Phases {
   std::array<Pair, kPairs> real;
   std::array<Pair, kPairs> imaginary;
@@ -115,7 +115,7 @@ void StructureFactor::choose_waves(std::size_t shell, double low, double high, s
       if (toward[axis] == 0) continue;
       wave[axis] = static_cast<int>(std::lround(aim * toward[axis] / (length(toward) * unit_[axis])));
     }
-    // Opposite vectors see the same.
+    // Opposite vectors give the same value.
     if (wave < Wave{}) wave = {-wave[0], -wave[1], -wave[2]};
     const double reached = length_of(wave);
     if (wave == Wave{} || reached < low || reached >= high || is_chosen(wave)) continue;

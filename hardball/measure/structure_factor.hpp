@@ -15,18 +15,18 @@
 namespace hardball {
 
 /// The static structure factor S(k) = |sum over spheres of exp(i k.x)|^2 / n: what a diffraction experiment
-/// sees of the spheres' centres.
+/// on the centres measures.
 ///
-/// Wave vectors fit the periodic axes and vanish along the others; without a periodic axis the measurement is
-/// empty. They are gathered in shells of about equal length, from each of which a few are chosen, spread
-/// evenly over directions: the sharp peaks of a large crystal may fall between them.
+/// Wave vectors fit the period along periodic axes and are zero along the others; without a periodic axis the
+/// measurement is empty. They are grouped in shells of about equal length, from each of which a few are
+/// chosen, spread evenly over directions: the sharp peaks of a large crystal may fall between them.
 class StructureFactor {
  public:
   static constexpr std::string_view kName = "structure_factor";
 
   /// Wave vectors are at most `longest` over the mean diameter long; of each of 64 shells up to
   /// `vectors_in_shell` are chosen. If that is not given they are six, or fewer with more than some 25,000
-  /// spheres, so that a sample is hardly dearer than with those.
+  /// spheres, so that a sample costs hardly more than with that many.
   explicit StructureFactor(const Scene& scene, double longest = 20,
                            std::optional<std::size_t> vectors_in_shell = {});
 

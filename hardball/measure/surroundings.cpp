@@ -9,7 +9,7 @@
 namespace hardball {
 namespace {
 
-// Then few cells are looked at in vain, and few spheres, whatever the range.
+// So few cells and few spheres are searched in vain, whatever the range.
 constexpr double kSpheresInCell = 2;
 
 }  // namespace

@@ -11,21 +11,21 @@
 
 namespace hardball {
 
-/// All spheres as they are at one moment, numbered in the order of ids, and who is near whom: what the
-/// measures of structure look at. Nothing depends on where spheres are stored.
+/// All spheres at one time, numbered in the order of ids, and their neighbours: the input of the measures of
+/// structure. Nothing depends on where spheres are stored.
 class Surroundings {
  public:
-  /// The measures look at the surroundings of all spheres up to this many, and of as many chosen evenly by id
-  /// if there are more.
+  /// Measures use the surroundings of all spheres up to this many, and of as many chosen evenly by id if
+  /// there are more.
   static constexpr std::size_t kMostCenters = 5000;
-  /// Of fewer, if they would have more neighbours than this in all.
+  /// Fewer are chosen if they would have more neighbours than this in all.
   static constexpr double kMostNeighbors = 2e5;
 
-  /// What it takes to visit all neighbours within a range of the spheres chosen, if all are spread evenly.
+  /// The work of visiting all neighbours within a range of the spheres chosen, if all are spread evenly.
   struct Effort {
     std::size_t centers;  ///< How many are chosen.
     double neighbors;     ///< Of all of them together; zero in open space.
-    double cost;          ///< With finding out who is near whom [ns].
+    double cost;          ///< Including the search for neighbours [ns].
   };
   /// `range` [L]: how far away a neighbour's centre may be. Cost: O(1).
   static Effort effort(const World& world, double range);
@@ -38,30 +38,30 @@ class Surroundings {
   /// [L]
   double radius(std::size_t sphere) const { return radii_[sphere]; }
 
-  /// Calls visit(sphere) for all spheres, or for those chosen if neighbours within `range` [L] are looked at.
+  /// Calls visit(sphere) for all spheres, or for those chosen if neighbours within `range` [L] are visited.
   template <class Visit>
   void for_each_center(double range, Visit&& visit) const {
     const std::size_t chosen = effort(world_, range).centers;
     for (std::size_t k = 0; k < chosen; ++k) visit(k * size() / chosen);
   }
 
-  /// Calls visit(neighbor, separation, square) for every other sphere, and every periodic copy, not farther
+  /// Calls visit(neighbor, separation, square) for every other sphere, and every periodic image, no farther
   /// away than `range` [L]; `separation` [L] points to it, `square` [L^2] is its squared length.
   template <class Visit>
   void for_each_neighbor(std::size_t sphere, double range, Visit&& visit) const {
-    const auto look_at = [&](std::uint32_t neighbor, const Vec3& separation, double /*reach*/) {
+    const auto check = [&](std::uint32_t neighbor, const Vec3& separation, double /*reach*/) {
       const double square = dot(separation, separation);
       if (square > range * range || (neighbor == sphere && square == 0)) return;
       visit(std::size_t{neighbor}, separation, square);
     };
-    neighborhood_.for_each_near(centers_[sphere], range - ball_, look_at);
+    neighborhood_.for_each_near(centers_[sphere], range - ball_, check);
   }
 
  private:
   const World& world_;
   std::span<const Vec3> centers_;
   std::vector<double> radii_;
-  double ball_;                // radius under which all are known to the neighbourhood [L]
+  double ball_;                // radius of all balls in the neighbourhood [L]
   Neighborhood neighborhood_;  // its cells hold about two centres each
 };
 

@@ -9,7 +9,7 @@
 namespace hardball {
 namespace {
 
-// By how much the square of a velocity has changed.
+// The change of the square of a velocity.
 double square_change(const Vec3& before, const Vec3& after) {
   return dot(after - before, after + before);
 }

@@ -13,32 +13,32 @@ namespace hardball {
 /// Sums over the contacts of a run from which pressures and the certificate follow.
 class Tally {
  public:
-  /// Begins counting at `now` with the energy the world has. Cost: O(n).
+  /// Starts counting at `now` with the energy of the world. Cost: O(n).
   void begin(const World& world, const Time& now);
-  /// Takes note that the kinetic energy was changed by an edit of the world, at `now`.
+  /// Records that an edit of the world changed the kinetic energy at `now`.
   void note_edit(double energy_change, const Time& now);
   void note(const Contact& contact);
 
   std::uint64_t collisions() const { return collisions_; }
   std::uint64_t wall_contacts() const { return wall_contacts_; }
-  /// Kinetic energy at the beginning [M L^2 T^-2].
+  /// Kinetic energy at the start [M L^2 T^-2].
   double initial_energy() const { return initial_energy_; }
   /// The deepest overlap of two spheres, or of a sphere and a wall, at their contact, as a fraction of the
-  /// sum of the radii, or of the radius [1]; what rounding did.
+  /// sum of the radii, or of the radius [1]; caused by rounding alone.
   double max_overlap() const { return max_overlap_; }
-  /// Sum over collisions of impulse times distance of centres [M L^2/T].
+  /// Sum over collisions of impulse times separation of centres [M L^2/T].
   double virial() const { return virial_; }
   /// Sums over collisions of the impact speed [L/T] and of its square [L^2 T^-2].
   double impact_speed_sum() const { return impact_speed_sum_; }
   double impact_speed_square_sum() const { return impact_speed_square_sum_; }
-  /// Momentum handed to a face of the box [M L/T].
+  /// Momentum transferred to a face of the box [M L/T].
   double wall_impulse(Face face) const { return wall_impulse_[face]; }
 
   /// Kinetic energy integrated over time, up to `now` [M L^2/T].
   double energy_integral(const Time& now) const;
-  /// P V / N k T over the time counted [1], from the virial and the mean kinetic energy in the frame in which
-  /// the boundaries rest. One if nothing collided; NaN if no time has passed or nothing moves. Source: Alder
-  /// and Wainwright, J. Chem. Phys. 33 (1960) 1439.
+  /// P V / N k T over the time counted [1], from the virial and the mean kinetic energy in the rest frame of
+  /// the boundaries. One if nothing collided; NaN if no time has passed or nothing moves. Source: Alder and
+  /// Wainwright, J. Chem. Phys. 33 (1960) 1439.
   double compressibility(const Time& now) const;
   /// Mean pressure on the walls over the time counted [M L^-1 T^-2]; NaN without walls, or if no time has
   /// passed.

@@ -16,7 +16,7 @@ constexpr const char* kEnergyUnit = "M L^2 T^-2";
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 
 // Bins of the average; those of the species follow.
-constexpr std::size_t kTime = 0;    // since the beginning
+constexpr std::size_t kTime = 0;    // since the start
 constexpr std::size_t kAll = 1;     // kT
 constexpr std::size_t kSquare = 2;  // sum of m v^2, by groups of spheres, and so in each of the rest
 constexpr std::size_t kAlong = 3;
@@ -55,8 +55,8 @@ void Temperature::sample(const Scene& scene) {
   average_.close_sample(duration(begin_, scene.now()));
 }
 
-// How many independent components of velocity spheres have that count so many and so much mass: along an axis
-// without walls they share in the motion of the centre of mass by their mass.
+// The degrees of freedom of so many spheres with so much mass: along an axis without walls the motion of the
+// centre of mass is theirs in proportion to their mass.
 double Temperature::freedom(std::size_t axis, double spheres, double mass) const {
   return spheres - (box_.is_wall(axis) ? 0 : mass / std::accumulate(masses_.begin(), masses_.end(), 0.0));
 }
@@ -70,7 +70,7 @@ Measurement Temperature::result(const Scene& scene) const {
           "axis without walls",
       .source = "Equipartition; Allen and Tildesley, Computer Simulation of Liquids, section 2.4"};
   using Means = std::span<const double>;
-  // Of the energy, and how many degrees of freedom have it.
+  // A part of the energy, and its degrees of freedom.
   struct Part {
     std::string name;
     std::size_t bin;

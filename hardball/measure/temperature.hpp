@@ -14,8 +14,8 @@
 namespace hardball {
 
 /// Temperature k T, of all spheres, along each axis and of each species, and its history. In equilibrium all
-/// are equal. A common drift along axes without walls does not count. That of all has no error if energy is
-/// conserved, and none is known of it if the spheres cool.
+/// are equal. A common drift along axes without walls does not count. The temperature of all spheres is exact
+/// if energy is conserved; if they cool, its error is not known.
 class Temperature {
  public:
   static constexpr std::string_view kName = "temperature";
@@ -26,7 +26,7 @@ class Temperature {
   double sample_cost() const { return 16 * spheres_; }
   /// Cost: O(n).
   void sample(const Scene& scene);
-  /// What was found up to the moment of the scene.
+  /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
  private:
@@ -36,7 +36,7 @@ class Temperature {
   std::vector<double> masses_;  // of all spheres of a species [M]
   Box box_;
   double spheres_;
-  ThermalMotion motion_;  // in the beginning
+  ThermalMotion motion_;  // at the start
   Time begin_;
   BlockAverage average_;
 };

@@ -6,7 +6,7 @@
 
 namespace hardball {
 
-/// The motion of the spheres at one moment, split into that of all together and that of each for itself.
+/// The motion of the spheres at one time, split into their common drift and the motion relative to it.
 struct ThermalMotion {
   /// Velocity of the centre of mass along axes without walls, where it is conserved; zero along the others
   /// [L/T].
@@ -24,8 +24,7 @@ struct ThermalMotion {
 /// Cost: O(n).
 ThermalMotion thermal_motion(const World& world);
 
-/// Whether the energy is still what it was in the beginning but for rounding, so that there can be
-/// equilibrium.
+/// Whether the energy is still that of the start but for rounding, so that there can be equilibrium.
 bool is_energy_conserved(const ThermalMotion& begin, const ThermalMotion& end);
 
 }  // namespace hardball

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kSteps = 16;
 constexpr double kFar = 2;  // [standard errors]
 
-// How many blocks there are before those that agree with the second half.
+// How many blocks precede those that agree with the second half.
 std::size_t transient_blocks(const std::vector<double>& history, double error_of_half) {
   const std::size_t half = history.size() / 2;
   const std::size_t step = history.size() / kSteps;

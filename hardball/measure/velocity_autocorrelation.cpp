@@ -42,13 +42,12 @@ void VelocityAutocorrelation::sample(const Scene& scene) {
 }
 
 Measurement VelocityAutocorrelation::result(const Scene& scene) const {
-  // Beyond, there is little but noise; what is left of the slow decay is a few per cent of D in a dense
-  // fluid.
+  // Beyond, there is little but noise; the rest of the slow decay is a few per cent of D in a dense fluid.
   constexpr double kFreeTimes = 50;
   Measurement found{.name = std::string(kName),
                     .title = "Velocity autocorrelation",
                     .formula =
-                        "C(t) = <v(s).v(s + t)> over spheres and moments s; D(t): a third of its integral "
+                        "C(t) = <v(s).v(s + t)> over spheres and times s; D(t): a third of its integral "
                         "up to t, D at 50 mean free times; theory: 3 (kT / m) exp(-t / T), T = m D / kT, "
                         "with D of Enskog's theory",
                     .source =

@@ -12,9 +12,9 @@
 
 namespace hardball {
 
-/// How spheres forget their velocities, and the diffusion constant as an integral over that. A common drift
-/// along axes without walls does not count. Source: Alder and Wainwright, Phys. Rev. A 1 (1970) 18; Allen and
-/// Tildesley, Computer Simulation of Liquids, 2nd edition, section 2.7.
+/// The decay of velocity correlations, and the diffusion constant as its integral. A common drift along axes
+/// without walls does not count. Source: Alder and Wainwright, Phys. Rev. A 1 (1970) 18; Allen and Tildesley,
+/// Computer Simulation of Liquids, 2nd edition, section 2.7.
 class VelocityAutocorrelation {
  public:
   static constexpr std::string_view kName = "velocity_autocorrelation";
@@ -25,14 +25,14 @@ class VelocityAutocorrelation {
   VelocityAutocorrelation(const Scene& scene, double interval,
                           std::size_t most_spheres = LagAverage::kMostSpheres);
 
-  /// A moment that is no multiple of the interval after the beginning is passed over. Cost: see LagAverage.
+  /// A time that is no multiple of the interval after the start is ignored. Cost: see LagAverage.
   void sample(const Scene& scene);
-  /// What was found up to the moment of the scene.
+  /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
  private:
   FluidTheory theory_;
-  ThermalMotion motion_;   // in the beginning
+  ThermalMotion motion_;   // at the start
   double mean_free_time_;  // expected [T]
   LagAverage average_;
 };

@@ -16,7 +16,7 @@
 namespace hardball {
 namespace {
 
-// The chance of a component, or of a speed, below c.
+// The probability of a component, or of a speed, below c.
 double component_below(double c) {
   return std::erfc(-c / std::numbers::sqrt2) / 2;
 }
@@ -64,7 +64,7 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
       .name = std::string(kName),
       .title = "Velocity distribution",
       .formula =
-          "Densities of the components and of the size of c = v / sqrt(kT / m); theory: "
+          "densities of the components and the magnitude of c = v / sqrt(kT / m); theory: "
           "Maxwell's, exp(-c^2 / 2) / sqrt(2 pi) and sqrt(2 / pi) c^2 exp(-c^2 / 2)",
       .source = "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, section 4.1"};
   using Means = std::span<const double>;

@@ -11,10 +11,10 @@
 
 namespace hardball {
 
-/// The distribution of velocities, each in units of sqrt(kT / m), kT being the temperature of the moment: so
-/// masses may differ and a granular gas may cool. In equilibrium it is Maxwell's. A common drift along axes
-/// without walls does not count. Source: Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases,
-/// section 4.1.
+/// The distribution of velocities, each in units of sqrt(kT / m), kT being the current temperature: so masses
+/// may differ and a granular gas may cool. In equilibrium it is Maxwell's. A common drift along axes without
+/// walls does not count. Source: Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, section
+/// 4.1.
 class VelocityDistribution {
  public:
   static constexpr std::string_view kName = "velocity_distribution";
@@ -25,14 +25,14 @@ class VelocityDistribution {
   double sample_cost() const { return 30 * spheres_; }
   /// Cost: O(n).
   void sample(const Scene& scene);
-  /// What was found up to the moment of the scene.
+  /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
  private:
   static constexpr std::size_t kBins = 100;  // from -5 to 5
   static constexpr double kWidth = 0.1;
   static constexpr double kEdge = kWidth * kBins / 2;
-  // Bins of the averages: counts, and sums over spheres, by groups of these.
+  // Bins of the averages: counts, and sums over spheres, by groups of spheres.
   static constexpr std::size_t kComponents = 0;
   static constexpr std::size_t kSpeeds = kComponents + kBins;
   static constexpr std::size_t kSpheres = kSpeeds + kBins / 2;
@@ -43,7 +43,7 @@ class VelocityDistribution {
   static constexpr std::size_t kAllBins = kExpectedSpeed + 1;
 
   double spheres_;
-  ThermalMotion motion_;  // in the beginning
+  ThermalMotion motion_;  // at the start
   Time begin_;
   BlockAverage average_;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// What measures find in equilibrium, against published numbers.
+// Measures in equilibrium, against published numbers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ namespace {
 using support::column;
 using support::quantity;
 
-// One run that is measured from its beginning: `contacts` contacts of a settled gas.
+// One run measured from its start: `contacts` contacts of a gas in equilibrium.
 std::vector<Measurement> measured(const support::Gas& gas, const MeasureSettings& settings,
                                   std::uint64_t contacts) {
   Simulation simulation(support::settled(support::make_gas(gas), 40));
@@ -50,7 +50,7 @@ void expect_fluid(double packing_fraction, std::size_t count, support::Start sta
   support::record("compressibility", z.value);
   EXPECT_NEAR((z.value - 1) / excess, 1, statistical + 1e-3);
   EXPECT_NEAR(z.theory - 1, excess, 1e-9);
-  // The error is known to a tenth or two, and five of them are allowed.
+  // The error is known to within 10 or 20%, and five of them are allowed.
   EXPECT_LT(std::fabs(z.value - z.theory), 5 * z.error + 1e-3 * excess);
   EXPECT_LT(z.error, statistical * excess);
   const Quantity& rate = quantity(named(all, "collision_rate"), "collision_rate");
@@ -89,7 +89,7 @@ TEST(MeasuredFluid, AgreesWithTheoryAtPackingFraction40) {
   expect_fluid(0.4, 13 * 13 * 13, support::Start::simple_cubic);
 }
 
-// Speedy's fit is of runs of about as many spheres; 6% is what it and the literature differ by.
+// Speedy's fit is to runs of about as many spheres; it differs from the literature by 6%.
 TEST(MeasuredFluid, DiffusesAsSpeedyFound) {
   const std::vector<Measurement> all =
       measured({.count = 500, .packing_fraction = 0.2, .seed = 52},
@@ -100,7 +100,7 @@ TEST(MeasuredFluid, DiffusesAsSpeedyFound) {
     EXPECT_NEAR(diffusion.value / diffusion.theory, 1, 0.06) << found.name;
     EXPECT_LT(diffusion.error, 0.03 * diffusion.theory) << found.name;
   }
-  // As long as a sphere remembers its velocity Enskog's theory holds well.
+  // While a sphere remembers its velocity Enskog's theory holds well.
   const Measurement& velocities = all.back();
   const Column& forgotten = column(velocities, "velocity_autocorrelation");
   const Column& theory = column(velocities, "velocity_autocorrelation_theory");
@@ -109,7 +109,7 @@ TEST(MeasuredFluid, DiffusesAsSpeedyFound) {
   }
 }
 
-// Equal speeds have a kurtosis of 1; it nears 5/3 within some four collisions of each sphere.
+// Equal speeds have a kurtosis of 1; it approaches 5/3 within some four collisions of each sphere.
 TEST(MeasuredRelaxation, IsLeftOutOfMeans) {
   World world = support::make_gas({.count = 1000, .packing_fraction = 0.1, .seed = 54});
   Random random(55);
@@ -135,8 +135,8 @@ TEST(MeasuredRelaxation, IsLeftOutOfMeans) {
   EXPECT_LT(kurtosis.error, 0.02 * kurtosis.theory);
 }
 
-// A gas that cools has no temperature to know the error of, but its velocities in units of the temperature of
-// the moment settle.
+// The temperature of a cooling gas has no error, but its velocities in units of the current temperature
+// become stationary.
 TEST(MeasuredCooling, HasNoStandardErrorOfATemperature) {
   const World start =
       support::settled(support::make_gas({.count = 1000, .packing_fraction = 0.1, .seed = 56}), 5);
@@ -152,7 +152,7 @@ TEST(MeasuredCooling, HasNoStandardErrorOfATemperature) {
 }
 
 // The sum rule of wall_pressure and virial; its bound is derived in virial_test.cpp.
-TEST(MeasuredWalls, BearThePressureOfTheInside) {
+TEST(MeasuredWalls, BearThePressureOfTheInterior) {
   constexpr std::size_t kSpheres = 300;
   const support::Gas gas{.count = kSpheres, .packing_fraction = 0.25, .seed = 53, .boundary = Boundary::wall};
   Simulation simulation(support::make_gas(gas));
@@ -164,8 +164,8 @@ TEST(MeasuredWalls, BearThePressureOfTheInside) {
   const double twice_energy = 3.0 * kSpheres;
   const double bound = 4 * std::sqrt(2 * kSpheres * half * half) / simulation.time() / twice_energy;
   EXPECT_LT(bound, 3e-3);
-  // Opposite faces bear the same force up to the momentum inside at both ends of the run, which counts by
-  // half the length of the box.
+  // Opposite faces bear the same force up to the momentum inside at the start and end of the run, which
+  // counts by half the length of the box.
   support::record("sum_rule_error", z.value - z.theory);
   EXPECT_NEAR(z.value, z.theory, 2 * bound);
   for (const char* face : {"x_lower", "x_upper", "y_lower", "y_upper", "z_lower", "z_upper"}) {

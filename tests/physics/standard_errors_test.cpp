@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Whether the standard errors of measures are honest: of many independent runs of one state, short ones and
-// long ones, those are counted that are farther than two errors from the mean over all runs.
+// Whether the standard errors of measures are honest: counts, among many independent runs of one state, short
+// and long, those farther than two errors from the mean over all runs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -81,7 +81,7 @@ struct Length {
   double between_samples;
 };
 
-// What all runs have found for a quantity, or for a bin of a column.
+// The results of all runs for a quantity, or for a bin of a column.
 struct Found {
   std::vector<double> values;
   std::vector<double> errors;
@@ -125,8 +125,8 @@ Findings findings(const State& state, const Length& length) {
   return found;
 }
 
-// Bins that differ among runs by more than this, relative to their mean, hold few counts, of which "two
-// errors" is no matter of percents; they are further off in fewer runs than others.
+// Bins that differ among runs by more than this, relative to their mean, hold few counts, for which "two
+// errors" has no fixed percentage; they are farther off in fewer runs than others.
 constexpr double kFewCounts = 0.45;
 
 Count count(const std::vector<Found>& bins) {
@@ -144,7 +144,7 @@ Count count(const std::vector<Found>& bins) {
     for (const double value : found.values) {
       if (!std::isnan(value)) variance += (value - mean) * (value - mean) / (values - 1);
     }
-    // What does not vary, as a temperature at fixed energy, needs no error.
+    // What does not vary, such as a temperature at fixed energy, needs no error.
     const double deviation = std::sqrt(variance);
     if (!(deviation > 1e-9 * std::fabs(mean))) continue;
     if (bins.size() > 1 && deviation > kFewCounts * std::fabs(mean)) continue;
@@ -162,12 +162,13 @@ std::string measure_of(const std::string& name) {
   return name.substr(0, name.find_first_of("./"));
 }
 
-// The share outside is to be 3 to 7%. Of 200 runs 7% lie outside with a deviation of sqrt(0.07 0.93 /
-// 200), 1.8%; of 600 numbers that are looked at, some thirty for each state and length of the runs, the last
-// is beyond 3.3 deviations. The bins of a column are correlated, and their mean is known no better than one
-// of them. A run that says that it does not know an error is not outside.
+// The fraction outside must be 3 to 7%. Of 200 runs 7% lie outside with a deviation of sqrt(0.07 0.93 / 200),
+// 1.8%; of 600 numbers checked, some thirty for each state and length of the runs, the last is beyond 3.3
+// deviations. The bins of a column are correlated, and their mean is known no better than one of them. A run
+// without an error is not outside.
 const double kMostOfOne = 0.07 + 3.3 * std::sqrt(0.07 * 0.93 / kRuns);
-// Of all numbers of a measure in all five states the mean is known as that of 1000 runs: 2.5 deviations.
+// The mean over all numbers of a measure in all five states is known as well as that of 1000 runs: 2.5
+// deviations.
 const double kMostOfMeasure = 0.07 + 2.5 * std::sqrt(0.07 * 0.93 / (5 * kRuns));
 const double kLeastOfMeasure = 0.03 - 2.5 * std::sqrt(0.03 * 0.97 / (5 * kRuns));
 
@@ -189,7 +190,7 @@ void expect_honest(const Length& length) {
       const Count found = count(bins);
       if (found.known == 0) continue;
       EXPECT_LT(found.outside, kMostOfOne * found.all) << state.name << " " << name;
-      // Where few runs know an error, those that do are not like the others.
+      // Where few runs have an error, those that do are not representative.
       if (found.known < 0.9 * found.all) continue;
       Mean& mean = of_measure[measure_of(name)];
       mean.sum += found.outside / found.known;

@@ -23,7 +23,7 @@
 namespace hardball {
 namespace {
 
-// Calls sample(scene) so many times, each sphere having collided so often in the mean between two.
+// Calls sample(scene) so many times, with so many collisions per sphere on average between two.
 template <class Sample>
 void watch(Simulation& simulation, int samples, double collisions_per_sphere, const Sample& sample) {
   const double contacts = collisions_per_sphere * static_cast<double>(simulation.size()) / 2;
@@ -36,7 +36,7 @@ void watch(Simulation& simulation, int samples, double collisions_per_sphere, co
 // Z - 1 = 4 phi g(contact): the pressure of the same run, from its collisions, and the equation of state. The
 // cubic fit errs by 0.1% at most, a finite number of spheres by about 1 / n; the error of the measured Z - 1
 // is a seventh of that of g.
-TEST(RadialDistribution, HasTheContactValueThatThePressureSays) {
+TEST(RadialDistribution, HasTheContactValueOfThePressure) {
   constexpr double kPacking = 0.3;
   constexpr std::size_t kSpheres = 2000;
   Simulation simulation(
@@ -69,8 +69,8 @@ TEST(RadialDistribution, HasTheContactValueThatThePressureSays) {
   EXPECT_NEAR(far / bins, 1, 3e-3);
 }
 
-// At a packing fraction of 0.2 Percus and Yevick are low by 1.6% for the longest waves, where the
-// compressibility tells, and nearer elsewhere.
+// At a packing fraction of 0.2 Percus and Yevick are low by 1.6% at the longest wavelengths, as the
+// compressibility shows, and closer elsewhere.
 TEST(StructureFactor, AgreesWithPercusAndYevickAtPackingFraction20) {
   Simulation simulation(
       support::settled(support::make_gas({.count = 2000, .packing_fraction = 0.2, .seed = 62}), 20));
@@ -127,9 +127,9 @@ TEST(DensityProfiles, HaveThePressureOfTheWallsAtContact) {
   EXPECT_NEAR(pressure.value, expected, 4 * pressure.error + 2e-3 * expected);
 }
 
-// A fluid has no bonds in common directions: Q6 of all bonds is one over the root of their number, up to
-// their correlations. The crystal at a packing fraction of 0.6 keeps most of the 0.575 of its lattice.
-TEST(BondOrder, TellsTheCrystalFromTheFluid) {
+// A fluid has no bonds in common directions: Q6 of all bonds is one over the square root of their number, up
+// to their correlations. The crystal at a packing fraction of 0.6 keeps most of the 0.575 of its lattice.
+TEST(BondOrder, DistinguishesTheCrystalFromTheFluid) {
   const auto order = [](double packing_fraction, support::Start start) {
     Simulation simulation(support::settled(
         support::make_gas({.count = 2048, .packing_fraction = packing_fraction, .seed = 65, .start = start}),

@@ -13,7 +13,7 @@
 namespace hardball {
 namespace {
 
-TEST(BlockAverage, KnowsNothingOfNoSamples) {
+TEST(BlockAverage, HasNoValuesWithoutSamples) {
   const BlockAverage nothing;
   EXPECT_EQ(nothing.blocks(), 0U);
   EXPECT_TRUE(std::isnan(nothing.mean()));
@@ -25,14 +25,14 @@ TEST(BlockAverage, KnowsNothingOfNoSamples) {
   EXPECT_TRUE(std::isnan(nothing.estimate([](std::span<const double> means) { return means[0]; }).value));
 }
 
-TEST(BlockAverage, KnowsAMeanAndNoErrorOfOneSample) {
+TEST(BlockAverage, HasAMeanAndNoErrorOfOneSample) {
   BlockAverage average;
   average.add(std::array{3.0}, 2, 2);
   EXPECT_EQ(average.mean(), 3);
   EXPECT_TRUE(std::isnan(average.error()));
 }
 
-TEST(BlockAverage, WeighsValuesByTheTimeForWhichTheyHeld) {
+TEST(BlockAverage, WeightsValuesByTheTimeForWhichTheyHeld) {
   BlockAverage average;
   average.add(std::array{1.0}, 3, 3);
   average.add(std::array{5.0}, 4, 1);
@@ -40,7 +40,7 @@ TEST(BlockAverage, WeighsValuesByTheTimeForWhichTheyHeld) {
   EXPECT_EQ(average.mean(), 2);
 }
 
-TEST(BlockAverage, SpreadsWhatCameAtOneMomentOverTheTimeSinceTheLast) {
+TEST(BlockAverage, SpreadsInstantaneousAmountsOverTheTimeSinceTheLastSample) {
   BlockAverage average(2);
   average.put(0, 6);
   average.close_sample(2, 2);
@@ -52,7 +52,7 @@ TEST(BlockAverage, SpreadsWhatCameAtOneMomentOverTheTimeSinceTheLast) {
   EXPECT_EQ(average.mean(1), 2);
 }
 
-// The same numbers cut into blocks and added up with pencil and paper.
+// The same numbers cut into blocks and added up by hand.
 Estimate direct(const std::vector<double>& values, std::size_t per_block) {
   double mean = 0;
   for (const double value : values) mean += value / static_cast<double>(values.size());
@@ -124,7 +124,7 @@ TEST(BlockAverage, TakesRatiosBlockByBlock) {
   BlockAverage average(2);
   for (int i = 0; i < 10; ++i) average.add(std::array{i % 2 + 2.0, i % 2 + 1.0}, i);
   EXPECT_DOUBLE_EQ(average.ratio(0, 1).value, 25.0 / 15);
-  // Where both grow together the ratio is certain.
+  // Where both are proportional the ratio is exact.
   BlockAverage exact(2);
   for (int i = 1; i <= 20; ++i) exact.add(std::array{2.0 * i, 1.0 * i}, i);
   EXPECT_EQ(exact.ratio(0, 1).value, 2);
@@ -158,7 +158,7 @@ const FunctionOfMeans kRatio = [](std::span<const double> means) { return means[
 
 TEST(BlockAverage, OfASingleSampleHasTheErrorOfItsGroups) {
   const BlockAverage average = one_look({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}, 2);
-  // The sums scatter by sqrt(340 / 15) about 8.5.
+  // The sums have the standard deviation sqrt(340 / 15) about 8.5.
   const double expected = std::sqrt(340.0 / 15 / kGroups) / 2 * 2.1812 / 2;
   EXPECT_EQ(average.ratio(0, 1).value, 8.5 / 2);
   EXPECT_NEAR(average.ratio(0, 1).error, expected, 1e-3);
@@ -168,8 +168,8 @@ TEST(BlockAverage, OfASingleSampleHasTheErrorOfItsGroups) {
   EXPECT_TRUE(std::isnan(average.ratio(0).error));
 }
 
-// Groups that keep their values tell no more for being looked at again; the scatter of the blocks is zero.
-TEST(BlockAverage, OfTheSameAgainAndAgainHasTheErrorOfItsGroupsWhereBlocksAreFew) {
+// Groups that keep their values gain no precision from repeated samples; the scatter of the blocks is zero.
+TEST(BlockAverage, OfARepeatedSampleHasTheErrorOfItsGroupsWhereBlocksAreFew) {
   BlockAverage average(2, kGroups);
   for (int i = 0; i < 12; ++i) {
     for (std::size_t group = 0; group < kGroups; ++group) {
@@ -183,9 +183,9 @@ TEST(BlockAverage, OfTheSameAgainAndAgainHasTheErrorOfItsGroupsWhereBlocksAreFew
   EXPECT_NEAR(average.estimate(kRatio, BlockAverage::Groups::exchanging).error, expected, 1e-3);
 }
 
-// Groups that remember half their value from sample to sample hand on the rest: the square of the error grows
-// by that. Those that remember nothing have nothing to hand on.
-TEST(BlockAverage, AllowsForWhatGroupsHandOn) {
+// Groups that remember half their value from sample to sample pass on the rest: the square of the error grows
+// by that. Those that remember nothing have nothing to pass on.
+TEST(BlockAverage, AllowsForExchangeBetweenGroups) {
   constexpr int kSamples = 12;
   const auto growth = [](double memory) {
     Random random(33);
@@ -232,7 +232,7 @@ TEST(BlockAverage, AllowsForOneMoreCountInAHistogram) {
   EXPECT_NEAR(bins[2].value, 64 * one, 1e-15);
 }
 
-// Spheres that are seen ten times each, or not at all, make ten counts of one.
+// Spheres that are sampled ten times each, or not at all, make ten counts out of one.
 TEST(BlockAverage, CountsThatComeTenAtATimeAsOne) {
   Random random(34);
   BlockAverage average(21, kGroups);

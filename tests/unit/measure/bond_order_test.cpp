@@ -28,7 +28,7 @@ struct Reference {
 
 // Source: Steinhardt, Nelson and Ronchetti, Phys. Rev. B 28 (1983) 784, figure 2; five digits after Mickel et
 // al., J. Chem. Phys. 138 (2013) 044501, table I.
-TEST(BondOrder, OfCrystalsIsWhatIsPublished) {
+TEST(BondOrder, OfCrystalsHasThePublishedValues) {
   const std::vector<Reference> crystals{{support::face_centered_cubic(), 12, 0.19094, 0.57452},
                                         {support::hexagonal_close_packing(), 12, 0.09722, 0.48476},
                                         {support::body_centered_cubic(), 14, 0.03637, 0.51069},
@@ -46,7 +46,7 @@ TEST(BondOrder, OfCrystalsIsWhatIsPublished) {
 }
 
 TEST(BondOrder, DoesNotDependOnOrientation) {
-  // Five spheres about one, in no symmetrical way.
+  // Five spheres about one, arranged without symmetry.
   const std::vector<Vec3> bonds{
       {1, 0.1, 0.2}, {-0.3, 1, 0.1}, {0.2, -0.9, 0.4}, {-0.8, -0.3, -0.7}, {0.1, 0.3, 1}};
   const auto turned = [&](double angle, double tilt) {
@@ -81,7 +81,7 @@ TEST(BondOrder, OfAPairIsOne) {
   EXPECT_NEAR(support::quantity(found, "Q4").value, 1, 1e-12);
   EXPECT_NEAR(support::quantity(found, "Q6").value, 1, 1e-12);
   EXPECT_NEAR(support::quantity(found, "mean_bonds").value, 2.0 / 3, 1e-12);
-  // Bonds of no sphere do not count.
+  // Spheres without bonds do not count.
   EXPECT_NEAR(support::quantity(found, "mean_q6").value, 1, 1e-12);
 }
 

@@ -58,7 +58,7 @@ TEST(CollisionRate, CountsEachSphereAndPairOfSpecies) {
   EXPECT_TRUE(std::isnan(quantity(found, "collision_rate").theory)) << "there are walls";
 }
 
-TEST(CollisionRate, KnowsNoFreeTimeWithoutCollisions) {
+TEST(CollisionRate, HasNoFreeTimeWithoutCollisions) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{2, 2, 2}, {2, 0, 0}, 0.5});
   const Measurement found = CollisionRate({world, Time(0)}).result({world, Time(5)});
@@ -67,7 +67,7 @@ TEST(CollisionRate, KnowsNoFreeTimeWithoutCollisions) {
   EXPECT_FALSE(has_quantity(found, "wall_rate"));
 }
 
-// Almost points: pi d^2 n sqrt(16 kT / pi m) for one kind, and the same with the reduced mass for two.
+// Nearly points: pi d^2 n sqrt(16 kT / pi m) for one kind, and the same with the reduced mass for two.
 TEST(CollisionRate, HasTheTheoryOfADiluteGas) {
   constexpr double kRadius = 0.005;
   World world(Box::periodic({10, 10, 10}));

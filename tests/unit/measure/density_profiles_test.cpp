@@ -88,7 +88,7 @@ TEST(DensityProfiles, KnowTheDensityAtTheWalls) {
   }
   const Measurement found = measure.result({first, Time(0)});
   const Quantity& density = support::quantity(found, "density_at_walls");
-  // Across x, centres have 6.5 and 6 to move in; across z, 7.5 and 7. Walls count by their areas.
+  // Along x, the free lengths of centres are 6.5 and 6; along z, 7.5 and 7. Walls are weighted by area.
   const double across_x = 300 / (9 * 8.0) * (1 / 6.5 + 1 / 6.0);
   const double across_z = 300 / (9 * 7.0) * (1 / 7.5 + 1 / 7.0);
   EXPECT_NEAR(density.value, (8 * across_x + 7 * across_z) / 15, 4 * density.error);

@@ -13,7 +13,7 @@
 namespace hardball {
 namespace {
 
-// A series of variance one, each value remembering so much of the last, and white noise added.
+// A series of variance one in which each value keeps the fraction `memory` of the last, plus white noise.
 std::vector<double> series(Random& random, std::size_t count, double memory, double noise = 0) {
   std::vector<double> values;
   double x = random.normal();
@@ -30,7 +30,7 @@ double mean_of(const std::vector<double>& values) {
   return sum;
 }
 
-// How each value moved the mean.
+// By how much each value moved the mean.
 std::vector<double> shares_of(const std::vector<double>& values) {
   const double mean = mean_of(values);
   std::vector<double> shares;
@@ -44,7 +44,7 @@ TEST(Estimates, MultiplyWithTheirErrors) {
   EXPECT_DOUBLE_EQ(product.error, 1.5);
 }
 
-TEST(Jackknife, OfAMeanFindsWhatEachPartMovedItBy) {
+TEST(Jackknife, OfAMeanFindsByHowMuchEachPartMovedIt) {
   const std::array sums{1.0, 2.0, 4.0, 9.0};
   const std::array weights{1.0, 1.0, 1.0, 1.0};
   const Parts found = jackknife(sums, weights, [](auto means) { return means[0]; });
@@ -63,7 +63,7 @@ TEST(ErrorOfIndependent, IsTheStandardErrorTimesStudentsFactor) {
   EXPECT_TRUE(std::isnan(error_of_independent(std::vector<double>{-1, 0, 1})));
 }
 
-TEST(IndependentParts, AreAllOfThemIfNothingIsRemembered) {
+TEST(IndependentParts, AreAllOfThemInUncorrelatedSeries) {
   Random random(71);
   double sum = 0;
   constexpr int kTrials = 400;
@@ -76,8 +76,8 @@ TEST(IndependentParts, AreAllOfThemIfNothingIsRemembered) {
   EXPECT_EQ(independent_parts(std::vector<double>(12, 0.0)), 12);
 }
 
-// n (1 - a) / (1 + a), of 64: a series that is worth a quarter, and one of which noise hides half.
-TEST(IndependentParts, AreFewerIfTheSeriesRemembers) {
+// n (1 - a) / (1 + a), of 64: a series worth a quarter of its length, and one half hidden by noise.
+TEST(IndependentParts, AreFewerInCorrelatedSeries) {
   Random random(72);
   double plain = 0;
   double noisy = 0;
@@ -88,11 +88,11 @@ TEST(IndependentParts, AreFewerIfTheSeriesRemembers) {
   }
   EXPECT_NEAR(plain, 16, 3);
   // The variance of the mean is (9 + 1) / 64 where independent values of the variance 2 would have 2 / 64.
-  // Half of it is seen.
+  // Half of the correlation is detected.
   EXPECT_NEAR(noisy, 2 * 64 / 5.0, 5);
 }
 
-// Among many series those are counted whose mean is farther off than two errors.
+// Counts the series, among many, whose mean is off by more than two errors.
 struct Coverage {
   int outside = 0;
   int known = 0;
@@ -111,12 +111,12 @@ Coverage coverage(Random& random, int trials, std::size_t count, double memory) 
 }
 
 // Four deviations of the binomial distribution are 0.9% of 4000.
-TEST(ErrorOfSeries, CoversTheTruthInAsManyRunsAsItSays) {
+TEST(ErrorOfSeries, CoversTheTruthInTheStatedFractionOfRuns) {
   Random random(73);
   constexpr int kTrials = 4000;
   for (const std::size_t count : {16U, 32U, 64U}) {
     for (const double memory : {0.0, 0.3}) {
-      // Nine independent values are too near the eight below which nothing is known.
+      // Nine independent values are too near the limit of eight.
       if (count == 16 && memory > 0) continue;
       const Coverage found = coverage(random, kTrials, count, memory);
       EXPECT_GT(found.known, 0.85 * kTrials) << count << " " << memory;
@@ -126,8 +126,8 @@ TEST(ErrorOfSeries, CoversTheTruthInAsManyRunsAsItSays) {
   }
 }
 
-// As long as the correlation is: there are no eight independent values, and most runs say so. Those that do
-// not are no more than would be off by chance.
+// Runs as short as the correlation time: there are fewer than eight independent values, and most runs have no
+// error. Those that do are no more than would be off by chance.
 TEST(ErrorOfSeries, IsNotKnownOfARunThatIsTooShort) {
   Random random(74);
   constexpr int kTrials = 4000;

@@ -28,7 +28,7 @@ TEST(PercusYevick, OfADiluteGasIsThatOfLoneObstacles) {
   }
 }
 
-TEST(PercusYevick, IsTheSumThatItsClosedFormStandsFor) {
+TEST(PercusYevick, AgreesWithNumericalIntegration) {
   constexpr double kPacking = 0.3;
   const double constant = std::pow(1 + 2 * kPacking, 2) / std::pow(1 - kPacking, 4);
   const double linear = -std::pow(1 + kPacking / 2, 2) / std::pow(1 - kPacking, 4);
@@ -53,7 +53,7 @@ TEST(NearestNeighbor, OfADiluteGasIsThatOfPoints) {
 }
 
 // Just outside contact the density of neighbours is that of the fluid times the contact value.
-TEST(NearestNeighbor, LeavesContactAsTheContactValueSays) {
+TEST(NearestNeighbor, HasTheSlopeOfTheContactValueAtContact) {
   constexpr double kPacking = 0.3;
   constexpr double kStep = 1e-6;
   const double contact_value = (1 - kPacking / 2) / std::pow(1 - kPacking, 3);

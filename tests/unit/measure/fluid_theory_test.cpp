@@ -62,8 +62,7 @@ TEST(FluidTheory, HoldsNeitherBetweenWallsNorInACrystal) {
   }
 }
 
-// A mixture of spheres that hardly differ is a fluid of equal ones, within the difference of the two
-// equations.
+// A mixture of almost equal spheres is a fluid of equal ones, within the difference of the two equations.
 TEST(FluidTheory, OfAMixtureOfAlmostEqualSpheresIsThatOfEqualOnes) {
   World world = dense_gas(100, 0.1, 1, Boundary::periodic);
   for (int i = 0; i < 100; ++i) world.add({.position = {1, 1, 1}, .radius = 0.5000001, .mass = 2});

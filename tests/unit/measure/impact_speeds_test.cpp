@@ -68,7 +68,7 @@ TEST(ImpactSpeeds, HaveRayleighsDistributionForManySpheres) {
 }
 
 // With two spheres in a periodic box there is one relative velocity, of fixed size s, in a random direction:
-// pairs that meet have the mean |cos| = 2/3 and the mean cos^2 = 1/2.
+// colliding pairs have the mean |cos| = 2/3 and the mean cos^2 = 1/2.
 TEST(ImpactSpeeds, AreExactForTwoSpheres) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{2, 2, 2}, {1, 0, 0}, 0.5});

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Averages over pairs of moments, and the two measures made of them.
+// Averages over pairs of times, and the two measures computed from them.
 #include "hardball/measure/lag_average.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ World row(std::size_t count) {
   return world;
 }
 
-// What a series of samples holds at a moment: a number for each sphere and tick that nothing is alike.
+// A component of a vector in a series of samples: different for each sphere and tick.
 double value_of(SphereId id, int tick) {
   Random random(1000 * std::uint64_t{id} + static_cast<std::uint64_t>(tick));
   return random.uniform();
@@ -61,7 +61,7 @@ TEST(LagAverage, IsADirectSumOverItsOrigins) {
     while (ticks >= 8 * step) step *= 2;
     double sum = 0;
     double count = 0;
-    // Of all but the finest lags the beginning is no origin.
+    // The start is an origin of the finest lags only.
     for (int origin = step == 1 ? 0 : step; origin + ticks <= kTicks; origin += step) {
       for (SphereId id = 0; id < 5; ++id) {
         sum += value_of(id, origin) * value_of(id, origin + ticks);
@@ -72,7 +72,7 @@ TEST(LagAverage, IsADirectSumOverItsOrigins) {
   }
 }
 
-TEST(LagAverage, PassesOverMomentsBetweenItsTicksAndLinksNothingAcrossAGap) {
+TEST(LagAverage, IgnoresTimesBetweenItsTicksAndLinksNothingAcrossAGap) {
   const World world = row(1);
   LagAverage average({world, Time(0)}, 1, 10, sum_of_products);
   const auto one = [](Slot) { return Vec3{1, 0, 0}; };
@@ -102,7 +102,7 @@ TEST(LagAverage, HasTheErrorOfIndependentSpheres) {
   EXPECT_NEAR(average.at(0, 0).error, std::sqrt(2) * error_of_independent(shares), 1e-12);
 }
 
-// Two kinds fly freely in opposite directions, through the periodic ends of the box many times.
+// Two kinds fly freely in opposite directions, through the periodic boundaries many times.
 World two_streams() {
   World world(Box::periodic({10, 10, 10}));
   world.add({{1, 2, 2}, {3, 0, 0}, 0.5, 1});

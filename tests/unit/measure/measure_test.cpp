@@ -26,7 +26,7 @@ std::uint64_t hash_of(const std::vector<Contact>& log) {
   return hash.value();
 }
 
-TEST(EventLogHash, TellsOrderTimesKindsAndIdsApart) {
+TEST(EventLogHash, DistinguishesOrderTimesKindsAndIds) {
   const Contact a = contact_of(1, 2, 3);
   const Contact b = contact_of(2, 4, 5);
   const std::uint64_t hash = hash_of({a, b});
@@ -46,7 +46,7 @@ TEST(EventLogHash, TellsOrderTimesKindsAndIdsApart) {
   EXPECT_NE(hash_of({wall, b}), hash);
 }
 
-TEST(EventLogHash, KnowsOneZero) {
+TEST(EventLogHash, HasOneZero) {
   Contact contact = contact_of(1, 2, 3);
   const std::uint64_t hash = hash_of({contact});
   contact.time.low = -0.0;
@@ -54,8 +54,8 @@ TEST(EventLogHash, KnowsOneZero) {
 }
 
 // Two spheres of radius 1/2 and mass 2 meet head-on at relative speed 4, every 2 units of time: round a box
-// of 10 they are 9 apart, surface to surface, then 8.
-TEST(Tally, OfAHeadOnPairInAPeriodicBoxIsWhatPencilAndPaperGive) {
+// of 10 the gap between their surfaces is 9, then 8.
+TEST(Tally, OfAHeadOnPairInAPeriodicBoxMatchesAHandCalculation) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{1, 5, 5}, {3, 0, 0}, 0.5, 2});
   world.add({{6, 5, 5}, {-1, 0, 0}, 0.5, 2});
@@ -77,11 +77,11 @@ TEST(Tally, OfAHeadOnPairInAPeriodicBoxIsWhatPencilAndPaperGive) {
   EXPECT_TRUE(std::isnan(tally.wall_pressure(world.box(), simulation.now())));
 }
 
-TEST(Tally, OfASphereBetweenWallsKnowsTheImpulseOnEachFace) {
+TEST(Tally, OfASphereBetweenWallsHasTheImpulseOnEachFace) {
   World world(Box::walls({12, 10, 8}));
   world.add({{6, 5, 4}, {5, 0, -1}, 1, 3});
   Simulation simulation(world);
-  // Along x 10 are free: hits at 1, 3, 5, ... in turn; along z 6: at 3, 9, ...
+  // Along x the free length is 10: hits at 1, 3, 5, ... in turn; along z 6: at 3, 9, ...
   simulation.run_until(10);
   const Tally& tally = simulation.tally();
   EXPECT_EQ(tally.wall_contacts(), 7U);
@@ -115,7 +115,7 @@ TEST(Tally, FollowsTheEnergyThroughLossesAndEdits) {
   EXPECT_EQ(simulation.tally().initial_energy(), 25);
 }
 
-TEST(Tally, NotesTheDeepestOverlap) {
+TEST(Tally, RecordsTheDeepestOverlap) {
   Tally tally;
   World world;
   tally.begin(world, Time(0));

@@ -21,7 +21,7 @@ namespace {
 using support::column;
 using support::quantity;
 
-// Everything that measures have found, to the last bit.
+// All results of measures, to the last bit.
 std::string text_of(const std::vector<Measurement>& measurements) {
   std::string text = quantities_csv(measurements);
   for (const Measurement& measurement : measurements) text += columns_csv(measurement);
@@ -34,7 +34,7 @@ std::vector<std::string> names_of(const std::vector<Measurement>& measurements) 
   return names;
 }
 
-TEST(Measures, AreThoseThatAreWanted) {
+TEST(Measures, AreThoseThatAreNamed) {
   const World world = support::make_gas({.count = 20});
   Measures all;
   all.sample(world, Time(0));
@@ -45,7 +45,7 @@ TEST(Measures, AreThoseThatAreWanted) {
   EXPECT_EQ(names_of(two.results(world, Time(1))), (std::vector<std::string>{"pressure", "temperature"}));
 }
 
-TEST(Measures, WantNothingIfThereAreNone) {
+TEST(Measures, TakeNoSamplesIfThereAreNone) {
   Measures none({.names = {}});
   EXPECT_EQ(none.next_sample(), kNever);
   const World world = support::make_gas({.count = 20});
@@ -60,7 +60,7 @@ TEST(Measures, RefuseWhatMakesNoSense) {
   EXPECT_THROW(Measures({.from = std::numeric_limits<double>::infinity()}), Error);
 }
 
-TEST(Measures, BeginWhenTheyAreToldTo) {
+TEST(Measures, StartAtTheGivenTime) {
   Simulation simulation(support::make_gas({.count = 100, .packing_fraction = 0.2}));
   Measures measures({.names = {"collision_rate", "temperature"}, .every = 0.5, .from = 2});
   EXPECT_EQ(measures.next_sample(), Time(2));
@@ -79,7 +79,7 @@ TEST(Measures, BeginWhenTheyAreToldTo) {
             static_cast<double>(simulation.counters().collision - before));
 }
 
-TEST(Measures, TakeASampleThatWasPassedByAtOnce) {
+TEST(Measures, TakeAMissedSampleAtOnce) {
   Simulation simulation(support::make_gas({.count = 20}));
   Measures measures({.names = {"temperature"}, .every = 1.0});
   simulation.run_until(2.5);
@@ -88,7 +88,7 @@ TEST(Measures, TakeASampleThatWasPassedByAtOnce) {
             (std::vector<double>{2.5, 3.5}));
 }
 
-TEST(Measures, TakeAtTheEndWhatTheRunWasTooShortFor) {
+TEST(Measures, TakeTheRestAtTheEndOfAShortRun) {
   Simulation simulation(support::make_gas({.count = 500, .packing_fraction = 0.2}));
   Measures measures({.names = {"bond_order", "temperature"}});
   simulation.run_until(0.01, measures);
@@ -136,7 +136,7 @@ TEST(Measures, FindTheSameBitsByEveryEngine) {
   EXPECT_EQ(found_by(EngineKind::cells, 0.017), expected) << "run in pieces";
 }
 
-// So many spheres are stored in an order of the engine's own.
+// So many spheres are stored in an order chosen by the engine.
 TEST(Measures, FindTheSameBitsHoweverSpheresAreStored) {
   const World world = support::make_gas({.count = 12000, .packing_fraction = 0.1, .seed = 9});
   const auto found_by = [&](EngineKind engine) {
@@ -158,7 +158,7 @@ TEST(Measures, ComposeWithLimitsOnContactsAndSteps) {
   EXPECT_LE(simulation.counters().contacts(), 1100U);
 }
 
-TEST(Measures, LookAtSpheresAtRestNowAndThen) {
+TEST(Measures, SampleSpheresAtRestOccasionally) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{2, 2, 2}, {}, 0.5});
   Simulation simulation(world);
@@ -172,7 +172,7 @@ TEST(Measures, LookAtSpheresAtRestNowAndThen) {
 TEST(Cadence, IsAPowerOfTwoThatTheRunCanAfford) {
   const Pace pace{.free_time = 0.3, .cost = 1e6, .contact_cost = 1000};
   const Cadence cheap(Time(0), 0.3, 1, pace);
-  EXPECT_EQ(cheap.interval(), 0.5) << "no more often than it makes sense";
+  EXPECT_EQ(cheap.interval(), 0.5) << "no more often than the finest interval";
   EXPECT_EQ(cheap.next(), Time(0));
   // At a cost of 1e5 a sample may be taken for each 1e5 / (0.0025 * 1e6) = 40 units of time.
   const Cadence dear(Time(0), 0.3, 1e5, pace);

@@ -66,7 +66,7 @@ TEST(NearestNeighbor, OfACrystalIsItsSpacing) {
 TEST(NearestNeighbor, IsTheOneWhoseSurfaceIsNearest) {
   World world(Box::periodic({20, 20, 20}));
   world.add({.position = {19, 1, 1}, .radius = 0.5});
-  world.add({.position = {2, 1, 1}, .radius = 0.5});   // gaps of 2 to the first, across the end,
+  world.add({.position = {2, 1, 1}, .radius = 0.5});   // gaps of 2 to the first, across the boundary,
   world.add({.position = {2, 6, 1}, .radius = 3.75});  // and of 0.75 to the second
   const Measurement found = measured<NearestNeighbor>(world);
   const double diagonal = std::sqrt(9.0 + 25) - 4.25;

@@ -17,7 +17,7 @@ using support::has_quantity;
 using support::quantity;
 
 // Two spheres of diameter 1 and mass 2 meet head-on at relative speed 4, at 1, 3.25 and 5.5.
-TEST(Pressure, OfAHeadOnPairInAPeriodicBoxIsWhatPencilAndPaperGive) {
+TEST(Pressure, OfAHeadOnPairInAPeriodicBoxMatchesAHandCalculation) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{1, 5, 5}, {3, 0, 0}, 0.5, 2});
   world.add({{6, 5, 5}, {-1, 0, 0}, 0.5, 2});
@@ -26,7 +26,7 @@ TEST(Pressure, OfAHeadOnPairInAPeriodicBoxIsWhatPencilAndPaperGive) {
   simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
   simulation.run_until(6);
   const Measurement found = pressure.result({simulation.world(), simulation.now()});
-  // Beside the drift of 1 both move at 2: sum m v v = 16. Each collision gives the impulse 8 over the
+  // Relative to the drift of 1 both move at 2: sum m v v = 16. Each collision gives the impulse 8 over the
   // distance 1, three in 6 units of time.
   EXPECT_DOUBLE_EQ(quantity(found, "pressure_xx").value, (16 + 24.0 / 6) / 1000);
   EXPECT_DOUBLE_EQ(quantity(found, "pressure").value, (16 + 24.0 / 6) / 3000);
@@ -37,9 +37,9 @@ TEST(Pressure, OfAHeadOnPairInAPeriodicBoxIsWhatPencilAndPaperGive) {
   EXPECT_FALSE(has_quantity(found, "wall_pressure"));
 }
 
-// A sphere at 2 meets one at rest, and stops: beside the drift of 1 in the beginning both move at 1, before
+// A sphere at 2 meets one at rest, and stops: relative to the drift of 1 at the start both move at 1, before
 // and after. The impulse is 2 over the distance 1, once in 4 units of time.
-TEST(Pressure, TakesNoMomentumForConserved) {
+TEST(Pressure, DoesNotAssumeConservedMomentum) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{1, 5, 5}, {2, 0, 0}, 0.5});
   world.add({{4, 5, 5}, {}, 0.5});
@@ -72,8 +72,8 @@ TEST(Pressure, HasOffDiagonalComponents) {
   EXPECT_NEAR(quantity(found, "compressibility").value, 1.25, 1e-12);
 }
 
-// A sphere that bounces to and fro over a length of 9 at speed 3 hits each wall every 6 units of time with
-// the impulse 6.
+// A sphere that bounces back and forth over a length of 9 at speed 3 hits each wall every 6 units of time
+// with the impulse 6.
 TEST(Pressure, OfOneSphereOnWallsIsItsImpulse) {
   World world(Box::walls({10, 20, 20}));
   world.add({{5, 5, 5}, {3, 0, 0}, 0.5});
@@ -92,7 +92,7 @@ TEST(Pressure, OfOneSphereOnWallsIsItsImpulse) {
   EXPECT_NEAR(quantity(found, "compressibility").value, 1, 1e-12);
 }
 
-TEST(Pressure, IsWhatTheTallyOfTheRunSays) {
+TEST(Pressure, AgreesWithTheTallyOfTheRun) {
   for (const Boundary boundary : {Boundary::periodic, Boundary::wall}) {
     Simulation simulation(
         support::make_gas({.count = 200, .packing_fraction = 0.2, .seed = 5, .boundary = boundary}));

@@ -16,7 +16,7 @@
 namespace hardball {
 namespace {
 
-// Neighbours nearer than a distance, from g(r) in a periodic box.
+// The number of neighbours closer than a distance, from g(r) in a periodic box.
 double neighbors_within(const Measurement& found, double density, double bin_width, double distance) {
   const std::vector<double>& r = support::column(found, "distance").values;
   const std::vector<double>& g = support::column(found, "g").values;
@@ -62,7 +62,7 @@ TEST_P(IdealGas, IsUniformInEveryBox) {
   constexpr std::size_t kSpheres = 1000;
   constexpr int kSamples = 24;
   const Box box(boundary, {10, 12, 14});
-  // Radii large enough that forgetting them, or the walls, would show.
+  // Radii large enough that neglecting them, or the walls, would be detected.
   const std::vector<double> radii(kSpheres, 0.4);
   World first = support::make_ideal_gas(box, radii, 0);
   RadialDistribution measure({first, Time(0)}, 6, 0.05);
@@ -95,9 +95,9 @@ INSTANTIATE_TEST_SUITE_P(
                       IdealCase{"Walls", {Boundary::wall, Boundary::wall, Boundary::wall}}),
     [](const auto& box) { return box.param.name; });
 
-// Of a single pair g is one over what the ideal gas has in that bin: two pairs in order of four, and the mean
-// over all directions of the share of places from which a displacement does not cross a wall.
-TEST(RadialDistribution, KnowsTheIdealGasBetweenWallsExactly) {
+// Of a single pair g is one over what the ideal gas has in that bin: two ordered pairs of four, and the mean
+// over all directions of the fraction of positions from which a displacement does not cross a wall.
+TEST(RadialDistribution, HasTheExactIdealGasBetweenWalls) {
   constexpr double kRadius = 0.25;
   constexpr double kBin = 0.04;
   World world(Box::walls({4, 5, 6}));
@@ -130,7 +130,7 @@ TEST(RadialDistribution, KnowsTheIdealGasBetweenWallsExactly) {
   EXPECT_NEAR(g[bin] * 2 * ideal, 1, 1e-4);
 }
 
-TEST(RadialDistribution, KnowsPairsOfSpecies) {
+TEST(RadialDistribution, DistinguishesPairsOfSpecies) {
   const Box box = Box::periodic({10, 10, 10});
   std::vector<double> radii(300, 0.2);
   radii.resize(900, 0.4);

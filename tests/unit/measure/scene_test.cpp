@@ -14,7 +14,7 @@
 namespace hardball {
 namespace {
 
-TEST(Scene, FindsEverythingOnce) {
+TEST(Scene, ComputesEverythingOnce) {
   const World world = support::make_gas({.count = 50});
   const Scene scene(world, Time(0));
   EXPECT_EQ(&scene.species(), &scene.species());
@@ -25,7 +25,7 @@ TEST(Scene, FindsEverythingOnce) {
   EXPECT_EQ(&scene.surroundings(), &scene.surroundings());
 }
 
-TEST(Scene, HoldsCentersAsTheyAreThenInTheOrderOfIds) {
+TEST(Scene, HoldsCurrentCentersInTheOrderOfIds) {
   World world = support::make_gas({.count = 50});
   const Time now(0.01);
   world.reorder(order_along_curve(world, now));
@@ -38,7 +38,7 @@ TEST(Scene, HoldsCentersAsTheyAreThenInTheOrderOfIds) {
 }
 
 // Whatever the range, shorter than the cells of the neighbourhood or as long as the box.
-TEST(Scene, HasSurroundingsThatAllPairsConfirm) {
+TEST(Scene, HasTheSurroundingsOfAllPairs) {
   const World world = support::make_gas({.count = 60, .packing_fraction = 0.1});
   const Scene scene(world, Time(0));
   const double edge = world.box().size().x;

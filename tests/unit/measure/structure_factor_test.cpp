@@ -94,7 +94,7 @@ TEST(StructureFactor, OfACrystalHasBraggPeaksAndNothingElse) {
   EXPECT_GT(support::quantity(found, "highest_peak").value, 10);
 }
 
-// |sum of n random phases|^2 / n is 1 in the mean, and its deviation, too.
+// |sum of n random phases|^2 / n has mean 1 and standard deviation 1.
 TEST(StructureFactor, OfAnIdealGasIsOne) {
   const Box box = Box::periodic({9, 11, 13});
   const std::vector<double> radii(500, 0.5);
@@ -120,8 +120,8 @@ TEST(StructureFactor, OfAnIdealGasIsOne) {
   EXPECT_NEAR(squares, 39.0 / 37, 4 * std::sqrt(2.3 / 60));
 }
 
-TEST(StructureFactor, LooksAlongPeriodicAxesOnly) {
-  // Rows along x, in which spheres are 1.25 apart; along y and z they stand anywhere.
+TEST(StructureFactor, UsesPeriodicAxesOnly) {
+  // Rows along x, in which spheres are 1.25 apart; along y and z they are anywhere.
   World rows(Box({Boundary::periodic, Boundary::wall, Boundary::open}, {20, 20, 0}));
   for (int i = 0; i < 16; ++i) {
     rows.add({.position = {1.25 * i, 1 + 1.1 * i, -3.7 * i * i}, .radius = 0.5});

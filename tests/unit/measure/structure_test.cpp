@@ -105,7 +105,7 @@ TYPED_TEST(Structure, DoesNotDependOnWhereSpheresAreStored) {
   EXPECT_EQ(bits_of(reordered.result({world, Time(0)})), bits_of(measure.result({world, Time(0)})));
 }
 
-TYPED_TEST(Structure, OfSmallAndStrangeWorldsIsNoFailure) {
+TYPED_TEST(Structure, AcceptsSmallAndStrangeWorlds) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const support::RandomWorld made = support::make_random_world(seed);
     TypeParam measure({made.world, Time(0)});

@@ -38,17 +38,17 @@ TEST(Surroundings, OfASphereInACrystalAreItsShells) {
   });
 }
 
-TEST(Surroundings, HoldTheCopiesOfASphereInASmallBox) {
+TEST(Surroundings, HoldTheImagesOfASphereInASmallBox) {
   World world(Box::periodic({1.1, 1.1, 5}));
   world.add({.position = {0.3, 0.3, 1}, .radius = 0.5});
   const Scene scene(world, Time(0));
-  std::size_t copies = 0;
+  std::size_t images = 0;
   scene.surroundings().for_each_neighbor(0, 1.2, [&](std::size_t neighbor, const Vec3& separation, double) {
     EXPECT_EQ(neighbor, 0U);
     EXPECT_NEAR(length(separation), 1.1, 1e-12);
-    ++copies;
+    ++images;
   });
-  EXPECT_EQ(copies, 4U);
+  EXPECT_EQ(images, 4U);
 }
 
 TEST(Surroundings, AreWhereSpheresHaveMovedTo) {
@@ -85,7 +85,7 @@ TEST(Surroundings, OfManySpheresAreThoseOfSomeEvenlyChosen) {
   const std::vector<std::size_t> few = centers_within(1);
   ASSERT_EQ(few.size(), Surroundings::kMostCenters);
   for (std::size_t k = 0; k < few.size(); ++k) EXPECT_EQ(few[k], 3 * k);
-  // Of 2000 neighbours each, there are 100 to be looked at.
+  // With 2000 neighbours each, 100 spheres are chosen.
   const double range = std::cbrt(2000 * 1e6 / kSpheres * 3 / (4 * std::numbers::pi));
   EXPECT_NEAR(static_cast<double>(centers_within(range).size()), Surroundings::kMostNeighbors / 2000, 1);
 }

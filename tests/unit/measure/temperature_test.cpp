@@ -23,7 +23,7 @@ World mixture(const Vec3& drift, const Box& box) {
   return world;
 }
 
-TEST(Temperature, CountsWhatIsNotDriftInAPeriodicBox) {
+TEST(Temperature, CountsMotionRelativeToTheDriftInAPeriodicBox) {
   const World world = mixture({5, -7, 1}, Box::periodic({10, 10, 10}));
   Temperature temperature({world, Time(3)});
   temperature.sample({world, Time(4)});

@@ -14,7 +14,7 @@ namespace {
 
 const FunctionOfMeans kFirst = [](std::span<const double> means) { return means[0]; };
 
-// Noise about a value that begins `height` too high and settles in the time `settling`; ten samples for each
+// Noise about a value that starts `height` too high and settles in the time `settling`; ten samples for each
 // unit of time, to 100.
 BlockAverage watched(double height, double settling, std::uint64_t seed) {
   Random random(seed);
@@ -31,7 +31,7 @@ TEST(Transients, AreLeftOut) {
   const Transient found = find_transient(average, std::array{kFirst});
   ASSERT_TRUE(found.end.has_value());
   EXPECT_TRUE(found.is_over);
-  // After four times its length 2 exp(-4) is left of it, a third of the noise.
+  // After four times its length 2 exp(-4) of it is left, a third of the noise.
   EXPECT_GT(*found.end, 12);
   EXPECT_LT(*found.end, 40);
   EXPECT_NEAR(average.mean(), 5.08, 0.02);
@@ -42,7 +42,7 @@ TEST(Transients, AreLeftOut) {
 }
 
 // A sixteenth is beyond two errors by chance in one run of 20.
-TEST(Transients, AreRarelySeenWhereThereAreNone) {
+TEST(Transients, AreRarelyFoundWhereThereAreNone) {
   int seen = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     if (find_transient(watched(0, 1, seed), std::array{kFirst}).end) ++seen;
@@ -71,13 +71,13 @@ TEST(Transients, ThatAreNotOverLeaveNoErrors) {
   EXPECT_TRUE(std::isnan(measurement.columns[2].values[0]));
 }
 
-TEST(Transients, AreNotLookedForInAFewSamples) {
+TEST(Transients, AreNotSoughtInAFewSamples) {
   BlockAverage average;
   for (int i = 0; i < 15; ++i) average.add(std::array{i < 5 ? 10.0 : 0.0}, i);
   EXPECT_FALSE(find_transient(average, std::array{kFirst}).end.has_value());
 }
 
-// The first samples, of the times 0 and 1, are a transient of their own.
+// The first samples, at times 0 and 1, are a transient by themselves.
 TEST(Transients, MayBeTheFirstSixteenth) {
   Random random(83);
   BlockAverage average;
@@ -89,7 +89,7 @@ TEST(Transients, MayBeTheFirstSixteenth) {
   EXPECT_EQ(Transient{}.left_out_of(average).blocks(), 40U);
 }
 
-// One that ends at the beginning of time is one sample.
+// One that ends at time zero is one sample.
 TEST(Transients, MayEndAtZero) {
   BlockAverage average;
   for (int i = 0; i < 20; ++i) average.add(std::array{1.0}, i);

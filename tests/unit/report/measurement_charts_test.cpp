@@ -88,7 +88,7 @@ TEST(MeasurementCharts, LeaveOutWhatHasNoPoint) {
                          column("g", "1", ColumnRole::value, {1, std::nan("")})};
   measurement.columns.push_back(column("g_theory", "1", ColumnRole::theory, {std::nan(""), std::nan("")}));
   ASSERT_EQ(charts_of(measurement).size(), 1U);
-  EXPECT_EQ(charts_of(measurement)[0].series.size(), 1U) << "no legend for a curve that is not there";
+  EXPECT_EQ(charts_of(measurement)[0].series.size(), 1U) << "no legend entry for an absent curve";
   measurement.is_logarithmic_in_argument = true;
   EXPECT_TRUE(charts_of(measurement).empty()) << "the only point has no logarithm";
 }

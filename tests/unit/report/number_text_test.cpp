@@ -26,7 +26,7 @@ TEST(NumberText, SetsPowersOfTenApart) {
   EXPECT_EQ(number_text(3.2e-16, 2), "3.2·10⁻¹⁶");
   EXPECT_EQ(number_text(-1e7), "−1·10⁷");
   EXPECT_EQ(number_text(1234567.5), "1.23457·10⁶");
-  EXPECT_EQ(number_text(9.9999e-5, 2), "0.0001") << "rounding comes before the power is chosen";
+  EXPECT_EQ(number_text(9.9999e-5, 2), "0.0001") << "rounding precedes the choice of the power";
   EXPECT_EQ(number_text(999999.9, 3), "1·10⁶");
 }
 

@@ -15,7 +15,7 @@ TEST(Page, TypesetRaisesExponentsAndEscapes) {
 
 TEST(Page, FillPutsPiecesInTheirPlacesOnce) {
   EXPECT_EQ(fill("<{{a}}|{{b}}|{{a}}>", {{"a", "{{b}}"}, {"b", "B"}}), "<{{b}}|B|{{b}}>")
-      << "what a piece says is not looked into";
+      << "placeholders in a piece are not replaced";
   EXPECT_EQ(fill("nothing", {}), "nothing");
   EXPECT_THROW(fill("{{c}}", {}), BrokenInvariant);
   EXPECT_THROW(fill("{{c", {}), BrokenInvariant);

@@ -33,7 +33,7 @@ void expect_not_in(const std::string& html, const std::string& part) {
   EXPECT_EQ(html.find(part), std::string::npos) << part;
 }
 
-TEST(Report, IsWellFormedAndAccessibleAndAsksForNothing) {
+TEST(Report, IsWellFormedAndAccessibleAndSelfContained) {
   EXPECT_EQ(faults_of(sample_report()), "");
 }
 
@@ -43,7 +43,7 @@ TEST(Report, OfAnEmptyRunIsSoToo) {
   EXPECT_EQ(faults_of(report), "");
 }
 
-TEST(Report, SaysWhatRanAndWhatCameOfIt) {
+TEST(Report, SaysWhatRanAndWhatResulted) {
   const std::string html = to_html(sample_report());
   expect_in(html, "<h1>dense_gas</h1>");
   expect_in(
@@ -78,7 +78,7 @@ TEST(Report, HasEveryMeasurementWithItsNumbers) {
       "self diffusion <span class=\"unit\">[L<sup>2</sup> T<sup>−1</sup>]</span></th><td>0.010230(80)</td>");
   expect_in(html, "<td><span class=\"far\">+5.4 σ</span></td>");
   EXPECT_EQ(count(html, "<svg "), 4U) << "one plot of one measure, two of another, and that of the cells";
-  EXPECT_EQ(count(html, "The run gave no numbers."), 1U);
+  EXPECT_EQ(count(html, "The run gave no results."), 1U);
   expect_in(html, "Of 3 measured numbers with a standard error and a theory, 1 lie");
 }
 
@@ -177,7 +177,7 @@ TEST(Report, ShowsTheBeginningOfALongScenario) {
   const std::size_t shown = count(html, "[0.125, 0.25, 0.5],");
   EXPECT_GT(shown, 500U);
   EXPECT_LT(shown, 1100U);
-  expect_in(html, "The file goes on for another ");
+  expect_in(html, "The file continues for another ");
   EXPECT_EQ(faults_of(report), "");
 }
 
