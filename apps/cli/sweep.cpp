@@ -86,7 +86,12 @@ Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options) {
   if (!(moments.mean_speed > 0)) throw Error("nothing moves", "tune", "give the spheres velocities");
   std::vector<Contender> contenders;
   const double chosen_edge = choose_length(start.world(), EngineKind::cells, options, start.now());
-  const std::size_t chosen = *add(contenders, start, options, chosen_edge);
+  const std::optional<std::size_t> added = add(contenders, start, options, chosen_edge);
+  if (!added) {
+    throw Error("no cells suit the spheres as they are at time " + to_text(start.time()), "tune",
+                "end the run earlier, with --until, or enlarge the spheres or shrink the box");
+  }
+  const std::size_t chosen = *added;
   contenders[chosen].point.is_chosen = true;
   const std::optional<std::size_t> paper =
       add(contenders, start, options, paper_cell_edge(moments, options.unit_costs));

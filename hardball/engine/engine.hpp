@@ -9,6 +9,7 @@
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/engine/predictor.hpp"
 #include "hardball/engine/run.hpp"
+#include "hardball/engine/standstill_guard.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event_queue.hpp"
 #include "hardball/memory/huge_pages.hpp"
@@ -298,6 +299,7 @@ class Engine {
     const bool is_crossing = plan.crosses_first();
     HARDBALL_CHECK((is_crossing ? plan.crossing : plan.contact) >= now_);
     if (is_crossing) {
+      standstill_guard_.note_event(now_, plan.crossing, world_.size());
       queue_.pop();
       cross(slot);
       return true;
@@ -340,6 +342,7 @@ class Engine {
     const Participants participants{slot ^ exchange, partner ^ exchange, plan.is_nearest_image};
     const Event event = is_collision ? make_collision(plan.contact, plan.id, partner_id, plan.image)
                                      : Event{plan.contact, EventKind::wall, plan.id, plan.partner, {}};
+    standstill_guard_.note_event(now_, event.time, world_.size());
     note_repeated_start(participants.first, event.time);
     if (is_collision) note_repeated_start(participants.second, event.time);
     execute(world_, guard_, event, participants, respond_, done_);
@@ -407,6 +410,7 @@ class Engine {
   Predictor predictor_;
   Queue queue_;
   CollapseGuard guard_;
+  StandstillGuard standstill_guard_;
   Time now_;
   LargeVector<Plan> plans_;  // per slot
   bool has_repeated_starts_ = false;

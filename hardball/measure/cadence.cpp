@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hardball/errors/error.hpp"
 #include "hardball/tuning/kinetic_theory.hpp"
 
 namespace hardball {
@@ -45,6 +46,19 @@ Time Cadence::next() const {
 void Cadence::advance(const Time& now, std::uint64_t contacts) {
   constexpr int kSamplesPerCount = 8;
   constexpr double kTolerance = 0.5;
+  // Moments are doubles: beyond this many intervals from zero they no longer resolve one.
+  constexpr double kMostIntervals = 0x1p50;
+  const double farthest = std::max(std::fabs(begin_), std::fabs(now.value()));
+  while (!(farthest / interval_ < kMostIntervals)) {
+    if (contacts_wanted_ == 0) {
+      throw Error(
+          "samples every " + to_text(interval_) + " cannot be resolved at time " + to_text(now.value()),
+          "measures.every", "give a longer time between samples");
+    }
+    interval_ *= 2;
+    next_ = (next_ + 1) / 2;
+  }
+  next_ = std::max(next_, static_cast<std::int64_t>((now.value() - begin_) / interval_));
   while (next() <= now) ++next_;
   if (++samples_ < kSamplesPerCount) return;
   const auto seen = static_cast<double>(contacts - contacts_before_);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <string>
@@ -81,7 +82,13 @@ StructureFactor::StructureFactor(const Scene& scene, double longest,
   constexpr std::size_t kMostInShell = 6;
   constexpr std::size_t kMostProducts = 150000;  // of spheres and vectors of a shell
   const std::size_t affordable = std::clamp<std::size_t>(kMostProducts / world.size(), 1, kMostInShell);
-  const double thickness = longest / diameter_ / kShells;
+  // The powers of a phase are stored: so many along the longest axis.
+  constexpr double kMostPeriods = 4096;
+  double least_unit = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (unit_[axis] > 0) least_unit = std::min(least_unit, unit_[axis]);
+  }
+  const double thickness = std::min(longest / diameter_, kMostPeriods * least_unit) / kShells;
   for (std::size_t shell = 0; shell < kShells; ++shell) {
     choose_waves(shell, static_cast<double>(shell) * thickness, static_cast<double>(shell + 1) * thickness,
                  vectors_in_shell.value_or(affordable));

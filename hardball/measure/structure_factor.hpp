@@ -24,9 +24,10 @@ class StructureFactor {
  public:
   static constexpr std::string_view kName = "structure_factor";
 
-  /// Wave vectors are at most `longest` over the mean diameter long; of each of 64 shells up to
-  /// `vectors_in_shell` are chosen. If that is not given they are six, or fewer with more than some 25,000
-  /// spheres, so that a sample costs hardly more than with that many.
+  /// Wave vectors are at most `longest` over the mean diameter long, or have 4096 periods along the longest
+  /// axis if that is less; of each of 64 shells up to `vectors_in_shell` are chosen. If that is not given
+  /// they are six, or fewer with more than some 25,000 spheres, so that a sample costs hardly more than with
+  /// that many.
   explicit StructureFactor(const Scene& scene, double longest = 20,
                            std::optional<std::size_t> vectors_in_shell = {});
 

@@ -13,6 +13,7 @@
 
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/engine/run.hpp"
+#include "hardball/engine/standstill_guard.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/response/execute.hpp"
 
@@ -317,6 +318,7 @@ class PaperEngine {
   bool handle_without_contact(const Event& event) {
     HARDBALL_CHECK(event.time >= now_);
     if (event.kind != EventKind::enter && event.kind != EventKind::leave) return false;
+    standstill_guard_.note_event(now_, event.time, world_.size());
     now_ = event.time;
     if (event.kind == EventKind::enter) {
       enter(event);
@@ -328,6 +330,7 @@ class PaperEngine {
 
   Contact carry_out(const Event& event) {
     const bool is_collision = event.kind == EventKind::collision;
+    standstill_guard_.note_event(now_, event.time, world_.size());
     const Participants participants = participants_of(world_, event);
     Executed done;
     execute(world_, guard_, event, participants, respond_, done);
@@ -353,6 +356,7 @@ class PaperEngine {
   std::set<Event> event_tree_;
   std::vector<SphereRecord> records_;  // per slot
   CollapseGuard guard_;
+  StandstillGuard standstill_guard_;
   Time now_;
   Counters counters_;
 };

@@ -168,6 +168,9 @@ RunStatus Simulation::run(const RunLimits& limits, Measures& measures) {
     left.contacts -= done.contacts();
     left.steps -= std::min(left.steps, steps_of(done));
     measures.sample(world(), now_);
+    // Samples are work, too.
+    if (left.steps > 0) --left.steps;
+    if (left.steps == 0) return RunStatus::steps_reached;
   }
 }
 

@@ -55,7 +55,9 @@ double optimal_cell_edge(const Moments& moments, const UnitCosts& costs) {
   if (moments.spheres == 0) return 1;
   Moments moving = moments;
   if (!(moving.mean_speed > 0)) moving.mean_speed = 1;  // the optimum does not depend on it
-  double best = 0;
+  constexpr double kSmallest = 1.0 / 8;
+  const double smallest = std::max(kSmallest * spacing_of(moments), moments.largest_radius / 4);
+  double best = smallest;
   double least = std::numeric_limits<double>::infinity();
   const auto scan = [&](double low, double step, int steps) {
     for (int i = 0; i <= steps; ++i, low *= step) {
@@ -67,10 +69,8 @@ double optimal_cell_edge(const Moments& moments, const UnitCosts& costs) {
     }
   };
   // The number of cells along an axis is an integer, so that the cost has steps: scan coarsely, then finely.
-  constexpr double kSmallest = 1.0 / 8;
   constexpr double kStep = 1.25;
   constexpr int kSteps = 24;  // up to 26 times the spacing
-  const double smallest = std::max(kSmallest * spacing_of(moments), moments.largest_radius / 4);
   scan(smallest, kStep, kSteps);
   const double coarse = best;
   scan(std::max(smallest, coarse / kStep), std::pow(kStep, 0.25), 8);

@@ -20,6 +20,16 @@ namespace {
 constexpr double kRandomLimit = 0.36;
 constexpr int kMaxAttempts = 20000;
 
+void check_fits(const Region& region, double radius, const std::string& where) {
+  constexpr double kRounding = 1e-12;
+  const Vec3 size = region.high - region.low;
+  const double narrowest = std::min({size.x, size.y, size.z});
+  if (2 * radius <= narrowest * (1 + kRounding)) return;
+  throw Error(
+      "diameter " + to_text(2 * radius) + " exceeds the length " + to_text(narrowest) + " of the region",
+      where, "enlarge the region or shrink the spheres");
+}
+
 void check_region(const Region& region, const std::string& where) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     check_finite(region.low[axis], "an end of the region", where);
@@ -115,6 +125,7 @@ std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span
   if (radii.empty()) return centers;
   check_region(region, where);
   for (const double radius : radii) check_positive(radius, "radius", where);
+  check_fits(region, std::ranges::max(radii), where);
   const double packing = sphere_volume(radii) / volume(region);
   if (packing > kClosePacking && std::ranges::min(radii) == std::ranges::max(radii)) {
     throw Error("a packing fraction of " + to_text(packing) + " cannot exist", where,
@@ -160,6 +171,7 @@ std::vector<Vec3> place_on_lattice(const Box& box, const Region& region, std::si
   if (count == 0) return centers;
   check_region(region, where);
   check_positive(radius, "radius", where);
+  check_fits(region, radius, where);
   const Lattice lattice = widest_lattice(box, region, count, radius);
   if (lattice.nearest < 2 * radius) {
     throw Error("no face-centred cubic lattice holds " + to_text(count) + " spheres of radius " +

@@ -119,5 +119,17 @@ TEST_F(Tune, RefusesADirectoryThatIsAFile) {
   EXPECT_EQ(outcome.output, "");
 }
 
+// Spheres that fly apart in open space: no cells suit where they are in the end.
+TEST(Tune, RefusesSpheresThatHaveFlownTooFarApart) {
+  const support::ScratchFolder folder;
+  support::write_text(folder / "apart.toml",
+                      "[box]\nboundary = ['open', 'open', 'open']\nsize = [1e4, 1.0, 1e4]\n"
+                      "[[spheres]]\ncount = 2\nradius = 0.1\nplacement = 'random'\ntemperature = 1.0\n"
+                      "[run]\nuntil = 1e60\n");
+  const support::Outcome outcome = support::run_program(folder, {"tune", "apart.toml"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.messages.find("no cells suit the spheres"), std::string::npos) << outcome.messages;
+}
+
 }  // namespace
 }  // namespace hardball

@@ -142,5 +142,16 @@ TEST(StructureFactor, UsesPeriodicAxesOnly) {
   EXPECT_TRUE(nothing.result({walls, Time(0)}).columns.empty());
 }
 
+// The phases stored along an axis are bounded, whatever the ratio of the box to the spheres.
+TEST(StructureFactor, NeedsLittleMemoryForTinySpheres) {
+  World world(Box::periodic({2, 2e3, 2}));
+  for (const double x : {0.1, 0.7, 1.3}) world.add({{x, x, x}, {1, 0, 0}, 1e-9, 1});
+  const Scene scene(world, Time(0));
+  StructureFactor factor(scene);
+  EXPECT_LT(factor.sample_cost(), 1e7);
+  factor.sample(scene);
+  for (const double value : factor.result(scene).columns[1].values) EXPECT_TRUE(std::isfinite(value));
+}
+
 }  // namespace
 }  // namespace hardball

@@ -520,5 +520,40 @@ TEST(Simulation, IsNotMadeIfItsProgressListenerThrows) {
   }
 }
 
+// At such times there are events without end that have the same nearest double.
+TEST(Simulation, FailsWhereTimesAreTooLargeToResolveMotion) {
+  for (const EngineKind engine : all_engines()) {
+    for (const double moment : {1e60, 1e100}) {
+      World world(Box({Boundary::wall, Boundary::periodic, Boundary::periodic}, {20, 20, 20}));
+      world.add({{2, 2, 2}, {1, 0, 0}, 1, 1}, Time(moment));
+      world.add({{9, 9, 9}, {0, 1, 0}, 1, 1}, Time(moment));
+      EngineOptions options;
+      options.engine = engine;
+      Simulation simulation(world, options);
+      EXPECT_THROW(simulation.run_until(moment), RunFailure);
+    }
+  }
+}
+
+TEST(Simulation, CountsSamplesAmongTheSteps) {
+  Simulation simulation(head_on_pair());
+  Measures measures({.names = {"temperature"}, .every = 1e-6});
+  EXPECT_EQ(simulation.run({.until = Time(3), .steps = 100}, measures), RunStatus::steps_reached);
+  EXPECT_LT(simulation.time(), 1e-3);
+}
+
+TEST(Simulation, RefusesSamplesThatTimesCannotResolve) {
+  Measures unresolved({.names = {"temperature"}, .every = 1e-40, .from = 0.5});
+  Simulation simulation(head_on_pair());
+  EXPECT_THROW(simulation.run_until(1, unresolved), Error);
+  // Overdue samples are not counted one by one.
+  Measures frequent({.names = {"temperature"}, .every = 1e-12});
+  Simulation another(head_on_pair());
+  another.run({.until = Time(3), .steps = 10}, frequent);
+  another.run_until(3);
+  EXPECT_EQ(another.run({.until = Time(3.5), .steps = 10}, frequent), RunStatus::steps_reached);
+  EXPECT_LT(another.time(), 3.1);
+}
+
 }  // namespace
 }  // namespace hardball

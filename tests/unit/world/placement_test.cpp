@@ -94,6 +94,14 @@ TEST(Placement, RefusesNumbersOutOfRange) {
   }
 }
 
+TEST(Placement, RefusesSpheresLargerThanTheRegion) {
+  Random random(1);
+  const Box box = Box::periodic({100, 100, 1});
+  EXPECT_THROW(place_randomly(box, {{}, box.size()}, std::vector<double>{0.1, 0.6}, random, "here"), Error);
+  EXPECT_THROW(place_on_lattice(box, {{}, box.size()}, 4, 0.6, "here"), Error);
+  EXPECT_EQ(place_randomly(box, {{}, box.size()}, std::vector<double>{0.1, 0.5}, random, "here").size(), 2U);
+}
+
 TEST(PlaceOnLattice, MakesDenseCrystals) {
   for (const auto& boundary : kBoundaries) {
     for (const std::size_t count : {std::size_t{1}, std::size_t{7}, std::size_t{256}, std::size_t{500}}) {
