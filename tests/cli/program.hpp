@@ -37,8 +37,8 @@ class Program {
     std::vector<char*> words{const_cast<char*>(executable.c_str())};
     for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
     words.push_back(nullptr);
-    // Of an earlier program in this folder nothing is left to be read.
-    for (const std::filesystem::path& path : {output_, messages_}) std::filesystem::remove(path);
+    // Whoever waits for the output must not read that of an earlier program.
+    std::filesystem::remove(output_);
     process_ = fork();
     if (process_ != 0) return;
     redirect(output_, STDOUT_FILENO);

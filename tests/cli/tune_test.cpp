@@ -120,7 +120,7 @@ TEST_F(Tune, RefusesADirectoryThatIsAFile) {
 }
 
 // Spheres that fly apart in open space: no cells suit where they are in the end.
-TEST(Tune, RefusesSpheresThatHaveFlownTooFarApart) {
+TEST(TuneOfScattered, RefusesSpheresThatHaveFlownTooFarApart) {
   const support::ScratchFolder folder;
   support::write_text(folder / "apart.toml",
                       "[box]\nboundary = ['open', 'open', 'open']\nsize = [1e4, 1.0, 1e4]\n"
