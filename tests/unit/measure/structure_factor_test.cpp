@@ -150,7 +150,8 @@ TEST(StructureFactor, NeedsLittleMemoryForTinySpheres) {
   StructureFactor factor(scene);
   EXPECT_LT(factor.sample_cost(), 1e7);
   factor.sample(scene);
-  for (const double value : factor.result(scene).columns[1].values) EXPECT_TRUE(std::isfinite(value));
+  const Measurement found = factor.result(scene);
+  for (const double value : found.columns[1].values) EXPECT_TRUE(std::isfinite(value));
 }
 
 }  // namespace
