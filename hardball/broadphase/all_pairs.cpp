@@ -18,7 +18,8 @@ constexpr double kMargin = 1e-6;
 
 }  // namespace
 
-void AllPairs::build(const World& world, const Time& now) {
+void AllPairs::build(const World& world, const Time& now, CompactPaths& copies) {
+  copies.reset(world, 1, now);
   middles_.assign(world.size(), Vec3{});
   for (Slot slot = 0; slot < world.size(); ++slot) center_interval(world, slot, now);
 }
@@ -57,7 +58,8 @@ void AllPairs::collect(const World& world, Slot slot, Candidates& candidates) co
   candidates.end();
 }
 
-void AllPairs::cross(const World& world, Slot slot, const Time& now, Candidates& candidates) {
+void AllPairs::cross(const World& world, Slot slot, const Time& now, const CompactPaths&,
+                     Candidates& candidates) {
   center_interval(world, slot, now);
   collect(world, slot, candidates);
 }
@@ -67,7 +69,7 @@ void AllPairs::center_interval(const World& world, Slot slot, const Time& now) {
   static_cast<void>(world.box().boxes_beyond(middles_[slot]));  // throws if it has crossed too many boxes
 }
 
-Time AllPairs::next_crossing(const World& world, Slot slot, const Time& now, const Time&) const {
+double AllPairs::next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&) const {
   const Path& path = world.path(slot);
   const Vec3& middle = middles_[slot];
   double soonest = std::numeric_limits<double>::infinity();
@@ -79,10 +81,10 @@ Time AllPairs::next_crossing(const World& world, Slot slot, const Time& now, con
         up ? (middle[axis] + reach) - path.position[axis] : path.position[axis] - (middle[axis] - reach);
     soonest = std::min(soonest, time_to_plane(distance, std::fabs(path.velocity[axis])));
   }
-  return later(now, after(path.time, soonest));
+  return rounded_down(later(now, after(path.time, soonest)));
 }
 
-void AllPairs::validate(const World& world, const Time& now) const {
+void AllPairs::validate(const World& world, const Time& now, const CompactPaths&) const {
   HARDBALL_CHECK(middles_.size() == world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
     const Vec3 moved = position_at(world.path(slot), now) - middles_[slot];

@@ -15,18 +15,19 @@ namespace hardball {
 /// interval. Cost: O(n) per collision.
 class AllPairs {
  public:
-  void build(const World& world, const Time& now);
+  void build(const World& world, const Time& now, CompactPaths& copies);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
   void collect(const World& world, Slot slot, Candidates& candidates) const;
-  Time next_crossing(const World& world, Slot slot, const Time& now, const Time& limit) const;
-  void cross(const World& world, Slot slot, const Time& now, Candidates& candidates);
+  double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&) const;
+  bool has_nearest_images() const { return false; }
+  void cross(const World& world, Slot slot, const Time& now, const CompactPaths&, Candidates& candidates);
   void prefetch_region(Slot) const {}
   void prefetch_lists(Slot, bool) const {}
   template <class Visit>
   void for_each_prefetched(Slot, bool, Visit&&) const {}
   std::uint64_t left_count() const { return 0; }
   std::size_t memory_bytes() const { return middles_.capacity() * sizeof(Vec3); }
-  void validate(const World& world, const Time& now) const;
+  void validate(const World& world, const Time& now, const CompactPaths&) const;
 
  private:
   struct Images {

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "hardball/broadphase/candidates.hpp"
+#include "hardball/world/compact_paths.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -18,33 +19,37 @@ namespace hardball {
 /// another region. Two spheres are always candidates of each other before they touch. A broad phase reads
 /// paths and never changes them.
 ///
-/// - `build(world, now)` gives every sphere a region.
+/// - `build(world, now, copies)` gives every sphere a region, and resets the compact copies of paths with the
+///   distance [L] within which candidates lie, and sphere's places between two crossings.
 /// - `refresh(world, slot, now, folded)` updates the region of a sphere whose path was rewritten at `now`;
 ///   its centre has been folded back by `folded` boxes.
 /// - `collect(world, slot, candidates)` collects every candidate of a sphere, usually once.
-/// - `next_crossing(world, slot, now, limit)` is when the sphere reaches the edge of its region, not before
-///   `now`; kNever if it never does, and possibly if not before `limit`.
-/// - `cross(world, slot, now, candidates)` gives it the next region and collects the new candidates (and
+/// - `next_crossing(world, slot, now, copies)` is a time before which the sphere stays in its region, rounded down
+///   [T]; infinite if it stays for ever.
+/// - `has_nearest_images()`: whether candidates mean the nearest images of spheres.
+/// - `cross(world, slot, now, copies, candidates)` gives it the next region and collects the new candidates (and
 ///   perhaps others).
 /// - `prefetch_region(slot)` and `prefetch_lists(slot, crosses)`, called a few events apart, prefetch what
 ///   the next event of a sphere will need; `crosses` says whether it is a crossing.
 /// - `for_each_prefetched(slot, crosses, visit)` calls visit(other) for most of the candidates of that event.
 /// - `left_count()` counts the cells, or rows of cells, that spheres have left since `build`.
-/// - `validate(world, now)` checks the whole structure and throws BrokenInvariant.
+/// - `validate(world, now, copies)` checks the whole structure and throws BrokenInvariant.
 template <class Phase>
 concept BroadPhase = requires(Phase phase, const Phase& view, const World& world, Slot slot, const Time& now,
-                              const Image& image, Candidates& candidates, bool crosses, void (*visit)(Slot)) {
-  phase.build(world, now);
+                              const Image& image, CompactPaths& copies, const CompactPaths& copied,
+                              Candidates& candidates, bool crosses, void (*visit)(Slot)) {
+  phase.build(world, now, copies);
   phase.refresh(world, slot, now, image);
   view.collect(world, slot, candidates);
-  { phase.next_crossing(world, slot, now, now) } -> std::convertible_to<Time>;
-  phase.cross(world, slot, now, candidates);
+  { phase.next_crossing(world, slot, now, copied) } -> std::same_as<double>;
+  { view.has_nearest_images() } -> std::same_as<bool>;
+  phase.cross(world, slot, now, copied, candidates);
   view.prefetch_region(slot);
   view.prefetch_lists(slot, crosses);
   view.for_each_prefetched(slot, crosses, visit);
   { view.left_count() } -> std::convertible_to<std::uint64_t>;
   { view.memory_bytes() } -> std::convertible_to<std::size_t>;
-  view.validate(world, now);
+  view.validate(world, now, copied);
 };
 
 }  // namespace hardball

@@ -47,12 +47,13 @@ void CellGrid::Region::take(const CellRange& range) {
   }
 }
 
-void CellGrid::build(const World& world, const Time& now) {
+void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) {
   cells_ = Subdivision(world.box(), wanted_edge_, kMostCellsPerAxis);
   refuse_tiny_cells(world);
   nearest_ = images_are_nearest(world);
   store_.reset(cells_.shape(), world.size());
   blocks_ = regions_are_blocks(world);
+  copies.reset(world, farthest_candidates(world), now);
   regions_.assign(world.size(), Region{});
   left_count_ = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
@@ -77,16 +78,31 @@ void CellGrid::refuse_tiny_cells(const World& world) const {
               "give at least a fifth of the largest diameter, " + to_text(world.largest_radius() * 2 / 5));
 }
 
-// Along an axis a sphere touches at most `touched` cells and its centre lies in one of them, so that centres
-// of spheres that share a cell are less than 2 * touched - 1 cells apart: nearer than half the box.
+// The most cells that a sphere touches along an axis.
+double CellGrid::most_touched(const World& world, std::size_t axis) const {
+  const double reach = cells_.reach(axis, world.largest_radius());
+  return std::floor(2 * reach / cells_.edge(axis) * (1 + 1e-6)) + 2;
+}
+
+// A sphere's centre lies in one of the cells that it touches, so that centres of spheres that share a cell
+// are less than 2 * touched - 1 cells apart: nearer than half the box.
 bool CellGrid::images_are_nearest(const World& world) const {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_periodic(axis)) continue;
-    const double reach = cells_.reach(axis, world.largest_radius());
-    const double touched = std::floor(2 * reach / cells_.edge(axis) * (1 + 1e-6)) + 2;
-    if (cells_.period(axis) < 2 * (2 * touched - 1) + 1) return false;
+    if (cells_.period(axis) < 2 * (2 * most_touched(world, axis) - 1) + 1) return false;
   }
   return true;
+}
+
+// Two regions that share a cell. Unless it is a block, a region may have one cell more along an axis than its
+// sphere touches.
+double CellGrid::farthest_candidates(const World& world) const {
+  Vec3 farthest;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const double most_cells = blocks_ ? 2 : most_touched(world, axis) + 1;
+    farthest[axis] = (2 * most_cells - 1) * cells_.edge(axis);
+  }
+  return length(farthest);
 }
 
 // A sphere that is smaller than a cell, by more than rounding errors and margins, touches at most two cells
@@ -129,17 +145,18 @@ void CellGrid::collect(const World& world, Slot slot, Candidates& candidates) co
   }
 }
 
-Time CellGrid::next_crossing(const World& world, Slot slot, const Time& now, const Time&) {
+double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&) {
   Region& region = regions_[slot];
   const Path& path = world.path(slot);
   const CellCrossing next = cells_.next_enter(path, world.radius(slot), region.range());
   region.crossed_face = static_cast<std::uint8_t>(face_of(next.axis, next.up));
-  return later(now, after(path.time, next.wait));
+  return rounded_down(later(now, after(path.time, next.wait)));
 }
 
 // Enters the row of cells ahead and releases those behind, as seen along the velocity: releasing cells ahead
 // because of rounding could make two crossings repeat each other without end.
-void CellGrid::cross(const World& world, Slot slot, const Time& now, Candidates& candidates) {
+void CellGrid::cross(const World& world, Slot slot, const Time& now, const CompactPaths&,
+                     Candidates& candidates) {
   if (blocks_) {
     cross_block(world, slot, now, candidates);
   } else {
@@ -309,7 +326,7 @@ std::size_t CellGrid::memory_bytes() const {
   return store_.memory_bytes() + regions_.capacity() * sizeof(Region);
 }
 
-void CellGrid::validate(const World& world, const Time& now) const {
+void CellGrid::validate(const World& world, const Time& now, const CompactPaths&) const {
   HARDBALL_CHECK(regions_.size() == world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
     const CellRange range = regions_[slot].range();

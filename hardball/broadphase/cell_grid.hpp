@@ -25,11 +25,11 @@ class CellGrid {
   explicit CellGrid(double edge) : wanted_edge_(edge) {}
 
   /// Error: the edge is not positive, or so small that a sphere would lie in hundreds of cells.
-  void build(const World& world, const Time& now);
+  void build(const World& world, const Time& now, CompactPaths& copies);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
   void collect(const World& world, Slot slot, Candidates& candidates) const;
-  Time next_crossing(const World& world, Slot slot, const Time& now, const Time& limit);
-  void cross(const World& world, Slot slot, const Time& now, Candidates& candidates);
+  double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&);
+  void cross(const World& world, Slot slot, const Time& now, const CompactPaths&, Candidates& candidates);
   void prefetch_region(Slot slot) const { prefetch(&regions_[slot]); }
   void prefetch_lists(Slot slot, bool crosses) const {
     if (!store_.is_dense()) return;
@@ -50,7 +50,7 @@ class CellGrid {
   }
   std::uint64_t left_count() const { return left_count_; }
   std::size_t memory_bytes() const;
-  void validate(const World& world, const Time& now) const;
+  void validate(const World& world, const Time& now, const CompactPaths&) const;
 
   /// The length of a cell's edge along an axis [L].
   double edge(std::size_t axis) const { return cells_.edge(axis); }
@@ -80,7 +80,9 @@ class CellGrid {
   };
 
   void refuse_tiny_cells(const World& world) const;
+  double most_touched(const World& world, std::size_t axis) const;
   bool images_are_nearest(const World& world) const;
+  double farthest_candidates(const World& world) const;
   CellRange range_at(const World& world, Slot slot, const Time& now) const;
   void refresh_range(const World& world, Slot slot, const Time& now, const Image& folded);
   void cross_range(const World& world, Slot slot, const Time& now, Candidates& candidates);

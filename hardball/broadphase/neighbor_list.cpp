@@ -13,8 +13,10 @@
 namespace hardball {
 namespace {
 
-// By which shells are larger and balls smaller than they need to be: far more than rounding errors.
-constexpr double kMargin = 1e-9;
+// By which shells are larger than they need to be, and centres cross earlier, as fractions of the farthest
+// distance of neighbours: far more than the errors of places on the grid and of distances in single precision.
+constexpr double kShellMargin = 0x1p-19;
+constexpr double kCrossingMargin = 0x1p-23;
 
 // Distances of neighbours stay below this fraction of a periodic box: then only one image of each is near,
 // and there are at least three cells along each axis.
@@ -55,13 +57,6 @@ double wait_in_ball(const Vec3& place, Vec3 velocity, double room) {
   return time_unit * (outwards > 0 ? room / (root + outwards) : (root - outwards) / speed_squared);
 }
 
-Vec3 nearest(const Box& box, Vec3 separation) {
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    separation[axis] -= std::round(separation[axis] * box.inverse_period()[axis]) * box.period()[axis];
-  }
-  return separation;
-}
-
 }  // namespace
 
 bool NeighborList::suits(const World& world) {
@@ -69,26 +64,29 @@ bool NeighborList::suits(const World& world) {
   return farthest_neighbors(radius, kLeastSlack * radius) <= kLargestShare * smallest_period(world.box());
 }
 
-void NeighborList::build(const World& world, const Time& now) {
+void NeighborList::build(const World& world, const Time& now, CompactPaths& copies) {
   HARDBALL_CHECK(suits(world));
   const double radius = world.largest_radius();
-  const double room = (kLargestShare * smallest_period(world.box()) - 2 * radius) / 4;
-  slack_ = std::max(kLeastSlack * radius, std::min(wanted_slack_, room));
-  // Without spheres any positive edge will do.
-  const double least_edge = world.size() > 0 ? 2 * (radius + slack_) * (1 + 2 * kMargin) : 1;
-  margin_ = kMargin * least_edge;
-  cells_ = Subdivision(world.box(), least_edge, kMostCellsPerAxis);
+  const double largest = (kLargestShare * smallest_period(world.box()) - 2 * radius) / 4;
+  slack_ = std::max(kLeastSlack * radius, std::min(wanted_slack_, largest));
+  // Without spheres any distance will do.
+  const double farthest = world.size() > 0 ? farthest_neighbors(radius, slack_) : 1;
+  const double margin = kShellMargin * farthest;
+  room_ = slack_ - kCrossingMargin * farthest;
+  cells_ = Subdivision(world.box(), farthest - 2 * slack_ + 2 * margin, kMostCellsPerAxis);
+  copies.reset(world, farthest + 2 * margin, now);
+  reach_ = static_cast<float>((2 * slack_ + margin) / copies.length_unit());
   store_.reset(cells_.shape(), world.size());
-  anchors_.assign(world.size(), Vec3{});
+  anchors_.assign(world.size(), GridPoint{});
   neighbors_.reset(world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    anchors_[slot] = anchor_at(world, slot, now);
-    find_near(world, slot);
+    anchors_[slot] = anchor_at(world, slot, now, copies);
+    find_near(slot, copies);
     for (const Slot other : near_) {
       neighbors_.insert(slot, other);
       neighbors_.insert(other, slot);
     }
-    store_.insert(cells_.cell_of(anchors_[slot]), slot);
+    store_.insert(anchors_[slot].cell, slot);
   }
 }
 
@@ -99,27 +97,19 @@ void NeighborList::collect(const World&, Slot slot, Candidates& candidates) cons
   candidates.end();
 }
 
-// When the centre reaches the edge of its ball; computed from now, as nothing else depends on its last bits.
-Time NeighborList::next_crossing(const World& world, Slot slot, const Time& now, const Time& limit) const {
-  const Vec3 place = from_anchor(world, slot, now);
-  const Vec3& velocity = world.path(slot).velocity;
-  const double speed_squared = dot(velocity, velocity);
-  const double outwards = dot(place, velocity);
-  const double reach = slack_ * (1 - kMargin);
-  const double room = std::max(0.0, reach * reach - dot(place, place));
-  const double longest = duration(now, limit);
-  if (longest * (speed_squared * longest + 2 * outwards) < room && speed_squared > kSlow * kSlow) {
-    return kNever;
-  }
-  const double wait = wait_in_ball(place, velocity, room);
-  return wait > longest ? kNever : after(now, wait);
+double NeighborList::next_crossing(const World& world, Slot slot, const Time& now,
+                                   const CompactPaths& copies) const {
+  const Vec3 place = from_anchor(slot, copies);
+  const double room = std::max(0.0, room_ * room_ - dot(place, place));
+  return rounded_down(now) + wait_in_ball(place, world.path(slot).velocity, room);
 }
 
-void NeighborList::cross(const World& world, Slot slot, const Time& now, Candidates& candidates) {
-  store_.erase(cells_.cell_of(anchors_[slot]), slot);
-  anchors_[slot] = anchor_at(world, slot, now);
-  find_near(world, slot);
-  store_.insert(cells_.cell_of(anchors_[slot]), slot);
+void NeighborList::cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
+                         Candidates& candidates) {
+  store_.erase(anchors_[slot].cell, slot);
+  anchors_[slot] = anchor_at(world, slot, now, copies);
+  find_near(slot, copies);
+  store_.insert(anchors_[slot].cell, slot);
   find_changes(slot);
   candidates.begin(slot, true);
   for (const Slot gained : gained_) {
@@ -161,22 +151,39 @@ void NeighborList::find_changes(Slot slot) {
   });
 }
 
-Vec3 NeighborList::anchor_at(const World& world, Slot slot, const Time& now) const {
-  return world.position(slot, now);
+GridPoint NeighborList::anchor_at(const World& world, Slot slot, const Time& now,
+                                  const CompactPaths& copies) const {
+  return {copies.paths()[slot].place, cells_.cell_of(world.position(slot, now))};
 }
 
-// The centre relative to its anchor. It is in the ball: if it seems far away, another image is meant.
-Vec3 NeighborList::from_anchor(const World& world, Slot slot, const Time& now) const {
-  const Vec3 place = position_at(world.path(slot), now) - anchors_[slot];
-  if (dot(place, place) <= slack_ * slack_) [[likely]]
-    return place;
-  return nearest(world.box(), place);
+// The centre, as copied, relative to its anchor.
+Vec3 NeighborList::from_anchor(Slot slot, const CompactPaths& copies) const {
+  const auto& anchor = anchors_[slot].place;
+  return {copies.apart(anchor, slot, 0), copies.apart(anchor, slot, 1), copies.apart(anchor, slot, 2)};
 }
 
 // The spheres whose shells overlap a sphere's own, from the anchors in the cells around its own; the sphere
 // itself is among them if its anchor is stored.
-void NeighborList::find_near(const World& world, Slot slot) {
-  const CellIndex center = cells_.cell_of(anchors_[slot]);
+void NeighborList::find_near(Slot slot, const CompactPaths& copies) {
+  const std::size_t count = collect_around(anchors_[slot].cell);
+  if (count == 0) return near_.clear();
+  // The kernel reads whole vectors.
+  std::fill_n(around_.data() + count, kWidestVector, slot);
+  near_.resize(count + kWidestVector);
+  const NearQuery query{
+      .points = anchors_.data(),
+      .slots = around_.data(),
+      .count = count,
+      .place = anchors_[slot].place,
+      .grid = copies.scale().grid,
+      .reach = reach_ + copies.radius(slot) + (copies.radii() == nullptr ? copies.radius(slot) : 0),
+      .radii = copies.radii(),
+  };
+  near_.resize(pick_near_(query, near_.data()));
+}
+
+// Collects the spheres whose anchors lie in the 27 cells around one, and returns their number.
+std::size_t NeighborList::collect_around(const CellIndex& center) {
   std::array<std::array<std::int32_t, 3>, kAxes> rows;
   std::array<std::size_t, kAxes> row_count{};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -185,50 +192,31 @@ void NeighborList::find_near(const World& world, Slot slot) {
       rows[axis][row_count[axis]++] = cells_.folded(axis, row);
     }
   }
+  constexpr std::size_t kRoom = SlotLists::kRoom + kWidestVector;
   std::size_t count = 0;
-  CellIndex cell;
+  const auto add = [&](const SlotLists::LineOfSlots& slots, std::uint32_t in_line) {
+    if (around_.size() < count + kRoom) [[unlikely]]
+      around_.resize(2 * around_.size() + kRoom);
+    std::copy(slots.begin(), slots.end(), around_.data() + count);
+    count += in_line;
+  };
   for (std::size_t x = 0; x < row_count[0]; ++x) {
-    cell[0] = rows[0][x];
     for (std::size_t y = 0; y < row_count[1]; ++y) {
-      cell[1] = rows[1][y];
       for (std::size_t z = 0; z < row_count[2]; ++z) {
-        cell[2] = rows[2][z];
-        store_.lists().for_each_line(store_.list(cell),
-                                     [&](const SlotLists::LineOfSlots& slots, std::uint32_t in_line) {
-                                       if (around_.size() < count + 2 * SlotLists::kRoom)
-                                         around_.resize(2 * around_.size() + 4 * SlotLists::kRoom);
-                                       std::copy(slots.begin(), slots.end(), around_.data() + count);
-                                       count += in_line;
-                                     });
+        store_.lists().for_each_line(store_.list({rows[0][x], rows[1][y], rows[2][z]}), add);
       }
     }
   }
-  if (around_.empty()) return near_.clear();
-  // The kernel reads whole vectors.
-  std::fill_n(around_.data() + count, kWidestVector, slot);
-  near_.resize(count + kWidestVector);
-  const bool is_common = world.radii().is_common();
-  const double reach = world.radius(slot) + 2 * slack_ + margin_;
-  const NearQuery query{
-      .points = anchors_.data(),
-      .slots = around_.data(),
-      .count = count,
-      .place = anchors_[slot],
-      .period = world.box().period(),
-      .inverse_period = world.box().inverse_period(),
-      .reach = is_common ? reach + world.radius(slot) : reach,
-      .radii = is_common ? nullptr : world.radii().each().data(),
-  };
-  near_.resize(pick_near_(query, near_.data()));
+  return count;
 }
 
 std::size_t NeighborList::memory_bytes() const {
-  return store_.memory_bytes() + anchors_.capacity() * sizeof(Vec3) + neighbors_.memory_bytes() +
+  return store_.memory_bytes() + anchors_.capacity() * sizeof(GridPoint) + neighbors_.memory_bytes() +
          (around_.capacity() + near_.capacity() + gained_.capacity() + lost_.capacity() + kept_.capacity()) *
              sizeof(Slot);
 }
 
-void NeighborList::validate(const World& world, const Time& now) const {
+void NeighborList::validate(const World& world, const Time& now, const CompactPaths& copies) const {
   HARDBALL_CHECK(anchors_.size() == world.size());
   const auto is_listed = [this](Slot list, Slot slot) {
     int found = 0;
@@ -237,9 +225,10 @@ void NeighborList::validate(const World& world, const Time& now) const {
   };
   NeighborList search = *this;
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    const Vec3 place = from_anchor(world, slot, now);
-    HARDBALL_CHECK(dot(place, place) <= slack_ * slack_);
-    search.find_near(world, slot);
+    CompactPaths present = copies;
+    present.copy(world, slot, now);
+    HARDBALL_CHECK(length(from_anchor(slot, present)) <= slack_);
+    search.find_near(slot, copies);
     std::erase(search.near_, slot);
     for (const Slot other : search.near_) HARDBALL_CHECK(is_listed(slot, other) && is_listed(other, slot));
     std::size_t listed = 0;

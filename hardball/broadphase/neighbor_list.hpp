@@ -32,11 +32,13 @@ class NeighborList {
   /// near.
   static bool suits(const World& world);
 
-  void build(const World& world, const Time& now);
+  void build(const World& world, const Time& now, CompactPaths& copies);
   void refresh(const World&, Slot, const Time&, const Image&) {}
   void collect(const World& world, Slot slot, Candidates& candidates) const;
-  Time next_crossing(const World& world, Slot slot, const Time& now, const Time& limit) const;
-  void cross(const World& world, Slot slot, const Time& now, Candidates& candidates);
+  double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const;
+  bool has_nearest_images() const { return true; }
+  void cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
+             Candidates& candidates);
   void prefetch_region(Slot slot) const {
     prefetch(neighbors_.address(slot));
     prefetch(&anchors_[slot]);
@@ -48,26 +50,28 @@ class NeighborList {
   }
   std::uint64_t left_count() const { return 0; }
   std::size_t memory_bytes() const;
-  void validate(const World& world, const Time& now) const;
+  void validate(const World& world, const Time& now, const CompactPaths& copies) const;
 
   double slack() const { return slack_; }
   InstructionSet instructions() const { return instructions_; }
 
  private:
-  Vec3 anchor_at(const World& world, Slot slot, const Time& now) const;
-  Vec3 from_anchor(const World& world, Slot slot, const Time& now) const;
-  void find_near(const World& world, Slot slot);
+  GridPoint anchor_at(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const;
+  Vec3 from_anchor(Slot slot, const CompactPaths& copies) const;
+  void find_near(Slot slot, const CompactPaths& copies);
+  std::size_t collect_around(const CellIndex& center);
   void find_changes(Slot slot);
 
   double wanted_slack_;
   InstructionSet instructions_;
   NearKernel pick_near_;
   double slack_ = 0;
-  double margin_ = 0;  // by which shells are larger than they need to be
+  float reach_ = 0;    // of shells beyond the radii, in units of the compact paths
+  double room_ = 0;    // the distance from its anchor at which a centre crosses
   Subdivision cells_;
   CellStore store_;            // anchors
-  LargeVector<Vec3> anchors_;  // by slot, folded into the box
-  SlotLists neighbors_;        // by slot
+  LargeVector<GridPoint> anchors_;  // by slot
+  SlotLists neighbors_;             // by slot
   // Of the current sphere:
   std::vector<Slot> around_;         // those whose anchors lie in the 27 cells around its own
   std::vector<Slot> near_;           // its new neighbours

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,6 +18,7 @@
 #include "hardball/memory/huge_pages.hpp"
 #include "hardball/memory/prefetch.hpp"
 #include "hardball/response/execute.hpp"
+#include "hardball/world/compact_paths.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
 
@@ -22,21 +26,24 @@ namespace hardball {
 
 /// The event loop: take the least event, execute it, predict again.
 ///
-/// The queue holds one event per sphere: the earlier of its crossing (broad phase) and its prospect, the
-/// earliest contact with its candidates. Of two candidates at least one has a prospect no later than their
-/// contact: the one whose path or region changed last predicted it. A prospect whose partner's path has
-/// changed since is stale, and the sphere predicts again. An engine is a value: it can be copied, and many
-/// can coexist.
+/// The queue holds one event per sphere: the earlier of its crossing (broad phase) and its prospect. A
+/// prospect is a contact computed exactly, or a bound: a time before which the sphere meets none of the
+/// candidates that it answers for, and a limit before which it meets none but one of them. Of any two
+/// candidates, the one that predicted last answers for their contact. A bound is refined, replaced by the
+/// exact contact, when it is about to come; if its contact is not before its limit, all contacts of the sphere
+/// are computed exactly. A prospect whose partner's path has changed since is stale, and the sphere predicts
+/// again. Only exact contacts are ever executed, so that bounds affect the speed and not the history. An engine
+/// is a value: it can be copied, and many can coexist. Source: docs/bounds.md, with the proof.
 template <EventQueue Queue, BroadPhase Phase, Response Respond>
 class Engine {
  public:
   /// Takes over a world as it is at `now`. Precondition: no path starts later, no two spheres overlap.
-  Engine(World world, Phase phase, Respond respond, const Time& now, Predictor predictor = Predictor(),
-         const Progress& progress = {})
+  Engine(World world, Phase phase, Respond respond, const Time& now,
+         InstructionSet instructions = widest_instruction_set(), const Progress& progress = {})
       : world_(std::move(world)),
         phase_(std::move(phase)),
         respond_(std::move(respond)),
-        predictor_(std::move(predictor)) {
+        predictor_(instructions) {
     rebuild(now, progress);
   }
 
@@ -56,7 +63,7 @@ class Engine {
 
   std::size_t memory_bytes() const {
     return world_.memory_bytes() + phase_.memory_bytes() + queue_.memory_bytes() + guard_.memory_bytes() +
-           plans_.capacity() * sizeof(Plan);
+           compact_.memory_bytes() + plans_.capacity() * sizeof(Plan) + images_.capacity() * sizeof(Image);
   }
 
   /// Handles events in order, calling observe(contact) after every collision and wall contact. The observer
@@ -72,6 +79,7 @@ class Engine {
       if (next == kNoOwner) return RunStatus::time_reached;
       if (step == limits.steps) return RunStatus::steps_reached;
       prefetch_ahead();
+      compact_.renew(world_, now_);
       if (handle_without_contact(next)) continue;
       const bool goes_on = notify(observe, carry_out(next));
       if constexpr (HARDBALL_VALIDATE) {
@@ -94,7 +102,6 @@ class Engine {
   /// Changes a velocity at `moment`. Precondition: all events before it have been handled, and none after it.
   void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
     HARDBALL_CHECK(moment >= now_);
-    note_repeated_start(slot, moment);
     const Image folded = world_.change_velocity(slot, moment, velocity);
     now_ = moment;
     note_new_path(slot, folded);
@@ -116,19 +123,15 @@ class Engine {
   /// Checks every structure, and that every contact is predicted; throws BrokenInvariant. Cost:
   /// O(candidates).
   void validate() const {
-    phase_.validate(world_, now_);
+    phase_.validate(world_, now_, compact_);
     Candidates candidates;
     for (Slot slot = 0; slot < world_.size(); ++slot) {
-      HARDBALL_CHECK(plans_[slot].contact >= now_ && plans_[slot].crossing >= now_);
+      HARDBALL_CHECK(plans_[slot].time() >= rounded_down(now_));
       phase_.collect(world_, slot, candidates);
       for (std::size_t i = 0; i < candidates.size(); ++i) {
-        const Slot other = candidates.slot(i);
-        const Image image =
-            candidates.are_nearest() ? nearest_image(world_, slot, other, now_) : candidates.image(i);
-        const Event contact = make_collision(contact_time(world_, slot, other, image), plans_[slot].id,
-                                             plans_[other].id, image);
-        const bool is_known = prospect_of(slot) <= contact || prospect_of(other) <= contact;
-        HARDBALL_CHECK(is_known || !contact.happens());
+        const Event contact = contact_with(candidates, i);
+        HARDBALL_CHECK(!contact.happens() || covers(slot, contact, candidates.slot(i)) ||
+                       covers(candidates.slot(i), contact, slot));
       }
     }
   }
@@ -137,88 +140,123 @@ class Engine {
   // The data of this many spheres stays in cache by itself.
   static constexpr std::size_t kCachedSpheres = 10000;
 
-  // What comes next for a sphere: its crossing, and its prospect, the earliest contact predicted for it. One
-  // cache line.
-  struct alignas(64) Plan {
-    Time crossing = kNever;  // or any time after the contact
-    Time contact = kNever;
-    double partner_since = 0;   // start of the partner's path
-    std::uint32_t partner = 0;  // a slot, or a face of the box
-    Image image;                // of the partner
-    SphereId id = 0;            // of the sphere itself
-    EventKind kind = EventKind::wall;
-    bool is_nearest_image = false;  // the partner's image is the nearest one at contact
-
-    bool crosses_first() const { return crossing <= contact; }
-    // A sphere at rest may have neither crossing nor contact.
-    bool will_cross_first() const { return crosses_first() && crossing < kNever; }
-    bool meets_first() const { return !crosses_first() && kind == EventKind::collision; }
+  enum class Prospects : std::uint32_t {
+    bound,      ///< A lower bound of all contacts.
+    collision,  ///< The earliest contact, with another sphere.
+    wall,       ///< The earliest contact, with a face of the box.
   };
+
+  // What comes next for a sphere: its crossing, and its prospect. Two to a cache line.
+  struct alignas(32) Plan {
+    double contact = kNever.high;   // the bound, or the high part of the time of the contact
+    double crossing = kNever.high;  // or any time after the contact
+    double limit_or_low = 0;        // the limit of a bound, or the low part of the time of the contact
+    std::uint32_t partner : 30 = 0;  // a slot, or a face of the box
+    std::uint32_t kind : 2 = 0;      // Prospects
+    std::uint32_t revision : 31 = 0;   // of the partner's path
+    std::uint32_t is_renewal : 1 = 0;  // the crossing only copies the path again
+
+    double time() const { return std::min(contact, crossing); }
+    bool crosses_first() const { return crossing <= contact; }
+    bool is_bound() const { return kind == static_cast<std::uint32_t>(Prospects::bound); }
+    bool is_wall() const { return kind == static_cast<std::uint32_t>(Prospects::wall); }
+    // A sphere at rest may have neither crossing nor contact.
+    bool will_cross_first() const { return crosses_first() && crossing < kNever.high; }
+    bool meets_first() const { return !crosses_first() && !is_wall(); }
+    // The time of an exact contact.
+    Time moment() const { return {contact, limit_or_low}; }
+
+    void set_bound(double time, double limit, Slot with, std::uint32_t revision_seen) {
+      contact = time;
+      limit_or_low = limit;
+      partner = with & kMostSlots;
+      kind = static_cast<std::uint32_t>(Prospects::bound);
+      revision = revision_seen & kMostRevisions;
+    }
+    void set_contact(Prospects what, const Time& time, std::uint32_t with, std::uint32_t revision_seen) {
+      set_bound(time.high, time.low, with, revision_seen);
+      kind = static_cast<std::uint32_t>(what) & 3;
+    }
+  };
+  static constexpr std::uint32_t kMostSlots = (1U << 30) - 1;
+  static constexpr std::uint32_t kMostRevisions = (1U << 31) - 1;
 
   // The plans as the queue's event table.
   struct Plans {
-    const Engine& engine;
-    Time time(Slot slot) const {
-      const Plan& plan = engine.plans_[slot];
-      return plan.crosses_first() ? plan.crossing : plan.contact;
-    }
+    Engine& engine;
+    double time(Slot slot) const { return engine.plans_[slot].time(); }
     // Two spheres that will collide with each other; if one plan is stale, that is found when it is handled.
     bool share_event(Slot a, Slot b) const {
       const Plan& one = engine.plans_[a];
       const Plan& other = engine.plans_[b];
-      return one.meets_first() && other.meets_first() && one.partner == b && other.partner == a &&
-             one.contact == other.contact && one.is_nearest_image && other.is_nearest_image;
+      return engine.are_nearest_ && one.meets_first() && other.meets_first() && !one.is_bound() &&
+             !other.is_bound() && one.partner == b && other.partner == a && one.moment() == other.moment();
     }
     bool is_cached() const { return engine.is_cached_; }
     void prefetch_event(Slot slot) const { prefetch(&engine.plans_[slot]); }
+    void prefetch_refinement(Slot slot) const { engine.prefetch_refinement(slot); }
+    void refine(std::span<QueueEntry> entries) const { engine.refine(entries); }
+    // What is not known exactly comes first among the events of one double: its exact time may be earlier than
+    // theirs.
     Event event(Slot slot) const {
       const Plan& plan = engine.plans_[slot];
-      if (!plan.crosses_first()) return engine.prospect_of(slot);
-      return {plan.crossing, EventKind::enter, plan.id, 0, {}};
+      if (plan.crosses_first() || plan.is_bound() || engine.is_stale(slot)) {
+        return {{plan.time(), -std::numeric_limits<double>::infinity()},
+                EventKind::enter,
+                engine.world_.id(slot),
+                0,
+                {}};
+      }
+      return engine.contact_of(slot);
     }
   };
 
-  Plans plans() const { return {*this}; }
+  Plans plans() { return {*this}; }
 
-  // Whether the partner's path has changed since the prospect was computed. Paths rewritten more than once at
-  // one time have the same start: then the contact time decides, a function of both paths.
+  // Whether the partner's path has changed since the prediction.
   bool is_stale(Slot slot) const {
     const Plan& plan = plans_[slot];
-    if (plan.kind != EventKind::collision) return false;
-    if (world_.path(plan.partner).time.high != plan.partner_since) return true;
-    if (!has_repeated_starts_) return false;
-    return contact_time(world_, slot, plan.partner, image_of_partner(slot)) != plan.contact;
+    return !plan.is_wall() && compact_.revision(plan.partner) != plan.revision;
   }
 
-  // The prospect as an event. If it is stale, the partner's old path is gone, and the image with it: it then
-  // precedes all contacts at its time, so that the sphere merely predicts again early.
-  Event prospect_of(Slot slot) const {
-    const Plan& plan = plans_[slot];
-    if (is_stale(slot)) return {plan.contact, EventKind::enter, plan.id, 0, {}};
-    return contact_of(slot);
-  }
-
-  // Precondition: the prospect is a collision.
+  // The image of the partner that is met. Precondition: the prospect is a collision, not stale.
   Image image_of_partner(Slot slot) const {
     const Plan& plan = plans_[slot];
-    if (!plan.is_nearest_image || !(plan.contact < kNever)) return plan.image;
-    return nearest_image(world_, slot, plan.partner, plan.contact);
+    return are_nearest_ ? nearest_image(world_, slot, plan.partner, plan.moment()) : images_[slot];
   }
 
-  // Precondition: the prospect is not stale.
+  // Precondition: the prospect is exact and not stale.
   Event contact_of(Slot slot) const {
     const Plan& plan = plans_[slot];
-    if (plan.kind == EventKind::wall) return {plan.contact, plan.kind, plan.id, plan.partner, {}};
-    return make_collision(plan.contact, plan.id, plans_[plan.partner].id, image_of_partner(slot));
+    if (plan.is_wall()) return {plan.moment(), EventKind::wall, world_.id(slot), plan.partner, {}};
+    if (!(plan.contact < kNever.high)) return {};
+    return make_collision(plan.moment(), world_.id(slot), world_.id(plan.partner), image_of_partner(slot));
+  }
+
+  // The contact with a candidate.
+  Event contact_with(const Candidates& candidates, std::size_t i) const {
+    const Slot slot = candidates.self();
+    const Slot other = candidates.slot(i);
+    const Image image =
+        candidates.are_nearest() ? nearest_image(world_, slot, other, now_) : candidates.image(i);
+    return make_collision(contact_time(world_, slot, other, image), world_.id(slot), world_.id(other), image);
+  }
+
+  // Whether a sphere answers for its contact with another: the contact cannot come before the prospect.
+  bool covers(Slot slot, const Event& contact, Slot other) const {
+    const Plan& plan = plans_[slot];
+    if (is_stale(slot)) return plan.contact <= contact.time.high;
+    if (!plan.is_bound()) return contact_of(slot) <= contact;
+    return (plan.partner == other ? plan.contact : plan.limit_or_low) <= contact.time.high;
   }
 
   void rebuild(const Time& now, const Progress& progress) {
     now_ = now;
-    phase_.build(world_, now_);
+    phase_.build(world_, now_, compact_);
     queue_.reset(world_.size(), now_);
+    are_nearest_ = phase_.has_nearest_images();
+    images_.assign(are_nearest_ ? 0 : world_.size(), Image{});
     plans_.assign(world_.size(), Plan{});
-    for (Slot slot = 0; slot < world_.size(); ++slot) plans_[slot].id = world_.id(slot);
-    has_repeated_starts_ = false;
     is_cached_ = world_.size() <= kCachedSpheres;
     const Box& box = world_.box();
     has_walls_ = box.is_wall(0) || box.is_wall(1) || box.is_wall(2);
@@ -231,7 +269,7 @@ class Engine {
   // Whose event is the least, if it comes no later than `until`; otherwise kNoOwner.
   Slot least_until(const Time& until) {
     const Slot next = queue_.least(plans());
-    return next == kNoOwner || plans().time(next).high > until.high ? kNoOwner : next;
+    return next == kNoOwner || plans_[next].time() > until.high ? kNoOwner : next;
   }
 
   // The calendar knows which spheres come next: prefetches their data.
@@ -253,7 +291,7 @@ class Engine {
     const Slot slot = queue_.upcoming(kAhead);
     if (slot == kNoOwner) return;
     const Plan& plan = plans_[slot];
-    const Slot partner = plan.kind == EventKind::collision ? plan.partner : slot;
+    const Slot partner = plan.is_wall() ? slot : plan.partner;
     prefetch_regions(slot);
     prefetch_regions(partner);
     prefetch(&plans_[partner]);
@@ -293,58 +331,89 @@ class Engine {
     phase_.prefetch_region(slot);
   }
 
-  // Handles a crossing or a stale prospect; false if the sphere's event is a valid contact.
+  // Handles what is no contact, or not yet known to be one; false if the sphere's event is a valid contact.
   bool handle_without_contact(Slot slot) {
     const Plan& plan = plans_[slot];
+    const double time = plan.time();
+    HARDBALL_CHECK(time >= rounded_down(now_));
     const bool is_crossing = plan.crosses_first();
-    HARDBALL_CHECK((is_crossing ? plan.crossing : plan.contact) >= now_);
+    const bool is_changed = !is_crossing && is_stale(slot);
+    if (!is_crossing && !is_changed && !plan.is_bound()) return false;
+    // No contact has been missed up to the double before.
+    const Time moment = later(now_, Time(double_before(time)));
+    standstill_guard_.note_event(now_, moment, world_.size());
+    now_ = moment;
+    queue_.pop();
     if (is_crossing) {
-      standstill_guard_.note_event(now_, plan.crossing, world_.size());
-      queue_.pop();
       cross(slot);
-      return true;
-    }
-    if (is_stale(slot)) {
+    } else if (is_changed) {
       ++counters_.stale;
-      queue_.pop();
+      compact_.copy(world_, slot, now_);
       predict(slot);
-      return true;
+    } else if (refine(slot)) {
+      queue_.schedule(slot, plans());
+    } else {
+      predict_exactly(slot);
     }
-    return false;
+    return true;
   }
 
   void cross(Slot slot) {
     Plan& plan = plans_[slot];
-    now_ = plan.crossing;
-    ++counters_.enter;
-    phase_.cross(world_, slot, now_, candidates_);
-    counters_.predictions += candidates_.size();
-    counters_.enter_predictions += candidates_.size();
-    const Prospect found = predictor_.earliest(world_, candidates_, now_, plan.contact);
-    if (found.time < plan.contact) {
-      take(plan, found);
-    } else if (found.time == plan.contact && found.happens()) [[unlikely]] {
-      const Event before = prospect_of(slot);
-      const Plan kept = plan;
-      take(plan, found);
-      if (!(contact_of(slot) < before)) plan = kept;
+    compact_.copy(world_, slot, now_);
+    if (plan.is_renewal == 0) {
+      ++counters_.enter;
+      phase_.cross(world_, slot, now_, compact_, candidates_);
+      counters_.predictions += candidates_.size();
+      counters_.enter_predictions += candidates_.size();
+      if (is_stale(slot)) return predict(slot);
+      predict_new(slot);
     }
     schedule(slot);
   }
 
+  // Predicts contacts with new candidates, and keeps the prospect if it is earlier. Precondition: it is not
+  // stale.
+  void predict_new(Slot slot) {
+    Plan& plan = plans_[slot];
+    if (!are_nearest_) {
+      const Prospect found = predictor_.earliest(world_, candidates_, now_, plan.moment());
+      if (!found.happens() || found.time > plan.moment()) return;
+      const Event before = contact_of(slot);
+      const Plan kept = plan;
+      const Image kept_image = images_[slot];
+      take(slot, found);
+      if (contact_of(slot) < before) return;
+      plan = kept;
+      images_[slot] = kept_image;
+      return;
+    }
+    const BoundedContacts found = predictor_.bound(compact_, candidates_, now_);
+    check_bounds(found);
+    if (found.least < plan.contact) {
+      plan.set_bound(found.least, std::min(found.second, plan.contact), found.partner,
+                     compact_.revision(found.partner));
+    } else if (plan.is_bound()) {
+      plan.limit_or_low = std::min(plan.limit_or_low, found.least);
+    } else if (found.least == plan.contact && found.least < kNever.high) {
+      // Which is earlier the bound cannot tell.
+      plan.set_bound(found.least, found.least, found.partner, compact_.revision(found.partner));
+    }
+  }
+
   const Contact& carry_out(Slot slot) {
     const Plan& plan = plans_[slot];
-    const bool is_collision = plan.kind == EventKind::collision;
-    const Slot partner = is_collision ? plan.partner : slot;
-    const SphereId partner_id = plans_[partner].id;
+    const bool is_collision = !plan.is_wall();
+    const Slot partner = is_collision ? Slot{plan.partner} : slot;
+    const SphereId id = world_.id(slot);
+    const SphereId partner_id = world_.id(partner);
     // Branchless: which id is lower is unpredictable.
-    const Slot exchange = (slot ^ partner) & (Slot{0} - static_cast<Slot>(partner_id < plan.id));
-    const Participants participants{slot ^ exchange, partner ^ exchange, plan.is_nearest_image};
-    const Event event = is_collision ? make_collision(plan.contact, plan.id, partner_id, plan.image)
-                                     : Event{plan.contact, EventKind::wall, plan.id, plan.partner, {}};
+    const Slot exchange = (slot ^ partner) & (Slot{0} - static_cast<Slot>(partner_id < id));
+    const Participants participants{slot ^ exchange, partner ^ exchange, are_nearest_};
+    const Event event =
+        is_collision ? make_collision(plan.moment(), id, partner_id, are_nearest_ ? Image{} : images_[slot])
+                     : Event{plan.moment(), EventKind::wall, id, plan.partner, {}};
     standstill_guard_.note_event(now_, event.time, world_.size());
-    note_repeated_start(participants.first, event.time);
-    if (is_collision) note_repeated_start(participants.second, event.time);
     execute(world_, guard_, event, participants, respond_, done_);
     now_ = event.time;
     ++(is_collision ? counters_.collision : counters_.wall);
@@ -358,44 +427,111 @@ class Engine {
     return done_.contact;
   }
 
-  void note_repeated_start(Slot slot, const Time& moment) {
-    if (world_.path(slot).time.high == moment.high) has_repeated_starts_ = true;
+  void note_new_path(Slot slot, const Image& folded) {
+    phase_.refresh(world_, slot, now_, folded);
+    if (!compact_.note_change(slot)) [[unlikely]]
+      forget_revisions_ = true;
+    compact_.copy(world_, slot, now_);
   }
 
-  void note_new_path(Slot slot, const Image& folded) { phase_.refresh(world_, slot, now_, folded); }
-
-  // Predicts a sphere's earliest contact with its candidates and the walls.
+  // Predicts a sphere's contacts with its candidates and the walls. Precondition: its path has been copied.
   void predict(Slot slot) {
+    if (!are_nearest_) return predict_exactly(slot);
     phase_.collect(world_, slot, candidates_);
     counters_.predictions += candidates_.size();
     Plan& plan = plans_[slot];
-    take(plan, predictor_.earliest(world_, candidates_, now_));
-    if (has_walls_) predict_wall(slot, plan);
+    const BoundedContacts found = predictor_.bound(compact_, candidates_, now_);
+    check_bounds(found);
+    plan.set_bound(found.least, found.second, found.partner, compact_.revision(found.partner));
+    if (has_walls_) {
+      const Event wall = next_wall_event(world_, slot);
+      if (wall.time.high < plan.contact) {
+        plan.set_contact(Prospects::wall, wall.time, wall.second, 0);
+      } else {
+        plan.limit_or_low = std::min(plan.limit_or_low, wall.time.high);
+      }
+    }
     schedule(slot);
   }
 
-  void predict_wall(Slot slot, Plan& plan) const {
-    const Event wall = next_wall_event(world_, slot);
-    if (!(wall.time < plan.contact)) return;
-    plan.contact = wall.time;
-    plan.kind = EventKind::wall;
-    plan.partner = wall.second;
+  // The same, where bounds do not tell which contact is the first.
+  void predict_exactly(Slot slot) {
+    phase_.collect(world_, slot, candidates_);
+    counters_.predictions += candidates_.size();
+    take(slot, predictor_.earliest(world_, candidates_, now_));
+    if (has_walls_) {
+      const Event wall = next_wall_event(world_, slot);
+      if (wall.time < plans_[slot].moment()) {
+        plans_[slot].set_contact(Prospects::wall, wall.time, wall.second, 0);
+      }
+    }
+    schedule(slot);
   }
 
-  // A crossing matters only if it comes before the contact.
   void schedule(Slot slot) {
     Plan& plan = plans_[slot];
-    plan.crossing = phase_.next_crossing(world_, slot, now_, plan.contact);
+    plan.crossing = phase_.next_crossing(world_, slot, now_, compact_);
+    if (are_nearest_) {
+      const double expiry = compact_.expiry(world_, slot, now_);
+      plan.is_renewal = expiry < plan.crossing ? 1 : 0;
+      plan.crossing = std::min(plan.crossing, expiry);
+    }
     queue_.schedule(slot, plans());
   }
 
-  void take(Plan& plan, const Prospect& prospect) {
-    plan.contact = prospect.time;
-    plan.kind = EventKind::collision;
-    plan.partner = prospect.partner;
-    plan.image = prospect.image;
-    plan.is_nearest_image = candidates_.are_nearest();
-    plan.partner_since = world_.path(prospect.partner).time.high;
+  void take(Slot slot, const Prospect& prospect) {
+    const Slot partner = prospect.happens() ? prospect.partner : slot;
+    plans_[slot].set_contact(Prospects::collision, prospect.time, partner, compact_.revision(partner));
+    if (!are_nearest_) images_[slot] = prospect.image;
+  }
+
+  // Replaces a bound by the exact contact; false if it may not be the earliest. Precondition: not stale.
+  bool refine(Slot slot) {
+    const Slot partner = plans_[slot].partner;
+    return replace_bound(slot,
+                         contact_time(world_, slot, partner, nearest_image(world_, slot, partner, now_)));
+  }
+
+  // The same, given the contact with the partner.
+  bool replace_bound(Slot slot, const Time& contact) {
+    Plan& plan = plans_[slot];
+    if (!(contact.high < plan.limit_or_low)) return false;
+    plan.set_contact(Prospects::collision, contact, plan.partner, plan.revision);
+    return true;
+  }
+
+  // Refines the bounds of a whole bucket, which takes less than one by one.
+  void refine(std::span<QueueEntry> entries) {
+    if (!are_nearest_) return;
+    pairs_.clear();
+    for (const QueueEntry& entry : entries) {
+      const Plan& plan = plans_[entry.owner];
+      if (!plan.is_bound() || plan.crosses_first() || is_stale(entry.owner)) continue;
+      pairs_.add(entry.owner, plan.partner);
+    }
+    const std::size_t count = pairs_.size();
+    predictor_.compute(world_, now_, pairs_);
+    for (std::size_t i = 0; i < count; ++i) replace_bound(pairs_.first[i], pairs_.time(i));
+    for (QueueEntry& entry : entries) entry.time = plans_[entry.owner].time();
+  }
+
+  void prefetch_refinement(Slot slot) const {
+    prefetch(&world_.path(slot));
+    const Plan& plan = plans_[slot];
+    if (!plan.meets_first()) return;
+    prefetch(&world_.path(plan.partner));
+    compact_.prefetch(plan.partner);
+  }
+
+  // Compares the bounds of all candidates with the exact contact times, in validating builds.
+  void check_bounds([[maybe_unused]] const BoundedContacts& found) const {
+    if constexpr (HARDBALL_VALIDATE) {
+      for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        const Event contact = contact_with(candidates_, i);
+        const bool is_partner = candidates_.slot(i) == found.partner;
+        HARDBALL_CHECK((is_partner ? found.least : found.second) <= contact.time.high);
+      }
+    }
   }
 
   // Full checks after contacts 1, 2, 4, 8, ... only, to keep validating runs affordable.
@@ -408,15 +544,19 @@ class Engine {
   Phase phase_;
   Respond respond_;
   Predictor predictor_;
+  CompactPaths compact_;
   Queue queue_;
   CollapseGuard guard_;
   StandstillGuard standstill_guard_;
   Time now_;
-  LargeVector<Plan> plans_;  // per slot
-  bool has_repeated_starts_ = false;
+  LargeVector<Plan> plans_;    // per slot
+  std::vector<Image> images_;  // per slot, of the partner; none where nearest images are meant
+  bool are_nearest_ = true;
+  bool forget_revisions_ = false;
   bool is_cached_ = true;  // the data of all spheres stays in cache by itself
   bool has_walls_ = false;
   Candidates candidates_;  // of the current sphere
+  PairContacts pairs_;     // of the current bucket
   Executed done_;          // the last contact
   Counters counters_;
 };

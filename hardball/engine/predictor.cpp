@@ -21,7 +21,33 @@ Image nearest_image(const World& world, Slot a, Slot b, const Time& moment) {
   return world.box().nearest_image(position_at(world.path(a), moment) - position_at(world.path(b), moment));
 }
 
-Predictor::Predictor(InstructionSet instructions) : kernel_(kernels_of(instructions).earliest_contact) {}
+Predictor::Predictor(InstructionSet instructions)
+    : kernel_(kernels_of(instructions).earliest_contact),
+      pair_kernel_(kernels_of(instructions).contacts_of_pairs),
+      bound_kernel_(kernels_of(instructions).bound_contacts) {}
+
+void Predictor::compute(const World& world, const Time& now, PairContacts& pairs) const {
+  const std::size_t count = pairs.size();
+  if (count == 0) return;
+  const std::size_t padded = count + kWidestVector;
+  pairs.first.resize(padded, pairs.first.front());
+  pairs.second.resize(padded, pairs.second.front());
+  pairs.high.resize(padded);
+  pairs.low.resize(padded);
+  const PairQuery query{
+      .paths = world.paths().data(),
+      .radii = world.radii().is_common() ? nullptr : world.radii().each().data(),
+      .radius = world.radius(0),
+      .first = pairs.first.data(),
+      .second = pairs.second.data(),
+      .count = count,
+      .period = &world.box().period(),
+      .inverse_period = &world.box().inverse_period(),
+      .now_high = now.high,
+      .now_low = now.low,
+  };
+  pair_kernel_(query, pairs.high.data(), pairs.low.data());
+}
 
 Prospect Predictor::earliest_in_order(const World& world, const Candidates& candidates, const Time& now) {
   Event first;

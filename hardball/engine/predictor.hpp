@@ -4,12 +4,40 @@
 
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "hardball/broadphase/candidates.hpp"
 #include "hardball/kernels/kernels.hpp"
+#include "hardball/world/compact_paths.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
+
+/// Lower bounds of the contacts of one sphere.
+struct BoundedContacts {
+  double least = kNever.high;   ///< No contact comes before this time [T].
+  double second = kNever.high;  ///< None but with `partner` comes before this time [T].
+  Slot partner = 0;
+};
+
+/// Pairs of spheres and when they touch.
+struct PairContacts {
+  std::vector<Slot> first;   ///< A sphere of each pair.
+  std::vector<Slot> second;  ///< The other.
+  std::vector<double> high;  ///< The parts of the time of contact; infinite if there is none.
+  std::vector<double> low;
+
+  void clear() {
+    first.clear();
+    second.clear();
+  }
+  void add(Slot a, Slot b) {
+    first.push_back(a);
+    second.push_back(b);
+  }
+  std::size_t size() const { return first.size(); }
+  Time time(std::size_t i) const { return {high[i], low[i]}; }
+};
 
 /// The earliest contact of a sphere with its candidates.
 struct Prospect {
@@ -64,11 +92,36 @@ class Predictor {
             candidates.are_nearest() ? Image{} : candidates.image(found.index)};
   }
 
+  /// The contacts of a sphere with its candidates. Precondition: `candidates` has been ended, means nearest
+  /// images, and the sphere has been copied at `now`.
+  BoundedContacts bound(const CompactPaths& copies, const Candidates& candidates, const Time& now) const {
+    const Slot self = candidates.self();
+    const BoundQuery query{
+        .scale = &copies.scale(),
+        .paths = copies.paths().data(),
+        .radii = copies.radii(),
+        .radius = copies.radius(self),
+        .self = self,
+        .own = &copies.paths()[self],
+        .others = candidates.slots(),
+        .count = candidates.size(),
+    };
+    const ContactBounds found = bound_kernel_(query);
+    const double base = rounded_down(now);
+    return {base + copies.time_unit() * static_cast<double>(found.least),
+            base + copies.time_unit() * static_cast<double>(found.second), found.partner};
+  }
+
+  /// Computes the contact times of pairs, whose images nearest at `now` are meant.
+  void compute(const World& world, const Time& now, PairContacts& pairs) const;
+
  private:
-  // The same, pair by pair, by the order of events.
+  // The earliest contact, pair by pair, by the order of events.
   static Prospect earliest_in_order(const World& world, const Candidates& candidates, const Time& now);
 
   ContactKernel kernel_;
+  PairKernel pair_kernel_;
+  BoundKernel bound_kernel_;
 };
 
 }  // namespace hardball

@@ -23,7 +23,6 @@ constexpr double kResizeFactor = 3;
 void CalendarQueue::reset(std::size_t owners, Time start) {
   owner_count_ = owners;
   pending_count_ = 0;
-  scheduled_time_.assign(owners, kNever.high);
   sorted_.clear();
   heap_.clear();
   buckets_.assign(1, Bucket{});
@@ -42,8 +41,7 @@ void CalendarQueue::reset(std::size_t owners, Time start) {
 
 std::size_t CalendarQueue::memory_bytes() const {
   return (sorted_.capacity() + overflow_.capacity()) * sizeof(Entry) + heap_.capacity() * sizeof(Scheduled) +
-         buckets_.capacity() * sizeof(Bucket) + scheduled_time_.capacity() * sizeof(double) +
-         blocks_.capacity() * sizeof(Block);
+         buckets_.capacity() * sizeof(Bucket) + blocks_.capacity() * sizeof(Block);
 }
 
 void CalendarQueue::insert_pending() {
@@ -65,20 +63,7 @@ void CalendarQueue::insert_or_overflow(const Entry& entry) {
   }
 }
 
-// Takes the live entries of the current bucket. Precondition: the previous ones have been handled.
 void CalendarQueue::sort_current() {
-  const Bucket& current = bucket(current_);
-  sorted_.resize(current.count);
-  // Branchless: half of the entries are dead, and which is unpredictable.
-  Entry* end = sorted_.data();
-  for_each_entry(current, [&](const Entry& entry) {
-    *end = entry;
-    end += is_dead(entry) ? 0 : 1;
-  });
-  const auto live = static_cast<std::size_t>(end - sorted_.data());
-  counters_.taken += sorted_.size() - live;
-  sorted_.resize(live);
-  empty_current();
   std::sort(sorted_.begin(), sorted_.end(), [](const Entry& a, const Entry& b) { return a.time > b.time; });
 }
 
@@ -112,15 +97,6 @@ bool CalendarQueue::turn_ring() {
   waiting.swap(overflow_);
   for (const Entry& entry : waiting) insert_or_overflow(entry);
   return true;
-}
-
-// Sets up new buckets for all live entries.
-void CalendarQueue::resize_ring() {
-  insert_pending();
-  move_all_to_overflow();
-  counters_.taken += std::erase_if(overflow_, [this](const Entry& entry) { return is_dead(entry); });
-  if (overflow_.size() > owner_count_) drop_duplicates();
-  distribute();
 }
 
 // Moves all entries to the overflow list.

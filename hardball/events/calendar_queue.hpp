@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "hardball/errors/error.hpp"
@@ -31,8 +32,7 @@ class CalendarQueue {
 
   template <EventTable Table>
   void schedule(Owner owner, const Table& table) {
-    const double time = table.time(owner).high;
-    scheduled_time_[owner] = time;
+    const double time = table.time(owner);
     if (!(time < std::numeric_limits<double>::infinity())) return;
     ++counters_.scheduled;
     const double before = buckets_before(time);
@@ -45,13 +45,13 @@ class CalendarQueue {
     } else {
       insert_delayed({time, owner}, bucket_after(before));
     }
-    if (entry_count() > kEntriesPerOwner * owner_count_ + kEntriesAlways) resize_ring();
+    if (entry_count() > kEntriesPerOwner * owner_count_ + kEntriesAlways) resize_ring(table);
   }
 
   template <EventTable Table>
   Owner least(const Table& table) {
     for (;;) {
-      for (; !sorted_.empty() && is_dead(sorted_.back()); sorted_.pop_back()) ++counters_.taken;
+      for (; !sorted_.empty() && is_dead(sorted_.back(), table); sorted_.pop_back()) ++counters_.taken;
       if (!heap_.empty()) drop_dead_from_heap(table);
       if (sorted_.empty()) {
         if (!heap_.empty()) return heap_.front().owner;
@@ -64,7 +64,7 @@ class CalendarQueue {
                            (sorted_.size() > 1 && sorted_[sorted_.size() - 2].time == moment);
       if (!is_tied || is_shared(table)) return sorted_.back().owner;
       for (; !sorted_.empty() && sorted_.back().time == moment; sorted_.pop_back()) {
-        if (is_dead(sorted_.back())) {
+        if (is_dead(sorted_.back(), table)) {
           ++counters_.taken;
         } else {
           push_to_heap(sorted_.back().owner, table);
@@ -77,7 +77,6 @@ class CalendarQueue {
     HARDBALL_CHECK(!sorted_.empty() || !heap_.empty());
     const bool from_heap =
         sorted_.empty() || (!heap_.empty() && heap_.front().event.time.high < sorted_.back().time);
-    scheduled_time_[from_heap ? heap_.front().owner : sorted_.back().owner] = kNever.high;
     if (from_heap) {
       std::pop_heap(heap_.begin(), heap_.end(), comes_later);
       heap_.pop_back();
@@ -97,10 +96,7 @@ class CalendarQueue {
   std::size_t memory_bytes() const;
 
  private:
-  struct Entry {
-    double time;
-    Owner owner;
-  };
+  using Entry = QueueEntry;
   // Without the padding after the owner.
   struct PackedEntry {
     std::array<std::uint32_t, 2> time;
@@ -145,7 +141,10 @@ class CalendarQueue {
   }
   // Live and dead.
   std::size_t entry_count() const { return counters_.scheduled - counters_.taken; }
-  bool is_dead(const Entry& entry) const { return scheduled_time_[entry.owner] != entry.time; }
+  template <EventTable Table>
+  static bool is_dead(const Entry& entry, const Table& table) {
+    return table.time(entry.owner) != entry.time;
+  }
 
   template <EventTable Table>
   static bool is_cached([[maybe_unused]] const Table& table) {
@@ -170,14 +169,14 @@ class CalendarQueue {
     if (!heap_.empty() && heap_.front().event.time.high == moment) return false;
     if (size > 2 && sorted_[size - 3].time == moment) return false;
     const Owner twin = sorted_[size - 2].owner;
-    return scheduled_time_[twin] == moment && share_event(table, sorted_.back().owner, twin);
+    return table.time(twin) == moment && share_event(table, sorted_.back().owner, twin);
   }
 
   template <EventTable Table>
   void drop_dead_from_heap(const Table& table) {
     while (!heap_.empty()) {
       const Owner owner = heap_.front().owner;
-      const bool is_dead = table.time(owner) != heap_.front().event.time;
+      const bool is_dead = table.time(owner) != heap_.front().event.time.high;
       if (!is_dead && table.event(owner) == heap_.front().event) return;
       std::pop_heap(heap_.begin(), heap_.end(), comes_later);
       heap_.pop_back();
@@ -192,35 +191,66 @@ class CalendarQueue {
   // Makes the next bucket with entries current; false if there is none.
   template <EventTable Table>
   bool open_next_bucket(const Table& table) {
-    insert_pending();
     for (;;) {
+      insert_pending();
       if (bucketed_count_ == 0) {
         if (overflow_.empty()) return false;
-        resize_ring();
+        resize_ring(table);
         if (bucketed_count_ == 0) return false;
       }
       if (++current_ == ring_end_ && !turn_ring()) {
-        resize_ring();
+        resize_ring(table);
         continue;
       }
       if (bucket(current_).count == 0) continue;
+      take_live(table);
+      if constexpr (requires { table.refine(std::span<Entry>()); }) refine_current(table);
       sort_current();
       prefetch_next_buckets(table);
-      return true;
+      if (!sorted_.empty()) return true;
     }
   }
 
-  // Prefetches the events of the next bucket's entries and, one bucket earlier, the times that show which are
-  // dead.
+  // Takes the live entries of the current bucket. Precondition: the previous ones have been handled.
+  template <EventTable Table>
+  void take_live(const Table& table) {
+    const Bucket& current = bucket(current_);
+    sorted_.resize(current.count);
+    // Branchless: half of the entries are dead, and which is unpredictable.
+    Entry* end = sorted_.data();
+    for_each_entry(current, [&](const Entry& entry) {
+      *end = entry;
+      end += is_dead(entry, table) ? 0 : 1;
+    });
+    const auto live = static_cast<std::size_t>(end - sorted_.data());
+    counters_.taken += sorted_.size() - live;
+    sorted_.resize(live);
+    empty_current();
+  }
+
+  // Entries postponed beyond the current bucket are inserted where they belong.
+  template <EventTable Table>
+  void refine_current(const Table& table) {
+    table.refine(std::span<Entry>(sorted_));
+    std::erase_if(sorted_, [this](const Entry& entry) {
+      const bool is_current = buckets_before(entry.time) < static_cast<double>(current_);
+      if (!is_current) insert_or_overflow(entry);
+      return !is_current;
+    });
+  }
+
+  // Prefetches what refining the next bucket will need and, one bucket earlier, the events that show which
+  // entries are dead.
   template <EventTable Table>
   void prefetch_next_buckets([[maybe_unused]] const Table& table) {
     if constexpr (requires { table.prefetch_event(Owner{}); }) {
       if (is_cached(table)) return;
-      for_each_entry(bucket(current_ + 2),
-                     [this](const Entry& entry) { prefetch(&scheduled_time_[entry.owner]); });
-      for_each_entry(bucket(current_ + 1), [&](const Entry& entry) {
-        if (!is_dead(entry)) table.prefetch_event(entry.owner);
-      });
+      for_each_entry(bucket(current_ + 2), [&](const Entry& entry) { table.prefetch_event(entry.owner); });
+      if constexpr (requires { table.prefetch_refinement(Owner{}); }) {
+        for_each_entry(bucket(current_ + 1), [&](const Entry& entry) {
+          if (!is_dead(entry, table)) table.prefetch_refinement(entry.owner);
+        });
+      }
     }
   }
 
@@ -263,15 +293,22 @@ class CalendarQueue {
   void take_current(std::vector<Entry>& entries);
   void empty_current();
   bool turn_ring();
-  void drop_dead(std::vector<Entry>& entries);
-  void resize_ring();
+  // Sets up new buckets for all live entries.
+  template <EventTable Table>
+  void resize_ring(const Table& table) {
+    insert_pending();
+    move_all_to_overflow();
+    counters_.taken += std::erase_if(overflow_, [&](const Entry& entry) { return is_dead(entry, table); });
+    if (overflow_.size() > owner_count_) drop_duplicates();
+    distribute();
+  }
+
   void move_all_to_overflow();
   void drop_duplicates();
   void distribute();
   std::uint32_t new_block(std::uint32_t next);
 
   std::size_t owner_count_ = 0;
-  LargeVector<double> scheduled_time_;       // by owner: of its event, to the nearest double
   std::array<Pending, kPending> pending_{};  // a ring of the latest entries
   std::size_t pending_count_ = 0;            // entries since the last insert_pending()
   std::vector<Entry> sorted_;                // of the current bucket, latest first: the least is at the back

@@ -18,21 +18,29 @@ using Owner = std::uint32_t;
 /// No owner. Not std::optional, which is written in two parts and read as one: a store-forwarding stall.
 inline constexpr Owner kNoOwner = std::numeric_limits<Owner>::max();
 
+/// An entry of a queue.
+struct QueueEntry {
+  double time = 0;  ///< Of the owner's event, to the nearest double [T].
+  Owner owner = 0;
+};
+
 /// Holds the event scheduled for each owner, so that a queue need store only its time.
 ///
 /// - `event(owner)` is that event, perhaps one that does not happen.
-/// - `time(owner)` is its time.
+/// - `time(owner)` is its time to the nearest double [T], infinite if it does not happen.
 /// - `prefetch_event(owner)`, optional, prefetches both. With it comes `is_cached()`: whether prefetching is
 ///   needless.
-/// - `share_event(a, b)`, optional, may report that two owners whose times agree to the nearest double have
-///   the same event, as two spheres do that will collide with each other.
+/// - `share_event(a, b)`, optional, may report that two owners with the same time have the same event, as two
+///   spheres do that will collide with each other.
+/// - `refine(entries)`, optional, may postpone the events of a span of entries that come next, and updates
+///   their times. With it comes `prefetch_refinement(owner)`.
 ///
 /// Between two calls of `schedule` for an owner, its event may become a lesser one at the same time; the
 /// queue returns it no later than the one that was scheduled.
 template <class Table>
 concept EventTable = requires(const Table& table, Owner owner) {
   { table.event(owner) } -> std::same_as<Event>;
-  { table.time(owner) } -> std::same_as<Time>;
+  { table.time(owner) } -> std::same_as<double>;
 };
 
 /// Whether two owners of the same time are known to share one event: then either may stand for both.
@@ -64,7 +72,7 @@ struct QueueCounters {
 /// The minimal event table, for stating the concept EventQueue.
 struct AnyEventTable {
   Event event(Owner) const;
-  Time time(Owner) const;
+  double time(Owner) const;
 };
 
 /// A priority queue with at most one event per owner, least first. The events themselves are in an event

@@ -8,57 +8,80 @@
 
 namespace hardball {
 
-/// A number held as the unevaluated sum of two doubles: about 106 bits.
+/// a b - c, rounded once. std::fma rounds once on every platform, in hardware or in software.
+HARDBALL_ALWAYS_INLINE double multiply_subtract(double a, double b, double c) {
+  return std::fma(a, b, -c);
+}
+
+/// A number held as the unevaluated sum of two: about 106 bits. The numbers are doubles, or vectors of them
+/// (kernels/).
 /// Source: Dekker, Numer. Math. 18 (1971) 224; Ogita, Rump and Oishi, SIAM J. Sci. Comput. 26 (2005)
 /// 1955.
+template <class Number = double>
 struct DoubleDouble {
-  double high = 0;
-  double low = 0;
+  Number high;
+  Number low;
 };
 
-/// The exact sum of two doubles.
-HARDBALL_ALWAYS_INLINE DoubleDouble sum(double a, double b) {
-  const double high = a + b;
-  const double b_part = high - a;
+/// The exact sum of two numbers.
+template <class Number>
+HARDBALL_ALWAYS_INLINE DoubleDouble<Number> sum(const Number& a, const Number& b) {
+  const Number high = a + b;
+  const Number b_part = high - a;
   return {high, (a - (high - b_part)) + (b - b_part)};
 }
 
-/// The exact product of two doubles. std::fma rounds once on every platform, in hardware or in software.
-HARDBALL_ALWAYS_INLINE DoubleDouble product(double a, double b) {
-  const double high = a * b;
-  return {high, std::fma(a, b, -high)};
+/// The exact difference of two numbers.
+template <class Number>
+HARDBALL_ALWAYS_INLINE DoubleDouble<Number> difference(const Number& a, const Number& b) {
+  const Number high = a - b;
+  const Number b_part = a - high;
+  return {high, (a - (high + b_part)) - (b - b_part)};
+}
+
+/// The exact product of two numbers.
+template <class Number>
+HARDBALL_ALWAYS_INLINE DoubleDouble<Number> product(const Number& a, const Number& b) {
+  const Number high = a * b;
+  return {high, multiply_subtract(a, b, high)};
 }
 
 /// The same number with the double nearest to it as its high part. Precondition: |low| is at most |high|.
-HARDBALL_ALWAYS_INLINE DoubleDouble normalized(double high, double low) {
-  const double nearest = high + low;
+template <class Number>
+HARDBALL_ALWAYS_INLINE DoubleDouble<Number> normalized(const Number& high, const Number& low) {
+  const Number nearest = high + low;
   return {nearest, low - (nearest - high)};
 }
 
 /// a b - c d, to 2^-104 of the larger product.
-HARDBALL_ALWAYS_INLINE DoubleDouble difference_of_products(double a, double b, double c, double d) {
-  const DoubleDouble ab = product(a, b);
-  const DoubleDouble cd = product(c, d);
-  const DoubleDouble high = sum(ab.high, -cd.high);
-  return normalized(high.high, high.low + (ab.low - cd.low));
+template <class Number>
+HARDBALL_ALWAYS_INLINE DoubleDouble<Number> difference_of_products(const Number& a, const Number& b,
+                                                                   const Number& c, const Number& d) {
+  return product(a, b) - product(c, d);
 }
 
 /// a + b + c, to 2^-103 of the largest.
-HARDBALL_ALWAYS_INLINE DoubleDouble sum_of_three(const DoubleDouble& a, const DoubleDouble& b,
-                                                 const DoubleDouble& c) {
-  const DoubleDouble ab = sum(a.high, b.high);
-  const DoubleDouble abc = sum(ab.high, c.high);
-  return normalized(abc.high, (ab.low + abc.low) + ((a.low + b.low) + c.low));
+template <class Number>
+HARDBALL_ALWAYS_INLINE DoubleDouble<Number> sum_of_three(const DoubleDouble<Number>& a,
+                                                         const DoubleDouble<Number>& b,
+                                                         const DoubleDouble<Number>& c) {
+  const DoubleDouble<Number> ab = sum(a.high, b.high);
+  const DoubleDouble<Number> abc = sum(ab.high, c.high);
+  return normalized<Number>(abc.high, (ab.low + abc.low) + ((a.low + b.low) + c.low));
 }
 
-HARDBALL_ALWAYS_INLINE DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble high = sum(a.high, -b.high);
-  return normalized(high.high, high.low + (a.low - b.low));
+template <class Number>
+HARDBALL_ALWAYS_INLINE DoubleDouble<Number> operator-(const DoubleDouble<Number>& a,
+                                                      const DoubleDouble<Number>& b) {
+  const DoubleDouble<Number> high = difference(a.high, b.high);
+  return normalized<Number>(high.high, high.low + (a.low - b.low));
 }
 
-HARDBALL_ALWAYS_INLINE DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble high = product(a.high, b.high);
-  return normalized(high.high, high.low + (a.high * b.low + a.low * b.high));
+template <class Number>
+HARDBALL_ALWAYS_INLINE DoubleDouble<Number> operator*(const DoubleDouble<Number>& a,
+                                                      const DoubleDouble<Number>& b) {
+  const DoubleDouble<Number> high = product(a.high, b.high);
+  return normalized<Number>(high.high, high.low + (a.high * b.low + a.low * b.high));
 }
 
 }  // namespace hardball

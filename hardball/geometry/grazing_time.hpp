@@ -18,21 +18,32 @@ inline constexpr double kGrazingCosineSquared = 5.0 / 16;
 /// products and their differences make at worst 15 * 2^-53, as the separation exceeds reach.
 inline constexpr double kCertainMiss = 0x1p-48;
 
+HARDBALL_ALWAYS_INLINE double select(bool condition, double a, double b) {
+  return condition ? a : b;
+}
+HARDBALL_ALWAYS_INLINE double square_root(double a) {
+  return std::sqrt(a);
+}
+
 /// As time_to_reach (contact_time.hpp) for approaching points, with the coefficients of the quadratic
 /// computed to 106 bits: for grazing contacts.
-HARDBALL_ALWAYS_INLINE double grazing_time_to_reach(double rx, double ry, double rz, double vx, double vy,
-                                                    double vz, double reach) {
-  const DoubleDouble x = difference_of_products(ry, vz, rz, vy);
-  const DoubleDouble y = difference_of_products(rz, vx, rx, vz);
-  const DoubleDouble z = difference_of_products(rx, vy, ry, vx);
-  const DoubleDouble reach_squared = product(reach, reach);
-  const DoubleDouble speed_squared = sum_of_three(product(vx, vx), product(vy, vy), product(vz, vz));
-  const DoubleDouble discriminant = speed_squared * reach_squared - sum_of_three(x * x, y * y, z * z);
-  if (!(discriminant.high > 0)) return std::numeric_limits<double>::infinity();
-  const DoubleDouble excess = sum_of_three(product(rx, rx), product(ry, ry), product(rz, rz)) - reach_squared;
-  if (excess.high <= 0) return 0;
-  const DoubleDouble approach = sum_of_three(product(rx, vx), product(ry, vy), product(rz, vz));
-  return excess.high / (std::sqrt(discriminant.high) - approach.high);
+template <class Number>
+HARDBALL_ALWAYS_INLINE Number grazing_time_to_reach(const Number& rx, const Number& ry, const Number& rz,
+                                                    const Number& vx, const Number& vy, const Number& vz,
+                                                    const Number& reach) {
+  const Number zero(0.0);
+  const auto x = difference_of_products(ry, vz, rz, vy);
+  const auto y = difference_of_products(rz, vx, rx, vz);
+  const auto z = difference_of_products(rx, vy, ry, vx);
+  const auto reach_squared = product(reach, reach);
+  const auto speed_squared = sum_of_three(product(vx, vx), product(vy, vy), product(vz, vz));
+  const auto discriminant = speed_squared * reach_squared - sum_of_three(x * x, y * y, z * z);
+  const auto excess = sum_of_three(product(rx, rx), product(ry, ry), product(rz, rz)) - reach_squared;
+  const auto approach = sum_of_three(product(rx, vx), product(ry, vy), product(rz, vz));
+  const auto touches = discriminant.high > zero;
+  const Number root = square_root(select(touches, discriminant.high, zero));
+  const Number wait = select(excess.high > zero, excess.high / (root - approach.high), zero);
+  return select(touches, wait, Number(std::numeric_limits<double>::infinity()));
 }
 
 }  // namespace hardball

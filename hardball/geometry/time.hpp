@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <compare>
+#include <cstdint>
 #include <limits>
 
 namespace hardball {
@@ -47,6 +49,18 @@ inline Time later(const Time& a, const Time& b) {
 }
 inline Time earlier(const Time& a, const Time& b) {
   return b < a ? b : a;
+}
+
+/// The largest double below a finite number.
+inline double double_before(double number) {
+  if (number == 0) return -std::numeric_limits<double>::denorm_min();
+  const auto bits = std::bit_cast<std::int64_t>(number);
+  return std::bit_cast<double>(number > 0 ? bits - 1 : bits + 1);
+}
+
+/// The largest double not after a time.
+inline double rounded_down(const Time& time) {
+  return time.low < 0 ? double_before(time.high) : time.high;
 }
 
 /// The time from `start` to `end` [T], accurate to two units in the last place of the result, or to 2^-106 of

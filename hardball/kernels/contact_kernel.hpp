@@ -34,6 +34,24 @@ struct EarliestContact {
   bool is_tied;         ///< Another contact may be as early: `high` does not decide.
 };
 
+/// Pairs of spheres, whose nearest images are meant, as plain arrays.
+struct PairQuery {
+  const Path* paths;            ///< By slot.
+  const double* radii;          ///< By slot; null if all are `radius`.
+  double radius;                ///< [L]
+  const std::uint32_t* first;   ///< A slot of each pair, padded to a whole vector with any slots.
+  const std::uint32_t* second;  ///< The other, likewise.
+  std::size_t count;            ///< Of the pairs.
+  const Vec3* period;           ///< Of the box [L]; zero along axes that are not periodic.
+  const Vec3* inverse_period;   ///< Zero along axes that are not periodic.
+  double now_high;              ///< When images are the nearest.
+  double now_low;
+};
+
+/// Computes the contact time of each pair, bit for bit as contact_time (geometry/contact_time.hpp), in two
+/// parts, the first infinite if there is no contact; arrays are padded like those of the query.
+using PairKernel = void (*)(const PairQuery& query, double* high, double* low);
+
 /// Finds the earliest contact of a sphere with its candidates.
 using ContactKernel = EarliestContact (*)(const ContactQuery& query);
 

@@ -289,6 +289,82 @@ EarliestContact earliest_moment(const ContactQuery& query) {
   return {found.first, contacts.second[found.index], static_cast<std::uint32_t>(found.index), found.is_tied};
 }
 
+/// The later of two starts, and the time of contact `wait` after it, as in later() and after()
+/// (geometry/time.hpp).
+template <class Lanes>
+struct MomentsOfLanes {
+  Lanes high, low;
+};
+
+template <class Lanes>
+HARDBALL_ALWAYS_INLINE MomentsOfLanes<Lanes> later_start(const PathsOfLanes<Lanes>& a,
+                                                         const PathsOfLanes<Lanes>& b) {
+  const auto b_is_later = (b.high > a.high) | ((b.high == a.high) & (b.low > a.low));
+  return {select(b_is_later, b.high, a.high), select(b_is_later, b.low, a.low)};
+}
+
+template <class Lanes>
+HARDBALL_ALWAYS_INLINE MomentsOfLanes<Lanes> moments_after(const MomentsOfLanes<Lanes>& start,
+                                                           const Lanes& wait) {
+  const Lanes forever(std::numeric_limits<double>::infinity());
+  const Lanes sum = start.high + wait;
+  const Lanes wait_part = sum - start.high;
+  const Lanes error = (start.high - (sum - wait_part)) + (wait - wait_part);
+  const Lanes rest = error + start.low;
+  const Lanes high = sum + rest;
+  const auto happens = sum < forever;
+  return {select(happens, high, forever), select(happens, rest - (high - sum), Lanes(0.0))};
+}
+
+template <class Lanes>
+void contacts_of_pairs(const PairQuery& query, double* high, double* low) {
+  const VectorOfLanes<Lanes> period{Lanes(query.period->x), Lanes(query.period->y), Lanes(query.period->z)};
+  const VectorOfLanes<Lanes> inverse_period{Lanes(query.inverse_period->x), Lanes(query.inverse_period->y),
+                                            Lanes(query.inverse_period->z)};
+  const Lanes forever(std::numeric_limits<double>::infinity());
+  const Lanes zero(0.0);
+  for (std::size_t i = 0; i < query.count; i += Lanes::kWidth) {
+    PathsOfLanes<Lanes> a;
+    PathsOfLanes<Lanes> b;
+    Lanes::load(query.paths, query.first + i, a);
+    Lanes::load(query.paths, query.second + i, b);
+    const MomentsOfLanes<Lanes> start = later_start(a, b);
+    const auto age_at = [](const MomentsOfLanes<Lanes>& moment, const PathsOfLanes<Lanes>& path) {
+      return (moment.high - path.high) + (moment.low - path.low);
+    };
+    const MomentsOfLanes<Lanes> now{Lanes(query.now_high), Lanes(query.now_low)};
+    const Lanes a_age = age_at(now, a);
+    const Lanes b_age = age_at(now, b);
+    const Lanes a_wait = age_at(start, a);
+    const Lanes b_wait = age_at(start, b);
+    const auto separation = [&](const Lanes& ra, const Lanes& va, const Lanes& rb, const Lanes& vb,
+                                const Lanes& length, const Lanes& inverse_length) {
+      const Lanes shift =
+          round_to_integer(((ra + a_age * va) - (rb + b_age * vb)) * inverse_length) * length;
+      return ((rb + b_wait * vb) - (ra + a_wait * va)) + shift;
+    };
+    const VectorOfLanes<Lanes> r{separation(a.position.x, a.velocity.x, b.position.x, b.velocity.x, period.x,
+                                            inverse_period.x),
+                                 separation(a.position.y, a.velocity.y, b.position.y, b.velocity.y, period.y,
+                                            inverse_period.y),
+                                 separation(a.position.z, a.velocity.z, b.position.z, b.velocity.z, period.z,
+                                            inverse_period.z)};
+    const VectorOfLanes<Lanes> v{b.velocity.x - a.velocity.x, b.velocity.y - a.velocity.y,
+                                 b.velocity.z - a.velocity.z};
+    const Lanes reach = query.radii == nullptr ? Lanes(query.radius + query.radius)
+                                               : Lanes::gather(query.radii, query.first + i) +
+                                                     Lanes::gather(query.radii, query.second + i);
+    const Waits<Lanes> waits = waits_of(r, v, reach);
+    Lanes wait = select(waits.hits, waits.wait, forever);
+    if (bits(waits.grazes) != 0) {
+      wait = select(waits.grazes, grazing_time_to_reach(r.x, r.y, r.z, v.x, v.y, v.z, reach), wait);
+    }
+    const MomentsOfLanes<Lanes> contact = moments_after(start, wait);
+    contact.high.store(high + i);
+    contact.low.store(low + i);
+  }
+}
+
 /// The same for a sphere whose path has just started, so that all waits count from its own start: most
 /// predictions, at two thirds of the work.
 template <class Lanes, bool kNearest>

@@ -7,7 +7,6 @@
 #include <immintrin.h>
 
 #include "hardball/kernels/contact_kernel_body.hpp"
-#include "hardball/kernels/near_kernel_body.hpp"
 
 namespace hardball {
 // Each file that includes this has its own copy, compiled for its own instructions, and defines masks,
@@ -45,21 +44,6 @@ struct Lanes {
     load_pair(paths, at, 4, out.velocity.y, out.velocity.z);
     load_pair(paths, at, 6, out.high, out.low);
   }
-  static void load(const Vec3* points, const std::uint32_t* at, VectorOfLanes<Lanes>& out) {
-    const auto member = [&](int lane, std::size_t i) {
-      return reinterpret_cast<const double*>(points + at[lane]) + i;
-    };
-    const auto pair = [&](int lane) { return _mm_loadu_pd(member(lane, 0)); };
-    const __m256d even = _mm256_insertf128_pd(_mm256_castpd128_pd256(pair(0)), pair(2), 1);
-    const __m256d odd = _mm256_insertf128_pd(_mm256_castpd128_pd256(pair(1)), pair(3), 1);
-    out.x = _mm256_unpacklo_pd(even, odd);
-    out.y = _mm256_unpackhi_pd(even, odd);
-    const auto last_of = [&](int lane) {
-      return _mm_loadh_pd(_mm_load_sd(member(lane, 2)), member(lane + 1, 2));
-    };
-    out.z = _mm256_insertf128_pd(_mm256_castpd128_pd256(last_of(0)), last_of(2), 1);
-  }
-  static void keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out);
   void store(double* out) const { _mm256_storeu_pd(out, v); }
 
   __m256d v;
@@ -76,6 +60,9 @@ Lanes operator*(const Lanes& a, const Lanes& b) {
 }
 Lanes operator/(const Lanes& a, const Lanes& b) {
   return _mm256_div_pd(a.v, b.v);
+}
+Lanes multiply_subtract(const Lanes& a, const Lanes& b, const Lanes& c) {
+  return _mm256_fmsub_pd(a.v, b.v, c.v);
 }
 Lanes maximum(const Lanes& a, const Lanes& b) {
   return _mm256_max_pd(a.v, b.v);

@@ -14,7 +14,7 @@ enum class InstructionSet {
 };
 
 /// The most numbers processed at a time: arrays that kernels read are padded by as many.
-inline constexpr std::size_t kWidestVector = 4;
+inline constexpr std::size_t kWidestVector = 8;
 
 /// Whether this program and this machine support these instructions.
 bool is_available(InstructionSet instructions);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "hardball/kernels/bound_kernel.hpp"
 #include "hardball/kernels/contact_kernel.hpp"
 #include "hardball/kernels/instruction_set.hpp"
 #include "hardball/kernels/near_kernel.hpp"
@@ -11,6 +12,8 @@ namespace hardball {
 /// Arithmetic on many pairs at a time, with one instruction set.
 struct Kernels {
   ContactKernel earliest_contact;
+  PairKernel contacts_of_pairs;
+  BoundKernel bound_contacts;
   NearKernel pick_near;
 };
 

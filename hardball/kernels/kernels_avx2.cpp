@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #if defined(__AVX2__)
 
+#include "hardball/kernels/eight_lanes.hpp"
 #include "hardball/kernels/four_lanes.hpp"
 #include "hardball/kernels/kernels.hpp"
 
@@ -14,27 +15,6 @@ struct Lanes::Mask {
   friend Mask operator|(const Mask& a, const Mask& b) { return {_mm256_or_pd(a.v, b.v)}; }
 };
 
-// Moves the chosen slots to the front: the byte order for each choice.
-void Lanes::keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
-  struct Orders {
-    alignas(16) unsigned char bytes[16][16];
-    constexpr Orders() : bytes() {
-      for (unsigned choice = 0; choice < 16; ++choice) {
-        unsigned place = 0;
-        for (unsigned lane = 0; lane < 4; ++lane) {
-          if ((choice >> lane & 1) == 0) continue;
-          for (unsigned byte = 0; byte < 4; ++byte) {
-            bytes[choice][place++] = static_cast<unsigned char>(4 * lane + byte);
-          }
-        }
-      }
-    }
-  };
-  static constexpr Orders kOrders;
-  const __m128i order = _mm_load_si128(reinterpret_cast<const __m128i*>(kOrders.bytes[lanes]));
-  const __m128i slots = _mm_loadu_si128(reinterpret_cast<const __m128i*>(at));
-  _mm_storeu_si128(reinterpret_cast<__m128i*>(out), _mm_shuffle_epi8(slots, order));
-}
 Lanes::Mask operator<(const Lanes& a, const Lanes& b) {
   return {_mm256_cmp_pd(a.v, b.v, _CMP_LT_OQ)};
 }
@@ -57,9 +37,30 @@ Lanes select(const Lanes::Mask& mask, const Lanes& a, const Lanes& b) {
   return _mm256_blendv_pd(b.v, a.v, mask.v);
 }
 
+// Moves the chosen slots to the front: the lanes to take for each choice.
+void Floats::keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
+  struct Orders {
+    alignas(8) unsigned char lanes[256][8];
+    constexpr Orders() : lanes() {
+      for (unsigned choice = 0; choice < 256; ++choice) {
+        unsigned place = 0;
+        for (unsigned char lane = 0; lane < 8; ++lane) {
+          if ((choice >> lane & 1) != 0) lanes[choice][place++] = lane;
+        }
+      }
+    }
+  };
+  static constexpr Orders kOrders;
+  const __m256i order =
+      _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(kOrders.lanes[lanes])));
+  const __m256i slots = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permutevar8x32_epi32(slots, order));
+}
+
 }  // namespace
 
-const Kernels kAvx2Kernels{earliest_contact<Lanes>, pick_near<Lanes>};
+const Kernels kAvx2Kernels{earliest_contact<Lanes>, contacts_of_pairs<Lanes>, bound_contacts<Floats>,
+                               pick_near<Floats>};
 
 }  // namespace hardball
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 
+#include "hardball/kernels/eight_lanes.hpp"
 #include "hardball/kernels/four_lanes.hpp"
 #include "hardball/kernels/kernels.hpp"
 
@@ -16,12 +17,6 @@ struct Lanes::Mask {
   friend Mask operator|(const Mask& a, const Mask& b) { return {_kor_mask8(a.v, b.v)}; }
 };
 
-// Compress to a register, then store: some processors are very slow at doing both in one instruction.
-void Lanes::keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
-  const __m128i slots = _mm_loadu_si128(reinterpret_cast<const __m128i*>(at));
-  _mm_storeu_si128(reinterpret_cast<__m128i*>(out),
-                   _mm_maskz_compress_epi32(static_cast<__mmask8>(lanes), slots));
-}
 Lanes::Mask operator<(const Lanes& a, const Lanes& b) {
   return {_mm256_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ)};
 }
@@ -44,9 +39,17 @@ Lanes select(const Lanes::Mask& mask, const Lanes& a, const Lanes& b) {
   return _mm256_mask_blend_pd(mask.v, b.v, a.v);
 }
 
+// Compress to a register, then store: some processors are very slow at doing both in one instruction.
+void Floats::keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
+  const __m256i slots = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out),
+                      _mm256_maskz_compress_epi32(static_cast<__mmask8>(lanes), slots));
+}
+
 }  // namespace
 
-const Kernels kAvx512Kernels{earliest_contact<Lanes>, pick_near<Lanes>};
+const Kernels kAvx512Kernels{earliest_contact<Lanes>, contacts_of_pairs<Lanes>, bound_contacts<Floats>,
+                               pick_near<Floats>};
 
 }  // namespace hardball
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
+#include "hardball/kernels/bound_kernel_body.hpp"
 #include "hardball/kernels/contact_kernel_body.hpp"
 #include "hardball/kernels/kernels.hpp"
 #include "hardball/kernels/near_kernel_body.hpp"
@@ -40,17 +41,6 @@ struct Lanes {
     out.high = Vector{a.time.high, b.time.high};
     out.low = Vector{a.time.low, b.time.low};
   }
-  static void load(const Vec3* points, const std::uint32_t* at, VectorOfLanes<Lanes>& out) {
-    const Vec3& a = points[at[0]];
-    const Vec3& b = points[at[1]];
-    out.x = Vector{a.x, b.x};
-    out.y = Vector{a.y, b.y};
-    out.z = Vector{a.z, b.z};
-  }
-  static void keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
-    out[0] = at[0];
-    out[lanes & 1] = at[1];
-  }
   void store(double* out) const { out[0] = v[0], out[1] = v[1]; }
 
   Vector v;
@@ -67,6 +57,9 @@ Lanes operator*(const Lanes& a, const Lanes& b) {
 }
 Lanes operator/(const Lanes& a, const Lanes& b) {
   return a.v / b.v;
+}
+Lanes multiply_subtract(const Lanes& a, const Lanes& b, const Lanes& c) {
+  return Lanes::Vector{std::fma(a.v[0], b.v[0], -c.v[0]), std::fma(a.v[1], b.v[1], -c.v[1])};
 }
 Lanes::Mask operator<(const Lanes& a, const Lanes& b) {
   return {a.v < b.v};
@@ -107,8 +100,130 @@ Lanes round_to_integer(const Lanes& a) {
   return (a + pusher) - pusher;
 }
 
+// Four numbers of single precision at a time.
+struct Floats {
+  static constexpr std::size_t kWidth = 4;
+  using Vector = float __attribute__((vector_size(16)));
+  using Bits = std::int32_t __attribute__((vector_size(16)));
+  struct Mask {
+    Bits v;  // all bits of a number, or none
+    friend Mask operator&(const Mask& a, const Mask& b) { return {a.v & b.v}; }
+    friend Mask operator|(const Mask& a, const Mask& b) { return {a.v | b.v}; }
+  };
+
+  struct Integers {
+    using Unsigned = std::uint32_t __attribute__((vector_size(16)));
+    Integers() = default;
+    Integers(Unsigned vector) : v(vector) {}
+    explicit Integers(std::int32_t value) : Integers(static_cast<std::uint32_t>(value)) {}
+    explicit Integers(std::uint32_t value) : v{value, value, value, value} {}
+    static Integers load(const std::uint32_t* values) {
+      return Unsigned{values[0], values[1], values[2], values[3]};
+    }
+    friend Integers operator-(const Integers& a, const Integers& b) { return a.v - b.v; }
+    friend Mask operator==(const Integers& a, const Integers& b) { return {a.v == b.v}; }
+
+    Unsigned v;  // modulo 2^32
+  };
+
+  Floats() = default;
+  Floats(Vector vector) : v(vector) {}
+  explicit Floats(float value) : v{value, value, value, value} {}
+
+  static Floats load(const float* values) { return Vector{values[0], values[1], values[2], values[3]}; }
+  static Floats gather(const float* values, const std::uint32_t* at) {
+    return Vector{values[at[0]], values[at[1]], values[at[2]], values[at[3]]};
+  }
+  static void load(const CompactPath* paths, const std::uint32_t* at, CompactPathsOfLanes<Floats>& out) {
+    const auto integers = [&](const auto& member) {
+      const auto of = [&](int lane) { return static_cast<std::uint32_t>(member(paths[at[lane]])); };
+      return Integers::Unsigned{of(0), of(1), of(2), of(3)};
+    };
+    const auto velocities = [&](std::size_t axis) {
+      return Vector{paths[at[0]].velocity[axis], paths[at[1]].velocity[axis], paths[at[2]].velocity[axis],
+                    paths[at[3]].velocity[axis]};
+    };
+    out.x = integers([](const CompactPath& path) { return path.place[0]; });
+    out.y = integers([](const CompactPath& path) { return path.place[1]; });
+    out.z = integers([](const CompactPath& path) { return path.place[2]; });
+    out.tick = integers([](const CompactPath& path) { return path.tick; });
+    out.velocity = {velocities(0), velocities(1), velocities(2)};
+  }
+  static void load(const GridPoint* points, const std::uint32_t* at, Integers* places) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto place = [&](int lane) {
+        return static_cast<std::uint32_t>(points[at[lane]].place[static_cast<std::size_t>(axis)]);
+      };
+      places[axis] = Integers::Unsigned{place(0), place(1), place(2), place(3)};
+    }
+  }
+  static void keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
+    for (int lane = 0; lane < 4; ++lane) {
+      *out = at[lane];
+      out += lanes >> lane & 1;
+    }
+  }
+  void store(float* out) const {
+    for (int lane = 0; lane < 4; ++lane) out[lane] = v[lane];
+  }
+
+  Vector v;
+};
+
+Floats operator+(const Floats& a, const Floats& b) {
+  return a.v + b.v;
+}
+Floats operator-(const Floats& a, const Floats& b) {
+  return a.v - b.v;
+}
+Floats operator*(const Floats& a, const Floats& b) {
+  return a.v * b.v;
+}
+Floats operator/(const Floats& a, const Floats& b) {
+  return a.v / b.v;
+}
+Floats multiply_add(const Floats& a, const Floats& b, const Floats& c) {
+  return a.v * b.v + c.v;
+}
+Floats::Mask operator<(const Floats& a, const Floats& b) {
+  return {a.v < b.v};
+}
+Floats::Mask operator>=(const Floats& a, const Floats& b) {
+  return {a.v >= b.v};
+}
+Floats::Mask operator==(const Floats& a, const Floats& b) {
+  return {a.v == b.v};
+}
+unsigned bits(const Floats::Mask& mask) {
+  unsigned found = 0;
+  for (int lane = 0; lane < 4; ++lane) found |= (mask.v[lane] != 0 ? 1U : 0U) << lane;
+  return found;
+}
+Floats select(const Floats::Mask& mask, const Floats& a, const Floats& b) {
+  return mask.v ? a.v : b.v;
+}
+// Of a NaN and a number, the second argument.
+Floats maximum(const Floats& a, const Floats& b) {
+  return a.v > b.v ? a.v : b.v;
+}
+Floats minimum(const Floats& a, const Floats& b) {
+  return a.v < b.v ? a.v : b.v;
+}
+Floats square_root(const Floats& a) {
+  return Floats::Vector{std::sqrt(a.v[0]), std::sqrt(a.v[1]), std::sqrt(a.v[2]), std::sqrt(a.v[3])};
+}
+Floats to_floats(const Floats::Integers& a) {
+  return __builtin_convertvector(reinterpret_cast<const Floats::Bits&>(a.v), Floats::Vector);
+}
+float least_of(const Floats& a) {
+  const float low = a.v[0] < a.v[1] ? a.v[0] : a.v[1];
+  const float high = a.v[2] < a.v[3] ? a.v[2] : a.v[3];
+  return low < high ? low : high;
+}
+
 }  // namespace
 
-const Kernels kPortableKernels{earliest_contact<Lanes>, pick_near<Lanes>};
+const Kernels kPortableKernels{earliest_contact<Lanes>, contacts_of_pairs<Lanes>, bound_contacts<Floats>,
+                               pick_near<Floats>};
 
 }  // namespace hardball

@@ -2,27 +2,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
-#include "hardball/geometry/vec3.hpp"
-
 namespace hardball {
+
+/// A point on the integer grid of CompactPaths (world/compact_paths.hpp), and the cell in which it lies.
+struct GridPoint {
+  std::array<std::int32_t, 3> place{};  ///< Modulo 2^32 steps.
+  std::array<std::int32_t, 3> cell{};
+};
 
 /// A place, and points that may be near it, as plain arrays.
 struct NearQuery {
-  const Vec3* points;          ///< By slot [L].
-  const std::uint32_t* slots;  ///< Of the points in question, padded with kWidestVector valid slots.
+  const GridPoint* points;            ///< By slot.
+  const std::uint32_t* slots;         ///< Of the points in question, padded with kWidestVector valid slots.
   std::size_t count;
-  Vec3 place;           ///< [L]
-  Vec3 period;          ///< Of the box [L]; zero along axes that are not periodic.
-  Vec3 inverse_period;  ///< Zero along axes that are not periodic.
-  double reach;         ///< The distance within which points are near [L].
-  const double* radii;  ///< By slot: added to `reach` for each point [L]; null for none.
+  std::array<std::int32_t, 3> place;  ///< Modulo 2^32 steps.
+  std::array<float, 3> grid;          ///< The step along each axis [L].
+  float reach;                        ///< The distance within which points are near [L].
+  const float* radii;                 ///< By slot: added to `reach` for each point [L]; null for none.
 };
 
 /// Writes to `near` the slots of the points with an image nearer to the place than `reach`, and returns their
-/// number. Precondition: there is room for all points and kWidestVector more.
+/// number. Distances are those of single precision, but the same in both directions. Precondition: there is
+/// room for all points and kWidestVector more.
 using NearKernel = std::size_t (*)(const NearQuery& query, std::uint32_t* near);
 
 }  // namespace hardball

@@ -10,7 +10,6 @@
 #include "hardball/broadphase/cell_grid.hpp"
 #include "hardball/broadphase/neighbor_list.hpp"
 #include "hardball/engine/engine.hpp"
-#include "hardball/engine/predictor.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/events/ordered_queue.hpp"
@@ -89,17 +88,16 @@ std::unique_ptr<AnyEngine> make_queued(World world, EngineKind engine, const Eng
                                        double length, const Time& now, const Progress& progress) {
   const AnyResponse response{Restitution(options.restitution)};
   const InstructionSet instructions = options.instructions.value_or(widest_instruction_set());
-  Predictor predictor(instructions);
   if (engine == EngineKind::all_pairs) {
     return make_model<Engine<Queue, AllPairs, AnyResponse>>(std::move(world), AllPairs(), response, now,
-                                                            std::move(predictor), progress);
+                                                            instructions, progress);
   }
   if (engine == EngineKind::neighbors) {
     return make_model<Engine<Queue, NeighborList, AnyResponse>>(
-        std::move(world), NeighborList(length, instructions), response, now, std::move(predictor), progress);
+        std::move(world), NeighborList(length, instructions), response, now, instructions, progress);
   }
   return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(length), response, now,
-                                                          std::move(predictor), progress);
+                                                          instructions, progress);
 }
 
 }  // namespace

@@ -131,11 +131,11 @@ TEST(DoubleDouble, SumsAndProductsOfDoublesAreExact) {
   }
 }
 
-Exact exactly(const DoubleDouble& a) {
+Exact exactly(const DoubleDouble<>& a) {
   return Exact(a.high) + a.low;
 }
 
-bool is_normalized(const DoubleDouble& a) {
+bool is_normalized(const DoubleDouble<>& a) {
   return a.high == static_cast<double>(exactly(a));
 }
 

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#if defined(__AVX2__)
+
+#include <immintrin.h>
+
+#include "hardball/kernels/bound_kernel_body.hpp"
+#include "hardball/kernels/near_kernel_body.hpp"
+
+namespace hardball {
+// Each file that includes this has its own copy, compiled for its own instructions, and defines `keep` itself.
+namespace {
+
+/// Eight numbers of single precision in 256 bits.
+struct Floats {
+  static constexpr std::size_t kWidth = 8;
+
+  struct Mask {
+    __m256 v;
+    friend Mask operator&(const Mask& a, const Mask& b) { return {_mm256_and_ps(a.v, b.v)}; }
+    friend Mask operator|(const Mask& a, const Mask& b) { return {_mm256_or_ps(a.v, b.v)}; }
+  };
+
+  struct Integers {
+    Integers() = default;
+    Integers(__m256i vector) : v(vector) {}
+    explicit Integers(std::int32_t value) : v(_mm256_set1_epi32(value)) {}
+    static Integers load(const std::uint32_t* values) {
+      return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(values));
+    }
+    friend Integers operator-(const Integers& a, const Integers& b) { return _mm256_sub_epi32(a.v, b.v); }
+    friend Mask operator==(const Integers& a, const Integers& b) {
+      return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(a.v, b.v))};
+    }
+
+    __m256i v;
+  };
+
+  Floats() = default;
+  Floats(__m256 vector) : v(vector) {}
+  explicit Floats(float value) : v(_mm256_set1_ps(value)) {}
+
+  static Floats load(const float* values) { return _mm256_loadu_ps(values); }
+  void store(float* out) const { _mm256_storeu_ps(out, v); }
+  static Floats gather(const float* values, const std::uint32_t* at) {
+    return _mm256_setr_ps(values[at[0]], values[at[1]], values[at[2]], values[at[3]], values[at[4]],
+                          values[at[5]], values[at[6]], values[at[7]]);
+  }
+  static void keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out);
+
+  // Four adjacent members of eight structures, from the rows of (0, 4), (1, 5), (2, 6) and (3, 7).
+  template <class Structure>
+  static void load_four(const Structure* structures, const std::uint32_t* at, std::size_t member, __m256& a,
+                        __m256& b, __m256& c, __m256& d) {
+    const auto row = [&](int lane) {
+      return _mm_loadu_ps(reinterpret_cast<const float*>(structures + at[lane]) + member);
+    };
+    const auto rows = [&](int lane) {
+      return _mm256_insertf128_ps(_mm256_castps128_ps256(row(lane)), row(lane + 4), 1);
+    };
+    const __m256 r0 = rows(0);
+    const __m256 r1 = rows(1);
+    const __m256 r2 = rows(2);
+    const __m256 r3 = rows(3);
+    const __m256d low01 = _mm256_castps_pd(_mm256_unpacklo_ps(r0, r1));
+    const __m256d high01 = _mm256_castps_pd(_mm256_unpackhi_ps(r0, r1));
+    const __m256d low23 = _mm256_castps_pd(_mm256_unpacklo_ps(r2, r3));
+    const __m256d high23 = _mm256_castps_pd(_mm256_unpackhi_ps(r2, r3));
+    a = _mm256_castpd_ps(_mm256_unpacklo_pd(low01, low23));
+    b = _mm256_castpd_ps(_mm256_unpackhi_pd(low01, low23));
+    c = _mm256_castpd_ps(_mm256_unpacklo_pd(high01, high23));
+    d = _mm256_castpd_ps(_mm256_unpackhi_pd(high01, high23));
+  }
+  static void load(const CompactPath* paths, const std::uint32_t* at, CompactPathsOfLanes<Floats>& out) {
+    static_assert(sizeof(CompactPath) == 8 * sizeof(float));
+    __m256 x;
+    __m256 y;
+    __m256 z;
+    __m256 tick;
+    load_four(paths, at, 0, x, y, z, tick);
+    out.x = _mm256_castps_si256(x);
+    out.y = _mm256_castps_si256(y);
+    out.z = _mm256_castps_si256(z);
+    out.tick = _mm256_castps_si256(tick);
+    __m256 revision;
+    load_four(paths, at, 4, out.velocity.x.v, out.velocity.y.v, out.velocity.z.v, revision);
+  }
+  static void load(const GridPoint* points, const std::uint32_t* at, Integers* places) {
+    __m256 place[4];
+    load_four(points, at, 0, place[0], place[1], place[2], place[3]);
+    for (int axis = 0; axis < 3; ++axis) places[axis] = _mm256_castps_si256(place[axis]);
+  }
+
+  __m256 v;
+};
+
+Floats operator+(const Floats& a, const Floats& b) {
+  return _mm256_add_ps(a.v, b.v);
+}
+Floats operator-(const Floats& a, const Floats& b) {
+  return _mm256_sub_ps(a.v, b.v);
+}
+Floats operator*(const Floats& a, const Floats& b) {
+  return _mm256_mul_ps(a.v, b.v);
+}
+Floats operator/(const Floats& a, const Floats& b) {
+  return _mm256_div_ps(a.v, b.v);
+}
+Floats multiply_add(const Floats& a, const Floats& b, const Floats& c) {
+  return _mm256_fmadd_ps(a.v, b.v, c.v);
+}
+Floats::Mask operator<(const Floats& a, const Floats& b) {
+  return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)};
+}
+Floats::Mask operator>=(const Floats& a, const Floats& b) {
+  return {_mm256_cmp_ps(a.v, b.v, _CMP_GE_OQ)};
+}
+Floats::Mask operator==(const Floats& a, const Floats& b) {
+  return {_mm256_cmp_ps(a.v, b.v, _CMP_EQ_OQ)};
+}
+unsigned bits(const Floats::Mask& mask) {
+  return static_cast<unsigned>(_mm256_movemask_ps(mask.v));
+}
+Floats select(const Floats::Mask& mask, const Floats& a, const Floats& b) {
+  return _mm256_blendv_ps(b.v, a.v, mask.v);
+}
+// Of a NaN and a number, the second argument.
+Floats maximum(const Floats& a, const Floats& b) {
+  return _mm256_max_ps(a.v, b.v);
+}
+Floats minimum(const Floats& a, const Floats& b) {
+  return _mm256_min_ps(a.v, b.v);
+}
+Floats square_root(const Floats& a) {
+  return _mm256_sqrt_ps(a.v);
+}
+Floats to_floats(const Floats::Integers& a) {
+  return _mm256_cvtepi32_ps(a.v);
+}
+float least_of(const Floats& a) {
+  const __m128 four = _mm_min_ps(_mm256_castps256_ps128(a.v), _mm256_extractf128_ps(a.v, 1));
+  const __m128 two = _mm_min_ps(four, _mm_movehl_ps(four, four));
+  return _mm_cvtss_f32(_mm_min_ss(two, _mm_shuffle_ps(two, two, 1)));
+}
+
+}  // namespace
+}  // namespace hardball
+
+#endif

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/world/compact_paths.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hardball {
+namespace {
+
+// The names of the constants are those of docs/bounds.md.
+
+// Ticks per unit of time. A copy expires a little before its age in ticks exceeds a signed integer.
+constexpr double kTicks = 0x1p24;
+constexpr double kLongestAge = 0x1.cp30;
+
+// The steps of the grid are at most this fraction of the greatest distance l of candidates.
+constexpr double kGridStep = 0x1p-26;
+// Beyond, in units of l, coordinates in double precision are too coarse.
+constexpr double kFarthestPlace = 0x1p24;
+// The largest coordinate in steps of the grid that converts exactly.
+constexpr double kMostSteps = 0x1p50;
+
+// The speed V up to which copies are good, over the mean speed of those copied.
+constexpr double kSpeedMargin = 8;
+
+// Units are chosen anew after so many copies per sphere, or when so many of them say nothing.
+constexpr std::uint64_t kCopiesPerSphere = 32;
+constexpr std::uint64_t kUnboundedShare = 8;
+constexpr std::uint64_t kFewCopies = 256;
+
+float rounded_up(double number) {
+  const auto nearest = static_cast<float>(number);
+  if (static_cast<double>(nearest) >= number) return nearest;
+  return std::nextafter(nearest, std::numeric_limits<float>::infinity());
+}
+
+// The least power of two that is greater than a positive number.
+double unit_of(double number) {
+  int exponent = 0;
+  std::frexp(number, &exponent);
+  return std::ldexp(1.0, exponent);
+}
+
+double mean_speed(const World& world) {
+  double sum = 0;
+  for (const Path& path : world.paths()) sum += length(path.velocity);
+  return world.size() > 0 ? sum / static_cast<double>(world.size()) : 0;
+}
+
+}  // namespace
+
+void CompactPaths::reset(const World& world, double farthest, const Time& now) {
+  if (paths_.size() != world.size()) {
+    paths_.assign(world.size(), CompactPath{});
+    speeds_ = 0;
+  }
+  epoch_ = now;
+  farthest_ = farthest;
+  choose_units(world);
+  copies_ = unbounded_ = 0;
+  speeds_ = 0;
+  most_copies_ = kCopiesPerSphere * (world.size() + kFewCopies);
+  most_unbounded_ = (world.size() + kFewCopies) / kUnboundedShare;
+  for (Slot slot = 0; slot < world.size(); ++slot) copy(world, slot, now);
+  copies_ = unbounded_ = 0;
+  speeds_ = 0;
+}
+
+void CompactPaths::choose_units(const World& world) {
+  const double length_unit = length_unit_ = unit_of(farthest_);
+  const double l = farthest_ / length_unit;
+  const double mean = speeds_ > 0 ? speeds_ / static_cast<double>(copies_) : mean_speed(world);
+  // If nothing moves, any unit will do.
+  const double greatest_speed = mean > 0 ? kSpeedMargin * mean : farthest_;
+  const double speed_unit = unit_of(greatest_speed);
+  const double v = greatest_speed / speed_unit;
+  // Squares of slower speeds underflow; inelastic collapse leads to them. Then nothing is bounded.
+  constexpr double kSlowest = 0x1p-400;
+  greatest_speed_squared_ = greatest_speed > kSlowest ? greatest_speed * greatest_speed : -1;
+  per_speed_ = 1 / speed_unit;
+  time_unit_ = length_unit / speed_unit;
+  ticks_per_time_ = kTicks / time_unit_;
+  longest_age_ = kLongestAge / ticks_per_time_;
+
+  const Box& box = world.box();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    double step = kGridStep * farthest_;
+    if (box.is_periodic(axis)) {
+      constexpr double kRing = 0x1p32;
+      const double turns = std::ceil(box.size()[axis] / (kRing * step));
+      step = box.size()[axis] / (turns * kRing);
+    }
+    step_[axis] = step;
+    steps_per_length_[axis] = 1 / step;
+    farthest_place_[axis] = std::min(kFarthestPlace * farthest_, kMostSteps * step);
+    scale_.grid[axis] = static_cast<float>(step / length_unit);
+  }
+  const double w = 2 * v;
+  scale_.tick = static_cast<float>(1 / kTicks);
+  scale_.reach_allowance = rounded_up(0x1p-20 * l);
+  scale_.square_allowance = rounded_up(0x1p-20 * l * l);
+  scale_.approach_allowance = rounded_up(0x1p-19 * l * w);
+  scale_.speed_allowance = rounded_up(0x1p-44 * w * w);
+  scale_.excess_allowance = rounded_up(0x1p-19 * l * l);
+  scale_.least_discriminant = rounded_up(0x1p-60 * l * l * w * w);
+  radii_.clear();
+  if (world.radii().is_common()) {
+    radius_ = world.size() > 0 ? rounded_up(world.radius(0) / length_unit) : 0;
+    return;
+  }
+  radii_.resize(world.size());
+  for (Slot slot = 0; slot < world.size(); ++slot) radii_[slot] = rounded_up(world.radius(slot) / length_unit);
+}
+
+}  // namespace hardball

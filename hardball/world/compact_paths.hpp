@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "hardball/kernels/bound_kernel.hpp"
+#include "hardball/memory/prefetch.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// A compact copy of every path, from which contact times are bounded eight or more at a time: thirty times
+/// as many pairs are considered as ever meet, and for those that do not a bound will do.
+///
+/// A centre is an integer, in steps of a grid that divides periodic boxes evenly, so that differences modulo
+/// 2^32 lead to the nearest image. Lengths, speeds and times are scaled by powers of two that make the
+/// distance of candidates and the greatest speed about one. A copy is made whenever a path changes, and at
+/// any other time: bounds are true as long as the sphere has since moved no farther than the greatest
+/// distance of candidates. Source: docs/bounds.md, with the proof.
+class CompactPaths {
+ public:
+  /// Copies all paths at `now`, where candidates are at most `farthest` [L] apart, and spheres move no
+  /// farther before they are copied again. Cost: O(n).
+  void reset(const World& world, double farthest, const Time& now);
+  /// The same with the distance given before, if speeds have changed or it is long ago.
+  void renew(const World& world, const Time& now) {
+    if (unbounded_ > most_unbounded_ || copies_ > most_copies_) [[unlikely]]
+      reset(world, farthest_, now);
+  }
+
+  /// Copies one path as it is at `now`.
+  void copy(const World& world, Slot slot, const Time& now) {
+    const Path& path = world.path(slot);
+    const Vec3 place = position_at(path, now);
+    const double ticks = duration(epoch_, now) * ticks_per_time_;
+    const double speed_squared = dot(path.velocity, path.velocity);
+    CompactPath& copy = paths_[slot];
+    for_each_axis([&](auto axis) {
+      copy.place[axis] = to_integer(place[axis] * steps_per_length_[axis]);
+      copy.velocity[axis] = static_cast<float>(path.velocity[axis] * per_speed_);
+    });
+    copy.tick = to_integer(ticks);
+    ++copies_;
+    speeds_ += std::sqrt(speed_squared);
+    if (std::fabs(place.x) <= farthest_place_.x && std::fabs(place.y) <= farthest_place_.y &&
+        std::fabs(place.z) <= farthest_place_.z && std::fabs(ticks) <= kMostTicks &&
+        speed_squared <= greatest_speed_squared_) [[likely]]
+      return;
+    copy.velocity.fill(std::numeric_limits<float>::quiet_NaN());
+    ++unbounded_;
+  }
+
+  /// Notes that a path has changed; false if all revisions ever noted must be forgotten.
+  bool note_change(Slot slot) {
+    paths_[slot].revision = (paths_[slot].revision + 1) & kRevisions;
+    return paths_[slot].revision != 0;
+  }
+  /// How often a path has changed, modulo 2^31.
+  std::uint32_t revision(Slot slot) const { return paths_[slot].revision; }
+
+  /// When a copy made at `now` ceases to be good [T]; infinite for a sphere at rest.
+  double expiry(const World& world, Slot slot, const Time& now) const {
+    const Vec3& v = world.path(slot).velocity;
+    return v == Vec3{} ? kNever.high : rounded_down(now) + longest_age_;
+  }
+
+  /// By slot.
+  std::span<const CompactPath> paths() const { return paths_; }
+  const BoundScale& scale() const { return scale_; }
+  /// The units of the compact paths [L], [T].
+  double length_unit() const { return length_unit_; }
+  double time_unit() const { return time_unit_; }
+  /// Radii by slot, in units, rounded up; null if all are `radius(0)`.
+  const float* radii() const { return radii_.empty() ? nullptr : radii_.data(); }
+  float radius(Slot slot) const { return radii_.empty() ? radius_ : radii_[slot]; }
+  /// From a point to the place of a copy along an axis: the nearest image [L].
+  double apart(const std::array<std::int32_t, 3>& from, Slot slot, std::size_t axis) const {
+    const auto steps = static_cast<std::uint32_t>(paths_[slot].place[axis]) -
+                       static_cast<std::uint32_t>(from[axis]);
+    return static_cast<std::int32_t>(steps) * step_[axis];
+  }
+
+  void prefetch(Slot slot) const { hardball::prefetch(&paths_[slot]); }
+  std::size_t memory_bytes() const {
+    return paths_.capacity() * sizeof(CompactPath) + radii_.capacity() * sizeof(float);
+  }
+
+ private:
+  static constexpr std::uint32_t kRevisions = 0x7fffffff;
+  // Beyond, adding the pusher of to_integer loses digits.
+  static constexpr double kMostTicks = 0x1p50;
+
+  // The nearest integer, modulo 2^32. Precondition: |number| < 2^51.
+  static std::int32_t to_integer(double number) {
+    constexpr double kPusher = 0x1.8p52;
+    return static_cast<std::int32_t>(std::bit_cast<std::int64_t>(number + kPusher));
+  }
+
+  void choose_units(const World& world);
+
+  LargeVector<CompactPath> paths_;  // by slot
+  LargeVector<float> radii_;        // by slot, in units, rounded up; empty if all are alike
+  BoundScale scale_;
+  float radius_ = 0;
+  double per_speed_ = 1;
+  double farthest_ = 1;
+  double length_unit_ = 1;
+  double time_unit_ = 1;
+  double ticks_per_time_ = 1;
+  double longest_age_ = 0;
+  Vec3 step_;  // of the grid [L]
+  Vec3 steps_per_length_;
+  Vec3 farthest_place_;
+  double greatest_speed_squared_ = 0;
+  Time epoch_;
+  // Since units were chosen:
+  std::uint64_t copies_ = 0;
+  std::uint64_t unbounded_ = 0;  // copies that say nothing, of spheres too fast or too far away
+  double speeds_ = 0;            // the sum over all copies
+  std::uint64_t most_copies_ = 0;
+  std::uint64_t most_unbounded_ = 0;
+};
+
+}  // namespace hardball
