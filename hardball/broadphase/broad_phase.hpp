@@ -24,8 +24,8 @@ namespace hardball {
 /// - `refresh(world, slot, now, folded)` updates the region of a sphere whose path was rewritten at `now`;
 ///   its centre has been folded back by `folded` boxes.
 /// - `collect(world, slot, candidates)` collects every candidate of a sphere, usually once.
-/// - `next_crossing(world, slot, now, copies)` is a time before which the sphere stays in its region, rounded down
-///   [T]; infinite if it stays for ever.
+/// - `next_crossing(world, slot, now, copies)` is a time before which the sphere stays in its region [T]. For a
+///   sphere at rest it may be any time after its copy expires.
 /// - `has_nearest_images()`: whether candidates mean the nearest images of spheres.
 /// - `cross(world, slot, now, copies, candidates)` gives it the next region and collects the new candidates (and
 ///   perhaps others).

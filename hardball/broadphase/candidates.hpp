@@ -28,7 +28,7 @@ class Candidates {
   /// The widest vector that reads these arrays.
   static constexpr std::size_t kPadding = kWidestVector;
 
-  /// `rounds` is the initial count of calls of begin(), so that tests reach the overflow of the counter.
+  /// `rounds` is the initial count of calls of start_round(), so that tests reach the overflow of the counter.
   explicit Candidates(std::uint32_t rounds = 0) : round_(rounds) {}
 
   /// Starts over for the sphere in `slot`; `nearest` says whether nearest images are meant.
@@ -36,25 +36,27 @@ class Candidates {
     self_ = slot;
     nearest_ = nearest;
     size_ = 0;
-    if (++round_ == 0) {
-      // The counter has wrapped around: old marks must not pass for new ones.
-      std::fill(seen_.begin(), seen_.end(), 0);
-      round_ = 1;
-    }
-    mark(slot);
+    listed_ = nullptr;
   }
 
   Slot self() const { return self_; }
   /// Whether the nearest image of each candidate is meant.
   bool are_nearest() const { return nearest_; }
   std::size_t size() const { return size_; }
-  Slot slot(std::size_t i) const { return slots_[i]; }
+  Slot slot(std::size_t i) const { return slots()[i]; }
   /// Precondition: not are_nearest().
   const Image& image(std::size_t i) const { return images_[i]; }
 
-  const Slot* slots() const { return slots_.data(); }
+  const Slot* slots() const { return listed_ != nullptr ? listed_ : slots_.data(); }
   /// The displacements of the images along an axis [L]. Precondition: not are_nearest().
   const double* shifts(std::size_t axis) const { return shifts_[axis].data(); }
+
+  /// Makes the candidates those of a list elsewhere, padded with the sphere itself; it must stay as it is
+  /// until begin().
+  void refer_to(const Slot* listed, std::size_t count) {
+    listed_ = listed;
+    size_ = count;
+  }
 
   /// Adds a candidate, meaning its nearest image.
   void add(Slot other) {
@@ -73,7 +75,7 @@ class Candidates {
   /// Removes repeated candidates and the sphere itself. A few repetitions may remain, which is harmless; none
   /// is lost. Call once, after all have been added.
   void drop_repeated() {
-    expect(size_);
+    start_round(size_);
     const std::size_t places = seen_.size() - 1;
     std::uint64_t* const seen = seen_.data();
     const std::uint64_t round = std::uint64_t{round_} << 32;
@@ -110,21 +112,25 @@ class Candidates {
     slots_[size_++] = other;
   }
 
-  /// Makes room to mark `count` candidates. Call before any but the sphere itself is marked.
-  void expect(std::size_t count) {
+  /// Removes all marks but that of the sphere itself, and makes room to mark `count` candidates.
+  void start_round(std::size_t count) {
     constexpr std::size_t kMost = std::size_t{1} << 16;
-    if (2 * count <= seen_.size() || seen_.size() == kMost) return;
-    seen_.resize(std::min(kMost, std::bit_ceil(4 * count)));
+    if (2 * count > seen_.size() && seen_.size() < kMost) seen_.resize(std::min(kMost, std::bit_ceil(4 * count)));
+    if (++round_ == 0) {
+      // The counter has wrapped around: old marks must not pass for new ones.
+      std::fill(seen_.begin(), seen_.end(), 0);
+      round_ = 1;
+    }
     mark(self_);
   }
 
-  /// Whether `other` is not marked since begin(), or its mark has been overwritten.
+  /// Whether `other` is not marked since start_round(), or its mark has been overwritten.
   bool is_new(Slot other) const { return seen_[other & (seen_.size() - 1)] != key(other); }
   void mark(Slot other) { seen_[other & (seen_.size() - 1)] = key(other); }
 
   /// Fills the padding. Call before the arrays are read.
   void end() {
-    for (std::size_t i = 0; i < kPadding; ++i) slots_[size_ + i] = self_;
+    std::fill_n(slots_.data() + size_, kPadding, self_);
   }
 
  private:
@@ -142,6 +148,7 @@ class Candidates {
   std::size_t size_ = 0;
   std::uint32_t round_;
   std::size_t room_ = 56;  // for candidates, padding not counted
+  const Slot* listed_ = nullptr;  // if the candidates are elsewhere
   std::vector<Slot> slots_ = std::vector<Slot>(room_ + kPadding);
   std::vector<Image> images_;
   std::array<std::vector<double>, kAxes> shifts_;

@@ -279,7 +279,7 @@ void CellGrid::collect_from(const World& world, const CellRange& range, Candidat
     candidates.drop_repeated();
     return;
   }
-  candidates.expect(world.size());
+  candidates.start_round(world.size());
   cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& cell) {
     store_.lists().for_each(store_.list(cell), [&](Slot other) {
       if (!candidates.is_new(other)) return;

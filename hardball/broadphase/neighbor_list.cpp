@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "hardball/errors/error.hpp"
@@ -16,7 +16,7 @@ namespace {
 // By which shells are larger than they need to be, and centres cross earlier, as fractions of the farthest
 // distance of neighbours: far more than the errors of places on the grid and of distances in single precision.
 constexpr double kShellMargin = 0x1p-19;
-constexpr double kCrossingMargin = 0x1p-23;
+constexpr double kCrossingMargin = 0x1p-21;
 
 // Distances of neighbours stay below this fraction of a periodic box: then only one image of each is near,
 // and there are at least three cells along each axis.
@@ -76,30 +76,25 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   cells_ = Subdivision(world.box(), farthest - 2 * slack_ + 2 * margin, kMostCellsPerAxis);
   copies.reset(world, farthest + 2 * margin, now);
   reach_ = static_cast<float>((2 * slack_ + margin) / copies.length_unit());
+  room_squared_ = static_cast<float>(room_ * room_ / (copies.length_unit() * copies.length_unit()));
   store_.reset(cells_.shape(), world.size());
   anchors_.assign(world.size(), GridPoint{});
   neighbors_.reset(world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    anchors_[slot] = anchor_at(world, slot, now, copies);
+    move_anchor(world, slot, now, copies);
     find_near(slot, copies);
     for (const Slot other : near_) {
-      neighbors_.insert(slot, other);
-      neighbors_.insert(other, slot);
+      insert(slot, other);
+      insert(other, slot);
     }
     store_.insert(anchors_[slot].cell, slot);
   }
 }
 
-void NeighborList::collect(const World&, Slot slot, Candidates& candidates) const {
-  candidates.begin(slot, true);
-  neighbors_.for_each_line(
-      slot, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) { candidates.add(slots, count); });
-  candidates.end();
-}
-
-double NeighborList::next_crossing(const World& world, Slot slot, const Time& now,
-                                   const CompactPaths& copies) const {
-  const Vec3 place = from_anchor(slot, copies);
+double NeighborList::next_crossing_of_any(const World& world, Slot slot, const Time& now,
+                                          const CompactPaths& copies) const {
+  const auto& anchor = anchors_[slot].place;
+  const Vec3 place{copies.apart(anchor, slot, 0), copies.apart(anchor, slot, 1), copies.apart(anchor, slot, 2)};
   const double room = std::max(0.0, room_ * room_ - dot(place, place));
   return rounded_down(now) + wait_in_ball(place, world.path(slot).velocity, room);
 }
@@ -107,59 +102,51 @@ double NeighborList::next_crossing(const World& world, Slot slot, const Time& no
 void NeighborList::cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
                          Candidates& candidates) {
   store_.erase(anchors_[slot].cell, slot);
-  anchors_[slot] = anchor_at(world, slot, now, copies);
+  move_anchor(world, slot, now, copies);
   find_near(slot, copies);
   store_.insert(anchors_[slot].cell, slot);
   find_changes(slot);
   candidates.begin(slot, true);
   for (const Slot gained : gained_) {
     candidates.add(gained);
-    neighbors_.insert(gained, slot);
+    insert(gained, slot);
   }
   candidates.end();
-  for (const Slot lost : lost_) neighbors_.erase(lost, slot);
-  neighbors_.clear(slot);
-  for (const Slot other : near_) neighbors_.insert(slot, other);
+  for (const Slot lost : lost_) neighbors_.erase(lost, anchors_[lost].count, slot);
+  neighbors_.assign(slot, anchors_[slot].count, near_);
 }
 
-// Which of the spheres near a sphere are not in its list, and which in its list are no longer near.
+// Which of the spheres near a sphere are not in its list, and which in its list are no longer near: those in
+// the list are marked with an even number, those near with the odd one after it.
 void NeighborList::find_changes(Slot slot) {
-  kept_.clear();
-  neighbors_.for_each_line(slot,
-                           [this](const SlotLists::LineOfSlots&, std::uint32_t) { kept_.push_back(0); });
+  round_ += 2;
+  if (round_ == 0) {
+    // The counter has wrapped around: old marks must not pass for new ones.
+    for (GridPoint& anchor : anchors_) anchor.mark = 0;
+    round_ = 2;
+  }
+  const Slot* const list = list_of(slot);
+  const std::uint32_t length = anchors_[slot].count;
+  for (std::uint32_t i = 0; i < length; ++i) anchors_[list[i]].mark = round_;
+  // Branchless: which are known is unpredictable.
   gained_.resize(near_.size());
   Slot* gained = gained_.data();
   for (const Slot other : near_) {
-    // Branchless: which are known is unpredictable.
-    std::uint32_t known = 0;
-    std::uint32_t* kept = kept_.data();
-    neighbors_.for_each_line(slot, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
-      const std::uint32_t place = SlotLists::places_of(other, slots, count);
-      *kept++ |= place;
-      known |= place;
-    });
+    std::uint32_t& mark = anchors_[other].mark;
     *gained = other;
-    gained += known == 0 ? 1 : 0;
+    gained += mark == round_ ? 0 : 1;
+    mark = round_ + 1;
   }
   gained_.resize(static_cast<std::size_t>(gained - gained_.data()));
   lost_.clear();
-  const std::uint32_t* kept = kept_.data();
-  neighbors_.for_each_line(slot, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
-    for (std::uint32_t lost = ~*kept++ & ((1U << count) - 1); lost != 0; lost &= lost - 1) {
-      lost_.push_back(slots[static_cast<std::size_t>(std::countr_zero(lost))]);
-    }
-  });
+  for (std::uint32_t i = 0; i < length; ++i) {
+    if (anchors_[list[i]].mark == round_) lost_.push_back(list[i]);
+  }
 }
 
-GridPoint NeighborList::anchor_at(const World& world, Slot slot, const Time& now,
-                                  const CompactPaths& copies) const {
-  return {copies.paths()[slot].place, cells_.cell_of(world.position(slot, now))};
-}
-
-// The centre, as copied, relative to its anchor.
-Vec3 NeighborList::from_anchor(Slot slot, const CompactPaths& copies) const {
-  const auto& anchor = anchors_[slot].place;
-  return {copies.apart(anchor, slot, 0), copies.apart(anchor, slot, 1), copies.apart(anchor, slot, 2)};
+void NeighborList::move_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
+  anchors_[slot].place = copies.paths()[slot].place;
+  anchors_[slot].cell = cells_.cell_of(world.position(slot, now));
 }
 
 // The spheres whose shells overlap a sphere's own, from the anchors in the cells around its own; the sphere
@@ -192,48 +179,61 @@ std::size_t NeighborList::collect_around(const CellIndex& center) {
       rows[axis][row_count[axis]++] = cells_.folded(axis, row);
     }
   }
+  // Room for whole lines is always left.
   constexpr std::size_t kRoom = SlotLists::kRoom + kWidestVector;
-  std::size_t count = 0;
+  if (around_.size() < 27 * kRoom) around_.resize(27 * kRoom);
+  Slot* end = around_.data();
+  Slot* last = around_.data() + around_.size() - kRoom;
   const auto add = [&](const SlotLists::LineOfSlots& slots, std::uint32_t in_line) {
-    if (around_.size() < count + kRoom) [[unlikely]]
-      around_.resize(2 * around_.size() + kRoom);
-    std::copy(slots.begin(), slots.end(), around_.data() + count);
-    count += in_line;
+    if (end > last) [[unlikely]] {
+      const auto count = static_cast<std::size_t>(end - around_.data());
+      around_.resize(2 * around_.size());
+      end = around_.data() + count;
+      last = around_.data() + around_.size() - kRoom;
+    }
+    std::memcpy(end, slots.data(), sizeof slots);
+    end += in_line;
   };
+  const auto add_list = [&](std::uint32_t list) { store_.lists().for_each_line(list, add); };
   for (std::size_t x = 0; x < row_count[0]; ++x) {
     for (std::size_t y = 0; y < row_count[1]; ++y) {
-      for (std::size_t z = 0; z < row_count[2]; ++z) {
-        store_.lists().for_each_line(store_.list({rows[0][x], rows[1][y], rows[2][z]}), add);
+      if (store_.is_dense()) {
+        const std::uint32_t row = store_.list({rows[0][x], rows[1][y], 0});
+        for (std::size_t z = 0; z < row_count[2]; ++z) add_list(row + static_cast<std::uint32_t>(rows[2][z]));
+      } else {
+        for (std::size_t z = 0; z < row_count[2]; ++z) {
+          add_list(store_.list({rows[0][x], rows[1][y], rows[2][z]}));
+        }
       }
     }
   }
-  return count;
+  return static_cast<std::size_t>(end - around_.data());
 }
 
 std::size_t NeighborList::memory_bytes() const {
   return store_.memory_bytes() + anchors_.capacity() * sizeof(GridPoint) + neighbors_.memory_bytes() +
-         (around_.capacity() + near_.capacity() + gained_.capacity() + lost_.capacity() + kept_.capacity()) *
+         (around_.capacity() + near_.capacity() + gained_.capacity() + lost_.capacity()) *
              sizeof(Slot);
 }
 
 void NeighborList::validate(const World& world, const Time& now, const CompactPaths& copies) const {
   HARDBALL_CHECK(anchors_.size() == world.size());
   const auto is_listed = [this](Slot list, Slot slot) {
-    int found = 0;
-    neighbors_.for_each(list, [&](Slot other) { found += other == slot ? 1 : 0; });
-    return found == 1;
+    const Slot* const slots = list_of(list);
+    return std::count(slots, slots + anchors_[list].count, slot) == 1;
   };
   NeighborList search = *this;
   for (Slot slot = 0; slot < world.size(); ++slot) {
     CompactPaths present = copies;
     present.copy(world, slot, now);
-    HARDBALL_CHECK(length(from_anchor(slot, present)) <= slack_);
+    const auto& anchor = anchors_[slot].place;
+    const Vec3 place{present.apart(anchor, slot, 0), present.apart(anchor, slot, 1),
+                     present.apart(anchor, slot, 2)};
+    HARDBALL_CHECK(length(place) <= slack_);
     search.find_near(slot, copies);
     std::erase(search.near_, slot);
     for (const Slot other : search.near_) HARDBALL_CHECK(is_listed(slot, other) && is_listed(other, slot));
-    std::size_t listed = 0;
-    neighbors_.for_each(slot, [&](Slot) { ++listed; });
-    HARDBALL_CHECK(listed == search.near_.size());
+    HARDBALL_CHECK(anchors_[slot].count == search.near_.size());
   }
 }
 

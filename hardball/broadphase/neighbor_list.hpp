@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/broadphase/cell_store.hpp"
-#include "hardball/broadphase/slot_lists.hpp"
+#include "hardball/broadphase/padded_lists.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/kernels/kernels.hpp"
 #include "hardball/memory/prefetch.hpp"
@@ -34,8 +36,29 @@ class NeighborList {
 
   void build(const World& world, const Time& now, CompactPaths& copies);
   void refresh(const World&, Slot, const Time&, const Image&) {}
-  void collect(const World& world, Slot slot, Candidates& candidates) const;
-  double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const;
+  void collect(const World&, Slot slot, Candidates& candidates) const {
+    candidates.begin(slot, true);
+    candidates.refer_to(list_of(slot), anchors_[slot].count);
+  }
+  double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const {
+    const CompactPath& path = copies.paths()[slot];
+    const auto& anchor = anchors_[slot].place;
+    float outwards = 0;
+    float speed_squared = 1e-30F;  // of a sphere at rest the wait is finite, but longer than any copy is good
+    float room = room_squared_;
+    for_each_axis([&](auto axis) {
+      const auto steps = static_cast<std::uint32_t>(path.place[axis]) - static_cast<std::uint32_t>(anchor[axis]);
+      const float place = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis];
+      outwards += place * path.velocity[axis];
+      speed_squared += path.velocity[axis] * path.velocity[axis];
+      room -= place * place;
+    });
+    // Of a sphere too fast to be bounded, nothing is known.
+    if (!(speed_squared >= 0)) [[unlikely]]
+      return next_crossing_of_any(world, slot, now, copies);
+    const float root = std::sqrt(outwards * outwards + speed_squared * std::max(room, 0.0F));
+    return rounded_down(now) + copies.time_unit() * static_cast<double>((root - outwards) / speed_squared);
+  }
   bool has_nearest_images() const { return true; }
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
              Candidates& candidates);
@@ -46,7 +69,8 @@ class NeighborList {
   void prefetch_lists(Slot, bool) const {}
   template <class Visit>
   void for_each_prefetched(Slot slot, bool, Visit&& visit) const {
-    neighbors_.for_each_first(slot, visit);
+    const Slot* const list = list_of(slot);
+    for (std::uint32_t i = 0; i < anchors_[slot].count; ++i) visit(list[i]);
   }
   std::uint64_t left_count() const { return 0; }
   std::size_t memory_bytes() const;
@@ -56,27 +80,31 @@ class NeighborList {
   InstructionSet instructions() const { return instructions_; }
 
  private:
-  GridPoint anchor_at(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const;
-  Vec3 from_anchor(Slot slot, const CompactPaths& copies) const;
+  double next_crossing_of_any(const World& world, Slot slot, const Time& now,
+                              const CompactPaths& copies) const;
+  void move_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
   void find_near(Slot slot, const CompactPaths& copies);
   std::size_t collect_around(const CellIndex& center);
   void find_changes(Slot slot);
+  const Slot* list_of(Slot slot) const { return neighbors_.slots(slot, anchors_[slot].count); }
+  void insert(Slot list, Slot slot) { neighbors_.insert(list, anchors_[list].count, slot); }
 
   double wanted_slack_;
   InstructionSet instructions_;
   NearKernel pick_near_;
   double slack_ = 0;
   float reach_ = 0;    // of shells beyond the radii, in units of the compact paths
+  float room_squared_ = 0;  // likewise, of room_
   double room_ = 0;    // the distance from its anchor at which a centre crosses
   Subdivision cells_;
   CellStore store_;            // anchors
   LargeVector<GridPoint> anchors_;  // by slot
-  SlotLists neighbors_;             // by slot
+  std::uint32_t round_ = 0;         // of marks: see find_changes
+  PaddedLists neighbors_;           // by slot; their lengths are in the anchors
   // Of the current sphere:
   std::vector<Slot> around_;         // those whose anchors lie in the 27 cells around its own
   std::vector<Slot> near_;           // its new neighbours
   std::vector<Slot> gained_, lost_;  // changes to its list
-  std::vector<std::uint32_t> kept_;  // a bit for each place of each line of its list
 };
 
 static_assert(BroadPhase<NeighborList>);

@@ -140,46 +140,42 @@ class Engine {
   // The data of this many spheres stays in cache by itself.
   static constexpr std::size_t kCachedSpheres = 10000;
 
-  enum class Prospects : std::uint32_t {
-    bound,      ///< A lower bound of all contacts.
-    collision,  ///< The earliest contact, with another sphere.
-    wall,       ///< The earliest contact, with a face of the box.
-  };
-
   // What comes next for a sphere: its crossing, and its prospect. Two to a cache line.
   struct alignas(32) Plan {
     double contact = kNever.high;   // the bound, or the high part of the time of the contact
     double crossing = kNever.high;  // or any time after the contact
     double limit_or_low = 0;        // the limit of a bound, or the low part of the time of the contact
-    std::uint32_t partner : 30 = 0;  // a slot, or a face of the box
-    std::uint32_t kind : 2 = 0;      // Prospects
-    std::uint32_t revision : 31 = 0;   // of the partner's path
-    std::uint32_t is_renewal : 1 = 0;  // the crossing only copies the path again
+    std::uint32_t partner = 0;      // a slot, or a face of the box
+    std::uint32_t tag = 0;          // the revision of the partner's path, and of these bits any:
+
+    static constexpr std::uint32_t kExact = 1;    // not a bound
+    static constexpr std::uint32_t kWall = 2;     // the contact is with a face of the box
+    static constexpr std::uint32_t kRenewal = 4;  // the crossing only copies the path again
+    static_assert(CompactPaths::kRevision == 8);
 
     double time() const { return std::min(contact, crossing); }
     bool crosses_first() const { return crossing <= contact; }
-    bool is_bound() const { return kind == static_cast<std::uint32_t>(Prospects::bound); }
-    bool is_wall() const { return kind == static_cast<std::uint32_t>(Prospects::wall); }
+    bool is_bound() const { return (tag & kExact) == 0; }
+    bool is_wall() const { return (tag & kWall) != 0; }
+    bool is_renewal() const { return (tag & kRenewal) != 0; }
+    bool has_seen(std::uint32_t revision) const { return (tag ^ revision) < CompactPaths::kRevision; }
     // A sphere at rest may have neither crossing nor contact.
     bool will_cross_first() const { return crosses_first() && crossing < kNever.high; }
     bool meets_first() const { return !crosses_first() && !is_wall(); }
     // The time of an exact contact.
     Time moment() const { return {contact, limit_or_low}; }
 
-    void set_bound(double time, double limit, Slot with, std::uint32_t revision_seen) {
+    void set_bound(double time, double limit, Slot with, std::uint32_t revision) {
       contact = time;
       limit_or_low = limit;
-      partner = with & kMostSlots;
-      kind = static_cast<std::uint32_t>(Prospects::bound);
-      revision = revision_seen & kMostRevisions;
+      partner = with;
+      tag = revision;
     }
-    void set_contact(Prospects what, const Time& time, std::uint32_t with, std::uint32_t revision_seen) {
-      set_bound(time.high, time.low, with, revision_seen);
-      kind = static_cast<std::uint32_t>(what) & 3;
+    void set_collision(const Time& time, Slot with, std::uint32_t revision) {
+      set_bound(time.high, time.low, with, revision | kExact);
     }
+    void set_wall(const Time& time, Face face) { set_bound(time.high, time.low, face, kExact | kWall); }
   };
-  static constexpr std::uint32_t kMostSlots = (1U << 30) - 1;
-  static constexpr std::uint32_t kMostRevisions = (1U << 31) - 1;
 
   // The plans as the queue's event table.
   struct Plans {
@@ -216,7 +212,7 @@ class Engine {
   // Whether the partner's path has changed since the prediction.
   bool is_stale(Slot slot) const {
     const Plan& plan = plans_[slot];
-    return !plan.is_wall() && compact_.revision(plan.partner) != plan.revision;
+    return !plan.is_wall() && !plan.has_seen(compact_.revision(plan.partner));
   }
 
   // The image of the partner that is met. Precondition: the prospect is a collision, not stale.
@@ -319,15 +315,16 @@ class Engine {
       if (plan.meets_first()) phase_.prefetch_lists(plan.partner, false);
     }
     if (const Slot slot = queue_.upcoming(kPaths); slot != kNoOwner) {
-      const auto prefetch_path = [this](Slot other) { prefetch(&world_.path(other)); };
+      const auto prefetch_copy = [this](Slot other) { compact_.prefetch(other); };
       const Plan& plan = plans_[slot];
-      phase_.for_each_prefetched(slot, plan.will_cross_first(), prefetch_path);
-      if (plan.meets_first()) phase_.for_each_prefetched(plan.partner, false, prefetch_path);
+      phase_.for_each_prefetched(slot, plan.will_cross_first(), prefetch_copy);
+      if (plan.meets_first()) phase_.for_each_prefetched(plan.partner, false, prefetch_copy);
     }
   }
 
   void prefetch_regions(Slot slot) const {
     prefetch(&world_.path(slot));
+    compact_.prefetch(slot);
     phase_.prefetch_region(slot);
   }
 
@@ -361,7 +358,7 @@ class Engine {
   void cross(Slot slot) {
     Plan& plan = plans_[slot];
     compact_.copy(world_, slot, now_);
-    if (plan.is_renewal == 0) {
+    if (!plan.is_renewal()) {
       ++counters_.enter;
       phase_.cross(world_, slot, now_, compact_, candidates_);
       counters_.predictions += candidates_.size();
@@ -404,7 +401,7 @@ class Engine {
   const Contact& carry_out(Slot slot) {
     const Plan& plan = plans_[slot];
     const bool is_collision = !plan.is_wall();
-    const Slot partner = is_collision ? Slot{plan.partner} : slot;
+    const Slot partner = is_collision ? plan.partner : slot;
     const SphereId id = world_.id(slot);
     const SphereId partner_id = world_.id(partner);
     // Branchless: which id is lower is unpredictable.
@@ -429,9 +426,16 @@ class Engine {
 
   void note_new_path(Slot slot, const Image& folded) {
     phase_.refresh(world_, slot, now_, folded);
-    if (!compact_.note_change(slot)) [[unlikely]]
-      forget_revisions_ = true;
+    if (compact_.note_change(slot) == 0) [[unlikely]]
+      outdate_plans_with(slot);
     compact_.copy(world_, slot, now_);
+  }
+
+  // The counter of revisions has wrapped around: old revisions must not pass for new ones.
+  void outdate_plans_with(Slot slot) {
+    for (Plan& plan : plans_) {
+      if (plan.partner == slot && !plan.is_wall() && plan.has_seen(0)) plan.tag ^= CompactPaths::kRevision;
+    }
   }
 
   // Predicts a sphere's contacts with its candidates and the walls. Precondition: its path has been copied.
@@ -446,7 +450,7 @@ class Engine {
     if (has_walls_) {
       const Event wall = next_wall_event(world_, slot);
       if (wall.time.high < plan.contact) {
-        plan.set_contact(Prospects::wall, wall.time, wall.second, 0);
+        plan.set_wall(wall.time, wall.second);
       } else {
         plan.limit_or_low = std::min(plan.limit_or_low, wall.time.high);
       }
@@ -462,7 +466,7 @@ class Engine {
     if (has_walls_) {
       const Event wall = next_wall_event(world_, slot);
       if (wall.time < plans_[slot].moment()) {
-        plans_[slot].set_contact(Prospects::wall, wall.time, wall.second, 0);
+        plans_[slot].set_wall(wall.time, wall.second);
       }
     }
     schedule(slot);
@@ -471,17 +475,19 @@ class Engine {
   void schedule(Slot slot) {
     Plan& plan = plans_[slot];
     plan.crossing = phase_.next_crossing(world_, slot, now_, compact_);
-    if (are_nearest_) {
-      const double expiry = compact_.expiry(world_, slot, now_);
-      plan.is_renewal = expiry < plan.crossing ? 1 : 0;
-      plan.crossing = std::min(plan.crossing, expiry);
+    const double expiry = rounded_down(now_) + compact_.longest_age();
+    plan.tag &= ~Plan::kRenewal;
+    if (are_nearest_ && expiry < plan.crossing) [[unlikely]] {
+      // The copy of a sphere at rest stays good.
+      plan.crossing = world_.path(slot).velocity == Vec3{} ? kNever.high : expiry;
+      plan.tag |= Plan::kRenewal;
     }
     queue_.schedule(slot, plans());
   }
 
   void take(Slot slot, const Prospect& prospect) {
     const Slot partner = prospect.happens() ? prospect.partner : slot;
-    plans_[slot].set_contact(Prospects::collision, prospect.time, partner, compact_.revision(partner));
+    plans_[slot].set_collision(prospect.time, partner, compact_.revision(partner));
     if (!are_nearest_) images_[slot] = prospect.image;
   }
 
@@ -496,7 +502,9 @@ class Engine {
   bool replace_bound(Slot slot, const Time& contact) {
     Plan& plan = plans_[slot];
     if (!(contact.high < plan.limit_or_low)) return false;
-    plan.set_contact(Prospects::collision, contact, plan.partner, plan.revision);
+    plan.contact = contact.high;
+    plan.limit_or_low = contact.low;
+    plan.tag |= Plan::kExact;
     return true;
   }
 
@@ -552,7 +560,6 @@ class Engine {
   LargeVector<Plan> plans_;    // per slot
   std::vector<Image> images_;  // per slot, of the partner; none where nearest images are meant
   bool are_nearest_ = true;
-  bool forget_revisions_ = false;
   bool is_cached_ = true;  // the data of all spheres stays in cache by itself
   bool has_walls_ = false;
   Candidates candidates_;  // of the current sphere

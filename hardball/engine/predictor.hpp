@@ -95,18 +95,9 @@ class Predictor {
   /// The contacts of a sphere with its candidates. Precondition: `candidates` has been ended, means nearest
   /// images, and the sphere has been copied at `now`.
   BoundedContacts bound(const CompactPaths& copies, const Candidates& candidates, const Time& now) const {
-    const Slot self = candidates.self();
-    const BoundQuery query{
-        .scale = &copies.scale(),
-        .paths = copies.paths().data(),
-        .radii = copies.radii(),
-        .radius = copies.radius(self),
-        .self = self,
-        .own = &copies.paths()[self],
-        .others = candidates.slots(),
-        .count = candidates.size(),
-    };
-    const ContactBounds found = bound_kernel_(query);
+    const ContactBounds found =
+        bound_kernel_(copies.scale(), copies.paths().data(), copies.radii(), candidates.self(),
+                      candidates.slots(), candidates.size());
     const double base = rounded_down(now);
     return {base + copies.time_unit() * static_cast<double>(found.least),
             base + copies.time_unit() * static_cast<double>(found.second), found.partner};

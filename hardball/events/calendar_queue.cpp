@@ -27,6 +27,7 @@ void CalendarQueue::reset(std::size_t owners, Time start) {
   heap_.clear();
   buckets_.assign(1, Bucket{});
   blocks_.clear();
+  next_block_.clear();
   free_block_ = kNone;
   overflow_.clear();
   overflow_.reserve(owners);  // holds all events until the ring has its size
@@ -41,36 +42,42 @@ void CalendarQueue::reset(std::size_t owners, Time start) {
 
 std::size_t CalendarQueue::memory_bytes() const {
   return (sorted_.capacity() + overflow_.capacity()) * sizeof(Entry) + heap_.capacity() * sizeof(Scheduled) +
-         buckets_.capacity() * sizeof(Bucket) + blocks_.capacity() * sizeof(Block);
+         buckets_.capacity() * sizeof(Bucket) + blocks_.capacity() * sizeof(Block) +
+         next_block_.capacity() * sizeof(std::uint32_t);
 }
 
 void CalendarQueue::insert_pending() {
   const std::size_t first = pending_count_ > kPending ? pending_count_ - kPending : 0;
   for (std::size_t i = first; i < pending_count_; ++i) {
     const Pending& pending = pending_[i % kPending];
-    insert(pending.entry, bucket(pending.bucket));
+    insert(pending.owner, bucket(pending.bucket));
   }
   pending_count_ = 0;
 }
 
 // Precondition: the entry does not belong to the current bucket.
 void CalendarQueue::insert_or_overflow(const Entry& entry) {
-  const double before = buckets_before(entry.time);
-  if (before + 1 < static_cast<double>(current_ + ring_size())) {
-    insert(entry, bucket(bucket_after(before)));
+  const std::int64_t number = bucket_of(entry.time);
+  if (number < current_ + ring_size()) {
+    insert(entry.owner, bucket(number));
   } else {
     overflow_.push_back(entry);
   }
 }
 
 void CalendarQueue::sort_current() {
+  // Of few entries, insertion is the fastest.
+  constexpr std::size_t kFew = 32;
+  if (sorted_.size() <= kFew) {
+    for (std::size_t i = 1; i < sorted_.size(); ++i) {
+      const Entry entry = sorted_[i];
+      std::size_t place = i;
+      for (; place > 0 && sorted_[place - 1].time < entry.time; --place) sorted_[place] = sorted_[place - 1];
+      sorted_[place] = entry;
+    }
+    return;
+  }
   std::sort(sorted_.begin(), sorted_.end(), [](const Entry& a, const Entry& b) { return a.time > b.time; });
-}
-
-// Moves the entries of the current bucket to a list.
-void CalendarQueue::take_current(std::vector<Entry>& entries) {
-  for_each_entry(bucket(current_), [&entries](const Entry& entry) { entries.push_back(entry); });
-  empty_current();
 }
 
 void CalendarQueue::empty_current() {
@@ -79,7 +86,7 @@ void CalendarQueue::empty_current() {
   taken_in_turn_ += current.count;
   for (std::uint32_t block = current.last_block; block != kNone;) {
     const std::uint32_t freed = block;
-    block = std::exchange(blocks_[block].next, free_block_);
+    block = std::exchange(next_block_[block], free_block_);
     free_block_ = freed;
   }
   current = {};
@@ -97,17 +104,6 @@ bool CalendarQueue::turn_ring() {
   waiting.swap(overflow_);
   for (const Entry& entry : waiting) insert_or_overflow(entry);
   return true;
-}
-
-// Moves all entries to the overflow list.
-void CalendarQueue::move_all_to_overflow() {
-  for (; bucketed_count_ > 0; ++current_) {
-    if (bucket(current_).count > 0) take_current(overflow_);
-  }
-  overflow_.insert(overflow_.end(), sorted_.begin(), sorted_.end());
-  for (const Scheduled& entry : heap_) overflow_.push_back({entry.event.time.high, entry.owner});
-  sorted_.clear();
-  heap_.clear();
 }
 
 // Leaves one entry per owner: a dead one looks alive if its time agrees with the owner's event to the nearest
@@ -151,10 +147,11 @@ std::uint32_t CalendarQueue::new_block(std::uint32_t next) {
   if (block == kNone) {
     block = static_cast<std::uint32_t>(blocks_.size());
     append_sparingly(blocks_, Block{});
+    next_block_.push_back(kNone);
   } else {
-    free_block_ = blocks_[block].next;
+    free_block_ = next_block_[block];
   }
-  blocks_[block].next = next;
+  next_block_[block] = next;
   return block;
 }
 

@@ -20,9 +20,9 @@ namespace hardball {
 /// The production queue, a calendar queue: a ring of equal time buckets, each an unsorted list that is sorted
 /// only when it becomes current.
 ///
-/// An entry is a time and an owner. Replacing an event leaves the old entry in place, dead: its owner has
-/// another time. Entries for the current bucket go to a small heap beside the sorted list, those beyond the
-/// ring to an overflow list until the ring comes round. Entries whose times agree to the nearest double are
+/// An entry is just an owner: its time is in the event table. Replacing an event leaves the old entry in
+/// place, dead: the owner's time belongs to another bucket. Entries for the current bucket go to a small heap
+/// beside the sorted list, those beyond the ring to an overflow list until the ring comes round. Entries whose times agree to the nearest double are
 /// ordered in the heap, which compares whole events. When buckets become too full or too empty, the ring is
 /// resized. Cost: O(1) amortised per operation as long as rates change slowly; never worse than O(log n) plus
 /// a sort. Source: Brown, Comm. ACM 31 (1988) 1220; Paul, J. Comput. Phys. 221 (2007) 615.
@@ -35,15 +35,16 @@ class CalendarQueue {
     const double time = table.time(owner);
     if (!(time < std::numeric_limits<double>::infinity())) return;
     ++counters_.scheduled;
-    const double before = buckets_before(time);
-    if (before < static_cast<double>(current_)) {
+    const std::int64_t number = bucket_of(time);
+    const std::int64_t ahead = number - current_;
+    if (ahead <= 0) {
       push_to_heap(owner, table);
-    } else if (before + 1 >= static_cast<double>(current_ + ring_size())) {
+    } else if (ahead >= ring_size()) {
       overflow_.push_back({time, owner});
     } else if (is_cached(table)) {
-      insert({time, owner}, bucket(bucket_after(before)));
+      insert(owner, bucket(number));
     } else {
-      insert_delayed({time, owner}, bucket_after(before));
+      insert_delayed(owner, number);
     }
     if (entry_count() > kEntriesPerOwner * owner_count_ + kEntriesAlways) resize_ring(table);
   }
@@ -97,21 +98,9 @@ class CalendarQueue {
 
  private:
   using Entry = QueueEntry;
-  // Without the padding after the owner.
-  struct PackedEntry {
-    std::array<std::uint32_t, 2> time;
-    Owner owner;
-  };
-  static PackedEntry pack(const Entry& entry) {
-    return {std::bit_cast<std::array<std::uint32_t, 2>>(entry.time), entry.owner};
-  }
-  static Entry unpack(const PackedEntry& entry) { return {std::bit_cast<double>(entry.time), entry.owner}; }
   // Two cache lines of entries; fuller buckets chain several.
-  struct Block {
-    static constexpr std::uint32_t kRoom = 10;
-    std::array<PackedEntry, kRoom> entries;
-    std::uint32_t next;
-  };
+  static constexpr std::uint32_t kRoom = 32;
+  using Block = std::array<Owner, kRoom>;
   // Only the last block of a bucket has room.
   struct Bucket {
     std::uint32_t last_block = kNone;
@@ -127,14 +116,17 @@ class CalendarQueue {
 
   // An entry waiting to be inserted into its bucket.
   struct Pending {
-    Entry entry;
+    Owner owner = 0;
     std::int64_t bucket = 0;
   };
 
-  // Buckets are counted from one. Uses only the leading part of the time, so that rounding preserves the
-  // order of times.
-  double buckets_before(double time) const { return std::max(0.0, (time - origin_) * buckets_per_time_); }
-  static std::int64_t bucket_after(double buckets) { return static_cast<std::int64_t>(buckets) + 1; }
+  // The number of the bucket of a time: buckets are counted from one, those too far away are as one. Rounding
+  // preserves the order of times.
+  std::int64_t bucket_of(double time) const {
+    constexpr double kFarthest = 0x1p62;
+    const double before = std::min(std::max(0.0, (time - origin_) * buckets_per_time_), kFarthest);
+    return static_cast<std::int64_t>(before) + 1;
+  }
   std::int64_t ring_size() const { return static_cast<std::int64_t>(buckets_.size()); }
   Bucket& bucket(std::int64_t number) {
     return buckets_[static_cast<std::size_t>(number) & (buckets_.size() - 1)];
@@ -203,7 +195,8 @@ class CalendarQueue {
         continue;
       }
       if (bucket(current_).count == 0) continue;
-      take_live(table);
+      sorted_.clear();
+      take_live(table, sorted_);
       if constexpr (requires { table.refine(std::span<Entry>()); }) refine_current(table);
       sort_current();
       prefetch_next_buckets(table);
@@ -211,20 +204,22 @@ class CalendarQueue {
     }
   }
 
-  // Takes the live entries of the current bucket. Precondition: the previous ones have been handled.
+  // Takes the live entries of the current bucket out of it, and appends them to a list.
   template <EventTable Table>
-  void take_live(const Table& table) {
+  void take_live(const Table& table, std::vector<Entry>& list) {
     const Bucket& current = bucket(current_);
-    sorted_.resize(current.count);
+    const std::size_t before = list.size();
+    list.resize(before + current.count);
     // Branchless: half of the entries are dead, and which is unpredictable.
-    Entry* end = sorted_.data();
-    for_each_entry(current, [&](const Entry& entry) {
-      *end = entry;
-      end += is_dead(entry, table) ? 0 : 1;
+    Entry* end = list.data() + before;
+    for_each_owner(current, [&](Owner owner) {
+      const double time = table.time(owner);
+      *end = {time, owner};
+      end += bucket_of(time) == current_ ? 1 : 0;
     });
-    const auto live = static_cast<std::size_t>(end - sorted_.data());
-    counters_.taken += sorted_.size() - live;
-    sorted_.resize(live);
+    const auto live = static_cast<std::size_t>(end - list.data());
+    counters_.taken += list.size() - live;
+    list.resize(live);
     empty_current();
   }
 
@@ -233,7 +228,7 @@ class CalendarQueue {
   void refine_current(const Table& table) {
     table.refine(std::span<Entry>(sorted_));
     std::erase_if(sorted_, [this](const Entry& entry) {
-      const bool is_current = buckets_before(entry.time) < static_cast<double>(current_);
+      const bool is_current = bucket_of(entry.time) <= current_;
       if (!is_current) insert_or_overflow(entry);
       return !is_current;
     });
@@ -245,43 +240,43 @@ class CalendarQueue {
   void prefetch_next_buckets([[maybe_unused]] const Table& table) {
     if constexpr (requires { table.prefetch_event(Owner{}); }) {
       if (is_cached(table)) return;
-      for_each_entry(bucket(current_ + 2), [&](const Entry& entry) { table.prefetch_event(entry.owner); });
+      for_each_owner(bucket(current_ + 2), [&](Owner owner) { table.prefetch_event(owner); });
       if constexpr (requires { table.prefetch_refinement(Owner{}); }) {
-        for_each_entry(bucket(current_ + 1), [&](const Entry& entry) {
-          if (!is_dead(entry, table)) table.prefetch_refinement(entry.owner);
+        for_each_owner(bucket(current_ + 1), [&](Owner owner) {
+          if (bucket_of(table.time(owner)) == current_ + 1) table.prefetch_refinement(owner);
         });
       }
     }
   }
 
   template <class Visit>
-  void for_each_entry(const Bucket& bucket, Visit&& visit) const {
+  void for_each_owner(const Bucket& bucket, Visit&& visit) const {
     if (bucket.count == 0) return;
-    std::uint32_t in_block = (bucket.count - 1) % Block::kRoom + 1;
-    for (std::uint32_t b = bucket.last_block; b != kNone; b = blocks_[b].next) {
-      for (std::uint32_t i = 0; i < in_block; ++i) visit(unpack(blocks_[b].entries[i]));
-      in_block = Block::kRoom;
+    std::uint32_t in_block = (bucket.count - 1) % kRoom + 1;
+    for (std::uint32_t b = bucket.last_block; b != kNone; b = next_block_[b]) {
+      for (std::uint32_t i = 0; i < in_block; ++i) visit(blocks_[b][i]);
+      in_block = kRoom;
     }
   }
 
-  void insert(const Entry& entry, Bucket& bucket) {
-    const std::uint32_t place = bucket.count++ % Block::kRoom;
+  void insert(Owner owner, Bucket& bucket) {
+    const std::uint32_t place = bucket.count++ % kRoom;
     if (place == 0) bucket.last_block = new_block(bucket.last_block);
-    blocks_[bucket.last_block].entries[place] = pack(entry);
+    blocks_[bucket.last_block][place] = owner;
     ++bucketed_count_;
   }
 
   // Buckets are scattered in memory: an entry is inserted a few entries later, when the prefetched cache line
   // has arrived.
-  void insert_delayed(const Entry& entry, std::int64_t number) {
+  void insert_delayed(Owner owner, std::int64_t number) {
     Pending& place = pending_[pending_count_ % kPending];
-    if (pending_count_ >= kPending) insert(place.entry, bucket(place.bucket));
-    place = {entry, number};
+    if (pending_count_ >= kPending) insert(place.owner, bucket(place.bucket));
+    place = {owner, number};
     prefetch(&bucket(number));
     if (pending_count_ >= kPending / 2) {
       const Bucket& sooner = bucket(pending_[(pending_count_ - kPending / 2) % kPending].bucket);
       if (sooner.last_block != kNone) {
-        prefetch(&blocks_[sooner.last_block].entries[sooner.count % Block::kRoom]);
+        prefetch(&blocks_[sooner.last_block][sooner.count % kRoom]);
       }
     }
     ++pending_count_;
@@ -290,20 +285,24 @@ class CalendarQueue {
   void insert_pending();
   void insert_or_overflow(const Entry& entry);
   void sort_current();
-  void take_current(std::vector<Entry>& entries);
   void empty_current();
   bool turn_ring();
   // Sets up new buckets for all live entries.
   template <EventTable Table>
   void resize_ring(const Table& table) {
     insert_pending();
-    move_all_to_overflow();
+    for (; bucketed_count_ > 0; ++current_) {
+      if (bucket(current_).count > 0) take_live(table, overflow_);
+    }
+    overflow_.insert(overflow_.end(), sorted_.begin(), sorted_.end());
+    for (const Scheduled& entry : heap_) overflow_.push_back({entry.event.time.high, entry.owner});
+    sorted_.clear();
+    heap_.clear();
     counters_.taken += std::erase_if(overflow_, [&](const Entry& entry) { return is_dead(entry, table); });
     if (overflow_.size() > owner_count_) drop_duplicates();
     distribute();
   }
 
-  void move_all_to_overflow();
   void drop_duplicates();
   void distribute();
   std::uint32_t new_block(std::uint32_t next);
@@ -315,6 +314,7 @@ class CalendarQueue {
   std::vector<Scheduled> heap_;  // scheduled in the current bucket since it was sorted; the least in front
   std::vector<Bucket> buckets_;  // a ring, a power of two
   LargeVector<Block> blocks_;
+  std::vector<std::uint32_t> next_block_;  // of the same bucket, or of the free ones
   std::uint32_t free_block_ = kNone;
   std::vector<Entry> overflow_;  // beyond the end of the ring
   double origin_ = 0;

@@ -10,9 +10,10 @@
 
 namespace hardball {
 
-/// The lengths and speeds from which bounds follow, in the units of the compact paths, and what the bounds
-/// allow for errors. Source: docs/bounds.md, where the names are those of the proof.
+/// What the numbers of compact paths mean, and what bounds allow for their errors, in units of these paths.
+/// Source: docs/bounds.md, where the names are those of the proof.
 struct BoundScale {
+  float common_reach = 0;  ///< If all radii are alike, the sum of two, with the allowance [L].
   std::array<float, 3> grid{};  ///< The step of the grid along each axis [L].
   float tick = 0;               ///< [T]
   float reach_allowance = 0;    ///< Added to the sum of two radii: error of a separation [L].
@@ -23,18 +24,6 @@ struct BoundScale {
   float least_discriminant = 0;  ///< D_0 [L^4/T^2].
 };
 
-/// One sphere at one moment, and its candidates.
-struct BoundQuery {
-  const BoundScale* scale;
-  const CompactPath* paths;     ///< By slot.
-  const float* radii;           ///< By slot [L], rounded up; null if all are `radius`.
-  float radius;                 ///< Of the sphere [L], rounded up.
-  std::uint32_t self;           ///< Its slot.
-  const CompactPath* own;       ///< Its path, with the place and the tick of the moment.
-  const std::uint32_t* others;  ///< Slots of the candidates, padded with the sphere itself.
-  std::size_t count;            ///< Of the candidates.
-};
-
 /// Lower bounds of the waits until a sphere touches its candidates.
 struct ContactBounds {
   float least;            ///< Before it, there is no contact [T]; infinite if there is none at all.
@@ -42,8 +31,11 @@ struct ContactBounds {
   std::uint32_t partner;  ///< The slot of the candidate with the least bound.
 };
 
-/// Bounds the waits of a sphere until it touches its candidates. A bound may differ in its last bits between
-/// instruction sets: contact times are never computed from it.
-using BoundKernel = ContactBounds (*)(const BoundQuery& query);
+/// Bounds the waits of the sphere in slot `self`, from the moment at which its path was copied, until it
+/// touches its candidates: `others`, `count` slots padded with the sphere itself. Paths are by slot, and so are
+/// radii [L], rounded up; null if all are alike. A bound may differ in its last bits between instruction
+/// sets: contact times are never computed from it.
+using BoundKernel = ContactBounds (*)(const BoundScale& scale, const CompactPath* paths, const float* radii,
+                                      std::uint32_t self, const std::uint32_t* others, std::size_t count);
 
 }  // namespace hardball

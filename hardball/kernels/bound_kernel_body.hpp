@@ -21,20 +21,19 @@ struct CompactPathsOfLanes {
   VectorOfLanes<Floats> velocity;
 };
 
-/// The sphere of a query in every lane.
+/// A sphere in every lane.
 template <class Floats>
 struct BoundedSphere {
   using Integers = typename Floats::Integers;
 
-  explicit BoundedSphere(const BoundQuery& query)
-      : x(query.own->place[0]),
-        y(query.own->place[1]),
-        z(query.own->place[2]),
-        tick(query.own->tick),
-        self(static_cast<std::int32_t>(query.self)),
-        velocity{Floats(query.own->velocity[0]), Floats(query.own->velocity[1]),
-                 Floats(query.own->velocity[2])},
-        reach(query.radius + (query.radii == nullptr ? query.radius : 0) + query.scale->reach_allowance) {}
+  BoundedSphere(const BoundScale& scale, const CompactPath& path, const float* radii, std::uint32_t slot)
+      : x(path.place[0]),
+        y(path.place[1]),
+        z(path.place[2]),
+        tick(path.tick),
+        self(static_cast<std::int32_t>(slot)),
+        velocity{Floats(path.velocity[0]), Floats(path.velocity[1]), Floats(path.velocity[2])},
+        reach(radii == nullptr ? scale.common_reach : radii[slot] + scale.reach_allowance) {}
 
   Integers x, y, z, tick, self;
   VectorOfLanes<Floats> velocity;
@@ -44,13 +43,12 @@ struct BoundedSphere {
 /// Lower bounds of the waits for Floats::kWidth candidates; infinite for those that will not touch, and for
 /// the sphere itself. Source: docs/bounds.md, in the order of its steps.
 template <class Floats>
-HARDBALL_ALWAYS_INLINE Floats bound_waits(const BoundQuery& query, const BoundedSphere<Floats>& own,
-                                          const std::uint32_t* others) {
+HARDBALL_ALWAYS_INLINE Floats bound_waits(const BoundScale& scale, const CompactPath* paths, const float* radii,
+                                          const BoundedSphere<Floats>& own, const std::uint32_t* others) {
   using Integers = typename Floats::Integers;
-  const BoundScale& scale = *query.scale;
   const Floats zero(0.0F);
   CompactPathsOfLanes<Floats> other;
-  Floats::load(query.paths, others, other);
+  Floats::load(paths, others, other);
 
   // Differences of places are taken modulo 2^32, and so lead to the nearest image.
   const Floats age = to_floats(own.tick - other.tick) * Floats(scale.tick);
@@ -65,7 +63,7 @@ HARDBALL_ALWAYS_INLINE Floats bound_waits(const BoundQuery& query, const Bounded
     return multiply_add(a.x, b.x, multiply_add(a.y, b.y, multiply_add(a.z, b.z, addend)));
   };
   Floats reach = own.reach;
-  if (query.radii != nullptr) reach = reach + Floats::gather(query.radii, others);
+  if (radii != nullptr) reach = reach + Floats::gather(radii, others);
 
   // Each coefficient is no larger than that of the true quadratic.
   const Floats approach = dot_plus(r, v, Floats(-scale.approach_allowance));
@@ -88,51 +86,52 @@ HARDBALL_ALWAYS_INLINE Floats bound_waits(const BoundQuery& query, const Bounded
 inline constexpr std::size_t kBoundBatch = 64;
 
 template <class Floats>
-ContactBounds least_two(const BoundQuery& query) {
-  const BoundedSphere<Floats> own(query);
+HARDBALL_ALWAYS_INLINE ContactBounds least_two(const BoundScale& scale, const CompactPath* paths,
+                                               const float* radii, std::uint32_t self,
+                                               const std::uint32_t* others, std::size_t count) {
+  const BoundedSphere<Floats> own(scale, paths[self], radii, self);
   const Floats forever(std::numeric_limits<float>::infinity());
   alignas(64) float waits[kBoundBatch];
   // In each lane, the least two.
   Floats least = forever;
   Floats second = forever;
-  for (std::size_t i = 0; i < query.count; i += Floats::kWidth) {
-    const Floats wait = bound_waits(query, own, query.others + i);
+  for (std::size_t i = 0; i < count; i += Floats::kWidth) {
+    const Floats wait = bound_waits(scale, paths, radii, own, others + i);
     wait.store(waits + i);
     second = minimum(second, maximum(least, wait));
     least = minimum(least, wait);
   }
-  ContactBounds found{least_of(least), 0, query.self};
-  if (!(found.least < std::numeric_limits<float>::infinity())) return {found.least, found.least, query.self};
-  const unsigned at_least = bits(least == Floats(found.least));
-  const bool is_single = (at_least & (at_least - 1)) == 0;
-  found.second = is_single ? least_of(minimum(second, select(least == Floats(found.least), forever, least)))
-                           : found.least;
+  ContactBounds found{least_of(least), 0, self};
+  if (!(found.least < std::numeric_limits<float>::infinity())) return {found.least, found.least, self};
+  const auto is_least = least == Floats(found.least);
+  const unsigned lanes = bits(is_least);
+  found.second = (lanes & (lanes - 1)) == 0 ? least_of(minimum(second, select(is_least, forever, least)))
+                                            : found.least;
   std::uint64_t places = 0;
-  for (std::size_t i = 0; i < query.count; i += Floats::kWidth) {
+  for (std::size_t i = 0; i < count; i += Floats::kWidth) {
     places |= std::uint64_t{bits(Floats::load(waits + i) == Floats(found.least))} << i;
   }
-  found.partner = query.others[std::countr_zero(places)];
+  found.partner = others[std::countr_zero(places)];
   return found;
 }
 
 /// The kernel, for any number of candidates.
 template <class Floats>
-ContactBounds bound_contacts(const BoundQuery& query) {
-  if (query.count <= kBoundBatch) return least_two<Floats>(query);
-  ContactBounds all{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
-                    query.self};
-  for (std::size_t begin = 0; begin < query.count; begin += kBoundBatch) {
-    BoundQuery batch = query;
-    batch.others += begin;
-    batch.count = query.count - begin < kBoundBatch ? query.count - begin : kBoundBatch;
-    const ContactBounds found = least_two<Floats>(batch);
+ContactBounds bound_contacts(const BoundScale& scale, const CompactPath* paths, const float* radii,
+                             std::uint32_t self, const std::uint32_t* others, std::size_t count) {
+  ContactBounds all{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(), self};
+  for (std::size_t begin = 0;; begin += kBoundBatch) {
+    const std::size_t left = count - begin;
+    const ContactBounds found =
+        least_two<Floats>(scale, paths, radii, self, others + begin, left < kBoundBatch ? left : kBoundBatch);
+    if (count <= kBoundBatch) return found;
     const bool is_sooner = found.least < all.least;
     const ContactBounds& first = is_sooner ? found : all;
     const ContactBounds& other = is_sooner ? all : found;
     const float second = first.second < other.least ? first.second : other.least;
     all = {first.least, second, first.partner};
+    if (left <= kBoundBatch) return all;
   }
-  return all;
 }
 
 }  // namespace hardball

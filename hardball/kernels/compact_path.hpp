@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <cstring>
 
 namespace hardball {
 
@@ -13,7 +15,20 @@ struct alignas(32) CompactPath {
   std::array<std::int32_t, 3> place{};  ///< Of the centre at `tick`, modulo 2^32 steps of the grid.
   std::int32_t tick = 0;                ///< When, modulo 2^32 ticks.
   std::array<float, 3> velocity{};      ///< NaN if too fast to be bounded.
-  std::uint32_t revision = 0;           ///< How often the path has changed, modulo 2^32.
+  std::uint32_t revision = 0;           ///< Eight times how often the path has changed, modulo 2^32.
+
+  /// Copies all but the revision. Kernels load the two halves, often just after they have been written: if
+  /// that was done number by number, the load would have to wait until all are in the cache.
+  void store(const std::array<std::int32_t, 3>& new_place, std::int32_t new_tick,
+             const std::array<float, 3>& new_velocity) {
+    using Integers = std::int32_t __attribute__((vector_size(16)));
+    using Floats = float __attribute__((vector_size(16)));
+    const Integers first{new_place[0], new_place[1], new_place[2], new_tick};
+    const Floats second{new_velocity[0], new_velocity[1], new_velocity[2], std::bit_cast<float>(revision)};
+    std::memcpy(place.data(), &first, sizeof first);
+    std::memcpy(velocity.data(), &second, sizeof second);
+  }
 };
+static_assert(sizeof(CompactPath) == 32);
 
 }  // namespace hardball

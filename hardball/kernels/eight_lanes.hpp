@@ -6,6 +6,10 @@
 
 #include <immintrin.h>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
 #include "hardball/kernels/bound_kernel_body.hpp"
 #include "hardball/kernels/near_kernel_body.hpp"
 
@@ -50,15 +54,24 @@ struct Floats {
   }
   static void keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out);
 
-  // Four adjacent members of eight structures, from the rows of (0, 4), (1, 5), (2, 6) and (3, 7).
+  // Four numbers of single precision at an address, from each of eight structures: rows (0, 4), (1, 5), (2, 6)
+  // and (3, 7) are transposed.
+  struct Four {
+    __m256 a, b, c, d;
+  };
+  using Addresses = std::array<const float*, kWidth>;
   template <class Structure>
-  static void load_four(const Structure* structures, const std::uint32_t* at, std::size_t member, __m256& a,
-                        __m256& b, __m256& c, __m256& d) {
-    const auto row = [&](int lane) {
-      return _mm_loadu_ps(reinterpret_cast<const float*>(structures + at[lane]) + member);
-    };
-    const auto rows = [&](int lane) {
-      return _mm256_insertf128_ps(_mm256_castps128_ps256(row(lane)), row(lane + 4), 1);
+  static Addresses addresses(const Structure* structures, const std::uint32_t* at) {
+    Addresses found;
+    for (std::size_t lane = 0; lane < kWidth; ++lane) {
+      found[lane] = reinterpret_cast<const float*>(structures + at[lane]);
+    }
+    return found;
+  }
+  static Four transposed(const Addresses& at, std::size_t member) {
+    const auto rows = [&](std::size_t lane) {
+      return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(at[lane] + member)),
+                                  _mm_loadu_ps(at[lane + 4] + member), 1);
     };
     const __m256 r0 = rows(0);
     const __m256 r1 = rows(1);
@@ -68,29 +81,27 @@ struct Floats {
     const __m256d high01 = _mm256_castps_pd(_mm256_unpackhi_ps(r0, r1));
     const __m256d low23 = _mm256_castps_pd(_mm256_unpacklo_ps(r2, r3));
     const __m256d high23 = _mm256_castps_pd(_mm256_unpackhi_ps(r2, r3));
-    a = _mm256_castpd_ps(_mm256_unpacklo_pd(low01, low23));
-    b = _mm256_castpd_ps(_mm256_unpackhi_pd(low01, low23));
-    c = _mm256_castpd_ps(_mm256_unpacklo_pd(high01, high23));
-    d = _mm256_castpd_ps(_mm256_unpackhi_pd(high01, high23));
+    return {_mm256_castpd_ps(_mm256_unpacklo_pd(low01, low23)),
+            _mm256_castpd_ps(_mm256_unpackhi_pd(low01, low23)),
+            _mm256_castpd_ps(_mm256_unpacklo_pd(high01, high23)),
+            _mm256_castpd_ps(_mm256_unpackhi_pd(high01, high23))};
   }
   static void load(const CompactPath* paths, const std::uint32_t* at, CompactPathsOfLanes<Floats>& out) {
     static_assert(sizeof(CompactPath) == 8 * sizeof(float));
-    __m256 x;
-    __m256 y;
-    __m256 z;
-    __m256 tick;
-    load_four(paths, at, 0, x, y, z, tick);
-    out.x = _mm256_castps_si256(x);
-    out.y = _mm256_castps_si256(y);
-    out.z = _mm256_castps_si256(z);
-    out.tick = _mm256_castps_si256(tick);
-    __m256 revision;
-    load_four(paths, at, 4, out.velocity.x.v, out.velocity.y.v, out.velocity.z.v, revision);
+    const Addresses from = addresses(paths, at);
+    const Four place = transposed(from, 0);
+    out.x = _mm256_castps_si256(place.a);
+    out.y = _mm256_castps_si256(place.b);
+    out.z = _mm256_castps_si256(place.c);
+    out.tick = _mm256_castps_si256(place.d);
+    const Four velocity = transposed(from, 4);
+    out.velocity = {velocity.a, velocity.b, velocity.c};
   }
   static void load(const GridPoint* points, const std::uint32_t* at, Integers* places) {
-    __m256 place[4];
-    load_four(points, at, 0, place[0], place[1], place[2], place[3]);
-    for (int axis = 0; axis < 3; ++axis) places[axis] = _mm256_castps_si256(place[axis]);
+    const Four place = transposed(addresses(points, at), 0);
+    places[0] = _mm256_castps_si256(place.a);
+    places[1] = _mm256_castps_si256(place.b);
+    places[2] = _mm256_castps_si256(place.c);
   }
 
   __m256 v;

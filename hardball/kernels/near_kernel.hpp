@@ -8,10 +8,13 @@
 
 namespace hardball {
 
-/// A point on the integer grid of CompactPaths (world/compact_paths.hpp), and the cell in which it lies.
-struct GridPoint {
+/// A point on the integer grid of CompactPaths (world/compact_paths.hpp), the cell in which it lies, and
+/// what its owner notes there.
+struct alignas(32) GridPoint {
   std::array<std::int32_t, 3> place{};  ///< Modulo 2^32 steps.
   std::array<std::int32_t, 3> cell{};
+  std::uint32_t mark = 0;
+  std::uint32_t count = 0;
 };
 
 /// A place, and points that may be near it, as plain arrays.

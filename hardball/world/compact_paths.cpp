@@ -22,7 +22,7 @@ constexpr double kFarthestPlace = 0x1p24;
 // The largest coordinate in steps of the grid that converts exactly.
 constexpr double kMostSteps = 0x1p50;
 
-// The speed V up to which copies are good, over the mean speed of those copied.
+// The speed V up to which copies are good, over the root mean square of those copied.
 constexpr double kSpeedMargin = 8;
 
 // Units are chosen anew after so many copies per sphere, or when so many of them say nothing.
@@ -43,35 +43,31 @@ double unit_of(double number) {
   return std::ldexp(1.0, exponent);
 }
 
-double mean_speed(const World& world) {
-  double sum = 0;
-  for (const Path& path : world.paths()) sum += length(path.velocity);
-  return world.size() > 0 ? sum / static_cast<double>(world.size()) : 0;
-}
-
 }  // namespace
 
 void CompactPaths::reset(const World& world, double farthest, const Time& now) {
   if (paths_.size() != world.size()) {
     paths_.assign(world.size(), CompactPath{});
-    speeds_ = 0;
+    squares_ = 0;
   }
   epoch_ = now;
   farthest_ = farthest;
   choose_units(world);
-  copies_ = unbounded_ = 0;
-  speeds_ = 0;
   most_copies_ = kCopiesPerSphere * (world.size() + kFewCopies);
   most_unbounded_ = (world.size() + kFewCopies) / kUnboundedShare;
   for (Slot slot = 0; slot < world.size(); ++slot) copy(world, slot, now);
   copies_ = unbounded_ = 0;
-  speeds_ = 0;
+  squares_ = 0;
 }
 
 void CompactPaths::choose_units(const World& world) {
   const double length_unit = length_unit_ = unit_of(farthest_);
   const double l = farthest_ / length_unit;
-  const double mean = speeds_ > 0 ? speeds_ / static_cast<double>(copies_) : mean_speed(world);
+  if (!(squares_ > 0)) {
+    copies_ = world.size();
+    for (const Path& path : world.paths()) squares_ += dot(path.velocity, path.velocity);
+  }
+  const double mean = copies_ > 0 ? std::sqrt(squares_ / static_cast<double>(copies_)) : 0;
   // If nothing moves, any unit will do.
   const double greatest_speed = mean > 0 ? kSpeedMargin * mean : farthest_;
   const double speed_unit = unit_of(greatest_speed);
@@ -108,6 +104,7 @@ void CompactPaths::choose_units(const World& world) {
   radii_.clear();
   if (world.radii().is_common()) {
     radius_ = world.size() > 0 ? rounded_up(world.radius(0) / length_unit) : 0;
+    scale_.common_reach = radius_ + radius_ + scale_.reach_allowance;
     return;
   }
   radii_.resize(world.size());

@@ -40,14 +40,15 @@ class CompactPaths {
     const Vec3 place = position_at(path, now);
     const double ticks = duration(epoch_, now) * ticks_per_time_;
     const double speed_squared = dot(path.velocity, path.velocity);
+    const Vec3& v = path.velocity;
     CompactPath& copy = paths_[slot];
-    for_each_axis([&](auto axis) {
-      copy.place[axis] = to_integer(place[axis] * steps_per_length_[axis]);
-      copy.velocity[axis] = static_cast<float>(path.velocity[axis] * per_speed_);
-    });
-    copy.tick = to_integer(ticks);
+    copy.store({to_integer(place.x * steps_per_length_.x), to_integer(place.y * steps_per_length_.y),
+                to_integer(place.z * steps_per_length_.z)},
+               to_integer(ticks),
+               {static_cast<float>(v.x * per_speed_), static_cast<float>(v.y * per_speed_),
+                static_cast<float>(v.z * per_speed_)});
     ++copies_;
-    speeds_ += std::sqrt(speed_squared);
+    squares_ += speed_squared;
     if (std::fabs(place.x) <= farthest_place_.x && std::fabs(place.y) <= farthest_place_.y &&
         std::fabs(place.z) <= farthest_place_.z && std::fabs(ticks) <= kMostTicks &&
         speed_squared <= greatest_speed_squared_) [[likely]]
@@ -56,19 +57,15 @@ class CompactPaths {
     ++unbounded_;
   }
 
-  /// Notes that a path has changed; false if all revisions ever noted must be forgotten.
-  bool note_change(Slot slot) {
-    paths_[slot].revision = (paths_[slot].revision + 1) & kRevisions;
-    return paths_[slot].revision != 0;
-  }
-  /// How often a path has changed, modulo 2^31.
+  /// Notes that a path has changed; returns its new revision.
+  std::uint32_t note_change(Slot slot) { return paths_[slot].revision += kRevision; }
+  /// How often a path has changed, modulo 2^29, times kRevision.
   std::uint32_t revision(Slot slot) const { return paths_[slot].revision; }
+  /// One revision: three bits remain for other purposes.
+  static constexpr std::uint32_t kRevision = 8;
 
-  /// When a copy made at `now` ceases to be good [T]; infinite for a sphere at rest.
-  double expiry(const World& world, Slot slot, const Time& now) const {
-    const Vec3& v = world.path(slot).velocity;
-    return v == Vec3{} ? kNever.high : rounded_down(now) + longest_age_;
-  }
+  /// How long the copy of a moving sphere is good [T].
+  double longest_age() const { return longest_age_; }
 
   /// By slot.
   std::span<const CompactPath> paths() const { return paths_; }
@@ -92,7 +89,6 @@ class CompactPaths {
   }
 
  private:
-  static constexpr std::uint32_t kRevisions = 0x7fffffff;
   // Beyond, adding the pusher of to_integer loses digits.
   static constexpr double kMostTicks = 0x1p50;
 
@@ -122,7 +118,7 @@ class CompactPaths {
   // Since units were chosen:
   std::uint64_t copies_ = 0;
   std::uint64_t unbounded_ = 0;  // copies that say nothing, of spheres too fast or too far away
-  double speeds_ = 0;            // the sum over all copies
+  double squares_ = 0;           // of speeds: the sum over all copies
   std::uint64_t most_copies_ = 0;
   std::uint64_t most_unbounded_ = 0;
 };
