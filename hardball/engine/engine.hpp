@@ -334,8 +334,8 @@ class Engine {
     const double time = plan.time();
     HARDBALL_CHECK(time >= rounded_down(now_));
     const bool is_crossing = plan.crosses_first();
-    const bool is_changed = !is_crossing && is_stale(slot);
-    if (!is_crossing && !is_changed && !plan.is_bound()) return false;
+    const bool is_unknown = !is_crossing && (plan.partner == slot || is_stale(slot)) && !plan.is_wall();
+    if (!is_crossing && !is_unknown && !plan.is_bound()) return false;
     // No contact has been missed up to the double before.
     const Time moment = later(now_, Time(double_before(time)));
     standstill_guard_.note_event(now_, moment, world_.size());
@@ -343,8 +343,8 @@ class Engine {
     queue_.pop();
     if (is_crossing) {
       cross(slot);
-    } else if (is_changed) {
-      ++counters_.stale;
+    } else if (is_unknown) {
+      if (plan.partner != slot) ++counters_.stale;
       compact_.copy(world_, slot, now_);
       predict(slot);
     } else if (refine(slot)) {
@@ -508,14 +508,28 @@ class Engine {
     return true;
   }
 
+  // The partner answers for their contact, having predicted last: what remains comes after the limit, and is
+  // predicted then. Until then, the sphere itself stands for the partner. Precondition: a stale bound.
+  void postpone(Slot slot) {
+    ++counters_.stale;
+    Plan& plan = plans_[slot];
+    const std::uint32_t renewal = plan.tag & Plan::kRenewal;
+    plan.set_bound(plan.limit_or_low, plan.limit_or_low, slot, compact_.revision(slot) | renewal);
+  }
+
   // Refines the bounds of a whole bucket, which takes less than one by one.
   void refine(std::span<QueueEntry> entries) {
     if (!are_nearest_) return;
     pairs_.clear();
     for (const QueueEntry& entry : entries) {
-      const Plan& plan = plans_[entry.owner];
-      if (!plan.is_bound() || plan.crosses_first() || is_stale(entry.owner)) continue;
-      pairs_.add(entry.owner, plan.partner);
+      const Slot slot = entry.owner;
+      const Plan& plan = plans_[slot];
+      if (!plan.is_bound() || plan.crosses_first() || plan.partner == slot) continue;
+      if (is_stale(slot)) {
+        postpone(slot);
+      } else {
+        pairs_.add(slot, plan.partner);
+      }
     }
     const std::size_t count = pairs_.size();
     predictor_.compute(world_, now_, pairs_);
