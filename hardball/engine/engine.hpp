@@ -418,8 +418,12 @@ class Engine {
     const std::uint64_t predictions_before = counters_.predictions;
     note_new_path(participants.first, done_.folded[0]);
     if (is_collision) note_new_path(participants.second, done_.folded[1]);
-    predict(participants.first);
-    if (is_collision) predict(participants.second);
+    if (is_collision && are_nearest_) {
+      predict_both(participants.first, participants.second);
+    } else {
+      predict(participants.first);
+      if (is_collision) predict(participants.second);
+    }
     counters_.contact_predictions += counters_.predictions - predictions_before;
     return done_.contact;
   }
@@ -441,11 +445,28 @@ class Engine {
   // Predicts a sphere's contacts with its candidates and the walls. Precondition: its path has been copied.
   void predict(Slot slot) {
     if (!are_nearest_) return predict_exactly(slot);
+    plan_contacts(slot, bound(slot));
+  }
+
+  // Both are bounded first: the processor works on them at once.
+  void predict_both(Slot a, Slot b) {
+    const BoundedContacts of_a = bound(a);
+    const BoundedContacts of_b = bound(b);
+    plan_contacts(a, of_a);
+    plan_contacts(b, of_b);
+  }
+
+  // Bounds a sphere's contacts with its candidates.
+  BoundedContacts bound(Slot slot) {
     phase_.collect(world_, slot, candidates_);
     counters_.predictions += candidates_.size();
-    Plan& plan = plans_[slot];
     const BoundedContacts found = predictor_.bound(compact_, candidates_, now_);
     check_bounds(found);
+    return found;
+  }
+
+  void plan_contacts(Slot slot, const BoundedContacts& found) {
+    Plan& plan = plans_[slot];
     plan.set_bound(found.least, found.second, found.partner, compact_.revision(found.partner));
     if (has_walls_) {
       const Event wall = next_wall_event(world_, slot);

@@ -71,6 +71,7 @@ void contact_at(const World& world, const Event& event, const Participants& part
   Vec3 position = position_at(path, event.time);
   done.were_idle[0] = is_idle(path, radius, event.time);
   done.folded[0] = box.fold(position);
+  Velocities before;
   Contact& contact = done.contact;
   contact.time = event.time;
   contact.kind = event.kind;
@@ -91,7 +92,7 @@ void contact_at(const World& world, const Event& event, const Participants& part
     contact.separation = (second_position - position) + box.shift(contact.image);
     contact.reach = radius + second_radius;
     contact.second_mass = world.mass(participants.second);
-    contact.before = {path.velocity, second_path.velocity};
+    before = {path.velocity, second_path.velocity};
   } else {
     const std::size_t axis = axis_of(event.second);
     contact.image = {};
@@ -100,9 +101,11 @@ void contact_at(const World& world, const Event& event, const Participants& part
     contact.separation[axis] = (is_upper(event.second) ? box.size()[axis] : 0) - contact.position[axis];
     contact.reach = radius;
     contact.second_mass = std::numeric_limits<double>::infinity();
-    contact.before = {path.velocity, {}};
+    before = {path.velocity, {}};
   }
-  contact.after = contact.before;
+  // Twice from registers: reading back what has just been written would stall.
+  contact.before = before;
+  contact.after = before;
 }
 
 void refuse_velocities(const Contact& contact) {
