@@ -363,31 +363,35 @@ class Engine {
       phase_.cross(world_, slot, now_, compact_, candidates_);
       counters_.predictions += candidates_.size();
       counters_.enter_predictions += candidates_.size();
-      if (is_stale(slot)) return predict(slot);
-      predict_new(slot);
+      if (is_stale(slot) || !predict_new(slot)) return predict(slot);
     }
     schedule(slot);
   }
 
-  // Predicts contacts with new candidates, and keeps the prospect if it is earlier. Precondition: it is not
-  // stale.
-  void predict_new(Slot slot) {
+  // Predicts contacts with new candidates, and keeps the prospect if it is earlier; false if all candidates
+  // must be considered again. Precondition: the prospect is not stale.
+  bool predict_new(Slot slot) {
     Plan& plan = plans_[slot];
     if (!are_nearest_) {
       const Prospect found = predictor_.earliest(world_, candidates_, now_, plan.moment());
-      if (!found.happens() || found.time > plan.moment()) return;
+      if (!found.happens() || found.time > plan.moment()) return true;
       const Event before = contact_of(slot);
       const Plan kept = plan;
       const Image kept_image = images_[slot];
       take(slot, found);
-      if (contact_of(slot) < before) return;
+      if (contact_of(slot) < before) return true;
       plan = kept;
       images_[slot] = kept_image;
-      return;
+      return true;
     }
     const BoundedContacts found = predictor_.bound(compact_, candidates_, now_);
     check_bounds(found);
-    if (found.least < plan.contact) {
+    // The partner may be among those called new: what is known of it is better.
+    const bool is_known = found.partner == plan.partner && found.partner != slot && !plan.is_wall();
+    if (is_known && found.second <= plan.contact) return false;
+    if (is_known) {
+      if (plan.is_bound()) plan.limit_or_low = std::min(plan.limit_or_low, found.second);
+    } else if (found.least < plan.contact) {
       plan.set_bound(found.least, std::min(found.second, plan.contact), found.partner,
                      compact_.revision(found.partner));
     } else if (plan.is_bound()) {
@@ -396,6 +400,7 @@ class Engine {
       // Which is earlier the bound cannot tell.
       plan.set_bound(found.least, found.least, found.partner, compact_.revision(found.partner));
     }
+    return true;
   }
 
   const Contact& carry_out(Slot slot) {
