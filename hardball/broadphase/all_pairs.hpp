@@ -23,8 +23,7 @@ class AllPairs {
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths&, Candidates& candidates);
   void prefetch_region(Slot) const {}
   void prefetch_lists(Slot, bool) const {}
-  template <class Visit>
-  void for_each_prefetched(Slot, bool, Visit&&) const {}
+  void prefetch_candidates(Slot, bool, const CompactPaths&) const {}
   std::uint64_t left_count() const { return 0; }
   std::size_t memory_bytes() const { return middles_.capacity() * sizeof(Vec3); }
   void validate(const World& world, const Time& now, const CompactPaths&) const;

@@ -31,13 +31,14 @@ namespace hardball {
 ///   perhaps others).
 /// - `prefetch_region(slot)` and `prefetch_lists(slot, crosses)`, called a few events apart, prefetch what
 ///   the next event of a sphere will need; `crosses` says whether it is a crossing.
-/// - `for_each_prefetched(slot, crosses, visit)` calls visit(other) for most of the candidates of that event.
+/// - `prefetch_candidates(slot, crosses, copies)`, later still, prefetches the data of most of the candidates of
+///   that event.
 /// - `left_count()` counts the cells, or rows of cells, that spheres have left since `build`.
 /// - `validate(world, now, copies)` checks the whole structure and throws BrokenInvariant.
 template <class Phase>
 concept BroadPhase = requires(Phase phase, const Phase& view, const World& world, Slot slot, const Time& now,
                               const Image& image, CompactPaths& copies, const CompactPaths& copied,
-                              Candidates& candidates, bool crosses, void (*visit)(Slot)) {
+                              Candidates& candidates, bool crosses) {
   phase.build(world, now, copies);
   phase.refresh(world, slot, now, image);
   view.collect(world, slot, candidates);
@@ -46,7 +47,7 @@ concept BroadPhase = requires(Phase phase, const Phase& view, const World& world
   phase.cross(world, slot, now, copied, candidates);
   view.prefetch_region(slot);
   view.prefetch_lists(slot, crosses);
-  view.for_each_prefetched(slot, crosses, visit);
+  view.prefetch_candidates(slot, crosses, copied);
   { view.left_count() } -> std::convertible_to<std::uint64_t>;
   { view.memory_bytes() } -> std::convertible_to<std::size_t>;
   view.validate(world, now, copied);

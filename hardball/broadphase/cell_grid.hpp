@@ -39,14 +39,13 @@ class CellGrid {
     cells_.for_each_folded(regions_[slot].range(), prefetch_list);
     if (crosses) cells_.for_each_folded(regions_[slot].row_ahead(), prefetch_list);
   }
-  template <class Visit>
-  void for_each_prefetched(Slot slot, bool crosses, Visit&& visit) const {
+  void prefetch_candidates(Slot slot, bool crosses, const CompactPaths& copies) const {
     if (!store_.is_dense()) return;
     const Region& region = regions_[slot];
-    cells_.for_each_folded(crosses ? region.row_ahead() : region.range(),
-                           [&](const CellIndex&, const CellIndex& cell) {
-                             store_.lists().for_each_first(store_.list(cell), visit);
-                           });
+    cells_.for_each_folded(
+        crosses ? region.row_ahead() : region.range(), [&](const CellIndex&, const CellIndex& cell) {
+          store_.lists().for_each_first(store_.list(cell), [&](Slot other) { copies.prefetch(other); });
+        });
   }
   std::uint64_t left_count() const { return left_count_; }
   std::size_t memory_bytes() const;

@@ -171,14 +171,6 @@ void NeighborList::find_near(Slot slot, const CompactPaths& copies) {
 
 // Collects the spheres whose anchors lie in the 27 cells around one, and returns their number.
 std::size_t NeighborList::collect_around(const CellIndex& center) {
-  std::array<std::array<std::int32_t, 3>, kAxes> rows;
-  std::array<std::size_t, kAxes> row_count{};
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    for (std::int32_t row = center[axis] - 1; row <= center[axis] + 1; ++row) {
-      if (row < cells_.first(axis) || row > cells_.last(axis)) continue;
-      rows[axis][row_count[axis]++] = cells_.folded(axis, row);
-    }
-  }
   // Room for whole lines is always left.
   constexpr std::size_t kRoom = SlotLists::kRoom + kWidestVector;
   if (around_.size() < 27 * kRoom) around_.resize(27 * kRoom);
@@ -194,19 +186,7 @@ std::size_t NeighborList::collect_around(const CellIndex& center) {
     std::memcpy(end, slots.data(), sizeof slots);
     end += in_line;
   };
-  const auto add_list = [&](std::uint32_t list) { store_.lists().for_each_line(list, add); };
-  for (std::size_t x = 0; x < row_count[0]; ++x) {
-    for (std::size_t y = 0; y < row_count[1]; ++y) {
-      if (store_.is_dense()) {
-        const std::uint32_t row = store_.list({rows[0][x], rows[1][y], 0});
-        for (std::size_t z = 0; z < row_count[2]; ++z) add_list(row + static_cast<std::uint32_t>(rows[2][z]));
-      } else {
-        for (std::size_t z = 0; z < row_count[2]; ++z) {
-          add_list(store_.list({rows[0][x], rows[1][y], rows[2][z]}));
-        }
-      }
-    }
-  }
+  for_each_list_around(center, [&](std::uint32_t list) { store_.lists().for_each_line(list, add); });
   return static_cast<std::size_t>(end - around_.data());
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -66,11 +67,18 @@ class NeighborList {
     prefetch(neighbors_.address(slot));
     prefetch(&anchors_[slot]);
   }
-  void prefetch_lists(Slot, bool) const {}
-  template <class Visit>
-  void for_each_prefetched(Slot slot, bool, Visit&& visit) const {
+  void prefetch_lists(Slot slot, bool crosses) const {
+    if (!crosses || !store_.is_dense()) return;
+    for_each_list_around(anchors_[slot].cell,
+                         [this](std::uint32_t list) { prefetch(store_.lists().address(list)); });
+  }
+  void prefetch_candidates(Slot slot, bool crosses, const CompactPaths& copies) const {
     const Slot* const list = list_of(slot);
-    for (std::uint32_t i = 0; i < anchors_[slot].count; ++i) visit(list[i]);
+    for (std::uint32_t i = 0; i < anchors_[slot].count; ++i) copies.prefetch(list[i]);
+    if (!crosses || !store_.is_dense()) return;
+    for_each_list_around(anchors_[slot].cell, [this](std::uint32_t around) {
+      store_.lists().for_each_first(around, [this](Slot other) { prefetch(&anchors_[other]); });
+    });
   }
   std::uint64_t left_count() const { return 0; }
   std::size_t memory_bytes() const;
@@ -85,6 +93,31 @@ class NeighborList {
   void move_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
   void find_near(Slot slot, const CompactPaths& copies);
   std::size_t collect_around(const CellIndex& center);
+
+  // Calls visit(list) for the anchors in each of the 27 cells around one.
+  template <class Visit>
+  void for_each_list_around(const CellIndex& center, Visit&& visit) const {
+    std::array<std::array<std::int32_t, 3>, kAxes> rows;
+    std::array<std::size_t, kAxes> row_count{};
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      for (std::int32_t row = center[axis] - 1; row <= center[axis] + 1; ++row) {
+        if (row < cells_.first(axis) || row > cells_.last(axis)) continue;
+        rows[axis][row_count[axis]++] = cells_.folded(axis, row);
+      }
+    }
+    for (std::size_t x = 0; x < row_count[0]; ++x) {
+      for (std::size_t y = 0; y < row_count[1]; ++y) {
+        if (store_.is_dense()) {
+          const std::uint32_t row = store_.list({rows[0][x], rows[1][y], 0});
+          for (std::size_t z = 0; z < row_count[2]; ++z) visit(row + static_cast<std::uint32_t>(rows[2][z]));
+        } else {
+          for (std::size_t z = 0; z < row_count[2]; ++z) {
+            visit(store_.list({rows[0][x], rows[1][y], rows[2][z]}));
+          }
+        }
+      }
+    }
+  }
   void find_changes(Slot slot);
   const Slot* list_of(Slot slot) const { return neighbors_.slots(slot, anchors_[slot].count); }
   void insert(Slot list, Slot slot) { neighbors_.insert(list, anchors_[list].count, slot); }

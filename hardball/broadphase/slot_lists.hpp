@@ -48,9 +48,9 @@ class SlotLists {
 
   /// A bit for each of the first `count` places of a line that hold the slot.
   static std::uint32_t places_of(Slot slot, const LineOfSlots& slots, std::uint32_t count) {
-    // Branchless: the place of the slot is unpredictable.
+    // Branchless, as the place of the slot is unpredictable, and in vectors: each place has a bit of its own.
     std::uint32_t places = 0;
-    for (std::uint32_t i = kRoom; i-- > 0;) places = 2 * places + (slots[i] == slot ? 1U : 0U);
+    for (std::uint32_t i = 0; i < kRoom; ++i) places |= slots[i] == slot ? 1U << i : 0U;
     return places & ((1U << count) - 1);
   }
 

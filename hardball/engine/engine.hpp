@@ -298,7 +298,7 @@ class Engine {
     constexpr std::size_t kPlan = 9;
     constexpr std::size_t kRegion = 6;
     constexpr std::size_t kLists = 4;
-    constexpr std::size_t kPaths = 2;
+    constexpr std::size_t kCandidates = 2;
     if (const Slot slot = queue_.upcoming(kPlan); slot != kNoOwner) {
       prefetch(&plans_[slot]);
       prefetch_regions(slot);
@@ -314,11 +314,10 @@ class Engine {
       phase_.prefetch_lists(slot, plan.will_cross_first());
       if (plan.meets_first()) phase_.prefetch_lists(plan.partner, false);
     }
-    if (const Slot slot = queue_.upcoming(kPaths); slot != kNoOwner) {
-      const auto prefetch_copy = [this](Slot other) { compact_.prefetch(other); };
+    if (const Slot slot = queue_.upcoming(kCandidates); slot != kNoOwner) {
       const Plan& plan = plans_[slot];
-      phase_.for_each_prefetched(slot, plan.will_cross_first(), prefetch_copy);
-      if (plan.meets_first()) phase_.for_each_prefetched(plan.partner, false, prefetch_copy);
+      phase_.prefetch_candidates(slot, plan.will_cross_first(), compact_);
+      if (plan.meets_first()) phase_.prefetch_candidates(plan.partner, false, compact_);
     }
   }
 

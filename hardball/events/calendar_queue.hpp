@@ -36,15 +36,10 @@ class CalendarQueue {
     if (!(time < std::numeric_limits<double>::infinity())) return;
     ++counters_.scheduled;
     const std::int64_t number = bucket_of(time);
-    const std::int64_t ahead = number - current_;
-    if (ahead <= 0) {
+    if (number <= current_) {
       push_to_heap(owner, table);
-    } else if (ahead >= ring_size()) {
-      overflow_.push_back({time, owner});
-    } else if (is_cached(table)) {
-      insert(owner, bucket(number));
     } else {
-      insert_delayed(owner, number);
+      insert_after_current({time, owner}, number, table);
     }
     if (entry_count() > kEntriesPerOwner * owner_count_ + kEntriesAlways) resize_ring(table);
   }
@@ -227,10 +222,11 @@ class CalendarQueue {
   template <EventTable Table>
   void refine_current(const Table& table) {
     table.refine(std::span<Entry>(sorted_));
-    std::erase_if(sorted_, [this](const Entry& entry) {
-      const bool is_current = bucket_of(entry.time) <= current_;
-      if (!is_current) insert_or_overflow(entry);
-      return !is_current;
+    std::erase_if(sorted_, [&](const Entry& entry) {
+      const std::int64_t number = bucket_of(entry.time);
+      if (number <= current_) return false;
+      insert_after_current(entry, number, table);
+      return true;
     });
   }
 
@@ -256,6 +252,17 @@ class CalendarQueue {
     for (std::uint32_t b = bucket.last_block; b != kNone; b = next_block_[b]) {
       for (std::uint32_t i = 0; i < in_block; ++i) visit(blocks_[b][i]);
       in_block = kRoom;
+    }
+  }
+
+  template <EventTable Table>
+  void insert_after_current(const Entry& entry, std::int64_t number, const Table& table) {
+    if (number >= current_ + ring_size()) {
+      overflow_.push_back(entry);
+    } else if (is_cached(table)) {
+      insert(entry.owner, bucket(number));
+    } else {
+      insert_delayed(entry.owner, number);
     }
   }
 
