@@ -343,7 +343,7 @@ class Engine {
     if (is_crossing) {
       cross(slot);
     } else if (is_unknown) {
-      if (plan.partner != slot) ++counters_.stale;
+      ++counters_.stale;
       compact_.copy(world_, slot, now_);
       predict(slot);
     } else if (refine(slot)) {
@@ -536,7 +536,6 @@ class Engine {
   // The partner answers for their contact, having predicted last: what remains comes after the limit, and is
   // predicted then. Until then, the sphere itself stands for the partner. Precondition: a stale bound.
   void postpone(Slot slot) {
-    ++counters_.stale;
     Plan& plan = plans_[slot];
     const std::uint32_t renewal = plan.tag & Plan::kRenewal;
     plan.set_bound(plan.limit_or_low, plan.limit_or_low, slot, compact_.revision(slot) | renewal);

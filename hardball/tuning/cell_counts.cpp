@@ -113,7 +113,7 @@ CellCounts expected_counts(const Moments& moments, double edge) {
   }
   // Measured in simulations from dilute to dense: docs/theory.md.
   const double mean_edge = std::cbrt(cell);
-  counts.stale = counts.collision / 2 * 0.38 * mean_edge / (mean_edge + 1.35 * free_path);
+  counts.stale = counts.collision / 2 * 0.065 * mean_edge / (mean_edge + 1.35 * free_path);
   return counts;
 }
 

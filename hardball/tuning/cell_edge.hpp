@@ -10,12 +10,12 @@
 namespace hardball {
 
 /// The costs of the steps of the event loop, in nanoseconds; only their ratios matter for the choice of the
-/// cell edge. The defaults were measured on one core at 2.8 GHz with 20,000 spheres.
+/// cell edge. The defaults were measured on one core at 2.6 GHz with 4,000 spheres.
 struct UnitCosts {
-  double contact = 900;    ///< Independent of cells: new velocities, two new regions, two queue entries.
-  double enter = 350;      ///< A crossing without its cells and pairs: taken from the queue and rescheduled.
-  double cell = 50;        ///< Each cell searched or entered.
-  double prediction = 18;  ///< Each pair.
+  double contact = 260;     ///< Independent of cells: new velocities, two new regions, two queue entries.
+  double enter = 130;       ///< A crossing without its cells and pairs: taken from the queue and rescheduled.
+  double cell = 25;         ///< Each cell searched or entered.
+  double prediction = 2.2;  ///< Each pair.
 
   friend bool operator==(const UnitCosts&, const UnitCosts&) = default;
 };

@@ -19,8 +19,8 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
   const double path = mean_free_path(moments);
   counts.collision = 1 / mean_free_time(moments);
   counts.wall = wall_rate(moments);
-  // Every second collision leaves the prospect of another sphere stale, found when it is due.
-  counts.stale = counts.collision / 4;
+  // Measured: docs/theory.md.
+  counts.stale = counts.collision / 25;
   // A sphere flies straight out of a ball smaller than its free path and diffuses out of a larger one. The
   // factor is measured: docs/theory.md.
   constexpr double kDiffusion = 0.2;
@@ -37,8 +37,9 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
 }
 
 double cost_rate(const NeighborCounts& counts, const UnitCosts& costs) {
-  // A rebuild visits 27 cells; checking whether an anchor is near costs a fraction of a prediction.
-  constexpr double kCellsOfRebuild = 27;
+  // A rebuild visits 27 cells, in rows of three that are adjacent in memory; checking whether an anchor is near
+  // costs a fraction of a prediction.
+  constexpr double kCellsOfRebuild = 9;
   constexpr double kSearch = 0.25;
   const double pass = costs.cell + costs.prediction * counts.neighbors;
   const double rebuild =
@@ -51,13 +52,17 @@ double optimal_slack(const Moments& moments, const UnitCosts& costs) {
   if (moments.spheres == 0) return 1;
   Moments moving = moments;
   if (!(moving.mean_speed > 0)) moving.mean_speed = 1;  // the optimum does not depend on it
-  constexpr double kStep = 1.1;
-  constexpr int kSteps = 48;  // up to 97 times the smallest
+  constexpr double kStep = 1.05;
+  constexpr int kSteps = 96;  // up to 103 times the smallest
+  // Of longer lists, too many leave their cache line: measured, docs/theory.md.
+  constexpr double kMostNeighbors = 14.5;
   double best = 0;
   double least = std::numeric_limits<double>::infinity();
   double slack = 0.05 * moments.largest_radius;
   for (int i = 0; i < kSteps; ++i, slack *= kStep) {
-    const double cost = cost_rate(expected_neighbor_counts(moving, slack), costs);
+    const NeighborCounts counts = expected_neighbor_counts(moving, slack);
+    if (best > 0 && counts.neighbors > kMostNeighbors) break;
+    const double cost = cost_rate(counts, costs);
     if (cost >= least) continue;
     least = cost;
     best = slack;
