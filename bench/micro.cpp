@@ -71,7 +71,7 @@ void predict(benchmark::State& state, InstructionSet instructions, bool from_now
 struct EventTable {
   std::vector<Event> events;
   Event event(Owner owner) const { return events[owner]; }
-  Time time(Owner owner) const { return events[owner].time; }
+  double time(Owner owner) const { return events[owner].time.high; }
 };
 
 template <class Queue>
@@ -89,7 +89,7 @@ void take_and_schedule(benchmark::State& state) {
   benchmark::DoNotOptimize(queue.least(table));  // sizes the buckets
   for (auto _ : state) {
     const Owner least = queue.least(table);
-    const Time now = table.time(least);
+    const Time now = table.events[least].time;
     queue.pop();
     schedule(least, now);
     // A collision gives another sphere a new event, too.
@@ -101,19 +101,22 @@ template <class Phase>
 void cross_and_collect(benchmark::State& state, double packing_fraction, double length) {
   const World world = make_gas(packing_fraction);
   Phase phase(length);
-  phase.build(world, Time(0));
+  CompactPaths copies;
+  phase.build(world, Time(0), copies);
   Candidates candidates;
-  std::vector<Time> crossings(kSpheres);
+  std::vector<double> crossings(kSpheres);
   for (Slot slot = 0; slot < kSpheres; ++slot) {
-    crossings[slot] = phase.next_crossing(world, slot, Time(0), kNever);
+    crossings[slot] = phase.next_crossing(world, slot, Time(0), copies);
   }
   // Spheres move on without colliding, each crossing in turn; the state is reset before they are far apart.
   const Phase start = phase;
-  const std::vector<Time> first_crossings = crossings;
+  const std::vector<double> first_crossings = crossings;
   Slot slot = 0;
   for (auto _ : state) {
-    phase.cross(world, slot, crossings[slot], candidates);
-    crossings[slot] = phase.next_crossing(world, slot, crossings[slot], kNever);
+    const Time now(crossings[slot]);
+    copies.copy(world, slot, now);
+    phase.cross(world, slot, now, copies, candidates);
+    crossings[slot] = phase.next_crossing(world, slot, now, copies);
     benchmark::DoNotOptimize(candidates.size());
     if (++slot < kSpheres) continue;
     slot = 0;

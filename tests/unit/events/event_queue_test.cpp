@@ -69,7 +69,7 @@ class ListQueue {
  public:
   explicit ListQueue(std::size_t owners) : entries_(owners) {}
   Event event(Owner owner) const { return entries_[owner]; }
-  Time time(Owner owner) const { return entries_[owner].time; }
+  double time(Owner owner) const { return entries_[owner].time.high; }
   void schedule(Owner owner, const Event& event) { entries_[owner] = event; }
   Owner least() const {
     Scheduled least{Event{}, kNoOwner};
@@ -185,7 +185,7 @@ TYPED_TEST(EveryQueue, AgreesWithAListUnderRandomTraffic) {
         ASSERT_EQ(pair.least(), least) << "step " << step << ", " << owners << " owners";
         const double what = random.uniform();
         if (least != kNoOwner && what < 0.7) {
-          now = pair.list.time(least);
+          now = pair.list.event(least).time;
           pair.pop();
           if (what < 0.6) schedule(least);
         }
@@ -225,7 +225,7 @@ TYPED_TEST(EveryQueue, ShowsEitherOfTwoOwnersThatShareTheLeastEvent) {
       ASSERT_EQ(shown == kNoOwner, expected == kNoOwner);
       if (shown == kNoOwner) break;
       ASSERT_EQ(list.event(shown), list.event(expected)) << "step " << step;
-      now = list.time(shown);
+      now = list.event(shown).time;
       queue.pop();
       list.schedule(shown, Event{});
       // The partner gets an event with another owner, or keeps an event that no one shares.
@@ -296,7 +296,7 @@ TYPED_TEST(EveryQueue, MindsOnlyTheEventThatAnOwnerHasNow) {
         pair.schedule(1, middle);
         if (shown_before) static_cast<void>(pair.least());
         pair.schedule(0, second);
-        while (pair.list.time(pair.list.least()) < moment) {
+        while (pair.list.time(pair.list.least()) < moment.high) {
           ASSERT_EQ(pair.least(), pair.list.least());
           pair.pop();
         }
@@ -428,7 +428,7 @@ TYPED_TEST(EveryQueue, KeepsItsMemoryInProportionToItsOwners) {
       if (step % 5 != 0) continue;
       const Owner least = pair.least();
       ASSERT_NE(least, kNoOwner);
-      now = pair.list.time(least);
+      now = pair.list.event(least).time;
       pair.queue.pop();
       pair.schedule(least, random_event(random, now, waits));
     }
