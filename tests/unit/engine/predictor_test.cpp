@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/world/compact_paths.hpp"
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
@@ -57,6 +58,11 @@ struct Coverage {
   std::uint64_t contacts = 0;
   std::uint64_t at_once = 0;  // contacts at the later start of the two paths
   std::uint64_t ties = 0;
+  std::uint64_t pairs = 0;
+  std::uint64_t pairs_in_contact = 0;
+  std::uint64_t bounds = 0;             // of contacts that come
+  std::uint64_t bounds_after_now = 0;   // among them
+  std::uint64_t contacts_excluded = 0;  // pairs of which the bound says that they do not meet
 };
 
 // Compares all instruction sets with the plain loop.
@@ -83,6 +89,9 @@ class Comparison {
       }
       if (testing::Test::HasFailure()) return;
     }
+    if (!candidates.are_nearest()) return;
+    compare_pairs(world, candidates, now);
+    compare_bounds(world, candidates, now);
   }
 
   const Coverage& coverage() const { return coverage_; }
@@ -104,6 +113,86 @@ class Comparison {
     }
   }
 
+  // All pairs at once, each in both directions.
+  void compare_pairs(const World& world, const Candidates& candidates, const Time& now) {
+    const Slot self = candidates.self();
+    for (const Predictor& predictor : predictors_) {
+      pairs_.clear();
+      for (std::size_t i = 0; i < candidates.size(); ++i) {
+        pairs_.add(self, candidates.slot(i));
+        pairs_.add(candidates.slot(i), self);
+      }
+      const std::size_t count = pairs_.size();
+      predictor.compute(world, now, pairs_);
+      for (std::size_t i = 0; i < count; ++i) {
+        const Slot a = pairs_.first[i];
+        const Slot b = pairs_.second[i];
+        const Time expected = contact_time(world, a, b, nearest_image(world, a, b, now));
+        ASSERT_TRUE(same_bits(pairs_.high[i], expected.high))
+            << to_text(pairs_.high[i]) << " instead of " << to_text(expected.high) << ", pair " << i;
+        ASSERT_TRUE(same_bits(pairs_.low[i], expected.low)) << "pair " << i;
+        ++coverage_.pairs;
+        coverage_.pairs_in_contact += expected == kNever ? 0U : 1U;
+      }
+    }
+  }
+
+  // Bounds from copies of paths made at various times before, for the candidates within the distance for
+  // which the copies are good. Some spheres are too fast to be bounded.
+  void compare_bounds(const World& world, const Candidates& candidates, const Time& now) {
+    const Slot self = candidates.self();
+    const auto apart = [&](Slot other) {
+      const Vec3 shift = world.box().shift(nearest_image(world, self, other, now));
+      return length(separation_at(world.path(self), world.path(other), shift, now));
+    };
+    double farthest = 0;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      farthest = std::max(farthest, apart(candidates.slot(i)));
+    }
+    // A place and what a sphere has moved since it was copied stay below half the box.
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (world.box().is_periodic(axis)) farthest = std::min(farthest, 0.24 * world.box().size()[axis]);
+    }
+    farthest *= random_.uniform() < 0.5 ? 1 : random_.uniform();
+    farthest = std::max(farthest, 2 * world.largest_radius());
+    near_.begin(self, true);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (candidates.slot(i) == self || apart(candidates.slot(i)) <= farthest) near_.add(candidates.slot(i));
+    }
+    near_.end();
+    copies_.reset(world, farthest, now);
+    for (Slot slot = 0; slot < world.size(); ++slot) {
+      if (slot == self) continue;
+      const double speed = length(world.path(slot).velocity);
+      const double longest_age =
+          speed > 0 ? std::min(copies_.expiry(world, slot, Time(0)), farthest / speed) : 1000;
+      copies_.copy(world, slot, after(now, -longest_age * random_age()));
+    }
+    for (const Predictor& predictor : predictors_) {
+      const BoundedContacts found = predictor.bound(copies_, near_, now);
+      ASSERT_LE(found.least, found.second);
+      ASSERT_GE(found.least, rounded_down(now));
+      for (std::size_t i = 0; i < near_.size(); ++i) {
+        const Slot other = near_.slot(i);
+        if (other == self) continue;
+        const Time contact = contact_time(world, self, other, nearest_image(world, self, other, now));
+        const double bound = other == found.partner ? found.least : found.second;
+        if (contact == kNever) coverage_.contacts_excluded += bound == kNever.high ? 1U : 0U;
+        // A contact in the past cannot be: in the engine it would have happened.
+        if (contact == kNever || contact < now) continue;
+        ASSERT_LE(bound, contact.high) << "slots " << self << " and " << other;
+        ++coverage_.bounds;
+        coverage_.bounds_after_now += bound > now.high ? 1U : 0U;
+      }
+    }
+  }
+
+  // From 0 to 1, both included.
+  double random_age() {
+    const double what = random_.uniform();
+    return what < 0.2 ? 0 : what < 0.4 ? 1 : random_.uniform();
+  }
+
   static void expect_same(const World& world, const Candidates& candidates, const Time& now,
                           const Expected& expected, const Prospect& found) {
     ASSERT_EQ(found.happens(), expected.event.happens());
@@ -119,6 +208,10 @@ class Comparison {
   }
 
   std::vector<Predictor> predictors_;
+  PairContacts pairs_;
+  CompactPaths copies_;
+  Candidates near_;
+  Random random_{11};
   Coverage coverage_;
 };
 
@@ -315,6 +408,10 @@ TEST_P(EveryPredictor, AgreesWithThePlainLoop) {
   EXPECT_GT(coverage.contacts, coverage.queries / 3);
   EXPECT_GT(coverage.at_once, coverage.queries / 10);
   EXPECT_GT(coverage.queries, support::cases(1000) * 10);
+  EXPECT_GT(coverage.pairs_in_contact, coverage.pairs / 8);
+  EXPECT_GT(coverage.bounds, coverage.queries);
+  EXPECT_GT(coverage.bounds_after_now, coverage.bounds / 10);
+  EXPECT_GT(coverage.contacts_excluded, coverage.bounds / 10);
 }
 
 constexpr std::array kAllPeriodic = {kPeriodic, kPeriodic, kPeriodic};
