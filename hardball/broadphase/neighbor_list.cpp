@@ -57,6 +57,11 @@ double wait_in_ball(const Vec3& place, Vec3 velocity, double room) {
   return time_unit * (outwards > 0 ? room / (root + outwards) : (root - outwards) / speed_squared);
 }
 
+// More than the rounding error of the coordinates of a centre, which shows in spheres very far away.
+double coordinate_error(const World& world, Slot slot, const Time& now) {
+  return 0x1p-50 * length(position_at(world.path(slot), now));
+}
+
 }  // namespace
 
 bool NeighborList::suits(const World& world) {
@@ -70,7 +75,7 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   const double largest = (kLargestShare * smallest_period(world.box()) - 2 * radius) / 4;
   slack_ = std::max(kLeastSlack * radius, std::min(wanted_slack_, largest));
   // Without spheres any distance will do.
-  const double farthest = world.size() > 0 ? farthest_neighbors(radius, slack_) : 1;
+  const double farthest = farthest_neighbors(world.size() > 0 ? radius : 1, slack_);
   const double margin = kShellMargin * farthest;
   room_ = slack_ - kCrossingMargin * farthest;
   cells_ = Subdivision(world.box(), farthest - 2 * slack_ + 2 * margin, kMostCellsPerAxis);
@@ -95,7 +100,8 @@ double NeighborList::next_crossing_of_any(const World& world, Slot slot, const T
                                           const CompactPaths& copies) const {
   const auto& anchor = anchors_[slot].place;
   const Vec3 place{copies.apart(anchor, slot, 0), copies.apart(anchor, slot, 1), copies.apart(anchor, slot, 2)};
-  const double room = std::max(0.0, room_ * room_ - dot(place, place));
+  const double reach = std::max(0.0, room_ - coordinate_error(world, slot, now));
+  const double room = std::max(0.0, reach * reach - dot(place, place));
   return rounded_down(now) + wait_in_ball(place, world.path(slot).velocity, room);
 }
 
@@ -209,7 +215,7 @@ void NeighborList::validate(const World& world, const Time& now, const CompactPa
     const auto& anchor = anchors_[slot].place;
     const Vec3 place{present.apart(anchor, slot, 0), present.apart(anchor, slot, 1),
                      present.apart(anchor, slot, 2)};
-    HARDBALL_CHECK(length(place) <= slack_);
+    HARDBALL_CHECK(length(place) <= slack_ + coordinate_error(world, slot, now));
     search.find_near(slot, copies);
     std::erase(search.near_, slot);
     for (const Slot other : search.near_) HARDBALL_CHECK(is_listed(slot, other) && is_listed(other, slot));

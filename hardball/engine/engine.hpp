@@ -79,7 +79,8 @@ class Engine {
       if (next == kNoOwner) return RunStatus::time_reached;
       if (step == limits.steps) return RunStatus::steps_reached;
       prefetch_ahead();
-      compact_.renew(world_, now_);
+      if (compact_.are_outdated()) [[unlikely]]
+        renew_copies();
       if (handle_without_contact(next)) continue;
       const bool goes_on = notify(observe, carry_out(next));
       if constexpr (HARDBALL_VALIDATE) {
@@ -349,6 +350,7 @@ class Engine {
     } else if (refine(slot)) {
       queue_.schedule(slot, plans());
     } else {
+      compact_.copy(world_, slot, now_);
       predict_exactly(slot);
     }
     return true;
@@ -432,6 +434,27 @@ class Engine {
     return done_.contact;
   }
 
+  // Copies are good for as long as the units tell.
+  void renew_copies() {
+    compact_.renew(world_, now_);
+    if (!are_nearest_) return;
+    for (Slot slot = 0; slot < world_.size(); ++slot) {
+      const double before = plans_[slot].time();
+      expire(slot);
+      if (plans_[slot].time() != before) queue_.schedule(slot, plans());
+    }
+  }
+
+  // Lets a sphere's crossing come before its copy ceases to be good; that of a sphere at rest stays good.
+  void expire(Slot slot) {
+    Plan& plan = plans_[slot];
+    const double expiry = rounded_down(now_) + compact_.longest_age();
+    if (!(expiry < plan.crossing)) [[likely]]
+      return;
+    plan.crossing = world_.path(slot).velocity == Vec3{} ? kNever.high : expiry;
+    plan.tag |= Plan::kRenewal;
+  }
+
   void note_new_path(Slot slot, const Image& folded) {
     phase_.refresh(world_, slot, now_, folded);
     if (compact_.note_change(slot) == 0) [[unlikely]]
@@ -483,7 +506,7 @@ class Engine {
     schedule(slot);
   }
 
-  // The same, where bounds do not tell which contact is the first.
+  // The same, where bounds do not tell which contact is the first. Precondition: likewise.
   void predict_exactly(Slot slot) {
     phase_.collect(world_, slot, candidates_);
     counters_.predictions += candidates_.size();
@@ -500,13 +523,8 @@ class Engine {
   void schedule(Slot slot) {
     Plan& plan = plans_[slot];
     plan.crossing = phase_.next_crossing(world_, slot, now_, compact_);
-    const double expiry = rounded_down(now_) + compact_.longest_age();
     plan.tag &= ~Plan::kRenewal;
-    if (are_nearest_ && expiry < plan.crossing) [[unlikely]] {
-      // The copy of a sphere at rest stays good.
-      plan.crossing = world_.path(slot).velocity == Vec3{} ? kNever.high : expiry;
-      plan.tag |= Plan::kRenewal;
-    }
+    if (are_nearest_) expire(slot);
     queue_.schedule(slot, plans());
   }
 

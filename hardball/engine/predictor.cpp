@@ -49,6 +49,13 @@ void Predictor::compute(const World& world, const Time& now, PairContacts& pairs
   pair_kernel_(query, pairs.high.data(), pairs.low.data());
 }
 
+BoundedContacts Predictor::unbounded(const Candidates& candidates, double base) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (candidates.slot(i) != candidates.self()) return {base, base, candidates.slot(i)};
+  }
+  return {kNever.high, kNever.high, candidates.self()};
+}
+
 Prospect Predictor::earliest_in_order(const World& world, const Candidates& candidates, const Time& now) {
   Event first;
   std::size_t index = 0;

@@ -95,10 +95,12 @@ class Predictor {
   /// The contacts of a sphere with its candidates. Precondition: `candidates` has been ended, means nearest
   /// images, and the sphere has been copied at `now`.
   BoundedContacts bound(const CompactPaths& copies, const Candidates& candidates, const Time& now) const {
+    const double base = rounded_down(now);
+    if (!copies.is_bounded(candidates.self())) [[unlikely]]
+      return unbounded(candidates, base);
     const ContactBounds found =
         bound_kernel_(copies.scale(), copies.paths().data(), copies.radii(), candidates.self(),
                       candidates.slots(), candidates.size());
-    const double base = rounded_down(now);
     return {base + copies.time_unit() * static_cast<double>(found.least),
             base + copies.time_unit() * static_cast<double>(found.second), found.partner};
   }
@@ -107,6 +109,9 @@ class Predictor {
   void compute(const World& world, const Time& now, PairContacts& pairs) const;
 
  private:
+  // What is known of a sphere of which nothing is known: that its contacts are not before `base`.
+  static BoundedContacts unbounded(const Candidates& candidates, double base);
+
   // The earliest contact, pair by pair, by the order of events.
   static Prospect earliest_in_order(const World& world, const Candidates& candidates, const Time& now);
 

@@ -68,12 +68,11 @@ void CompactPaths::choose_units(const World& world) {
     for (const Path& path : world.paths()) squares_ += dot(path.velocity, path.velocity);
   }
   const double mean = copies_ > 0 ? std::sqrt(squares_ / static_cast<double>(copies_)) : 0;
-  // If nothing moves, any unit will do.
-  const double greatest_speed = mean > 0 ? kSpeedMargin * mean : farthest_;
-  const double speed_unit = unit_of(greatest_speed);
-  const double v = greatest_speed / speed_unit;
   // Squares of slower speeds underflow; inelastic collapse leads to them. Then nothing is bounded.
   constexpr double kSlowest = 0x1p-400;
+  const double greatest_speed = std::max(kSpeedMargin * mean, kSlowest);
+  const double speed_unit = unit_of(greatest_speed);
+  const double v = greatest_speed / speed_unit;
   greatest_speed_squared_ = greatest_speed > kSlowest ? greatest_speed * greatest_speed : -1;
   per_speed_ = 1 / speed_unit;
   time_unit_ = length_unit / speed_unit;
@@ -109,6 +108,16 @@ void CompactPaths::choose_units(const World& world) {
   }
   radii_.resize(world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) radii_[slot] = rounded_up(world.radius(slot) / length_unit);
+}
+
+// A place may be too far away for the fast conversion to an integer.
+void CompactPaths::note_unbounded(CompactPath& copy, const Vec3& place) {
+  ++unbounded_;
+  copy.velocity.fill(std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    constexpr double kRing = 0x1p32;
+    copy.place[axis] = to_integer(std::remainder(place[axis], kRing * step_[axis]) * steps_per_length_[axis]);
+  }
 }
 
 }  // namespace hardball

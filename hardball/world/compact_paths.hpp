@@ -28,11 +28,10 @@ class CompactPaths {
   /// Copies all paths at `now`, where candidates are at most `farthest` [L] apart, and spheres move no
   /// farther before they are copied again. Cost: O(n).
   void reset(const World& world, double farthest, const Time& now);
-  /// The same with the distance given before, if speeds have changed or it is long ago.
-  void renew(const World& world, const Time& now) {
-    if (unbounded_ > most_unbounded_ || copies_ > most_copies_) [[unlikely]]
-      reset(world, farthest_, now);
-  }
+  /// Whether speeds have changed, or units were chosen long ago: then `renew` pays.
+  bool are_outdated() const { return unbounded_ > most_unbounded_ || copies_ > most_copies_; }
+  /// As reset(), with the distance given before.
+  void renew(const World& world, const Time& now) { reset(world, farthest_, now); }
 
   /// Copies one path as it is at `now`.
   void copy(const World& world, Slot slot, const Time& now) {
@@ -53,9 +52,11 @@ class CompactPaths {
         std::fabs(place.z) <= farthest_place_.z && std::fabs(ticks) <= kMostTicks &&
         speed_squared <= greatest_speed_squared_) [[likely]]
       return;
-    copy.velocity.fill(std::numeric_limits<float>::quiet_NaN());
-    ++unbounded_;
+    note_unbounded(copy, place);
   }
+
+  /// Whether the last copy says anything of the contacts of the sphere.
+  bool is_bounded(Slot slot) const { return !std::isnan(paths_[slot].velocity[0]); }
 
   /// Notes that a path has changed; returns its new revision.
   std::uint32_t note_change(Slot slot) { return paths_[slot].revision += kRevision; }
@@ -99,6 +100,7 @@ class CompactPaths {
   }
 
   void choose_units(const World& world);
+  void note_unbounded(CompactPath& copy, const Vec3& place);
 
   LargeVector<CompactPath> paths_;  // by slot
   LargeVector<float> radii_;        // by slot, in units, rounded up; empty if all are alike

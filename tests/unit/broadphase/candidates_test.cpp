@@ -127,6 +127,7 @@ TEST(Candidates, DropRepeatedForgetsEarlierRounds) {
   const SlotLists::LineOfSlots line = {1, 2, 3};
   for (int round = 0; round < 1000; ++round) {
     candidates.begin(9, true);
+    candidates.start_round(6);
     EXPECT_TRUE(candidates.is_new(1));
     EXPECT_FALSE(candidates.is_new(9)) << "the sphere itself";
     candidates.add(line, 3);

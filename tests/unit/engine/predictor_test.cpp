@@ -165,7 +165,7 @@ class Comparison {
       if (slot == self) continue;
       const double speed = length(world.path(slot).velocity);
       const double longest_age =
-          speed > 0 ? std::min(copies_.expiry(world, slot, Time(0)), farthest / speed) : 1000;
+          speed > 0 ? std::min(copies_.longest_age(), farthest / speed) : 1000;
       copies_.copy(world, slot, after(now, -longest_age * random_age()));
     }
     for (const Predictor& predictor : predictors_) {
