@@ -112,6 +112,13 @@ HARDBALL_ALWAYS_INLINE ContactBounds least_two(const BoundScale& scale, const Co
     places |= std::uint64_t{bits(Floats::load(waits + i) == Floats(found.least))} << i;
   }
   found.partner = others[std::countr_zero(places)];
+  if (found.second > found.least) [[likely]]
+    return found;
+  // A candidate may be repeated.
+  found.second = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (others[i] != found.partner && waits[i] < found.second) found.second = waits[i];
+  }
   return found;
 }
 
@@ -128,7 +135,8 @@ ContactBounds bound_contacts(const BoundScale& scale, const CompactPath* paths, 
     const bool is_sooner = found.least < all.least;
     const ContactBounds& first = is_sooner ? found : all;
     const ContactBounds& other = is_sooner ? all : found;
-    const float second = first.second < other.least ? first.second : other.least;
+    const float rest = other.partner == first.partner ? other.second : other.least;
+    const float second = first.second < rest ? first.second : rest;
     all = {first.least, second, first.partner};
     if (left <= kBoundBatch) return all;
   }
