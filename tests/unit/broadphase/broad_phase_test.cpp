@@ -255,6 +255,31 @@ TEST(NeighborList, HasThoseAsCandidatesWhoseShellsMeet) {
   }
 }
 
+// Of two spheres whose shells just meet, up to rounding, each finds the other if the other finds it.
+TEST(NeighborList, FindsTheSameNeighborsFromEitherSide) {
+  constexpr double kSlack = 0.25;
+  const double margin = 0x1p-19 * farthest_neighbors(0.5, kSlack);
+  Random random(7);
+  std::uint64_t neighbors = 0;
+  for (std::uint64_t i = 0; i < support::cases(20000); ++i) {
+    World world(Box::walls({40, 40, 40}));
+    const double first = 0.1 + 0.4 * random.uniform();
+    const double second = 0.1 + 0.4 * random.uniform();
+    const double distance = first + second + 2 * kSlack + margin;
+    const double rounding = 0x1p-24 * (8 * random.uniform() - 4);
+    const Vec3 place{10 + 20 * random.uniform(), 20, 20};
+    world.add({place, {1, 0, 0}, first, 1});
+    world.add({place + distance * (1 + rounding) * random.direction(), {1, 0, 0}, second, 1});
+    world.add({{2, 2, 2}, {}, 0.5, 1});
+    CopyingList list(kSlack);
+    list.build(world, Time(0));
+    ASSERT_NO_THROW(list.validate(world, Time(0))) << "case " << i;
+    neighbors += candidates_of(list, world, 0).size();
+  }
+  EXPECT_GT(neighbors, support::cases(20000) / 5);
+  EXPECT_LT(neighbors, support::cases(20000) * 4 / 5);
+}
+
 TEST(NeighborList, ChangesBothListsWhenASphereCrosses) {
   World world(Box::periodic({20, 20, 20}));
   world.add({{15, 5, 5}, {1, 0, 0}, 0.5, 1});

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Speeds that differ by many orders of magnitude, or change by as much: the copies of paths from which
-// contacts are bounded are good up to some speed and age. One history by every engine.
+// Speeds that differ by many orders of magnitude, or change by as much, and places far away: the copies of
+// paths from which contacts are bounded are good up to some speed, age and distance. One history by every
+// engine.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -105,6 +106,27 @@ TEST(Speeds, OfSpheresAtRestForVeryLong) {
     const auto run = [](Simulation& simulation) { return support::run_on(simulation, {.until = Time(600)}); };
     EXPECT_GT(contacts_in_one_history(world, run), 2000U);
     if (HasFailure()) return;
+  }
+}
+
+// In open space, so far from the origin that places are coarse on the scale of the spheres, by more or less.
+TEST(Places, FarFromTheOrigin) {
+  for (std::uint64_t seed = 0; seed < support::cases(4); ++seed) {
+    for (const double distance : {1e6, 2e7, 5e7, 1e8, 1e9, 1e11}) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", distance " << distance);
+      const World gas =
+          support::make_gas({.count = 60, .packing_fraction = 0.2, .seed = seed, .boundary = Boundary::open});
+      World world;
+      for (const Path& path : gas.paths()) {
+        // Spaced a little wider: places are rounded.
+        world.add({1.001 * path.position + Vec3{distance, -distance, 0}, path.velocity, 0.5, 1});
+      }
+      const auto run = [](Simulation& simulation) {
+        return support::run_on(simulation, {.until = Time(30)});
+      };
+      EXPECT_GT(contacts_in_one_history(world, run), 30U);
+      if (HasFailure()) return;
+    }
   }
 }
 
