@@ -49,8 +49,8 @@ struct Work {
 // four spheres, 2.8 diameters wide. Small gases run many times, for the same number of contacts.
 TEST(WorkPerContact, AndMemoryPerSphereDoNotGrowWithTheNumberOfSpheres) {
   const double cell_edge = support::cube_edge(4, kPacking) * (1 - 1e-9);
-  std::vector<std::size_t> cubes_per_axis{8, 12, 30, 63};  // 2,048 to 1,000,188 spheres
-  if (support::kIsSlowBuild) cubes_per_axis = {8, 12};
+  std::vector<std::size_t> cubes_per_axis{12, 18, 30, 63};  // 6,912 to 1,000,188 spheres
+  if (support::kIsSlowBuild) cubes_per_axis = {12, 14};
   std::vector<Work> all;
   for (const std::size_t cubes : cubes_per_axis) {
     const std::size_t count = 4 * cubes * cubes * cubes;
