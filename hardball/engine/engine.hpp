@@ -75,12 +75,12 @@ class Engine {
     std::uint64_t contacts = 0;
     if (limits.contacts == 0) return RunStatus::contacts_reached;
     for (std::uint64_t step = 0;; ++step) {
+      if (compact_.are_outdated()) [[unlikely]]
+        renew_copies();
       const Slot next = least_until(limits.until);
       if (next == kNoOwner) return RunStatus::time_reached;
       if (step == limits.steps) return RunStatus::steps_reached;
       prefetch_ahead();
-      if (compact_.are_outdated()) [[unlikely]]
-        renew_copies();
       if (handle_without_contact(next)) continue;
       const bool goes_on = notify(observe, carry_out(next));
       if constexpr (HARDBALL_VALIDATE) {
@@ -434,7 +434,7 @@ class Engine {
     return done_.contact;
   }
 
-  // Copies are good for as long as the units tell.
+  // New units may shorten the time for which copies are good.
   void renew_copies() {
     compact_.renew(world_, now_);
     if (!are_nearest_) return;

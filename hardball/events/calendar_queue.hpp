@@ -225,7 +225,11 @@ class CalendarQueue {
     std::erase_if(sorted_, [&](const Entry& entry) {
       const std::int64_t number = bucket_of(entry.time);
       if (number <= current_) return false;
-      insert_after_current(entry, number, table);
+      if (entry.time < std::numeric_limits<double>::infinity()) {
+        insert_after_current(entry, number, table);
+      } else {
+        ++counters_.taken;
+      }
       return true;
     });
   }
