@@ -163,14 +163,17 @@ void NeighborList::find_near(Slot slot, const CompactPaths& copies) {
   // The kernel reads whole vectors.
   std::fill_n(around_.data() + count, kWidestVector, slot);
   near_.resize(count + kWidestVector);
+  // Half of the reach belongs to each sphere, so that rounding is the same from either side.
+  const float own_reach = reach_ / 2 + copies.radius(slot);
   const NearQuery query{
       .points = anchors_.data(),
       .slots = around_.data(),
       .count = count,
       .place = anchors_[slot].place,
       .grid = copies.scale().grid,
-      .reach = reach_ + copies.radius(slot) + (copies.radii() == nullptr ? copies.radius(slot) : 0),
+      .reach = copies.radii() == nullptr ? own_reach + own_reach : own_reach,
       .radii = copies.radii(),
+      .margin = reach_ / 2,
   };
   near_.resize(pick_near_(query, near_.data()));
 }

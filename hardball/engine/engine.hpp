@@ -364,7 +364,9 @@ class Engine {
       phase_.cross(world_, slot, now_, compact_, candidates_);
       counters_.predictions += candidates_.size();
       counters_.enter_predictions += candidates_.size();
-      if (is_stale(slot) || !predict_new(slot)) return predict(slot);
+      const bool is_changed = is_stale(slot);
+      counters_.stale += is_changed ? 1 : 0;
+      if (is_changed || !predict_new(slot)) return predict(slot);
     }
     schedule(slot);
   }

@@ -26,6 +26,7 @@ struct NearQuery {
   std::array<float, 3> grid;          ///< The step along each axis [L].
   float reach;                        ///< The distance within which points are near [L].
   const float* radii;                 ///< By slot: added to `reach` for each point [L]; null for none.
+  float margin;                       ///< Added to each of these radii [L].
 };
 
 /// Writes to `near` the slots of the points with an image nearer to the place than `reach`, and returns their

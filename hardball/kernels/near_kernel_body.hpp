@@ -28,7 +28,7 @@ std::size_t pick_near(const NearQuery& query, std::uint32_t* near) {
     const Floats y = apart(1);
     const Floats z = apart(2);
     Floats reach(query.reach);
-    if (query.radii != nullptr) reach = reach + Floats::gather(query.radii, slots);
+    if (query.radii != nullptr) reach = reach + (Floats(query.margin) + Floats::gather(query.radii, slots));
     const std::size_t left = query.count - i;
     const unsigned meant = left < Floats::kWidth ? (1U << left) - 1 : ~0U;
     const unsigned is_near = bits(x * x + y * y + z * z < reach * reach) & meant;
