@@ -108,14 +108,17 @@ TEST(NearKernel, PicksThePointsWithinReachWithAllInstructionSets) {
     }
     points.asked.resize(count);
     points.asked.resize(count + kWidestVector, nearest);
+    constexpr float kMargin = 0.125F;
     const NearQuery query{
         .points = points.places.data(),
         .slots = points.asked.data(),
         .count = count,
         .place = place,
         .grid = points.grid,
-        .reach = reach,
+        // The margin belongs to the points.
+        .reach = has_radii ? reach - kMargin : reach,
         .radii = has_radii ? points.radii.data() : nullptr,
+        .margin = kMargin,
     };
     for (const InstructionSet set : available_instruction_sets()) {
       std::vector<std::uint32_t> near(count + kWidestVector);
@@ -146,7 +149,8 @@ TEST(NearKernel, FindsTheSameInBothDirections) {
                               .place = points.places[from].place,
                               .grid = points.grid,
                               .reach = static_cast<float>(exact * (1 + rounding)),
-                              .radii = nullptr};
+                              .radii = nullptr,
+                              .margin = 0};
         return kernels_of(set).pick_near(query, near.data());
       };
       ASSERT_EQ(is_near(0, 1), is_near(1, 0)) << "seed " << seed;
