@@ -24,14 +24,17 @@ namespace hardball {
 /// - `refresh(world, slot, now, folded)` updates the region of a sphere whose path was rewritten at `now`;
 ///   its centre has been folded back by `folded` boxes.
 /// - `collect(world, slot, candidates)` collects every candidate of a sphere, usually once.
-/// - `next_crossing(world, slot, now, copies)` is a time before which the sphere stays in its region [T]. For a
+/// - `next_crossing(world, slot, now, copies)` is a time before which the sphere stays in its region [T]. For
+/// a
 ///   sphere at rest it may be any time after its copy expires.
 /// - `has_nearest_images()`: whether candidates mean the nearest images of spheres.
-/// - `cross(world, slot, now, copies, candidates)` gives it the next region and collects the new candidates (and
+/// - `cross(world, slot, now, copies, candidates)` gives it the next region and collects the new candidates
+/// (and
 ///   perhaps others).
 /// - `prefetch_region(slot)` and `prefetch_lists(slot, crosses)`, called a few events apart, prefetch what
 ///   the next event of a sphere will need; `crosses` says whether it is a crossing.
-/// - `prefetch_candidates(slot, crosses, copies)`, later still, prefetches the data of most of the candidates of
+/// - `prefetch_candidates(slot, crosses, copies)`, later still, prefetches the data of most of the candidates
+/// of
 ///   that event.
 /// - `left_count()` counts the cells, or rows of cells, that spheres have left since `build`.
 /// - `validate(world, now, copies)` checks the whole structure and throws BrokenInvariant.

@@ -28,7 +28,8 @@ class Candidates {
   /// The widest vector that reads these arrays.
   static constexpr std::size_t kPadding = kWidestVector;
 
-  /// `rounds` is the initial count of calls of start_round(), so that tests reach the overflow of the counter.
+  /// `rounds` is the initial count of calls of start_round(), so that tests reach the overflow of the
+  /// counter.
   explicit Candidates(std::uint32_t rounds = 0) : round_(rounds) {}
 
   /// Starts over for the sphere in `slot`; `nearest` says whether nearest images are meant.
@@ -115,7 +116,8 @@ class Candidates {
   /// Removes all marks but that of the sphere itself, and makes room to mark `count` candidates.
   void start_round(std::size_t count) {
     constexpr std::size_t kMost = std::size_t{1} << 16;
-    if (2 * count > seen_.size() && seen_.size() < kMost) seen_.resize(std::min(kMost, std::bit_ceil(4 * count)));
+    if (2 * count > seen_.size() && seen_.size() < kMost)
+      seen_.resize(std::min(kMost, std::bit_ceil(4 * count)));
     if (++round_ == 0) {
       // The counter has wrapped around: old marks must not pass for new ones.
       std::fill(seen_.begin(), seen_.end(), 0);
@@ -129,9 +131,7 @@ class Candidates {
   void mark(Slot other) { seen_[other & (seen_.size() - 1)] = key(other); }
 
   /// Fills the padding. Call before the arrays are read.
-  void end() {
-    std::fill_n(slots_.data() + size_, kPadding, self_);
-  }
+  void end() { std::fill_n(slots_.data() + size_, kPadding, self_); }
 
  private:
   std::uint64_t key(Slot other) const { return std::uint64_t{round_} << 32 | other; }
@@ -147,7 +147,7 @@ class Candidates {
   bool nearest_ = true;
   std::size_t size_ = 0;
   std::uint32_t round_;
-  std::size_t room_ = 56;  // for candidates, padding not counted
+  std::size_t room_ = 56;         // for candidates, padding not counted
   const Slot* listed_ = nullptr;  // if the candidates are elsewhere
   std::vector<Slot> slots_ = std::vector<Slot>(room_ + kPadding);
   std::vector<Image> images_;

@@ -14,7 +14,8 @@ namespace hardball {
 namespace {
 
 // By which shells are larger than they need to be, and centres cross earlier, as fractions of the farthest
-// distance of neighbours: far more than the errors of places on the grid and of distances in single precision.
+// distance of neighbours: far more than the errors of places on the grid and of distances in single
+// precision.
 constexpr double kShellMargin = 0x1p-19;
 constexpr double kCrossingMargin = 0x1p-21;
 
@@ -99,7 +100,8 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
 double NeighborList::next_crossing_of_any(const World& world, Slot slot, const Time& now,
                                           const CompactPaths& copies) const {
   const auto& anchor = anchors_[slot].place;
-  const Vec3 place{copies.apart(anchor, slot, 0), copies.apart(anchor, slot, 1), copies.apart(anchor, slot, 2)};
+  const Vec3 place{copies.apart(anchor, slot, 0), copies.apart(anchor, slot, 1),
+                   copies.apart(anchor, slot, 2)};
   const double reach = std::max(0.0, room_ - coordinate_error(world, slot, now));
   const double room = std::max(0.0, reach * reach - dot(place, place));
   return rounded_down(now) + wait_in_ball(place, world.path(slot).velocity, room);
@@ -201,8 +203,7 @@ std::size_t NeighborList::collect_around(const CellIndex& center) {
 
 std::size_t NeighborList::memory_bytes() const {
   return store_.memory_bytes() + anchors_.capacity() * sizeof(GridPoint) + neighbors_.memory_bytes() +
-         (around_.capacity() + near_.capacity() + gained_.capacity() + lost_.capacity()) *
-             sizeof(Slot);
+         (around_.capacity() + near_.capacity() + gained_.capacity() + lost_.capacity()) * sizeof(Slot);
 }
 
 void NeighborList::validate(const World& world, const Time& now, const CompactPaths& copies) const {

@@ -48,7 +48,8 @@ class NeighborList {
     float speed_squared = 1e-30F;  // of a sphere at rest the wait is finite, but longer than any copy is good
     float room = room_squared_;
     for_each_axis([&](auto axis) {
-      const auto steps = static_cast<std::uint32_t>(path.place[axis]) - static_cast<std::uint32_t>(anchor[axis]);
+      const auto steps =
+          static_cast<std::uint32_t>(path.place[axis]) - static_cast<std::uint32_t>(anchor[axis]);
       const float place = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis];
       outwards += place * path.velocity[axis];
       speed_squared += path.velocity[axis] * path.velocity[axis];
@@ -126,11 +127,11 @@ class NeighborList {
   InstructionSet instructions_;
   NearKernel pick_near_;
   double slack_ = 0;
-  float reach_ = 0;    // of shells beyond the radii, in units of the compact paths
+  float reach_ = 0;         // of shells beyond the radii, in units of the compact paths
   float room_squared_ = 0;  // likewise, of room_
-  double room_ = 0;    // the distance from its anchor at which a centre crosses
+  double room_ = 0;         // the distance from its anchor at which a centre crosses
   Subdivision cells_;
-  CellStore store_;            // anchors
+  CellStore store_;                 // anchors
   LargeVector<GridPoint> anchors_;  // by slot
   std::uint32_t round_ = 0;         // of marks: see find_changes
   PaddedLists neighbors_;           // by slot; their lengths are in the anchors

@@ -14,8 +14,8 @@
 
 namespace hardball {
 
-/// A list of slots for each sphere, which kernels read in place: it is contiguous, and padded to whole vectors
-/// with the slot of the sphere itself.
+/// A list of slots for each sphere, which kernels read in place: it is contiguous, and padded to whole
+/// vectors with the slot of the sphere itself.
 ///
 /// A short list is in its own cache line; a longer one is in a block of twice, four times, ... the size, and
 /// its line names the block. The caller keeps the lengths, next to other data of the sphere. Lists are

@@ -30,10 +30,11 @@ namespace hardball {
 /// prospect is a contact computed exactly, or a bound: a time before which the sphere meets none of the
 /// candidates that it answers for, and a limit before which it meets none but one of them. Of any two
 /// candidates, the one that predicted last answers for their contact. A bound is refined, replaced by the
-/// exact contact, when it is about to come; if its contact is not before its limit, all contacts of the sphere
-/// are computed exactly. A prospect whose partner's path has changed since is stale, and the sphere predicts
-/// again. Only exact contacts are ever executed, so that bounds affect the speed and not the history. An engine
-/// is a value: it can be copied, and many can coexist. Source: docs/bounds.md, with the proof.
+/// exact contact, when it is about to come; if its contact is not before its limit, all contacts of the
+/// sphere are computed exactly. A prospect whose partner's path has changed since is stale, and the sphere
+/// predicts again. Only exact contacts are ever executed, so that bounds affect the speed and not the
+/// history. An engine is a value: it can be copied, and many can coexist. Source: docs/bounds.md, with the
+/// proof.
 template <EventQueue Queue, BroadPhase Phase, Response Respond>
 class Engine {
  public:
@@ -193,8 +194,8 @@ class Engine {
     void prefetch_event(Slot slot) const { prefetch(&engine.plans_[slot]); }
     void prefetch_refinement(Slot slot) const { engine.prefetch_refinement(slot); }
     void refine(std::span<QueueEntry> entries) const { engine.refine(entries); }
-    // What is not known exactly comes first among the events of one double: its exact time may be earlier than
-    // theirs.
+    // What is not known exactly comes first among the events of one double: its exact time may be earlier
+    // than theirs.
     Event event(Slot slot) const {
       const Plan& plan = engine.plans_[slot];
       if (plan.crosses_first() || plan.is_bound() || engine.is_stale(slot)) {

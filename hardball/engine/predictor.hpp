@@ -98,9 +98,8 @@ class Predictor {
     const double base = rounded_down(now);
     if (!copies.is_bounded(candidates.self())) [[unlikely]]
       return unbounded(candidates, base);
-    const ContactBounds found =
-        bound_kernel_(copies.scale(), copies.paths().data(), copies.radii(), candidates.self(),
-                      candidates.slots(), candidates.size());
+    const ContactBounds found = bound_kernel_(copies.scale(), copies.paths().data(), copies.radii(),
+                                              candidates.self(), candidates.slots(), candidates.size());
     return {base + copies.time_unit() * static_cast<double>(found.least),
             base + copies.time_unit() * static_cast<double>(found.second), found.partner};
   }

@@ -13,11 +13,11 @@ namespace hardball {
 /// What the numbers of compact paths mean, and what bounds allow for their errors, in units of these paths.
 /// Source: docs/bounds.md, where the names are those of the proof.
 struct BoundScale {
-  float common_reach = 0;  ///< If all radii are alike, the sum of two, with the allowance [L].
-  std::array<float, 3> grid{};  ///< The step of the grid along each axis [L].
-  float tick = 0;               ///< [T]
-  float reach_allowance = 0;    ///< Added to the sum of two radii: error of a separation [L].
-  float square_allowance = 0;   ///< Subtracted from a squared distance [L^2].
+  float common_reach = 0;        ///< If all radii are alike, the sum of two, with the allowance [L].
+  std::array<float, 3> grid{};   ///< The step of the grid along each axis [L].
+  float tick = 0;                ///< [T]
+  float reach_allowance = 0;     ///< Added to the sum of two radii: error of a separation [L].
+  float square_allowance = 0;    ///< Subtracted from a squared distance [L^2].
   float approach_allowance = 0;  ///< k_b: subtracted from separation times velocity [L^2/T].
   float speed_allowance = 0;     ///< G: subtracted from a squared relative velocity [L^2/T^2].
   float excess_allowance = 0;    ///< kappa, of the discriminant [L^2].
@@ -32,8 +32,8 @@ struct ContactBounds {
 };
 
 /// Bounds the waits of the sphere in slot `self`, from the moment at which its path was copied, until it
-/// touches its candidates: `others`, `count` slots padded with the sphere itself. Paths are by slot, and so are
-/// radii [L], rounded up; null if all are alike. A bound may differ in its last bits between instruction
+/// touches its candidates: `others`, `count` slots padded with the sphere itself. Paths are by slot, and so
+/// are radii [L], rounded up; null if all are alike. A bound may differ in its last bits between instruction
 /// sets: contact times are never computed from it.
 using BoundKernel = ContactBounds (*)(const BoundScale& scale, const CompactPath* paths, const float* radii,
                                       std::uint32_t self, const std::uint32_t* others, std::size_t count);

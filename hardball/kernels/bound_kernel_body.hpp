@@ -43,8 +43,9 @@ struct BoundedSphere {
 /// Lower bounds of the waits for Floats::kWidth candidates; infinite for those that will not touch, and for
 /// the sphere itself. Source: docs/bounds.md, in the order of its steps.
 template <class Floats>
-HARDBALL_ALWAYS_INLINE Floats bound_waits(const BoundScale& scale, const CompactPath* paths, const float* radii,
-                                          const BoundedSphere<Floats>& own, const std::uint32_t* others) {
+HARDBALL_ALWAYS_INLINE Floats bound_waits(const BoundScale& scale, const CompactPath* paths,
+                                          const float* radii, const BoundedSphere<Floats>& own,
+                                          const std::uint32_t* others) {
   using Integers = typename Floats::Integers;
   const Floats zero(0.0F);
   CompactPathsOfLanes<Floats> other;
@@ -69,10 +70,9 @@ HARDBALL_ALWAYS_INLINE Floats bound_waits(const BoundScale& scale, const Compact
   const Floats approach = dot_plus(r, v, Floats(-scale.approach_allowance));
   const Floats speed_squared = dot_plus(v, v, Floats(-scale.speed_allowance));
   const Floats excess = dot_plus(r, r, zero - multiply_add(reach, reach, Floats(scale.square_allowance)));
-  const Floats discriminant =
-      multiply_add(approach, approach,
-                   multiply_add(speed_squared, Floats(scale.excess_allowance) - excess,
-                                Floats(scale.least_discriminant)));
+  const Floats discriminant = multiply_add(
+      approach, approach,
+      multiply_add(speed_squared, Floats(scale.excess_allowance) - excess, Floats(scale.least_discriminant)));
   // NaN, of a candidate too fast to be bounded, passes as touching at once.
   const auto never = (discriminant < zero) | ((approach >= zero) & (speed_squared >= zero));
   const Floats root = square_root(maximum(discriminant, zero));
@@ -105,8 +105,8 @@ HARDBALL_ALWAYS_INLINE ContactBounds least_two(const BoundScale& scale, const Co
   if (!(found.least < std::numeric_limits<float>::infinity())) return {found.least, found.least, self};
   const auto is_least = least == Floats(found.least);
   const unsigned lanes = bits(is_least);
-  found.second = (lanes & (lanes - 1)) == 0 ? least_of(minimum(second, select(is_least, forever, least)))
-                                            : found.least;
+  found.second =
+      (lanes & (lanes - 1)) == 0 ? least_of(minimum(second, select(is_least, forever, least))) : found.least;
   std::uint64_t places = 0;
   for (std::size_t i = 0; i < count; i += Floats::kWidth) {
     places |= std::uint64_t{bits(Floats::load(waits + i) == Floats(found.least))} << i;

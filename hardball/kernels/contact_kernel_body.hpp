@@ -339,16 +339,13 @@ void contacts_of_pairs(const PairQuery& query, double* high, double* low) {
     const Lanes b_wait = age_at(start, b);
     const auto separation = [&](const Lanes& ra, const Lanes& va, const Lanes& rb, const Lanes& vb,
                                 const Lanes& length, const Lanes& inverse_length) {
-      const Lanes shift =
-          round_to_integer(((ra + a_age * va) - (rb + b_age * vb)) * inverse_length) * length;
+      const Lanes shift = round_to_integer(((ra + a_age * va) - (rb + b_age * vb)) * inverse_length) * length;
       return ((rb + b_wait * vb) - (ra + a_wait * va)) + shift;
     };
-    const VectorOfLanes<Lanes> r{separation(a.position.x, a.velocity.x, b.position.x, b.velocity.x, period.x,
-                                            inverse_period.x),
-                                 separation(a.position.y, a.velocity.y, b.position.y, b.velocity.y, period.y,
-                                            inverse_period.y),
-                                 separation(a.position.z, a.velocity.z, b.position.z, b.velocity.z, period.z,
-                                            inverse_period.z)};
+    const VectorOfLanes<Lanes> r{
+        separation(a.position.x, a.velocity.x, b.position.x, b.velocity.x, period.x, inverse_period.x),
+        separation(a.position.y, a.velocity.y, b.position.y, b.velocity.y, period.y, inverse_period.y),
+        separation(a.position.z, a.velocity.z, b.position.z, b.velocity.z, period.z, inverse_period.z)};
     const VectorOfLanes<Lanes> v{b.velocity.x - a.velocity.x, b.velocity.y - a.velocity.y,
                                  b.velocity.z - a.velocity.z};
     const Lanes reach = query.radii == nullptr ? Lanes(query.radius + query.radius)

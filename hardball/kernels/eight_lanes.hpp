@@ -14,7 +14,8 @@
 #include "hardball/kernels/near_kernel_body.hpp"
 
 namespace hardball {
-// Each file that includes this has its own copy, compiled for its own instructions, and defines `keep` itself.
+// Each file that includes this has its own copy, compiled for its own instructions, and defines `keep`
+// itself.
 namespace {
 
 /// Eight numbers of single precision in 256 bits.
@@ -54,8 +55,8 @@ struct Floats {
   }
   static void keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out);
 
-  // Four numbers of single precision at an address, from each of eight structures: rows (0, 4), (1, 5), (2, 6)
-  // and (3, 7) are transposed.
+  // Four numbers of single precision at an address, from each of eight structures: rows (0, 4), (1, 5), (2,
+  // 6) and (3, 7) are transposed.
   struct Four {
     __m256 a, b, c, d;
   };

@@ -60,7 +60,7 @@ void Floats::keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
 }  // namespace
 
 const Kernels kAvx2Kernels{earliest_contact<Lanes>, contacts_of_pairs<Lanes>, bound_contacts<Floats>,
-                               pick_near<Floats>};
+                           pick_near<Floats>};
 
 }  // namespace hardball
 

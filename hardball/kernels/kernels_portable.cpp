@@ -163,9 +163,7 @@ struct Floats {
       out += lanes >> lane & 1;
     }
   }
-  void store(float* out) const {
-    for (int lane = 0; lane < 4; ++lane) out[lane] = v[lane];
-  }
+  void store(float* out) const { out[0] = v[0], out[1] = v[1], out[2] = v[2], out[3] = v[3]; }
 
   Vector v;
 };
@@ -195,9 +193,8 @@ Floats::Mask operator==(const Floats& a, const Floats& b) {
   return {a.v == b.v};
 }
 unsigned bits(const Floats::Mask& mask) {
-  unsigned found = 0;
-  for (int lane = 0; lane < 4; ++lane) found |= (mask.v[lane] != 0 ? 1U : 0U) << lane;
-  return found;
+  const auto bit = [&mask](int lane) { return mask.v[lane] != 0 ? 1U << lane : 0U; };
+  return bit(0) | bit(1) | bit(2) | bit(3);
 }
 Floats select(const Floats::Mask& mask, const Floats& a, const Floats& b) {
   return mask.v ? a.v : b.v;

@@ -19,8 +19,8 @@ struct alignas(32) GridPoint {
 
 /// A place, and points that may be near it, as plain arrays.
 struct NearQuery {
-  const GridPoint* points;            ///< By slot.
-  const std::uint32_t* slots;         ///< Of the points in question, padded with kWidestVector valid slots.
+  const GridPoint* points;     ///< By slot.
+  const std::uint32_t* slots;  ///< Of the points in question, padded with kWidestVector valid slots.
   std::size_t count;
   std::array<std::int32_t, 3> place;  ///< Modulo 2^32 steps.
   std::array<float, 3> grid;          ///< The step along each axis [L].

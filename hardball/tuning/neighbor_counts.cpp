@@ -37,8 +37,8 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
 }
 
 double cost_rate(const NeighborCounts& counts, const UnitCosts& costs) {
-  // A rebuild visits 27 cells, in rows of three that are adjacent in memory; checking whether an anchor is near
-  // costs a fraction of a prediction.
+  // A rebuild visits 27 cells, in rows of three that are adjacent in memory; checking whether an anchor is
+  // near costs a fraction of a prediction.
   constexpr double kCellsOfRebuild = 9;
   constexpr double kSearch = 0.25;
   const double pass = costs.cell + costs.prediction * counts.neighbors;

@@ -107,7 +107,8 @@ void CompactPaths::choose_units(const World& world) {
     return;
   }
   radii_.resize(world.size());
-  for (Slot slot = 0; slot < world.size(); ++slot) radii_[slot] = rounded_up(world.radius(slot) / length_unit);
+  for (Slot slot = 0; slot < world.size(); ++slot)
+    radii_[slot] = rounded_up(world.radius(slot) / length_unit);
 }
 
 // A place may be too far away for the fast conversion to an integer.

@@ -79,8 +79,8 @@ class CompactPaths {
   float radius(Slot slot) const { return radii_.empty() ? radius_ : radii_[slot]; }
   /// From a point to the place of a copy along an axis: the nearest image [L].
   double apart(const std::array<std::int32_t, 3>& from, Slot slot, std::size_t axis) const {
-    const auto steps = static_cast<std::uint32_t>(paths_[slot].place[axis]) -
-                       static_cast<std::uint32_t>(from[axis]);
+    const auto steps =
+        static_cast<std::uint32_t>(paths_[slot].place[axis]) - static_cast<std::uint32_t>(from[axis]);
     return static_cast<std::int32_t>(steps) * step_[axis];
   }
 

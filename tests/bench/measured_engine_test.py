@@ -11,7 +11,7 @@ import subprocess
 import sys
 import unittest
 
-GAS = ["--spheres", "108", "--packing-fraction", "0.25", "--equilibration", "2"]
+GAS = ["--spheres", "108", "--packing-fraction", "0.1", "--equilibration", "2"]
 
 
 def converse(arguments, commands):

@@ -228,8 +228,8 @@ double farthest_neighbors(double largest_radius, double slack) {
   return 2 * largest_radius + 4 * slack;
 }
 
-// By how much a sphere crosses before it reaches the edge of its ball, at most [L]: the margin, and the errors
-// of single precision.
+// By how much a sphere crosses before it reaches the edge of its ball, at most [L]: the margin, and the
+// errors of single precision.
 double earliness(double farthest) {
   return farthest * (0x1p-21 + 0x1p-23);
 }

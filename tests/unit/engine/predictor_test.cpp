@@ -164,8 +164,7 @@ class Comparison {
     for (Slot slot = 0; slot < world.size(); ++slot) {
       if (slot == self) continue;
       const double speed = length(world.path(slot).velocity);
-      const double longest_age =
-          speed > 0 ? std::min(copies_.longest_age(), farthest / speed) : 1000;
+      const double longest_age = speed > 0 ? std::min(copies_.longest_age(), farthest / speed) : 1000;
       copies_.copy(world, slot, after(now, -longest_age * random_age()));
     }
     for (const Predictor& predictor : predictors_) {
