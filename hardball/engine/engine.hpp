@@ -377,7 +377,7 @@ class Engine {
   bool predict_new(Slot slot) {
     Plan& plan = plans_[slot];
     if (!are_nearest_) {
-      const Prospect found = predictor_.earliest(world_, candidates_, now_, plan.moment());
+      const Prospect found = predictor_.earliest(world_, candidates_, now_);
       if (!found.happens() || found.time > plan.moment()) return true;
       const Event before = contact_of(slot);
       const Plan kept = plan;

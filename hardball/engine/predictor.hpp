@@ -60,10 +60,8 @@ class Predictor {
   explicit Predictor(InstructionSet instructions = widest_instruction_set());
 
   /// The earliest contact of the sphere to which the candidates belong; one that does not happen if there is
-  /// none. Contacts after `limit` may be missed. Precondition: `candidates` has been ended, and was collected
-  /// at `now`.
-  Prospect earliest(const World& world, const Candidates& candidates, const Time& now,
-                    const Time& limit = kNever) const {
+  /// none. Precondition: `candidates` has been ended, and was collected at `now`.
+  Prospect earliest(const World& world, const Candidates& candidates, const Time& now) const {
     if (candidates.size() == 0) return {};
     const double* shifts[kAxes];
     if (!candidates.are_nearest()) {
@@ -81,7 +79,6 @@ class Predictor {
         .inverse_period = &world.box().inverse_period(),
         .now_high = now.high,
         .now_low = now.low,
-        .limit = limit.high,
     };
     const EarliestContact found = kernel_(query);
     if (!(found.high < kNever.high)) return {};

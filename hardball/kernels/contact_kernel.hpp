@@ -23,12 +23,11 @@ struct ContactQuery {
   const Vec3* inverse_period;  ///< Zero along axes that are not periodic.
   double now_high;             ///< When images are the nearest; any time if they are given.
   double now_low;
-  double limit;  ///< Contacts after this time do not matter.
 };
 
 /// The earliest contact of a sphere with its candidates.
 struct EarliestContact {
-  double high;  ///< Time of the earliest contact; infinite, or after the limit, if there is none before.
+  double high;  ///< Time of the earliest contact; infinite if there is none.
   double low;
   std::uint32_t index;  ///< The candidate.
   bool is_tied;         ///< Another contact may be as early: `high` does not decide.
