@@ -26,7 +26,7 @@ using Steps = std::array<double, 4>;  // contacts, crossings, cells, predictions
 
 // A cubic crystal has 4 k^3. A smaller box would have so few cells that several images of a sphere are in
 // reach.
-constexpr std::size_t kSpheres = 1372;
+constexpr std::size_t kSpheres = 6912;
 
 World make_gas(double packing_fraction) {
   constexpr double kRadius = 0.5;
@@ -133,7 +133,7 @@ UnitCosts measure_unit_costs(const std::function<double()>& seconds) {
   std::vector<Trial> trials;
   for (const double packing_fraction : {0.003, 0.05, 0.3}) {
     const double spacing = std::cbrt(std::numbers::pi / 6 / packing_fraction);
-    for (const double relative_edge : {0.5, 0.75, 1.1, 1.5}) {
+    for (const double relative_edge : {0.6, 1.0, 1.6, 2.4}) {
       trials.emplace_back(make_gas(packing_fraction), relative_edge * spacing);
     }
   }

@@ -10,7 +10,7 @@ namespace hardball {
 
 /// Measures what the steps of the event loop cost on this machine, by running small gases of several
 /// densities with cells of several sizes. `seconds` reads a monotonic clock [s]. Cost: less than
-/// 0.1 s.
+/// 0.5 s.
 UnitCosts measure_unit_costs(const std::function<double()>& seconds);
 
 }  // namespace hardball
