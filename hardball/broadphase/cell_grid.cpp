@@ -78,18 +78,14 @@ void CellGrid::refuse_tiny_cells(const World& world) const {
               "give at least a fifth of the largest diameter, " + to_text(world.largest_radius() * 2 / 5));
 }
 
-// The most cells that a sphere touches along an axis.
 double CellGrid::most_touched(const World& world, std::size_t axis) const {
-  const double reach = cells_.reach(axis, world.largest_radius());
-  return std::floor(2 * reach / cells_.edge(axis) * (1 + 1e-6)) + 2;
+  return most_cells_touched(2 * cells_.reach(axis, world.largest_radius()), cells_.edge(axis));
 }
 
-// A sphere's centre lies in one of the cells that it touches, so that centres of spheres that share a cell
-// are less than 2 * touched - 1 cells apart: nearer than half the box.
 bool CellGrid::images_are_nearest(const World& world) const {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_periodic(axis)) continue;
-    if (cells_.period(axis) < 2 * (2 * most_touched(world, axis) - 1) + 1) return false;
+    if (!hardball::has_nearest_images(cells_.period(axis), most_touched(world, axis))) return false;
   }
   return true;
 }
@@ -179,6 +175,13 @@ void CellGrid::cross_range(const World& world, Slot slot, const Time& now, Candi
   leave(slot, old, kept);
   const std::size_t crossed = axis_of(region.crossed_face);
   const std::int32_t row = is_upper(region.crossed_face) ? kept.high[crossed] + 1 : kept.low[crossed] - 1;
+  // Where times do not resolve the motion, crossings follow one another and the sphere stays where it is: its
+  // region must not grow.
+  if (row > exact.high[crossed] + 2 || row < exact.low[crossed] - 2) [[unlikely]] {
+    region.take(kept);
+    candidates.begin(slot, nearest_);
+    return candidates.end();
+  }
   CellRange entered = kept;
   entered.low[crossed] = entered.high[crossed] = row;
   kept.low[crossed] = std::min(kept.low[crossed], row);

@@ -32,7 +32,7 @@ class CellGrid {
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths&, Candidates& candidates);
   void prefetch_region(Slot slot) const { prefetch(&regions_[slot]); }
   void prefetch_lists(Slot slot, bool crosses) const {
-    if (!store_.is_dense()) return;
+    if (!is_prefetched(slot)) return;
     const auto prefetch_list = [this](const CellIndex&, const CellIndex& cell) {
       prefetch(store_.lists().address(store_.list(cell)));
     };
@@ -40,7 +40,7 @@ class CellGrid {
     if (crosses) cells_.for_each_folded(regions_[slot].row_ahead(), prefetch_list);
   }
   void prefetch_candidates(Slot slot, bool crosses, const CompactPaths& copies) const {
-    if (!store_.is_dense()) return;
+    if (!is_prefetched(slot)) return;
     const Region& region = regions_[slot];
     cells_.for_each_folded(
         crosses ? region.row_ahead() : region.range(), [&](const CellIndex&, const CellIndex& cell) {
@@ -78,6 +78,12 @@ class CellGrid {
     std::uint32_t wide_axes() const { return (more[0] * 4U + more[1] * 2U) + more[2]; }
   };
 
+  // Large spheres in small cells touch too many.
+  bool is_prefetched(Slot slot) const {
+    constexpr std::uint32_t kMostCells = 27;
+    const auto& more = regions_[slot].more;
+    return store_.is_dense() && (more[0] + 1U) * (more[1] + 1U) * (more[2] + 1U) <= kMostCells;
+  }
   void refuse_tiny_cells(const World& world) const;
   double most_touched(const World& world, std::size_t axis) const;
   bool images_are_nearest(const World& world) const;

@@ -50,6 +50,18 @@ struct CellCrossing {
   bool up = false;  ///< Towards the cells with higher indices.
 };
 
+/// The most cells that a sphere of this diameter touches along an axis.
+inline double most_cells_touched(double diameter, double edge) {
+  return std::floor(diameter / edge * (1 + 1e-6)) + 2;
+}
+
+/// Whether spheres that touch at most `touched` cells and share one are always the nearest images of each
+/// other, along a periodic axis of so many cells: a centre lies in one of the cells that the sphere touches,
+/// so that two are less than 2 * touched - 1 cells apart, nearer than half the box.
+inline bool has_nearest_images(double cells, double touched) {
+  return cells >= 2 * (2 * touched - 1) + 1;
+}
+
 /// Space divided into uniform cells: which cells a sphere touches, and when it touches others.
 ///
 /// Cells admit a sphere slightly before it touches them and release it slightly after, by far more than

@@ -365,6 +365,7 @@ class Engine {
       phase_.cross(world_, slot, now_, compact_, candidates_);
       counters_.predictions += candidates_.size();
       counters_.enter_predictions += candidates_.size();
+      if (is_stale(slot) && plan.is_bound()) postpone(slot);
       const bool is_changed = is_stale(slot);
       counters_.stale += is_changed ? 1 : 0;
       if (is_changed || !predict_new(slot)) return predict(slot);

@@ -29,6 +29,10 @@ CellAxis cell_axis(const Moments& moments, const Subdivision& cells, std::size_t
   CellAxis result{.edge = edge, .room = moments.extent[axis], .crossings = 1 / edge};
   // Along an open axis cells may reach far beyond the spheres.
   if (moments.box.is_open(axis)) result.candidates = std::min(1.0, result.room / far_from_walls);
+  if (moments.box.is_periodic(axis)) {
+    result.has_nearest_images =
+        has_nearest_images(cells.period(axis), most_cells_touched(2 * moments.largest_radius, edge));
+  }
   if (!moments.box.is_wall(axis)) return result;
   const double rows = cells.last(axis) + 1;
   const double rows_touched = std::floor(diameter / edge) + 1;  // by a sphere at a wall

@@ -83,6 +83,8 @@ CellCounts expected_counts(const Moments& moments, double edge) {
 
   const Box& box = moments.box;
   counts.is_hashed = box.is_open(0) || box.is_open(1) || box.is_open(2);
+  counts.are_images_listed =
+      !axes[0].has_nearest_images || !axes[1].has_nearest_images || !axes[2].has_nearest_images;
   counts.collision = 1 / mean_free_time(moments);
   counts.wall = wall_rate(moments);
   const auto pairs_in = [&](double region) { return density * shared * region; };
