@@ -15,7 +15,7 @@ struct UnitCosts {
   double contact = 260;     ///< Independent of cells: new velocities, two new regions, two queue entries.
   double enter = 130;       ///< A crossing without its cells and pairs: taken from the queue and rescheduled.
   double cell = 25;         ///< Each cell searched or entered.
-  double prediction = 2.2;  ///< Each pair.
+  double prediction = 3.2;  ///< Each pair.
 
   friend bool operator==(const UnitCosts&, const UnitCosts&) = default;
 };
