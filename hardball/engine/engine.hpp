@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hardball/broadphase/broad_phase.hpp"
+#include "hardball/engine/bound_watch.hpp"
 #include "hardball/engine/predictor.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/engine/standstill_guard.hpp"
@@ -351,6 +352,7 @@ class Engine {
     } else if (refine(slot)) {
       queue_.schedule(slot, plans());
     } else {
+      bound_watch_.note_ambiguous();
       compact_.copy(world_, slot, now_);
       predict_exactly(slot);
     }
@@ -428,7 +430,7 @@ class Engine {
     const std::uint64_t predictions_before = counters_.predictions;
     note_new_path(participants.first, done_.folded[0]);
     if (is_collision) note_new_path(participants.second, done_.folded[1]);
-    if (is_collision && are_nearest_) {
+    if (is_collision && are_nearest_ && bound_watch_.pays()) {
       predict_both(participants.first, participants.second);
     } else {
       predict(participants.first);
@@ -476,6 +478,10 @@ class Engine {
   // Predicts a sphere's contacts with its candidates and the walls. Precondition: its path has been copied.
   void predict(Slot slot) {
     if (!are_nearest_) return predict_exactly(slot);
+    if (!bound_watch_.pays()) [[unlikely]] {
+      bound_watch_.note_exact();
+      return predict_exactly(slot);
+    }
     plan_contacts(slot, bound(slot));
   }
 
@@ -491,6 +497,7 @@ class Engine {
   BoundedContacts bound(Slot slot) {
     phase_.collect(world_, slot, candidates_);
     counters_.predictions += candidates_.size();
+    bound_watch_.note_bounded();
     const BoundedContacts found = predictor_.bound(compact_, candidates_, now_);
     check_bounds(found);
     return found;
@@ -616,6 +623,7 @@ class Engine {
   Queue queue_;
   CollapseGuard guard_;
   StandstillGuard standstill_guard_;
+  BoundWatch bound_watch_;
   Time now_;
   LargeVector<Plan> plans_;    // per slot
   std::vector<Image> images_;  // per slot, of the partner; none where nearest images are meant
