@@ -159,7 +159,7 @@ TEST_F(Run, ChoosesCellsByTheUnitCosts) {
   const double standard = edge({"--unit-costs", "standard"});
   EXPECT_EQ(edge({}), standard) << "a short run does not measure";
   EXPECT_LT(edge({"--unit-costs", "contact=1,enter=1,cell=1,prediction=30"}), standard);
-  EXPECT_GT(edge({"--unit-costs", "contact=1,enter=1000,cell=1,prediction=1"}), standard);
+  EXPECT_GT(edge({"--unit-costs", "contact=1,enter=100000,cell=1,prediction=1"}), standard);
   // The paper's equation lacks the collisions due to excluded volume.
   EXPECT_GE(edge({"--cell-edge", "paper"}), standard);
 }
