@@ -41,7 +41,9 @@ double cost_rate(const NeighborCounts& counts, const UnitCosts& costs) {
   // near costs a fraction of a prediction.
   constexpr double kCellsOfRebuild = 9;
   constexpr double kSearch = 0.25;
-  const double pass = costs.cell + costs.prediction * counts.neighbors;
+  // Lists are read in place, and name no sphere twice.
+  constexpr double kListed = 0.6;
+  const double pass = costs.cell + kListed * costs.prediction * counts.neighbors;
   const double rebuild =
       costs.enter + kCellsOfRebuild * costs.cell + kSearch * costs.prediction * counts.searched;
   return costs.contact * (counts.collision / 2 + counts.wall) +
