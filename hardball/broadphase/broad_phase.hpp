@@ -20,7 +20,7 @@ namespace hardball {
 /// paths and never changes them.
 ///
 /// - `build(world, now, copies)` gives every sphere a region, and resets the compact copies of paths with the
-///   distance [L] within which candidates lie, and sphere's places between two crossings.
+///   distance [L] that candidates are at most apart and that no sphere exceeds between two crossings.
 /// - `refresh(world, slot, now, folded)` updates the region of a sphere whose path was rewritten at `now`;
 ///   its centre has been folded back by `folded` boxes.
 /// - `collect(world, slot, candidates)` collects every candidate of a sphere, usually once.

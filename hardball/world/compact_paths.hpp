@@ -15,8 +15,8 @@
 
 namespace hardball {
 
-/// A compact copy of every path, from which contact times are bounded eight or more at a time: thirty times
-/// as many pairs are considered as ever meet, and for those that do not a bound will do.
+/// A compact copy of every path, from which contact times are bounded four or eight at a time: of thirty
+/// pairs considered one meets, and for the others a bound will do.
 ///
 /// A centre is an integer, in steps of a grid that divides periodic boxes evenly, so that differences modulo
 /// 2^32 lead to the nearest image. Lengths, speeds and times are scaled by powers of two that make the
