@@ -9,6 +9,7 @@
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/broadphase/cell_block.hpp"
 #include "hardball/broadphase/cell_store.hpp"
+#include "hardball/broadphase/slot_lists.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/memory/prefetch.hpp"
 
@@ -104,7 +105,7 @@ class CellGrid {
 
   double wanted_edge_;
   Subdivision cells_;
-  CellStore store_;
+  CellStore<SlotLists> store_;
   LargeVector<Region> regions_;
   bool nearest_ = false;
   bool blocks_ = false;  // regions are sets of cells of a block

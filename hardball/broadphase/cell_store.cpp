@@ -5,6 +5,8 @@
 #include <bit>
 #include <utility>
 
+#include "hardball/broadphase/point_lists.hpp"
+#include "hardball/broadphase/slot_lists.hpp"
 #include "hardball/errors/error.hpp"
 
 namespace hardball {
@@ -16,7 +18,8 @@ constexpr double kDenseCellsAlways = 4096;
 
 }  // namespace
 
-void CellStore::reset(const CellIndex& shape, std::size_t expected) {
+template <class Lists>
+void CellStore<Lists>::reset(const CellIndex& shape, std::size_t expected) {
   const double cells = static_cast<double>(shape[0]) * shape[1] * shape[2];
   dense_ = cells > 0 && cells <= kDenseCellsPerSphere * static_cast<double>(expected) + kDenseCellsAlways;
   entries_.clear();
@@ -30,21 +33,24 @@ void CellStore::reset(const CellIndex& shape, std::size_t expected) {
   if (!dense_) entries_.resize(std::bit_ceil(4 * expected + 16));
 }
 
-void CellStore::erase_hashed(const CellIndex& cell, Slot slot) {
+template <class Lists>
+void CellStore<Lists>::erase_hashed(const CellIndex& cell, Slot slot) {
   const std::size_t entry = find_entry(cell);
   const std::uint32_t list = entries_[entry].list;
-  HARDBALL_CHECK(list != SlotLists::kNone);
+  HARDBALL_CHECK(list != Lists::kNone);
   lists_.erase(list, slot);
   if (!lists_.is_empty(list)) return;
   lists_.release(list);
   erase_entry(entry);
 }
 
-std::size_t CellStore::memory_bytes() const {
+template <class Lists>
+std::size_t CellStore<Lists>::memory_bytes() const {
   return entries_.capacity() * sizeof(Entry) + lists_.memory_bytes();
 }
 
-std::size_t CellStore::home(const CellIndex& cell) const {
+template <class Lists>
+std::size_t CellStore<Lists>::home(const CellIndex& cell) const {
   std::uint64_t hash = 0;
   for (const std::int32_t index : cell) {
     hash = (hash ^ static_cast<std::uint32_t>(index)) * 0x9e3779b97f4a7c15;
@@ -54,17 +60,19 @@ std::size_t CellStore::home(const CellIndex& cell) const {
 }
 
 // The entry of the cell, or the free entry where it would go.
-std::size_t CellStore::find_entry(const CellIndex& cell) const {
+template <class Lists>
+std::size_t CellStore<Lists>::find_entry(const CellIndex& cell) const {
   std::size_t entry = home(cell);
-  while (entries_[entry].list != SlotLists::kNone && entries_[entry].cell != cell)
+  while (entries_[entry].list != Lists::kNone && entries_[entry].cell != cell)
     entry = (entry + 1) & (entries_.size() - 1);
   return entry;
 }
 
-std::uint32_t CellStore::list_for_insert(const CellIndex& cell) {
+template <class Lists>
+std::uint32_t CellStore<Lists>::list_for_insert(const CellIndex& cell) {
   if (2 * entries_used_ >= entries_.size()) grow_table();
   Entry& entry = entries_[find_entry(cell)];
-  if (entry.list == SlotLists::kNone) {
+  if (entry.list == Lists::kNone) {
     ++entries_used_;
     entry.cell = cell;
     entry.list = lists_.make();
@@ -73,25 +81,30 @@ std::uint32_t CellStore::list_for_insert(const CellIndex& cell) {
 }
 
 // Closes the gap by moving back the entries displaced from their home by it.
-void CellStore::erase_entry(std::size_t gap) {
+template <class Lists>
+void CellStore<Lists>::erase_entry(std::size_t gap) {
   const std::size_t mask = entries_.size() - 1;
-  for (std::size_t entry = (gap + 1) & mask; entries_[entry].list != SlotLists::kNone;
+  for (std::size_t entry = (gap + 1) & mask; entries_[entry].list != Lists::kNone;
        entry = (entry + 1) & mask) {
     const std::size_t from_home = (entry - home(entries_[entry].cell)) & mask;
     if (from_home < ((entry - gap) & mask)) continue;
     entries_[gap] = entries_[entry];
     gap = entry;
   }
-  entries_[gap].list = SlotLists::kNone;
+  entries_[gap].list = Lists::kNone;
   --entries_used_;
 }
 
-void CellStore::grow_table() {
+template <class Lists>
+void CellStore<Lists>::grow_table() {
   std::vector<Entry> old(2 * entries_.size());
   std::swap(old, entries_);
   for (const Entry& entry : old) {
-    if (entry.list != SlotLists::kNone) entries_[find_entry(entry.cell)] = entry;
+    if (entry.list != Lists::kNone) entries_[find_entry(entry.cell)] = entry;
   }
 }
+
+template class CellStore<SlotLists>;
+template class CellStore<PointLists>;
 
 }  // namespace hardball

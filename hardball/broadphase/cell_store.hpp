@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "hardball/broadphase/slot_lists.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/events/event.hpp"
 
@@ -16,16 +15,18 @@ namespace hardball {
 /// If the box has few cells per sphere there is a list for each cell; if it has many, or is unbounded, a hash
 /// table leads to the lists of the occupied ones. Either way memory is O(occupants). A sphere can be in a
 /// cell more than once, when its region wraps around a periodic box. Cost: O(1) per operation, and
-/// O(occupants of the cell) to erase.
+/// O(occupants of the cell) to erase. `Lists` is SlotLists or PointLists.
+template <class Lists>
 class CellStore {
  public:
   /// Empties the store. `shape` is the number of cells along each axis, zero where unbounded; `expected` is
   /// the number of spheres, which determines the kind of directory.
   void reset(const CellIndex& shape, std::size_t expected);
 
-  /// Cells are passed folded into the box.
-  void insert(const CellIndex& cell, Slot slot) {
-    lists_.insert(dense_ ? dense_list(cell) : list_for_insert(cell), slot);
+  /// Cells are passed folded into the box; with a slot comes what else the lists hold of it.
+  template <class... Rest>
+  void insert(const CellIndex& cell, Slot slot, const Rest&... rest) {
+    lists_.insert(dense_ ? dense_list(cell) : list_for_insert(cell), slot, rest...);
   }
   /// Precondition: the sphere is in the cell.
   void erase(const CellIndex& cell, Slot slot) {
@@ -36,15 +37,18 @@ class CellStore {
     }
   }
 
-  /// The list of the cell, in lists(); may be SlotLists::kNone if it is empty.
+  /// The list of the cell, in lists(); may be Lists::kNone if it is empty.
   std::uint32_t list(const CellIndex& cell) const {
     return dense_ ? dense_list(cell) : entries_[find_entry(cell)].list;
   }
-  const SlotLists& lists() const { return lists_; }
+  const Lists& lists() const { return lists_; }
   /// How far apart the lists of neighbouring cells are, along each axis. Precondition: is_dense().
   const std::array<std::uint32_t, kAxes>& strides() const { return strides_; }
   /// The same, given the cell's list. Precondition: is_dense().
-  void insert(std::uint32_t list, Slot slot) { lists_.insert(list, slot); }
+  template <class... Rest>
+  void insert(std::uint32_t list, Slot slot, const Rest&... rest) {
+    lists_.insert(list, slot, rest...);
+  }
   void erase(std::uint32_t list, Slot slot) { lists_.erase(list, slot); }
 
   bool is_dense() const { return dense_; }
@@ -54,7 +58,7 @@ class CellStore {
   // An entry of the hash table; free while it has no list.
   struct Entry {
     CellIndex cell{};
-    std::uint32_t list = SlotLists::kNone;
+    std::uint32_t list = Lists::kNone;
   };
 
   std::uint32_t dense_list(const CellIndex& cell) const {
@@ -75,7 +79,7 @@ class CellStore {
   std::array<std::uint32_t, kAxes> strides_{};  // dense
   std::vector<Entry> entries_;                  // hashed: open addressing, size a power of two
   std::size_t entries_used_ = 0;
-  SlotLists lists_;  // dense: one per cell
+  Lists lists_;  // dense: one per cell
 };
 
 }  // namespace hardball

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "hardball/errors/error.hpp"
@@ -84,7 +83,7 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   reach_ = static_cast<float>((2 * slack_ + margin) / copies.length_unit());
   room_squared_ = static_cast<float>(room_ * room_ / (copies.length_unit() * copies.length_unit()));
   store_.reset(cells_.shape(), world.size());
-  anchors_.assign(world.size(), GridPoint{});
+  anchors_.assign(world.size(), Anchor{});
   neighbors_.reset(world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
     move_anchor(world, slot, now, copies);
@@ -93,7 +92,7 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
       insert(slot, other);
       insert(other, slot);
     }
-    store_.insert(anchors_[slot].cell, slot);
+    store_anchor(slot);
   }
 }
 
@@ -112,7 +111,7 @@ void NeighborList::cross(const World& world, Slot slot, const Time& now, const C
   store_.erase(anchors_[slot].cell, slot);
   move_anchor(world, slot, now, copies);
   find_near(slot, copies);
-  store_.insert(anchors_[slot].cell, slot);
+  store_anchor(slot);
   find_changes(slot);
   candidates.begin(slot, true);
   for (const Slot gained : gained_) {
@@ -130,7 +129,7 @@ void NeighborList::find_changes(Slot slot) {
   round_ += 2;
   if (round_ == 0) {
     // The counter has wrapped around: old marks must not pass for new ones.
-    for (GridPoint& anchor : anchors_) anchor.mark = 0;
+    for (Anchor& anchor : anchors_) anchor.mark = 0;
     round_ = 2;
   }
   const Slot* const list = list_of(slot);
@@ -146,10 +145,13 @@ void NeighborList::find_changes(Slot slot) {
     mark = round_ + 1;
   }
   gained_.resize(static_cast<std::size_t>(gained - gained_.data()));
-  lost_.clear();
+  lost_.resize(length);
+  Slot* lost = lost_.data();
   for (std::uint32_t i = 0; i < length; ++i) {
-    if (anchors_[list[i]].mark == round_) lost_.push_back(list[i]);
+    *lost = list[i];
+    lost += anchors_[list[i]].mark == round_ ? 1 : 0;
   }
+  lost_.resize(static_cast<std::size_t>(lost - lost_.data()));
 }
 
 void NeighborList::move_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
@@ -160,17 +162,21 @@ void NeighborList::move_anchor(const World& world, Slot slot, const Time& now, c
 // The spheres whose shells overlap a sphere's own, from the anchors in the cells around its own; the sphere
 // itself is among them if its anchor is stored.
 void NeighborList::find_near(Slot slot, const CompactPaths& copies) {
-  const std::size_t count = collect_around(anchors_[slot].cell);
-  if (count == 0) return near_.clear();
-  // The kernel reads whole vectors.
-  std::fill_n(around_.data() + count, kWidestVector, slot);
-  near_.resize(count + kWidestVector);
+  ListsAround lists;
+  const std::size_t count = find_lists_around(anchors_[slot].cell, lists);
+  around_.assign(lists.data(), lists.data() + count);
+  for (std::size_t i = 0; i < around_.size(); ++i) {
+    const std::uint32_t next = store_.lists().next(around_[i]);
+    if (next != PointLists::kNone) [[unlikely]]
+      around_.push_back(next);
+  }
+  near_.resize(around_.size() * PointBlock::kRoom + kWidestVector);
   // Half of the reach belongs to each sphere, so that rounding is the same from either side.
   const float own_reach = reach_ / 2 + copies.radius(slot);
   const NearQuery query{
-      .points = anchors_.data(),
-      .slots = around_.data(),
-      .count = count,
+      .blocks = store_.lists().blocks(),
+      .numbers = around_.data(),
+      .count = around_.size(),
       .place = anchors_[slot].place,
       .grid = copies.scale().grid,
       .reach = copies.radii() == nullptr ? own_reach + own_reach : own_reach,
@@ -180,30 +186,38 @@ void NeighborList::find_near(Slot slot, const CompactPaths& copies) {
   near_.resize(pick_near_(query, near_.data()));
 }
 
-// Collects the spheres whose anchors lie in the 27 cells around one, and returns their number.
-std::size_t NeighborList::collect_around(const CellIndex& center) {
-  // Room for whole lines is always left.
-  constexpr std::size_t kRoom = SlotLists::kRoom + kWidestVector;
-  if (around_.size() < 27 * kRoom) around_.resize(27 * kRoom);
-  Slot* end = around_.data();
-  Slot* last = around_.data() + around_.size() - kRoom;
-  const auto add = [&](const SlotLists::LineOfSlots& slots, std::uint32_t in_line) {
-    if (end > last) [[unlikely]] {
-      const auto count = static_cast<std::size_t>(end - around_.data());
-      around_.resize(2 * around_.size());
-      end = around_.data() + count;
-      last = around_.data() + around_.size() - kRoom;
+std::size_t NeighborList::find_lists_around(const CellIndex& center, ListsAround& lists) const {
+  std::array<CellIndex, kAxes> rows{};
+  std::array<std::size_t, kAxes> counts{};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (std::int32_t row = center[axis] - 1; row <= center[axis] + 1; ++row) {
+      if (row < cells_.first(axis) || row > cells_.last(axis)) continue;
+      rows[axis][counts[axis]++] = cells_.folded(axis, row);
     }
-    std::memcpy(end, slots.data(), sizeof slots);
-    end += in_line;
-  };
-  for_each_list_around(center, [&](std::uint32_t list) { store_.lists().for_each_line(list, add); });
-  return static_cast<std::size_t>(end - around_.data());
+  }
+  std::size_t count = 0;
+  for (std::size_t x = 0; x < counts[0]; ++x) {
+    for (std::size_t y = 0; y < counts[1]; ++y) {
+      if (store_.is_dense()) {
+        // Rows are written whole, and what is too much is overwritten.
+        const std::uint32_t row = store_.list({rows[0][x], rows[1][y], 0});
+        for (std::size_t z = 0; z < 3; ++z) lists[count + z] = row + static_cast<std::uint32_t>(rows[2][z]);
+        count += counts[2];
+        continue;
+      }
+      for (std::size_t z = 0; z < counts[2]; ++z) {
+        lists[count] = store_.list({rows[0][x], rows[1][y], rows[2][z]});
+        count += lists[count] != PointLists::kNone ? 1U : 0U;
+      }
+    }
+  }
+  return count;
 }
 
 std::size_t NeighborList::memory_bytes() const {
-  return store_.memory_bytes() + anchors_.capacity() * sizeof(GridPoint) + neighbors_.memory_bytes() +
-         (around_.capacity() + near_.capacity() + gained_.capacity() + lost_.capacity()) * sizeof(Slot);
+  return store_.memory_bytes() + anchors_.capacity() * sizeof(Anchor) + neighbors_.memory_bytes() +
+         around_.capacity() * sizeof(std::uint32_t) +
+         (near_.capacity() + gained_.capacity() + lost_.capacity()) * sizeof(Slot);
 }
 
 void NeighborList::validate(const World& world, const Time& now, const CompactPaths& copies) const {

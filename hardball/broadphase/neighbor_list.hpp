@@ -11,11 +11,20 @@
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/broadphase/cell_store.hpp"
 #include "hardball/broadphase/padded_lists.hpp"
+#include "hardball/broadphase/point_lists.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/kernels/kernels.hpp"
 #include "hardball/memory/prefetch.hpp"
 
 namespace hardball {
+
+/// Where a sphere's list was made.
+struct alignas(32) Anchor {
+  std::array<std::int32_t, 3> place{};  ///< On the grid of CompactPaths, modulo 2^32 steps.
+  CellIndex cell{};
+  std::uint32_t mark = 0;   ///< Whether it is near another: see NeighborList::find_changes.
+  std::uint32_t count = 0;  ///< Of its neighbours.
+};
 
 /// A neighbour list for each sphere, for dense systems, where spheres are caged by their neighbours.
 ///
@@ -70,16 +79,23 @@ class NeighborList {
   }
   void prefetch_lists(Slot slot, bool crosses) const {
     if (!crosses || !store_.is_dense()) return;
-    for_each_list_around(anchors_[slot].cell,
-                         [this](std::uint32_t list) { prefetch(store_.lists().address(list)); });
+    ListsAround around;
+    const std::size_t count = find_lists_around(anchors_[slot].cell, around);
+    for (std::size_t i = 0; i < count; ++i) {
+      const PointBlock& block = store_.lists().blocks()[around[i]];
+      prefetch(&block.places);
+      prefetch(&block.slots);
+    }
   }
   void prefetch_candidates(Slot slot, bool crosses, const CompactPaths& copies) const {
     const Slot* const list = list_of(slot);
-    for (std::uint32_t i = 0; i < anchors_[slot].count; ++i) copies.prefetch(list[i]);
-    if (!crosses || !store_.is_dense()) return;
-    for_each_list_around(anchors_[slot].cell, [this](std::uint32_t around) {
-      store_.lists().for_each_first(around, [this](Slot other) { prefetch(&anchors_[other]); });
-    });
+    const std::uint32_t length = anchors_[slot].count;
+    for (std::uint32_t i = 0; i < length; ++i) copies.prefetch(list[i]);
+    if (!crosses) return;
+    for (std::uint32_t i = 0; i < length; ++i) {
+      prefetch(neighbors_.address(list[i]));
+      prefetch(&anchors_[list[i]]);
+    }
   }
   std::uint64_t left_count() const { return 0; }
   std::size_t memory_bytes() const;
@@ -93,33 +109,12 @@ class NeighborList {
                               const CompactPaths& copies) const;
   void move_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
   void find_near(Slot slot, const CompactPaths& copies);
-  std::size_t collect_around(const CellIndex& center);
 
-  // Calls visit(list) for the anchors in each of the 27 cells around one.
-  template <class Visit>
-  void for_each_list_around(const CellIndex& center, Visit&& visit) const {
-    std::array<std::array<std::int32_t, 3>, kAxes> rows;
-    std::array<std::size_t, kAxes> row_count{};
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      for (std::int32_t row = center[axis] - 1; row <= center[axis] + 1; ++row) {
-        if (row < cells_.first(axis) || row > cells_.last(axis)) continue;
-        rows[axis][row_count[axis]++] = cells_.folded(axis, row);
-      }
-    }
-    for (std::size_t x = 0; x < row_count[0]; ++x) {
-      for (std::size_t y = 0; y < row_count[1]; ++y) {
-        if (store_.is_dense()) {
-          const std::uint32_t row = store_.list({rows[0][x], rows[1][y], 0});
-          for (std::size_t z = 0; z < row_count[2]; ++z) visit(row + static_cast<std::uint32_t>(rows[2][z]));
-        } else {
-          for (std::size_t z = 0; z < row_count[2]; ++z) {
-            visit(store_.list({rows[0][x], rows[1][y], rows[2][z]}));
-          }
-        }
-      }
-    }
-  }
+  // The lists of the cells around one and of itself; room for one more row.
+  using ListsAround = std::array<std::uint32_t, 27 + 3>;
+  std::size_t find_lists_around(const CellIndex& center, ListsAround& lists) const;
   void find_changes(Slot slot);
+  void store_anchor(Slot slot) { store_.insert(anchors_[slot].cell, slot, anchors_[slot].place); }
   const Slot* list_of(Slot slot) const { return neighbors_.slots(slot, anchors_[slot].count); }
   void insert(Slot list, Slot slot) { neighbors_.insert(list, anchors_[list].count, slot); }
 
@@ -131,14 +126,14 @@ class NeighborList {
   float room_squared_ = 0;  // likewise, of room_
   double room_ = 0;         // the distance from its anchor at which a centre crosses
   Subdivision cells_;
-  CellStore store_;                 // anchors
-  LargeVector<GridPoint> anchors_;  // by slot
-  std::uint32_t round_ = 0;         // of marks: see find_changes
-  PaddedLists neighbors_;           // by slot; their lengths are in the anchors
+  CellStore<PointLists> store_;  // the places of anchors
+  LargeVector<Anchor> anchors_;  // by slot
+  std::uint32_t round_ = 0;      // of marks: see find_changes
+  PaddedLists neighbors_;        // by slot; their lengths are in the anchors
   // Of the current sphere:
-  std::vector<Slot> around_;         // those whose anchors lie in the 27 cells around its own
-  std::vector<Slot> near_;           // its new neighbours
-  std::vector<Slot> gained_, lost_;  // changes to its list
+  std::vector<std::uint32_t> around_;  // the blocks of the 27 cells around its own
+  std::vector<Slot> near_;             // its new neighbours
+  std::vector<Slot> gained_, lost_;    // changes to its list
 };
 
 static_assert(BroadPhase<NeighborList>);

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hardball/broadphase/places_of.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/memory/huge_pages.hpp"
@@ -38,7 +39,7 @@ class PaddedLists {
   }
 
   void insert(Slot owner, std::uint32_t& length, Slot slot) {
-    if (length >= kShort && std::has_single_bit(length)) grow(owner, length);
+    if (length >= kShort && is_power_of_two(length)) grow(owner, length);
     ++length;
     room(owner, length)[length - 1] = slot;
   }
@@ -46,12 +47,14 @@ class PaddedLists {
   /// Precondition: the slot is in the list.
   void erase(Slot owner, std::uint32_t& length, Slot slot) {
     Slot* const slots = room(owner, length);
-    Slot* const place = std::find(slots, slots + length, slot);
-    HARDBALL_CHECK(place != slots + length);
-    *place = slots[length - 1];
+    Slot* const end = slots + length;
+    Slot* const place = length <= kShort ? slots + std::countr_zero(places_of<kShort>(slot, slots))
+                                         : std::find(slots, end, slot);
+    HARDBALL_CHECK(place < end);
+    *place = *(end - 1);
     slots[length - 1] = owner;
     --length;
-    if (length >= kShort && std::has_single_bit(length)) shrink(owner, length);
+    if (length >= kShort && is_power_of_two(length)) shrink(owner, length);
   }
 
   /// Replaces a list by another.
@@ -88,6 +91,8 @@ class PaddedLists {
     std::vector<std::vector<Slot>> blocks;
     std::vector<std::uint32_t> free;
   };
+
+  static bool is_power_of_two(std::uint32_t length) { return (length & (length - 1)) == 0; }
 
   // Blocks of size 2 kShort come first.
   static std::size_t size_index(std::uint32_t length) {

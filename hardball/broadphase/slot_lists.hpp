@@ -5,8 +5,10 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
+#include "hardball/broadphase/places_of.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/memory/huge_pages.hpp"
@@ -46,19 +48,11 @@ class SlotLists {
     line.slots[line.count++] = slot;
   }
 
-  /// A bit for each of the first `count` places of a line that hold the slot.
-  static std::uint32_t places_of(Slot slot, const LineOfSlots& slots, std::uint32_t count) {
-    // Branchless, as the place of the slot is unpredictable, and in vectors: each place has a bit of its own.
-    std::uint32_t places = 0;
-    for (std::uint32_t i = 0; i < kRoom; ++i) places |= slots[i] == slot ? 1U << i : 0U;
-    return places & ((1U << count) - 1);
-  }
-
   /// Precondition: the slot is in the list.
   void erase(std::uint32_t list, Slot slot) {
     std::uint32_t at = list;
     std::uint32_t places;
-    while ((places = places_of(slot, lines_[at].slots, lines_[at].count)) == 0) {
+    while ((places = places_in(lines_[at], slot)) == 0) {
       at = lines_[at].next;
       HARDBALL_CHECK(at != kNone);
     }
@@ -67,15 +61,6 @@ class SlotLists {
     Line& end = is_single ? first : lines_[first.next];
     lines_[at].slots[static_cast<std::size_t>(std::countr_zero(places))] = end.slots[--end.count];
     if (end.count == 0 && !is_single) release(std::exchange(first.next, end.next));
-  }
-
-  /// Empties a list.
-  void clear(std::uint32_t list) {
-    while (lines_[list].next != kNone) {
-      const std::uint32_t released = std::exchange(lines_[list].next, lines_[lines_[list].next].next);
-      release(released);
-    }
-    lines_[list].count = 0;
   }
 
   /// Calls visit(slots, count) for each line of the list; the array is longer than count.
@@ -109,6 +94,15 @@ class SlotLists {
     std::uint32_t next = kNone;
     LineOfSlots slots{};
   };
+
+  // A bit for each place of a line that holds the slot.
+  static std::uint32_t places_in(const Line& line, Slot slot) {
+    static_assert(sizeof(Line) == 16 * sizeof(Slot));
+    constexpr std::uint32_t kBefore = 2;
+    Slot words[16];
+    std::memcpy(words, &line, sizeof words);
+    return places_of<16>(slot, words) >> kBefore & ((1U << line.count) - 1);
+  }
 
   // The second line of a list whose first is full.
   std::uint32_t second_with_room(std::uint32_t list) {

@@ -325,7 +325,7 @@ class Engine {
   }
 
   void prefetch_regions(Slot slot) const {
-    prefetch(&world_.path(slot));
+    world_.prefetch(slot);
     compact_.prefetch(slot);
     phase_.prefetch_region(slot);
   }

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/engine/predictor.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "hardball/events/event.hpp"
 
 namespace hardball {
@@ -49,11 +52,45 @@ void Predictor::compute(const World& world, const Time& now, PairContacts& pairs
   pair_kernel_(query, pairs.high.data(), pairs.low.data());
 }
 
-BoundedContacts Predictor::unbounded(const Candidates& candidates, double base) {
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (candidates.slot(i) != candidates.self()) return {base, base, candidates.slot(i)};
+BoundedContacts Predictor::bound_with_care(const CompactPaths& copies, const Candidates& candidates,
+                                           double base) const {
+  const Slot self = candidates.self();
+  const bool is_bounded = copies.is_bounded(self);
+  BoundedContacts found;
+  found.partner = self;
+  const auto note = [&](double time, Slot other) {
+    if (other == self || other == found.partner) return;
+    if (time < found.least) {
+      found = {time, found.least, other};
+    } else {
+      found.second = std::min(found.second, time);
+    }
+  };
+  std::array<Slot, BoundKeys::kMost + Candidates::kPadding> batch;
+  for (std::size_t begin = 0; begin < candidates.size(); begin += BoundKeys::kMost) {
+    const std::size_t count = std::min(candidates.size() - begin, BoundKeys::kMost);
+    batch.fill(self);
+    std::copy_n(candidates.slots() + begin, count, batch.begin());
+    if (!is_bounded) {
+      for (std::size_t i = 0; i < count; ++i) note(base, batch[i]);
+      continue;
+    }
+    for (bool is_repeated = true; is_repeated;) {
+      const BoundKeys keys =
+          bound_kernel_(copies.scale(), copies.paths().data(), copies.radii(), self, batch.data(), count);
+      is_repeated = false;
+      Slot first = self;
+      for (const std::uint32_t key : {keys.first, keys.second}) {
+        if (!BoundKeys::touches(key)) break;
+        const Slot other = batch[BoundKeys::place(key)];
+        note(base + copies.time_unit() * static_cast<double>(BoundKeys::wait(key)), other);
+        is_repeated = other == first;
+        first = other;
+      }
+      if (is_repeated) std::replace(batch.begin(), batch.end(), first, self);
+    }
   }
-  return {kNever.high, kNever.high, candidates.self()};
+  return found;
 }
 
 Prospect Predictor::earliest_in_order(const World& world, const Candidates& candidates, const Time& now) {

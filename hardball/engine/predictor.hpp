@@ -93,20 +93,27 @@ class Predictor {
   /// images, and the sphere has been copied at `now`.
   BoundedContacts bound(const CompactPaths& copies, const Candidates& candidates, const Time& now) const {
     const double base = rounded_down(now);
-    if (!copies.is_bounded(candidates.self())) [[unlikely]]
-      return unbounded(candidates, base);
-    const ContactBounds found = bound_kernel_(copies.scale(), copies.paths().data(), copies.radii(),
-                                              candidates.self(), candidates.slots(), candidates.size());
-    return {base + copies.time_unit() * static_cast<double>(found.least),
-            base + copies.time_unit() * static_cast<double>(found.second), found.partner};
+    if (!copies.is_bounded(candidates.self()) || candidates.size() > BoundKeys::kMost) [[unlikely]]
+      return bound_with_care(copies, candidates, base);
+    const Slot* const others = candidates.slots();
+    const BoundKeys keys = bound_kernel_(copies.scale(), copies.paths().data(), copies.radii(),
+                                         candidates.self(), others, candidates.size());
+    if (!BoundKeys::touches(keys.first)) return {kNever.high, kNever.high, candidates.self()};
+    const Slot partner = others[BoundKeys::place(keys.first)];
+    if (BoundKeys::touches(keys.second) && others[BoundKeys::place(keys.second)] == partner) [[unlikely]]
+      return bound_with_care(copies, candidates, base);
+    const double unit = copies.time_unit();
+    return {base + unit * static_cast<double>(BoundKeys::wait(keys.first)),
+            base + unit * static_cast<double>(BoundKeys::wait(keys.second)), partner};
   }
 
   /// Computes the contact times of pairs, whose images nearest at `now` are meant.
   void compute(const World& world, const Time& now, PairContacts& pairs) const;
 
  private:
-  // What is known of a sphere of which nothing is known: that its contacts are not before `base`.
-  static BoundedContacts unbounded(const Candidates& candidates, double base);
+  // The same for a sphere too fast to be bounded, for many candidates and for repeated ones.
+  BoundedContacts bound_with_care(const CompactPaths& copies, const Candidates& candidates,
+                                  double base) const;
 
   // The earliest contact, pair by pair, by the order of events.
   static Prospect earliest_in_order(const World& world, const Candidates& candidates, const Time& now);

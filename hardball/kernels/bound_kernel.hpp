@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "hardball/kernels/compact_path.hpp"
 
@@ -24,18 +26,31 @@ struct BoundScale {
   float least_discriminant = 0;  ///< D_0 [L^4/T^2].
 };
 
-/// Lower bounds of the waits until a sphere touches its candidates.
-struct ContactBounds {
-  float least;            ///< Before it, there is no contact [T]; infinite if there is none at all.
-  float second;           ///< Before it, there is none with any candidate but `partner` [T].
-  std::uint32_t partner;  ///< The slot of the candidate with the least bound.
+/// The least two of the lower bounds of the waits until a sphere touches its candidates, each in one integer
+/// with the place of its candidate: numbers that are not negative are ordered as their bits are, and the last
+/// bits, which say least, are the place. No two are alike.
+struct BoundKeys {
+  /// The most candidates.
+  static constexpr std::size_t kMost = 64;
+  static constexpr std::uint32_t kPlace = kMost - 1;
+  /// Of a candidate that will not touch; any greater number likewise.
+  static constexpr std::uint32_t kForever =
+      std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity());
+
+  static bool touches(std::uint32_t key) { return key < kForever; }
+  /// [T], in units; infinite if the candidate will not touch.
+  static float wait(std::uint32_t key) { return std::bit_cast<float>(key & ~kPlace); }
+  static std::size_t place(std::uint32_t key) { return key & kPlace; }
+
+  std::uint32_t first;
+  std::uint32_t second;
 };
 
 /// Bounds the waits of the sphere in slot `self`, from the moment at which its path was copied, until it
 /// touches its candidates: `others`, `count` slots padded with the sphere itself. Paths are by slot, and so
 /// are radii [L], rounded up; null if all are alike. A bound may differ in its last bits between instruction
-/// sets: contact times are never computed from it.
-using BoundKernel = ContactBounds (*)(const BoundScale& scale, const CompactPath* paths, const float* radii,
-                                      std::uint32_t self, const std::uint32_t* others, std::size_t count);
+/// sets: contact times are never computed from it. Precondition: count <= BoundKeys::kMost.
+using BoundKernel = BoundKeys (*)(const BoundScale& scale, const CompactPath* paths, const float* radii,
+                                  std::uint32_t self, const std::uint32_t* others, std::size_t count);
 
 }  // namespace hardball

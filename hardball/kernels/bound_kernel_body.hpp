@@ -4,7 +4,6 @@
 
 // Compiled once for each instruction set: see contact_kernel_body.hpp.
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -40,12 +39,13 @@ struct BoundedSphere {
   Floats reach;  // the sum of both radii if all are equal, otherwise the sphere's own
 };
 
-/// Lower bounds of the waits for Floats::kWidth candidates; infinite for those that will not touch, and for
-/// the sphere itself. Source: docs/bounds.md, in the order of its steps.
+/// The keys of Floats::kWidth candidates, without their places; infinite for those that will not touch, and
+/// for the sphere itself. Source: docs/bounds.md, in the order of its steps.
 template <class Floats>
-HARDBALL_ALWAYS_INLINE Floats bound_waits(const BoundScale& scale, const CompactPath* paths,
-                                          const float* radii, const BoundedSphere<Floats>& own,
-                                          const std::uint32_t* others) {
+HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& scale,
+                                                             const CompactPath* paths, const float* radii,
+                                                             const BoundedSphere<Floats>& own,
+                                                             const std::uint32_t* others) {
   using Integers = typename Floats::Integers;
   const Floats zero(0.0F);
   CompactPathsOfLanes<Floats> other;
@@ -74,72 +74,44 @@ HARDBALL_ALWAYS_INLINE Floats bound_waits(const BoundScale& scale, const Compact
       approach, approach,
       multiply_add(speed_squared, Floats(scale.excess_allowance) - excess, Floats(scale.least_discriminant)));
   // NaN, of a candidate too fast to be bounded, passes as touching at once.
-  const auto never = (discriminant < zero) | ((approach >= zero) & (speed_squared >= zero));
-  const Floats root = square_root(maximum(discriminant, zero));
-  const Floats wait = maximum(excess, zero) / (root - minimum(approach, zero));
+  const auto never = (discriminant < zero) | ((approach >= zero) & (speed_squared >= zero)) |
+                     (Integers::load(others) == own.self);
   constexpr float kRoundedDown = 1 - 0x1p-21F;
-  return select(never | (Integers::load(others) == own.self), Floats(std::numeric_limits<float>::infinity()),
-                maximum(wait * Floats(kRoundedDown), zero));
+  constexpr float kNotZero = 0x1p-100F;
+  const Floats distance = maximum(excess * Floats(kRoundedDown), zero);
+  const Floats wait =
+      distance / (square_root(maximum(discriminant, Floats(kNotZero))) - minimum(approach, zero));
+  return bits_of(select(never, Floats(std::numeric_limits<float>::infinity()), wait)) &
+         Integers(~BoundKeys::kPlace);
 }
 
-/// The least two of up to kBoundBatch waits.
-inline constexpr std::size_t kBoundBatch = 64;
-
-template <class Floats>
-HARDBALL_ALWAYS_INLINE ContactBounds least_two(const BoundScale& scale, const CompactPath* paths,
-                                               const float* radii, std::uint32_t self,
-                                               const std::uint32_t* others, std::size_t count) {
-  const BoundedSphere<Floats> own(scale, paths[self], radii, self);
-  const Floats forever(std::numeric_limits<float>::infinity());
-  alignas(64) float waits[kBoundBatch];
+/// The kernel; `has_radii` says whether they differ.
+template <class Floats, bool has_radii>
+HARDBALL_ALWAYS_INLINE BoundKeys least_two(const BoundScale& scale, const CompactPath* paths,
+                                           const float* radii, std::uint32_t self,
+                                           const std::uint32_t* others, std::size_t count) {
+  using Integers = typename Floats::Integers;
+  const BoundedSphere<Floats> own(scale, paths[self], has_radii ? radii : nullptr, self);
+  const Integers forever(BoundKeys::kForever);
   // In each lane, the least two.
-  Floats least = forever;
-  Floats second = forever;
+  Integers least = forever;
+  Integers second = forever;
+  Integers places = Integers::ascending();
   for (std::size_t i = 0; i < count; i += Floats::kWidth) {
-    const Floats wait = bound_waits(scale, paths, radii, own, others + i);
-    wait.store(waits + i);
-    second = minimum(second, maximum(least, wait));
-    least = minimum(least, wait);
+    const Integers key = bound_waits(scale, paths, has_radii ? radii : nullptr, own, others + i) | places;
+    places = places + Integers(static_cast<std::uint32_t>(Floats::kWidth));
+    second = minimum(second, maximum(least, key));
+    least = minimum(least, key);
   }
-  ContactBounds found{least_of(least), 0, self};
-  if (!(found.least < std::numeric_limits<float>::infinity())) return {found.least, found.least, self};
-  const auto is_least = least == Floats(found.least);
-  const unsigned lanes = bits(is_least);
-  found.second =
-      (lanes & (lanes - 1)) == 0 ? least_of(minimum(second, select(is_least, forever, least))) : found.least;
-  std::uint64_t places = 0;
-  for (std::size_t i = 0; i < count; i += Floats::kWidth) {
-    places |= std::uint64_t{bits(Floats::load(waits + i) == Floats(found.least))} << i;
-  }
-  found.partner = others[std::countr_zero(places)];
-  if (found.second > found.least) [[likely]]
-    return found;
-  // A candidate may be repeated.
-  found.second = std::numeric_limits<float>::infinity();
-  for (std::size_t i = 0; i < count; ++i) {
-    if (others[i] != found.partner && waits[i] < found.second) found.second = waits[i];
-  }
-  return found;
+  const std::uint32_t first = least_of(least);
+  return {first, least_of(minimum(second, select(least == Integers(first), forever, least)))};
 }
 
-/// The kernel, for any number of candidates.
 template <class Floats>
-ContactBounds bound_contacts(const BoundScale& scale, const CompactPath* paths, const float* radii,
-                             std::uint32_t self, const std::uint32_t* others, std::size_t count) {
-  ContactBounds all{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(), self};
-  for (std::size_t begin = 0;; begin += kBoundBatch) {
-    const std::size_t left = count - begin;
-    const ContactBounds found =
-        least_two<Floats>(scale, paths, radii, self, others + begin, left < kBoundBatch ? left : kBoundBatch);
-    if (count <= kBoundBatch) return found;
-    const bool is_sooner = found.least < all.least;
-    const ContactBounds& first = is_sooner ? found : all;
-    const ContactBounds& other = is_sooner ? all : found;
-    const float rest = other.partner == first.partner ? other.second : other.least;
-    const float second = first.second < rest ? first.second : rest;
-    all = {first.least, second, first.partner};
-    if (left <= kBoundBatch) return all;
-  }
+BoundKeys bound_contacts(const BoundScale& scale, const CompactPath* paths, const float* radii,
+                         std::uint32_t self, const std::uint32_t* others, std::size_t count) {
+  return radii == nullptr ? least_two<Floats, false>(scale, paths, nullptr, self, others, count)
+                          : least_two<Floats, true>(scale, paths, radii, self, others, count);
 }
 
 }  // namespace hardball

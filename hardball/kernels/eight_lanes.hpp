@@ -32,13 +32,16 @@ struct Floats {
     Integers() = default;
     Integers(__m256i vector) : v(vector) {}
     explicit Integers(std::int32_t value) : v(_mm256_set1_epi32(value)) {}
+    explicit Integers(std::uint32_t value) : Integers(static_cast<std::int32_t>(value)) {}
     static Integers load(const std::uint32_t* values) {
       return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(values));
     }
+    void store(std::uint32_t* values) const { _mm256_storeu_si256(reinterpret_cast<__m256i*>(values), v); }
+    static Integers ascending() { return _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7); }
+    friend Integers operator+(const Integers& a, const Integers& b) { return _mm256_add_epi32(a.v, b.v); }
     friend Integers operator-(const Integers& a, const Integers& b) { return _mm256_sub_epi32(a.v, b.v); }
-    friend Mask operator==(const Integers& a, const Integers& b) {
-      return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(a.v, b.v))};
-    }
+    friend Integers operator&(const Integers& a, const Integers& b) { return _mm256_and_si256(a.v, b.v); }
+    friend Integers operator|(const Integers& a, const Integers& b) { return _mm256_or_si256(a.v, b.v); }
 
     __m256i v;
   };
@@ -98,12 +101,6 @@ struct Floats {
     const Four velocity = transposed(from, 4);
     out.velocity = {velocity.a, velocity.b, velocity.c};
   }
-  static void load(const GridPoint* points, const std::uint32_t* at, Integers* places) {
-    const Four place = transposed(addresses(points, at), 0);
-    places[0] = _mm256_castps_si256(place.a);
-    places[1] = _mm256_castps_si256(place.b);
-    places[2] = _mm256_castps_si256(place.c);
-  }
 
   __m256 v;
 };
@@ -129,14 +126,20 @@ Floats::Mask operator<(const Floats& a, const Floats& b) {
 Floats::Mask operator>=(const Floats& a, const Floats& b) {
   return {_mm256_cmp_ps(a.v, b.v, _CMP_GE_OQ)};
 }
-Floats::Mask operator==(const Floats& a, const Floats& b) {
-  return {_mm256_cmp_ps(a.v, b.v, _CMP_EQ_OQ)};
+Floats::Mask operator==(const Floats::Integers& a, const Floats::Integers& b) {
+  return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(a.v, b.v))};
+}
+Floats::Mask not_(const Floats::Mask& mask) {
+  return {_mm256_xor_ps(mask.v, _mm256_castsi256_ps(_mm256_set1_epi32(-1)))};
 }
 unsigned bits(const Floats::Mask& mask) {
   return static_cast<unsigned>(_mm256_movemask_ps(mask.v));
 }
 Floats select(const Floats::Mask& mask, const Floats& a, const Floats& b) {
   return _mm256_blendv_ps(b.v, a.v, mask.v);
+}
+Floats::Integers select(const Floats::Mask& mask, const Floats::Integers& a, const Floats::Integers& b) {
+  return _mm256_blendv_epi8(b.v, a.v, _mm256_castps_si256(mask.v));
 }
 // Of a NaN and a number, the second argument.
 Floats maximum(const Floats& a, const Floats& b) {
@@ -151,10 +154,19 @@ Floats square_root(const Floats& a) {
 Floats to_floats(const Floats::Integers& a) {
   return _mm256_cvtepi32_ps(a.v);
 }
-float least_of(const Floats& a) {
-  const __m128 four = _mm_min_ps(_mm256_castps256_ps128(a.v), _mm256_extractf128_ps(a.v, 1));
-  const __m128 two = _mm_min_ps(four, _mm_movehl_ps(four, four));
-  return _mm_cvtss_f32(_mm_min_ss(two, _mm_shuffle_ps(two, two, 1)));
+Floats::Integers bits_of(const Floats& a) {
+  return _mm256_castps_si256(a.v);
+}
+Floats::Integers minimum(const Floats::Integers& a, const Floats::Integers& b) {
+  return _mm256_min_epu32(a.v, b.v);
+}
+Floats::Integers maximum(const Floats::Integers& a, const Floats::Integers& b) {
+  return _mm256_max_epu32(a.v, b.v);
+}
+std::uint32_t least_of(const Floats::Integers& a) {
+  const __m128i four = _mm_min_epu32(_mm256_castsi256_si128(a.v), _mm256_extracti128_si256(a.v, 1));
+  const __m128i two = _mm_min_epu32(four, _mm_shuffle_epi32(four, 0b01'00'11'10));
+  return static_cast<std::uint32_t>(_mm_cvtsi128_si32(_mm_min_epu32(two, _mm_srli_epi64(two, 32))));
 }
 
 }  // namespace

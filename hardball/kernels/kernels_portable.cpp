@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
+#include <bit>
 #include <cmath>
 
 #include "hardball/kernels/bound_kernel_body.hpp"
@@ -120,7 +121,14 @@ struct Floats {
     static Integers load(const std::uint32_t* values) {
       return Unsigned{values[0], values[1], values[2], values[3]};
     }
+    void store(std::uint32_t* values) const {
+      for (int lane = 0; lane < 4; ++lane) values[lane] = v[lane];
+    }
+    static Integers ascending() { return Unsigned{0, 1, 2, 3}; }
+    friend Integers operator+(const Integers& a, const Integers& b) { return a.v + b.v; }
     friend Integers operator-(const Integers& a, const Integers& b) { return a.v - b.v; }
+    friend Integers operator&(const Integers& a, const Integers& b) { return a.v & b.v; }
+    friend Integers operator|(const Integers& a, const Integers& b) { return a.v | b.v; }
     friend Mask operator==(const Integers& a, const Integers& b) { return {a.v == b.v}; }
 
     Unsigned v;  // modulo 2^32
@@ -148,14 +156,6 @@ struct Floats {
     out.z = integers([](const CompactPath& path) { return path.place[2]; });
     out.tick = integers([](const CompactPath& path) { return path.tick; });
     out.velocity = {velocities(0), velocities(1), velocities(2)};
-  }
-  static void load(const GridPoint* points, const std::uint32_t* at, Integers* places) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto place = [&](int lane) {
-        return static_cast<std::uint32_t>(points[at[lane]].place[static_cast<std::size_t>(axis)]);
-      };
-      places[axis] = Integers::Unsigned{place(0), place(1), place(2), place(3)};
-    }
   }
   static void keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
     for (int lane = 0; lane < 4; ++lane) {
@@ -189,8 +189,8 @@ Floats::Mask operator<(const Floats& a, const Floats& b) {
 Floats::Mask operator>=(const Floats& a, const Floats& b) {
   return {a.v >= b.v};
 }
-Floats::Mask operator==(const Floats& a, const Floats& b) {
-  return {a.v == b.v};
+Floats::Mask not_(const Floats::Mask& mask) {
+  return {~mask.v};
 }
 unsigned bits(const Floats::Mask& mask) {
   const auto bit = [&mask](int lane) { return mask.v[lane] != 0 ? 1U << lane : 0U; };
@@ -212,9 +212,21 @@ Floats square_root(const Floats& a) {
 Floats to_floats(const Floats::Integers& a) {
   return __builtin_convertvector(reinterpret_cast<const Floats::Bits&>(a.v), Floats::Vector);
 }
-float least_of(const Floats& a) {
-  const float low = a.v[0] < a.v[1] ? a.v[0] : a.v[1];
-  const float high = a.v[2] < a.v[3] ? a.v[2] : a.v[3];
+Floats::Integers bits_of(const Floats& a) {
+  return std::bit_cast<Floats::Integers::Unsigned>(a.v);
+}
+Floats::Integers select(const Floats::Mask& mask, const Floats::Integers& a, const Floats::Integers& b) {
+  return mask.v ? a.v : b.v;
+}
+Floats::Integers minimum(const Floats::Integers& a, const Floats::Integers& b) {
+  return a.v < b.v ? a.v : b.v;
+}
+Floats::Integers maximum(const Floats::Integers& a, const Floats::Integers& b) {
+  return a.v > b.v ? a.v : b.v;
+}
+std::uint32_t least_of(const Floats::Integers& a) {
+  const std::uint32_t low = a.v[0] < a.v[1] ? a.v[0] : a.v[1];
+  const std::uint32_t high = a.v[2] < a.v[3] ? a.v[2] : a.v[3];
   return low < high ? low : high;
 }
 

@@ -8,20 +8,24 @@
 
 namespace hardball {
 
-/// A point on the integer grid of CompactPaths (world/compact_paths.hpp), the cell in which it lies, and
-/// what its owner notes there.
-struct alignas(32) GridPoint {
-  std::array<std::int32_t, 3> place{};  ///< Modulo 2^32 steps.
-  std::array<std::int32_t, 3> cell{};
-  std::uint32_t mark = 0;
-  std::uint32_t count = 0;
+/// Points on the integer grid of CompactPaths (world/compact_paths.hpp) and the slots of their owners,
+/// number by number, as kernels load them.
+struct alignas(64) PointBlock {
+  static constexpr std::size_t kRoom = 8;
+  /// The slot of a gap.
+  static constexpr std::uint32_t kNoSlot = UINT32_MAX;
+
+  PointBlock() { slots.fill(kNoSlot); }
+
+  std::array<std::array<std::uint32_t, kRoom>, 3> places{};  ///< By axis, modulo 2^32 steps.
+  std::array<std::uint32_t, kRoom> slots;
 };
 
 /// A place, and points that may be near it, as plain arrays.
 struct NearQuery {
-  const GridPoint* points;     ///< By slot.
-  const std::uint32_t* slots;  ///< Of the points in question, padded with kWidestVector valid slots.
-  std::size_t count;
+  const PointBlock* blocks;
+  const std::uint32_t* numbers;       ///< Of the blocks in question.
+  std::size_t count;                  ///< Of these blocks.
   std::array<std::int32_t, 3> place;  ///< Modulo 2^32 steps.
   std::array<float, 3> grid;          ///< The step along each axis [L].
   float reach;                        ///< The distance within which points are near [L].

@@ -57,7 +57,7 @@ double optimal_slack(const Moments& moments, const UnitCosts& costs) {
   constexpr double kStep = 1.05;
   constexpr int kSteps = 96;  // up to 103 times the smallest
   // Of longer lists, too many leave their cache line: measured, docs/theory.md.
-  constexpr double kMostNeighbors = 14.5;
+  constexpr double kMostNeighbors = 13.3;
   double best = 0;
   double least = std::numeric_limits<double>::infinity();
   double slack = 0.05 * moments.largest_radius;

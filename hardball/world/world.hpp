@@ -9,6 +9,7 @@
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/contact_time.hpp"
 #include "hardball/memory/huge_pages.hpp"
+#include "hardball/memory/prefetch.hpp"
 #include "hardball/world/box.hpp"
 #include "hardball/world/per_sphere.hpp"
 
@@ -66,6 +67,12 @@ class World {
   const PerSphere& radii() const { return radii_; }
   const Path& path(Slot slot) const { return paths_[slot]; }
   std::span<const Path> paths() const { return paths_; }
+
+  /// Prefetches what every event of a sphere needs.
+  void prefetch(Slot slot) const {
+    hardball::prefetch(&ids_[slot]);
+    hardball::prefetch(&paths_[slot]);
+  }
 
   /// Where the sphere with this id is stored. Cost: O(log n). Error: no sphere has this id.
   Slot slot_of(SphereId id) const;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hardball/broadphase/cell_store.hpp"
+#include "hardball/broadphase/slot_lists.hpp"
 
 namespace hardball {
 namespace {
@@ -19,7 +20,7 @@ bool is_upper_along(std::size_t axis, std::uint32_t cell) {
 TEST(CellBlock, ListsAreThoseOfTheStoreAlsoAcrossAPeriodicBox) {
   constexpr std::int32_t kMost = 1 << 20;
   const Subdivision cells(Box({Boundary::periodic, Boundary::wall, Boundary::periodic}, {3, 4, 5}), 1, kMost);
-  CellStore store;
+  CellStore<SlotLists> store;
   store.reset(cells.shape(), 60);
   ASSERT_TRUE(store.is_dense());
   for (const CellIndex& low : {CellIndex{0, 0, 0}, {2, 2, 4}, {-1, 1, -6}, {7, 0, 14}}) {
@@ -34,7 +35,7 @@ TEST(CellBlock, ListsAreThoseOfTheStoreAlsoAcrossAPeriodicBox) {
 
 TEST(CellBlock, VisitsTheListsOfASetOfCells) {
   const Subdivision cells(Box::periodic({5, 5, 5}), 1, 1 << 20);
-  CellStore store;
+  CellStore<SlotLists> store;
   store.reset(cells.shape(), 60);
   const CellBlock block(cells, {4, 1, 2}, store.strides());
   for (std::uint32_t set = 0; set < 1U << CellBlock::kCells; ++set) {

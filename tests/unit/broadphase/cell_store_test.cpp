@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <map>
 
+#include "hardball/broadphase/point_lists.hpp"
+#include "hardball/broadphase/slot_lists.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
@@ -14,17 +16,30 @@
 namespace hardball {
 namespace {
 
-std::vector<Slot> occupants_of(const CellStore& store, const CellIndex& cell) {
+void insert(CellStore<SlotLists>& store, const CellIndex& cell, Slot slot) {
+  store.insert(cell, slot);
+}
+void insert(CellStore<PointLists>& store, const CellIndex& cell, Slot slot) {
+  store.insert(cell, slot, PointLists::Place{});
+}
+
+template <class Lists>
+std::vector<Slot> occupants_of(const CellStore<Lists>& store, const CellIndex& cell) {
   std::vector<Slot> found;
   store.lists().for_each(store.list(cell), [&](Slot slot) { found.push_back(slot); });
   std::sort(found.begin(), found.end());
   return found;
 }
 
+template <class Lists>
+class CellStoreOf : public testing::Test {};
+using AllLists = testing::Types<SlotLists, PointLists>;
+TYPED_TEST_SUITE(CellStoreOf, AllLists);
+
 // The same operations on an array, a hash table and a map.
-TEST(CellStore, AgreesWithAMapWhetherDenseOrHashed) {
-  CellStore dense;
-  CellStore hashed;
+TYPED_TEST(CellStoreOf, AgreesWithAMapWhetherDenseOrHashed) {
+  CellStore<TypeParam> dense;
+  CellStore<TypeParam> hashed;
   for (const std::int32_t cells : {2, 5}) {
     dense.reset({cells, cells, cells}, 100);
     hashed.reset({0, 0, 0}, 10);  // more than expected
@@ -42,8 +57,8 @@ TEST(CellStore, AgreesWithAMapWhetherDenseOrHashed) {
       if (map.empty() || random.uniform() < (filling ? 0.8 : 0.2)) {
         // A sphere can be in a cell several times.
         const auto slot = static_cast<Slot>(below(20));
-        dense.insert(cell, slot);
-        hashed.insert(cell, slot);
+        insert(dense, cell, slot);
+        insert(hashed, cell, slot);
         map.emplace(cell, slot);
       } else {
         auto chosen = map.lower_bound(cell);
@@ -63,15 +78,15 @@ TEST(CellStore, AgreesWithAMapWhetherDenseOrHashed) {
   }
 }
 
-TEST(CellStore, HoldsCellsFarFromTheOrigin) {
-  CellStore store;
+TYPED_TEST(CellStoreOf, HoldsCellsFarFromTheOrigin) {
+  CellStore<TypeParam> store;
   store.reset({0, 3, 0}, 5);
   Random random(1);
   std::vector<CellIndex> cells;
   for (Slot slot = 0; slot < 3000; ++slot) {
     const auto far = [&] { return static_cast<std::int32_t>(random.bits() >> 35) - (1 << 28); };
     cells.push_back({far(), static_cast<std::int32_t>(slot % 3), far()});
-    store.insert(cells.back(), slot);
+    insert(store, cells.back(), slot);
   }
   for (Slot slot = 0; slot < cells.size(); ++slot) {
     ASSERT_EQ(occupants_of(store, cells[slot]), std::vector<Slot>{slot});
@@ -80,13 +95,13 @@ TEST(CellStore, HoldsCellsFarFromTheOrigin) {
   }
 }
 
-TEST(CellStore, ReusesItsMemory) {
-  CellStore store;
+TYPED_TEST(CellStoreOf, ReusesItsMemory) {
+  CellStore<TypeParam> store;
   store.reset({0, 0, 0}, 100);
   std::size_t after_first = 0;
   for (std::int32_t round = 0; round < 200; ++round) {
     // A swarm of 100 that moves through space without end.
-    for (Slot slot = 0; slot < 100; ++slot) store.insert({round, static_cast<std::int32_t>(slot), 0}, slot);
+    for (Slot slot = 0; slot < 100; ++slot) insert(store, {round, static_cast<std::int32_t>(slot), 0}, slot);
     if (round > 0) {
       for (Slot slot = 0; slot < 100; ++slot) {
         store.erase({round - 1, static_cast<std::int32_t>(slot), 0}, slot);
@@ -97,8 +112,8 @@ TEST(CellStore, ReusesItsMemory) {
   EXPECT_EQ(store.memory_bytes(), after_first);
 }
 
-TEST(CellStore, IsHashedWhereAnArrayWouldBeLargerThanTheSpheres) {
-  CellStore store;
+TYPED_TEST(CellStoreOf, IsHashedWhereAnArrayWouldBeLargerThanTheSpheres) {
+  CellStore<TypeParam> store;
   store.reset({1000, 1000, 1000}, 100);
   EXPECT_FALSE(store.is_dense());
   EXPECT_LT(store.memory_bytes(), 100000U);
@@ -106,11 +121,11 @@ TEST(CellStore, IsHashedWhereAnArrayWouldBeLargerThanTheSpheres) {
   EXPECT_TRUE(store.is_dense());
 }
 
-TEST(CellStore, NoticesThatAnOccupantIsNotThere) {
+TYPED_TEST(CellStoreOf, NoticesThatAnOccupantIsNotThere) {
   for (const std::int32_t cells : {0, 4}) {
-    CellStore store;
+    CellStore<TypeParam> store;
     store.reset({cells, cells, cells}, 4);
-    store.insert({1, 2, 3}, 7);
+    insert(store, {1, 2, 3}, 7);
     EXPECT_THROW(store.erase({1, 2, 3}, 8), BrokenInvariant);
     EXPECT_THROW(store.erase({3, 2, 1}, 7), BrokenInvariant);
     EXPECT_NO_THROW(store.erase({1, 2, 3}, 7));

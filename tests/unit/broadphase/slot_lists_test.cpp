@@ -34,6 +34,10 @@ std::multiset<Slot> slots_by_lines(const SlotLists& lists, std::uint32_t list) {
   return found;
 }
 
+void empty(SlotLists& lists, std::uint32_t list) {
+  for (const Slot slot : slots_of(lists, list)) lists.erase(list, slot);
+}
+
 std::size_t lines_of(const SlotLists& lists, std::uint32_t list) {
   std::size_t lines = 0;
   lists.for_each_line(list, [&lines](const SlotLists::LineOfSlots&, std::uint32_t) { ++lines; });
@@ -114,13 +118,13 @@ TEST(SlotLists, AgreeWithMultisetsUnderRandomTraffic) {
       Known& chosen = known[at];
       const double what = random.uniform();
       if (what < 0.01) {
-        lists.clear(chosen.list);
+        empty(lists, chosen.list);
         chosen.slots.clear();
       } else if (what < 0.02 && known.size() < 12) {
         known.push_back({lists.make(), {}});
         ASSERT_TRUE(lists.is_empty(known.back().list)) << "made from released memory";
       } else if (what < 0.04 && at >= fixed) {
-        lists.clear(chosen.list);
+        empty(lists, chosen.list);
         lists.release(chosen.list);
         known.erase(known.begin() + static_cast<std::ptrdiff_t>(at));
       } else if (chosen.slots.empty() || random.uniform() < (filling ? 0.8 : 0.2)) {
@@ -154,9 +158,7 @@ TEST(SlotLists, ReuseTheirMemory) {
       for (Slot slot = 0; slot < 100; ++slot) lists.insert(list, slot);
     }
     for (const std::uint32_t list : made) {
-      // Cleared together or slot by slot.
-      if (round % 2 == 0) lists.clear(list);
-      for (Slot slot = 0; slot < 100 && round % 2 == 1; ++slot) lists.erase(list, slot);
+      for (Slot slot = 0; slot < 100; ++slot) lists.erase(list, slot);
       lists.release(list);
     }
     if (round == 0) after_first = lists.memory_bytes();

@@ -474,6 +474,41 @@ TEST(Predictor, DecidesExactTiesByTheOrderOfEvents) {
   EXPECT_GT(comparison.coverage().ties, 10 * support::cases(4000));
 }
 
+// However often candidates are repeated, and into however many batches they are divided: of the second bound
+// as well.
+TEST(Predictor, BoundsDoNotDependOnRepetitions) {
+  Candidates candidates;
+  std::uint64_t differ = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(2000); ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    PairMaker maker({kAllPeriodic, seed % 2 == 0, 0}, seed);
+    const World world = maker.make(1 + random.bits() % 40);
+    CompactPaths copies;
+    copies.reset(world, 30, maker.now());
+    const std::vector<Slot> all = some_others(world, 0, random);
+    std::vector<Slot> repeated = all;
+    const std::size_t more = all.empty() ? 0 : random.bits() % (seed % 3 == 0 ? 300 : 10);
+    for (std::size_t i = 0; i < more; ++i) repeated.push_back(all[random.bits() % all.size()]);
+    std::rotate(repeated.begin(), repeated.begin() + static_cast<std::ptrdiff_t>(all.size() / 2),
+                repeated.end());
+    for (const InstructionSet set : available_instruction_sets()) {
+      const Predictor predictor(set);
+      collect_nearest(candidates, 0, all);
+      const BoundedContacts once = predictor.bound(copies, candidates, maker.now());
+      collect_nearest(candidates, 0, repeated);
+      const BoundedContacts often = predictor.bound(copies, candidates, maker.now());
+      ASSERT_EQ(often.least, once.least);
+      ASSERT_EQ(often.second, once.second);
+      // Of two least bounds that are alike, either partner will do.
+      const bool is_first = once.least < once.second;
+      differ += is_first ? 1U : 0U;
+      ASSERT_TRUE(often.partner == once.partner || !is_first);
+    }
+  }
+  EXPECT_GT(differ, support::cases(2000) / 4);
+}
+
 // An exact graze is not a contact, whatever else is in the vector; a unit in the last place closer, it is
 // one.
 TEST(Predictor, KnowsExactGrazes) {

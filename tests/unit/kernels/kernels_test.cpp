@@ -38,7 +38,7 @@ TEST(InstructionSet, IsRefusedWhereItIsNotAvailable) {
 
 // Points on the grid, and a query for some of them. Along periodic axes the ring of integers is the box.
 struct Points {
-  std::vector<GridPoint> places;
+  std::vector<std::array<std::int32_t, 3>> places;
   std::vector<float> radii;
   std::vector<std::uint32_t> asked;
   std::array<float, 3> grid{};
@@ -64,7 +64,7 @@ Points random_points(Random& random) {
     points.grid[axis] = static_cast<float>(std::ldexp(points.is_periodic[axis] ? kSize : 2 * kSize, -32));
   }
   for (std::uint32_t slot = 0; slot < 60; ++slot) {
-    points.places.push_back({random_place(points, random), {}});
+    points.places.push_back(random_place(points, random));
     points.radii.push_back(static_cast<float>(0.1 + random.uniform()));
     if (random.uniform() < 0.7) points.asked.push_back(slot);
   }
@@ -76,43 +76,62 @@ double distance(const Points& points, std::uint32_t slot, const std::array<std::
   Vec3 apart;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double grid = points.grid[axis];
-    apart[axis] = grid * points.places[slot].place[axis] - grid * place[axis];
+    apart[axis] = grid * points.places[slot][axis] - grid * place[axis];
     if (points.is_periodic[axis]) apart[axis] = std::remainder(apart[axis], kSize);
   }
   return length(apart);
+}
+
+// The points asked for in blocks, with gaps, and which blocks these are. The gaps hold places, too.
+struct Blocks {
+  std::vector<PointBlock> blocks;
+  std::vector<std::uint32_t> numbers;
+};
+
+Blocks blocks_of(const Points& points, const std::array<std::int32_t, 3>& place, Random& random) {
+  Blocks made;
+  std::size_t next = 0;
+  while (next < points.asked.size()) {
+    PointBlock block;
+    for (std::size_t lane = 0; lane < PointBlock::kRoom; ++lane) {
+      const bool is_gap = next == points.asked.size() || random.uniform() < 0.3;
+      const auto& from = is_gap ? place : points.places[points.asked[next]];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        block.places[axis][lane] = static_cast<std::uint32_t>(from[axis]);
+      }
+      if (!is_gap) block.slots[lane] = points.asked[next++];
+    }
+    // Others that are not asked for are between.
+    if (random.uniform() < 0.5) made.blocks.push_back(block);
+    made.numbers.push_back(static_cast<std::uint32_t>(made.blocks.size()));
+    made.blocks.push_back(block);
+  }
+  return made;
 }
 
 TEST(NearKernel, PicksThePointsWithinReachWithAllInstructionSets) {
   std::size_t picked = 0;
   for (std::uint64_t seed = 0; seed < support::cases(2000); ++seed) {
     Random random(seed);
-    Points points = random_points(random);
-    const auto count = static_cast<std::size_t>(random.bits() % (points.asked.size() + 1));
+    const Points points = random_points(random);
     const std::array<std::int32_t, 3> place = random_place(points, random);
     const auto reach = static_cast<float>(3 * random.uniform());
     const bool has_radii = seed % 2 == 0;
     std::vector<std::uint32_t> expected;
     bool is_close = false;  // to the reach, where rounding to single precision decides
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint32_t slot = points.asked[i];
+    for (const std::uint32_t slot : points.asked) {
       const double apart = distance(points, slot, place);
       const double beyond = apart - double{reach} - double{has_radii ? points.radii[slot] : 0};
       if (beyond < 0) expected.push_back(slot);
       is_close |= std::fabs(beyond) < 0x1p-21 * apart;
     }
     if (is_close) continue;
-    // The padding contains near points, too.
-    std::uint32_t nearest = 0;
-    for (std::uint32_t slot = 1; slot < points.places.size(); ++slot) {
-      if (distance(points, slot, place) < distance(points, nearest, place)) nearest = slot;
-    }
-    points.asked.resize(count);
-    points.asked.resize(count + kWidestVector, nearest);
+    const Blocks blocks = blocks_of(points, place, random);
     constexpr float kMargin = 0.125F;
     const NearQuery query{
-        .points = points.places.data(),
-        .slots = points.asked.data(),
-        .count = count,
+        .blocks = blocks.blocks.data(),
+        .numbers = blocks.numbers.data(),
+        .count = blocks.numbers.size(),
         .place = place,
         .grid = points.grid,
         // The margin belongs to the points.
@@ -121,7 +140,7 @@ TEST(NearKernel, PicksThePointsWithinReachWithAllInstructionSets) {
         .margin = kMargin,
     };
     for (const InstructionSet set : available_instruction_sets()) {
-      std::vector<std::uint32_t> near(count + kWidestVector);
+      std::vector<std::uint32_t> near(points.asked.size() + kWidestVector);
       near.resize(kernels_of(set).pick_near(query, near.data()));
       ASSERT_EQ(near, expected) << "seed " << seed;
     }
@@ -138,15 +157,20 @@ TEST(NearKernel, FindsTheSameInBothDirections) {
     const Points points = random_points(random);
     const double step = random.uniform() < 0.5 ? 0x1p-23 : 0x1p-24;
     const double rounding = step * (std::floor(5 * random.uniform()) - 2);
-    const double exact = distance(points, 0, points.places[1].place);
+    const double exact = distance(points, 0, points.places[1]);
     for (const InstructionSet set : available_instruction_sets()) {
       const auto is_near = [&](std::uint32_t from, std::uint32_t to) {
-        const std::vector<std::uint32_t> asked(1 + kWidestVector, to);
+        PointBlock block;
+        block.slots[0] = to;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          block.places[axis][0] = static_cast<std::uint32_t>(points.places[to][axis]);
+        }
+        const std::uint32_t number = 0;
         std::vector<std::uint32_t> near(1 + kWidestVector);
-        const NearQuery query{.points = points.places.data(),
-                              .slots = asked.data(),
+        const NearQuery query{.blocks = &block,
+                              .numbers = &number,
                               .count = 1,
-                              .place = points.places[from].place,
+                              .place = points.places[from],
                               .grid = points.grid,
                               .reach = static_cast<float>(exact * (1 + rounding)),
                               .radii = nullptr,

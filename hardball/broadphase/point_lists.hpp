@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "hardball/broadphase/places_of.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/events/event.hpp"
+#include "hardball/kernels/near_kernel.hpp"
+#include "hardball/memory/huge_pages.hpp"
+
+namespace hardball {
+
+/// Many short lists of points and their owners' slots, in blocks that a kernel reads as they are; longer
+/// lists chain several.
+///
+/// A list is identified by its first block. Lists 0 to n-1 exist after reset(n); others are made and released
+/// one by one. Lists are unordered, and may have gaps. Cost: O(1) per operation for short lists, O(length)
+/// for long ones.
+class PointLists {
+ public:
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+  using Place = std::array<std::int32_t, 3>;
+
+  /// Makes `count` empty lists and discards all others.
+  void reset(std::size_t count) {
+    blocks_.clear();
+    blocks_.resize(count);
+    next_.assign(count, kNone);
+    free_block_ = kNone;
+  }
+
+  /// Makes an empty list.
+  std::uint32_t make() {
+    if (free_block_ == kNone) {
+      append_sparingly(blocks_, PointBlock{});
+      append_sparingly(next_, kNone);
+      return static_cast<std::uint32_t>(blocks_.size() - 1);
+    }
+    return std::exchange(free_block_, std::exchange(next_[free_block_], kNone));
+  }
+  /// Releases an empty list made by `make`.
+  void release(std::uint32_t list) { next_[list] = std::exchange(free_block_, list); }
+
+  bool is_empty(std::uint32_t list) const {
+    return places_in(list, PointBlock::kNoSlot) == kAll && next_[list] == kNone;
+  }
+
+  void insert(std::uint32_t list, Slot slot, const Place& place) {
+    std::uint32_t at = list;
+    std::uint32_t gaps;
+    while ((gaps = places_in(at, PointBlock::kNoSlot)) == 0) {
+      if (next_[at] == kNone) {
+        const std::uint32_t added = make();
+        next_[at] = added;
+      }
+      at = next_[at];
+    }
+    const auto lane = static_cast<std::size_t>(std::countr_zero(gaps));
+    PointBlock& block = blocks_[at];
+    block.slots[lane] = slot;
+    for (std::size_t axis = 0; axis < place.size(); ++axis) {
+      block.places[axis][lane] = static_cast<std::uint32_t>(place[axis]);
+    }
+  }
+
+  /// Precondition: the slot is in the list.
+  void erase(std::uint32_t list, Slot slot) {
+    std::uint32_t at = list;
+    std::uint32_t before = kNone;
+    std::uint32_t places;
+    while ((places = places_in(at, slot)) == 0) {
+      before = at;
+      at = next_[at];
+      HARDBALL_CHECK(at != kNone);
+    }
+    blocks_[at].slots[static_cast<std::size_t>(std::countr_zero(places))] = PointBlock::kNoSlot;
+    if (before == kNone || places_in(at, PointBlock::kNoSlot) != kAll) return;
+    next_[before] = next_[at];
+    release(at);
+  }
+
+  /// Calls visit(slot) for each slot of the list.
+  template <class Visit>
+  void for_each(std::uint32_t list, Visit&& visit) const {
+    for (; list != kNone; list = next_[list]) {
+      for (const Slot slot : blocks_[list].slots) {
+        if (slot != PointBlock::kNoSlot) visit(slot);
+      }
+    }
+  }
+
+  /// All blocks, by number; a list's first has the number of the list.
+  const PointBlock* blocks() const { return blocks_.data(); }
+  /// The number of the next block of a list; kNone after the last.
+  std::uint32_t next(std::uint32_t block) const { return next_[block]; }
+
+  std::size_t memory_bytes() const {
+    return blocks_.capacity() * sizeof(PointBlock) + next_.capacity() * sizeof(std::uint32_t);
+  }
+
+ private:
+  static constexpr std::uint32_t kAll = (1U << PointBlock::kRoom) - 1;
+
+  // A bit for each place of a block that holds the slot.
+  std::uint32_t places_in(std::uint32_t block, Slot slot) const {
+    return places_of<PointBlock::kRoom>(slot, blocks_[block].slots.data());
+  }
+
+  LargeVector<PointBlock> blocks_;
+  LargeVector<std::uint32_t> next_;  // of the same list
+  std::uint32_t free_block_ = kNone;
+};
+
+}  // namespace hardball

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/broadphase/point_lists.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "hardball/world/random.hpp"
+#include "support/effort.hpp"
+
+namespace hardball {
+namespace {
+
+using Place = PointLists::Place;
+using Points = std::multimap<Slot, Place>;
+
+// What the kernel sees: the points of a list block by block.
+Points points_of(const PointLists& lists, std::uint32_t list, std::size_t* blocks = nullptr) {
+  Points found;
+  for (; list != PointLists::kNone; list = lists.next(list)) {
+    const PointBlock& block = lists.blocks()[list];
+    for (std::size_t lane = 0; lane < PointBlock::kRoom; ++lane) {
+      if (block.slots[lane] == PointBlock::kNoSlot) continue;
+      Place place;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        place[axis] = static_cast<std::int32_t>(block.places[axis][lane]);
+      }
+      found.emplace(block.slots[lane], place);
+    }
+    if (blocks != nullptr) ++*blocks;
+  }
+  return found;
+}
+
+// A place that tells whose it is.
+Place place_of(Slot slot) {
+  return {static_cast<std::int32_t>(slot), -static_cast<std::int32_t>(slot), 7};
+}
+
+// Lists made by reset, and lists made and released.
+TEST(PointLists, AgreeWithMultimapsUnderRandomTraffic) {
+  PointLists lists;
+  Random random(1);
+  const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random.bits() % n); };
+  for (const std::size_t fixed : {1U, 8U}) {
+    lists.reset(fixed);
+    struct Known {
+      std::uint32_t list;
+      Points points;
+    };
+    std::vector<Known> known;
+    for (std::uint32_t list = 0; list < fixed; ++list) known.push_back({list, {}});
+    std::size_t longest = 0;
+    for (std::uint64_t step = 0; step < support::cases(40000); ++step) {
+      // Fill up and empty in turn, all the way down.
+      const bool filling = step / 1000 % 2 == 0;
+      const std::size_t at = below(known.size());
+      Known& chosen = known[at];
+      const double what = random.uniform();
+      if (what < 0.02 && known.size() < 12) {
+        known.push_back({lists.make(), {}});
+        ASSERT_TRUE(lists.is_empty(known.back().list)) << "made from released memory";
+      } else if (what < 0.3 && at >= fixed && chosen.points.empty()) {
+        lists.release(chosen.list);
+        known.erase(known.begin() + static_cast<std::ptrdiff_t>(at));
+      } else if (chosen.points.empty() || random.uniform() < (filling ? 0.8 : 0.2)) {
+        const auto slot = static_cast<Slot>(below(30));
+        lists.insert(chosen.list, slot, place_of(slot));
+        chosen.points.emplace(slot, place_of(slot));
+      } else {
+        const auto erased =
+            std::next(chosen.points.begin(), static_cast<std::ptrdiff_t>(below(chosen.points.size())));
+        lists.erase(chosen.list, erased->first);
+        chosen.points.erase(erased);
+      }
+      for (const Known& each : known) {
+        std::size_t blocks = 0;
+        ASSERT_EQ(points_of(lists, each.list, &blocks), each.points) << "step " << step;
+        ASSERT_EQ(lists.is_empty(each.list), each.points.empty());
+        std::size_t visited = 0;
+        lists.for_each(each.list, [&](Slot slot) { visited += each.points.contains(slot) ? 1U : 100U; });
+        ASSERT_EQ(visited, each.points.size());
+        longest = std::max(longest, blocks);
+      }
+    }
+    EXPECT_GT(longest, 3U);
+  }
+}
+
+// Empty blocks do not stay in a chain.
+TEST(PointLists, ReuseTheirMemory) {
+  PointLists lists;
+  lists.reset(1);
+  std::size_t after_first = 0;
+  for (std::size_t round = 0; round < 200; ++round) {
+    const std::uint32_t made = lists.make();
+    for (Slot slot = 0; slot < 100; ++slot) lists.insert(made, slot, {});
+    for (Slot slot = 0; slot < 100; ++slot) lists.erase(made, round % 2 == 0 ? slot : 99 - slot);
+    EXPECT_TRUE(lists.is_empty(made));
+    lists.release(made);
+    if (round == 0) after_first = lists.memory_bytes();
+  }
+  EXPECT_EQ(lists.memory_bytes(), after_first);
+}
+
+TEST(PointLists, StartOnACacheLine) {
+  PointLists lists;
+  lists.reset(100);
+  for (std::uint32_t list = 0; list < 100; ++list) {
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(lists.blocks() + list) % 64, 0U);
+  }
+}
+
+TEST(PointLists, NoticeThatASlotIsNotThere) {
+  PointLists lists;
+  lists.reset(2);
+  EXPECT_THROW(lists.erase(0, 0), BrokenInvariant) << "unused places are filled with zeros";
+  for (Slot slot = 1; slot < 40; ++slot) lists.insert(0, slot, {});
+  EXPECT_THROW(lists.erase(0, 40), BrokenInvariant);
+  EXPECT_THROW(lists.erase(1, 5), BrokenInvariant);
+  EXPECT_NO_THROW(lists.erase(0, 39));
+  EXPECT_THROW(lists.erase(0, 39), BrokenInvariant) << "it was there once";
+}
+
+}  // namespace
+}  // namespace hardball
