@@ -21,6 +21,7 @@ class AllPairs {
   double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&) const;
   bool has_nearest_images() const { return false; }
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths&, Candidates& candidates);
+  static constexpr std::size_t kCachedSpheres = SIZE_MAX;
   void prefetch_region(Slot) const {}
   void prefetch_lists(Slot, bool) const {}
   void prefetch_candidates(Slot, bool, const CompactPaths&) const {}

@@ -23,19 +23,17 @@ namespace hardball {
 ///   distance [L] that candidates are at most apart and that no sphere exceeds between two crossings.
 /// - `refresh(world, slot, now, folded)` updates the region of a sphere whose path was rewritten at `now`;
 ///   its centre has been folded back by `folded` boxes.
-/// - `collect(world, slot, candidates)` collects every candidate of a sphere, usually once.
-/// - `next_crossing(world, slot, now, copies)` is a time before which the sphere stays in its region [T]. For
-/// a
-///   sphere at rest it may be any time after its copy expires.
+/// - `collect(world, slot, candidates)` collects every candidate of a sphere, some perhaps more than once.
+/// - `next_crossing(world, slot, now, copies)` is a time before which the sphere stays in its region [T]; for
+///   a sphere at rest, perhaps any time after its copy expires.
 /// - `has_nearest_images()`: whether candidates mean the nearest images of spheres.
-/// - `cross(world, slot, now, copies, candidates)` gives it the next region and collects the new candidates
-/// (and
-///   perhaps others).
+/// - `cross(world, slot, now, copies, candidates)` gives it the next region and collects the new candidates,
+///   and perhaps others.
+/// - `kCachedSpheres`: prefetching the regions of so many spheres costs more than it saves.
 /// - `prefetch_region(slot)` and `prefetch_lists(slot, crosses)`, called a few events apart, prefetch what
 ///   the next event of a sphere will need; `crosses` says whether it is a crossing.
 /// - `prefetch_candidates(slot, crosses, copies)`, later still, prefetches the data of most of the candidates
-/// of
-///   that event.
+///   of that event.
 /// - `left_count()` counts the cells, or rows of cells, that spheres have left since `build`.
 /// - `validate(world, now, copies)` checks the whole structure and throws BrokenInvariant.
 template <class Phase>
@@ -48,6 +46,7 @@ concept BroadPhase = requires(Phase phase, const Phase& view, const World& world
   { phase.next_crossing(world, slot, now, copied) } -> std::same_as<double>;
   { view.has_nearest_images() } -> std::same_as<bool>;
   phase.cross(world, slot, now, copied, candidates);
+  { Phase::kCachedSpheres } -> std::convertible_to<std::size_t>;
   view.prefetch_region(slot);
   view.prefetch_lists(slot, crosses);
   view.prefetch_candidates(slot, crosses, copied);

@@ -21,8 +21,8 @@ namespace hardball {
 /// are predicted together.
 ///
 /// Either each candidate comes with its periodic image, or, where regions are small compared with the box,
-/// the nearest image at the time of the query is meant: then a candidate is just a slot. Arrays are padded to
-/// a whole vector with the sphere itself, which it never meets.
+/// the nearest image at the time of the query is meant: then a candidate is just a slot, may be repeated, and
+/// may be the sphere itself, which it never meets. Arrays are padded to a whole vector with the sphere.
 class Candidates {
  public:
   /// The widest vector that reads these arrays.
@@ -71,33 +71,6 @@ class Candidates {
     make_room(others.size());
     std::memcpy(slots_.data() + size_, others.data(), sizeof others);
     size_ += count;
-  }
-
-  /// Removes repeated candidates and the sphere itself. A few repetitions may remain, which is harmless; none
-  /// is lost. Call once, after all have been added.
-  void drop_repeated() {
-    start_round(size_);
-    const std::size_t places = seen_.size() - 1;
-    std::uint64_t* const seen = seen_.data();
-    const std::uint64_t round = std::uint64_t{round_} << 32;
-    Slot* const slots = slots_.data();
-    Slot* end = slots;
-    const auto keep_if_new = [&](Slot other) {
-      // Branchless: whether a candidate is new is unpredictable.
-      std::uint64_t& place = seen[other & places];
-      *end = other;
-      end += place != (round | other) ? 1 : 0;
-      place = round | other;
-    };
-    // Two at a time: the last is followed by its repetition.
-    const std::size_t size = size_;
-    if (size == 0) return;
-    slots[size] = slots[size - 1];
-    for (std::size_t i = 0; i < size; i += 2) {
-      keep_if_new(slots[i]);
-      keep_if_new(slots[i + 1]);
-    }
-    size_ = static_cast<std::size_t>(end - slots);
   }
 
   /// Adds a candidate with its image.

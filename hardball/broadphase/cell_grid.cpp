@@ -54,6 +54,15 @@ void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) 
   store_.reset(cells_.shape(), world.size());
   blocks_ = regions_are_blocks(world);
   copies.reset(world, farthest_candidates(world), now);
+  // The errors of single precision grow with the spheres; the margin is a fraction of the edge.
+  constexpr double kLargestInEdges = 4;
+  suits_single_precision_ = nearest_;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    suits_single_precision_ &= world.largest_radius() <= kLargestInEdges * cells_.edge(axis);
+    const double steps = cells_.edge(axis) * copies.steps_per_length()[axis];
+    steps_of_cell_[axis] = static_cast<std::uint64_t>(std::ldexp(steps, 32));
+    margin_[axis] = static_cast<float>(cells_.reach(axis, 0) / copies.length_unit());
+  }
   regions_.assign(world.size(), Region{});
   left_count_ = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
@@ -141,7 +150,39 @@ void CellGrid::collect(const World& world, Slot slot, Candidates& candidates) co
   }
 }
 
-double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&) {
+// From the copy of the path, in single precision: for spheres of up to four edges, place, differences and
+// quotient err by less than 2^-19 of an edge, half the margin.
+double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
+  // Slower components may have been rounded to zero.
+  constexpr float kSlow = 0x1p-100F;
+  Region& region = regions_[slot];
+  const CompactPath& path = copies.paths()[slot];
+  const float radius = copies.radius(slot);
+  float least = std::numeric_limits<float>::infinity();
+  Face face = 0;
+  bool is_usual = suits_single_precision_;
+  for_each_axis([&](auto axis) {
+    const float velocity = path.velocity[axis];
+    is_usual &= std::fabs(velocity) >= kSlow;
+    const bool up = !std::signbit(velocity);
+    const std::int32_t plane = region.low[axis] + (up ? region.more[axis] + 1 : 0);
+    const auto steps =
+        static_cast<std::uint32_t>(path.place[axis]) - static_cast<std::uint32_t>(face_place(axis, plane));
+    const float beyond = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis];
+    const float ahead = (up ? -beyond : beyond) - (radius + margin_[axis]);
+    const bool is_end = plane == (up ? cells_.last(axis) + 1 : cells_.first(axis));
+    const float wait = is_end ? least : std::max(0.0F, ahead) / std::fabs(velocity);
+    const bool sooner = wait < least;
+    least = sooner ? wait : least;
+    face ^= (face ^ face_of(axis, up)) & (0U - static_cast<Face>(sooner));
+  });
+  if (!is_usual) [[unlikely]]
+    return next_crossing_of_any(world, slot, now);
+  region.crossed_face = static_cast<std::uint8_t>(face);
+  return rounded_down(now) + copies.time_unit() * static_cast<double>(least);
+}
+
+double CellGrid::next_crossing_of_any(const World& world, Slot slot, const Time& now) {
   Region& region = regions_[slot];
   const Path& path = world.path(slot);
   const CellCrossing next = cells_.next_enter(path, world.radius(slot), region.range());
@@ -237,7 +278,6 @@ void CellGrid::cross_block(const World& world, Slot slot, const Time& now, Candi
     collect_list(list, candidates);
     store_.insert(list, slot);
   });
-  if ((entered & (entered - 1)) != 0) candidates.drop_repeated();
   candidates.end();
 }
 
@@ -261,7 +301,6 @@ void CellGrid::collect_block(Slot slot, Candidates& candidates) const {
   candidates.begin(slot, true);
   block_of(region).for_each_list(CellBlock::cells_above(0, region.wide_axes()),
                                  [&](std::uint32_t list) { collect_list(list, candidates); });
-  candidates.drop_repeated();
   candidates.end();
 }
 
@@ -279,7 +318,6 @@ void CellGrid::collect_from(const World& world, const CellRange& range, Candidat
   if (nearest_) {
     cells_.for_each_folded(
         range, [&](const CellIndex&, const CellIndex& cell) { collect_list(store_.list(cell), candidates); });
-    candidates.drop_repeated();
     return;
   }
   candidates.start_round(world.size());

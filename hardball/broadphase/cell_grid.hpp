@@ -29,24 +29,22 @@ class CellGrid {
   void build(const World& world, const Time& now, CompactPaths& copies);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
   void collect(const World& world, Slot slot, Candidates& candidates) const;
-  double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&);
+  double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths&, Candidates& candidates);
+  static constexpr std::size_t kCachedSpheres = 50000;  // measured
   void prefetch_region(Slot slot) const { prefetch(&regions_[slot]); }
   void prefetch_lists(Slot slot, bool crosses) const {
     if (!is_prefetched(slot)) return;
-    const auto prefetch_list = [this](const CellIndex&, const CellIndex& cell) {
-      prefetch(store_.lists().address(store_.list(cell)));
-    };
-    cells_.for_each_folded(regions_[slot].range(), prefetch_list);
-    if (crosses) cells_.for_each_folded(regions_[slot].row_ahead(), prefetch_list);
+    const auto prefetch_list = [this](std::uint32_t list) { prefetch(store_.lists().address(list)); };
+    for_each_list(regions_[slot].range(), prefetch_list);
+    if (crosses) for_each_list(regions_[slot].row_ahead(), prefetch_list);
   }
   void prefetch_candidates(Slot slot, bool crosses, const CompactPaths& copies) const {
     if (!is_prefetched(slot)) return;
     const Region& region = regions_[slot];
-    cells_.for_each_folded(
-        crosses ? region.row_ahead() : region.range(), [&](const CellIndex&, const CellIndex& cell) {
-          store_.lists().for_each_first(store_.list(cell), [&](Slot other) { copies.prefetch(other); });
-        });
+    for_each_list(crosses ? region.row_ahead() : region.range(), [&](std::uint32_t list) {
+      store_.lists().for_each_first(list, [&](Slot other) { copies.prefetch(other); });
+    });
   }
   std::uint64_t left_count() const { return left_count_; }
   std::size_t memory_bytes() const;
@@ -85,6 +83,23 @@ class CellGrid {
     const auto& more = regions_[slot].more;
     return store_.is_dense() && (more[0] + 1U) * (more[1] + 1U) * (more[2] + 1U) <= kMostCells;
   }
+  // Calls visit(list) for each cell of a range, which is part of a block if regions are blocks.
+  template <class Visit>
+  void for_each_list(const CellRange& range, Visit&& visit) const {
+    if (!blocks_) {
+      return cells_.for_each_folded(
+          range, [&](const CellIndex&, const CellIndex& cell) { visit(store_.list(cell)); });
+    }
+    std::uint32_t wide = 0;
+    for_each_axis([&](auto axis) { wide |= CellBlock::axis_if(range.high[axis] > range.low[axis], axis); });
+    CellBlock(cells_, range.low, store_.strides()).for_each_list(CellBlock::cells_above(0, wide), visit);
+  }
+  double next_crossing_of_any(const World& world, Slot slot, const Time& now);
+  // The place on the grid of CompactPaths of the lower face of the cells with this index.
+  std::int32_t face_place(std::size_t axis, std::int32_t index) const {
+    const std::uint64_t steps = static_cast<std::uint64_t>(std::int64_t{index}) * steps_of_cell_[axis];
+    return static_cast<std::int32_t>(steps >> 32);
+  }
   void refuse_tiny_cells(const World& world) const;
   double most_touched(const World& world, std::size_t axis) const;
   bool images_are_nearest(const World& world) const;
@@ -107,6 +122,9 @@ class CellGrid {
   Subdivision cells_;
   CellStore<SlotLists> store_;
   LargeVector<Region> regions_;
+  std::array<std::uint64_t, kAxes> steps_of_cell_{};  // of the grid of CompactPaths, times 2^32
+  std::array<float, kAxes> margin_{};                 // of the cells, in units of the compact paths
+  bool suits_single_precision_ = false;
   bool nearest_ = false;
   bool blocks_ = false;  // regions are sets of cells of a block
   std::uint64_t left_count_ = 0;

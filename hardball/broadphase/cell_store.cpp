@@ -16,6 +16,11 @@ namespace {
 constexpr double kDenseCellsPerSphere = 2;
 constexpr double kDenseCellsAlways = 4096;
 
+// Comparing arrays calls a function of the C library.
+bool is_same(const CellIndex& a, const CellIndex& b) {
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
 }  // namespace
 
 template <class Lists>
@@ -63,7 +68,7 @@ std::size_t CellStore<Lists>::home(const CellIndex& cell) const {
 template <class Lists>
 std::size_t CellStore<Lists>::find_entry(const CellIndex& cell) const {
   std::size_t entry = home(cell);
-  while (entries_[entry].list != Lists::kNone && entries_[entry].cell != cell)
+  while (entries_[entry].list != Lists::kNone && !is_same(entries_[entry].cell, cell))
     entry = (entry + 1) & (entries_.size() - 1);
   return entry;
 }

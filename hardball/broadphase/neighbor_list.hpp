@@ -73,6 +73,7 @@ class NeighborList {
   bool has_nearest_images() const { return true; }
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
              Candidates& candidates);
+  static constexpr std::size_t kCachedSpheres = 20000;  // measured
   void prefetch_region(Slot slot) const {
     prefetch(neighbors_.address(slot));
     prefetch(&anchors_[slot]);

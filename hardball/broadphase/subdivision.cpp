@@ -15,7 +15,7 @@ namespace {
 
 // By how much cells admit early and release late, as a fraction of their edge and of the greatest distance
 // from the origin, where coordinates are rounded most coarsely.
-constexpr double kEdgeMargin = 1e-9;
+constexpr double kEdgeMargin = 0x1p-18;
 constexpr double kDistanceMargin = 1e-14;
 
 // Without SSE4.1, std::floor is a function call.

@@ -140,9 +140,6 @@ class Engine {
   }
 
  private:
-  // The data of this many spheres stays in cache by itself.
-  static constexpr std::size_t kCachedSpheres = 10000;
-
   // What comes next for a sphere: its crossing, and its prospect. Two to a cache line.
   struct alignas(32) Plan {
     double contact = kNever.high;   // the bound, or the high part of the time of the contact
@@ -256,7 +253,7 @@ class Engine {
     are_nearest_ = phase_.has_nearest_images();
     images_.assign(are_nearest_ ? 0 : world_.size(), Image{});
     plans_.assign(world_.size(), Plan{});
-    is_cached_ = world_.size() <= kCachedSpheres;
+    is_cached_ = world_.size() <= Phase::kCachedSpheres;
     const Box& box = world_.box();
     has_walls_ = box.is_wall(0) || box.is_wall(1) || box.is_wall(2);
     for (Slot slot = 0; slot < world_.size(); ++slot) {
@@ -506,7 +503,7 @@ class Engine {
   void plan_contacts(Slot slot, const BoundedContacts& found) {
     Plan& plan = plans_[slot];
     plan.set_bound(found.least, found.second, found.partner, compact_.revision(found.partner));
-    if (has_walls_) {
+    if (has_walls_ && may_meet_wall(world_, slot, plan.limit_or_low)) {
       const Event wall = next_wall_event(world_, slot);
       if (wall.time.high < plan.contact) {
         plan.set_wall(wall.time, wall.second);
@@ -628,7 +625,7 @@ class Engine {
   LargeVector<Plan> plans_;    // per slot
   std::vector<Image> images_;  // per slot, of the partner; none where nearest images are meant
   bool are_nearest_ = true;
-  bool is_cached_ = true;  // the data of all spheres stays in cache by itself
+  bool is_cached_ = true;  // prefetching all data ahead does not pay
   bool has_walls_ = false;
   Candidates candidates_;  // of the current sphere
   PairContacts pairs_;     // of the current bucket

@@ -3,7 +3,6 @@
 #include "hardball/engine/predictor.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "hardball/events/event.hpp"
 
@@ -66,28 +65,19 @@ BoundedContacts Predictor::bound_with_care(const CompactPaths& copies, const Can
       found.second = std::min(found.second, time);
     }
   };
-  std::array<Slot, BoundKeys::kMost + Candidates::kPadding> batch;
   for (std::size_t begin = 0; begin < candidates.size(); begin += BoundKeys::kMost) {
+    const Slot* const others = candidates.slots() + begin;
     const std::size_t count = std::min(candidates.size() - begin, BoundKeys::kMost);
-    batch.fill(self);
-    std::copy_n(candidates.slots() + begin, count, batch.begin());
     if (!is_bounded) {
-      for (std::size_t i = 0; i < count; ++i) note(base, batch[i]);
+      for (std::size_t i = 0; i < count; ++i) note(base, others[i]);
       continue;
     }
-    for (bool is_repeated = true; is_repeated;) {
-      const BoundKeys keys =
-          bound_kernel_(copies.scale(), copies.paths().data(), copies.radii(), self, batch.data(), count);
-      is_repeated = false;
-      Slot first = self;
-      for (const std::uint32_t key : {keys.first, keys.second}) {
-        if (!BoundKeys::touches(key)) break;
-        const Slot other = batch[BoundKeys::place(key)];
-        note(base + copies.time_unit() * static_cast<double>(BoundKeys::wait(key)), other);
-        is_repeated = other == first;
-        first = other;
-      }
-      if (is_repeated) std::replace(batch.begin(), batch.end(), first, self);
+    const BoundKeys keys =
+        bound_kernel_(copies.scale(), copies.paths().data(), copies.radii(), self, others, count);
+    for (const std::uint32_t key : {keys.first, keys.second}) {
+      if (!BoundKeys::touches(key)) break;
+      note(base + copies.time_unit() * static_cast<double>(BoundKeys::wait(key)),
+           others[BoundKeys::place(key)]);
     }
   }
   return found;

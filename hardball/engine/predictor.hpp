@@ -100,8 +100,6 @@ class Predictor {
                                          candidates.self(), others, candidates.size());
     if (!BoundKeys::touches(keys.first)) return {kNever.high, kNever.high, candidates.self()};
     const Slot partner = others[BoundKeys::place(keys.first)];
-    if (BoundKeys::touches(keys.second) && others[BoundKeys::place(keys.second)] == partner) [[unlikely]]
-      return bound_with_care(copies, candidates, base);
     const double unit = copies.time_unit();
     return {base + unit * static_cast<double>(BoundKeys::wait(keys.first)),
             base + unit * static_cast<double>(BoundKeys::wait(keys.second)), partner};
@@ -111,7 +109,7 @@ class Predictor {
   void compute(const World& world, const Time& now, PairContacts& pairs) const;
 
  private:
-  // The same for a sphere too fast to be bounded, for many candidates and for repeated ones.
+  // The same for a sphere too fast to be bounded, and for many candidates.
   BoundedContacts bound_with_care(const CompactPaths& copies, const Candidates& candidates,
                                   double base) const;
 

@@ -26,9 +26,9 @@ struct BoundScale {
   float least_discriminant = 0;  ///< D_0 [L^4/T^2].
 };
 
-/// The least two of the lower bounds of the waits until a sphere touches its candidates, each in one integer
-/// with the place of its candidate: numbers that are not negative are ordered as their bits are, and the last
-/// bits, which say least, are the place. No two are alike.
+/// The least two of the lower bounds of the waits until a sphere touches its candidates, of different ones,
+/// each in one integer with the place of its candidate: numbers that are not negative are ordered as their
+/// bits are, and the last bits, which say least, are the place.
 struct BoundKeys {
   /// The most candidates.
   static constexpr std::size_t kMost = 64;

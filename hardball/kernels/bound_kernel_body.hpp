@@ -93,18 +93,24 @@ HARDBALL_ALWAYS_INLINE BoundKeys least_two(const BoundScale& scale, const Compac
   using Integers = typename Floats::Integers;
   const BoundedSphere<Floats> own(scale, paths[self], has_radii ? radii : nullptr, self);
   const Integers forever(BoundKeys::kForever);
-  // In each lane, the least two.
+  alignas(64) std::uint32_t keys[BoundKeys::kMost];
   Integers least = forever;
-  Integers second = forever;
   Integers places = Integers::ascending();
   for (std::size_t i = 0; i < count; i += Floats::kWidth) {
     const Integers key = bound_waits(scale, paths, has_radii ? radii : nullptr, own, others + i) | places;
     places = places + Integers(static_cast<std::uint32_t>(Floats::kWidth));
-    second = minimum(second, maximum(least, key));
+    key.store(keys + i);
     least = minimum(least, key);
   }
   const std::uint32_t first = least_of(least);
-  return {first, least_of(minimum(second, select(least == Integers(first), forever, least)))};
+  // A candidate may be repeated.
+  const Integers partner(others[first & BoundKeys::kPlace]);
+  Integers second = forever;
+  for (std::size_t i = 0; i < count; i += Floats::kWidth) {
+    const auto is_partner = Integers::load(others + i) == partner;
+    second = minimum(second, select(is_partner, forever, Integers::load(keys + i)));
+  }
+  return {first, least_of(second)};
 }
 
 template <class Floats>

@@ -160,9 +160,6 @@ Floats::Integers bits_of(const Floats& a) {
 Floats::Integers minimum(const Floats::Integers& a, const Floats::Integers& b) {
   return _mm256_min_epu32(a.v, b.v);
 }
-Floats::Integers maximum(const Floats::Integers& a, const Floats::Integers& b) {
-  return _mm256_max_epu32(a.v, b.v);
-}
 std::uint32_t least_of(const Floats::Integers& a) {
   const __m128i four = _mm_min_epu32(_mm256_castsi256_si128(a.v), _mm256_extracti128_si256(a.v, 1));
   const __m128i two = _mm_min_epu32(four, _mm_shuffle_epi32(four, 0b01'00'11'10));

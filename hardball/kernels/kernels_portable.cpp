@@ -221,9 +221,6 @@ Floats::Integers select(const Floats::Mask& mask, const Floats::Integers& a, con
 Floats::Integers minimum(const Floats::Integers& a, const Floats::Integers& b) {
   return a.v < b.v ? a.v : b.v;
 }
-Floats::Integers maximum(const Floats::Integers& a, const Floats::Integers& b) {
-  return a.v > b.v ? a.v : b.v;
-}
 std::uint32_t least_of(const Floats::Integers& a) {
   const std::uint32_t low = a.v[0] < a.v[1] ? a.v[0] : a.v[1];
   const std::uint32_t high = a.v[2] < a.v[3] ? a.v[2] : a.v[3];

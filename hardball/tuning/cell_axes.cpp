@@ -10,22 +10,34 @@
 namespace hardball {
 namespace {
 
-// The length over which partners are spread that share a row of cells with a sphere, both being anywhere
-// between two walls: `room` times the fraction of such pairs. Pairs that share no row are those with one's
-// upper end in row k and the other's lower end beyond it; their fraction is the sum of an arithmetic series.
-// The rest is written as a sum of positive terms, so that no digits are lost in a wide box.
-double spread_of_row_mates(double edge, double diameter, double room) {
-  const double first = (std::floor(diameter / edge) + 1) * edge;  // the first boundary with spheres below it
-  const double beyond = room - first;
-  if (!(beyond > 0)) return room;
-  const double rest = std::fmod(beyond, edge);
-  return (beyond * (edge + 2 * diameter) + first * first - rest * (edge - rest)) / room;
+// For spheres between two walls, the sums over all rows of cells of the length over which centres may lie of
+// those that touch the row, and of its square. A row near a wall holds fewer: the lengths are edge, 2 edge,
+// ... up to edge + diameter, or to all the room.
+struct RowSums {
+  double lengths;
+  double squares;
+};
+
+RowSums sum_rows(double edge, double diameter, double rows, double room) {
+  const double reached = std::floor(diameter / edge) + 1;        // rows touched by a sphere at a wall
+  const double near = std::clamp(rows - reached, 0.0, reached);  // rows at each wall that are not full
+  const double full = std::min(edge + diameter, room);
+  const double between = rows - 2 * near;
+  return {edge * near * (near + 1) + between * full,
+          edge * edge * near * (near + 1) * (2 * near + 1) / 3 + between * full * full};
+}
+
+// The sum of the lengths of the rows that a sphere at a wall touches.
+double sum_rows_at_wall(double edge, double reached, double room) {
+  const double near = std::min(reached, std::floor(room / edge));
+  return edge * near * (near + 1) / 2 + (reached - near) * room;
 }
 
 CellAxis cell_axis(const Moments& moments, const Subdivision& cells, std::size_t axis) {
   const double diameter = 2 * moments.mean_radius();
   const double edge = cells.edge(axis);
-  const double far_from_walls = edge + 2 * diameter;
+  const double rows_touched = 1 + diameter / edge;  // far from walls
+  const double far_from_walls = rows_touched * (edge + diameter);
   CellAxis result{.edge = edge, .room = moments.extent[axis], .crossings = 1 / edge};
   // Along an open axis cells may reach far beyond the spheres.
   if (moments.box.is_open(axis)) result.candidates = std::min(1.0, result.room / far_from_walls);
@@ -35,13 +47,16 @@ CellAxis cell_axis(const Moments& moments, const Subdivision& cells, std::size_t
   }
   if (!moments.box.is_wall(axis)) return result;
   const double rows = cells.last(axis) + 1;
-  const double rows_touched = std::floor(diameter / edge) + 1;  // by a sphere at a wall
+  const double rows_at_wall = std::floor(diameter / edge) + 1;  // touched by a sphere there
   result.room = std::max(moments.extent[axis] - diameter, moments.extent[axis] / 1024);
   // A sphere's front never crosses faces less than a diameter from the wall behind it.
-  result.crossings = std::max(0.0, rows - rows_touched) / result.room;
+  result.crossings = std::max(0.0, rows - rows_at_wall) / result.room;
   result.is_divided = rows > 1;
-  result.candidates = spread_of_row_mates(edge, diameter, result.room) / far_from_walls;
-  result.candidates_at_wall = std::min(rows_touched * edge, result.room) / far_from_walls;
+  const RowSums sums = sum_rows(edge, diameter, rows, result.room);
+  result.rows = sums.lengths / result.room / rows_touched;
+  result.rows_at_wall = rows_at_wall / rows_touched;
+  result.candidates = sums.squares / result.room / far_from_walls;
+  result.candidates_at_wall = sum_rows_at_wall(edge, rows_at_wall, result.room) / far_from_walls;
   return result;
 }
 

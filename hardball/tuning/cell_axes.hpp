@@ -15,7 +15,9 @@ struct CellAxis {
   double crossings = 0;    ///< Cell faces that a sphere's front crosses per length along the axis [1/L].
   bool is_divided = true;  ///< There are such faces.
   bool has_nearest_images = true;  ///< Spheres that share a cell are nearest images of each other.
-  /// The length over which a sphere's candidates spread, relative to that far from walls [1].
+  double rows = 1;                 ///< Of cells that a sphere touches, relative to that far from walls [1].
+  double rows_at_wall = 1;         ///< The same for spheres touching one of the walls.
+  /// The candidates of a sphere, counted in each of these rows, relative to those far from walls [1].
   double candidates = 1;
   double candidates_at_wall = 1;  ///< The same for spheres touching one of the walls.
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "hardball/tuning/cell_axes.hpp"
 #include "hardball/tuning/kinetic_theory.hpp"
@@ -39,13 +40,9 @@ double mean_section(const CellAxes& axes, const RowSurplus& surplus, const Power
          width[2];
 }
 
-// Means of the powers of the diameter of one sphere, and of the sum of two diameters.
+// Means of the powers of the diameter of a sphere.
 Powers diameter_powers(const std::array<double, 6>& radius_power) {
   return {1, 2 * radius_power[1], 4 * radius_power[2], 8 * radius_power[3]};
-}
-
-Powers sum_powers(const Powers& a, const Powers& b) {
-  return {1, a[1] + b[1], a[2] + 2 * a[1] * b[1] + b[2], a[3] + 3 * a[2] * b[1] + 3 * a[1] * b[2] + b[3]};
 }
 
 // The same for colliding spheres, weighted by the squared sum of the two radii.
@@ -55,6 +52,32 @@ Powers colliding_diameter_powers(const std::array<double, 6>& m) {
           8 * (m[2] * m[3] + 2 * m[1] * m[4] + m[5]) / all};
 }
 
+// The mean number of cells that two spheres share whose separation has components |r_a| with these means, in
+// diameters: of one axis, of the product of two, and of three.
+struct Separation {
+  double one;
+  double two;
+  double three;
+};
+constexpr Separation kInContact{1.0 / 2, 2 / (3 * std::numbers::pi), 1 / (4 * std::numbers::pi)};
+// Anywhere in the sphere that a sphere excludes.
+constexpr Separation kOverlapping{3.0 / 8, 2 / (5 * std::numbers::pi), 1 / (8 * std::numbers::pi)};
+
+double shared_cells(const CellAxes& axes, double diameter, const Separation& mean) {
+  const double x = diameter / axes[0].edge;
+  const double y = diameter / axes[1].edge;
+  const double z = diameter / axes[2].edge;
+  return 1 + (1 - mean.one) * (x + y + z) + (1 - 2 * mean.one + mean.two) * (x * y + y * z + z * x) +
+         (1 - 3 * mean.one + 3 * mean.two - mean.three) * x * y * z;
+}
+
+// The same in one row of cells across an axis.
+double shared_cells_in_row(const CellAxes& axes, double diameter, const Separation& mean, std::size_t axis) {
+  const double x = diameter / axes[(axis + 1) % kAxes].edge;
+  const double y = diameter / axes[(axis + 2) % kAxes].edge;
+  return 1 + (1 - mean.one) * (x + y) + (1 - 2 * mean.one + mean.two) * x * y;
+}
+
 }  // namespace
 
 CellCounts expected_counts(const Moments& moments, double edge) {
@@ -62,19 +85,23 @@ CellCounts expected_counts(const Moments& moments, double edge) {
   if (moments.spheres == 0) return counts;
   const CellAxes axes = cell_axes(moments, edge);
   double density = static_cast<double>(moments.spheres);  // of centres in the volume accessible to them
-  double shared = 1;          // the fraction of the candidates' volume that walls leave
-  double shared_at_wall = 0;  // the same for a sphere touching a wall
+  // What walls leave of the cells that a sphere touches, and of its candidates; the same at a wall.
+  double rows = 1;
+  double shared = 1;
+  double rows_at_wall = 0;
+  double shared_at_wall = 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     density /= axes[axis].room;
+    rows *= axes[axis].rows;
     shared *= axes[axis].candidates;
   }
   double walls = 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!moments.box.is_wall(axis)) continue;
+    rows_at_wall += rows * axes[axis].rows_at_wall / axes[axis].rows;
     shared_at_wall += shared * axes[axis].candidates_at_wall / axes[axis].candidates;
     ++walls;
   }
-  if (walls > 0) shared_at_wall /= walls;
   const double free_path = mean_free_path(moments);
   const RowSurplus none;
   const RowSurplus surplus = mean_row_surplus(axes, 2 * moments.mean_radius(), free_path);
@@ -87,31 +114,52 @@ CellCounts expected_counts(const Moments& moments, double edge) {
       !axes[0].has_nearest_images || !axes[1].has_nearest_images || !axes[2].has_nearest_images;
   counts.collision = 1 / mean_free_time(moments);
   counts.wall = wall_rate(moments);
-  const auto pairs_in = [&](double region) { return density * shared * region; };
-  counts.candidates_after_collision = std::max(
-      1.0, pairs_in(mean_region(axes, surplus, sum_powers(colliding, one))) + excess_about_pair(moments));
-  const double region = mean_region(axes, surplus, sum_powers(one, one));
-  counts.candidates_after_wall =
-      std::max(0.0, density * shared_at_wall * region + excess_about_sphere(moments));
-  counts.candidates_at_any_time = std::max(0.0, pairs_in(region) + excess_about_sphere(moments));
-  counts.candidates_when_stale =
-      std::max(1.0, pairs_in(mean_region(axes, of_two(surplus), sum_powers(colliding, one))) +
-                        excess_about_sphere(moments));
-
   const double cell = axes[0].edge * axes[1].edge * axes[2].edge;
-  counts.cells = mean_region(axes, none, colliding) / cell;
+  // Far from walls, the cells of a sphere after a collision, after a wall contact, at any time, and when its
+  // prospect is found stale.
+  const double after_collision = mean_region(axes, none, colliding) / cell;
+  const double after_wall = mean_region(axes, none, one) / cell;
+  const double at_any_time = mean_region(axes, surplus, one) / cell;
+  const double when_stale = mean_region(axes, surplus, colliding) / cell;
+  // In each of them there is the sphere itself, and so many others. Candidates that come with their images
+  // are collected once, and without the sphere.
+  const double diameter = one[1];
+  const bool is_once = counts.are_images_listed;
+  const auto repeated = [&](std::size_t axis) {
+    return is_once ? (1 + 1 / (1 + axes[axis].edge / diameter)) / (1 + diameter / axes[axis].edge) : 1;
+  };
+  double others = density * mean_region(axes, surplus, one);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) others *= repeated(axis);
+  const double in_cells = (is_once ? 0 : rows) + shared * others;
+  // Spheres nearby share several cells; some are missing there.
+  const double held = at_any_time / after_wall;
+  const double missing = is_once ? 1 : held * shared_cells(axes, diameter, kOverlapping);
+  const double excess = missing * excess_about_sphere(moments);
+  counts.cells = after_collision * rows;
+  counts.candidates_after_collision =
+      std::max(1.0, after_collision * in_cells + (is_once ? 1 : shared_cells(axes, diameter, kInContact)) +
+                        missing * (excess_about_pair(moments) - 1));
+  if (walls > 0) {
+    counts.candidates_after_wall =
+        std::max(0.0, after_wall * (rows_at_wall + shared_at_wall * others) / walls + excess);
+  }
+  counts.candidates_at_any_time = std::max(0.0, at_any_time * in_cells + excess);
+  counts.candidates_when_stale = std::max(1.0, when_stale * in_cells + excess);
+
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double rate = moments.mean_speed / 2 * axes[axis].crossings;
     counts.enter += rate;
-    counts.cells_entered += rate * mean_section(axes, none, one, axis) * axes[axis].edge / cell;
-    counts.candidates_after_enter += rate * pairs_in((axes[axis].edge * (1 + surplus.along[axis]) + one[1]) *
-                                                     mean_section(axes, surplus, sum_powers(one, one), axis));
+    const double entered =
+        mean_section(axes, none, one, axis) * axes[axis].edge / cell * rows / axes[axis].rows;
+    counts.cells_entered += rate * entered;
+    // Half of the volume around a sphere lies in the row ahead.
+    const double near = is_once ? 1 : held * shared_cells_in_row(axes, diameter, kOverlapping, axis);
+    const double in_row = entered * others / repeated(axis) * shared / rows;
+    counts.candidates_after_enter += rate * (in_row + near / 2 * excess_about_sphere(moments));
   }
   if (counts.enter > 0) {
     counts.cells_entered /= counts.enter;
-    // Half of the volume around a sphere, in which it excludes others, lies in the row ahead.
-    counts.candidates_after_enter =
-        std::max(0.0, counts.candidates_after_enter / counts.enter + excess_about_sphere(moments) / 2);
+    counts.candidates_after_enter = std::max(0.0, counts.candidates_after_enter / counts.enter);
   }
   // Measured in simulations from dilute to dense: docs/theory.md.
   const double mean_edge = std::cbrt(cell);

@@ -57,11 +57,13 @@ double rebuild_cost(const CellCounts& counts, const UnitCosts& costs) {
 
 double optimal_cell_edge(const Moments& moments, const UnitCosts& unit_costs) {
   if (moments.spheres == 0) return 1;
-  // With very many spheres every candidate is another line of memory: measured, docs/theory.md.
-  constexpr std::size_t kVeryMany = 300000;
-  constexpr double kFarPrediction = 2;
+  // Every cell and every candidate is another line of memory: measured, docs/theory.md.
+  constexpr double kFar = 2;
   UnitCosts costs = unit_costs;
-  if (moments.spheres > kVeryMany) costs.prediction *= kFarPrediction;
+  if (moments.spheres > kVeryManySpheres) {
+    costs.cell *= kFar;
+    costs.prediction *= kFar;
+  }
   Moments moving = moments;
   if (!(moving.mean_speed > 0)) moving.mean_speed = 1;  // the optimum does not depend on it
   constexpr double kSmallest = 1.0 / 8;

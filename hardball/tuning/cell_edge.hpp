@@ -12,10 +12,10 @@ namespace hardball {
 /// The costs of the steps of the event loop, in nanoseconds; only their ratios matter for the choice of the
 /// cell edge. The defaults were measured on one core at 2.6 GHz with 4,000 spheres.
 struct UnitCosts {
-  double contact = 260;     ///< Independent of cells: new velocities, two new regions, two queue entries.
-  double enter = 130;       ///< A crossing without its cells and pairs: taken from the queue and rescheduled.
-  double cell = 25;         ///< Each cell searched or entered.
-  double prediction = 3.2;  ///< Each pair.
+  double contact = 350;     ///< Independent of cells: new velocities, two new regions, two queue entries.
+  double enter = 165;       ///< A crossing without its cells and pairs: taken from the queue and rescheduled.
+  double cell = 4;          ///< Each cell searched or entered.
+  double prediction = 2.2;  ///< Each candidate found in a cell.
 
   friend bool operator==(const UnitCosts&, const UnitCosts&) = default;
 };

@@ -9,6 +9,9 @@
 
 namespace hardball {
 
+/// Of more spheres, what an event needs is far away in memory.
+inline constexpr std::size_t kVeryManySpheres = 300000;
+
 /// What kinetic theory needs of a world: averages over its spheres, and its box.
 struct Moments {
   std::size_t spheres = 0;

@@ -32,6 +32,7 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
   const double cubed =
       sum_cubed + 6 * slack * sum_squared + 12 * slack * slack * sum + 8 * slack * slack * slack;
   counts.neighbors = std::max(1.0, 4 * std::numbers::pi / 3 * density * cubed + excess_about_sphere(moments));
+  counts.is_far = moments.spheres > kVeryManySpheres;
   counts.searched = density * std::pow(6 * (moments.largest_radius + slack), 3);
   return counts;
 }
@@ -40,12 +41,14 @@ double cost_rate(const NeighborCounts& counts, const UnitCosts& costs) {
   // A rebuild visits 27 cells, in rows of three that are adjacent in memory; checking whether an anchor is
   // near costs a fraction of a prediction.
   constexpr double kCellsOfRebuild = 9;
-  constexpr double kSearch = 0.25;
-  // Lists are read in place, and name no sphere twice.
-  constexpr double kListed = 0.6;
+  constexpr double kSearch = 0.6;
+  // Fitted so that lists are chosen where they are faster than cells: docs/theory.md.
+  constexpr double kListed = 1.5;
   const double pass = costs.cell + kListed * costs.prediction * counts.neighbors;
-  const double rebuild =
-      costs.enter + kCellsOfRebuild * costs.cell + kSearch * costs.prediction * counts.searched;
+  // Measured, as the numbers above: docs/theory.md.
+  constexpr double kFarRebuild = 1.4;
+  const double rebuild = (counts.is_far ? kFarRebuild : 1) * (costs.enter + kCellsOfRebuild * costs.cell +
+                                                              kSearch * costs.prediction * counts.searched);
   return costs.contact * (counts.collision / 2 + counts.wall) +
          (counts.collision + counts.wall + counts.stale) * pass + counts.rebuild * rebuild;
 }

@@ -17,6 +17,7 @@ struct NeighborCounts {
 
   double neighbors = 0;  ///< In its list [1].
   double searched = 0;   ///< Anchors in the cells around its own [1].
+  bool is_far = false;   ///< Whether these are far away in memory.
 };
 
 /// The counts expected for balls of radius `slack` [L]. Cost: O(1). Precondition: `slack` is positive.

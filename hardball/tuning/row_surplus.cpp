@@ -77,17 +77,4 @@ RowSurplus mean_row_surplus(const CellAxes& axes, double diameter, double free_p
   return sum;
 }
 
-RowSurplus of_two(const RowSurplus& one) {
-  RowSurplus sum;
-  double products = 0;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double others = one.along[(axis + 1) % kAxes] * one.along[(axis + 2) % kAxes];
-    sum.along[axis] = 2 * one.along[axis];
-    sum.across[axis] = 2 * one.across[axis] + 2 * others;
-    products += one.along[axis] * one.across[axis];
-  }
-  sum.all = 2 * one.all + 2 * products;
-  return sum;
-}
-
 }  // namespace hardball

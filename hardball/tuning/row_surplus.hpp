@@ -21,7 +21,4 @@ struct RowSurplus {
 /// Source: docs/theory.md.
 RowSurplus mean_row_surplus(const CellAxes& axes, double diameter, double free_path);
 
-/// For two independent spheres together.
-RowSurplus of_two(const RowSurplus& one);
-
 }  // namespace hardball

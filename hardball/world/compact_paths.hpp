@@ -71,6 +71,8 @@ class CompactPaths {
   /// By slot.
   std::span<const CompactPath> paths() const { return paths_; }
   const BoundScale& scale() const { return scale_; }
+  /// The grid [1/L], by axis.
+  const Vec3& steps_per_length() const { return steps_per_length_; }
   /// The units of the compact paths [L], [T].
   double length_unit() const { return length_unit_; }
   double time_unit() const { return time_unit_; }

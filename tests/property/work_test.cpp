@@ -78,10 +78,9 @@ TEST(WorkPerContact, AndMemoryPerSphereDoNotGrowWithTheNumberOfSpheres) {
   }
 }
 
-// A sphere of diameter one has n0 ((L + 2)^3 - 4 pi / 3) others in the cells it touches, L being the edge,
-// and there are n0 (L + 1) (L + 2)^2 in a row of cells it enters, some of which are candidates already. Cells
-// are released only at the next crossing or change of path, which adds about a quarter; visiting a pair in
-// every cell it shares would add another 40%.
+// A sphere of diameter one touches (1 + 1 / L)^3 cells, L being the edge, and finds in each, besides itself,
+// n0 (L + 1)^3 others; there are (1 + 1 / L)^2 cells in a row that it enters. Cells are released only at the
+// next crossing or change of path, which adds about a quarter.
 TEST(WorkPerContact, IsAtMostAThirdAboveTheory) {
   constexpr std::size_t kSpheres = 4000;
   const double edge = support::cube_edge(kSpheres, kPacking) / 11;  // 2.5 diameters
@@ -89,9 +88,10 @@ TEST(WorkPerContact, IsAtMostAThirdAboveTheory) {
       support::settled(support::make_gas({.count = kSpheres, .packing_fraction = kPacking, .seed = 202}), 4);
   Work work;
   work.add_run(world, edge * (1 - 1e-9), 20000);
-  const double others = kDensity * (std::pow(edge + 2, 3) - 4 * std::numbers::pi / 3);
-  const double entered = kDensity * (edge + 1) * (edge + 2) * (edge + 2);
-  const double theory = (2 * work.contacts + work.stale) * others + work.crossings * entered;
+  const double in_cell = kDensity * std::pow(edge + 1, 3);
+  const double all = std::pow(1 + 1 / edge, 3) * (1 + in_cell);
+  const double entered = std::pow(1 + 1 / edge, 2) * in_cell;
+  const double theory = (2 * work.contacts + work.stale) * all + work.crossings * entered;
   support::record("predictions_over_theory", work.predictions / theory);
   EXPECT_LT(work.predictions / theory, 4.0 / 3);
   EXPECT_GT(work.predictions / theory, 0.95);

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <map>
 #include <set>
 #include <vector>
 
@@ -50,57 +49,6 @@ TEST(Candidates, KeepTheOrderInWhichTheyWereAddedAndArePadded) {
   }
 }
 
-// Cache lines of slots as in cells, with many repetitions: none is lost, few are repeated.
-TEST(Candidates, DropRepeatedLosesNoneAndLeavesFewRepetitions) {
-  Random random(1);
-  Candidates candidates;
-  constexpr Slot kNotGiven = 4000000001U;
-  std::uint64_t added = 0;
-  std::uint64_t twice = 0;
-  for (std::uint64_t round = 0; round < support::cases(3000); ++round) {
-    const Slot slots = round % 3 == 0 ? 100 : round % 3 == 1 ? 5000 : 4000000000U;
-    std::vector<Slot> pool(1 + random.bits() % 60);
-    for (Slot& slot : pool) slot = static_cast<Slot>(random.bits() % slots);
-    const Slot self = pool.front();
-    candidates.begin(self, true);
-    std::map<Slot, int> given;
-    const std::uint64_t lines = random.bits() % 12;
-    for (std::uint64_t l = 0; l < lines; ++l) {
-      SlotLists::LineOfSlots line;
-      const auto count = static_cast<std::uint32_t>(random.bits() % (line.size() + 1));
-      for (std::uint32_t i = 0; i < line.size(); ++i) {
-        line[i] = i < count ? pool[random.bits() % pool.size()] : kNotGiven;
-        if (i < count) ++given[line[i]];
-      }
-      candidates.add(line, count);
-    }
-    candidates.drop_repeated();
-    candidates.end();
-    expect_padding(candidates);
-    std::map<Slot, int> found;
-    for (std::size_t i = 0; i < candidates.size(); ++i) ++found[candidates.slot(i)];
-    for (const auto& [slot, count] : given) {
-      if (slot == self) continue;
-      ASSERT_TRUE(found.contains(slot)) << "left out";
-    }
-    for (const auto& [slot, count] : found) {
-      ASSERT_TRUE(given.contains(slot)) << "never given";
-      ASSERT_LE(count, given[slot]);
-      if (slots == 100) {
-        ASSERT_EQ(count, 1) << "slots below 256 never share an entry";
-        ASSERT_NE(slot, self);
-      }
-      if (slot == self) continue;
-      ++added;
-      twice += static_cast<std::uint64_t>(count - 1);
-    }
-  }
-  // Of 60 slots in 256 entries one in nine shares its entry with another; one given some three times is then
-  // repeated some two times.
-  EXPECT_LT(static_cast<double>(twice), 0.3 * static_cast<double>(added));
-  EXPECT_GT(twice, 0U) << "the cache is tested";
-}
-
 TEST(Candidates, AddTheFirstOfALineInItsOrder) {
   Candidates candidates;
   SlotLists::LineOfSlots line;
@@ -122,20 +70,17 @@ TEST(Candidates, AddTheFirstOfALineInItsOrder) {
   }
 }
 
-TEST(Candidates, DropRepeatedForgetsEarlierRounds) {
+TEST(Candidates, MarksAreForgottenInTheNextRound) {
   Candidates candidates;
-  const SlotLists::LineOfSlots line = {1, 2, 3};
   for (int round = 0; round < 1000; ++round) {
-    candidates.begin(9, true);
+    candidates.begin(9, false);
     candidates.start_round(6);
-    EXPECT_TRUE(candidates.is_new(1));
     EXPECT_FALSE(candidates.is_new(9)) << "the sphere itself";
-    candidates.add(line, 3);
-    candidates.add(line, 3);
-    candidates.drop_repeated();
-    candidates.end();
-    ASSERT_EQ(candidates.size(), 3U);
-    EXPECT_FALSE(candidates.is_new(1));
+    for (const Slot slot : {1U, 2U, 3U}) {
+      EXPECT_TRUE(candidates.is_new(slot));
+      candidates.mark(slot);
+      EXPECT_FALSE(candidates.is_new(slot));
+    }
   }
 }
 
@@ -187,13 +132,13 @@ TEST(Candidates, LoseNoneWhenTheCountOfRoundsOverflows) {
   for (const std::uint32_t rounds : {kLast - 1, kLast}) {
     Candidates candidates(rounds);
     for (int round = 0; round < 4; ++round) {
-      candidates.begin(7, true);
-      for (const Slot slot : {0U, 1U, 0U}) candidates.add(slot);
-      candidates.drop_repeated();
-      candidates.end();
-      ASSERT_EQ(candidates.size(), 2U) << "round " << round;
-      EXPECT_EQ(candidates.slot(0), 0U);
-      EXPECT_EQ(candidates.slot(1), 1U);
+      candidates.begin(7, false);
+      candidates.start_round(2);
+      for (const Slot slot : {0U, 1U}) {
+        EXPECT_TRUE(candidates.is_new(slot)) << "round " << round;
+        candidates.mark(slot);
+        EXPECT_FALSE(candidates.is_new(slot));
+      }
     }
   }
 }

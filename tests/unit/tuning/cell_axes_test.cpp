@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hardball/world/random.hpp"
@@ -19,7 +20,10 @@ struct Rows {
 
   Rows(double center, double radius, double edge)
       : low(std::floor((center - radius) / edge)), high(std::floor((center + radius) / edge)) {}
-  bool meets(const Rows& other) const { return low <= other.high && other.low <= high; }
+  double count() const { return high - low + 1; }
+  double shared_with(const Rows& other) const {
+    return std::max(0.0, std::min(high, other.high) - std::max(low, other.low) + 1);
+  }
 };
 
 Moments moments_between_walls(double size, double radius) {
@@ -31,8 +35,25 @@ Moments moments_between_walls(double size, double radius) {
   return moments;
 }
 
+// A mean and its error.
+class Mean {
+ public:
+  void add(double value) {
+    ++count_;
+    sum_ += value;
+    squares_ += value * value;
+  }
+  double value() const { return sum_ / count_; }
+  double error() const { return std::sqrt(squares_ / count_ - value() * value()) / std::sqrt(count_); }
+
+ private:
+  double count_ = 0;
+  double sum_ = 0;
+  double squares_ = 0;
+};
+
 // Reference: pairs placed at random between two walls.
-TEST(CellAxes, BetweenWallsKnowHowManyPairsShareARow) {
+TEST(CellAxes, BetweenWallsKnowHowManyRowsPairsShare) {
   constexpr int kPairs = 200000;
   constexpr double kRadius = 0.5;
   const Moments moments = support::gas_moments(1000, 0.01, kRadius, Boundary::wall);
@@ -42,19 +63,25 @@ TEST(CellAxes, BetweenWallsKnowHowManyPairsShareARow) {
     const CellAxis axis = cell_axes(moments, size / cells * (1 - 1e-12))[0];
     ASSERT_NEAR(axis.edge, size / cells, 1e-9);
     EXPECT_EQ(axis.room, size - 2 * kRadius);
-    int together = 0;
-    int together_at_wall = 0;
+    Mean rows;
+    Mean shared;
+    Mean shared_at_wall;
+    const Rows at_wall(kRadius * (1 + 1e-9), kRadius, axis.edge);
     const auto anywhere = [&] { return kRadius + axis.room * random.uniform(); };
     for (int i = 0; i < kPairs; ++i) {
       const Rows other(anywhere(), kRadius, axis.edge);
-      together += other.meets(Rows(anywhere(), kRadius, axis.edge));
-      together_at_wall += other.meets(Rows(kRadius * (1 + 1e-9), kRadius, axis.edge));
+      rows.add(other.count());
+      shared.add(other.shared_with(Rows(anywhere(), kRadius, axis.edge)));
+      shared_at_wall.add(other.shared_with(at_wall));
     }
-    const double far_from_walls = axis.edge + 4 * kRadius;
-    const double scale = axis.room / far_from_walls / kPairs;
-    // Four standard errors of the count.
-    EXPECT_NEAR(axis.candidates, together * scale, 4 * std::sqrt(together) * scale) << cells;
-    EXPECT_NEAR(axis.candidates_at_wall, together_at_wall * scale, 4 * std::sqrt(together_at_wall) * scale)
+    const double rows_far_from_walls = 1 + 2 * kRadius / axis.edge;
+    const double scale = axis.room / rows_far_from_walls / (axis.edge + 2 * kRadius);
+    constexpr double kErrors = 4;
+    EXPECT_NEAR(axis.rows * rows_far_from_walls, rows.value(), kErrors * rows.error() + 1e-9) << cells;
+    EXPECT_NEAR(axis.rows_at_wall * rows_far_from_walls, at_wall.count(), 1e-9) << cells;
+    EXPECT_NEAR(axis.candidates, shared.value() * scale, kErrors * shared.error() * scale) << cells;
+    EXPECT_NEAR(axis.candidates_at_wall, shared_at_wall.value() * scale,
+                kErrors * shared_at_wall.error() * scale)
         << cells;
   }
 }
@@ -80,14 +107,26 @@ TEST(CellAxes, BetweenWallsSumUpAllRows) {
       for (const double edge : {0.3, 1.0, 2.2, 7.0, 300.0}) {
         const Moments moments = moments_between_walls(size, diameter / 2);
         const CellAxis axis = cell_axes(moments, edge)[0];
-        double apart = 0;
-        for (double row = std::floor(diameter / axis.edge) + 1; row * axis.edge < axis.room; ++row) {
-          const double ends = std::min(axis.edge, row * axis.edge - diameter);  // where upper ends may lie
-          apart += ends * (axis.room - row * axis.edge);
+        const double cells = std::round(size / axis.edge);
+        double rows = 0;
+        double pairs = 0;
+        double at_wall = 0;
+        for (double row = 0; row < cells; ++row) {
+          // Where centres may lie, from the least on.
+          const double low = std::max(0.0, row * axis.edge - diameter);
+          const double high = std::min(axis.room, (row + 1) * axis.edge);
+          rows += high - low;
+          pairs += (high - low) * (high - low);
+          if (row <= std::floor(diameter / axis.edge)) at_wall += high - low;
         }
-        const double spread = axis.room * (1 - 2 * apart / (axis.room * axis.room));
-        EXPECT_NEAR(axis.candidates * (axis.edge + 2 * diameter), spread, 1e-9 * spread)
-            << diameter << " " << size << " " << edge;
+        const double rows_far_from_walls = 1 + diameter / axis.edge;
+        const double far_from_walls = rows_far_from_walls * (axis.edge + diameter);
+        const auto expect_near = [&](double found, double expected) {
+          EXPECT_NEAR(found, expected, 1e-9 * expected) << diameter << " " << size << " " << edge;
+        };
+        expect_near(axis.rows * rows_far_from_walls, rows / axis.room);
+        expect_near(axis.candidates * far_from_walls, pairs / axis.room);
+        expect_near(axis.candidates_at_wall * far_from_walls, at_wall);
       }
     }
   }
@@ -103,7 +142,7 @@ TEST(CellAxes, OfAWideBoxBetweenWallsAreThoseOfOpenSpace) {
   }
   for (const double scale : {1e-60, 1.0, 1e60}) {
     const CellAxis undivided = cell_axes(moments_between_walls(scale, scale / 4), 1e60)[0];
-    EXPECT_DOUBLE_EQ(undivided.candidates, 0.5 / 2) << "the room, over the edge and two diameters";
+    EXPECT_DOUBLE_EQ(undivided.candidates, 0.5 / (1.5 * 1.5)) << "the room, over rows and their widths";
   }
 }
 
@@ -120,7 +159,7 @@ TEST(CellAxes, WithoutWallsAreAllAlike) {
 TEST(CellAxes, OfCellsLargerThanAnOpenCloudHoldWhatThereIs) {
   const Moments moments = support::gas_moments(1000, 0.01, 0.5, Boundary::open);
   const CellAxis axis = cell_axes(moments, 100 * moments.extent.x)[0];
-  EXPECT_DOUBLE_EQ(axis.candidates * (axis.edge + 2), moments.extent.x);
+  EXPECT_DOUBLE_EQ(axis.candidates * (1 + 1 / axis.edge) * (axis.edge + 1), moments.extent.x);
 }
 
 }  // namespace

@@ -38,22 +38,23 @@ TEST(CellCounts, SphereTouchesAsManyCellsAsItsExtentRequires) {
   EXPECT_NEAR(counts.collision, 1 / mean_free_time(moments), 1e-12);
 }
 
-// If cells were released immediately, a sphere's candidates would be all whose cells meet its own: those in a
-// cube of edge L + 2 d.
+// If cells were released immediately, there would be in each cell that a sphere touches, besides itself,
+// those whose centres lie in a cube of edge L + d.
 TEST(CellCounts, CandidatesAreThoseOfTheCellsTouchedAndSomeLeft) {
   for (const double packing_fraction : {1e-3, 0.1, 0.4}) {
     const Moments moments = gas_moments(8000, packing_fraction, 0.5);
     const double edge = moments.extent.x / 10;
     const CellCounts counts = expected_counts(moments, edge * (1 - 1e-12));
-    const double at_once = moments.number_density() * std::pow(edge + 2, 3);
-    EXPECT_GT(counts.candidates_after_collision, at_once + excess_about_pair(moments));
-    EXPECT_LT(counts.candidates_after_collision, 2 * at_once + 1);
-    const double met_at_once =
-        moments.number_density() * (edge + 1) * std::pow(edge + 2, 2) + excess_about_sphere(moments) / 2;
-    EXPECT_GT(counts.candidates_after_enter, met_at_once);
+    const double in_cell = moments.number_density() * std::pow(edge + 1, 3);
+    const double cells = std::pow(1 + 1 / edge, 3);
+    // Of a sphere's own volume, eight are excluded, each from up to eight cells.
+    EXPECT_GT(counts.candidates_after_collision, cells * (1 + in_cell) - 8);
+    EXPECT_LT(counts.candidates_after_collision, 2 * cells * (1 + in_cell) + 8);
+    const double cells_entered = std::pow(1 + 1 / edge, 2);
+    EXPECT_GT(counts.candidates_after_enter, cells_entered * in_cell - 4);
     // Rows released late add up along all three axes.
-    EXPECT_LT(counts.candidates_after_enter, 3 * met_at_once);
-    EXPECT_GT(counts.candidates_when_stale, counts.candidates_after_collision - 1);
+    EXPECT_LT(counts.candidates_after_enter, 3 * cells_entered * in_cell);
+    EXPECT_GT(counts.candidates_when_stale, counts.candidates_after_collision - 8);
   }
 }
 
@@ -82,8 +83,8 @@ TEST(CellCounts, OneCellBetweenWallsContainsAll) {
   const Moments moments = gas_moments(100, 1e-4, 0.5, Boundary::wall);
   const CellCounts counts = expected_counts(moments, moments.extent.x);
   EXPECT_EQ(counts.enter, 0);
-  EXPECT_NEAR(counts.candidates_after_collision, 100, 1.1);
-  EXPECT_NEAR(counts.candidates_after_wall, 100, 1.1);
+  EXPECT_NEAR(counts.candidates_after_collision, 101, 1.1) << "the sphere itself is among them";
+  EXPECT_NEAR(counts.candidates_after_wall, 101, 1.1);
 }
 
 TEST(CellCounts, LargeSpheresCountMoreAmongThoseThatCollide) {

@@ -129,19 +129,5 @@ TEST(RowSurplus, VanishesWithManyCollisionsAndWithOneCell) {
   EXPECT_EQ(none.all, 0);
 }
 
-TEST(RowSurplus, OfTwoIsThatOfTheSumOfIndependentNumbers) {
-  // A sphere that holds one more row along all axes half of the time, and none otherwise.
-  RowSurplus one;
-  one.along = one.across = {0.5, 0.5, 0.5};
-  one.all = 0.5;
-  const RowSurplus two = of_two(one);
-  // Together zero, one or two rows with probabilities 1/4, 1/2, 1/4.
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    EXPECT_EQ(two.along[axis], 1);
-    EXPECT_EQ(two.across[axis], 1.5);
-  }
-  EXPECT_EQ(two.all, 2.5);
-}
-
 }  // namespace
 }  // namespace hardball
