@@ -347,14 +347,14 @@ void Simulation::retune_if_due() {
   if (done.enter + done.contacts() < next_review_) return;
   next_review_ = done.enter + done.contacts() + kEventsPerReview * size();
   const Time moment = later(now_, engine_->now());
-  if (choose_engine(world(), options_, moment, kind_) != kind_) {
-    rebuild(moment);
-    return;
+  const Moments moments = moments_of(world(), moment);
+  if (!are_alike(moments, reviewed_)) {
+    reviewed_ = moments;
+    if (choose_engine(world(), options_, moment, kind_) != kind_) return rebuild(moment);
   }
   const bool has_cells = kind_ == EngineKind::cells || kind_ == EngineKind::paper;
   if (!has_cells || options_.cell_edge) return;
-  const std::optional<double> better =
-      watch_.update(moments_of(world(), moment), duration(last_review_, moment));
+  const std::optional<double> better = watch_.update(moments, duration(last_review_, moment));
   last_review_ = moment;
   if (!better) return;
   put_in_order(engine_->world_to_edit(), kind_, moment);

@@ -14,6 +14,7 @@
 #include "hardball/response/contact.hpp"
 #include "hardball/simulation/any_engine.hpp"
 #include "hardball/tuning/cell_edge.hpp"
+#include "hardball/tuning/moments.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
 
@@ -167,6 +168,7 @@ class Simulation {
   bool edited_ = false;            // the engine's structures are out of date
   std::uint64_t next_review_ = 0;  // number of crossings and contacts at which the tuning is reviewed
   Time last_review_;
+  Moments reviewed_;  // for which the kind of engine was last reviewed
 };
 
 }  // namespace hardball

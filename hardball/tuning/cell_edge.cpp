@@ -17,17 +17,6 @@ double spacing_of(const Moments& moments) {
   return spacing(moments.extent, static_cast<double>(moments.spheres));
 }
 
-bool is_close(double a, double b) {
-  constexpr double kSameEnough = 0.02;
-  return std::fabs(a - b) <= kSameEnough * std::fabs(b);
-}
-
-bool is_like(const Moments& a, const Moments& b) {
-  return a.spheres == b.spheres && a.mean_speed > 0 && b.mean_speed > 0 &&
-         is_close(a.mean_radius(), b.mean_radius()) && is_close(a.extent.x, b.extent.x) &&
-         is_close(a.extent.y, b.extent.y) && is_close(a.extent.z, b.extent.z);
-}
-
 }  // namespace
 
 bool are_meaningful(const UnitCosts& costs) {
@@ -118,7 +107,7 @@ void CellEdgeWatch::restart(double edge) {
 
 std::optional<double> CellEdgeWatch::update(const Moments& moments, double elapsed) {
   if (moments.spheres == 0 || !(moments.mean_speed > 0)) return std::nullopt;
-  if (!is_like(moments, last_moments_)) {
+  if (!are_alike(moments, last_moments_)) {
     last_moments_ = moments;
     best_edge_ = optimal_cell_edge(moments, costs_);
     const CellCounts best = expected_counts(moments, best_edge_);

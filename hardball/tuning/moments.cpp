@@ -3,6 +3,7 @@
 #include "hardball/tuning/moments.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -53,6 +54,16 @@ Moments moments_of(const World& world, const Time& moment) {
         world.box().is_open(axis) ? stretch(world, axis, moment) : world.box().size()[axis];
   }
   return moments;
+}
+
+bool are_alike(const Moments& a, const Moments& b) {
+  const auto is_close = [](double x, double y) {
+    constexpr double kSameEnough = 0.02;
+    return std::fabs(x - y) <= kSameEnough * std::fabs(y);
+  };
+  return a.spheres == b.spheres && a.mean_speed > 0 && b.mean_speed > 0 &&
+         is_close(a.mean_radius(), b.mean_radius()) && is_close(a.extent.x, b.extent.x) &&
+         is_close(a.extent.y, b.extent.y) && is_close(a.extent.z, b.extent.z);
 }
 
 }  // namespace hardball

@@ -32,4 +32,8 @@ struct Moments {
 /// Cost: O(n).
 Moments moments_of(const World& world, const Time& moment);
 
+/// Whether choices for one world hold for the other: as many spheres, moving, of about the same size in about
+/// the same space.
+bool are_alike(const Moments& a, const Moments& b);
+
 }  // namespace hardball

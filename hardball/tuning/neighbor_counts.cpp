@@ -41,12 +41,12 @@ double cost_rate(const NeighborCounts& counts, const UnitCosts& costs) {
   // A rebuild visits 27 cells, in rows of three that are adjacent in memory; checking whether an anchor is
   // near costs a fraction of a prediction.
   constexpr double kCellsOfRebuild = 9;
-  constexpr double kSearch = 0.6;
+  constexpr double kSearch = 0.85;
   // Fitted so that lists are chosen where they are faster than cells: docs/theory.md.
-  constexpr double kListed = 1.5;
+  constexpr double kListed = 0.9;
   const double pass = costs.cell + kListed * costs.prediction * counts.neighbors;
   // Measured, as the numbers above: docs/theory.md.
-  constexpr double kFarRebuild = 1.4;
+  constexpr double kFarRebuild = 1.3;
   const double rebuild = (counts.is_far ? kFarRebuild : 1) * (costs.enter + kCellsOfRebuild * costs.cell +
                                                               kSearch * costs.prediction * counts.searched);
   return costs.contact * (counts.collision / 2 + counts.wall) +
