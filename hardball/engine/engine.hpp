@@ -570,20 +570,17 @@ class Engine {
   // Refines the bounds of a whole bucket, which takes less than one by one.
   void refine(std::span<QueueEntry> entries) {
     if (!are_nearest_) return;
-    pairs_.clear();
+    pairs_.begin(entries.size());
     for (const QueueEntry& entry : entries) {
       const Slot slot = entry.owner;
       const Plan& plan = plans_[slot];
-      if (!plan.is_bound() || plan.crosses_first() || plan.partner == slot) continue;
-      if (is_stale(slot)) {
-        postpone(slot);
-      } else {
-        pairs_.add(slot, plan.partner);
-      }
+      const bool is_bounded_pair = plan.is_bound() & !plan.crosses_first() & (plan.partner != slot);
+      const bool is_outdated = is_bounded_pair & is_stale(slot);
+      pairs_.add(slot, plan.partner, is_bounded_pair & !is_outdated);
+      if (is_outdated) postpone(slot);
     }
-    const std::size_t count = pairs_.size();
     predictor_.compute(world_, now_, pairs_);
-    for (std::size_t i = 0; i < count; ++i) replace_bound(pairs_.first[i], pairs_.time(i));
+    for (std::size_t i = 0; i < pairs_.count; ++i) replace_bound(pairs_.first[i], pairs_.time(i));
     for (QueueEntry& entry : entries) entry.time = plans_[entry.owner].time();
   }
 

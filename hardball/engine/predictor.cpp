@@ -29,20 +29,18 @@ Predictor::Predictor(InstructionSet instructions)
       bound_kernel_(kernels_of(instructions).bound_contacts) {}
 
 void Predictor::compute(const World& world, const Time& now, PairContacts& pairs) const {
-  const std::size_t count = pairs.size();
-  if (count == 0) return;
-  const std::size_t padded = count + kWidestVector;
-  pairs.first.resize(padded, pairs.first.front());
-  pairs.second.resize(padded, pairs.second.front());
-  pairs.high.resize(padded);
-  pairs.low.resize(padded);
+  if (pairs.count == 0) return;
+  // The kernel computes whole vectors.
+  std::fill_n(pairs.first.begin() + static_cast<std::ptrdiff_t>(pairs.count), kWidestVector, pairs.first[0]);
+  std::fill_n(pairs.second.begin() + static_cast<std::ptrdiff_t>(pairs.count), kWidestVector,
+              pairs.second[0]);
   const PairQuery query{
       .paths = world.paths().data(),
       .radii = world.radii().is_common() ? nullptr : world.radii().each().data(),
       .radius = world.radius(0),
       .first = pairs.first.data(),
       .second = pairs.second.data(),
-      .count = count,
+      .count = pairs.count,
       .period = &world.box().period(),
       .inverse_period = &world.box().inverse_period(),
       .now_high = now.high,

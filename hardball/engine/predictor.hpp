@@ -22,20 +22,27 @@ struct BoundedContacts {
 
 /// Pairs of spheres and when they touch.
 struct PairContacts {
-  std::vector<Slot> first;   ///< A sphere of each pair.
+  std::size_t count = 0;
+  std::vector<Slot> first;   ///< A sphere of each pair, and room for a whole vector.
   std::vector<Slot> second;  ///< The other.
   std::vector<double> high;  ///< The parts of the time of contact; infinite if there is none.
   std::vector<double> low;
 
-  void clear() {
-    first.clear();
-    second.clear();
+  /// Removes all pairs, and makes room for `most`.
+  void begin(std::size_t most) {
+    count = 0;
+    if (first.size() >= most + kWidestVector) return;
+    first.resize(most + kWidestVector);
+    second.resize(most + kWidestVector);
+    high.resize(most + kWidestVector);
+    low.resize(most + kWidestVector);
   }
-  void add(Slot a, Slot b) {
-    first.push_back(a);
-    second.push_back(b);
+  /// Adds a pair if it is `wanted`. Branchless, as that is unpredictable.
+  void add(Slot a, Slot b, bool wanted = true) {
+    first[count] = a;
+    second[count] = b;
+    count += wanted ? 1 : 0;
   }
-  std::size_t size() const { return first.size(); }
   Time time(std::size_t i) const { return {high[i], low[i]}; }
 };
 

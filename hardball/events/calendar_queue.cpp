@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/events/calendar_queue.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <limits>
 #include <utility>
 
 namespace hardball {
@@ -17,6 +20,34 @@ std::size_t entries_per_bucket(std::size_t owners) {
 
 // The ring is resized when entries per bucket are off by this factor.
 constexpr double kResizeFactor = 3;
+
+constexpr std::size_t kFew = 64;
+
+// Sorts up to kFew entries, the latest first. Each goes to the place given by the number of later ones: that
+// many comparisons take less than the branches of a sort, which are unpredictable.
+void sort_few(std::vector<QueueEntry>& entries) {
+  using Times = double __attribute__((vector_size(16)));
+  using Counts = long long __attribute__((vector_size(16)));
+  const std::size_t size = entries.size();
+  std::array<QueueEntry, kFew> unsorted;
+  std::array<Times, kFew / 2> times;
+  for (std::size_t i = 0; i < size; ++i) {
+    unsorted[i] = entries[i];
+    times[i / 2][i % 2] = entries[i].time;
+  }
+  if (size % 2 == 1) times[size / 2][1] = -std::numeric_limits<double>::infinity();
+  std::uint64_t taken = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const double time = unsorted[i].time;
+    const Times same{time, time};
+    Counts later{};
+    for (std::size_t pair = 0; 2 * pair < size; ++pair) later -= times[pair] > same;
+    auto place = static_cast<std::size_t>(later[0] + later[1]);
+    while ((taken >> place & 1) != 0) [[unlikely]]++ place;  // another of the same time
+    taken |= std::uint64_t{1} << place;
+    entries[place] = unsorted[i];
+  }
+}
 
 }  // namespace
 
@@ -66,17 +97,7 @@ void CalendarQueue::insert_or_overflow(const Entry& entry) {
 }
 
 void CalendarQueue::sort_current() {
-  // Of few entries, insertion is the fastest.
-  constexpr std::size_t kFew = 32;
-  if (sorted_.size() <= kFew) {
-    for (std::size_t i = 1; i < sorted_.size(); ++i) {
-      const Entry entry = sorted_[i];
-      std::size_t place = i;
-      for (; place > 0 && sorted_[place - 1].time < entry.time; --place) sorted_[place] = sorted_[place - 1];
-      sorted_[place] = entry;
-    }
-    return;
-  }
+  if (sorted_.size() <= kFew) return sort_few(sorted_);
   std::sort(sorted_.begin(), sorted_.end(), [](const Entry& a, const Entry& b) { return a.time > b.time; });
 }
 

@@ -107,12 +107,12 @@ class Comparison {
   void compare_pairs(const World& world, const Candidates& candidates, const Time& now) {
     const Slot self = candidates.self();
     for (const Predictor& predictor : predictors_) {
-      pairs_.clear();
+      pairs_.begin(2 * candidates.size() + 1);
       for (std::size_t i = 0; i < candidates.size(); ++i) {
         pairs_.add(self, candidates.slot(i));
         pairs_.add(candidates.slot(i), self);
       }
-      const std::size_t count = pairs_.size();
+      const std::size_t count = pairs_.count;
       predictor.compute(world, now, pairs_);
       for (std::size_t i = 0; i < count; ++i) {
         const Slot a = pairs_.first[i];
