@@ -367,27 +367,34 @@ class Engine {
       if (is_stale(slot) && plan.is_bound()) postpone(slot);
       const bool is_changed = is_stale(slot);
       counters_.stale += is_changed ? 1 : 0;
-      if (is_changed || !predict_new(slot)) return predict(slot);
+      if (is_changed) return predict(slot);
+      if (!are_nearest_) {
+        predict_new_exactly(slot);
+      } else if (!predict_new(slot)) {
+        return predict(slot);
+      }
     }
     schedule(slot);
   }
 
-  // Predicts contacts with new candidates, and keeps the prospect if it is earlier; false if all candidates
-  // must be considered again. Precondition: the prospect is not stale.
+  // Predicts contacts with new candidates, which come with their images, and keeps the prospect if it is
+  // earlier. Precondition: the prospect is not stale.
+  void predict_new_exactly(Slot slot) {
+    Plan& plan = plans_[slot];
+    const Prospect found = predictor_.earliest(world_, candidates_, now_);
+    if (!found.happens() || found.time > plan.moment()) return;
+    const Event before = contact_of(slot);
+    const Plan kept = plan;
+    const Image kept_image = images_[slot];
+    take(slot, found);
+    if (contact_of(slot) < before) return;
+    plan = kept;
+    images_[slot] = kept_image;
+  }
+
+  // The same where nearest images are meant, by bounds; false if all candidates must be considered again.
   bool predict_new(Slot slot) {
     Plan& plan = plans_[slot];
-    if (!are_nearest_) {
-      const Prospect found = predictor_.earliest(world_, candidates_, now_);
-      if (!found.happens() || found.time > plan.moment()) return true;
-      const Event before = contact_of(slot);
-      const Plan kept = plan;
-      const Image kept_image = images_[slot];
-      take(slot, found);
-      if (contact_of(slot) < before) return true;
-      plan = kept;
-      images_[slot] = kept_image;
-      return true;
-    }
     const BoundedContacts found = predictor_.bound(compact_, candidates_, now_);
     check_bounds(found);
     // The partner may be among those called new: what is known of it is better.

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -490,6 +491,59 @@ TEST(BroadPhase, NextCrossingIsNeverBeforeNow) {
     EXPECT_GE(grid.next_crossing(world, 0, now), rounded_down(now));
     EXPECT_GE(pairs.next_crossing(world, 0, now), rounded_down(now));
   }
+}
+
+// Crossings come from copies in single precision: against the exact path, they are off by less than half the
+// margin by which cells admit spheres early.
+TEST(CellGrid, CrossesWithinHalfTheMargin) {
+  constexpr double kScales[] = {1e-10, 1, 1e20};
+  std::uint64_t early = 0;
+  std::uint64_t late = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(300); ++seed) {
+    Random random(seed);
+    const double scale = kScales[seed % 3];
+    const double radius = scale * std::exp2(3 * random.uniform() - 1);  // up to four edges
+    const double size = 40 * scale;
+    const std::array all = {Boundary::periodic, Boundary::wall, Boundary::open};
+    const std::array boundary = {all[random.bits() % 3], all[random.bits() % 3], all[random.bits() % 3]};
+    World world(Box(boundary, {size, size, size}));
+    const double start = seed % 2 == 0 ? 0 : 1000 * random.uniform();
+    for (int i = 0; i < 30; ++i) {
+      Vec3 place;
+      Vec3 velocity;
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        place[axis] = radius + (size - 2 * radius) * random.uniform();
+        velocity[axis] = scale * random.normal() * (random.uniform() < 0.2 ? 1e-9 : 1);
+        if (random.uniform() < 0.1) velocity[axis] = random.uniform() < 0.5 ? 0 : 1e-40 * scale;
+      }
+      world.add({place, velocity, radius, 1}, Time(start));
+    }
+    const double edge = scale * (1 + random.uniform());
+    CopyingGrid grid(edge);
+    const Time now(start);
+    grid.build(world, now);
+    const Subdivision cells(world.box(), edge, 1 << 28);
+    for (Slot slot = 0; slot < world.size(); ++slot) {
+      const Path& path = world.path(slot);
+      const CellRange range = cells.range_at(path.position, radius);
+      const CellCrossing next = cells.next_enter(path, radius, range);
+      const double expected = next.wait;
+      const double found = grid.next_crossing(world, slot, now);
+      if (!(expected < kNever.high)) {
+        ASSERT_EQ(found, kNever.high) << "seed " << seed;
+        continue;
+      }
+      const double speed = std::fabs(path.velocity[next.axis]);
+      const double margin = cells.reach(next.axis, radius) - radius;
+      const double rounding = 0x1p-50 * (start + expected) * speed;
+      const double way = (found - (start + expected)) * speed;
+      ASSERT_LT(std::fabs(way), margin / 2 + rounding) << "seed " << seed << " slot " << slot;
+      early += way < -rounding ? 1U : 0U;
+      late += way > rounding ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(early, support::cases(300) * 5) << "single precision is in use";
+  EXPECT_GT(late, support::cases(300) * 5);
 }
 
 TEST(CellGrid, UsesNearestImagesOnlyWhereTheBoxIsManyCellsWide) {
