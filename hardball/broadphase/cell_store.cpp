@@ -16,11 +16,6 @@ namespace {
 constexpr double kDenseCellsPerSphere = 2;
 constexpr double kDenseCellsAlways = 4096;
 
-// Comparing arrays calls a function of the C library.
-bool is_same(const CellIndex& a, const CellIndex& b) {
-  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
-}
-
 }  // namespace
 
 template <class Lists>

@@ -20,12 +20,19 @@ namespace hardball {
 /// crossed.
 using CellIndex = std::array<std::int32_t, kAxes>;
 
+/// Whether two cells are the same. Comparing arrays calls a function of the C library.
+inline bool is_same(const CellIndex& a, const CellIndex& b) {
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
 /// The cells from `low` to `high`, both included, along each axis.
 struct CellRange {
   CellIndex low{};
   CellIndex high{};
 
-  friend bool operator==(const CellRange&, const CellRange&) = default;
+  friend bool operator==(const CellRange& a, const CellRange& b) {
+    return is_same(a.low, b.low) && is_same(a.high, b.high);
+  }
   bool contains(const CellIndex& cell) const {
     return low[0] <= cell[0] && cell[0] <= high[0] && low[1] <= cell[1] && cell[1] <= high[1] &&
            low[2] <= cell[2] && cell[2] <= high[2];
