@@ -43,7 +43,7 @@ void sort_few(std::vector<QueueEntry>& entries) {
     Counts later{};
     for (std::size_t pair = 0; 2 * pair < size; ++pair) later -= times[pair] > same;
     auto place = static_cast<std::size_t>(later[0] + later[1]);
-    while ((taken >> place & 1) != 0) [[unlikely]]++ place;  // another of the same time
+    while ((taken >> place & 1) != 0) ++place;  // another of the same time
     taken |= std::uint64_t{1} << place;
     entries[place] = unsorted[i];
   }
