@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "hardball/world/random.hpp"
+#include "unit/tuning/gas_moments.hpp"
 
 namespace hardball {
 namespace {
@@ -54,6 +55,24 @@ TEST(Moments, OfNothingAreFinite) {
   const Moments moments = moments_of(World(), Time(0));
   EXPECT_EQ(moments.spheres, 0U);
   EXPECT_EQ(moments.mean_speed, 0);
+}
+
+TEST(Moments, AreAlikeIfNothingButTheSpeedHasChangedMuch) {
+  const Moments moments = support::gas_moments(1000, 0.1, 0.5);
+  const auto changed = [&](const auto& change) {
+    Moments other = moments;
+    change(other);
+    return are_alike(other, moments) || are_alike(moments, other);
+  };
+  EXPECT_TRUE(are_alike(moments, moments));
+  EXPECT_TRUE(changed([](Moments& other) { other.mean_speed *= 10; }));
+  EXPECT_TRUE(changed([](Moments& other) { other.extent.y *= 1.01; }));
+  EXPECT_FALSE(changed([](Moments& other) { other.mean_speed = 0; }));
+  EXPECT_FALSE(changed([](Moments& other) { other.spheres += 1; }));
+  EXPECT_FALSE(changed([](Moments& other) { other.radius_power[1] *= 1.05; }));
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    EXPECT_FALSE(changed([axis](Moments& other) { other.extent[axis] *= 1.05; }));
+  }
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/world/random.hpp"
+#include "support/effort.hpp"
 #include "support/history.hpp"
 
 namespace hardball {
@@ -312,6 +313,29 @@ TEST(World, HasNoLargestRadiusAfterTheLastSphereIsGone) {
   EXPECT_EQ(world.largest_radius(), 1);
   world.remove(2);
   EXPECT_EQ(world.largest_radius(), 0);
+}
+
+// A wall contact is never overlooked, not even by a unit in the last place, and one that comes much later is
+// excluded.
+TEST(NextWallEvent, IsNeverOverlookedByMayMeetWall) {
+  std::uint64_t excluded = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(20000); ++seed) {
+    Random random(seed);
+    constexpr double kStarts[] = {0, 1, 1e12};
+    const Time start(kStarts[seed % 3], 1e-17 * random.uniform() * kStarts[seed % 3]);
+    World world(Box({Boundary::wall, Boundary::periodic, Boundary::wall}, {10, 20, 30}));
+    const double scale = std::exp2(40 * (random.uniform() - 0.5));
+    const Vec3 velocity{scale * random.normal(), scale * random.normal(),
+                        seed % 5 == 0 ? 0 : scale * random.normal()};
+    world.add({{1 + 8 * random.uniform(), 20 * random.uniform(), 1 + 28 * random.uniform()}, velocity, 1, 1},
+              start);
+    const double contact = next_wall_event(world, 0).time.high;
+    EXPECT_TRUE(may_meet_wall(world, 0, std::nextafter(contact, kNever.high))) << "seed " << seed;
+    EXPECT_TRUE(may_meet_wall(world, 0, kNever.high)) << "seed " << seed;
+    const double half = start.high + (contact - start.high) / 2;
+    excluded += half < contact && !may_meet_wall(world, 0, half) ? 1U : 0U;
+  }
+  EXPECT_GT(excluded, support::cases(20000) / 2);
 }
 
 TEST(NextWallEvent, IsTheFirstFaceAheadAndPrefersTheLowerOnATie) {
