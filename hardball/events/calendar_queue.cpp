@@ -21,7 +21,7 @@ std::size_t entries_per_bucket(std::size_t owners) {
 // The ring is resized when entries per bucket are off by this factor.
 constexpr double kResizeFactor = 3;
 
-constexpr std::size_t kFew = 64;
+constexpr std::size_t kFew = 64;  // a bit for each fits a word
 
 // Sorts up to kFew entries, the latest first. Each goes to the place given by the number of later ones: that
 // many comparisons take less than the branches of a sort, which are unpredictable.

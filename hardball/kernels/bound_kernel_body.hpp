@@ -39,8 +39,8 @@ struct BoundedSphere {
   Floats reach;  // the sum of both radii if all are equal, otherwise the sphere's own
 };
 
-/// The keys of Floats::kWidth candidates, without their places; infinite for those that will not touch, and
-/// for the sphere itself. Source: docs/bounds.md, in the order of its steps.
+/// Lower bounds of the waits for Floats::kWidth candidates, as bits with room for their places; infinite for
+/// those that will not touch, and for the sphere itself. Source: docs/bounds.md, in the order of its steps.
 template <class Floats>
 HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& scale,
                                                              const CompactPath* paths, const float* radii,

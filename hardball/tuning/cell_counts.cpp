@@ -52,8 +52,8 @@ Powers colliding_diameter_powers(const std::array<double, 6>& m) {
           8 * (m[2] * m[3] + 2 * m[1] * m[4] + m[5]) / all};
 }
 
-// The mean number of cells that two spheres share whose separation has components |r_a| with these means, in
-// diameters: of one axis, of the product of two, and of three.
+// How far apart two spheres are, in diameters: the means of |r_a| along an axis, of the product along two,
+// and along three.
 struct Separation {
   double one;
   double two;
@@ -63,6 +63,7 @@ constexpr Separation kInContact{1.0 / 2, 2 / (3 * std::numbers::pi), 1 / (4 * st
 // Anywhere in the sphere that a sphere excludes.
 constexpr Separation kOverlapping{3.0 / 8, 2 / (5 * std::numbers::pi), 1 / (8 * std::numbers::pi)};
 
+// The mean number of cells that they share.
 double shared_cells(const CellAxes& axes, double diameter, const Separation& mean) {
   const double x = diameter / axes[0].edge;
   const double y = diameter / axes[1].edge;
@@ -140,8 +141,8 @@ CellCounts expected_counts(const Moments& moments, double edge) {
       std::max(1.0, after_collision * in_cells + (is_once ? 1 : shared_cells(axes, diameter, kInContact)) +
                         missing * (excess_about_pair(moments) - 1));
   if (walls > 0) {
-    counts.candidates_after_wall =
-        std::max(0.0, after_wall * (rows_at_wall + shared_at_wall * others) / walls + excess);
+    const double in_cells_at_wall = (is_once ? 0 : rows_at_wall) + shared_at_wall * others;
+    counts.candidates_after_wall = std::max(0.0, after_wall * in_cells_at_wall / walls + excess);
   }
   counts.candidates_at_any_time = std::max(0.0, at_any_time * in_cells + excess);
   counts.candidates_when_stale = std::max(1.0, when_stale * in_cells + excess);

@@ -38,15 +38,14 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
 }
 
 double cost_rate(const NeighborCounts& counts, const UnitCosts& costs) {
-  // A rebuild visits 27 cells, in rows of three that are adjacent in memory; checking whether an anchor is
-  // near costs a fraction of a prediction.
+  // A rebuild visits 27 cells, in rows of three that are adjacent in memory.
   constexpr double kCellsOfRebuild = 9;
+  // What an anchor searched and a neighbour listed cost, in candidates of a cell, and a rebuild whose anchors
+  // are far away: fitted so that lists are chosen where they are faster than cells, see docs/theory.md.
   constexpr double kSearch = 0.85;
-  // Fitted so that lists are chosen where they are faster than cells: docs/theory.md.
   constexpr double kListed = 0.9;
-  const double pass = costs.cell + kListed * costs.prediction * counts.neighbors;
-  // Measured, as the numbers above: docs/theory.md.
   constexpr double kFarRebuild = 1.3;
+  const double pass = costs.cell + kListed * costs.prediction * counts.neighbors;
   const double rebuild = (counts.is_far ? kFarRebuild : 1) * (costs.enter + kCellsOfRebuild * costs.cell +
                                                               kSearch * costs.prediction * counts.searched);
   return costs.contact * (counts.collision / 2 + counts.wall) +
