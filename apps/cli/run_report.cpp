@@ -88,7 +88,7 @@ std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments
   if (std::isfinite(summary.wall_pressure())) {
     add("wall contacts per sphere and time", "T^-1", rate(counters.wall), wall_rate(moments));
     add("pressure on the walls", "M L^-1 T^-2", summary.wall_pressure(),
-        expected_wall_pressure(moments, simulation.world().kinetic_energy()));
+        expected_wall_pressure(moments, simulation.world().kinetic_energy(simulation.now())));
   }
   if (simulation.engine() == EngineKind::cells && counters.rebuilds == 0) {
     const CellCounts expected = expected_counts(moments, simulation.cell_edge());
@@ -169,8 +169,8 @@ report::Report run_report(const Options& options, const Scenario& scenario,
   report.events = simulation.counters();
   report.packing_fraction = summary.packing_fraction();
   report.initial_energy = simulation.tally().initial_energy();
-  report.final_energy = simulation.world().kinetic_energy();
-  report.momentum = simulation.world().momentum();
+  report.final_energy = simulation.world().kinetic_energy(simulation.now());
+  report.momentum = simulation.world().momentum(simulation.now());
   report.max_overlap = summary.max_overlap();
 
   report.engine = name_of(simulation.engine());

@@ -65,29 +65,28 @@ void AllPairs::cross(const World& world, Slot slot, const Time& now, const Compa
 }
 
 void AllPairs::center_interval(const World& world, Slot slot, const Time& now) {
-  middles_[slot] = position_at(world.path(slot), now);
+  middles_[slot] = world.unfolded_position(slot, now);
   static_cast<void>(world.box().boxes_beyond(middles_[slot]));  // throws if it has crossed too many boxes
 }
 
 double AllPairs::next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&) const {
-  const Path& path = world.path(slot);
-  const Vec3& middle = middles_[slot];
+  const Vec3 moved = world.unfolded_position(slot, now) - middles_[slot];
+  const Vec3 velocity = world.velocity(slot, now);
   double soonest = std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_periodic(axis)) continue;
-    const bool up = path.velocity[axis] > 0;
     const double reach = kHalfInterval * world.box().size()[axis];
-    const double distance =
-        up ? (middle[axis] + reach) - path.position[axis] : path.position[axis] - (middle[axis] - reach);
-    soonest = std::min(soonest, time_to_plane(distance, std::fabs(path.velocity[axis])));
+    soonest = std::min(soonest, time_to_leave(std::max(0.0, reach + moved[axis]),
+                                              std::max(0.0, reach - moved[axis]), velocity[axis],
+                                              world.motion().gravity()[axis]));
   }
-  return rounded_down(later(now, after(path.time, soonest)));
+  return rounded_down(now) + soonest;
 }
 
 void AllPairs::validate(const World& world, const Time& now, const CompactPaths&) const {
   HARDBALL_CHECK(middles_.size() == world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    const Vec3 moved = position_at(world.path(slot), now) - middles_[slot];
+    const Vec3 moved = world.unfolded_position(slot, now) - middles_[slot];
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (!world.box().is_periodic(axis)) continue;
       HARDBALL_CHECK(std::fabs(moved[axis]) <= (kHalfInterval + kMargin / 2) * world.box().size()[axis]);

@@ -56,7 +56,7 @@ void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) 
   copies.reset(world, farthest_candidates(world), now);
   // The errors of single precision grow with the spheres; the margin is a fraction of the edge.
   constexpr double kLargestInEdges = 4;
-  suits_single_precision_ = nearest_;
+  suits_single_precision_ = nearest_ && world.motion().is_straight();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     suits_single_precision_ &= world.largest_radius() <= kLargestInEdges * cells_.edge(axis);
     const double steps = cells_.edge(axis) * copies.steps_per_length()[axis];
@@ -185,6 +185,13 @@ double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, c
 double CellGrid::next_crossing_of_any(const World& world, Slot slot, const Time& now) {
   Region& region = regions_[slot];
   const Path& path = world.path(slot);
+  if (!world.motion().is_straight()) {
+    const CellCrossing next =
+        cells_.next_enter_of_falling(world.unfolded_position(slot, now), world.velocity(slot, now),
+                                     world.motion().gravity(), world.radius(slot), region.range());
+    region.crossed_face = static_cast<std::uint8_t>(face_of(next.axis, next.up));
+    return rounded_down(now) + next.wait;
+  }
   const CellCrossing next = cells_.next_enter(path, world.radius(slot), region.range());
   region.crossed_face = static_cast<std::uint8_t>(face_of(next.axis, next.up));
   return rounded_down(later(now, after(path.time, next.wait)));
@@ -204,7 +211,7 @@ void CellGrid::cross(const World& world, Slot slot, const Time& now, const Compa
 void CellGrid::cross_range(const World& world, Slot slot, const Time& now, Candidates& candidates) {
   Region& region = regions_[slot];
   const CellRange exact = range_at(world, slot, now);
-  const Vec3& velocity = world.path(slot).velocity;
+  const Vec3 velocity = world.velocity(slot, now);
   const CellRange old = region.range();
   CellRange kept = old;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -238,7 +245,7 @@ void CellGrid::cross_range(const World& world, Slot slot, const Time& now, Candi
 // As refresh, where regions are blocks: the sphere lies within its region, and keeps the cells it touches.
 void CellGrid::refresh_block(const World& world, Slot slot, const Time& now, const Image& folded) {
   Region& region = regions_[slot];
-  const Vec3 position = position_at(world.path(slot), now);
+  const Vec3 position = world.unfolded_position(slot, now);
   const double radius = world.radius(slot);
   std::uint32_t below = 0;  // axes along which it touches the lower half of the block
   std::uint32_t above = 0;
@@ -255,13 +262,13 @@ void CellGrid::refresh_block(const World& world, Slot slot, const Time& now, con
 // leaves one.
 void CellGrid::cross_block(const World& world, Slot slot, const Time& now, Candidates& candidates) {
   Region& region = regions_[slot];
-  const Path& path = world.path(slot);
-  const Vec3 position = position_at(path, now);
+  const Vec3 position = world.unfolded_position(slot, now);
+  const Vec3 velocities = world.velocity(slot, now);
   const double radius = world.radius(slot);
   std::uint32_t up = 0;     // axes along which it moves upwards
   std::uint32_t ahead = 0;  // axes along which it touches only the half of the block ahead
   for_each_axis([&](auto axis) {
-    const double velocity = path.velocity[axis];
+    const double velocity = velocities[axis];
     const double beyond = cells_.beyond_face(axis, region.low[axis] + 1, position[axis]);
     up |= CellBlock::axis_if(!std::signbit(velocity), axis);
     ahead |= CellBlock::axis_if(std::copysign(1.0, velocity) * beyond > cells_.reach(axis, radius), axis);
@@ -305,7 +312,7 @@ void CellGrid::collect_block(Slot slot, Candidates& candidates) const {
 }
 
 CellRange CellGrid::range_at(const World& world, Slot slot, const Time& now) const {
-  return cells_.range_at(position_at(world.path(slot), now), world.radius(slot));
+  return cells_.range_at(world.unfolded_position(slot, now), world.radius(slot));
 }
 
 void CellGrid::collect_list(std::uint32_t list, Candidates& candidates) const {
@@ -371,7 +378,7 @@ void CellGrid::validate(const World& world, const Time& now, const CompactPaths&
   HARDBALL_CHECK(regions_.size() == world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
     const CellRange range = regions_[slot].range();
-    const Vec3 position = position_at(world.path(slot), now);
+    const Vec3 position = world.unfolded_position(slot, now);
     const double radius = world.radius(slot);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       HARDBALL_CHECK(!blocks_ || range.high[axis] <= range.low[axis] + 1);

@@ -57,9 +57,25 @@ double wait_in_ball(const Vec3& place, Vec3 velocity, double room) {
   return time_unit * (outwards > 0 ? room / (root + outwards) : (root - outwards) / speed_squared);
 }
 
+// A time for which a centre that falls stays in a ball of radius `reach` around the anchor: either it would
+// stay in a smaller ball without gravity, and does not fall by the difference; or its way is shorter than the
+// distance to the edge.
+double wait_of_falling(const Vec3& place, const Vec3& velocity, double gravity, double reach) {
+  constexpr double kSmaller = 0.75;
+  const double speed_squared = dot(velocity, velocity);
+  const double ahead = std::max(0.0, reach - length(place));
+  const double way =
+      2 * ahead / (std::sqrt(speed_squared) + std::sqrt(speed_squared + 2 * gravity * ahead));
+  const double smaller = kSmaller * reach;
+  const double room = smaller * smaller - dot(place, place);
+  if (!(room > 0)) return way;
+  const double fall = std::sqrt(2 * (reach - smaller) / gravity);
+  return std::max(way, std::min(fall, wait_in_ball(place, velocity, room)));
+}
+
 // More than the rounding error of the coordinates of a centre, which shows in spheres very far away.
 double coordinate_error(const World& world, Slot slot, const Time& now) {
-  return 0x1p-50 * length(position_at(world.path(slot), now));
+  return 0x1p-50 * length(world.unfolded_position(slot, now));
 }
 
 }  // namespace
@@ -103,7 +119,9 @@ double NeighborList::next_crossing_of_any(const World& world, Slot slot, const T
                    copies.apart(anchor, slot, 2)};
   const double reach = std::max(0.0, room_ - coordinate_error(world, slot, now));
   const double room = std::max(0.0, reach * reach - dot(place, place));
-  return rounded_down(now) + wait_in_ball(place, world.path(slot).velocity, room);
+  const Vec3 velocity = world.velocity(slot, now);
+  if (world.motion().is_straight()) return rounded_down(now) + wait_in_ball(place, velocity, room);
+  return rounded_down(now) + wait_of_falling(place, velocity, length(world.motion().gravity()), reach);
 }
 
 void NeighborList::cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,

@@ -51,6 +51,8 @@ class NeighborList {
     candidates.refer_to(list_of(slot), anchors_[slot].count);
   }
   double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const {
+    if (!world.motion().is_straight()) [[unlikely]]
+      return next_crossing_of_any(world, slot, now, copies);
     const CompactPath& path = copies.paths()[slot];
     const auto& anchor = anchors_[slot].place;
     float outwards = 0;

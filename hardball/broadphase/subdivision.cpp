@@ -94,6 +94,23 @@ CellIndex Subdivision::cell_of(const Vec3& point) const {
   return cell;
 }
 
+CellCrossing Subdivision::next_enter_of_falling(const Vec3& position, const Vec3& velocity,
+                                                const Vec3& gravity, double radius,
+                                                const CellRange& range) const {
+  CellCrossing next;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (const bool up : {false, true}) {
+      const std::int32_t plane = up ? range.high[axis] + 1 : range.low[axis];
+      if (plane == (up ? axes_[axis].last + 1 : axes_[axis].first)) continue;
+      const double sign = up ? 1 : -1;
+      const double ahead = sign * -beyond_face(axis, plane, position[axis]) - reach(axis, radius);
+      const double wait = time_to_pass(std::max(0.0, ahead), sign * velocity[axis], sign * gravity[axis]);
+      if (wait < next.wait) next = {wait, static_cast<std::uint8_t>(axis), up};
+    }
+  }
+  return next;
+}
+
 CellCrossing Subdivision::next_leave(const Path& path, double radius, const CellRange& range) const {
   CellCrossing next;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

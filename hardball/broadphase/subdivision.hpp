@@ -106,6 +106,9 @@ class Subdivision {
   CellIndex cell_of(const Vec3& point) const;
   /// When a sphere on `path` touches the next cell ahead of `range`.
   CellCrossing next_enter(const Path& path, double radius, const CellRange& range) const;
+  /// The same for a sphere that falls, from where it is: it touches cells beyond `range` on either side.
+  CellCrossing next_enter_of_falling(const Vec3& position, const Vec3& velocity, const Vec3& gravity,
+                                     double radius, const CellRange& range) const;
   /// When it last touches the rearmost cells of `range`.
   CellCrossing next_leave(const Path& path, double radius, const CellRange& range) const;
 

@@ -21,6 +21,7 @@
 #include "hardball/response/execute.hpp"
 #include "hardball/world/compact_paths.hpp"
 #include "hardball/world/progress.hpp"
+#include "hardball/world/walls.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -145,11 +146,11 @@ class Engine {
     double contact = kNever.high;   // the bound, or the high part of the time of the contact
     double crossing = kNever.high;  // or any time after the contact
     double limit_or_low = 0;        // the limit of a bound, or the low part of the time of the contact
-    std::uint32_t partner = 0;      // a slot, or a face of the box
+    std::uint32_t partner = 0;      // a slot, or the number of a wall
     std::uint32_t tag = 0;          // the revision of the partner's path, and of these bits any:
 
     static constexpr std::uint32_t kExact = 1;    // not a bound
-    static constexpr std::uint32_t kWall = 2;     // the contact is with a face of the box
+    static constexpr std::uint32_t kWall = 2;     // the contact is with a wall
     static constexpr std::uint32_t kRenewal = 4;  // the crossing only copies the path again
     static_assert(CompactPaths::kRevision == 8);
 
@@ -174,7 +175,9 @@ class Engine {
     void set_collision(const Time& time, Slot with, std::uint32_t revision) {
       set_bound(time.high, time.low, with, revision | kExact);
     }
-    void set_wall(const Time& time, Face face) { set_bound(time.high, time.low, face, kExact | kWall); }
+    void set_wall(const Time& time, std::uint32_t wall) {
+      set_bound(time.high, time.low, wall, kExact | kWall);
+    }
   };
 
   // The plans as the queue's event table.
@@ -254,8 +257,8 @@ class Engine {
     images_.assign(are_nearest_ ? 0 : world_.size(), Image{});
     plans_.assign(world_.size(), Plan{});
     is_cached_ = world_.size() <= Phase::kCachedSpheres;
-    const Box& box = world_.box();
-    has_walls_ = box.is_wall(0) || box.is_wall(1) || box.is_wall(2);
+    has_walls_ = has_walls(world_);
+    has_images_of_obstacles_ = has_images_of_obstacles(world_);
     for (Slot slot = 0; slot < world_.size(); ++slot) {
       progress.note(slot, world_.size());
       predict(slot);
@@ -367,7 +370,7 @@ class Engine {
       if (is_stale(slot) && plan.is_bound()) postpone(slot);
       const bool is_changed = is_stale(slot);
       counters_.stale += is_changed ? 1 : 0;
-      if (is_changed) return predict(slot);
+      if (is_changed || has_images_of_obstacles_) return predict(slot);
       if (!are_nearest_) {
         predict_new_exactly(slot);
       } else if (!predict_new(slot)) {
@@ -458,10 +461,11 @@ class Engine {
   // Lets a sphere's crossing come before its copy ceases to be good; that of a sphere at rest stays good.
   void expire(Slot slot) {
     Plan& plan = plans_[slot];
-    const double expiry = rounded_down(now_) + compact_.longest_age();
+    const double expiry = rounded_down(now_) + compact_.longest_age(slot);
     if (!(expiry < plan.crossing)) [[likely]]
       return;
-    plan.crossing = world_.path(slot).velocity == Vec3{} ? kNever.high : expiry;
+    const bool rests = world_.motion().is_straight() && world_.path(slot).velocity == Vec3{};
+    plan.crossing = rests ? kNever.high : expiry;
     plan.tag |= Plan::kRenewal;
   }
 
@@ -510,8 +514,8 @@ class Engine {
   void plan_contacts(Slot slot, const BoundedContacts& found) {
     Plan& plan = plans_[slot];
     plan.set_bound(found.least, found.second, found.partner, compact_.revision(found.partner));
-    if (has_walls_ && may_meet_wall(world_, slot, plan.limit_or_low)) {
-      const Event wall = next_wall_event(world_, slot);
+    if (has_walls_ && may_meet_wall(world_, slot, plan.limit_or_low, now_, obstacle_range())) {
+      const Event wall = next_wall_event(world_, slot, now_, obstacle_range());
       if (wall.time.high < plan.contact) {
         plan.set_wall(wall.time, wall.second);
       } else {
@@ -527,13 +531,16 @@ class Engine {
     counters_.predictions += candidates_.size();
     take(slot, predictor_.earliest(world_, candidates_, now_));
     if (has_walls_) {
-      const Event wall = next_wall_event(world_, slot);
+      const Event wall = next_wall_event(world_, slot, now_, obstacle_range());
       if (wall.time < plans_[slot].moment()) {
         plans_[slot].set_wall(wall.time, wall.second);
       }
     }
     schedule(slot);
   }
+
+  // How many box lengths a sphere covers at most between two crossings.
+  double obstacle_range() const { return are_nearest_ ? 0.5 : 2; }
 
   void schedule(Slot slot) {
     Plan& plan = plans_[slot];
@@ -631,6 +638,7 @@ class Engine {
   bool are_nearest_ = true;
   bool is_cached_ = true;  // prefetching all data ahead does not pay
   bool has_walls_ = false;
+  bool has_images_of_obstacles_ = false;
   Candidates candidates_;  // of the current sphere
   PairContacts pairs_;     // of the current bucket
   Executed done_;          // the last contact

@@ -20,7 +20,7 @@ Event contact_with(const World& world, const Candidates& candidates, std::size_t
 }  // namespace
 
 Image nearest_image(const World& world, Slot a, Slot b, const Time& moment) {
-  return world.box().nearest_image(position_at(world.path(a), moment) - position_at(world.path(b), moment));
+  return world.box().nearest_image(world.unfolded_position(a, moment) - world.unfolded_position(b, moment));
 }
 
 Predictor::Predictor(InstructionSet instructions)
@@ -45,6 +45,7 @@ void Predictor::compute(const World& world, const Time& now, PairContacts& pairs
       .inverse_period = &world.box().inverse_period(),
       .now_high = now.high,
       .now_low = now.low,
+      .gravity = gravity_of(world),
   };
   pair_kernel_(query, pairs.high.data(), pairs.low.data());
 }

@@ -55,6 +55,11 @@ struct Prospect {
   bool happens() const { return time.high < std::numeric_limits<double>::infinity(); }
 };
 
+/// What the kernels need of the motion: the gravity, or null if paths are straight.
+inline const Vec3* gravity_of(const World& world) {
+  return world.motion().is_straight() ? nullptr : &world.motion().gravity();
+}
+
 /// The image of `b` nearest to `a` at `moment`: the one meant by candidates without images, whose regions are
 /// small compared with the box.
 Image nearest_image(const World& world, Slot a, Slot b, const Time& moment);
@@ -86,6 +91,7 @@ class Predictor {
         .inverse_period = &world.box().inverse_period(),
         .now_high = now.high,
         .now_low = now.low,
+        .gravity = gravity_of(world),
     };
     const EarliestContact found = kernel_(query);
     if (!(found.high < kNever.high)) return {};

@@ -23,11 +23,13 @@ enum class EventKind : std::uint8_t {
   enter,      ///< A sphere reaches the edge of its region, within which the broad phase knows its candidates.
   leave,      ///< A sphere has left a cell.
   collision,  ///< Two spheres touch.
-  wall,       ///< A sphere touches a face of the box.
+  wall,       ///< A sphere touches a face of the box, or another surface.
 };
 
-/// A face of the box: 2 * axis, plus one for the upper face.
+/// A face of the box: 2 * axis, plus one for the upper face. Other surfaces have the numbers from kFaces on.
 using Face = std::uint32_t;
+
+inline constexpr Face kFaces = 6;
 
 inline constexpr Face face_of(std::size_t axis, bool upper) {
   return static_cast<Face>(2 * axis + (upper ? 1 : 0));
@@ -47,7 +49,7 @@ struct Event {
   Time time = kNever;
   EventKind kind = EventKind::wall;
   SphereId first = 0;        ///< The sphere; for a collision, the one with the lower id.
-  std::uint32_t second = 0;  ///< Collision: the sphere with the higher id. Otherwise the Face.
+  std::uint32_t second = 0;  ///< Collision: the sphere with the higher id. Otherwise the Face or surface.
   Image image;               ///< Collision: the image of `second` that `first` meets.
 
   bool happens() const { return time.high < std::numeric_limits<double>::infinity(); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "hardball/geometry/path.hpp"
+#include "hardball/geometry/motion.hpp"
 
 namespace hardball {
 
@@ -24,8 +24,9 @@ inline double time_to_plane(double distance, double speed) {
 
 /// The separation [L] of the point on path `b`, displaced by `shift` [L], from the point on path `a`, at
 /// `moment`. Exchanging the paths and negating the shift negates the result exactly.
-inline Vec3 separation_at(const Path& a, const Path& b, const Vec3& shift, const Time& moment) {
-  return (position_at(b, moment) - position_at(a, moment)) + shift;
+inline Vec3 separation_at(const Motion& motion, const Path& a, const Path& b, const Vec3& shift,
+                          const Time& moment) {
+  return (motion.position_at(b, moment) - motion.position_at(a, moment)) + shift;
 }
 
 /// The time at which the centres on two paths, the second displaced by `shift` [L], first come within `reach`
@@ -33,10 +34,12 @@ inline Vec3 separation_at(const Path& a, const Path& b, const Vec3& shift, const
 ///
 /// A function of the two paths alone, computed from the later of their start times: the same bits whenever it
 /// is called, and in either order of the paths.
-inline Time contact_time(const Path& a, const Path& b, const Vec3& shift, double reach) {
+inline Time contact_time(const Motion& motion, const Path& a, const Path& b, const Vec3& shift,
+                         double reach) {
   const Time start = later(a.time, b.time);
-  const Vec3 separation = separation_at(a, b, shift, start);
-  return after(start, time_to_reach(separation, b.velocity - a.velocity, reach));
+  const Vec3 separation = separation_at(motion, a, b, shift, start);
+  const Vec3 velocity = motion.velocity_at(b, start) - motion.velocity_at(a, start);
+  return after(start, time_to_reach(separation, velocity, reach));
 }
 
 }  // namespace hardball

@@ -78,10 +78,28 @@ HARDBALL_ALWAYS_INLINE DoubleDouble<Number> operator-(const DoubleDouble<Number>
 }
 
 template <class Number>
+HARDBALL_ALWAYS_INLINE DoubleDouble<Number> operator+(const DoubleDouble<Number>& a,
+                                                      const DoubleDouble<Number>& b) {
+  const DoubleDouble<Number> high = sum(a.high, b.high);
+  return normalized<Number>(high.high, high.low + (a.low + b.low));
+}
+
+template <class Number>
+HARDBALL_ALWAYS_INLINE DoubleDouble<Number> operator-(const DoubleDouble<Number>& a) {
+  return {-a.high, -a.low};
+}
+
+template <class Number>
 HARDBALL_ALWAYS_INLINE DoubleDouble<Number> operator*(const DoubleDouble<Number>& a,
                                                       const DoubleDouble<Number>& b) {
   const DoubleDouble<Number> high = product(a.high, b.high);
   return normalized<Number>(high.high, high.low + (a.high * b.low + a.low * b.high));
+}
+
+/// a / b, to 2^-102.
+HARDBALL_ALWAYS_INLINE DoubleDouble<double> divide(const DoubleDouble<double>& a, double b) {
+  const double high = a.high / b;
+  return normalized<double>(high, (std::fma(-high, b, a.high) + a.low) / b);
 }
 
 }  // namespace hardball

@@ -9,19 +9,14 @@ namespace hardball {
 
 /// The motion of a sphere's centre since its last change: position, velocity and time.
 ///
-/// A path is rewritten only when the motion itself changes. Along it the centre moves uniformly, and may
+/// A path is rewritten only when the motion itself changes. Along it the centre moves as Motion says, and may
 /// leave a periodic box without being folded back: Image counts the boxes.
 struct alignas(64) Path {
   Vec3 position;  ///< Centre at `time` [L].
-  Vec3 velocity;  ///< [L/T]
+  Vec3 velocity;  ///< At `time` [L/T].
   Time time;      ///< Of the last change.
 
   friend bool operator==(const Path&, const Path&) = default;
 };
-
-/// The centre at `moment` [L]. Precondition: `moment` is finite.
-inline Vec3 position_at(const Path& path, const Time& moment) {
-  return path.position + duration(path.time, moment) * path.velocity;
-}
 
 }  // namespace hardball

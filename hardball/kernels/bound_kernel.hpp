@@ -18,6 +18,8 @@ struct BoundScale {
   float common_reach = 0;        ///< If all radii are alike, the sum of two, with the allowance [L].
   std::array<float, 3> grid{};   ///< The step of the grid along each axis [L].
   float tick = 0;                ///< [T]
+  bool has_gravity = false;      ///< Whether paths are parabolas.
+  std::array<float, 3> gravity{};  ///< [L/T^2]
   float reach_allowance = 0;     ///< Added to the sum of two radii: error of a separation [L].
   float square_allowance = 0;    ///< Subtracted from a squared distance [L^2].
   float approach_allowance = 0;  ///< k_b: subtracted from separation times velocity [L^2/T].

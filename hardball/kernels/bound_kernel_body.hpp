@@ -41,7 +41,7 @@ struct BoundedSphere {
 
 /// Lower bounds of the waits for Floats::kWidth candidates, as bits with room for their places; infinite for
 /// those that will not touch, and for the sphere itself. Source: docs/bounds.md, in the order of its steps.
-template <class Floats>
+template <bool has_gravity, class Floats>
 HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& scale,
                                                              const CompactPath* paths, const float* radii,
                                                              const BoundedSphere<Floats>& own,
@@ -53,12 +53,21 @@ HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& s
 
   // Differences of places are taken modulo 2^32, and so lead to the nearest image.
   const Floats age = to_floats(own.tick - other.tick) * Floats(scale.tick);
-  const VectorOfLanes<Floats> r{
-      multiply_add(other.velocity.x, age, to_floats(other.x - own.x) * Floats(scale.grid[0])),
-      multiply_add(other.velocity.y, age, to_floats(other.y - own.y) * Floats(scale.grid[1])),
-      multiply_add(other.velocity.z, age, to_floats(other.z - own.z) * Floats(scale.grid[2]))};
-  const VectorOfLanes<Floats> v{other.velocity.x - own.velocity.x, other.velocity.y - own.velocity.y,
-                                other.velocity.z - own.velocity.z};
+  // The other's velocity when it is `age` old.
+  const auto at_age = [&](const Floats& velocity, const Floats& at, std::size_t axis) {
+    if constexpr (has_gravity) return multiply_add(at, Floats(scale.gravity[axis]), velocity);
+    return velocity;
+  };
+  const Floats half_age = has_gravity ? age * Floats(0.5F) : age;
+  const auto apart = [&](const Integers& steps, const Floats& velocity, std::size_t axis) {
+    return multiply_add(at_age(velocity, half_age, axis), age, to_floats(steps) * Floats(scale.grid[axis]));
+  };
+  const VectorOfLanes<Floats> r{apart(other.x - own.x, other.velocity.x, 0),
+                                apart(other.y - own.y, other.velocity.y, 1),
+                                apart(other.z - own.z, other.velocity.z, 2)};
+  const VectorOfLanes<Floats> v{at_age(other.velocity.x, age, 0) - own.velocity.x,
+                                at_age(other.velocity.y, age, 1) - own.velocity.y,
+                                at_age(other.velocity.z, age, 2) - own.velocity.z};
   const auto dot_plus = [](const VectorOfLanes<Floats>& a, const VectorOfLanes<Floats>& b,
                            const Floats& addend) {
     return multiply_add(a.x, b.x, multiply_add(a.y, b.y, multiply_add(a.z, b.z, addend)));
@@ -86,7 +95,7 @@ HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& s
 }
 
 /// The kernel; `has_radii` says whether they differ.
-template <class Floats, bool has_radii>
+template <class Floats, bool has_radii, bool has_gravity>
 HARDBALL_ALWAYS_INLINE BoundKeys least_two(const BoundScale& scale, const CompactPath* paths,
                                            const float* radii, std::uint32_t self,
                                            const std::uint32_t* others, std::size_t count) {
@@ -97,7 +106,7 @@ HARDBALL_ALWAYS_INLINE BoundKeys least_two(const BoundScale& scale, const Compac
   Integers least = forever;
   Integers places = Integers::ascending();
   for (std::size_t i = 0; i < count; i += Floats::kWidth) {
-    const Integers key = bound_waits(scale, paths, has_radii ? radii : nullptr, own, others + i) | places;
+    const Integers key = bound_waits<has_gravity>(scale, paths, has_radii ? radii : nullptr, own, others + i) | places;
     places = places + Integers(static_cast<std::uint32_t>(Floats::kWidth));
     key.store(keys + i);
     least = minimum(least, key);
@@ -116,8 +125,12 @@ HARDBALL_ALWAYS_INLINE BoundKeys least_two(const BoundScale& scale, const Compac
 template <class Floats>
 BoundKeys bound_contacts(const BoundScale& scale, const CompactPath* paths, const float* radii,
                          std::uint32_t self, const std::uint32_t* others, std::size_t count) {
-  return radii == nullptr ? least_two<Floats, false>(scale, paths, nullptr, self, others, count)
-                          : least_two<Floats, true>(scale, paths, radii, self, others, count);
+  if (scale.has_gravity) {
+    return radii == nullptr ? least_two<Floats, false, true>(scale, paths, nullptr, self, others, count)
+                            : least_two<Floats, true, true>(scale, paths, radii, self, others, count);
+  }
+  return radii == nullptr ? least_two<Floats, false, false>(scale, paths, nullptr, self, others, count)
+                          : least_two<Floats, true, false>(scale, paths, radii, self, others, count);
 }
 
 }  // namespace hardball

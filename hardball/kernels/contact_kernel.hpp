@@ -23,6 +23,7 @@ struct ContactQuery {
   const Vec3* inverse_period;  ///< Zero along axes that are not periodic.
   double now_high;             ///< When images are the nearest; any time if they are given.
   double now_low;
+  const Vec3* gravity;  ///< Of all spheres [L/T^2]; null if paths are straight.
 };
 
 /// The earliest contact of a sphere with its candidates.
@@ -45,6 +46,7 @@ struct PairQuery {
   const Vec3* inverse_period;   ///< Zero along axes that are not periodic.
   double now_high;              ///< When images are the nearest.
   double now_low;
+  const Vec3* gravity;  ///< Of all spheres [L/T^2]; null if paths are straight.
 };
 
 /// Computes the contact time of each pair, bit for bit as contact_time (geometry/contact_time.hpp), in two

@@ -88,59 +88,97 @@ HARDBALL_ALWAYS_INLINE MomentsOfLanes<Lanes> moments_after(const MomentsOfLanes<
   return {select(happens, high, forever), select(happens, rest - (high - sum), Lanes(0.0))};
 }
 
+/// Where a centre is on its path, and how fast, bit for bit as Motion (geometry/motion.hpp), along one axis.
+template <class Lanes>
+struct StraightOfLanes {
+  explicit StraightOfLanes(const Vec3*) {}
+
+  HARDBALL_ALWAYS_INLINE Lanes place(const Lanes& r, const Lanes& v, const Lanes& age, std::size_t) const {
+    return r + age * v;
+  }
+  HARDBALL_ALWAYS_INLINE Lanes velocity(const Lanes& v, const Lanes&, std::size_t) const { return v; }
+};
+
+template <class Lanes>
+struct FallingOfLanes {
+  explicit FallingOfLanes(const Vec3* acceleration)
+      : gravity{Lanes(acceleration->x), Lanes(acceleration->y), Lanes(acceleration->z)} {}
+
+  HARDBALL_ALWAYS_INLINE Lanes place(const Lanes& r, const Lanes& v, const Lanes& age,
+                                     std::size_t axis) const {
+    return r + age * (v + (Lanes(0.5) * age) * gravity[axis]);
+  }
+  HARDBALL_ALWAYS_INLINE Lanes velocity(const Lanes& v, const Lanes& age, std::size_t axis) const {
+    return v + age * gravity[axis];
+  }
+
+  Lanes gravity[kAxes];
+};
+
 /// When pairs touch, bit for bit as contact_time (geometry/contact_time.hpp). `shifts(a, b)` are the
 /// displacements of the images of the second spheres that are meant.
-template <class Lanes, class Shifts>
+template <class Lanes, class Motion, class Shifts>
 HARDBALL_ALWAYS_INLINE MomentsOfLanes<Lanes> contacts_of(const PathsOfLanes<Lanes>& a,
                                                          const PathsOfLanes<Lanes>& b, const Lanes& reach,
-                                                         const Shifts& shifts) {
+                                                         const Motion& motion, const Shifts& shifts) {
   const MomentsOfLanes<Lanes> start = later_start(a, b);
   const Lanes a_age = age_at(start, a);
   const Lanes b_age = age_at(start, b);
   const VectorOfLanes<Lanes> shift = shifts(a, b);
   const auto separation = [&](const Lanes& ra, const Lanes& va, const Lanes& rb, const Lanes& vb,
-                              const Lanes& displacement) {
-    return ((rb + b_age * vb) - (ra + a_age * va)) + displacement;
+                              std::size_t axis, const Lanes& displacement) {
+    return (motion.place(rb, vb, b_age, axis) - motion.place(ra, va, a_age, axis)) + displacement;
   };
-  const VectorOfLanes<Lanes> r{separation(a.position.x, a.velocity.x, b.position.x, b.velocity.x, shift.x),
-                               separation(a.position.y, a.velocity.y, b.position.y, b.velocity.y, shift.y),
-                               separation(a.position.z, a.velocity.z, b.position.z, b.velocity.z, shift.z)};
-  const VectorOfLanes<Lanes> v{b.velocity.x - a.velocity.x, b.velocity.y - a.velocity.y,
-                               b.velocity.z - a.velocity.z};
+  const VectorOfLanes<Lanes> r{
+      separation(a.position.x, a.velocity.x, b.position.x, b.velocity.x, 0, shift.x),
+      separation(a.position.y, a.velocity.y, b.position.y, b.velocity.y, 1, shift.y),
+      separation(a.position.z, a.velocity.z, b.position.z, b.velocity.z, 2, shift.z)};
+  const auto relative = [&](const Lanes& va, const Lanes& vb, std::size_t axis) {
+    return motion.velocity(vb, b_age, axis) - motion.velocity(va, a_age, axis);
+  };
+  const VectorOfLanes<Lanes> v{relative(a.velocity.x, b.velocity.x, 0),
+                               relative(a.velocity.y, b.velocity.y, 1),
+                               relative(a.velocity.z, b.velocity.z, 2)};
   return moments_after(start, waits_of(r, v, reach));
 }
 
 /// The displacements of nearest images at one moment.
-template <class Lanes>
+template <class Lanes, class Motion>
 class NearestShifts {
  public:
-  NearestShifts(const Vec3& period, const Vec3& inverse_period, double now_high, double now_low)
+  NearestShifts(const Vec3& period, const Vec3& inverse_period, double now_high, double now_low,
+                const Motion& motion)
       : period_{Lanes(period.x), Lanes(period.y), Lanes(period.z)},
         inverse_period_{Lanes(inverse_period.x), Lanes(inverse_period.y), Lanes(inverse_period.z)},
-        now_{Lanes(now_high), Lanes(now_low)} {}
+        now_{Lanes(now_high), Lanes(now_low)},
+        motion_(motion) {}
 
   HARDBALL_ALWAYS_INLINE VectorOfLanes<Lanes> operator()(const PathsOfLanes<Lanes>& a,
                                                          const PathsOfLanes<Lanes>& b) const {
     const Lanes a_age = age_at(now_, a);
     const Lanes b_age = age_at(now_, b);
     const auto along = [&](const Lanes& ra, const Lanes& va, const Lanes& rb, const Lanes& vb,
-                           const Lanes& length, const Lanes& inverse_length) {
-      return round_to_integer(((ra + a_age * va) - (rb + b_age * vb)) * inverse_length) * length;
+                           std::size_t axis, const Lanes& length, const Lanes& inverse_length) {
+      const Lanes apart = motion_.place(ra, va, a_age, axis) - motion_.place(rb, vb, b_age, axis);
+      return round_to_integer(apart * inverse_length) * length;
     };
-    return {along(a.position.x, a.velocity.x, b.position.x, b.velocity.x, period_.x, inverse_period_.x),
-            along(a.position.y, a.velocity.y, b.position.y, b.velocity.y, period_.y, inverse_period_.y),
-            along(a.position.z, a.velocity.z, b.position.z, b.velocity.z, period_.z, inverse_period_.z)};
+    return {along(a.position.x, a.velocity.x, b.position.x, b.velocity.x, 0, period_.x, inverse_period_.x),
+            along(a.position.y, a.velocity.y, b.position.y, b.velocity.y, 1, period_.y, inverse_period_.y),
+            along(a.position.z, a.velocity.z, b.position.z, b.velocity.z, 2, period_.z, inverse_period_.z)};
   }
 
  private:
   VectorOfLanes<Lanes> period_, inverse_period_;
   MomentsOfLanes<Lanes> now_;
+  Motion motion_;
 };
 
-/// The kernel for pairs.
-template <class Lanes>
-void contacts_of_pairs(const PairQuery& query, double* high, double* low) {
-  const NearestShifts<Lanes> shifts(*query.period, *query.inverse_period, query.now_high, query.now_low);
+/// The kernel for pairs, for one kind of motion.
+template <class Lanes, class Motion>
+void contacts_of_moving_pairs(const PairQuery& query, double* high, double* low) {
+  const Motion motion(query.gravity);
+  const NearestShifts<Lanes, Motion> shifts(*query.period, *query.inverse_period, query.now_high,
+                                            query.now_low, motion);
   for (std::size_t i = 0; i < query.count; i += Lanes::kWidth) {
     PathsOfLanes<Lanes> a;
     PathsOfLanes<Lanes> b;
@@ -149,9 +187,19 @@ void contacts_of_pairs(const PairQuery& query, double* high, double* low) {
     const Lanes reach = query.radii == nullptr ? Lanes(query.radius + query.radius)
                                                : Lanes::gather(query.radii, query.first + i) +
                                                      Lanes::gather(query.radii, query.second + i);
-    const MomentsOfLanes<Lanes> contact = contacts_of(a, b, reach, shifts);
+    const MomentsOfLanes<Lanes> contact = contacts_of(a, b, reach, motion, shifts);
     contact.high.store(high + i);
     contact.low.store(low + i);
+  }
+}
+
+/// The kernel for pairs.
+template <class Lanes>
+void contacts_of_pairs(const PairQuery& query, double* high, double* low) {
+  if (query.gravity == nullptr) {
+    contacts_of_moving_pairs<Lanes, StraightOfLanes<Lanes>>(query, high, low);
+  } else {
+    contacts_of_moving_pairs<Lanes, FallingOfLanes<Lanes>>(query, high, low);
   }
 }
 
@@ -159,9 +207,9 @@ void contacts_of_pairs(const PairQuery& query, double* high, double* low) {
 inline constexpr std::size_t kBatch = 64;
 
 /// The earliest contact with up to kBatch candidates. `shifts_at(i)` gives their shifts from candidate i on.
-template <class Lanes, class ShiftsAt>
+template <class Lanes, class Motion, class ShiftsAt>
 EarliestContact earliest_of_batch(const ContactQuery& query, std::size_t begin, std::size_t count,
-                                  const ShiftsAt& shifts_at) {
+                                  const Motion& motion, const ShiftsAt& shifts_at) {
   const Path& own = query.paths[query.self];
   const auto in_all_lanes = [](const Vec3& vector) {
     return VectorOfLanes<Lanes>{Lanes(vector.x), Lanes(vector.y), Lanes(vector.z)};
@@ -177,7 +225,7 @@ EarliestContact earliest_of_batch(const ContactQuery& query, std::size_t begin, 
     Lanes::load(query.paths, others, other);
     const Lanes reach = query.radii == nullptr ? Lanes(query.radius + query.radius)
                                                : Lanes(query.radius) + Lanes::gather(query.radii, others);
-    const MomentsOfLanes<Lanes> contact = contacts_of(self, other, reach, shifts_at(begin + i));
+    const MomentsOfLanes<Lanes> contact = contacts_of(self, other, reach, motion, shifts_at(begin + i));
     contact.high.store(high + i);
     contact.low.store(low + i);
     least = minimum(least, contact.high);
@@ -192,13 +240,13 @@ EarliestContact earliest_of_batch(const ContactQuery& query, std::size_t begin, 
   return {earliest, low[place], static_cast<std::uint32_t>(begin) + place, (places & (places - 1)) != 0};
 }
 
-template <class Lanes, class ShiftsAt>
-EarliestContact earliest_of_all(const ContactQuery& query, const ShiftsAt& shifts_at) {
+template <class Lanes, class Motion, class ShiftsAt>
+EarliestContact earliest_of_all(const ContactQuery& query, const Motion& motion, const ShiftsAt& shifts_at) {
   EarliestContact result{std::numeric_limits<double>::infinity(), 0, 0, false};
   for (std::size_t begin = 0; begin < query.count; begin += kBatch) {
     const std::size_t left = query.count - begin;
     const EarliestContact found =
-        earliest_of_batch<Lanes>(query, begin, left < kBatch ? left : kBatch, shifts_at);
+        earliest_of_batch<Lanes>(query, begin, left < kBatch ? left : kBatch, motion, shifts_at);
     if (found.high < result.high) {
       result = found;
     } else if (found.high == result.high) {
@@ -208,19 +256,29 @@ EarliestContact earliest_of_all(const ContactQuery& query, const ShiftsAt& shift
   return result;
 }
 
-/// The kernel for all kinds of query.
-template <class Lanes>
-EarliestContact earliest_contact(const ContactQuery& query) {
+/// The kernel for all kinds of query, for one kind of motion.
+template <class Lanes, class Motion>
+EarliestContact earliest_contact_of_moving(const ContactQuery& query) {
+  const Motion motion(query.gravity);
   if (query.shifts == nullptr) {
-    const NearestShifts<Lanes> nearest(*query.period, *query.inverse_period, query.now_high, query.now_low);
-    return earliest_of_all<Lanes>(query, [&](std::size_t) -> const NearestShifts<Lanes>& { return nearest; });
+    const NearestShifts<Lanes, Motion> nearest(*query.period, *query.inverse_period, query.now_high,
+                                               query.now_low, motion);
+    return earliest_of_all<Lanes>(query, motion,
+                                  [&](std::size_t) -> const NearestShifts<Lanes, Motion>& { return nearest; });
   }
-  return earliest_of_all<Lanes>(query, [&query](std::size_t i) {
+  return earliest_of_all<Lanes>(query, motion, [&query](std::size_t i) {
     return [&query, i](const PathsOfLanes<Lanes>&, const PathsOfLanes<Lanes>&) {
       return VectorOfLanes<Lanes>{Lanes::load(query.shifts[0] + i), Lanes::load(query.shifts[1] + i),
                                   Lanes::load(query.shifts[2] + i)};
     };
   });
+}
+
+/// The kernel for all kinds of query.
+template <class Lanes>
+EarliestContact earliest_contact(const ContactQuery& query) {
+  return query.gravity == nullptr ? earliest_contact_of_moving<Lanes, StraightOfLanes<Lanes>>(query)
+                                  : earliest_contact_of_moving<Lanes, FallingOfLanes<Lanes>>(query);
 }
 
 }  // namespace hardball

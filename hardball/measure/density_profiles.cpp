@@ -42,10 +42,10 @@ double walled_axes(const Box& box) {
 }
 
 // kT of the motion towards walls [M L^2 T^-2]: along other axes the spheres may stream.
-double temperature_between_walls(const World& world) {
+double temperature_between_walls(const World& world, const Time& moment) {
   double sum = 0;
   world.for_each_by_id([&](Slot slot) {
-    const Vec3& velocity = world.path(slot).velocity;
+    const Vec3 velocity = world.velocity(slot, moment);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (world.box().is_wall(axis)) sum += world.mass(slot) * velocity[axis] * velocity[axis];
     }
@@ -140,7 +140,7 @@ void DensityProfiles::sample(const Scene& scene) {
     for (double& count : near_walls) count /= wall_area * contact_.bin_width();
     const double density = contact_.at_contact(near_walls);
     average_.put(first_at_walls(), density);
-    average_.put(first_at_walls() + 1, density * temperature_between_walls(world));
+    average_.put(first_at_walls() + 1, density * temperature_between_walls(world, scene.now()));
   }
   average_.close_sample(duration(begin_, scene.now()));
 }

@@ -45,6 +45,8 @@ bool has_open_axis(const Box& box) {
 
 Pressure::Pressure(const Scene& scene)
     : box_(scene.world().box()),
+      is_homogeneous_(!has_open_axis(box_) && scene.world().motion().is_straight() &&
+                      scene.world().surfaces().empty()),
       theory_(scene.fluid()),
       motion_(scene.motion()),
       spheres_(static_cast<double>(scene.world().size())),
@@ -53,7 +55,7 @@ Pressure::Pressure(const Scene& scene)
       last_(scene.now()) {
   const World& world = scene.world();
   world.for_each_by_id([&](Slot slot) {
-    const Vec3 velocity = world.path(slot).velocity - motion_.drift;
+    const Vec3 velocity = world.velocity(slot, begin_) - motion_.drift;
     for (std::size_t k = 0; k < kComponents; ++k) {
       kinetic_[k] += world.mass(slot) * velocity[kTensor[k].first] * velocity[kTensor[k].second];
     }
@@ -78,6 +80,7 @@ void Pressure::note(const Contact& contact) {
   const Vec3 impulse = contact.impulse();
   change_kinetic(impulse, contact.before.first, contact.after.first);
   if (!contact.is_collision()) {
+    if (contact.second >= hardball::kFaces) return;
     const std::size_t axis = axis_of(contact.second);
     const double force = std::fabs(impulse[axis]);
     average_.put(kFaces + contact.second, force);
@@ -98,7 +101,7 @@ Measurement Pressure::result(const Scene& scene) const {
                         "Allen and Tildesley, Computer Simulation of Liquids, section 2.4; theory of "
                         "equal spheres: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) "
                         "2335; of mixtures: Mansoori et al., J. Chem. Phys. 54 (1971) 1523"};
-  if (has_open_axis(box_)) return found;
+  if (!is_homogeneous_) return found;
   Pressure up_to_now = *this;
   up_to_now.advance(scene.now());
   const BlockAverage& whole = up_to_now.average_;

@@ -27,7 +27,7 @@ const Moments& Scene::moments() const {
 }
 
 const ThermalMotion& Scene::motion() const {
-  return once(motion_, [&] { return thermal_motion(world_); });
+  return once(motion_, [&] { return thermal_motion(world_, now_); });
 }
 
 const std::vector<Vec3>& Scene::centers() const {

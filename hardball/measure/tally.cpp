@@ -18,9 +18,11 @@ double square_change(const Vec3& before, const Vec3& after) {
 
 void Tally::begin(const World& world, const Time& now) {
   *this = Tally();
+  walls_.resize(kFaces + world.surfaces().size());
   begin_ = now;
   last_ = now;
-  energy_ = world.kinetic_energy();
+  energy_ = world.energy(now);
+  is_straight_ = world.motion().is_straight();
   initial_energy_ = energy_;
 }
 
@@ -45,9 +47,17 @@ void Tally::note(const Contact& contact) {
     impact_speed_square_sum_ += speed * speed;
   } else {
     ++wall_contacts_;
-    energy_ += contact.first_mass * square_change(contact.before.first, contact.after.first) / 2;
+    const double gained = contact.first_mass * square_change(contact.before.first, contact.after.first) / 2;
+    energy_ += gained;
     max_overlap_ = std::max(max_overlap_, contact.overlap());
-    wall_impulse_[contact.second] += std::fabs(contact.impulse()[axis_of(contact.second)]);
+    WallTally& wall = walls_[contact.second];
+    const Vec3 impulse = contact.impulse();
+    const double work = dot(impulse, contact.before.second);
+    ++wall.contacts;
+    wall.impulse -= impulse;
+    wall.normal_impulse -= dot(impulse, contact.wall_normal);
+    wall.work += work;
+    wall.heat += gained - work;
   }
 }
 
@@ -56,6 +66,7 @@ double Tally::energy_integral(const Time& now) const {
 }
 
 double Tally::compressibility(const Time& now) const {
+  if (!is_straight_) return std::numeric_limits<double>::quiet_NaN();
   return 1 + virial_ / (2 * energy_integral(now));
 }
 
@@ -64,7 +75,7 @@ double Tally::wall_pressure(const Box& box, const Time& now) const {
   double area = 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!box.is_wall(axis)) continue;
-    impulse += wall_impulse_[face_of(axis, false)] + wall_impulse_[face_of(axis, true)];
+    impulse += wall_impulse(face_of(axis, false)) + wall_impulse(face_of(axis, true));
     const Vec3& size = box.size();
     area += 2 * size[(axis + 1) % kAxes] * size[(axis + 2) % kAxes];
   }

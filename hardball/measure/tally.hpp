@@ -2,26 +2,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "hardball/response/contact.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
 
+/// Sums over the contacts with a wall.
+struct WallTally {
+  std::uint64_t contacts = 0;
+  Vec3 impulse;               ///< Momentum given to the wall [M L/T].
+  double normal_impulse = 0;  ///< The part along its normal, counted positive [M L/T].
+  double work = 0;            ///< Done by the wall on spheres through its motion [M L^2 T^-2].
+  double heat = 0;            ///< Energy given to spheres otherwise; negative if lost [M L^2 T^-2].
+};
+
 /// Sums over the contacts of a run from which pressures and the certificate follow.
 class Tally {
  public:
   /// Starts counting at `now` with the energy of the world. Cost: O(n).
   void begin(const World& world, const Time& now);
-  /// Records that an edit of the world changed the kinetic energy at `now`.
+  /// Records that an edit of the world changed the energy at `now`.
   void note_edit(double energy_change, const Time& now);
   void note(const Contact& contact);
 
   std::uint64_t collisions() const { return collisions_; }
   std::uint64_t wall_contacts() const { return wall_contacts_; }
-  /// Kinetic energy at the start [M L^2 T^-2].
+  /// Energy at the start, see World::energy [M L^2 T^-2].
   double initial_energy() const { return initial_energy_; }
   /// The deepest overlap of two spheres, or of a sphere and a wall, at their contact, as a fraction of the
   /// sum of the radii, or of the radius [1]; caused by rounding alone.
@@ -32,12 +41,16 @@ class Tally {
   double impact_speed_sum() const { return impact_speed_sum_; }
   double impact_speed_square_sum() const { return impact_speed_square_sum_; }
   /// Momentum transferred to a face of the box [M L/T].
-  double wall_impulse(Face face) const { return wall_impulse_[face]; }
+  double wall_impulse(Face face) const { return walls_[face].normal_impulse; }
+  /// The sums for each wall: the faces of the box, and surfaces from kFaces on.
+  const std::vector<WallTally>& walls() const { return walls_; }
+  /// The time counted up to `now` [T].
+  double elapsed(const Time& now) const { return duration(begin_, now); }
 
-  /// Kinetic energy integrated over time, up to `now` [M L^2/T].
+  /// Kinetic energy integrated over time, up to `now` [M L^2/T]. Precondition: there is no gravity.
   double energy_integral(const Time& now) const;
   /// P V / N k T over the time counted [1], from the virial and the mean kinetic energy in the rest frame of
-  /// the boundaries. One if nothing collided; NaN if no time has passed or nothing moves. Source: Alder and
+  /// the boundaries. One if nothing collided; NaN if no time has passed, nothing moves, or there is gravity. Source: Alder and
   /// Wainwright, J. Chem. Phys. 33 (1960) 1439.
   double compressibility(const Time& now) const;
   /// Mean pressure on the walls over the time counted [M L^-1 T^-2]; NaN without walls, or if no time has
@@ -56,7 +69,8 @@ class Tally {
   double virial_ = 0;
   double impact_speed_sum_ = 0;
   double impact_speed_square_sum_ = 0;
-  std::array<double, 2 * kAxes> wall_impulse_{};
+  bool is_straight_ = true;
+  std::vector<WallTally> walls_ = std::vector<WallTally>(kFaces);
 };
 
 }  // namespace hardball

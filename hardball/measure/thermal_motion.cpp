@@ -6,23 +6,23 @@
 
 namespace hardball {
 
-ThermalMotion thermal_motion(const World& world) {
+ThermalMotion thermal_motion(const World& world, const Time& moment) {
   ThermalMotion motion;
   if (world.size() == 0) return motion;
   Vec3 momentum;
   double mass = 0;
   world.for_each_by_id([&](Slot slot) {
-    momentum += world.mass(slot) * world.path(slot).velocity;
+    momentum += world.mass(slot) * world.velocity(slot, moment);
     mass += world.mass(slot);
   });
   motion.degrees_of_freedom = static_cast<double>(kAxes * world.size());
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (world.box().is_wall(axis)) continue;
+    if (world.box().is_wall(axis) || !world.surfaces().empty() || world.motion().gravity()[axis] != 0) continue;
     motion.drift[axis] = momentum[axis] / mass;
     --motion.degrees_of_freedom;
   }
   world.for_each_by_id([&](Slot slot) {
-    const Vec3 velocity = world.path(slot).velocity - motion.drift;
+    const Vec3 velocity = world.velocity(slot, moment) - motion.drift;
     motion.energy += world.mass(slot) * dot(velocity, velocity) / 2;
   });
   return motion;

@@ -8,8 +8,8 @@ namespace hardball {
 
 /// The motion of the spheres at one time, split into their common drift and the motion relative to it.
 struct ThermalMotion {
-  /// Velocity of the centre of mass along axes without walls, where it is conserved; zero along the others
-  /// [L/T].
+  /// Velocity of the centre of mass along axes without walls and gravity, where it is conserved; zero along
+  /// the others [L/T].
   Vec3 drift;
   /// Kinetic energy relative to the drift [M L^2 T^-2].
   double energy = 0;
@@ -22,7 +22,7 @@ struct ThermalMotion {
 };
 
 /// Cost: O(n).
-ThermalMotion thermal_motion(const World& world);
+ThermalMotion thermal_motion(const World& world, const Time& moment);
 
 /// Whether the energy is still that of the start but for rounding, so that there can be equilibrium.
 bool is_energy_conserved(const ThermalMotion& begin, const ThermalMotion& end);

@@ -16,6 +16,7 @@
 #include "hardball/engine/standstill_guard.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/response/execute.hpp"
+#include "hardball/world/walls.hpp"
 
 namespace hardball {
 
@@ -164,7 +165,7 @@ class PaperEngine {
   }
 
   CellRange range_now(Slot slot) const {
-    return subdivision_.range_at(position_at(world_.path(slot), now_), world_.radius(slot));
+    return subdivision_.range_at(world_.unfolded_position(slot, now_), world_.radius(slot));
   }
 
   void add_to(const CellRange& subspaces, Slot slot) {
@@ -261,7 +262,7 @@ class PaperEngine {
 
   void predict_all(Slot slot) {
     predict_collisions(slot, records_[slot].subspaces);
-    add_candidate(next_wall_event(world_, slot));
+    add_candidate(next_wall_event(world_, slot, now_, 0));
     predict_crossings(slot);
   }
 

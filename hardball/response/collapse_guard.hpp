@@ -10,11 +10,12 @@
 namespace hardball {
 
 /// Whether a sphere on this path has not moved until `now`, to within rounding of its position.
-inline bool is_idle(const Path& path, double radius, const Time& now) {
+inline bool is_idle(const Motion& motion, const Path& path, double radius, const Time& now) {
   constexpr double kHardlyMoved = 1e-15;
   const double time = duration(path.time, now);
   const double least = kHardlyMoved * radius;
-  return !(dot(path.velocity, path.velocity) * time * time > least * least);
+  if (dot(path.velocity, path.velocity) * time * time > least * least) return false;
+  return motion.is_straight() || !(0.5 * length(motion.gravity()) * time * time > least);
 }
 
 /// Detects inelastic collapse: spheres that lose energy may collide at an ever higher rate, infinitely often

@@ -6,10 +6,11 @@
 
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/vec3.hpp"
+#include "hardball/surfaces/surface.hpp"
 
 namespace hardball {
 
-/// The velocities of the two bodies of a contact [L/T]; of a wall contact the second is the wall's, zero.
+/// The velocities of the two bodies of a contact [L/T]; of a wall contact the second is the wall's.
 struct Velocities {
   Vec3 first;
   Vec3 second;
@@ -28,7 +29,7 @@ struct Contact {
   Time time;
   EventKind kind = EventKind::collision;  ///< collision or wall
   SphereId first = 0;                     ///< The sphere; of a collision, the one with the lower id.
-  std::uint32_t second = 0;               ///< The id of the other sphere, or the Face of the box.
+  std::uint32_t second = 0;               ///< The id of the other sphere, or the number of the wall.
   Image image;    ///< The image of the second sphere that was met, both being folded into the box.
   Vec3 position;  ///< Centre of the first sphere, folded into the box [L].
   /// Collision: centre of the second sphere, folded into the box [L]. Wall: zero.
@@ -42,15 +43,13 @@ struct Contact {
   double second_mass = 0;   ///< [M]; infinite for a wall.
   Velocities before;        ///< [L/T]
   Velocities after;         ///< [L/T]; equal to `before` while the response is called.
+  Vec3 wall_normal;         ///< Wall: the unit vector from the centre towards it [1].
+  double pressing = 0;      ///< Wall: the acceleration of the sphere towards it [L/T^2].
+  SurfaceMaterial wall_material;  ///< Wall: what it does; of a face of the box, what the response does.
 
   bool is_collision() const { return kind == EventKind::collision; }
   /// Unit vector along `separation`, or towards the wall [1].
-  Vec3 normal() const {
-    if (is_collision()) return (1 / length(separation)) * separation;
-    Vec3 outwards;
-    outwards[axis_of(second)] = is_upper(second) ? 1 : -1;
-    return outwards;
-  }
+  Vec3 normal() const { return is_collision() ? (1 / length(separation)) * separation : wall_normal; }
   /// Where the surfaces touch, in the coordinates of `position` [L].
   Vec3 point() const { return position + first_radius * normal(); }
   /// The momentum the first sphere gained [M L/T]; the second lost as much.
@@ -67,7 +66,7 @@ struct Contact {
 };
 
 /// What a contact does to velocities: given the contact with `after` still equal to `before`, the new
-/// velocities. A wall's velocity is ignored. The bodies must not approach each other afterwards.
+/// velocities. What is returned for a wall is ignored. The bodies must not approach each other afterwards.
 template <class R>
 concept Response = requires(const R& response, const Contact& contact) {
   { response(contact) } -> std::convertible_to<Velocities>;

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/response/execute.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/world/range.hpp"
+#include "hardball/world/walls.hpp"
 
 namespace hardball {
 namespace {
@@ -18,7 +21,7 @@ constexpr double kRounding = 1e-12;
 [[noreturn]] void refuse_response(const Contact& contact, const std::string& what, const char* remedy) {
   throw Error(what + " at the contact at time " + to_text(contact.time.value()),
               "response to sphere " + to_text(contact.first) + " and " +
-                  (contact.is_collision() ? "sphere " : "face ") + to_text(contact.second),
+                  (contact.is_collision() ? "sphere " : "wall ") + to_text(contact.second),
               remedy);
 }
 
@@ -32,12 +35,34 @@ std::string to_text(const Vec3& vector) {
   return "(" + to_text(vector.x) + ", " + to_text(vector.y) + ", " + to_text(vector.z) + ")";
 }
 
-void undo_approach_to_wall(Contact& contact) {
+void undo_approach_to_face(Contact& contact) {
   double& velocity = contact.after.first[axis_of(contact.second)];
   const bool approaching = is_upper(contact.second) ? velocity > 0 : velocity < 0;
   if (!approaching) return;
   if (std::fabs(velocity) > kRounding * length(contact.before.first)) refuse_approach(contact);
   velocity = 0;
+}
+
+// The speeds that matter: rounding errors are relative to them.
+double speeds_of(const Contact& contact) {
+  return length(contact.before.first) + length(contact.before.second) + length(contact.after.first);
+}
+
+void undo_approach_to_surface(const World& world, Contact& contact) {
+  const Surface& surface = world.surface(contact.second);
+  const Vec3 image = nearest_image_of(world, surface, contact.position);
+  const Vec3 settled = contact.after.first;
+  double excess = dot(settled - contact.before.second, contact.wall_normal);
+  if (excess > kRounding * speeds_of(contact) + kSmallestMagnitude) refuse_approach(contact);
+  excess = std::max(excess, 0x1p-60 * speeds_of(contact));
+  const auto approaches = [&] {
+    return surface.is_approached(world.motion(),
+                                 {contact.position - image, contact.after.first, contact.time});
+  };
+  while (approaches()) {
+    contact.after.first = settled - excess * contact.wall_normal;
+    excess *= 2;
+  }
 }
 
 void undo_approach_of_spheres(Contact& contact) {
@@ -57,6 +82,26 @@ void undo_approach_of_spheres(Contact& contact) {
   contact.after = settled;
 }
 
+// What a contact tells of its wall, and the wall's velocity. Precondition: time and position are set.
+void describe_wall(const World& world, std::uint32_t wall, Contact& contact, Vec3& velocity) {
+  if (wall < kFaces) {
+    const std::size_t axis = axis_of(wall);
+    contact.wall_normal = {};
+    contact.wall_normal[axis] = is_upper(wall) ? 1 : -1;
+    contact.separation = {};
+    contact.separation[axis] = (is_upper(wall) ? world.box().size()[axis] : 0) - contact.position[axis];
+    contact.wall_material = {};
+  } else {
+    const Surface& surface = world.surface(wall);
+    const Vec3 position = contact.position - nearest_image_of(world, surface, contact.position);
+    contact.wall_normal = surface.direction(position, contact.time);
+    contact.separation = surface.distance(position, contact.time) * contact.wall_normal;
+    contact.wall_material = surface.material();
+    velocity = surface.velocity_at(contact.time);
+  }
+  contact.pressing = dot(world.motion().gravity(), contact.wall_normal);
+}
+
 }  // namespace
 
 Participants participants_of(const World& world, const Event& event) {
@@ -68,8 +113,8 @@ void contact_at(const World& world, const Event& event, const Participants& part
   const Box& box = world.box();
   const Path& path = world.path(participants.first);
   const double radius = world.radius(participants.first);
-  Vec3 position = position_at(path, event.time);
-  done.were_idle[0] = is_idle(path, radius, event.time);
+  Vec3 position = world.unfolded_position(participants.first, event.time);
+  done.were_idle[0] = is_idle(world.motion(), path, radius, event.time);
   done.folded[0] = box.fold(position);
   Velocities before;
   Contact& contact = done.contact;
@@ -83,8 +128,8 @@ void contact_at(const World& world, const Event& event, const Participants& part
   if (event.kind == EventKind::collision) {
     const Path& second_path = world.path(participants.second);
     const double second_radius = world.radius(participants.second);
-    Vec3 second_position = position_at(second_path, event.time);
-    done.were_idle[1] = is_idle(second_path, second_radius, event.time);
+    Vec3 second_position = world.unfolded_position(participants.second, event.time);
+    done.were_idle[1] = is_idle(world.motion(), second_path, second_radius, event.time);
     done.folded[1] = box.fold(second_position);
     contact.image = participants.nearest ? box.nearest_image(position - second_position)
                                          : event.image + done.folded[1] - done.folded[0];
@@ -92,16 +137,15 @@ void contact_at(const World& world, const Event& event, const Participants& part
     contact.separation = (second_position - position) + box.shift(contact.image);
     contact.reach = radius + second_radius;
     contact.second_mass = world.mass(participants.second);
-    before = {path.velocity, second_path.velocity};
+    before = {world.velocity(participants.first, event.time),
+              world.velocity(participants.second, event.time)};
   } else {
-    const std::size_t axis = axis_of(event.second);
     contact.image = {};
     contact.second_position = {};
-    contact.separation = {};
-    contact.separation[axis] = (is_upper(event.second) ? box.size()[axis] : 0) - contact.position[axis];
     contact.reach = radius;
     contact.second_mass = std::numeric_limits<double>::infinity();
-    before = {path.velocity, {}};
+    before = {world.velocity(participants.first, event.time), {}};
+    describe_wall(world, event.second, contact, before.second);
   }
   // Twice from registers: reading back what has just been written would stall.
   contact.before = before;
@@ -117,11 +161,13 @@ void refuse_velocities(const Contact& contact) {
   refuse_response(contact, what, "return finite velocities of magnitude at most 1e60");
 }
 
-void undo_approach(Contact& contact) {
+void undo_approach(const World& world, Contact& contact) {
   if (contact.is_collision()) {
     undo_approach_of_spheres(contact);
+  } else if (contact.second < kFaces) {
+    undo_approach_to_face(contact);
   } else {
-    undo_approach_to_wall(contact);
+    undo_approach_to_surface(world, contact);
   }
 }
 

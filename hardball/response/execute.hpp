@@ -53,14 +53,14 @@ inline void check_velocities(const Contact& contact) {
 }
 
 /// Removes an approach of the bodies of `contact` with the velocities `after`; see settle.
-void undo_approach(Contact& contact);
+void undo_approach(const World& world, Contact& contact);
 
 /// Ensures that the bodies of `contact` do not approach with the velocities `after`: an approach that
 /// rounding explains is removed by the least impulse that does so, so that no contact repeats itself. Error:
 /// the response left them approaching by more than rounding.
-inline void settle(Contact& contact) {
+inline void settle(const World& world, Contact& contact) {
   if (contact.is_collision() && !(approach(contact.separation, contact.after) < 0)) return;
-  undo_approach(contact);
+  undo_approach(world, contact);
 }
 
 /// Carries out a collision or wall event: evaluates the paths at its time, calls the response, stores the new
@@ -74,7 +74,7 @@ void execute(World& world, CollapseGuard& guard, const Event& event, const Parti
   contact_at(world, event, participants, done);
   contact.after = response(std::as_const(contact));
   check_velocities(contact);
-  settle(contact);
+  settle(world, contact);
   const bool is_collision = contact.is_collision();
   guard.note_contact(contact.first, done.were_idle[0], event.time);
   if (is_collision) guard.note_contact(contact.second, done.were_idle[1], event.time);

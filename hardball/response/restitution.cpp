@@ -2,18 +2,63 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/response/restitution.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "hardball/errors/error.hpp"
+#include "hardball/response/thermal_wall.hpp"
 
 namespace hardball {
+namespace {
 
-Restitution::Restitution(double coefficient) : coefficient_(coefficient) {
-  if (coefficient >= 0 && coefficient <= 1) return;
-  throw Error("restitution is " + to_text(coefficient), "restitution", "give a number between 0 and 1");
+// A plane perpendicular to an axis keeps the other components of a velocity as they are, to the bit.
+bool is_along_axis(const Vec3& normal) {
+  return std::fabs(normal.x) == 1 || std::fabs(normal.y) == 1 || std::fabs(normal.z) == 1;
+}
+
+}  // namespace
+
+Restitution::Restitution(double coefficient, double elastic_below)
+    : coefficient_(coefficient), elastic_below_(elastic_below) {
+  if (!(coefficient >= 0 && coefficient <= 1)) {
+    throw Error("restitution is " + to_text(coefficient), "restitution", "give a number between 0 and 1");
+  }
+  if (!(elastic_below >= 0 && std::isfinite(elastic_below))) {
+    throw Error("elastic_below is " + to_text(elastic_below), "elastic_below",
+                "give zero or a positive speed");
+  }
+}
+
+double Restitution::coefficient_at(const Contact& wall_contact, double impact_speed) const {
+  if (impact_speed < elastic_below_) return 1;
+  return wall_contact.wall_material.restitution.value_or(coefficient_);
 }
 
 Velocities Restitution::bounce(const Contact& contact) const {
   Velocities after = contact.before;
-  after.first[axis_of(contact.second)] *= -coefficient_;
+  if (contact.wall_material.temperature) {
+    after.first = rethermalized(contact);
+    return after;
+  }
+  const Vec3& normal = contact.wall_normal;
+  const Vec3 velocity = contact.before.first - contact.before.second;
+  const double impact_speed = dot(velocity, normal);
+  const double coefficient = coefficient_at(contact, impact_speed);
+  constexpr double kLeast = 0.1;
+  const double least = contact.pressing > 0 ? kLeast * elastic_below_ : 0;
+  const double parting_speed = std::max(least, coefficient * impact_speed);
+  if (is_along_axis(normal)) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (normal[axis] == 0) continue;
+      after.first[axis] = contact.before.second[axis] - parting_speed * normal[axis];
+    }
+  } else if (parting_speed > coefficient * impact_speed || !(impact_speed > 0)) {
+    after.first -= (impact_speed + parting_speed) * normal;
+  } else {
+    // Scaled as the separation of spheres is, but by what varies at a plane, too.
+    const Vec3 r = (1 + velocity.x * velocity.x / dot(velocity, velocity)) * normal;
+    after.first -= ((1 + coefficient) * dot(velocity, r) / dot(r, r)) * r;
+  }
   return after;
 }
 

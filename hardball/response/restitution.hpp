@@ -7,13 +7,21 @@
 namespace hardball {
 
 /// Smooth spheres with a constant coefficient of restitution: the speed of separation along the normal is
-/// this fraction of the speed of approach, and momentum is kept. One is elastic.
+/// this fraction of the speed of approach, and momentum is kept. One is elastic. Walls may have a coefficient
+/// of their own, or a temperature: see SurfaceMaterial.
+///
+/// Slow impacts may be elastic: then spheres that lose energy collide at a bounded rate, and those that come
+/// to rest under gravity keep bouncing by a height too small to matter. Source: Luding and McNamara, Granular
+/// Matter 1 (1998) 113, on why restitution tends to one for slow impacts.
 class Restitution {
  public:
-  /// Error: `coefficient` [1] is not between 0 and 1.
-  explicit Restitution(double coefficient = 1);
+  /// `elastic_below` [L/T]: slower impacts are elastic, and a sphere that gravity presses against a wall
+  /// leaves it with at least a tenth of this speed. Error: `coefficient` [1] is not between 0 and 1, or
+  /// `elastic_below` negative or not finite.
+  explicit Restitution(double coefficient = 1, double elastic_below = 0);
 
   double coefficient() const { return coefficient_; }
+  double elastic_below() const { return elastic_below_; }
   Velocities operator()(const Contact& contact) const {
     return contact.is_collision() ? collide(contact) : bounce(contact);
   }
@@ -30,15 +38,19 @@ class Restitution {
     const Vec3& separation = contact.separation;
     const Vec3 r = (1 + separation.x * separation.x / dot(separation, separation)) * separation;
     const double square = dot(r, r);
-    const double exchange = (1 + coefficient_) * approach(r, contact.before) /
+    const double closing = approach(r, contact.before);
+    const bool is_slow = closing * closing < elastic_below_ * elastic_below_ * square;
+    const double exchange = (1 + (is_slow ? 1 : coefficient_)) * closing /
                             (square * contact.first_mass + square * contact.second_mass);
     after.first += (exchange * contact.second_mass) * r;
     after.second -= (exchange * contact.first_mass) * r;
     return after;
   }
   Velocities bounce(const Contact& contact) const;
+  double coefficient_at(const Contact& wall_contact, double impact_speed) const;
 
   double coefficient_;
+  double elastic_below_;
 };
 
 static_assert(Response<Restitution>);

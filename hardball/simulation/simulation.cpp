@@ -45,7 +45,7 @@ Time latest_change(const World& world) {
 void begin_paths(World& world, const Time& moment) {
   for (Slot slot = 0; slot < world.size(); ++slot) {
     const Path& path = world.path(slot);
-    if (path.time < moment) world.rewrite_path(slot, moment, path.velocity);
+    if (path.time < moment) world.rewrite_path(slot, moment, world.velocity(slot, moment));
   }
 }
 
@@ -233,7 +233,7 @@ Vec3 Simulation::position(SphereId id) const {
 }
 
 Vec3 Simulation::velocity(SphereId id) const {
-  return world().path(world().slot_of(id)).velocity;
+  return world().velocity(world().slot_of(id), now_);
 }
 
 std::vector<Vec3> Simulation::positions() const {
@@ -254,14 +254,14 @@ std::vector<Vec3> Simulation::positions_at(double time) {
 void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
   check_editable("change_velocity");
   const Slot slot = world().slot_of(id);
-  const double energy_before = kinetic_energy(world(), slot);
+  const double energy_before = energy(world(), slot, now_);
   if (edited_ || engine_->now() > now_) {
     engine_->world_to_edit().change_velocity(slot, now_, velocity);
     edited_ = true;
   } else {
     engine_->change_velocity(slot, now_, velocity);
   }
-  tally_.note_edit(kinetic_energy(world(), slot) - energy_before, now_);
+  tally_.note_edit(energy(world(), slot, now_) - energy_before, now_);
 }
 
 SphereId Simulation::add(const Sphere& sphere) {
@@ -270,13 +270,13 @@ SphereId Simulation::add(const Sphere& sphere) {
   refuse_overlap(world(), sphere, now_);
   const SphereId id = engine_->world_to_edit().add(sphere, now_);
   edited_ = true;
-  tally_.note_edit(kinetic_energy(world(), world().slot_of(id)), now_);
+  tally_.note_edit(energy(world(), world().slot_of(id), now_), now_);
   return id;
 }
 
 void Simulation::remove(SphereId id) {
   check_editable("remove");
-  const double energy = kinetic_energy(world(), world().slot_of(id));
+  const double energy = hardball::energy(world(), world().slot_of(id), now_);
   engine_->world_to_edit().remove(id);
   edited_ = true;
   tally_.note_edit(-energy, now_);

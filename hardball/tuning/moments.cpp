@@ -15,7 +15,9 @@ namespace {
 double stretch(const World& world, std::size_t axis, const Time& moment) {
   std::vector<double> places;
   places.reserve(world.size());
-  for (const Path& path : world.paths()) places.push_back(position_at(path, moment)[axis]);
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    places.push_back(world.unfolded_position(slot, moment)[axis]);
+  }
   const auto quarter = static_cast<std::ptrdiff_t>(places.size() / 4);
   const auto low = places.begin() + quarter;
   const auto high = places.end() - 1 - quarter;
@@ -43,7 +45,7 @@ Moments moments_of(const World& world, const Time& moment) {
       sum += power;
       power *= world.radius(slot);
     }
-    moments.mean_speed += length(world.path(slot).velocity);
+    moments.mean_speed += length(world.velocity(slot, moment));
   });
   const double per_sphere = 1 / static_cast<double>(world.size());
   for (double& sum : moments.radius_power) sum *= per_sphere;

@@ -8,6 +8,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/world/neighborhood.hpp"
+#include "hardball/world/walls.hpp"
 
 namespace hardball {
 namespace {
@@ -16,16 +17,19 @@ bool is_finite(const Vec3& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
-void note_escape(const World& world, Slot slot, const Vec3& position, Audit& found) {
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!world.box().is_wall(axis)) continue;
-    const double radius = world.radius(slot);
-    const double through =
-        std::max(radius - position[axis], position[axis] + radius - world.box().size()[axis]) / (2 * radius);
-    if (through <= found.max_escape) continue;
+void note_escape(const World& world, Slot slot, const Vec3& position, const Time& moment, Audit& found) {
+  const double radius = world.radius(slot);
+  const auto note = [&](double distance) {
+    const double through = (radius - distance) / (2 * radius);
+    if (through <= found.max_escape) return;
     found.max_escape = through;
     found.escaped = world.id(slot);
+  };
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!world.box().is_wall(axis)) continue;
+    note(std::min(position[axis], world.box().size()[axis] - position[axis]));
   }
+  note(distance_to_surfaces(world, position, moment));
 }
 
 }  // namespace
@@ -50,7 +54,7 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
       continue;
     }
     const Vec3 position = world.position(slot, moment);
-    note_escape(world, slot, position, found);
+    note_escape(world, slot, position, moment, found);
     neighborhood.for_each_near(position, world.radius(slot),
                                [&](std::uint32_t index, const Vec3& separation, double reach) {
                                  // With a margin for rounding; most neighbours are farther away.
@@ -82,6 +86,11 @@ void refuse_unsound(const World& world, const Time& moment, const Progress& prog
 }
 
 void refuse_overlap(const World& world, const Sphere& sphere, const Time& moment) {
+  const double through = sphere.radius - distance_to_surfaces(world, sphere.position, moment);
+  if (through > 2 * sphere.radius * kOverlapTolerance) {
+    throw Error("the new sphere reaches through a wall by " + to_text(through), "sphere to add",
+                "place it elsewhere or shrink it");
+  }
   for (Slot slot = 0; slot < world.size(); ++slot) {
     Vec3 separation = world.position(slot, moment) - sphere.position;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {

@@ -35,8 +35,8 @@ Audit audit(const World& world, const Time& moment, const Progress& progress = {
 /// `moment`. Error: names the worst pair, or the sphere.
 void refuse_unsound(const World& world, const Time& moment, const Progress& progress = {});
 
-/// Refuses a sphere that would overlap one in the world by more than kOverlapTolerance. Cost: O(n).
-/// Error: names the sphere in the way.
+/// Refuses a sphere that would overlap one in the world, or reach through a surface, by more than
+/// kOverlapTolerance. Cost: O(n). Error: names the sphere in the way.
 void refuse_overlap(const World& world, const Sphere& sphere, const Time& moment);
 
 }  // namespace hardball

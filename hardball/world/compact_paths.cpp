@@ -67,13 +67,18 @@ void CompactPaths::choose_units(const World& world) {
     copies_ = world.size();
     for (const Path& path : world.paths()) squares_ += dot(path.velocity, path.velocity);
   }
+  // In falling by l, a sphere that is bounded does not come to exceed half of the greatest speed.
+  const double fall = length(world.motion().gravity()) * farthest_;
   const double mean = copies_ > 0 ? std::sqrt(squares_ / static_cast<double>(copies_)) : 0;
   // Squares of slower speeds underflow; inelastic collapse leads to them. Then nothing is bounded.
   constexpr double kSlowest = 0x1p-400;
-  const double greatest_speed = std::max(kSpeedMargin * mean, kSlowest);
+  constexpr double kFallMargin = 16;
+  const double usual_speed = std::max(kSpeedMargin * mean, kSlowest);
+  const double greatest_speed =
+      fall > 0 ? std::sqrt(4 * usual_speed * usual_speed + kFallMargin * fall) : usual_speed;
   const double speed_unit = unit_of(greatest_speed);
   const double v = greatest_speed / speed_unit;
-  greatest_speed_squared_ = greatest_speed > kSlowest ? greatest_speed * greatest_speed : -1;
+  greatest_speed_squared_ = greatest_speed > kSlowest ? usual_speed * usual_speed : -1;
   per_speed_ = 1 / speed_unit;
   time_unit_ = length_unit / speed_unit;
   ticks_per_time_ = kTicks / time_unit_;
@@ -91,7 +96,9 @@ void CompactPaths::choose_units(const World& world) {
     steps_per_length_[axis] = 1 / step;
     farthest_place_[axis] = std::min(kFarthestPlace * farthest_, kMostSteps * step);
     scale_.grid[axis] = static_cast<float>(step / length_unit);
+    scale_.gravity[axis] = static_cast<float>(world.motion().gravity()[axis] / speed_unit * time_unit_);
   }
+  scale_.has_gravity = fall > 0;
   const double w = 2 * v;
   scale_.tick = static_cast<float>(1 / kTicks);
   scale_.reach_allowance = rounded_up(0x1p-20 * l);
@@ -109,6 +116,19 @@ void CompactPaths::choose_units(const World& world) {
   radii_.resize(world.size());
   for (Slot slot = 0; slot < world.size(); ++slot)
     radii_[slot] = rounded_up(world.radius(slot) / length_unit);
+}
+
+// Until then the sphere moves no farther than l, counting its rise and its fall apart.
+double CompactPaths::longest_age_of_falling(Slot slot) const {
+  if (!is_bounded(slot)) return longest_age_;
+  constexpr float kRoundedDown = 1 - 0x1p-10F;
+  const auto square = [](const std::array<float, 3>& a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; };
+  const auto farthest = static_cast<float>(farthest_ / length_unit_);
+  const float speed_squared = square(paths_[slot].velocity);
+  const float gravity = std::sqrt(square(scale_.gravity));
+  const float root = std::sqrt(speed_squared + 2 * gravity * farthest);
+  const float age = kRoundedDown * 2 * farthest / (std::sqrt(speed_squared) + root);
+  return std::min(longest_age_, time_unit_ * static_cast<double>(age));
 }
 
 // A place may be too far away for the fast conversion to an integer.

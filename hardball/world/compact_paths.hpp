@@ -35,11 +35,10 @@ class CompactPaths {
 
   /// Copies one path as it is at `now`.
   void copy(const World& world, Slot slot, const Time& now) {
-    const Path& path = world.path(slot);
-    const Vec3 place = position_at(path, now);
+    const Vec3 place = world.unfolded_position(slot, now);
     const double ticks = duration(epoch_, now) * ticks_per_time_;
-    const double speed_squared = dot(path.velocity, path.velocity);
-    const Vec3& v = path.velocity;
+    const Vec3 v = world.velocity(slot, now);
+    const double speed_squared = dot(v, v);
     CompactPath& copy = paths_[slot];
     copy.store({to_integer(place.x * steps_per_length_.x), to_integer(place.y * steps_per_length_.y),
                 to_integer(place.z * steps_per_length_.z)},
@@ -66,7 +65,9 @@ class CompactPaths {
   static constexpr std::uint32_t kRevision = 8;
 
   /// How long the copy of a moving sphere is good [T].
-  double longest_age() const { return longest_age_; }
+  double longest_age(Slot slot) const {
+    return !scale_.has_gravity ? longest_age_ : longest_age_of_falling(slot);
+  }
 
   /// By slot.
   std::span<const CompactPath> paths() const { return paths_; }
@@ -102,6 +103,7 @@ class CompactPaths {
   }
 
   void choose_units(const World& world);
+  double longest_age_of_falling(Slot slot) const;
   void note_unbounded(CompactPath& copy, const Vec3& place);
 
   LargeVector<CompactPath> paths_;  // by slot

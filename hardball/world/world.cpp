@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <type_traits>
+#include <utility>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/world/range.hpp"
@@ -29,6 +30,33 @@ void check_velocity(const Vec3& velocity, const std::string& where) {
   }
 }
 
+// A plane or a tube must be the same in every image of the box; what encloses spheres must lie inside it.
+void refuse_in_periodic_box(const Surface& surface, const Box& box) {
+  const auto refuse = [&](std::size_t axis, const char* remedy) {
+    throw Error("a " + std::string(surface.name()) + " is not periodic along " + kAxisNames[axis], "walls",
+                remedy);
+  };
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!box.is_periodic(axis) || std::holds_alternative<Obstacle>(surface.shape())) continue;
+    if (const auto* plane = std::get_if<Plane>(&surface.shape())) {
+      if (plane->normal()[axis] != 0) refuse(axis, "make it parallel to the axis, or the axis not periodic");
+      continue;
+    }
+    if (const auto* plane = std::get_if<OscillatingPlane>(&surface.shape())) {
+      if (plane->normal()[axis] != 0) refuse(axis, "make it parallel to the axis, or the axis not periodic");
+      continue;
+    }
+    const auto* cylinder = std::get_if<Cylinder>(&surface.shape());
+    if (cylinder != nullptr && std::fabs(cylinder->axis()[axis]) == 1) continue;
+    if (cylinder != nullptr && cylinder->axis()[axis] != 0) refuse(axis, "let it run along an axis of the box");
+    const double radius = cylinder != nullptr ? cylinder->radius() : std::get<HollowSphere>(surface.shape()).radius();
+    const double center = surface.point()[axis];
+    if (surface.velocity()[axis] != 0 || center < radius || center > box.size()[axis] - radius) {
+      refuse(axis, "keep it inside the box and at rest, or make the axis open");
+    }
+  }
+}
+
 std::string name_of(SphereId id) {
   return "sphere " + to_text(id);
 }
@@ -42,6 +70,18 @@ void check_queried(const Time& moment, std::string_view where) {
 constexpr double kWallTolerance = 1e-12;
 
 }  // namespace
+
+World::World(const Box& box, const Vec3& gravity, std::vector<Surface> surfaces)
+    : box_(box), motion_(gravity), surfaces_(std::move(surfaces)) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const double g = gravity[axis];
+    check_finite(g, "gravity", "gravity");
+    if (g != 0 && std::fabs(g) < kSmallestMagnitude) {
+      throw Error("gravity is " + to_text(g), "gravity", "give zero, or a magnitude of at least 1e-60");
+    }
+  }
+  for (const Surface& surface : surfaces_) refuse_in_periodic_box(surface, box_);
+}
 
 void World::reserve(std::size_t count) {
   ids_.reserve(count);
@@ -133,7 +173,7 @@ Image World::change_velocity(Slot slot, const Time& moment, const Vec3& velocity
 }
 
 Image World::rewrite_path(Slot slot, const Time& moment, const Vec3& velocity) {
-  Vec3 position = position_at(paths_[slot], moment);
+  Vec3 position = unfolded_position(slot, moment);
   const Image folded = box_.fold(position);
   store_path(slot, {position, velocity, moment}, folded);
   return folded;
@@ -159,25 +199,31 @@ Slot World::slot_of(SphereId id) const {
 
 Vec3 World::position(Slot slot, const Time& moment) const {
   check_queried(moment, "position");
-  Vec3 position = position_at(paths_[slot], moment);
+  Vec3 position = unfolded_position(slot, moment);
   box_.fold(position);
   return position;
 }
 
 Image World::image(Slot slot, const Time& moment) const {
   check_queried(moment, "image");
-  return folded_[slot] + box_.boxes_beyond(position_at(paths_[slot], moment));
+  return folded_[slot] + box_.boxes_beyond(unfolded_position(slot, moment));
 }
 
-double World::kinetic_energy() const {
+double World::kinetic_energy(const Time& moment) const {
   double energy = 0;
-  for_each_by_id([&](Slot slot) { energy += hardball::kinetic_energy(*this, slot); });
+  for_each_by_id([&](Slot slot) { energy += hardball::kinetic_energy(*this, slot, moment); });
   return energy;
 }
 
-Vec3 World::momentum() const {
+double World::energy(const Time& moment) const {
+  double energy = 0;
+  for_each_by_id([&](Slot slot) { energy += hardball::energy(*this, slot, moment); });
+  return energy;
+}
+
+Vec3 World::momentum(const Time& moment) const {
   Vec3 momentum;
-  for_each_by_id([&](Slot slot) { momentum += masses_[slot] * paths_[slot].velocity; });
+  for_each_by_id([&](Slot slot) { momentum += masses_[slot] * velocity(slot, moment); });
   return momentum;
 }
 
@@ -194,23 +240,13 @@ double World::largest_radius() const {
 std::size_t World::memory_bytes() const {
   return paths_.capacity() * sizeof(Path) + radii_.memory_bytes() + masses_.memory_bytes() +
          ids_.capacity() * sizeof(SphereId) + slots_by_id_.capacity() * sizeof(Slot) +
-         folded_.capacity() * sizeof(Image);
+         folded_.capacity() * sizeof(Image) + surfaces_.capacity() * sizeof(Surface);
 }
 
-Event next_wall_event(const World& world, Slot slot) {
-  const Path& path = world.path(slot);
-  const double radius = world.radius(slot);
-  Event next;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!world.box().is_wall(axis) || path.velocity[axis] == 0) continue;
-    const bool upper = path.velocity[axis] > 0;
-    const double distance =
-        upper ? (world.box().size()[axis] - radius) - path.position[axis] : path.position[axis] - radius;
-    const double wait = time_to_plane(distance, std::fabs(path.velocity[axis]));
-    const Event event{after(path.time, wait), EventKind::wall, world.id(slot), face_of(axis, upper), {}};
-    if (event < next) next = event;
-  }
-  return next;
+double energy(const World& world, Slot slot, const Time& moment) {
+  const double kinetic = kinetic_energy(world, slot, moment);
+  if (world.motion().is_straight()) return kinetic;
+  return kinetic - world.mass(slot) * dot(world.motion().gravity(), world.unwrapped_position(slot, moment));
 }
 
 }  // namespace hardball

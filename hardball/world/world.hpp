@@ -11,6 +11,7 @@
 #include "hardball/geometry/contact_time.hpp"
 #include "hardball/memory/huge_pages.hpp"
 #include "hardball/memory/prefetch.hpp"
+#include "hardball/surfaces/surface.hpp"
 #include "hardball/world/box.hpp"
 #include "hardball/world/per_sphere.hpp"
 
@@ -24,13 +25,21 @@ struct Sphere {
   double mass = 1;     ///< [M]
 };
 
-/// The box and the spheres in it: their stored paths, radii and masses. The state of the motion and nothing
-/// else.
+/// The box, the surfaces and the spheres in it: their stored paths, radii and masses. The state of the motion
+/// and nothing else.
 class World {
  public:
   explicit World(const Box& box = Box::open()) : box_(box) {}
+  /// With an acceleration that acts on all spheres [L/T^2], and walls and obstacles, which are numbered from
+  /// kFaces on. Error: gravity is not finite or out of range; a surface that is not the same in every periodic
+  /// image of the box, and is no obstacle.
+  World(const Box& box, const Vec3& gravity, std::vector<Surface> surfaces = {});
 
   const Box& box() const { return box_; }
+  const Motion& motion() const { return motion_; }
+  std::span<const Surface> surfaces() const { return surfaces_; }
+  /// The surface of a wall event. Precondition: `number` is not that of a face of the box.
+  const Surface& surface(std::uint32_t number) const { return surfaces_[number - kFaces]; }
   std::size_t size() const { return paths_.size(); }
 
   /// Reserves memory for `count` spheres.
@@ -67,6 +76,12 @@ class World {
   double mass(Slot slot) const { return masses_[slot]; }
   const PerSphere& radii() const { return radii_; }
   const Path& path(Slot slot) const { return paths_[slot]; }
+  /// Where the path leads at `moment`, perhaps out of a periodic box [L]. Precondition: `moment` is finite.
+  Vec3 unfolded_position(Slot slot, const Time& moment) const {
+    return motion_.position_at(paths_[slot], moment);
+  }
+  /// The velocity at `moment` [L/T]. Precondition: `moment` is finite.
+  Vec3 velocity(Slot slot, const Time& moment) const { return motion_.velocity_at(paths_[slot], moment); }
   std::span<const Path> paths() const { return paths_; }
 
   /// Prefetches what every event of a sphere needs.
@@ -96,14 +111,22 @@ class World {
 
   /// The centre at `moment` [L], folded into a periodic box. Error: `moment` is NaN or infinite.
   Vec3 position(Slot slot, const Time& moment) const;
+  /// The centre at `moment` as if it had never been folded into the box [L]. Precondition: as for
+  /// unfolded_position.
+  Vec3 unwrapped_position(Slot slot, const Time& moment) const {
+    return unfolded_position(slot, moment) + box_.shift(folded_[slot]);
+  }
   /// By how many boxes the centre at `moment` would lie outside the box if it had never been folded. Error:
   /// as for position().
   Image image(Slot slot, const Time& moment) const;
 
-  /// Sum of m v^2 / 2 [M L^2 T^-2]. Cost: O(n).
-  double kinetic_energy() const;
-  /// Sum of m v [M L/T]. Cost: O(n).
-  Vec3 momentum() const;
+  /// Sum of m v^2 / 2 at `moment` [M L^2 T^-2]. Cost: O(n).
+  double kinetic_energy(const Time& moment) const;
+  /// Kinetic energy and, with gravity, potential energy, which is zero at the origin: a centre that has crossed
+  /// a periodic box is as far away as it has come [M L^2 T^-2]. Cost: O(n).
+  double energy(const Time& moment) const;
+  /// Sum of m v at `moment` [M L/T]. Cost: O(n).
+  Vec3 momentum(const Time& moment) const;
   /// Volume of the spheres [L^3]. Cost: O(n).
   double sphere_volume() const;
   /// The largest radius [L]; zero in an empty world.
@@ -115,6 +138,8 @@ class World {
   void sort_slots_by_id();
 
   Box box_;
+  Motion motion_;
+  std::vector<Surface> surfaces_;
   SphereId next_id_ = 0;
   LargeVector<SphereId> ids_;
   std::vector<Slot> slots_by_id_;  // all slots in the order of ids; empty while slots are in that order
@@ -124,39 +149,19 @@ class World {
   std::vector<Image> folded_;  // by how many boxes the centre has been folded back
 };
 
-/// m v^2 / 2 of one sphere [M L^2 T^-2].
-inline double kinetic_energy(const World& world, Slot slot) {
-  const Vec3& velocity = world.path(slot).velocity;
+/// m v^2 / 2 of one sphere at `moment` [M L^2 T^-2].
+inline double kinetic_energy(const World& world, Slot slot, const Time& moment) {
+  const Vec3 velocity = world.velocity(slot, moment);
   return world.mass(slot) * dot(velocity, velocity) / 2;
 }
 
+/// The same, with potential energy; see World::energy.
+double energy(const World& world, Slot slot, const Time& moment);
+
 /// The moment at which two spheres touch, `image` being that of `b` which `a` meets; kNever if never.
 inline Time contact_time(const World& world, Slot a, Slot b, const Image& image) {
-  return contact_time(world.path(a), world.path(b), world.box().shift(image),
+  return contact_time(world.motion(), world.path(a), world.path(b), world.box().shift(image),
                       world.radius(a) + world.radius(b));
-}
-
-/// The next contact of a sphere with a wall of the box; if there is none, an event that never happens.
-Event next_wall_event(const World& world, Slot slot);
-
-/// Whether a sphere may meet a wall of the box before `time`, from products instead of quotients: if not,
-/// the high part of the time of next_wall_event is no less than `time`. Precondition: its path does not start
-/// later.
-inline bool may_meet_wall(const World& world, Slot slot, double time) {
-  const Path& path = world.path(slot);
-  const double radius = world.radius(slot);
-  // More than the difference, the quotient and the product are rounded by.
-  constexpr double kRounding = 1 + 0x1p-50;
-  const double elapsed = (time - rounded_down(path.time)) * kRounding;
-  bool may = false;
-  for_each_axis([&](auto axis) {
-    const double velocity = path.velocity[axis];
-    const double below = path.position[axis] - radius;
-    const double above = (world.box().size()[axis] - radius) - path.position[axis];
-    const double way = std::fabs(velocity) * elapsed;
-    may |= world.box().is_wall(axis) && (velocity > 0 ? above : below) <= way;
-  });
-  return may;
 }
 
 }  // namespace hardball

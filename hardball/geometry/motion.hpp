@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hardball/geometry/path.hpp"
+
+namespace hardball {
+
+/// How the centres of all spheres move along their paths between contacts: uniformly, or along parabolas.
+///
+/// The same for all, so that the separation of two centres always changes uniformly. Whether there is gravity
+/// is a branch that the processor predicts; kernels, where it would cost, are compiled for both.
+class Motion {
+ public:
+  /// Straight paths.
+  Motion() = default;
+  /// Free fall with this acceleration [L/T^2]; straight paths if it is zero.
+  explicit Motion(const Vec3& gravity) : gravity_(gravity), is_straight_(gravity == Vec3{}) {}
+
+  bool is_straight() const { return is_straight_; }
+  /// The acceleration of every centre [L/T^2].
+  const Vec3& gravity() const { return gravity_; }
+
+  /// The centre at `moment` [L], which may lie outside a periodic box. Precondition: `moment` is finite.
+  Vec3 position_at(const Path& path, const Time& moment) const {
+    const double age = duration(path.time, moment);
+    if (is_straight_) [[likely]]
+      return path.position + age * path.velocity;
+    return path.position + age * (path.velocity + (0.5 * age) * gravity_);
+  }
+  /// The velocity at `moment` [L/T]. Precondition: `moment` is finite.
+  Vec3 velocity_at(const Path& path, const Time& moment) const {
+    if (is_straight_) [[likely]]
+      return path.velocity;
+    return path.velocity + duration(path.time, moment) * gravity_;
+  }
+
+ private:
+  Vec3 gravity_;
+  bool is_straight_ = true;
+};
+
+/// The time until a point that moves along a line with velocity `v` [L/T] and acceleration `a` [L/T^2] first
+/// moves beyond `distance` >= 0 [L] ahead of it; infinity if it never does.
+inline double time_to_pass(double distance, double v, double a) {
+  constexpr double kForever = std::numeric_limits<double>::infinity();
+  const double square = v * v + 2 * a * distance;
+  if (!(square >= 0)) return kForever;
+  const double root = std::sqrt(square);
+  if (v > 0) return 2 * distance / (v + root);
+  return a > 0 ? (root - v) / a : kForever;
+}
+
+/// The time until such a point first leaves the interval from `below` >= 0 behind it to `above` >= 0 ahead of
+/// it [L]; infinity if it never does.
+inline double time_to_leave(double below, double above, double v, double a) {
+  return std::min(time_to_pass(above, v, a), time_to_pass(below, -v, -a));
+}
+
+}  // namespace hardball

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+#include "hardball/surfaces/passage.hpp"
+#include "hardball/surfaces/plane.hpp"
+
+namespace hardball {
+
+/// A plane that oscillates along its normal about the origin: at time t it is amplitude * sin(2 pi frequency
+/// t) away.
+class OscillatingPlane {
+ public:
+  static constexpr std::string_view kName = "oscillating plane";
+
+  /// `normal` is a unit vector, towards the spheres; amplitude [L], frequency [1/T].
+  OscillatingPlane(const Vec3& normal, double amplitude, double frequency)
+      : rest_(normal), amplitude_(amplitude), frequency_(frequency) {}
+
+  const Vec3& normal() const { return rest_.normal(); }
+  double amplitude() const { return amplitude_; }
+  double frequency() const { return frequency_; }
+
+  /// The time after the start of a passage at which a sphere of this radius first touches the plane while they
+  /// approach; infinity if never. The gap, a parabola less a sine, is evaluated in twice the precision, and
+  /// advanced by steps in which a bound of its curvature excludes a contact, to the last bit.
+  double time_to_touch(const Passage& passage, double radius) const;
+  /// How fast the gap opens at the start of a passage [L/T]; negative if it closes.
+  DoubleDouble<> opening_speed(const Passage& passage) const;
+
+  double distance(const Vec3& place) const { return rest_.distance(place); }
+  Vec3 towards(const Vec3& place) const { return rest_.towards(place); }
+  /// By how much the plane is displaced at `moment` [L], and how fast it moves [L/T].
+  Vec3 displacement_at(const Time& moment) const;
+  Vec3 velocity_at(const Time& moment) const;
+
+ private:
+  struct Gap {
+    double width;
+    double opening_speed;
+  };
+  Gap gap_at(const Polynomial& rest, const Time& start, double t) const;
+
+  Plane rest_;
+  double amplitude_;
+  double frequency_;
+};
+
+}  // namespace hardball

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include "hardball/geometry/double_double.hpp"
+#include "hardball/geometry/time.hpp"
+#include "hardball/geometry/vec3.hpp"
+#include "hardball/surfaces/polynomial.hpp"
+
+namespace hardball {
+
+/// A vector in twice the precision.
+using PreciseVector = std::array<DoubleDouble<>, kAxes>;
+
+/// a - b, exactly.
+inline PreciseVector precise_difference(const Vec3& a, const Vec3& b) {
+  return {difference(a.x, b.x), difference(a.y, b.y), difference(a.z, b.z)};
+}
+
+inline PreciseVector precise(const Vec3& a) {
+  return {{{a.x, 0}, {a.y, 0}, {a.z, 0}}};
+}
+
+inline DoubleDouble<> dot(const PreciseVector& a, const PreciseVector& b) {
+  return sum_of_three(a[0] * b[0], a[1] * b[1], a[2] * b[2]);
+}
+
+inline PreciseVector cross(const PreciseVector& a, const PreciseVector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// The motion of a sphere's centre past a surface, from the start of its path on: where it is relative to the
+/// point that defines the surface, and in the frame in which that point rests. A parabola, or a line.
+struct Passage {
+  PreciseVector place;         ///< At the start [L].
+  PreciseVector velocity;      ///< At the start [L/T].
+  PreciseVector acceleration;  ///< [L/T^2]
+  Time start;                  ///< [T]
+};
+
+/// The square of the distance from the origin, along the curve a + b t + c t^2.
+inline Polynomial squared_distance(const PreciseVector& a, const PreciseVector& b, const PreciseVector& c) {
+  const DoubleDouble<> two{2, 0};
+  return {{dot(a, a), two * dot(a, b), dot(b, b) + two * dot(a, c), two * dot(b, c), dot(c, c)}};
+}
+
+inline PreciseVector half(const PreciseVector& a) {
+  PreciseVector halved = a;
+  for (DoubleDouble<>& component : halved) component = {0.5 * component.high, 0.5 * component.low};
+  return halved;
+}
+
+/// What is left of a squared distance to a greatest one: positive inside.
+inline Polynomial room_within(double distance, const Polynomial& squared) {
+  Polynomial room;
+  for (std::size_t i = 0; i <= Polynomial::kMostDegree; ++i) room.coefficients[i] = -squared.coefficients[i];
+  room.coefficients[0] = product(distance, distance) - squared.coefficients[0];
+  return room;
+}
+
+}  // namespace hardball

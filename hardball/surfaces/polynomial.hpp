@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "hardball/geometry/double_double.hpp"
+
+namespace hardball {
+
+/// A polynomial in time of degree four at most, its coefficients in twice the precision: how a squared
+/// distance changes along a parabola, for one.
+struct Polynomial {
+  static constexpr std::size_t kMostDegree = 4;
+
+  std::array<DoubleDouble<>, kMostDegree + 1> coefficients{};  ///< Of t^0, t^1, and so on.
+
+  DoubleDouble<> operator()(double t) const;
+  /// The highest power whose coefficient is not zero.
+  std::size_t degree() const;
+  Polynomial derivative() const;
+};
+
+/// The earliest t >= 0 at which the polynomial is not positive and decreases; infinity if there is none.
+///
+/// So a gap that is closed and still closing is met at once, one that is closed but opens is met when it
+/// turns, and a gap that is only grazed is not met. Up to degree two accurate to a few units in the last
+/// place; beyond, the least double at which the polynomial, evaluated in twice the precision, is not
+/// positive. Source: Bannerman et al., Comp. Part. Mech. 1 (2014) 191, section 2.
+double earliest_descent(const Polynomial& polynomial);
+
+}  // namespace hardball

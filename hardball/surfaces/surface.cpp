@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/surfaces/surface.hpp"
+
+#include <cmath>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+namespace {
+
+// Numbers of a surface are checked by whoever describes it; here, that the shape can be computed with.
+void check_direction(const Vec3& direction, const char* name) {
+  constexpr double kRounding = 1e-12;
+  if (std::fabs(dot(direction, direction) - 1) <= kRounding) return;
+  throw Error(std::string("the ") + name + " of a surface has the length " + to_text(length(direction)),
+              "surface", "give a unit vector");
+}
+
+void check_radius(double radius) {
+  if (radius > 0 && std::isfinite(radius)) return;
+  throw Error("the radius of a surface is " + to_text(radius), "surface", "give a positive number");
+}
+
+void check(const Plane& plane) {
+  check_direction(plane.normal(), "normal");
+}
+void check(const OscillatingPlane& plane) {
+  check_direction(plane.normal(), "normal");
+  if (plane.amplitude() > 0 && plane.frequency() > 0 && std::isfinite(plane.amplitude() * plane.frequency()))
+    return;
+  throw Error("a surface oscillates with amplitude " + to_text(plane.amplitude()) + " and frequency " +
+                  to_text(plane.frequency()),
+              "surface", "give positive numbers");
+}
+void check(const Cylinder& cylinder) {
+  check_direction(cylinder.axis(), "axis");
+  check_radius(cylinder.radius());
+}
+void check(const HollowSphere& sphere) {
+  check_radius(sphere.radius());
+}
+void check(const Obstacle& obstacle) {
+  check_radius(obstacle.radius());
+}
+
+DoubleDouble<> opening_speed(const auto& shape, const Passage& passage) {
+  if constexpr (requires { shape.opening_speed(passage); }) {
+    return shape.opening_speed(passage);
+  } else {
+    return shape.gap(passage, 0).coefficients[1];
+  }
+}
+
+}  // namespace
+
+Surface::Surface(const Shape& shape, const Vec3& point, const Vec3& velocity, const SurfaceMaterial& material)
+    : shape_(shape), point_(point), velocity_(velocity), material_(material) {
+  std::visit([](const auto& given) { check(given); }, shape);
+  if (!std::isfinite(dot(point, point)) || !std::isfinite(dot(velocity, velocity))) {
+    throw Error("a point or a velocity of a surface is not finite", "surface", "give finite numbers");
+  }
+  if (material.restitution && !(*material.restitution >= 0 && *material.restitution <= 1)) {
+    throw Error("the restitution of a surface is " + to_text(*material.restitution), "surface",
+                "give a number between 0 and 1");
+  }
+  if (material.temperature && !(*material.temperature >= 0 && std::isfinite(*material.temperature))) {
+    throw Error("the temperature of a surface is " + to_text(*material.temperature), "surface",
+                "give zero or a positive number");
+  }
+}
+
+std::string_view Surface::name() const {
+  return std::visit([](const auto& shape) { return std::string_view(shape.kName); }, shape_);
+}
+
+Passage Surface::passage_of(const Motion& motion, const Path& path) const {
+  Passage passage{precise_difference(path.position, point_), precise_difference(path.velocity, velocity_),
+                precise(motion.gravity()), path.time};
+  if (velocity_ == Vec3{}) return passage;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    passage.place[axis] = passage.place[axis] - (product(velocity_[axis], path.time.high) +
+                                               product(velocity_[axis], path.time.low));
+  }
+  return passage;
+}
+
+Time Surface::contact_time(const Motion& motion, const Path& path, double radius) const {
+  const Passage passage = passage_of(motion, path);
+  const double wait = std::visit(
+      [&](const auto& shape) {
+        if constexpr (requires { shape.time_to_touch(passage, radius); }) {
+          return shape.time_to_touch(passage, radius);
+        } else {
+          return earliest_descent(shape.gap(passage, radius));
+        }
+      },
+      shape_);
+  return after(path.time, wait);
+}
+
+bool Surface::is_approached(const Motion& motion, const Path& path) const {
+  const Passage passage = passage_of(motion, path);
+  const DoubleDouble<> speed =
+      std::visit([&](const auto& shape) { return opening_speed(shape, passage); }, shape_);
+  return speed.high < 0 || (speed.high == 0 && speed.low < 0);
+}
+
+double Surface::free_until(const Motion& motion, const Path& path, double radius, const Time& now) const {
+  // More than distance, speed and wait are rounded by.
+  constexpr double kRounding = 0x1p-40;
+  const Vec3 position = motion.position_at(path, now);
+  const double scale = length(position) + length(point_) + length(velocity_) * std::fabs(now.high) + radius;
+  const Vec3 place = (position - now.high * velocity_) - point_;
+  const double gap = std::visit(
+      [&](const auto& shape) {
+        const double distance = shape.distance(place) - radius - kRounding * scale;
+        if constexpr (requires { shape.amplitude(); }) return distance - shape.amplitude();
+        return distance;
+      },
+      shape_);
+  if (!(gap > 0)) return rounded_down(now);
+  const double speed = length(motion.velocity_at(path, now) - velocity_);
+  const double acceleration = length(motion.gravity());
+  const double wait = 2 * gap / (speed + std::sqrt(speed * speed + 2 * acceleration * gap));
+  return rounded_down(now) + (1 - kRounding) * wait;
+}
+
+Vec3 Surface::place_of(const Vec3& position, const Time& moment) const {
+  Vec3 place = (position - point_) - (moment.high * velocity_ + moment.low * velocity_);
+  std::visit(
+      [&](const auto& shape) {
+        if constexpr (requires { shape.displacement_at(moment); }) place -= shape.displacement_at(moment);
+      },
+      shape_);
+  return place;
+}
+
+double Surface::distance(const Vec3& position, const Time& moment) const {
+  const Vec3 place = place_of(position, moment);
+  return std::visit([&](const auto& shape) { return shape.distance(place); }, shape_);
+}
+
+Vec3 Surface::direction(const Vec3& position, const Time& moment) const {
+  const Vec3 place = place_of(position, moment);
+  const Vec3 towards = std::visit([&](const auto& shape) { return shape.towards(place); }, shape_);
+  const double distance = length(towards);
+  if (!(distance > 0)) return {1, 0, 0};  // from the very middle every direction leads there
+  if (distance == 1) return towards;
+  return (1 / distance) * towards;
+}
+
+Vec3 Surface::velocity_at(const Time& moment) const {
+  Vec3 velocity = velocity_;
+  std::visit(
+      [&](const auto& shape) {
+        if constexpr (requires { shape.velocity_at(moment); }) velocity += shape.velocity_at(moment);
+      },
+      shape_);
+  return velocity;
+}
+
+}  // namespace hardball

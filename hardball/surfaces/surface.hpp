@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "hardball/geometry/motion.hpp"
+#include "hardball/surfaces/cylinder.hpp"
+#include "hardball/surfaces/hollow_sphere.hpp"
+#include "hardball/surfaces/obstacle.hpp"
+#include "hardball/surfaces/oscillating_plane.hpp"
+#include "hardball/surfaces/plane.hpp"
+
+namespace hardball {
+
+/// The shapes of surfaces, each in a file of its own: where a sphere touches it, and which way it lies.
+///
+/// A shape has `kName`; `gap(passage, radius)`, a polynomial that is positive while a sphere does not touch
+/// it, or `time_to_touch(passage, radius)` and `opening_speed(passage)`; `distance(place)` and
+/// `towards(place)`; and if it moves by itself, `displacement_at(moment)` and `velocity_at(moment)`. Places
+/// are relative to the surface's point.
+using Shape = std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle>;
+
+/// What a surface does to spheres that touch it.
+struct SurfaceMaterial {
+  std::optional<double> restitution = {};  ///< [1]; that of the response if absent.
+  /// k T of a thermal wall [M L^2 T^-2], from which spheres return with random velocities; if absent, the
+  /// surface reflects.
+  std::optional<double> temperature = {};
+  std::uint64_t seed = 0;  ///< Of a thermal wall's random numbers.
+};
+
+/// A wall or an obstacle in the way of spheres: at rest, in uniform motion, or oscillating.
+class Surface {
+ public:
+  /// `point` [L]: of the plane, on the axis, or the centre, at time zero; `velocity` [L/T]: of the whole
+  /// surface. Error: a number out of range; a direction that is no unit vector.
+  Surface(const Shape& shape, const Vec3& point, const Vec3& velocity = {},
+          const SurfaceMaterial& material = {});
+
+  const Shape& shape() const { return shape_; }
+  const Vec3& point() const { return point_; }
+  const Vec3& velocity() const { return velocity_; }
+  const SurfaceMaterial& material() const { return material_; }
+  std::string_view name() const;
+
+  /// When a sphere on `path` first touches the surface while they approach, at the start of the path or
+  /// later; kNever if it never does. A function of the path alone.
+  Time contact_time(const Motion& motion, const Path& path, double radius) const;
+  /// Whether a sphere at the start of `path` approaches the surface: if not, and if it touches it, it does so
+  /// again only later.
+  bool is_approached(const Motion& motion, const Path& path) const;
+  /// A time before which a sphere on `path` does not touch the surface [T], from where it is at `now`.
+  double free_until(const Motion& motion, const Path& path, double radius, const Time& now) const;
+
+  /// The distance of a point from the surface at `moment` [L]; negative beyond it.
+  double distance(const Vec3& position, const Time& moment) const;
+  /// The unit vector from a point towards the surface at `moment` [1].
+  Vec3 direction(const Vec3& position, const Time& moment) const;
+  /// The velocity of the surface at `moment` [L/T].
+  Vec3 velocity_at(const Time& moment) const;
+
+ private:
+  Passage passage_of(const Motion& motion, const Path& path) const;
+  Vec3 place_of(const Vec3& position, const Time& moment) const;
+
+  Shape shape_;
+  Vec3 point_;
+  Vec3 velocity_;
+  SurfaceMaterial material_;
+};
+
+}  // namespace hardball

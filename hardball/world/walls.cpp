@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/world/walls.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <variant>
+
+#include "hardball/geometry/contact_time.hpp"
+#include "hardball/surfaces/polynomial.hpp"
+
+namespace hardball {
+namespace {
+
+bool is_periodic(const Box& box) {
+  return box.is_periodic(0) || box.is_periodic(1) || box.is_periodic(2);
+}
+
+bool has_images(const World& world, const Surface& surface) {
+  return is_periodic(world.box()) && std::holds_alternative<Obstacle>(surface.shape());
+}
+
+Path displaced(const Path& path, const Vec3& shift) {
+  return {path.position - shift, path.velocity, path.time};
+}
+
+// Calls visit(path) with the path relative to each image of a surface that is within reach.
+template <class Visit>
+void for_each_image(const World& world, const Surface& surface, Slot slot, const Time& now, double boxes,
+                    Visit&& visit) {
+  const Path& path = world.path(slot);
+  if (!has_images(world, surface)) return visit(path);
+  const double touching = std::get<Obstacle>(surface.shape()).radius() + world.radius(slot);
+  const Vec3 apart = (world.unfolded_position(slot, now) - surface.point()) - now.high * surface.velocity();
+  Image low;
+  Image high;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!world.box().is_periodic(axis)) continue;
+    const double size = world.box().size()[axis];
+    constexpr double kMargin = 1e-6;
+    const double reach = (boxes + kMargin) * size + touching;
+    low[axis] = static_cast<std::int32_t>(std::ceil((apart[axis] - reach) / size));
+    high[axis] = static_cast<std::int32_t>(std::floor((apart[axis] + reach) / size));
+  }
+  Image image;
+  for (image[0] = low[0]; image[0] <= high[0]; ++image[0]) {
+    for (image[1] = low[1]; image[1] <= high[1]; ++image[1]) {
+      for (image[2] = low[2]; image[2] <= high[2]; ++image[2]) {
+        visit(displaced(path, world.box().shift(image)));
+      }
+    }
+  }
+}
+
+// The time after the start of a path at which a sphere touches a face; infinity if never.
+double time_to_face(const World& world, Slot slot, std::size_t axis, bool upper) {
+  const Path& path = world.path(slot);
+  const double radius = world.radius(slot);
+  const double distance =
+      upper ? (world.box().size()[axis] - radius) - path.position[axis] : path.position[axis] - radius;
+  const double approach = upper ? path.velocity[axis] : -path.velocity[axis];
+  const double pull = upper ? world.motion().gravity()[axis] : -world.motion().gravity()[axis];
+  if (pull == 0) return time_to_plane(distance, approach);
+  return earliest_descent({{{{distance, 0}, {-approach, 0}, {-0.5 * pull, 0}}}});
+}
+
+}  // namespace
+
+bool has_walls(const World& world) {
+  const Box& box = world.box();
+  return box.is_wall(0) || box.is_wall(1) || box.is_wall(2) || !world.surfaces().empty();
+}
+
+bool has_images_of_obstacles(const World& world) {
+  return std::ranges::any_of(world.surfaces(),
+                             [&](const Surface& surface) { return has_images(world, surface); });
+}
+
+Event next_wall_event(const World& world, Slot slot, const Time& now, double boxes) {
+  const Path& path = world.path(slot);
+  Event next;
+  const auto note = [&](const Time& time, std::uint32_t wall) {
+    const Event event{time, EventKind::wall, world.id(slot), wall, {}};
+    if (event < next) next = event;
+  };
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!world.box().is_wall(axis)) continue;
+    for (const bool upper : {false, true}) {
+      note(after(path.time, time_to_face(world, slot, axis, upper)), face_of(axis, upper));
+    }
+  }
+  const double radius = world.radius(slot);
+  std::uint32_t number = kFaces;
+  for (const Surface& surface : world.surfaces()) {
+    for_each_image(world, surface, slot, now, boxes, [&](const Path& image) {
+      if (surface.free_until(world.motion(), image, radius, now) > next.time.high) return;
+      note(surface.contact_time(world.motion(), image, radius), number);
+    });
+    ++number;
+  }
+  return next;
+}
+
+bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const Time& now, double boxes) {
+  if (!(time < kNever.high)) return true;
+  const Path& path = world.path(slot);
+  const double radius = world.radius(slot);
+  constexpr double kRounding = 1 + 0x1p-48;
+  const double elapsed = (time - rounded_down(path.time)) * kRounding;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!world.box().is_wall(axis)) continue;
+    const double gravity = world.motion().gravity()[axis];
+    const double way =
+        elapsed * (std::fabs(path.velocity[axis]) + 0.5 * elapsed * std::fabs(gravity)) * kRounding;
+    const double below = path.position[axis] - radius;
+    const double above = (world.box().size()[axis] - radius) - path.position[axis];
+    if (std::min(below, above) <= way) return true;
+  }
+  bool may = false;
+  for (const Surface& surface : world.surfaces()) {
+    for_each_image(world, surface, slot, now, boxes, [&](const Path& image) {
+      may = may || surface.free_until(world.motion(), image, radius, now) < time;
+    });
+    if (may) return true;
+  }
+  return false;
+}
+
+double distance_to_surfaces(const World& world, const Vec3& position, const Time& moment) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Surface& surface : world.surfaces()) {
+    const Vec3 image = nearest_image_of(world, surface, position);
+    least = std::min(least, surface.distance(position - image, moment));
+  }
+  return least;
+}
+
+Vec3 nearest_image_of(const World& world, const Surface& surface, const Vec3& position) {
+  if (!has_images(world, surface)) return {};
+  return world.box().shift(world.box().nearest_image(position - surface.point()));
+}
+
+}  // namespace hardball

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// Whether there is anything but spheres to be met: faces of the box, or surfaces.
+bool has_walls(const World& world);
+
+/// Whether obstacles have images in a periodic box: then a sphere's contact with them must be predicted again
+/// at each of its crossings.
+bool has_images_of_obstacles(const World& world);
+
+/// The next contact of a sphere with a face of the box or a surface, where none has come before `now`; if
+/// there is none, an event that never happens. In a periodic box, images of obstacles count that are up to
+/// `boxes` box lengths away along each axis from where the sphere is now.
+Event next_wall_event(const World& world, Slot slot, const Time& now, double boxes);
+
+/// What may_meet_wall does for surfaces, and for faces of the box if there is gravity.
+bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const Time& now, double boxes);
+
+/// Whether a sphere may meet a wall before `time`, from products instead of quotients: if not, the high part
+/// of the time of next_wall_event is no less than `time`. Precondition: its path does not start later.
+inline bool may_meet_wall(const World& world, Slot slot, double time, const Time& now, double boxes) {
+  if (!world.motion().is_straight() || !world.surfaces().empty()) [[unlikely]]
+    return may_meet_wall_of_any_kind(world, slot, time, now, boxes);
+  const Path& path = world.path(slot);
+  const double radius = world.radius(slot);
+  // More than the difference, the quotient and the product are rounded by.
+  constexpr double kRounding = 1 + 0x1p-50;
+  const double elapsed = (time - rounded_down(path.time)) * kRounding;
+  bool may = false;
+  for_each_axis([&](auto axis) {
+    const double velocity = path.velocity[axis];
+    const double below = path.position[axis] - radius;
+    const double above = (world.box().size()[axis] - radius) - path.position[axis];
+    const double way = std::fabs(velocity) * elapsed;
+    may |= world.box().is_wall(axis) && (velocity > 0 ? above : below) <= way;
+  });
+  return may;
+}
+
+/// The distance from a point to the nearest surface at `moment`, or its nearest image [L]; negative beyond it,
+/// and infinite if there are none.
+double distance_to_surfaces(const World& world, const Vec3& position, const Time& moment);
+
+/// The displacement of the image of a surface nearest to `position`, in a periodic box [L]; zero if the
+/// surface has none.
+Vec3 nearest_image_of(const World& world, const Surface& surface, const Vec3& position);
+
+}  // namespace hardball
