@@ -69,6 +69,14 @@ json run(const std::string& scenario, const Arguments& more = {}) {
   return json::parse(outcome.output);
 }
 
+TEST(Schema, IsPrintedByCheckWithoutAScenario) {
+  const ScratchFolder folder;
+  const Outcome outcome = run_program(folder, {"check", "--schema"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.output, support::read_text(HARDBALL_SCENARIOS "/scenario.schema.json"));
+  EXPECT_EQ(outcome.messages, "");
+}
+
 TEST(Scenario, CradleCollidesOncePerUnitOfTime) {
   EXPECT_EQ(run("newtons_cradle", {"--until", "999.5"})["events"]["collision"], 999);
   EXPECT_EQ(run("newtons_cradle", {"--until", "1000"})["events"]["collision"], 1000);
