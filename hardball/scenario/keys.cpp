@@ -42,9 +42,99 @@ TableDescription box_keys() {
                .type = vector,
                .dimension = "L/T²",
                .default_value = "[0.0, 0.0, 0.0]",
-               .meaning = "this version supports only zero",
-               .example = "[0.0, 0.0, 0.0]"},
+               .meaning = "the acceleration of every sphere",
+               .example = "[0.0, 0.0, -9.81]"},
           }};
+}
+
+TableDescription radius_keys() {
+  return {
+      .title = "radius",
+      .keys = {
+          {.name = "distribution",
+           .type = choice,
+           .choices = {"uniform", "lognormal", "powerlaw", "discrete", "file"},
+           .is_required = true,
+           .meaning = "the kind of distribution",
+           .example = "\"uniform\""},
+          {.name = "min",
+           .range = positive,
+           .dimension = "L",
+           .is_required = true,
+           .meaning = "the smallest radius",
+           .example = "0.5",
+           .only_for = {"uniform", "powerlaw"}},
+          {.name = "max",
+           .range = positive,
+           .dimension = "L",
+           .is_required = true,
+           .meaning = "the largest radius",
+           .example = "1.0",
+           .only_for = {"uniform", "powerlaw"}},
+          {.name = "mean",
+           .range = positive,
+           .dimension = "L",
+           .is_required = true,
+           .meaning = "the mean radius of the distribution without `min` and `max`",
+           .example = "1.0",
+           .only_for = {"lognormal"}},
+          {.name = "sigma",
+           .range = positive,
+           .is_required = true,
+           .meaning = "the standard deviation of the natural logarithm of the radius",
+           .example = "0.25",
+           .only_for = {"lognormal"}},
+          {.name = "min",
+           .range = positive,
+           .dimension = "L",
+           .meaning = "smaller radii are drawn again",
+           .example = "0.5",
+           .only_for = {"lognormal"}},
+          {.name = "max",
+           .range = positive,
+           .dimension = "L",
+           .meaning = "larger radii are drawn again",
+           .example = "2.0",
+           .only_for = {"lognormal"}},
+          {.name = "exponent",
+           .is_required = true,
+           .meaning = "the density of radii is proportional to this power of the radius",
+           .example = "-2.5",
+           .only_for = {"powerlaw"}},
+          {.name = "values",
+           .type = numbers,
+           .range = positive,
+           .dimension = "L",
+           .is_required = true,
+           .meaning = "the radii",
+           .example = "[0.5, 1.0]",
+           .only_for = {"discrete"}},
+          {.name = "weights",
+           .type = numbers,
+           .range = positive,
+           .is_required = true,
+           .meaning = "how many spheres have each of the `values`, in proportion: exactly, up to less than "
+                      "one sphere",
+           .example = "[3.0, 1.0]",
+           .only_for = {"discrete"}},
+          {.name = "file",
+           .type = text,
+           .is_required = true,
+           .meaning =
+               "a text file with a radius [L] on each of `count` lines; its path is relative to the scenario",
+           .example = "\"radii.txt\"",
+           .only_for = {"file"}},
+      }};
+}
+
+TableDescription mass_keys() {
+  return {.title = "mass",
+          .keys = {{.name = "density",
+                    .range = positive,
+                    .dimension = "M/L³",
+                    .is_required = true,
+                    .meaning = "of the material: the mass of a sphere of radius r is 4π/3 r³ times this",
+                    .example = "2.0"}}};
 }
 
 TableDescription spheres_keys() {
@@ -64,14 +154,16 @@ TableDescription spheres_keys() {
                .range = positive,
                .dimension = "L",
                .is_required = true,
-               .meaning = "their radius",
-               .example = "1.0"},
+               .meaning = "their radius, or how their radii are distributed",
+               .example = "1.0",
+               .table = make(radius_keys())},
               {.name = "mass",
                .range = positive,
                .dimension = "M",
                .default_value = "1.0",
-               .meaning = "their mass",
-               .example = "2.0"},
+               .meaning = "their mass, or the density from which their masses follow",
+               .example = "2.0",
+               .table = make(mass_keys())},
               {.name = "placement",
                .type = choice,
                .choices = {"random", "fcc"},
@@ -86,7 +178,7 @@ TableDescription spheres_keys() {
               {.name = "mean_speed",
                .range = not_negative,
                .dimension = "L/T",
-               .meaning = "Maxwell velocities with this mean of \\|v\\|",
+               .meaning = "Maxwell velocities with this mean of |v|",
                .example = "1.0"},
               {.name = "temperature",
                .range = not_negative,
@@ -96,7 +188,7 @@ TableDescription spheres_keys() {
               {.name = "speed",
                .range = not_negative,
                .dimension = "L/T",
-               .meaning = "or: this \\|v\\| in random directions",
+               .meaning = "or: this |v| in random directions",
                .example = "1.0"},
               {.name = "velocities",
                .type = vectors,
@@ -120,29 +212,131 @@ TableDescription start_keys() {
 }
 
 TableDescription response_keys() {
-  return {.title = "[response]",
-          .keys = {{.name = "restitution",
-                    .range = fraction,
-                    .default_value = "1.0",
-                    .meaning = "the ratio of normal speeds after and before a contact; 1 is elastic",
-                    .example = "0.9"}}};
+  return {
+      .title = "[response]",
+      .keys = {{.name = "restitution",
+                .range = fraction,
+                .default_value = "1.0",
+                .meaning = "the ratio of normal speeds after and before a contact; 1 is elastic",
+                .example = "0.9"},
+               {.name = "elastic_below",
+                .range = not_negative,
+                .dimension = "L/T",
+                .meaning =
+                    "impacts slower than this are elastic; under gravity a sphere pressed against a surface "
+                    "parts from it with at least a tenth of it",
+                .example = "0.01"}}};
+}
+
+// How a fixed surface reflects spheres.
+std::vector<KeyDescription> surface_keys() {
+  return {
+      {.name = "restitution",
+       .range = fraction,
+       .meaning = "of contacts with it; that of `[response]` if not given",
+       .example = "0.8"},
+      {.name = "temperature",
+       .range = not_negative,
+       .dimension = "M L²/T²",
+       .meaning = "instead of `restitution`: a thermal wall, which spheres leave with velocities of this kT",
+       .example = "1.0"}};
+}
+
+TableDescription walls_keys() {
+  std::vector<KeyDescription> keys{
+      {.name = "shape",
+       .type = choice,
+       .choices = {"plane", "cylinder", "sphere"},
+       .is_required = true,
+       .meaning = "its shape; the spheres are inside a cylinder or a sphere",
+       .example = "\"plane\""},
+      {.name = "point",
+       .type = vector,
+       .dimension = "L",
+       .is_required = true,
+       .meaning = "a point of the plane, a point on the axis of the cylinder, or the centre of the sphere",
+       .example = "[5.0, 5.0, 5.0]"},
+      {.name = "normal",
+       .type = vector,
+       .is_required = true,
+       .meaning = "a vector of any length that points from the plane to the side where the spheres are",
+       .example = "[0.0, 0.0, 1.0]",
+       .only_for = {"plane"}},
+      {.name = "axis",
+       .type = vector,
+       .is_required = true,
+       .meaning = "a vector of any length along the axis",
+       .example = "[0.0, 0.0, 1.0]",
+       .only_for = {"cylinder"}},
+      {.name = "radius",
+       .range = positive,
+       .dimension = "L",
+       .is_required = true,
+       .meaning = "its radius",
+       .example = "4.0",
+       .only_for = {"cylinder", "sphere"}},
+      {.name = "velocity",
+       .type = vector,
+       .dimension = "L/T",
+       .default_value = "[0.0, 0.0, 0.0]",
+       .meaning = "its constant velocity",
+       .example = "[0.0, 0.0, 0.1]"},
+      {.name = "amplitude",
+       .range = positive,
+       .dimension = "L",
+       .meaning = "together with `frequency`, instead of `velocity`: at time t the plane is displaced along "
+                  "its normal by "
+                  "amplitude · sin(2π · frequency · t)",
+       .example = "0.1",
+       .only_for = {"plane"}},
+      {.name = "frequency",
+       .range = positive,
+       .dimension = "1/T",
+       .meaning = "of this oscillation",
+       .example = "2.0",
+       .only_for = {"plane"}},
+  };
+  for (const KeyDescription& key : surface_keys()) keys.push_back(key);
+  return {.title = "[[walls]]", .keys = keys};
+}
+
+TableDescription obstacles_keys() {
+  std::vector<KeyDescription> keys{{.name = "position",
+                                    .type = vector,
+                                    .dimension = "L",
+                                    .meaning = "the centre of an obstacle",
+                                    .example = "[5.0, 5.0, 5.0]"},
+                                   {.name = "positions",
+                                    .type = vectors,
+                                    .dimension = "L",
+                                    .meaning = "instead of `position`: the centres of several, alike",
+                                    .example = "[[3.0, 5.0, 5.0], [7.0, 5.0, 5.0]]"},
+                                   {.name = "radius",
+                                    .range = positive,
+                                    .dimension = "L",
+                                    .is_required = true,
+                                    .meaning = "their radius",
+                                    .example = "1.0"}};
+  for (const KeyDescription& key : surface_keys()) keys.push_back(key);
+  return {.title = "[[obstacles]]", .keys = keys, .one_of = {{"position", "positions"}}};
 }
 
 TableDescription run_keys() {
   return {
       .title = "[run]",
-      .keys = {{.name = "until",
-                .range = not_negative,
-                .dimension = "T",
-                .meaning = "when the run ends; `--until` takes precedence",
-                .example = "10.0"},
-               {.name = "seed",
-                .type = integer,
-                .least = 0,
-                .most = std::numeric_limits<std::int64_t>::max(),
-                .default_value = "1",
-                .meaning = "of the random numbers for placement and velocities; `--seed` takes precedence",
-                .example = "1"}}};
+      .keys = {
+          {.name = "until",
+           .range = not_negative,
+           .dimension = "T",
+           .meaning = "when the run ends; `--until` takes precedence",
+           .example = "10.0"},
+          {.name = "seed",
+           .type = integer,
+           .least = 0,
+           .most = std::numeric_limits<std::int64_t>::max(),
+           .default_value = "1",
+           .meaning = "of the random numbers for radii, placement and velocities; `--seed` takes precedence",
+           .example = "1"}}};
 }
 
 TableDescription output_keys() {
@@ -211,6 +405,14 @@ TableDescription all_keys() {
                     .type = table,
                     .meaning = "instead of `[[spheres]]`: a state to start from",
                     .table = make(start_keys())},
+                   {.name = "walls",
+                    .type = tables,
+                    .meaning = "walls besides those of the box: planes, cylinders and spheres",
+                    .table = make(walls_keys())},
+                   {.name = "obstacles",
+                    .type = tables,
+                    .meaning = "spheres that never move",
+                    .table = make(obstacles_keys())},
                    {.name = "response",
                     .type = table,
                     .meaning = "what a contact does to velocities",

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/world/range.hpp"
 
 namespace hardball {
 namespace {
@@ -68,16 +69,71 @@ void read_count(const Section& section, SphereGroup& group) {
   if (has_velocities) check_list("velocities", group.velocities.size());
 }
 
+RadiusDistribution read_distribution(const Section& section, const std::filesystem::path& folder) {
+  using enum RadiusDistribution::Kind;
+  RadiusDistribution radii;
+  radii.where = section.place();
+  radii.kind = static_cast<RadiusDistribution::Kind>(section.need("distribution").choice());
+  switch (radii.kind) {
+    case uniform:
+    case powerlaw:
+      radii.min = section.need("min").number();
+      radii.max = section.need("max").number();
+      if (radii.kind == powerlaw) radii.exponent = section.need("exponent").number();
+      break;
+    case lognormal:
+      radii.mean = section.need("mean").number();
+      radii.sigma = section.need("sigma").number();
+      radii.min = kSmallestMagnitude;
+      radii.max = kLargestMagnitude;
+      if (const auto min = section.find("min")) radii.min = min->number();
+      if (const auto max = section.find("max")) radii.max = max->number();
+      break;
+    case discrete: {
+      radii.values = section.need("values").numbers();
+      radii.weights = section.need("weights").numbers();
+      if (radii.values.empty() || radii.weights.size() != radii.values.size()) {
+        section.need("weights").wrong_length(radii.weights.size(),
+                                             "give at least one radius, and as many weights");
+      }
+      return radii;
+    }
+    case file:
+      radii.file = folder / section.need("file").text();
+      return radii;
+  }
+  if (radii.min > radii.max) {
+    throw Error("min is " + to_text(radii.min) + " and max is " + to_text(radii.max), radii.where,
+                "give a max that is not less than min");
+  }
+  return radii;
+}
+
+void read_sizes(const Section& section, const std::filesystem::path& folder, SphereGroup& group) {
+  const Value radius = section.need("radius");
+  if (const auto distribution = radius.section()) {
+    group.distribution = read_distribution(*distribution, folder);
+  } else {
+    group.radius = radius.number();
+  }
+  const std::optional<Value> mass = section.find("mass");
+  if (!mass) return;
+  if (const auto material = mass->section()) {
+    group.density = material->need("density").number();
+  } else {
+    group.mass = mass->number();
+  }
+}
+
 }  // namespace
 
-SphereGroup read_spheres(const Section& section) {
+SphereGroup read_spheres(const Section& section, const std::filesystem::path& folder) {
   SphereGroup group;
   group.where = section.place();
   read_placement(section, group);
   read_velocities(section, group);
   read_count(section, group);
-  group.radius = section.need("radius").number();
-  if (const auto mass = section.find("mass")) group.mass = mass->number();
+  read_sizes(section, folder, group);
   return group;
 }
 

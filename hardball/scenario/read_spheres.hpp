@@ -7,8 +7,8 @@
 
 namespace hardball {
 
-/// The group that a table [[spheres]] describes. Error, with the place of the value: a key is missing,
-/// contradicts another or is out of range.
-SphereGroup read_spheres(const Section& section);
+/// The group that a table [[spheres]] describes; files are named relative to `folder`. Error, with the place
+/// of the value: a key is missing, contradicts another or is out of range.
+SphereGroup read_spheres(const Section& section, const std::filesystem::path& folder);
 
 }  // namespace hardball

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <numbers>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/document.hpp"
 #include "hardball/scenario/read_spheres.hpp"
+#include "hardball/scenario/read_walls.hpp"
 #include "hardball/scenario/section.hpp"
+#include "hardball/world/range.hpp"
 
 namespace hardball {
 namespace {
@@ -45,24 +48,29 @@ void read_box(const Section& section, std::array<Scenario::Axis, kAxes>& box) {
   } else if (!is_open) {
     section.need("size");
   }
-  if (const auto gravity = section.find("gravity"); gravity && gravity->vector() != Vec3{}) {
-    throw Error("gravity is not zero", gravity->place(),
-                "remove it or give [0.0, 0.0, 0.0], since this version has no gravity");
-  }
+}
+
+Vec3 read_gravity(const Section& box) {
+  const std::optional<Value> given = box.find("gravity");
+  if (!given) return {};
+  const Vec3 gravity = given->vector();
+  if (gravity != Vec3{}) check_positive(length(gravity), "the magnitude of gravity", given->place());
+  return gravity;
 }
 
 void read_start(const Section& root, Scenario& scenario) {
   const std::vector<Section> groups = root.sections("spheres");
+  const std::filesystem::path folder = std::filesystem::path(scenario.name).parent_path();
   const std::optional<Section> start = root.section("start");
   if (start) {
     if (!groups.empty()) {
       throw Error("there are both [[spheres]] and [start]", start->place(), "remove one of the two");
     }
-    scenario.start_file = std::filesystem::path(scenario.name).parent_path() / start->need("file").text();
+    scenario.start_file = folder / start->need("file").text();
     return;
   }
   if (groups.empty()) throw Error("there are no spheres", scenario.name, "add [[spheres]] or [start]");
-  for (const Section& group : groups) scenario.spheres.push_back(read_spheres(group));
+  for (const Section& group : groups) scenario.spheres.push_back(read_spheres(group, folder));
 }
 
 void read_run(const Section& section, Scenario& scenario) {
@@ -100,9 +108,13 @@ Scenario read_scenario(const Document& document) {
                 "add [box] with size = [10.0, 10.0, 10.0] and boundary = [\"wall\", \"wall\", \"wall\"]");
   }
   read_box(*box, scenario.box);
+  scenario.gravity = read_gravity(*box);
   read_start(root, scenario);
+  scenario.walls = read_walls(root);
+  scenario.obstacles = read_obstacles(root);
   if (const auto response = root.section("response")) {
     if (const auto restitution = response->find("restitution")) scenario.restitution = restitution->number();
+    if (const auto speed = response->find("elastic_below")) scenario.elastic_below = speed->number();
   }
   if (const auto run = root.section("run")) read_run(*run, scenario);
   if (const auto output = root.section("output")) read_output(*output, scenario);
@@ -111,6 +123,12 @@ Scenario read_scenario(const Document& document) {
 }
 
 }  // namespace
+
+double SphereGroup::mass_of(std::size_t index) const {
+  if (!density) return mass;
+  const double radius_of_it = radius_of(index);
+  return *density * (4 * std::numbers::pi / 3) * radius_of_it * radius_of_it * radius_of_it;
+}
 
 Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> overrides) {
   std::ifstream in(path, std::ios::binary);

@@ -166,6 +166,15 @@ void Section::check_keys() {
     throw Error("unknown key " + in_quotes(entry.key) + (keys_->title.empty() ? "" : " in " + keys_->title),
                 document_->text_of(entry.place), suggestion(entry.key, names));
   }
+  if (!keys_->has_variants()) return;
+  const KeyDescription& first = keys_->keys.front();
+  choice_ = first.choices[need(first.name).choice()];
+  for (const Entry& entry : std::get<Node::Table>(node_->value)) {
+    if (keys_->find(entry.key, choice_)) continue;
+    throw Error("key " + in_quotes(entry.key) + " does not go with " + std::string(first.name) + " = \"" +
+                    choice_ + "\"",
+                document_->text_of(entry.place), "remove it or change the " + std::string(first.name));
+  }
 }
 
 const Entry* Section::entry(std::string_view key) const {

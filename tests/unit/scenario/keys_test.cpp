@@ -32,8 +32,11 @@ void for_each_table(const TableDescription& table, const Visit& visit) {
   }
 }
 
+// A cell of a table in Markdown.
 std::string cell(const std::string& text) {
-  return " " + text + " |";
+  std::string cell = " ";
+  for (const char c : text) cell += c == '|' ? "\\|" : std::string(1, c);
+  return cell + " |";
 }
 
 // The row of a key in the page.
