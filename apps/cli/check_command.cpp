@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -32,6 +33,22 @@ std::string describe(const Box& box) {
   return text;
 }
 
+// The radius of all spheres, or the mean, the least and the largest.
+std::string describe_radii(const World& world) {
+  double sum = 0;
+  double least = world.radius(0);
+  double most = least;
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    const double radius = world.radius(slot);
+    sum += radius;
+    least = std::min(least, radius);
+    most = std::max(most, radius);
+  }
+  if (least == most) return readable(least);
+  return readable(sum / static_cast<double>(world.size())) + " on average, " + readable(least) + " to " +
+         readable(most);
+}
+
 }  // namespace
 
 ExitCode check(const Options& options) {
@@ -48,6 +65,7 @@ ExitCode check(const Options& options) {
   add("scenario", scenario.name);
   add("spheres", to_text(moments.spheres));
   add("box", describe(simulation.world().box()));
+  add("radius", describe_radii(simulation.world()));
   add("packing fraction", readable(moments.packing_fraction()));
   add("mean speed", readable(moments.mean_speed));
   add("mean free path", readable(mean_free_path(moments)));

@@ -15,6 +15,7 @@
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/nearest_name.hpp"
+#include "hardball/scenario/schema.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -102,6 +103,16 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   CLI::App* check_command =
       add_command(app, options, "check", "Check a scenario and print what to expect of it");
   add_engine_options(*check_command, options);
+  // Ends the program, like --help, so that no scenario is needed.
+  check_command
+      ->add_flag_callback(
+          "--schema",
+          [] {
+            write_output(scenario_schema());
+            throw CLI::Success();
+          },
+          "Print a JSON Schema of scenarios, for editors")
+      ->disable_flag_override();
   CLI::App* tune_command =
       add_command(app, options, "tune", "Compare cell sizes: predicted and measured cost");
   add_unit_costs_option(*tune_command, options);

@@ -9,6 +9,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/io/extended_xyz.hpp"
+#include "hardball/scenario/radii.hpp"
 #include "hardball/scenario/velocities.hpp"
 #include "hardball/world/placement.hpp"
 #include "hardball/world/random.hpp"
@@ -36,15 +37,21 @@ Box make_box(const Scenario& scenario) {
 double sphere_volume(Groups groups) {
   double volume = 0;
   for (const SphereGroup& group : groups) {
-    volume += static_cast<double>(group.count) * 4 * std::numbers::pi / 3 * group.radius * group.radius *
-              group.radius;
+    if (group.radii.empty()) {
+      volume += static_cast<double>(group.count) * 4 * std::numbers::pi / 3 * group.radius * group.radius *
+                group.radius;
+    }
+    for (const double radius : group.radii) volume += 4 * std::numbers::pi / 3 * radius * radius * radius;
   }
   return volume;
 }
 
+double largest_radius(const SphereGroup& group) {
+  return group.radii.empty() ? group.radius : std::ranges::max(group.radii);
+}
+
 const SphereGroup& group_of_largest(Groups groups) {
-  return *std::max_element(groups.begin(), groups.end(),
-                           [](const SphereGroup& a, const SphereGroup& b) { return a.radius < b.radius; });
+  return *std::ranges::max_element(groups, {}, largest_radius);
 }
 
 // The length of the axes without a size at which the box has this volume. Bisection, since the C library's
@@ -65,11 +72,11 @@ double length_for_volume(const Scenario& scenario, double volume) {
 }
 
 // The region in which spheres are placed: the sizes given, and along other axes an interval around 0.
-Region make_region(const Scenario& scenario) {
+Region make_region(const Scenario& scenario, Groups groups) {
   const bool has_all_sizes = std::all_of(scenario.box.begin(), scenario.box.end(),
                                          [](const Scenario::Axis& axis) { return axis.size.has_value(); });
-  const double volume = sphere_volume(scenario.spheres) / kOpenPackingFraction;
-  const double diameter = 2 * group_of_largest(scenario.spheres).radius;
+  const double volume = sphere_volume(groups) / kOpenPackingFraction;
+  const double diameter = 2 * largest_radius(group_of_largest(groups));
   const double stretch = has_all_sizes ? 0 : std::max(length_for_volume(scenario, volume), 2 * diameter);
   Region region;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -83,9 +90,10 @@ Region make_region(const Scenario& scenario) {
 void check_room(Groups groups, const Region& region) {
   const Vec3 size = region.high - region.low;
   const SphereGroup& largest = group_of_largest(groups);
+  const double diameter = 2 * largest_radius(largest);
   const double narrowest = std::min({size.x, size.y, size.z});
-  if (2 * largest.radius > narrowest) {
-    throw Error("diameter " + to_text(2 * largest.radius) + " exceeds the box size " + to_text(narrowest),
+  if (diameter > narrowest) {
+    throw Error("diameter " + to_text(diameter) + " exceeds the box size " + to_text(narrowest),
                 largest.where, "enlarge the box or shrink the spheres");
   }
   const double packing = sphere_volume(groups) / (size.x * size.y * size.z);
@@ -103,16 +111,18 @@ void check_one_placement(Groups groups) {
       throw Error("groups are placed in different ways", group.where,
                   "place all groups at random, all by \"fcc\", or all by positions");
     }
-    if (group.placement == Placement::fcc && group.radius != first.radius) {
-      throw Error("placement \"fcc\" needs spheres of one radius, and there are " + to_text(first.radius) +
-                      " and " + to_text(group.radius),
+    if (group.placement != Placement::fcc) continue;
+    for (std::size_t i = 0; i < group.count; ++i) {
+      if (group.radius_of(i) == first.radius_of(0)) continue;
+      throw Error("placement \"fcc\" needs spheres of one radius, and there are " +
+                      to_text(first.radius_of(0)) + " and " + to_text(group.radius_of(i)),
                   group.where, "make the radii equal or use placement = \"random\"");
     }
   }
 }
 
-std::vector<Vec3> place(const Scenario& scenario, const Box& box, Random& random, const Progress& progress) {
-  const Groups groups = scenario.spheres;
+std::vector<Vec3> place(const Scenario& scenario, Groups groups, const Box& box, Random& random,
+                        const Progress& progress) {
   check_one_placement(groups);
   const SphereGroup& first = groups.front();
   std::vector<Vec3> positions;
@@ -122,12 +132,14 @@ std::vector<Vec3> place(const Scenario& scenario, const Box& box, Random& random
     }
     return positions;
   }
-  const Region region = make_region(scenario);
+  const Region region = make_region(scenario, groups);
   check_room(groups, region);
   std::vector<double> radii;
-  for (const SphereGroup& group : groups) radii.insert(radii.end(), group.count, group.radius);
+  for (const SphereGroup& group : groups) {
+    for (std::size_t i = 0; i < group.count; ++i) radii.push_back(group.radius_of(i));
+  }
   if (first.placement == Placement::fcc) {
-    return place_on_lattice(box, region, radii.size(), first.radius, first.where);
+    return place_on_lattice(box, region, radii.size(), radii.front(), first.where);
   }
   return place_randomly(box, region, radii, random, first.where, progress);
 }
@@ -143,16 +155,20 @@ void add(World& world, const Sphere& sphere, const std::string& where) {
 
 void add_groups(const Scenario& scenario, World& world, const Progress& progress) {
   Random random(scenario.seed);
-  const std::vector<Vec3> positions = place(scenario, world.box(), random, progress.part(0, kPlaced));
+  std::vector<SphereGroup> groups = scenario.spheres;
+  for (SphereGroup& group : groups) {
+    if (group.distribution) group.radii = draw_radii(*group.distribution, group.count, random);
+  }
+  const std::vector<Vec3> positions = place(scenario, groups, world.box(), random, progress.part(0, kPlaced));
   const bool without_drift = world.box().is_all(Boundary::periodic);
-  const std::vector<Vec3> velocities = draw_velocities(scenario.spheres, without_drift, random);
+  const std::vector<Vec3> velocities = draw_velocities(groups, without_drift, random);
   world.reserve(positions.size());
   const Progress added = progress.part(kPlaced, 1);
   std::size_t next = 0;
-  for (const SphereGroup& group : scenario.spheres) {
+  for (const SphereGroup& group : groups) {
     for (std::size_t i = 0; i < group.count; ++i, ++next) {
       added.note(next, positions.size());
-      add(world, {positions[next], velocities[next], group.radius, group.mass}, group.where);
+      add(world, {positions[next], velocities[next], group.radius_of(i), group.mass_of(i)}, group.where);
     }
   }
 }

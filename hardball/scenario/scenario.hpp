@@ -31,17 +31,72 @@ enum class VelocityRule {
   listed,       ///< As SphereGroup::velocities says.
 };
 
+/// How the radii of a group's spheres are distributed.
+struct RadiusDistribution {
+  enum class Kind {
+    uniform,    ///< Evenly from min to max.
+    lognormal,  ///< ln(radius) is normal; radii outside min to max are drawn again.
+    powerlaw,   ///< From min to max, with a density that is proportional to radius^exponent.
+    discrete,   ///< Each of the values as often as its weight says, exactly, in random order.
+    file,       ///< As the lines of a file say.
+  };
+
+  Kind kind = Kind::uniform;
+  double min = 0;               ///< [L]
+  double max = 0;               ///< [L]
+  double mean = 0;              ///< Of the radius, before any is drawn again [L]: lognormal.
+  double sigma = 0;             ///< The standard deviation of ln(radius) [1]: lognormal.
+  double exponent = 0;          ///< [1]: powerlaw.
+  std::vector<double> values;   ///< [L]: discrete.
+  std::vector<double> weights;  ///< Of the values [1]: discrete.
+  std::filesystem::path file;
+  std::string where;  ///< Its place in the scenario, for messages.
+};
+
 /// Spheres of one kind: a table [[spheres]] of a scenario.
 struct SphereGroup {
   std::size_t count = 0;
-  double radius = 1;  ///< [L]
-  double mass = 1;    ///< [M]
+  double radius = 1;                               ///< Of all, unless they are distributed [L].
+  std::optional<RadiusDistribution> distribution;  ///< Of the radii.
+  std::vector<double> radii;      ///< Shape (count) once they are drawn, otherwise empty [L].
+  double mass = 1;                ///< Of all, unless there is a density [M].
+  std::optional<double> density;  ///< Of the material, from which masses follow [M/L^3].
   Placement placement = Placement::random;
   std::vector<Vec3> positions;  ///< Shape (count, 3) for Placement::listed, otherwise empty [L].
   VelocityRule velocity_rule = VelocityRule::speed;
   double velocity_scale = 0;     ///< What the rule prescribes; unused for VelocityRule::listed.
   std::vector<Vec3> velocities;  ///< Shape (count, 3) for VelocityRule::listed, otherwise empty [L/T].
   std::string where;             ///< Its place in the scenario, for messages.
+
+  /// The radius of a sphere of the group [L].
+  double radius_of(std::size_t index) const { return radii.empty() ? radius : radii[index]; }
+  /// The mass of a sphere of the group [M].
+  double mass_of(std::size_t index) const;
+};
+
+/// A wall inside the box or around it: a table [[walls]] of a scenario.
+struct WallDescription {
+  enum class Shape { plane, cylinder, sphere };
+
+  Shape shape = Shape::plane;
+  Vec3 point;         ///< Of the plane, on the axis, or the centre [L].
+  Vec3 direction;     ///< The normal of a plane, towards the spheres, or the axis; of any length.
+  double radius = 0;  ///< Of a cylinder or sphere [L].
+  std::optional<double> restitution;  ///< Instead of Scenario::restitution [1].
+  std::optional<double> temperature;  ///< k T of a thermal wall [M L^2 T^-2].
+  Vec3 velocity;                      ///< [L/T]
+  double amplitude = 0;               ///< Of an oscillation along the normal of a plane [L].
+  double frequency = 0;               ///< Of this oscillation [1/T].
+  std::string where;                  ///< Its place in the scenario, for messages.
+};
+
+/// A sphere that never moves: one position of a table [[obstacles]] of a scenario.
+struct ObstacleDescription {
+  Vec3 position;                      ///< Of its centre [L].
+  double radius = 0;                  ///< [L]
+  std::optional<double> restitution;  ///< Instead of Scenario::restitution [1].
+  std::optional<double> temperature;  ///< k T of a thermal surface [M L^2 T^-2].
+  std::string where;                  ///< Its place in the scenario, for messages.
 };
 
 /// A description of a run: the contents of a scenario file, each value checked by itself.
@@ -56,9 +111,13 @@ struct Scenario {
   std::string name;  ///< The file, for messages.
   std::string text;  ///< Its contents, without overrides.
   std::array<Axis, kAxes> box;
+  Vec3 gravity;                        ///< [L/T^2]
+  std::vector<WallDescription> walls;  ///< Besides those of the box.
+  std::vector<ObstacleDescription> obstacles;
   std::vector<SphereGroup> spheres;                 ///< In the order of ids.
   std::optional<std::filesystem::path> start_file;  ///< An extended XYZ file, instead of `spheres`.
   double restitution = 1;                           ///< [1]
+  std::optional<double> elastic_below;              ///< Slower impacts are elastic [L/T].
   std::optional<double> until;                      ///< When the run ends [T].
   std::uint64_t seed = 1;
   std::optional<std::filesystem::path> output_directory;

@@ -13,9 +13,11 @@ bool is_maxwell(const SphereGroup& group) {
   return group.velocity_rule == VelocityRule::mean_speed || group.velocity_rule == VelocityRule::temperature;
 }
 
-// The standard deviation of each component of a Maxwell velocity.
-double spread(const SphereGroup& group) {
-  if (group.velocity_rule == VelocityRule::temperature) return std::sqrt(group.velocity_scale / group.mass);
+// The standard deviation of each component of a sphere's Maxwell velocity.
+double spread(const SphereGroup& group, std::size_t index) {
+  if (group.velocity_rule == VelocityRule::temperature) {
+    return std::sqrt(group.velocity_scale / group.mass_of(index));
+  }
   return group.velocity_scale * std::sqrt(std::numbers::pi / 8);
 }
 
@@ -33,7 +35,7 @@ Vec3 draw(const SphereGroup& group, std::size_t index, Random& random) {
   const double x = random.normal();
   const double y = random.normal();
   const double z = random.normal();
-  return spread(group) * Vec3{x, y, z};
+  return spread(group, index) * Vec3{x, y, z};
 }
 
 // Calls visit(group, velocities of its spheres) for every group.
@@ -45,12 +47,19 @@ void for_each_group(std::span<const SphereGroup> groups, std::span<Vec3> velocit
   }
 }
 
+double total_mass(const SphereGroup& group) {
+  if (!group.density) return group.mass * static_cast<double>(group.count);
+  double mass = 0;
+  for (std::size_t i = 0; i < group.count; ++i) mass += group.mass_of(i);
+  return mass;
+}
+
 void remove_drift(std::span<const SphereGroup> groups, std::span<Vec3> velocities) {
   Vec3 momentum;
   double mass = 0;
   for_each_group(groups, velocities, [&](const SphereGroup& group, std::span<Vec3> own) {
-    for (const Vec3& velocity : own) momentum += group.mass * velocity;
-    mass += group.mass * static_cast<double>(own.size());
+    for (std::size_t i = 0; i < own.size(); ++i) momentum += group.mass_of(i) * own[i];
+    mass += total_mass(group);
   });
   const Vec3 drift = (1 / mass) * momentum;
   for (Vec3& velocity : velocities) velocity -= drift;
@@ -60,15 +69,15 @@ void remove_drift(std::span<const SphereGroup> groups, std::span<Vec3> velocitie
 void scale_to_rule(const SphereGroup& group, std::span<Vec3> velocities) {
   const auto count = static_cast<double>(velocities.size());
   double speeds = 0;
-  double squares = 0;
-  for (const Vec3& velocity : velocities) {
-    speeds += length(velocity);
-    squares += dot(velocity, velocity);
+  double squares = 0;  // weighted by the masses relative to that of the first
+  for (std::size_t i = 0; i < velocities.size(); ++i) {
+    speeds += length(velocities[i]);
+    squares += group.mass_of(i) / group.mass_of(0) * dot(velocities[i], velocities[i]);
   }
   if (!(speeds > 0)) return;
   const double factor = group.velocity_rule == VelocityRule::mean_speed
                             ? group.velocity_scale / (speeds / count)
-                            : std::sqrt(group.velocity_scale / (group.mass * squares / count / 3));
+                            : std::sqrt(group.velocity_scale / (group.mass_of(0) * squares / count / 3));
   for (Vec3& velocity : velocities) velocity = factor * velocity;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/world/random.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numbers>
@@ -68,6 +69,21 @@ double portable_log(double x) {
   double series = 0;
   for (int odd = 23; odd >= 1; odd -= 2) series = series * s2 + 1.0 / odd;
   return 2 * s * series + exponent * std::numbers::ln2;
+}
+
+double portable_exp(double x) {
+  // Beyond, the result is infinite or zero.
+  constexpr double kLargest = 710;
+  constexpr double kSmallest = -746;
+  x = std::clamp(x, kSmallest, kLargest);
+  // x = k log 2 + rest. The first part of log 2 has so few bits that its product with k is exact.
+  constexpr double kHigh = 0x1.62e42feep-1;
+  constexpr double kLow = 0x1.a39ef35793c76p-33;
+  const double k = std::floor(x * std::numbers::log2e + 0.5);
+  const double rest = (x - k * kHigh) - k * kLow;
+  double series = 1;
+  for (int i = 14; i >= 1; --i) series = 1 + series * rest / i;
+  return std::ldexp(series, static_cast<int>(k));
 }
 
 }  // namespace hardball

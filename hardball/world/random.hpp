@@ -33,4 +33,7 @@ class Random {
 /// next.
 double portable_log(double x);
 
+/// The exponential function of a number, likewise; zero or infinite where the result is out of range.
+double portable_exp(double x);
+
 }  // namespace hardball

@@ -242,11 +242,21 @@ INSTANTIATE_TEST_SUITE_P(
                  "[response]\nrestitution = nan\n[run]",
                  {},
                  {"gas.toml:12:15", "nan"}},
-        BadInput{"Gravity",
+        BadInput{"GravityIsInfinite",
                  "[[spheres]]",
-                 "gravity = [0.0, 0.0, -9.81]\n[[spheres]]",
+                 "gravity = [0.0, 0.0, -inf]\n[[spheres]]",
                  {},
-                 {"gas.toml:5:11", "gravity", "no gravity"}},
+                 {"gas.toml:5:22", "gravity is -inf", "finite"}},
+        BadInput{"GravityIsTiny",
+                 "[[spheres]]",
+                 "gravity = [0.0, 0.0, 1e-61]\n[[spheres]]",
+                 {},
+                 {"gas.toml:5:11", "the magnitude of gravity is 1e-61", "between"}},
+        BadInput{"ElasticBelowIsNegative",
+                 "[run]",
+                 "[response]\nelastic_below = -1\n[run]",
+                 {},
+                 {"gas.toml:12:17", "elastic_below is -1", "zero or a positive"}},
         BadInput{"UntilIsNegative",
                  "until = 5.0",
                  "until = -5.0",
@@ -301,6 +311,122 @@ INSTANTIATE_TEST_SUITE_P(
                  "radius = 0.5\npositions = [[5, 5, 5], [5, 5, 5.9]]",
                  {},
                  {"gas.toml", "0 and 1 overlap", "apart"}}),
+    name_of);
+
+// The keys of the wall begin in line 12.
+BadInput bad_wall(const std::string& name, const std::string& keys,
+                  const std::vector<std::string>& fragments) {
+  return {name, "[run]", "[[walls]]\n" + keys + "\n[run]", {}, fragments};
+}
+
+BadInput bad_obstacle(const std::string& name, const std::string& keys,
+                      const std::vector<std::string>& fragments) {
+  return {name, "[run]", "[[obstacles]]\n" + keys + "\n[run]", {}, fragments};
+}
+
+const std::string kPlane = "shape = 'plane'\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n";
+const std::string kBall = "shape = 'sphere'\npoint = [5, 5, 5]\nradius = 4\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Walls, RefusedInput,
+    testing::Values(
+        BadInput{"WallsIsATable", "[run]", "[walls]\n[run]", {}, {"gas.toml:11:1", "a table", "[[walls]]"}},
+        bad_wall("NoShape", "point = [0, 0, 0]",
+                 {"gas.toml:11:1", "'shape' is missing in [[walls]]", "plane"}),
+        bad_wall("ShapeMisspelt", "shape = 'plan'", {"gas.toml:12:9", "\"plan\"", "\"plane\"?"}),
+        bad_wall("NoPoint", "shape = 'plane'", {"gas.toml:11:1", "'point' is missing"}),
+        bad_wall("NoNormal", "shape = 'plane'\npoint = [0, 0, 0]", {"gas.toml:11:1", "'normal' is missing"}),
+        bad_wall("NoAxis", "shape = 'cylinder'\npoint = [0, 0, 0]", {"gas.toml:11:1", "'axis' is missing"}),
+        bad_wall("NoRadius", "shape = 'sphere'\npoint = [0, 0, 0]", {"gas.toml:11:1", "'radius' is missing"}),
+        bad_wall("UnknownKey", kPlane + "norml = 3", {"gas.toml:15:1", "'norml' in [[walls]]", "'normal'"}),
+        bad_wall("RadiusOfAPlane", kPlane + "radius = 1",
+                 {"gas.toml:15:1", "'radius' does not go with shape = \"plane\"", "remove it"}),
+        bad_wall("NormalOfASphere", kBall + "normal = [0, 0, 1]",
+                 {"gas.toml:15:1", "'normal' does not go with"}),
+        bad_wall("AxisOfASphere", kBall + "axis = [0, 0, 1]", {"gas.toml:15:1", "'axis' does not go with"}),
+        bad_wall("SphereOscillates", kBall + "amplitude = 1",
+                 {"gas.toml:15:1", "'amplitude' does not go with"}),
+        bad_wall("NormalIsZero", "shape = 'plane'\npoint = [0, 0, 0]\nnormal = [0, 0, 0]",
+                 {"gas.toml:14:10", "the length of normal is 0", "positive"}),
+        bad_wall("AxisIsZero", "shape = 'cylinder'\npoint = [0, 0, 0]\naxis = [0, 0, 0]\nradius = 1",
+                 {"gas.toml:14:8", "the length of axis is 0"}),
+        bad_wall("RadiusIsZero", "shape = 'sphere'\npoint = [0, 0, 0]\nradius = 0",
+                 {"gas.toml:14:10", "radius is 0", "positive"}),
+        bad_wall("PointHasTwo", "shape = 'plane'\npoint = [0, 0]", {"gas.toml:13:9", "2 entries", "three"}),
+        bad_wall("RestitutionAboveOne", kPlane + "restitution = 2",
+                 {"gas.toml:15:15", "restitution is 2", "between 0 and 1"}),
+        bad_wall("TemperatureIsNegative", kPlane + "temperature = -1",
+                 {"gas.toml:15:15", "temperature is -1", "zero or"}),
+        bad_wall("RestitutionAndTemperature", kPlane + "restitution = 1\ntemperature = 1",
+                 {"gas.toml:16:15", "both restitution and temperature", "remove one"}),
+        bad_wall("AmplitudeAlone", kPlane + "amplitude = 1",
+                 {"gas.toml:11:1", "'frequency' is missing", "add it"}),
+        bad_wall("FrequencyAlone", kPlane + "frequency = 1", {"gas.toml:11:1", "'amplitude' is missing"}),
+        bad_wall("AmplitudeIsZero", kPlane + "amplitude = 0\nfrequency = 1",
+                 {"gas.toml:15:13", "amplitude is 0", "positive"}),
+        bad_wall("VelocityAndAmplitude", kPlane + "amplitude = 1\nfrequency = 1\nvelocity = [0, 0, 1]",
+                 {"gas.toml:17:12", "both velocity and amplitude", "remove one"}),
+        bad_wall("VelocityIsANumber", kPlane + "velocity = 1",
+                 {"gas.toml:15:12", "an integer", "three numbers"}),
+        bad_obstacle("ObstacleNowhere", "radius = 1", {"gas.toml:11:1", "'position' is missing", "add it"}),
+        bad_obstacle("ObstacleWithoutRadius", "position = [5, 5, 5]",
+                     {"gas.toml:11:1", "'radius' is missing"}),
+        bad_obstacle("ObstacleTwice", "radius = 1\nposition = [5, 5, 5]\npositions = [[5, 5, 5]]",
+                     {"gas.toml:14:13", "both position and positions", "remove one"}),
+        bad_obstacle("ObstacleRadiusIsNegative", "radius = -1\nposition = [5, 5, 5]",
+                     {"gas.toml:12:10", "radius is -1", "positive"}),
+        bad_obstacle("ObstacleUnknownKey", "radius = 1\nposition = [5, 5, 5]\nmass = 1",
+                     {"gas.toml:14:1", "'mass' in [[obstacles]]", "choose among"}),
+        bad_obstacle("ObstacleRestitutionAndTemperature",
+                     "radius = 1\nposition = [5, 5, 5]\nrestitution = 1\ntemperature = 1",
+                     {"gas.toml:15:15", "both restitution and temperature"})),
+    name_of);
+
+// The radius of the small gas is in line 7, from column 10 on.
+BadInput bad_radius(const std::string& name, const std::string& radius,
+                    const std::vector<std::string>& fragments) {
+  return {name, "radius = 0.5", "radius = " + radius, {}, fragments};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Radii, RefusedInput,
+    testing::Values(
+        bad_radius("IsAList", "[0.5, 1.0]", {"gas.toml:7:10", "an array", "a number, or a table"}),
+        bad_radius("NoDistribution", "{min = 1, max = 2}",
+                   {"gas.toml:7:10", "'distribution' is missing in radius"}),
+        bad_radius("DistributionMisspelt", "{distribution = 'unifrom'}",
+                   {"gas.toml:7:26", "\"unifrom\"", "\"uniform\"?"}),
+        bad_radius("UnknownKey", "{distribution = 'uniform', min = 1, mx = 2}",
+                   {"gas.toml:7:46", "'mx' in radius", "'max'?"}),
+        bad_radius("NoMax", "{distribution = 'uniform', min = 1}",
+                   {"gas.toml:7:10", "'max' is missing in radius"}),
+        bad_radius("MinAboveMax", "{distribution = 'powerlaw', exponent = 1, min = 2, max = 1}",
+                   {"gas.toml:7:10", "min is 2 and max is 1", "not less"}),
+        bad_radius("MeanOfAPowerLaw", "{distribution = 'powerlaw', exponent = 1, min = 1, max = 2, mean = 1}",
+                   {"gas.toml:7:70", "'mean' does not go with distribution = \"powerlaw\"", "remove it"}),
+        bad_radius("SigmaIsZero", "{distribution = 'lognormal', mean = 1, sigma = 0}",
+                   {"gas.toml:7:57", "sigma is 0", "positive"}),
+        bad_radius("WeightIsNegative", "{distribution = 'discrete', values = [1], weights = [-1]}",
+                   {"gas.toml:7:63", "weights is -1", "positive"}),
+        bad_radius("OneWeightForTwo", "{distribution = 'discrete', values = [1, 2], weights = [1]}",
+                   {"gas.toml:7:65", "weights has 1 entry", "as many"}),
+        bad_radius("NoSuchFile", "{distribution = 'file', file = 'missing.txt'}",
+                   {"gas.toml:7:10", "missing.txt cannot be read"}),
+        BadInput{"DensityIsZero",
+                 "mean_speed",
+                 "mass = {density = 0}\nmean_speed",
+                 {},
+                 {"gas.toml:9:19", "density is 0", "positive"}},
+        BadInput{"MassOfNothing",
+                 "mean_speed",
+                 "mass = {}\nmean_speed",
+                 {},
+                 {"gas.toml:9:8", "'density' is missing in mass", "density = 2.0"}},
+        BadInput{"FccOfDistributedRadii",
+                 "radius = 0.5\nplacement = \"random\"",
+                 "radius = {distribution = 'uniform', min = 0.1, max = 0.2}\nplacement = \"fcc\"",
+                 {},
+                 {"gas.toml:5:1", "one radius", "\"random\""}}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(

@@ -40,7 +40,7 @@ TEST_P(EveryScenario, IsAcceptedByCheck) {
   const ScratchFolder folder;
   const Outcome outcome = run_program(folder, {"check", path_of(GetParam())});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
-  for (const char* line : {"packing fraction", "mean free time", "engine", "memory", "collisions"}) {
+  for (const char* line : {"radius", "packing fraction", "mean free time", "engine", "memory", "collisions"}) {
     EXPECT_NE(outcome.output.find(line), std::string::npos) << outcome.output;
   }
   const bool has_lists = outcome.output.find("neighbors") != std::string::npos;
@@ -67,6 +67,22 @@ json run(const std::string& scenario, const Arguments& more = {}) {
   const Outcome outcome = run_program(folder, arguments);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
   return json::parse(outcome.output);
+}
+
+TEST(Check, DescribesTheRadii) {
+  const ScratchFolder folder;
+  const Outcome equal = run_program(folder, {"check", path_of("paper")});
+  EXPECT_NE(equal.output.find(" 1.5\n"), std::string::npos) << equal.output;
+  const Outcome mixed = run_program(folder, {"check", path_of("mixture")});
+  EXPECT_NE(mixed.output.find("0.4491 on average, 0.4 to 2\n"), std::string::npos) << mixed.output;
+}
+
+TEST(Schema, IsPrintedByCheckWithoutAScenario) {
+  const ScratchFolder folder;
+  const Outcome outcome = run_program(folder, {"check", "--schema"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.output, support::read_text(HARDBALL_SCENARIOS "/scenario.schema.json"));
+  EXPECT_EQ(outcome.messages, "");
 }
 
 TEST(Scenario, CradleCollidesOncePerUnitOfTime) {

@@ -169,6 +169,53 @@ TEST(MakeWorld, GivesTheExactTemperature) {
   }
 }
 
+TEST(MakeWorld, DrawsRadiiAndGivesMassesByDensity) {
+  Scenario scenario = make_scenario(Boundary::periodic, 20);
+  scenario.spheres = {make_group(300, VelocityRule::temperature, 2.5),
+                      make_group(100, VelocityRule::temperature, 2.5)};
+  RadiusDistribution radii;
+  radii.kind = RadiusDistribution::Kind::uniform;
+  radii.min = 0.1;
+  radii.max = 0.6;
+  scenario.spheres[0].distribution = radii;
+  scenario.spheres[0].density = 3;
+  const World world = make_world(scenario);
+  double least = 1;
+  double most = 0;
+  for (Slot slot = 0; slot < 300; ++slot) {
+    const double radius = world.radius(slot);
+    least = std::min(least, radius);
+    most = std::max(most, radius);
+    EXPECT_NEAR(world.mass(slot), 4 * std::numbers::pi * radius * radius * radius, 1e-12);
+  }
+  EXPECT_GE(least, 0.1);
+  EXPECT_LT(least, 0.15);
+  EXPECT_GT(most, 0.55);
+  EXPECT_LE(most, 0.6);
+  EXPECT_EQ(world.radius(300), 0.5);
+  EXPECT_EQ(world.mass(300), 1);
+  EXPECT_EQ(audit(world, Time(0)).max_overlap, 0);
+  EXPECT_NEAR(temperature(world, 0, 300), 2.5, 1e-13);
+  EXPECT_NEAR(temperature(world, 300, 400), 2.5, 1e-13);
+  EXPECT_LT(length(world.momentum()), 1e-10);
+  const World again = make_world(scenario);
+  scenario.seed = 2;
+  const World other = make_world(scenario);
+  EXPECT_EQ(again.radius(0), world.radius(0));
+  EXPECT_NE(other.radius(0), world.radius(0));
+}
+
+TEST(MakeWorld, RefusesALatticeOfDistributedRadii) {
+  Scenario scenario = make_scenario(Boundary::wall, 10);
+  scenario.spheres = {make_group(5, VelocityRule::speed, 0)};
+  scenario.spheres[0].placement = Placement::fcc;
+  RadiusDistribution radii;
+  radii.min = 0.1;
+  radii.max = 0.6;
+  scenario.spheres[0].distribution = radii;
+  EXPECT_TRUE(contains(error_of(scenario), "one radius")) << error_of(scenario);
+}
+
 TEST(MakeWorld, GivesMaxwellVelocities) {
   Scenario scenario = make_scenario(Boundary::wall, 60);
   scenario.spheres = {make_group(20000, VelocityRule::temperature, 1)};

@@ -19,7 +19,7 @@ using support::write_text;
 const std::string kText = R"([box]
 size = [10, 20.5, 30]
 boundary = ["wall", "periodic", "open"]
-gravity = [0.0, 0, 0]
+gravity = [0.0, 0, -9.81]
 
 [[spheres]]
 count = 10
@@ -33,8 +33,40 @@ radius = 1
 positions = [[1, 2, 3], [4, 5, 6]]
 velocities = [[0, 0, 0], [1, 0, 0]]
 
+[[walls]]
+shape = "plane"
+point = [1, 2, 3]
+normal = [0, 0, 2]
+temperature = 1.5
+amplitude = 0.25
+frequency = 3
+
+[[walls]]
+shape = "cylinder"
+point = [5, 5, 5]
+axis = [1, 1, 0]
+radius = 4
+restitution = 0.75
+velocity = [0, 1, 0]
+
+[[walls]]
+shape = "sphere"
+point = [5, 6, 7]
+radius = 8
+
+[[obstacles]]
+position = [1, 1, 1]
+radius = 0.5
+temperature = 0
+
+[[obstacles]]
+positions = [[2, 2, 2], [3, 3, 3]]
+radius = 0.25
+restitution = 0
+
 [response]
 restitution = 0.5
+elastic_below = 0.125
 
 [run]
 until = 12
@@ -82,7 +114,39 @@ TEST(ParseScenario, ReadsEveryKey) {
   EXPECT_EQ(second.positions, (std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}}));
   EXPECT_EQ(second.velocity_rule, VelocityRule::listed);
   EXPECT_EQ(second.velocities, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}}));
+  EXPECT_EQ(scenario.gravity, (Vec3{0, 0, -9.81}));
+  ASSERT_EQ(scenario.walls.size(), 3U);
+  const WallDescription& plane = scenario.walls[0];
+  EXPECT_EQ(plane.shape, WallDescription::Shape::plane);
+  EXPECT_EQ(plane.point, (Vec3{1, 2, 3}));
+  EXPECT_EQ(plane.direction, (Vec3{0, 0, 2}));
+  EXPECT_EQ(plane.temperature, 1.5);
+  EXPECT_FALSE(plane.restitution);
+  EXPECT_EQ(plane.amplitude, 0.25);
+  EXPECT_EQ(plane.frequency, 3);
+  EXPECT_EQ(plane.where, "gas.toml:18:1");
+  const WallDescription& cylinder = scenario.walls[1];
+  EXPECT_EQ(cylinder.shape, WallDescription::Shape::cylinder);
+  EXPECT_EQ(cylinder.direction, (Vec3{1, 1, 0}));
+  EXPECT_EQ(cylinder.radius, 4);
+  EXPECT_EQ(cylinder.restitution, 0.75);
+  EXPECT_FALSE(cylinder.temperature);
+  EXPECT_EQ(cylinder.velocity, (Vec3{0, 1, 0}));
+  EXPECT_EQ(scenario.walls[2].shape, WallDescription::Shape::sphere);
+  EXPECT_EQ(scenario.walls[2].point, (Vec3{5, 6, 7}));
+  EXPECT_EQ(scenario.walls[2].radius, 8);
+  EXPECT_EQ(scenario.walls[2].velocity, Vec3{});
+  EXPECT_EQ(scenario.walls[2].amplitude, 0);
+  ASSERT_EQ(scenario.obstacles.size(), 3U);
+  EXPECT_EQ(scenario.obstacles[0].position, (Vec3{1, 1, 1}));
+  EXPECT_EQ(scenario.obstacles[0].radius, 0.5);
+  EXPECT_EQ(scenario.obstacles[0].temperature, 0);
+  EXPECT_EQ(scenario.obstacles[1].position, (Vec3{2, 2, 2}));
+  EXPECT_EQ(scenario.obstacles[2].position, (Vec3{3, 3, 3}));
+  EXPECT_EQ(scenario.obstacles[2].restitution, 0);
+  EXPECT_EQ(scenario.obstacles[2].where, "gas.toml:44:1");
   EXPECT_EQ(scenario.restitution, 0.5);
+  EXPECT_EQ(scenario.elastic_below, 0.125);
   EXPECT_EQ(scenario.until, 12);
   EXPECT_EQ(scenario.seed, 7U);
   EXPECT_EQ(scenario.output_directory, "out");
@@ -109,6 +173,10 @@ speed = 0
 TEST(ParseScenario, HasDefaults) {
   const Scenario scenario = parse(kLeast);
   EXPECT_EQ(scenario.spheres.at(0).mass, 1);
+  EXPECT_EQ(scenario.gravity, Vec3{});
+  EXPECT_TRUE(scenario.walls.empty());
+  EXPECT_TRUE(scenario.obstacles.empty());
+  EXPECT_FALSE(scenario.elastic_below);
   EXPECT_EQ(scenario.restitution, 1);
   EXPECT_FALSE(scenario.until);
   EXPECT_EQ(scenario.seed, 1U);
@@ -153,6 +221,47 @@ TEST(ParseScenario, FindsTheStartFileBesideTheScenario) {
   EXPECT_EQ(parse_scenario(text, "some/where/gas.toml").start_file, "some/where/start.xyz");
   EXPECT_EQ(parse_scenario(text, "gas.toml").start_file, "start.xyz");
   EXPECT_EQ(parse(text, {"start.file=/tmp/start.xyz"}).start_file, "/tmp/start.xyz");
+}
+
+RadiusDistribution distribution_of(const std::string& radius) {
+  return parse_scenario(kLeast, "some/gas.toml", std::vector<std::string>{"spheres.0.radius=" + radius})
+      .spheres.at(0)
+      .distribution.value();
+}
+
+TEST(ParseScenario, ReadsDistributionsOfRadii) {
+  using Kind = RadiusDistribution::Kind;
+  const RadiusDistribution uniform = distribution_of("{distribution = \"uniform\", min = 1, max = 2}");
+  EXPECT_EQ(uniform.kind, Kind::uniform);
+  EXPECT_EQ(uniform.min, 1);
+  EXPECT_EQ(uniform.max, 2);
+  EXPECT_EQ(uniform.where, "--set spheres.0.radius");
+  const RadiusDistribution lognormal =
+      distribution_of("{distribution = \"lognormal\", mean = 2, sigma = 0.5, max = 3}");
+  EXPECT_EQ(lognormal.kind, Kind::lognormal);
+  EXPECT_EQ(lognormal.mean, 2);
+  EXPECT_EQ(lognormal.sigma, 0.5);
+  EXPECT_EQ(lognormal.min, 1e-60);
+  EXPECT_EQ(lognormal.max, 3);
+  const RadiusDistribution powerlaw =
+      distribution_of("{distribution = \"powerlaw\", exponent = -3, min = 1, max = 2}");
+  EXPECT_EQ(powerlaw.kind, Kind::powerlaw);
+  EXPECT_EQ(powerlaw.exponent, -3);
+  EXPECT_EQ(powerlaw.min, 1);
+  const RadiusDistribution discrete =
+      distribution_of("{distribution = \"discrete\", values = [1, 2], weights = [3, 4]}");
+  EXPECT_EQ(discrete.kind, Kind::discrete);
+  EXPECT_EQ(discrete.values, (std::vector<double>{1, 2}));
+  EXPECT_EQ(discrete.weights, (std::vector<double>{3, 4}));
+  const RadiusDistribution file = distribution_of("{distribution = \"file\", file = \"radii.txt\"}");
+  EXPECT_EQ(file.kind, Kind::file);
+  EXPECT_EQ(file.file, "some/radii.txt");
+}
+
+TEST(ParseScenario, TakesADensityAsMass) {
+  const SphereGroup group = parse(kLeast, {"spheres.0.mass.density=3", "spheres.0.radius=2"}).spheres.at(0);
+  EXPECT_EQ(group.density, 3);
+  EXPECT_NEAR(group.mass_of(5), 32 * 3.14159265358979, 1e-10);
 }
 
 TEST(ParseScenario, TakesWholeNumbersInAnyForm) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "support/effort.hpp"
 
@@ -115,6 +116,24 @@ TEST(PortableLog, IsWithinThreeUnitsInTheLastPlaceOfTheTruth) {
     ASSERT_LE(std::fabs(static_cast<double>(portable_log(x) - truth)), 3 * unit) << x;
   }
   EXPECT_EQ(portable_log(1), 0);
+}
+
+TEST(PortableExp, IsWithinTwoUnitsInTheLastPlaceOfTheTruth) {
+  Random random(5);
+  for (std::uint64_t i = 0; i < support::cases(200000); ++i) {
+    // Arguments near zero, those of radii, and all that give normal numbers.
+    const double u = 2 * random.uniform() - 1;
+    const double x = i % 3 == 0 ? u * 0x1p-8 : i % 3 == 1 ? 4 * u : 708 * u;
+    const long double truth = std::exp(static_cast<long double>(x));
+    const auto nearest = static_cast<double>(truth);
+    const double unit = std::nextafter(nearest, 1e308) - nearest;
+    ASSERT_LE(std::fabs(static_cast<double>(portable_exp(x) - truth)), 2 * unit) << x;
+  }
+  EXPECT_EQ(portable_exp(0), 1);
+  EXPECT_EQ(portable_exp(1e9), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(portable_exp(-1e9), 0);
+  EXPECT_GT(portable_exp(-744), 0);
+  EXPECT_LT(portable_exp(709.7), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

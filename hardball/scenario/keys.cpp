@@ -1,0 +1,506 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/scenario/keys.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/measure/measure_settings.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+namespace {
+
+using enum ValueType;
+using enum NumberRange;
+
+std::shared_ptr<const TableDescription> make(TableDescription table) {
+  return std::make_shared<const TableDescription>(std::move(table));
+}
+
+TableDescription box_keys() {
+  return {.title = "[box]",
+          .keys = {
+              {.name = "boundary",
+               .type = choices,
+               .choices = {"wall", "periodic", "open"},
+               .is_required = true,
+               .meaning = "what bounds the box along x, y and z",
+               .example = R"(["wall", "wall", "wall"])"},
+              {.name = "size",
+               .type = numbers,
+               .range = positive,
+               .dimension = "L",
+               .meaning =
+                   "edge lengths; the box spans 0 to size. Three numbers, or one for each axis that is not "
+                   "open. For an open axis it only says where placement puts spheres",
+               .example = "[10.0, 10.0, 10.0]"},
+              {.name = "gravity",
+               .type = vector,
+               .dimension = "L/T²",
+               .default_value = "[0.0, 0.0, 0.0]",
+               .meaning = "the acceleration of every sphere",
+               .example = "[0.0, 0.0, -9.81]"},
+          }};
+}
+
+TableDescription radius_keys() {
+  return {
+      .title = "radius",
+      .keys = {
+          {.name = "distribution",
+           .type = choice,
+           .choices = {"uniform", "lognormal", "powerlaw", "discrete", "file"},
+           .is_required = true,
+           .meaning = "the kind of distribution",
+           .example = "\"uniform\""},
+          {.name = "min",
+           .range = positive,
+           .dimension = "L",
+           .is_required = true,
+           .meaning = "the smallest radius",
+           .example = "0.5",
+           .only_for = {"uniform", "powerlaw"}},
+          {.name = "max",
+           .range = positive,
+           .dimension = "L",
+           .is_required = true,
+           .meaning = "the largest radius",
+           .example = "1.0",
+           .only_for = {"uniform", "powerlaw"}},
+          {.name = "mean",
+           .range = positive,
+           .dimension = "L",
+           .is_required = true,
+           .meaning = "the mean radius of the distribution without `min` and `max`",
+           .example = "1.0",
+           .only_for = {"lognormal"}},
+          {.name = "sigma",
+           .range = positive,
+           .is_required = true,
+           .meaning = "the standard deviation of the natural logarithm of the radius",
+           .example = "0.25",
+           .only_for = {"lognormal"}},
+          {.name = "min",
+           .range = positive,
+           .dimension = "L",
+           .meaning = "smaller radii are drawn again",
+           .example = "0.5",
+           .only_for = {"lognormal"}},
+          {.name = "max",
+           .range = positive,
+           .dimension = "L",
+           .meaning = "larger radii are drawn again",
+           .example = "2.0",
+           .only_for = {"lognormal"}},
+          {.name = "exponent",
+           .is_required = true,
+           .meaning = "the density of radii is proportional to this power of the radius",
+           .example = "-2.5",
+           .only_for = {"powerlaw"}},
+          {.name = "values",
+           .type = numbers,
+           .range = positive,
+           .dimension = "L",
+           .is_required = true,
+           .meaning = "the radii",
+           .example = "[0.5, 1.0]",
+           .only_for = {"discrete"}},
+          {.name = "weights",
+           .type = numbers,
+           .range = positive,
+           .is_required = true,
+           .meaning = "how many spheres have each of the `values`, in proportion: exactly, up to less than "
+                      "one sphere",
+           .example = "[3.0, 1.0]",
+           .only_for = {"discrete"}},
+          {.name = "file",
+           .type = text,
+           .is_required = true,
+           .meaning =
+               "a text file with a radius [L] on each of `count` lines; its path is relative to the scenario",
+           .example = "\"radii.txt\"",
+           .only_for = {"file"}},
+      }};
+}
+
+TableDescription mass_keys() {
+  return {.title = "mass",
+          .keys = {{.name = "density",
+                    .range = positive,
+                    .dimension = "M/L³",
+                    .is_required = true,
+                    .meaning = "of the material: the mass of a sphere of radius r is 4π/3 r³ times this",
+                    .example = "2.0"}}};
+}
+
+TableDescription spheres_keys() {
+  // Ids are below 2^32, and the largest stands for none.
+  constexpr std::uint64_t kMostSpheres = std::numeric_limits<SphereId>::max() - 1;
+  return {
+      .title = "[[spheres]]",
+      .keys =
+          {
+              {.name = "count",
+               .type = integer,
+               .least = 1,
+               .most = kMostSpheres,
+               .meaning = "their number; may be left out where a list gives it",
+               .example = "1000"},
+              {.name = "radius",
+               .range = positive,
+               .dimension = "L",
+               .is_required = true,
+               .meaning = "their radius, or how their radii are distributed",
+               .example = "1.0",
+               .table = make(radius_keys())},
+              {.name = "mass",
+               .range = positive,
+               .dimension = "M",
+               .default_value = "1.0",
+               .meaning = "their mass, or the density from which their masses follow",
+               .example = "2.0",
+               .table = make(mass_keys())},
+              {.name = "placement",
+               .type = choice,
+               .choices = {"random", "fcc"},
+               .meaning = "`\"random\"`: anywhere without overlap, up to a packing fraction of about 0.36; "
+                          "`\"fcc\"`: on a face-centred cubic lattice that fills the box",
+               .example = "\"random\""},
+              {.name = "positions",
+               .type = vectors,
+               .dimension = "L",
+               .meaning = "instead of `placement`: their centres",
+               .example = "[[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]"},
+              {.name = "mean_speed",
+               .range = not_negative,
+               .dimension = "L/T",
+               .meaning = "Maxwell velocities with this mean of |v|",
+               .example = "1.0"},
+              {.name = "temperature",
+               .range = not_negative,
+               .dimension = "M L²/T²",
+               .meaning = "or: Maxwell velocities with this kT = m⟨v²⟩/3",
+               .example = "1.0"},
+              {.name = "speed",
+               .range = not_negative,
+               .dimension = "L/T",
+               .meaning = "or: this |v| in random directions",
+               .example = "1.0"},
+              {.name = "velocities",
+               .type = vectors,
+               .dimension = "L/T",
+               .meaning = "or: each velocity",
+               .example = "[[0.0, 0.0, 1.0], [0.0, 0.0, 0.0]]"},
+          },
+      .one_of = {{"placement", "positions"}, {"mean_speed", "temperature", "speed", "velocities"}},
+  };
+}
+
+TableDescription start_keys() {
+  return {
+      .title = "[start]",
+      .keys = {
+          {.name = "file",
+           .type = text,
+           .is_required = true,
+           .meaning = "an extended XYZ file, whose last frame is used; its path is relative to the scenario",
+           .example = "\"start.xyz\""}}};
+}
+
+TableDescription response_keys() {
+  return {
+      .title = "[response]",
+      .keys = {{.name = "restitution",
+                .range = fraction,
+                .default_value = "1.0",
+                .meaning = "the ratio of normal speeds after and before a contact; 1 is elastic",
+                .example = "0.9"},
+               {.name = "elastic_below",
+                .range = not_negative,
+                .dimension = "L/T",
+                .meaning =
+                    "impacts slower than this are elastic; under gravity a sphere pressed against a surface "
+                    "parts from it with at least a tenth of it",
+                .example = "0.01"}}};
+}
+
+// How a fixed surface reflects spheres.
+std::vector<KeyDescription> surface_keys() {
+  return {
+      {.name = "restitution",
+       .range = fraction,
+       .meaning = "of contacts with it; that of `[response]` if not given",
+       .example = "0.8"},
+      {.name = "temperature",
+       .range = not_negative,
+       .dimension = "M L²/T²",
+       .meaning = "instead of `restitution`: a thermal wall, which spheres leave with velocities of this kT",
+       .example = "1.0"}};
+}
+
+TableDescription walls_keys() {
+  std::vector<KeyDescription> keys{
+      {.name = "shape",
+       .type = choice,
+       .choices = {"plane", "cylinder", "sphere"},
+       .is_required = true,
+       .meaning = "its shape; the spheres are inside a cylinder or a sphere",
+       .example = "\"plane\""},
+      {.name = "point",
+       .type = vector,
+       .dimension = "L",
+       .is_required = true,
+       .meaning = "a point of the plane, a point on the axis of the cylinder, or the centre of the sphere",
+       .example = "[5.0, 5.0, 5.0]"},
+      {.name = "normal",
+       .type = vector,
+       .is_required = true,
+       .meaning = "a vector of any length that points from the plane to the side where the spheres are",
+       .example = "[0.0, 0.0, 1.0]",
+       .only_for = {"plane"}},
+      {.name = "axis",
+       .type = vector,
+       .is_required = true,
+       .meaning = "a vector of any length along the axis",
+       .example = "[0.0, 0.0, 1.0]",
+       .only_for = {"cylinder"}},
+      {.name = "radius",
+       .range = positive,
+       .dimension = "L",
+       .is_required = true,
+       .meaning = "its radius",
+       .example = "4.0",
+       .only_for = {"cylinder", "sphere"}},
+      {.name = "velocity",
+       .type = vector,
+       .dimension = "L/T",
+       .default_value = "[0.0, 0.0, 0.0]",
+       .meaning = "its constant velocity",
+       .example = "[0.0, 0.0, 0.1]"},
+      {.name = "amplitude",
+       .range = positive,
+       .dimension = "L",
+       .meaning = "together with `frequency`, instead of `velocity`: at time t the plane is displaced along "
+                  "its normal by "
+                  "amplitude · sin(2π · frequency · t)",
+       .example = "0.1",
+       .only_for = {"plane"}},
+      {.name = "frequency",
+       .range = positive,
+       .dimension = "1/T",
+       .meaning = "of this oscillation",
+       .example = "2.0",
+       .only_for = {"plane"}},
+  };
+  for (const KeyDescription& key : surface_keys()) keys.push_back(key);
+  return {.title = "[[walls]]", .keys = keys};
+}
+
+TableDescription obstacles_keys() {
+  std::vector<KeyDescription> keys{{.name = "position",
+                                    .type = vector,
+                                    .dimension = "L",
+                                    .meaning = "the centre of an obstacle",
+                                    .example = "[5.0, 5.0, 5.0]"},
+                                   {.name = "positions",
+                                    .type = vectors,
+                                    .dimension = "L",
+                                    .meaning = "instead of `position`: the centres of several, alike",
+                                    .example = "[[3.0, 5.0, 5.0], [7.0, 5.0, 5.0]]"},
+                                   {.name = "radius",
+                                    .range = positive,
+                                    .dimension = "L",
+                                    .is_required = true,
+                                    .meaning = "their radius",
+                                    .example = "1.0"}};
+  for (const KeyDescription& key : surface_keys()) keys.push_back(key);
+  return {.title = "[[obstacles]]", .keys = keys, .one_of = {{"position", "positions"}}};
+}
+
+TableDescription run_keys() {
+  return {
+      .title = "[run]",
+      .keys = {
+          {.name = "until",
+           .range = not_negative,
+           .dimension = "T",
+           .meaning = "when the run ends; `--until` takes precedence",
+           .example = "10.0"},
+          {.name = "seed",
+           .type = integer,
+           .least = 0,
+           .most = std::numeric_limits<std::int64_t>::max(),
+           .default_value = "1",
+           .meaning = "of the random numbers for radii, placement and velocities; `--seed` takes precedence",
+           .example = "1"}}};
+}
+
+TableDescription output_keys() {
+  return {.title = "[output]",
+          .keys = {{.name = "directory",
+                    .type = text,
+                    .meaning = "where files go; `--out` takes precedence; without either none are written",
+                    .example = "\"out\""},
+                   {.name = "snapshots_every",
+                    .range = positive,
+                    .dimension = "T",
+                    .meaning = "interval of snapshots in `trajectory.xyz`; none are written if not given",
+                    .example = "0.5"},
+                   {.name = "event_log",
+                    .type = truth,
+                    .default_value = "false",
+                    .meaning = "whether to write `events.npy`",
+                    .example = "true"},
+                   {.name = "recording",
+                    .type = truth,
+                    .default_value = "false",
+                    .meaning = "whether to write `recording.hbr`, for the [viewer](viewer.md)",
+                    .example = "true"},
+                   {.name = "report",
+                    .type = truth,
+                    .default_value = "true",
+                    .meaning = "whether to write `report.html`",
+                    .example = "false"}}};
+}
+
+TableDescription measures_keys() {
+  std::vector<std::string_view> known{"all"};
+  known.insert(known.end(), measure_names().begin(), measure_names().end());
+  return {.title = "[measures]",
+          .keys = {{.name = "names",
+                    .type = choices,
+                    .choices = known,
+                    .default_value = R"(["all"])",
+                    .meaning = "what is measured: see [measures.md](measures.md); `[]` for nothing",
+                    .example = R"(["pressure", "collision_rate"])"},
+                   {.name = "every",
+                    .range = positive,
+                    .dimension = "T",
+                    .meaning = "the time between samples; if not given, each measure has its own",
+                    .example = "0.5"},
+                   {.name = "from",
+                    .range = not_negative,
+                    .dimension = "T",
+                    .default_value = "0.0",
+                    .meaning = "when measuring starts",
+                    .example = "2.0"}}};
+}
+
+TableDescription all_keys() {
+  return {.title = "",
+          .keys = {{.name = "box",
+                    .type = table,
+                    .is_required = true,
+                    .meaning = "the space in which the spheres move",
+                    .table = make(box_keys())},
+                   {.name = "spheres",
+                    .type = tables,
+                    .meaning = "groups of spheres, in the order of ids",
+                    .table = make(spheres_keys())},
+                   {.name = "start",
+                    .type = table,
+                    .meaning = "instead of `[[spheres]]`: a state to start from",
+                    .table = make(start_keys())},
+                   {.name = "walls",
+                    .type = tables,
+                    .meaning = "walls besides those of the box: planes, cylinders and spheres",
+                    .table = make(walls_keys())},
+                   {.name = "obstacles",
+                    .type = tables,
+                    .meaning = "spheres that never move",
+                    .table = make(obstacles_keys())},
+                   {.name = "response",
+                    .type = table,
+                    .meaning = "what a contact does to velocities",
+                    .table = make(response_keys())},
+                   {.name = "run", .type = table, .meaning = "the run", .table = make(run_keys())},
+                   {.name = "output",
+                    .type = table,
+                    .meaning = "which files are written, and where",
+                    .table = make(output_keys())},
+                   {.name = "measures",
+                    .type = table,
+                    .meaning = "what is measured, and when",
+                    .table = make(measures_keys())}},
+          .one_of = {{"spheres", "start"}}};
+}
+
+// The names in double quotes and backquotes.
+std::string listed(const std::vector<std::string_view>& names) {
+  std::string text;
+  for (const std::string_view name : names)
+    text += (text.empty() ? "`\"" : ", `\"") + std::string(name) + "\"`";
+  return text;
+}
+
+std::string type_of(const KeyDescription& key) {
+  // In the order of NumberRange.
+  constexpr std::array<const char*, 4> kRanges{"", "positive ", "zero or positive ", ""};
+  const std::string range = kRanges[static_cast<std::size_t>(key.range)];
+  switch (key.type) {
+    case number:
+      return key.range == fraction ? "number from 0 to 1" : range + "number";
+    case numbers:
+      return "list of " + range + "numbers";
+    case integer:
+      return "integer from " + to_text(key.least) + " to " + to_text(key.most);
+    case truth:
+      return "`true` or `false`";
+    case text:
+      return "text";
+    case choice:
+      return listed(key.choices);
+    case choices:
+      return "list of " + listed(key.choices);
+    case vector:
+      return "three numbers";
+    case vectors:
+      return "list of three numbers each";
+    case table:
+    case tables:
+      return "table";
+  }
+  return "";
+}
+
+bool goes_with(const KeyDescription& key, std::string_view choice) {
+  return key.only_for.empty() || std::ranges::find(key.only_for, choice) != key.only_for.end();
+}
+
+}  // namespace
+
+const KeyDescription* TableDescription::find(std::string_view name, std::string_view choice) const {
+  const auto found = std::ranges::find_if(
+      keys, [&](const KeyDescription& key) { return key.name == name && goes_with(key, choice); });
+  return found == keys.end() ? nullptr : &*found;
+}
+
+bool TableDescription::has_variants() const {
+  return std::ranges::any_of(keys, [](const KeyDescription& key) { return !key.only_for.empty(); });
+}
+
+std::vector<std::string_view> TableDescription::names() const {
+  std::vector<std::string_view> names;
+  for (const KeyDescription& key : keys) {
+    if (std::ranges::find(names, key.name) == names.end()) names.push_back(key.name);
+  }
+  return names;
+}
+
+const TableDescription& scenario_keys() {
+  static const TableDescription keys = all_keys();
+  return keys;
+}
+
+std::string values_of(const KeyDescription& key) {
+  std::string text = type_of(key);
+  if (key.table && key.type != table && key.type != tables) text += ", or a table";
+  if (!key.dimension.empty()) text += " [" + std::string(key.dimension) + "]";
+  return text;
+}
+
+}  // namespace hardball

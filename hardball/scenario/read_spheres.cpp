@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/scenario/read_spheres.hpp"
+
+#include <array>
+#include <string>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/world/range.hpp"
+
+namespace hardball {
+namespace {
+
+// In the order of VelocityRule.
+constexpr std::array<std::string_view, 4> kVelocityKeys{"mean_speed", "temperature", "speed", "velocities"};
+
+void read_placement(const Section& section, SphereGroup& group) {
+  if (const auto positions = section.find("positions")) {
+    if (const auto placement = section.find("placement")) {
+      throw Error("there are both placement and positions", placement->place(), "remove one of the two");
+    }
+    group.placement = Placement::listed;
+    group.positions = positions->vectors();
+  } else {
+    group.placement = static_cast<Placement>(section.need("placement").choice());
+  }
+}
+
+void read_velocities(const Section& section, SphereGroup& group) {
+  std::optional<VelocityRule> rule;
+  for (std::size_t i = 0; i < kVelocityKeys.size(); ++i) {
+    const std::optional<Value> value = section.find(kVelocityKeys[i]);
+    if (!value) continue;
+    if (rule) {
+      const std::string_view first = kVelocityKeys[static_cast<std::size_t>(*rule)];
+      throw Error("there are both " + std::string(first) + " and " + std::string(kVelocityKeys[i]),
+                  value->place(), "keep one of mean_speed, temperature, speed and velocities");
+    }
+    rule = static_cast<VelocityRule>(i);
+    if (rule == VelocityRule::listed) {
+      group.velocities = value->vectors();
+    } else {
+      group.velocity_scale = value->number();
+    }
+  }
+  if (!rule) {
+    throw Error("the spheres have no velocities", section.place(),
+                "add mean_speed, temperature, speed (zero for rest) or velocities");
+  }
+  group.velocity_rule = *rule;
+}
+
+// Lists give the count if it is missing, and must agree with it otherwise.
+void read_count(const Section& section, SphereGroup& group) {
+  const bool has_positions = group.placement == Placement::listed;
+  const bool has_velocities = group.velocity_rule == VelocityRule::listed;
+  if (const auto count = section.find("count")) {
+    group.count = count->integer();
+  } else if (has_positions || has_velocities) {
+    group.count = has_positions ? group.positions.size() : group.velocities.size();
+  } else {
+    section.need("count");
+  }
+  const auto check_list = [&](std::string_view key, std::size_t length) {
+    if (length == group.count && length > 0) return;
+    section.need(key).wrong_length(length, "give one for each of the " + to_text(group.count) + " spheres");
+  };
+  if (has_positions) check_list("positions", group.positions.size());
+  if (has_velocities) check_list("velocities", group.velocities.size());
+}
+
+RadiusDistribution read_distribution(const Section& section, const std::filesystem::path& folder) {
+  using enum RadiusDistribution::Kind;
+  RadiusDistribution radii;
+  radii.where = section.place();
+  radii.kind = static_cast<RadiusDistribution::Kind>(section.need("distribution").choice());
+  switch (radii.kind) {
+    case uniform:
+    case powerlaw:
+      radii.min = section.need("min").number();
+      radii.max = section.need("max").number();
+      if (radii.kind == powerlaw) radii.exponent = section.need("exponent").number();
+      break;
+    case lognormal:
+      radii.mean = section.need("mean").number();
+      radii.sigma = section.need("sigma").number();
+      radii.min = kSmallestMagnitude;
+      radii.max = kLargestMagnitude;
+      if (const auto min = section.find("min")) radii.min = min->number();
+      if (const auto max = section.find("max")) radii.max = max->number();
+      break;
+    case discrete: {
+      radii.values = section.need("values").numbers();
+      radii.weights = section.need("weights").numbers();
+      if (radii.values.empty() || radii.weights.size() != radii.values.size()) {
+        section.need("weights").wrong_length(radii.weights.size(),
+                                             "give at least one radius, and as many weights");
+      }
+      return radii;
+    }
+    case file:
+      radii.file = folder / section.need("file").text();
+      return radii;
+  }
+  if (radii.min > radii.max) {
+    throw Error("min is " + to_text(radii.min) + " and max is " + to_text(radii.max), radii.where,
+                "give a max that is not less than min");
+  }
+  return radii;
+}
+
+void read_sizes(const Section& section, const std::filesystem::path& folder, SphereGroup& group) {
+  const Value radius = section.need("radius");
+  if (const auto distribution = radius.section()) {
+    group.distribution = read_distribution(*distribution, folder);
+  } else {
+    group.radius = radius.number();
+  }
+  const std::optional<Value> mass = section.find("mass");
+  if (!mass) return;
+  if (const auto material = mass->section()) {
+    group.density = material->need("density").number();
+  } else {
+    group.mass = mass->number();
+  }
+}
+
+}  // namespace
+
+SphereGroup read_spheres(const Section& section, const std::filesystem::path& folder) {
+  SphereGroup group;
+  group.where = section.place();
+  read_placement(section, group);
+  read_velocities(section, group);
+  read_count(section, group);
+  read_sizes(section, folder, group);
+  return group;
+}
+
+}  // namespace hardball

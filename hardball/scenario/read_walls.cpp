@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/scenario/read_walls.hpp"
+
+#include <string>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/world/range.hpp"
+
+namespace hardball {
+namespace {
+
+// A vector of any length but zero.
+Vec3 read_direction(const Section& section, const std::string& key) {
+  const Value value = section.need(key);
+  const Vec3 direction = value.vector();
+  check_positive(length(direction), "the length of " + key, value.place());
+  return direction;
+}
+
+// Restitution and temperature of a wall or an obstacle.
+template <class Description>
+void read_surface(const Section& section, Description& surface) {
+  if (const auto restitution = section.find("restitution")) surface.restitution = restitution->number();
+  if (const auto temperature = section.find("temperature")) {
+    surface.temperature = temperature->number();
+    if (surface.restitution) {
+      throw Error(
+          "there are both restitution and temperature", temperature->place(),
+          "remove one of the two: the velocities with which spheres leave a thermal wall do not depend on "
+          "those before");
+    }
+  }
+}
+
+void read_motion(const Section& section, WallDescription& wall) {
+  const std::optional<Value> velocity = section.find("velocity");
+  if (velocity) wall.velocity = velocity->vector();
+  if (wall.shape != WallDescription::Shape::plane) return;
+  const std::optional<Value> amplitude = section.find("amplitude");
+  const std::optional<Value> frequency = section.find("frequency");
+  if (!amplitude && !frequency) return;
+  if (velocity) {
+    throw Error("there are both velocity and " + std::string(amplitude ? "amplitude" : "frequency"),
+                velocity->place(), "a plane either moves evenly or oscillates; remove one of the two");
+  }
+  wall.amplitude = section.need("amplitude").number();
+  wall.frequency = section.need("frequency").number();
+}
+
+WallDescription read_wall(const Section& section) {
+  using Shape = WallDescription::Shape;
+  WallDescription wall;
+  wall.where = section.place();
+  wall.shape = static_cast<Shape>(section.need("shape").choice());
+  wall.point = section.need("point").vector();
+  if (wall.shape == Shape::plane) wall.direction = read_direction(section, "normal");
+  if (wall.shape == Shape::cylinder) wall.direction = read_direction(section, "axis");
+  if (wall.shape != Shape::plane) wall.radius = section.need("radius").number();
+  read_surface(section, wall);
+  read_motion(section, wall);
+  return wall;
+}
+
+std::vector<Vec3> read_positions(const Section& section) {
+  const std::optional<Value> position = section.find("position");
+  const std::optional<Value> positions = section.find("positions");
+  if (position && positions) {
+    throw Error("there are both position and positions", positions->place(), "remove one of the two");
+  }
+  if (positions) return positions->vectors();
+  return {section.need("position").vector()};
+}
+
+}  // namespace
+
+std::vector<WallDescription> read_walls(const Section& root) {
+  std::vector<WallDescription> walls;
+  for (const Section& section : root.sections("walls")) walls.push_back(read_wall(section));
+  return walls;
+}
+
+std::vector<ObstacleDescription> read_obstacles(const Section& root) {
+  std::vector<ObstacleDescription> obstacles;
+  for (const Section& section : root.sections("obstacles")) {
+    ObstacleDescription obstacle;
+    obstacle.where = section.place();
+    obstacle.radius = section.need("radius").number();
+    read_surface(section, obstacle);
+    for (const Vec3& position : read_positions(section)) {
+      obstacle.position = position;
+      obstacles.push_back(obstacle);
+    }
+  }
+  return obstacles;
+}
+
+}  // namespace hardball

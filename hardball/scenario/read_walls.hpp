@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "hardball/scenario/scenario.hpp"
+#include "hardball/scenario/section.hpp"
+
+namespace hardball {
+
+/// What the tables [[walls]] of a scenario describe. Error, with the place of the value: a key is missing,
+/// contradicts another or is out of range.
+std::vector<WallDescription> read_walls(const Section& root);
+
+/// What the tables [[obstacles]] describe, one for each position. Error: likewise.
+std::vector<ObstacleDescription> read_obstacles(const Section& root);
+
+}  // namespace hardball

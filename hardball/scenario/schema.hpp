@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace hardball {
+
+/// A JSON Schema (draft 7) of scenario files, by which editors complete keys, describe them and mark
+/// mistakes.
+std::string scenario_schema();
+
+}  // namespace hardball

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/scenario/section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/scenario/nearest_name.hpp"
+#include "hardball/world/range.hpp"
+
+namespace hardball {
+namespace {
+
+std::string in_quotes(std::string_view text) {
+  return "'" + std::string(text) + "'";
+}
+
+void check_range(double number, const KeyDescription& key, const std::string& where) {
+  const auto refuse = [&](const std::string& remedy) {
+    throw Error(std::string(key.name) + " is " + to_text(number), where, remedy);
+  };
+  switch (key.range) {
+    case NumberRange::finite:
+      return check_finite(number, key.name, where);
+    case NumberRange::positive:
+      return check_positive(number, key.name, where);
+    case NumberRange::not_negative:
+      check_finite(number, key.name, where);
+      if (number < 0) refuse("give zero or a positive number");
+      if (number > 0) check_positive(number, key.name, where);
+      return;
+    case NumberRange::fraction:
+      if (!(number >= 0 && number <= 1)) refuse("give a number between 0 and 1");
+      return;
+  }
+}
+
+// "a number", or what else the key takes.
+std::string remedy_for(const KeyDescription& key, const std::string& what) {
+  return "give " + what + (key.table ? ", or a table in braces" : "");
+}
+
+}  // namespace
+
+double Value::number() const {
+  double number = 0;
+  if (const auto* const given = std::get_if<double>(&node_->value)) {
+    number = *given;
+  } else if (const auto* const integer = std::get_if<std::int64_t>(&node_->value)) {
+    number = static_cast<double>(*integer);
+  } else {
+    wrong_kind(remedy_for(*key_, "a number"));
+  }
+  check_range(number, *key_, place());
+  // Never minus zero where nothing is negative.
+  return key_->range == NumberRange::not_negative ? std::fabs(number) : number;
+}
+
+std::uint64_t Value::integer() const {
+  const auto refuse = [&](const std::string& given) -> std::uint64_t {
+    throw Error(
+        std::string(key_->name) + " is " + given, place(),
+        "give an integer of at least " + to_text(key_->least) + " and at most " + to_text(key_->most));
+  };
+  const auto is_in_range = [&](std::uint64_t number) {
+    return number >= key_->least && number <= key_->most;
+  };
+  if (const auto* const number = std::get_if<double>(&node_->value)) {
+    const bool is_exact = *number >= 0 && *number <= 0x1p53 && *number == std::floor(*number);
+    if (!is_exact || !is_in_range(static_cast<std::uint64_t>(*number))) return refuse(to_text(*number));
+    return static_cast<std::uint64_t>(*number);
+  }
+  const auto* const integer = std::get_if<std::int64_t>(&node_->value);
+  if (!integer) wrong_kind("give an integer");
+  if (*integer < 0 || !is_in_range(static_cast<std::uint64_t>(*integer))) return refuse(to_text(*integer));
+  return static_cast<std::uint64_t>(*integer);
+}
+
+bool Value::truth() const {
+  const auto* const boolean = std::get_if<bool>(&node_->value);
+  if (!boolean) wrong_kind("give true or false");
+  return *boolean;
+}
+
+std::string Value::text() const {
+  const auto* const string = std::get_if<std::string>(&node_->value);
+  if (!string) wrong_kind("give a string in double quotes");
+  if (string->empty()) {
+    throw Error(std::string(key_->name) + " is empty", place(), "give a string that is not empty");
+  }
+  return *string;
+}
+
+std::size_t Value::choice() const {
+  const std::string given = text();
+  const auto found = std::ranges::find(key_->choices, given);
+  if (found == key_->choices.end()) {
+    throw Error(std::string(key_->name) + " is \"" + given + "\"", place(),
+                suggestion(given, key_->choices, '"'));
+  }
+  return static_cast<std::size_t>(found - key_->choices.begin());
+}
+
+std::vector<double> Value::numbers() const {
+  std::vector<double> numbers;
+  for (const Value& entry : entries("give numbers in brackets")) numbers.push_back(entry.number());
+  return numbers;
+}
+
+Vec3 Value::vector() const {
+  const std::string remedy = "give three numbers in brackets";
+  const std::vector<Value> parts = entries(remedy);
+  if (parts.size() != kAxes) wrong_length(parts.size(), remedy);
+  return {parts[0].number(), parts[1].number(), parts[2].number()};
+}
+
+std::vector<Vec3> Value::vectors() const {
+  std::vector<Vec3> vectors;
+  for (const Value& entry : entries("give an array of arrays of three numbers")) {
+    vectors.push_back(entry.vector());
+  }
+  return vectors;
+}
+
+std::vector<Value> Value::entries(const std::string& remedy) const {
+  const auto* const array = std::get_if<Node::Array>(&node_->value);
+  if (!array) wrong_kind(remedy);
+  std::vector<Value> values;
+  for (const Node& entry : *array) values.emplace_back(*document_, entry, *key_);
+  return values;
+}
+
+std::optional<Section> Value::section() const {
+  if (!std::holds_alternative<Node::Table>(node_->value)) return std::nullopt;
+  return Section(*document_, *node_, *key_);
+}
+
+void Value::wrong_length(std::size_t length, const std::string& remedy) const {
+  throw Error(std::string(key_->name) + " has " + to_text(length) + (length == 1 ? " entry" : " entries"),
+              place(), remedy);
+}
+
+void Value::wrong_kind(const std::string& remedy) const {
+  throw Error(std::string(key_->name) + " is " + kind_of(*node_), place(), remedy);
+}
+
+Section::Section(const Document& document)
+    : document_(&document), node_(&document.root()), keys_(&scenario_keys()) {
+  check_keys();
+}
+
+Section::Section(const Document& document, const Node& node, const KeyDescription& key)
+    : document_(&document), node_(&node), keys_(key.table.get()) {
+  if (!std::holds_alternative<Node::Table>(node.value)) {
+    throw Error(in_quotes(key.name) + " is " + kind_of(node), place(), "make it a table, " + keys_->title);
+  }
+  check_keys();
+}
+
+void Section::check_keys() {
+  for (const Entry& entry : std::get<Node::Table>(node_->value)) {
+    const std::vector<std::string_view> names = keys_->names();
+    if (std::ranges::find(names, entry.key) != names.end()) continue;
+    throw Error("unknown key " + in_quotes(entry.key) + (keys_->title.empty() ? "" : " in " + keys_->title),
+                document_->text_of(entry.place), suggestion(entry.key, names));
+  }
+  if (!keys_->has_variants()) return;
+  const KeyDescription& first = keys_->keys.front();
+  choice_ = first.choices[need(first.name).choice()];
+  for (const Entry& entry : std::get<Node::Table>(node_->value)) {
+    if (keys_->find(entry.key, choice_)) continue;
+    throw Error("key " + in_quotes(entry.key) + " does not go with " + std::string(first.name) + " = \"" +
+                    choice_ + "\"",
+                document_->text_of(entry.place), "remove it or change the " + std::string(first.name));
+  }
+}
+
+const Entry* Section::entry(std::string_view key) const {
+  const auto& table = std::get<Node::Table>(node_->value);
+  const auto found = std::ranges::find(table, key, &Entry::key);
+  return found == table.end() ? nullptr : &*found;
+}
+
+const KeyDescription& Section::description(std::string_view key) const {
+  const KeyDescription* const description = keys_->find(key, choice_);
+  HARDBALL_CHECK(description);
+  return *description;
+}
+
+std::optional<Value> Section::find(std::string_view key) const {
+  const KeyDescription& description = this->description(key);
+  const Entry* const entry = this->entry(key);
+  if (!entry) return std::nullopt;
+  return Value(*document_, entry->node, description);
+}
+
+Value Section::need(std::string_view key) const {
+  if (const std::optional<Value> value = find(key)) return *value;
+  throw Error("key " + in_quotes(key) + " is missing in " + keys_->title, place(),
+              "add it, such as " + std::string(key) + " = " + std::string(description(key).example));
+}
+
+std::optional<Section> Section::section(std::string_view key) const {
+  const KeyDescription& description = this->description(key);
+  const Entry* const entry = this->entry(key);
+  if (!entry) return std::nullopt;
+  return Section(*document_, entry->node, description);
+}
+
+std::vector<Section> Section::sections(std::string_view key) const {
+  const KeyDescription& description = this->description(key);
+  std::vector<Section> sections;
+  const Entry* const entry = this->entry(key);
+  if (!entry) return sections;
+  const auto* const array = std::get_if<Node::Array>(&entry->node.value);
+  if (!array) {
+    throw Error(in_quotes(key) + " is " + kind_of(entry->node), document_->text_of(entry->node.place),
+                "make it a table in an array, " + description.table->title);
+  }
+  for (const Node& node : *array) sections.emplace_back(*document_, node, description);
+  return sections;
+}
+
+}  // namespace hardball

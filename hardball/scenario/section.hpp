@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hardball/geometry/vec3.hpp"
+#include "hardball/scenario/document.hpp"
+#include "hardball/scenario/keys.hpp"
+
+namespace hardball {
+
+class Section;
+
+/// A value of a scenario. Each function reads it as one type and checks it against the description of its
+/// key. Error, with the value's place: the wrong type, or out of range.
+class Value {
+ public:
+  Value(const Document& document, const Node& node, const KeyDescription& key)
+      : document_(&document), node_(&node), key_(&key) {}
+
+  std::string place() const { return document_->text_of(node_->place); }
+
+  double number() const;
+  /// Also accepts numbers such as 1e5.
+  std::uint64_t integer() const;
+  bool truth() const;
+  std::string text() const;
+  /// The index of the text among the key's choices.
+  std::size_t choice() const;
+  std::vector<double> numbers() const;
+  Vec3 vector() const;
+  std::vector<Vec3> vectors() const;
+  /// The values of a list. `remedy` says what the list should hold.
+  std::vector<Value> entries(const std::string& remedy) const;
+  /// The table that may be given instead of a plain value; none if it is a plain value.
+  std::optional<Section> section() const;
+
+  [[noreturn]] void wrong_length(std::size_t length, const std::string& remedy) const;
+
+ private:
+  [[noreturn]] void wrong_kind(const std::string& remedy) const;
+
+  const Document* document_;
+  const Node* node_;
+  const KeyDescription* key_;
+};
+
+/// A table of a scenario. All of its keys are known, and go with the choice of its first key where that
+/// matters.
+class Section {
+ public:
+  /// The scenario as a whole.
+  explicit Section(const Document& document);
+  /// The table that `node` is, the value of `key`. Error: it is none; an unknown key.
+  Section(const Document& document, const Node& node, const KeyDescription& key);
+
+  std::string place() const { return document_->text_of(node_->place); }
+
+  std::optional<Value> find(std::string_view key) const;
+  /// Error: there is no such key.
+  Value need(std::string_view key) const;
+  /// The table of this name, none if it is missing.
+  std::optional<Section> section(std::string_view key) const;
+  /// The tables of this name, none if they are missing.
+  std::vector<Section> sections(std::string_view key) const;
+
+ private:
+  void check_keys();
+  const Entry* entry(std::string_view key) const;
+  const KeyDescription& description(std::string_view key) const;
+
+  const Document* document_;
+  const Node* node_;
+  const TableDescription* keys_;
+  std::string choice_;  // of the first key, if other keys depend on it
+};
+
+}  // namespace hardball
