@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "hardball/errors/error.hpp"
 
@@ -17,17 +18,36 @@ using Json = nlohmann::ordered_json;
 // In the order of Boundary.
 constexpr std::array<const char*, 3> kBoundaryNames{"wall", "periodic", "open"};
 
+// In the order of RecordedSurface::Shape.
+constexpr std::array<const char*, 4> kShapeNames{"plane", "cylinder", "sphere", "obstacle"};
+
 Json json_vector(const Vec3& vector) {
   return {vector.x, vector.y, vector.z};
+}
+
+Json json_surface(const RecordedSurface& surface) {
+  Json json;
+  json["shape"] = kShapeNames[static_cast<std::size_t>(surface.shape)];
+  json["point"] = json_vector(surface.point);
+  json["direction"] = json_vector(surface.direction);
+  json["radius"] = surface.radius;
+  json["velocity"] = json_vector(surface.velocity);
+  json["amplitude"] = surface.amplitude;
+  json["frequency"] = surface.frequency;
+  json["temperature"] = surface.temperature ? Json(*surface.temperature) : Json(nullptr);
+  json["restitution"] = surface.restitution;
+  return json;
 }
 
 // Reads the values of a header from its JSON.
 class HeaderReader {
  public:
-  explicit HeaderReader(const std::string& where) : where_(&where) {}
+  // `part`: of the header, as messages begin.
+  explicit HeaderReader(const std::string& where, std::string part = "")
+      : where_(&where), part_(std::move(part)) {}
 
   [[noreturn]] void fail(const std::string& problem) const {
-    throw Error(problem, *where_ + ": header", "give a recording that hardball has written");
+    throw Error(part_ + problem, *where_ + ": header", "give a recording that hardball has written");
   }
 
   const Json& member(const Json& object, const char* key) const {
@@ -51,12 +71,44 @@ class HeaderReader {
     check_triple(value);
     std::array<Boundary, kAxes> boundary{};
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      std::size_t kind = 0;
-      while (kind < kBoundaryNames.size() && value[axis] != kBoundaryNames[kind]) ++kind;
-      if (kind == kBoundaryNames.size()) fail("a boundary is unknown");
-      boundary[axis] = static_cast<Boundary>(kind);
+      boundary[axis] = static_cast<Boundary>(index_of(value[axis], kBoundaryNames, "boundary"));
     }
     return boundary;
+  }
+
+  // Calls take(value) for the value of `key`, if there is one.
+  template <class Take>
+  void read(const Json& object, const char* key, const Take& take) const {
+    const auto found = object.find(key);
+    if (found != object.end()) take(*found);
+  }
+
+  RecordedSurface surface(const Json& value) const {
+    using Shape = RecordedSurface::Shape;
+    RecordedSurface surface;
+    surface.shape = static_cast<Shape>(index_of(member(value, "shape"), kShapeNames, "shape"));
+    surface.point = vector(member(value, "point"));
+    const bool is_plane = surface.shape == Shape::plane;
+    if (is_plane || surface.shape == Shape::cylinder) surface.direction = vector(member(value, "direction"));
+    if (!is_plane) surface.radius = number(member(value, "radius"));
+    read(value, "velocity", [&](const Json& entry) { surface.velocity = vector(entry); });
+    read(value, "amplitude", [&](const Json& entry) { surface.amplitude = number(entry); });
+    read(value, "frequency", [&](const Json& entry) { surface.frequency = number(entry); });
+    read(value, "temperature", [&](const Json& entry) {
+      if (!entry.is_null()) surface.temperature = number(entry);
+    });
+    read(value, "restitution", [&](const Json& entry) { surface.restitution = number(entry); });
+    check(surface);
+    return surface;
+  }
+
+  std::vector<RecordedSurface> surfaces(const Json& value) const {
+    if (!value.is_array()) fail("the surfaces are not a list");
+    std::vector<RecordedSurface> surfaces;
+    for (const Json& entry : value) {
+      surfaces.push_back(HeaderReader(*where_, "surface " + to_text(surfaces.size()) + ": ").surface(entry));
+    }
+    return surfaces;
   }
 
  private:
@@ -64,7 +116,31 @@ class HeaderReader {
     if (!value.is_array() || value.size() != kAxes) fail("there are not three entries");
   }
 
+  template <std::size_t kCount>
+  std::size_t index_of(const Json& value, const std::array<const char*, kCount>& names,
+                       const std::string& what) const {
+    for (std::size_t k = 0; k < kCount; ++k) {
+      if (value == names[k]) return k;
+    }
+    fail("a " + what + " is unknown");
+  }
+
+  void check(const RecordedSurface& surface) const {
+    constexpr double kTolerance = 1e-6;  // of the square of a unit vector
+    const double square = dot(surface.direction, surface.direction);
+    if (!(std::fabs(square - 1) <= kTolerance)) fail("the direction is not a unit vector");
+    const bool is_plane = surface.shape == RecordedSurface::Shape::plane;
+    if (!is_plane && !(surface.radius > 0)) fail("the radius is " + to_text(surface.radius));
+    if (!is_plane && surface.amplitude != 0) fail("only planes oscillate");
+    if (!(surface.frequency >= 0)) fail("the frequency is " + to_text(surface.frequency));
+    if (surface.temperature && !(*surface.temperature >= 0)) {
+      fail("the temperature is " + to_text(*surface.temperature));
+    }
+    if (!(surface.restitution >= 0)) fail("the restitution is " + to_text(surface.restitution));
+  }
+
   const std::string* where_;
+  std::string part_;
 };
 
 }  // namespace
@@ -86,6 +162,9 @@ std::string to_json(const RecordingHeader& header) {
   json["cell_origin"] = json_vector(header.cell_origin);
   json["name"] = header.name;
   json["restitution"] = header.restitution;
+  json["gravity"] = json_vector(header.gravity);
+  json["surfaces"] = Json::array();
+  for (const RecordedSurface& surface : header.surfaces) json["surfaces"].push_back(json_surface(surface));
   // A file name may contain any bytes.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -102,21 +181,29 @@ RecordingHeader parse_recording_header(std::string_view json, const std::string&
   header.spheres = static_cast<std::size_t>(count);
   const Json& box = in.member(object, "box");
   header.box = Box(in.boundary(in.member(box, "boundary")), in.vector(in.member(box, "size")));
-  const auto read = [&](const char* key, const auto& take) {
-    if (object.contains(key)) take(object[key]);
-  };
-  read("begin", [&](const Json& value) { header.begin = in.number(value); });
-  read("until", [&](const Json& value) {
+  in.read(object, "begin", [&](const Json& value) { header.begin = in.number(value); });
+  in.read(object, "until", [&](const Json& value) {
     if (!value.is_null()) header.until = in.number(value);
   });
-  read("cell_edge", [&](const Json& value) { header.cell_edge = in.vector(value); });
-  read("cell_origin", [&](const Json& value) { header.cell_origin = in.vector(value); });
-  read("name", [&](const Json& value) {
+  in.read(object, "cell_edge", [&](const Json& value) { header.cell_edge = in.vector(value); });
+  in.read(object, "cell_origin", [&](const Json& value) { header.cell_origin = in.vector(value); });
+  in.read(object, "name", [&](const Json& value) {
     if (!value.is_string()) in.fail("the name is not a string");
     header.name = value.get<std::string>();
   });
-  read("restitution", [&](const Json& value) { header.restitution = in.number(value); });
+  in.read(object, "restitution", [&](const Json& value) { header.restitution = in.number(value); });
+  in.read(object, "gravity", [&](const Json& value) { header.gravity = in.vector(value); });
+  in.read(object, "surfaces", [&](const Json& value) { header.surfaces = in.surfaces(value); });
   return header;
+}
+
+Vec3 RecordedPath::center_at(double moment, const Vec3& gravity) const {
+  const double elapsed = moment - time;
+  return position + elapsed * (velocity + (elapsed / 2) * gravity);
+}
+
+Vec3 RecordedPath::velocity_at(double moment, const Vec3& gravity) const {
+  return velocity + (moment - time) * gravity;
 }
 
 void RecordedContact::rewrite(std::vector<RecordedPath>& paths) const {

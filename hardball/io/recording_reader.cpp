@@ -103,6 +103,7 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
                 "chunks are counted from 0, and there are " + to_text(chunks_.size()));
   }
   const ChunkExtent& extent = chunks_[chunk];
+  const std::size_t walls = kBoxFaces + header_.surfaces.size();
   const auto refuse_unless = [&](bool condition) {
     if (!condition) refuse("chunk " + to_text(chunk) + " contains what no run can produce");
   };
@@ -134,7 +135,7 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
     refuse_unless(last <= contact.time && contact.time <= extent.end);
     refuse_unless(contact.first < header_.spheres);
     refuse_unless(contact.is_collision() ? static_cast<std::size_t>(contact.second) < header_.spheres
-                                         : contact.second >= -static_cast<std::int32_t>(kFaces));
+                                         : static_cast<std::size_t>(~contact.second) < walls);
     refuse_unless(is_finite(contact.first_position) && is_finite(contact.first_velocity) &&
                   is_finite(contact.second_position) && is_finite(contact.second_velocity));
     last = contact.time;

@@ -58,8 +58,8 @@ class RecordingReader {
   /// constructor.
   void refresh();
 
-  /// A whole chunk. Error: there is no such chunk; it names spheres that do not exist, times out of order,
-  /// or numbers that are not finite.
+  /// A whole chunk. Error: there is no such chunk; it names spheres or surfaces that do not exist, times out
+  /// of order, or numbers that are not finite.
   RecordedChunk read(std::size_t chunk);
 
  private:

@@ -107,7 +107,7 @@ void RecordingWriter::note(const Contact& contact) {
   if (contacts_.size() >= most_contacts_ && contact.time.value() > contacts_.back().time) {
     write_chunk(contacts_.size(), contacts_.back().time);
   }
-  // -(face + 1) is the bitwise complement of the face.
+  // -(k + 1) is the bitwise complement of the number k of a surface.
   const std::uint32_t second = contact.is_collision() ? contact.second : ~contact.second;
   contacts_.push_back({contact.time.value(), contact.first, static_cast<std::int32_t>(second),
                        contact.position, contact.after.first, contact.second_position,

@@ -94,6 +94,85 @@ TEST(Recording, AnUnknownEndIsNull) {
   EXPECT_EQ(parse_recording_header(to_json({}), "test").until, std::nullopt);
 }
 
+std::vector<RecordedSurface> every_surface() {
+  using Shape = RecordedSurface::Shape;
+  return {
+      {.shape = Shape::plane,
+       .point = {0, 0, 1},
+       .direction = {0, 0.6, 0.8},
+       .velocity = {0, 0.25, 0.5},
+       .amplitude = 0.125,
+       .frequency = 3},
+      {.shape = Shape::cylinder, .point = {5, 4, 0}, .direction = {0, 0, 1}, .radius = 4, .temperature = 2.5},
+      {.shape = Shape::sphere, .point = {5, 4, 1}, .radius = 7, .restitution = 0.5},
+      {.shape = Shape::obstacle, .point = {1, 2, 3}, .radius = 0.1}};
+}
+
+TEST(Recording, ContainsGravityAndSurfaces) {
+  const ScratchFolder folder;
+  const RecordingHeader header{.gravity = {0, 0.5, -9.81}, .surfaces = every_surface()};
+  RecordingWriter(folder / "recording.hbr", header, make_mixture()).close(1);
+  const RecordingReader reader(folder / "recording.hbr");
+  EXPECT_EQ(reader.header().gravity, header.gravity);
+  EXPECT_EQ(reader.header().surfaces, header.surfaces);
+  const nlohmann::json json = nlohmann::json::parse(reader.header_text());
+  EXPECT_EQ(json["gravity"], nlohmann::json::parse("[0, 0.5, -9.81]"));
+  EXPECT_EQ(json["surfaces"][1], nlohmann::json::parse(R"({"shape": "cylinder", "point": [5, 4, 0],
+    "direction": [0, 0, 1], "radius": 4, "velocity": [0, 0, 0], "amplitude": 0, "frequency": 0,
+    "temperature": 2.5, "restitution": 1})"));
+  EXPECT_TRUE(json["surfaces"][0]["temperature"].is_null());
+}
+
+TEST(Recording, WithoutGravityAndSurfacesThereAreNone) {
+  const RecordingHeader header = parse_recording_header(
+      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}})", "test");
+  EXPECT_EQ(header.gravity, Vec3{});
+  EXPECT_TRUE(header.surfaces.empty());
+}
+
+TEST(Recording, KeysOfASurfaceWithoutMeaningMayBeAbsent) {
+  const RecordingHeader header = parse_recording_header(
+      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}, "surfaces": [
+         {"shape": "plane", "point": [1, 2, 3], "direction": [0, 0, 1]},
+         {"shape": "obstacle", "point": [1, 2, 3], "radius": 2, "more": []}]})",
+      "test");
+  ASSERT_EQ(header.surfaces.size(), 2U);
+  EXPECT_EQ(header.surfaces[0], (RecordedSurface{.point = {1, 2, 3}}));
+  EXPECT_EQ(header.surfaces[1],
+            (RecordedSurface{.shape = RecordedSurface::Shape::obstacle, .point = {1, 2, 3}, .radius = 2}));
+}
+
+TEST(Recording, NumbersSurfacesAfterTheFacesOfTheBox) {
+  const ScratchFolder folder;
+  const auto record_contact_with = [&](std::uint32_t surface) {
+    RecordingWriter writer(folder / "recording.hbr", {.surfaces = every_surface()}, make_mixture());
+    Contact contact;
+    contact.kind = EventKind::wall;
+    contact.time = Time(1);
+    contact.first = 1;
+    contact.second = surface;
+    contact.after.first = {1, 2, 3};
+    writer.note(contact);
+    writer.close(2);
+  };
+  record_contact_with(9);
+  RecordingReader reader(folder / "recording.hbr");
+  const RecordedContact contact = reader.read(0).contacts.at(0);
+  EXPECT_FALSE(contact.is_collision());
+  EXPECT_EQ(contact.second, -10);
+  EXPECT_EQ(contact.first_velocity, (Vec3{1, 2, 3}));
+  record_contact_with(10);
+  EXPECT_THROW(RecordingReader(folder / "recording.hbr").read(0), Error) << "there are four surfaces";
+}
+
+TEST(Recording, PathsAreParabolasUnderGravity) {
+  const RecordedPath path{.position = {1, 2, 3}, .velocity = {0.5, 0, 4}, .time = 10};
+  EXPECT_EQ(path.center_at(12, {0, 0, -2}), (Vec3{2, 2, 7}));
+  EXPECT_EQ(path.velocity_at(12, {0, 0, -2}), (Vec3{0.5, 0, 0}));
+  EXPECT_EQ(path.center_at(9, {0, 0, -2}), (Vec3{0.5, 2, -2}));
+  EXPECT_EQ(path.center_at(12, {}), (Vec3{2, 2, 11}));
+}
+
 TEST(Recording, ContainsEveryContactInOrder) {
   const ScratchFolder folder;
   Simulation simulation(make_mixture());
@@ -171,7 +250,7 @@ TEST(Recording, CentresAreThoseOfTheSimulation) {
   const std::vector<Vec3> centers = simulation.positions();
   const Vec3 size = simulation.world().box().size();
   for (SphereId id = 0; id < simulation.size(); ++id) {
-    Vec3 center = paths[id].position + (kMoment - paths[id].time) * paths[id].velocity;
+    Vec3 center = paths[id].center_at(kMoment, {});
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       center[axis] -= size[axis] * std::floor(center[axis] / size[axis]);
       const double flown = kHalfUlp * kMoment * std::fabs(paths[id].velocity[axis]);
@@ -269,7 +348,9 @@ TEST(Recording, NeedsIdsWithoutGaps) {
 // A file of three spheres in two chunks.
 std::string small_recording(const ScratchFolder& folder) {
   Simulation simulation(make_mixture());
-  RecordingWriter writer(folder / "small.hbr", {.until = 30, .name = "small"}, simulation.world());
+  RecordingWriter writer(folder / "small.hbr",
+                         {.until = 30, .name = "small", .gravity = {0, 0, -1}, .surfaces = every_surface()},
+                         simulation.world());
   simulation.on_contact([&](const Contact& contact) { writer.note(contact); });
   simulation.run_until(2);
   writer.flush();
@@ -350,7 +431,7 @@ TEST(Recording, RefusesWhatNoRunCanProduce) {
   EXPECT_FALSE(is_read(folder, with(contact, std::string(8, '\0')))) << "time";
   EXPECT_FALSE(is_read(folder, with(contact + 8, std::string("\x03\x00\x00\x00", 4)))) << "first";
   EXPECT_FALSE(is_read(folder, with(contact + 12, std::string("\x03\x00\x00\x00", 4)))) << "second";
-  EXPECT_FALSE(is_read(folder, with(contact + 12, "\xf9\xff\xff\xff"))) << "face";
+  EXPECT_FALSE(is_read(folder, with(contact + 12, "\xf5\xff\xff\xff"))) << "surface";
   EXPECT_FALSE(is_read(folder, with(contact + 16, nan))) << "position";
 }
 
@@ -386,6 +467,10 @@ TEST(Recording, InvalidHeadersAreRefused) {
       R"({"spheres": 2, "name": "\ux000", )" + box + "}",
       R"({"spheres": 2, "cell_edge": [1, 2], )" + box + "}",
       R"({"spheres": 2, "cell_edge": [1, 2, 3, 4], )" + box + "}",
+      R"({"spheres": 2, "gravity": 9.81, )" + box + "}",
+      R"({"spheres": 2, "gravity": [0, 0], )" + box + "}",
+      R"({"spheres": 2, "gravity": [0, 0, null], )" + box + "}",
+      R"({"spheres": 2, "gravity": [0, 0, 1e400], )" + box + "}",
       R"({"spheres": 2, "box": {"size": [0, 1, 1], "boundary": ["wall", "wall", "wall"]}})",
       R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall"]}})",
       R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall", "wall"]}})",
@@ -394,6 +479,62 @@ TEST(Recording, InvalidHeadersAreRefused) {
   };
   for (const std::string& json : nonsense) {
     EXPECT_THROW(parse_recording_header(json, "test"), Error) << json.substr(0, 80);
+  }
+}
+
+// The message with which a header with these surfaces is refused; empty if it is read.
+std::string refusal_of_surfaces(const std::string& surfaces) {
+  const std::string box = R"("box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
+  try {
+    parse_recording_header(R"({"spheres": 2, )" + box + R"(, "surfaces": )" + surfaces + "}", "run.hbr");
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+TEST(Recording, InvalidSurfacesAreRefusedByNumber) {
+  const std::string plane = R"({"shape": "plane", "point": [0, 0, 0], "direction": [0, 0, 1]})";
+  ASSERT_EQ(refusal_of_surfaces("[" + plane + "]"), "");
+  ASSERT_EQ(refusal_of_surfaces("[]"), "");
+  const auto expect_refused = [&](const std::string& surface, const std::string& problem) {
+    const std::string message = refusal_of_surfaces("[" + plane + ", " + surface + "]");
+    EXPECT_NE(message.find("surface 1: " + problem), std::string::npos) << surface << ": " << message;
+    EXPECT_NE(message.find("run.hbr"), std::string::npos) << message;
+  };
+  expect_refused("3", "is not an object");
+  expect_refused("{}", "key 'shape' is missing");
+  expect_refused(R"({"shape": "cone", "point": [0, 0, 0]})", "a shape is unknown");
+  expect_refused(R"({"shape": 1, "point": [0, 0, 0]})", "a shape is unknown");
+  expect_refused(R"({"shape": "plane", "direction": [0, 0, 1]})", "key 'point' is missing");
+  expect_refused(R"({"shape": "plane", "point": [0, 0, 0]})", "key 'direction' is missing");
+  expect_refused(R"({"shape": "plane", "point": [0, 0], "direction": [0, 0, 1]})",
+                 "there are not three entries");
+  expect_refused(R"({"shape": "plane", "point": [0, 0, null], "direction": [0, 0, 1]})",
+                 "a number is missing");
+  expect_refused(R"({"shape": "plane", "point": [0, 0, 0], "direction": [0, 0, 2]})",
+                 "the direction is not a unit vector");
+  expect_refused(R"({"shape": "cylinder", "point": [0, 0, 0], "direction": [0, 0, 0], "radius": 1})",
+                 "the direction is not a unit vector");
+  expect_refused(R"({"shape": "cylinder", "point": [0, 0, 0], "direction": [0, 0, 1]})",
+                 "key 'radius' is missing");
+  expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 0})", "the radius is 0");
+  expect_refused(R"({"shape": "obstacle", "point": [0, 0, 0], "radius": -1})", "the radius is -1");
+  expect_refused(R"({"shape": "obstacle", "point": [0, 0, 0], "radius": 1, "velocity": 2})",
+                 "there are not three entries");
+  expect_refused(R"({"shape": "obstacle", "point": [0, 0, 0], "radius": 1, "amplitude": 2})",
+                 "only planes oscillate");
+  expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 1, "frequency": -1})",
+                 "the frequency is -1");
+  expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 1, "temperature": -1})",
+                 "the temperature is -1");
+  expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 1, "temperature": "hot"})",
+                 "a number is missing");
+  expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 1, "restitution": -1})",
+                 "the restitution is -1");
+  for (const std::string surfaces : {"{}", "null", "3", "\"plane\""}) {
+    EXPECT_NE(refusal_of_surfaces(surfaces).find("the surfaces are not a list"), std::string::npos)
+        << surfaces;
   }
 }
 
