@@ -2,7 +2,41 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/begin_recording.hpp"
 
+#include <variant>
+
 namespace hardball::cli {
+namespace {
+
+RecordedSurface recorded(const Surface& surface, double restitution) {
+  RecordedSurface recorded;
+  recorded.point = surface.point();
+  recorded.velocity = surface.velocity();
+  recorded.temperature = surface.material().temperature;
+  recorded.restitution = surface.material().restitution.value_or(restitution);
+  using Shape = RecordedSurface::Shape;
+  if (const auto* plane = std::get_if<Plane>(&surface.shape())) {
+    recorded.shape = Shape::plane;
+    recorded.direction = plane->normal();
+  } else if (const auto* moving = std::get_if<OscillatingPlane>(&surface.shape())) {
+    recorded.shape = Shape::plane;
+    recorded.direction = moving->normal();
+    recorded.amplitude = moving->amplitude();
+    recorded.frequency = moving->frequency();
+  } else if (const auto* cylinder = std::get_if<Cylinder>(&surface.shape())) {
+    recorded.shape = Shape::cylinder;
+    recorded.direction = cylinder->axis();
+    recorded.radius = cylinder->radius();
+  } else if (const auto* sphere = std::get_if<HollowSphere>(&surface.shape())) {
+    recorded.shape = Shape::sphere;
+    recorded.radius = sphere->radius();
+  } else {
+    recorded.shape = Shape::obstacle;
+    recorded.radius = std::get<Obstacle>(surface.shape()).radius();
+  }
+  return recorded;
+}
+
+}  // namespace
 
 RecordingWriter begin_recording(const std::filesystem::path& path, const Scenario& scenario,
                                 const Simulation& simulation) {
@@ -12,6 +46,10 @@ RecordingWriter begin_recording(const std::filesystem::path& path, const Scenari
   header.cell_edge = simulation.cell_edges();
   header.name = std::filesystem::path(scenario.name).stem().string();
   header.restitution = scenario.restitution;
+  header.gravity = scenario.gravity;
+  for (const Surface& surface : simulation.world().surfaces()) {
+    header.surfaces.push_back(recorded(surface, scenario.restitution));
+  }
   return {path, header, simulation.world()};
 }
 

@@ -188,6 +188,7 @@ ExitCode tune(const Options& options) {
   EngineOptions engine_options;
   engine_options.engine = EngineKind::cells;
   engine_options.restitution = scenario.restitution;
+  engine_options.elastic_below = scenario.elastic_below.value_or(0);
   engine_options.unit_costs = read_unit_costs(options.unit_costs == "auto" ? "measured" : options.unit_costs);
   catch_signals();
   if (options.out) make_directory(*options.out);

@@ -96,16 +96,19 @@ class Comparison {
   bool is_good_ = true;
 };
 
+void run_or_leave_out(Comparison& comparison, const std::string& name, const EngineOptions& options) {
+  try {
+    comparison.run(name, options);
+  } catch (const Error& error) {
+    comparison.leave_out(name, error.problem());
+  }
+}
+
 void compare_cell_edges(Comparison& comparison, const EngineOptions& options) {
   for (const double factor : {0.6, 1.3, 3.0}) {
     EngineOptions with_edge = options;
     with_edge.cell_edge = factor * comparison.first().cell_edge;
-    const std::string name = fmt::format("cells, edge {:.4g}", *with_edge.cell_edge);
-    try {
-      comparison.run(name, with_edge);
-    } catch (const Error& error) {
-      comparison.leave_out(name, error.problem());
-    }
+    run_or_leave_out(comparison, fmt::format("cells, edge {:.4g}", *with_edge.cell_edge), with_edge);
   }
 }
 
@@ -149,6 +152,7 @@ ExitCode verify(const Options& options) {
   const Scenario scenario = read_scenario(options);
   EngineOptions engine_options;
   engine_options.restitution = scenario.restitution;
+  engine_options.elastic_below = scenario.elastic_below.value_or(0);
   Comparison comparison(scenario);
 
   engine_options.engine = EngineKind::cells;
@@ -171,7 +175,7 @@ ExitCode verify(const Options& options) {
   const std::uint64_t contacts = comparison.first().counters.contacts();
   engine_options.engine = EngineKind::paper;
   if (contacts <= kMostPaperContacts) {
-    comparison.run("paper", engine_options);
+    run_or_leave_out(comparison, "paper", engine_options);
   } else {
     comparison.leave_out("paper", fmt::format("{} contacts would take too long", contacts));
   }

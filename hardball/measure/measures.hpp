@@ -26,6 +26,7 @@
 #include "hardball/measure/temperature.hpp"
 #include "hardball/measure/velocity_autocorrelation.hpp"
 #include "hardball/measure/velocity_distribution.hpp"
+#include "hardball/measure/wall_forces.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/world/world.hpp"
 
@@ -68,7 +69,7 @@ class Measures {
     Cadence cadence;
   };
   using Entries =
-      std::tuple<Entry<Pressure>, Entry<Temperature>, Entry<CollisionRate>, Entry<ImpactSpeeds>,
+      std::tuple<Entry<Pressure>, Entry<WallForces>, Entry<Temperature>, Entry<CollisionRate>, Entry<ImpactSpeeds>,
                  Entry<VelocityDistribution>, Entry<MeanSquareDisplacement>, Entry<VelocityAutocorrelation>,
                  Entry<RadialDistribution>, Entry<StructureFactor>, Entry<DensityProfiles>,
                  Entry<Coordination>, Entry<NearestNeighbor>, Entry<BondOrder>>;

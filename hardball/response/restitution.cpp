@@ -30,7 +30,7 @@ Restitution::Restitution(double coefficient, double elastic_below)
 }
 
 double Restitution::coefficient_at(const Contact& wall_contact, double impact_speed) const {
-  if (impact_speed < elastic_below_) return 1;
+  if (std::fabs(impact_speed) < elastic_below_) return 1;
   return wall_contact.wall_material.restitution.value_or(coefficient_);
 }
 

@@ -9,6 +9,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/io/extended_xyz.hpp"
+#include "hardball/scenario/make_surfaces.hpp"
 #include "hardball/scenario/radii.hpp"
 #include "hardball/scenario/velocities.hpp"
 #include "hardball/world/placement.hpp"
@@ -189,7 +190,7 @@ void add_from_file(const std::filesystem::path& file, World& world) {
 World make_world(const Scenario& scenario, const OnProgress& on_progress) {
   const Progress progress(on_progress);
   progress.note(0, 1);
-  World world(make_box(scenario));
+  World world(make_box(scenario), scenario.gravity, make_surfaces(scenario));
   if (scenario.start_file) {
     add_from_file(*scenario.start_file, world);
   } else if (!scenario.spheres.empty()) {

@@ -86,7 +86,7 @@ std::unique_ptr<AnyEngine> make_model(Arguments&&... arguments) {
 template <EventQueue Queue>
 std::unique_ptr<AnyEngine> make_queued(World world, EngineKind engine, const EngineOptions& options,
                                        double length, const Time& now, const Progress& progress) {
-  const AnyResponse response{Restitution(options.restitution)};
+  const AnyResponse response{Restitution(options.restitution, options.elastic_below)};
   const InstructionSet instructions = options.instructions.value_or(widest_instruction_set());
   if (engine == EngineKind::all_pairs) {
     return make_model<Engine<Queue, AllPairs, AnyResponse>>(std::move(world), AllPairs(), response, now,
@@ -105,7 +105,7 @@ std::unique_ptr<AnyEngine> make_queued(World world, EngineKind engine, const Eng
 std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
                                        double length, const Time& now, const Progress& progress) {
   if (engine == EngineKind::paper) {
-    const AnyResponse response{Restitution(options.restitution)};
+    const AnyResponse response{Restitution(options.restitution, options.elastic_below)};
     return make_model<PaperEngine<AnyResponse>>(std::move(world), length, response, now);
   }
   if (options.queue == QueueKind::ordered) {
@@ -120,11 +120,15 @@ void check(const EngineOptions& options) {
                 "give those of measure_unit_costs, or leave them out");
   }
   if (options.cell_edge) check_positive(*options.cell_edge, "the cell edge", "cell edge");
-  static_cast<void>(Restitution(options.restitution));
+  static_cast<void>(Restitution(options.restitution, options.elastic_below));
 }
 
 EngineKind choose_engine(const World& world, const EngineOptions& options, const Time& moment,
                          EngineKind current) {
+  if (options.engine == EngineKind::paper && !PaperEngine<AnyResponse>::suits(world)) {
+    throw Error("the paper's engine knows only straight paths, and no images of obstacles", "engine",
+                "use another engine");
+  }
   if (options.engine == EngineKind::neighbors && !NeighborList::suits(world)) return EngineKind::cells;
   if (options.engine != EngineKind::automatic) return options.engine;
   if (options.cell_edge || !NeighborList::suits(world)) return EngineKind::cells;

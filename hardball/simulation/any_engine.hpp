@@ -40,6 +40,8 @@ struct EngineOptions {
   std::optional<double> cell_edge = {};
   /// Coefficient of restitution [1]. Error: not between 0 and 1.
   double restitution = 1;
+  /// Slower impacts are elastic, see Restitution [L/T]. Error: negative or not finite.
+  double elastic_below = 0;
   /// From which the cell edge is chosen; measure_unit_costs gives those of this machine. Error: not
   /// are_meaningful.
   UnitCosts unit_costs = {};

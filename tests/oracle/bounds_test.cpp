@@ -181,7 +181,7 @@ void copy_paths(const Encounters& made, Random& random, CompactPaths& copies) {
     if (world.box().is_periodic(0)) way = std::min(way, 0.49 * world.box().size().x - made.farthest);
     // At rest it may be any time, more than 2^32 ticks too.
     const double longest_age =
-        speed > 0 ? std::min(way / speed, copies.longest_age()) : 1e4 * copies.time_unit();
+        speed > 0 ? std::min(way / speed, copies.longest_age(slot)) : 1e4 * copies.time_unit();
     const double part = random.uniform();
     const double age = part < 0.2 ? 0 : part < 0.4 ? longest_age : random.uniform() * longest_age;
     copies.copy(world, slot, after(made.now, -age));

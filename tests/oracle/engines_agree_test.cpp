@@ -55,6 +55,28 @@ TEST_P(EnginesAgree, OnRandomWorlds) {
   EXPECT_GT(contacts, 30 * support::cases(kWorlds) / kParts);
 }
 
+// The same with gravity, walls of all shapes, in motion or thermal, and obstacles.
+TEST_P(EnginesAgree, OnFurnishedWorlds) {
+  std::uint64_t contacts = 0;
+  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
+    const RandomWorld made = support::make_furnished_world(seed);
+    SCOPED_TRACE(made.name);
+    const RunLimits limits{.until = Time(made.until), .contacts = 60 + 60 * (seed % 5)};
+    std::optional<History> expected;
+    for (const support::EngineVariant& variant :
+         support::engine_variants(made.world, made.restitution, made.elastic_below)) {
+      SCOPED_TRACE(variant.name);
+      std::optional<History> history;
+      ASSERT_NO_THROW(history = history_by(variant, made, limits));
+      if (!history) continue;
+      if (!expected) expected = history;
+      ASSERT_EQ(support::difference(*expected, *history), "");
+    }
+    contacts += expected->contacts;
+  }
+  EXPECT_GT(contacts, 30 * support::cases(kWorlds) / kParts);
+}
+
 INSTANTIATE_TEST_SUITE_P(Part, EnginesAgree, testing::Range<std::uint64_t>(0, kParts));
 
 // Spheres in a row that collapse into one cluster: all engines stop at the same contact with the same

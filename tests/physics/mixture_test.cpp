@@ -58,7 +58,7 @@ TEST(BinaryMixture, SharesItsEnergyEquallyAndHasThePressureOfItsEquationOfState)
     simulation.run_contacts(kCollisionsPerSample);
     std::array<double, 2> energy{};
     for (Slot slot = 0; slot < simulation.size(); ++slot) {
-      energy[slot < kSmall ? 0 : 1] += kinetic_energy(simulation.world(), slot);
+      energy[slot < kSmall ? 0 : 1] += kinetic_energy(simulation.world(), slot, simulation.now());
     }
     temperature[0] += energy[0] / (1.5 * kSmall) / kSamples;
     temperature[1] += energy[1] / (1.5 * kLarge) / kSamples;

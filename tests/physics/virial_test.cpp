@@ -21,7 +21,7 @@ namespace {
 double inertia_rate(const World& world, const Time& moment) {
   double sum = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    sum += world.mass(slot) * dot(position_at(world.path(slot), moment), world.path(slot).velocity);
+    sum += world.mass(slot) * dot(world.unfolded_position(slot, moment), world.path(slot).velocity);
   }
   return sum;
 }

@@ -10,6 +10,7 @@
 
 #include "hardball/broadphase/neighbor_list.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/paper/paper_engine.hpp"
 #include "hardball/simulation/simulation.hpp"
 
 namespace hardball::support {
@@ -22,10 +23,11 @@ struct EngineVariant {
 
 /// All engines and queues, cells from half a diameter to larger than the box, and neighbour lists where they
 /// suit the world.
-inline std::vector<EngineVariant> engine_variants(const World& world, double restitution) {
+inline std::vector<EngineVariant> engine_variants(const World& world, double restitution,
+                                                  double elastic_below = 0) {
   std::vector<EngineVariant> variants;
   const auto add = [&](EngineKind engine, QueueKind queue, std::optional<double> edge) {
-    EngineVariant variant{{engine, queue, edge, restitution}, ""};
+    EngineVariant variant{{engine, queue, edge, restitution, elastic_below}, ""};
     variant.name = engine == EngineKind::all_pairs   ? "all pairs"
                    : engine == EngineKind::paper     ? "paper"
                    : engine == EngineKind::neighbors ? "neighbors"
@@ -41,8 +43,10 @@ inline std::vector<EngineVariant> engine_variants(const World& world, double res
   }
   add(EngineKind::all_pairs, QueueKind::calendar, std::nullopt);
   add(EngineKind::all_pairs, QueueKind::ordered, std::nullopt);
-  add(EngineKind::paper, QueueKind::calendar, diameter);
-  add(EngineKind::paper, QueueKind::calendar, 2.5 * diameter);
+  if (PaperEngine<Restitution>::suits(world)) {
+    add(EngineKind::paper, QueueKind::calendar, diameter);
+    add(EngineKind::paper, QueueKind::calendar, 2.5 * diameter);
+  }
   for (const double edge : {0.5 * diameter, diameter, 1.3 * diameter, 3.1 * diameter, extent}) {
     add(EngineKind::cells, QueueKind::calendar, edge);
     add(EngineKind::cells, QueueKind::ordered, edge);

@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "hardball/surfaces/surface.hpp"
 #include "hardball/world/random.hpp"
+#include "hardball/world/walls.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball::support {
@@ -18,6 +20,7 @@ namespace hardball::support {
 struct RandomWorld {
   World world;
   double restitution = 1;
+  double elastic_below = 0;
   /// A time in which the spheres cross the world a few times [T]. A granular world may have infinitely many
   /// contacts before it: limit their number too.
   double until = 1;
@@ -45,6 +48,22 @@ class RandomWorldMaker {
     } else {
       make_streams();
     }
+    return finish();
+  }
+
+  /// A world with gravity, surfaces, or both.
+  RandomWorld make_furnished() {
+    choose_scales();
+    is_furnished_ = true;
+    const double kind = random_.uniform();
+    if (kind < 0.7) {
+      make_gas();
+    } else if (kind < 0.85) {
+      make_clumps();
+    } else {
+      make_streams();
+    }
+    if (made_.restitution < 1 && chance(0.5)) made_.elastic_below = speed_ * between(0.001, 0.1);
     return finish();
   }
 
@@ -106,7 +125,87 @@ class RandomWorldMaker {
       if (size_[axis] > 0) continue;
       size_[axis] = 2 * largest_radius_ * (all_alike ? common : random_roominess());
     }
-    made_.world = World(Box(boundary, size_));
+    const Box box(boundary, size_);
+    made_.world = is_furnished_ ? furnished(box) : World(box);
+  }
+
+  World furnished(const Box& box) {
+    Vec3 gravity;
+    const double extent = std::max({size_.x, size_.y, size_.z});
+    if (chance(0.6)) {
+      const double strength = speed_ * speed_ / extent * std::ldexp(1, static_cast<int>(below(6)) - 4);
+      gravity = strength * (chance(0.5) ? Vec3{0, 0, -1} : random_.direction());
+      // Along a periodic axis spheres fall ever faster.
+      const bool falls_forever = chance(0.2);
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        if (box.is_periodic(axis) && !falls_forever) gravity[axis] = 0;
+      }
+    }
+    std::vector<Surface> surfaces;
+    const std::size_t count = below(gravity == Vec3{} ? 4 : 3) + (gravity == Vec3{} ? 1 : 0);
+    for (std::size_t i = 0; i < count; ++i) add_surface(box, surfaces);
+    return {box, gravity, std::move(surfaces)};
+  }
+
+  // A surface that is the same in all images of the box, and leaves some room.
+  void add_surface(const Box& box, std::vector<Surface>& surfaces) {
+    SurfaceMaterial material;
+    material.seed = seed_;
+    if (chance(0.3)) material.restitution = between(0.2, 1);
+    if (chance(0.2)) {
+      material.restitution = std::nullopt;
+      material.temperature = speed_ * speed_ * between(0.1, 2);
+    }
+    const Vec3 center = 0.5 * size_;
+    std::vector<std::size_t> walled;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (!box.is_periodic(axis)) walled.push_back(axis);
+    }
+    const double kind = random_.uniform();
+    if (kind < 0.3 || walled.empty()) {
+      const Vec3 place{between(0, size_.x), between(0, size_.y), between(0, size_.z)};
+      surfaces.emplace_back(Obstacle(largest_radius_ * between(0.2, 1.5)), place, Vec3{}, material);
+      return;
+    }
+    if (kind < 0.7) {
+      Vec3 normal;
+      if (chance(0.5)) {
+        normal[walled[below(walled.size())]] = chance(0.5) ? 1 : -1;
+      } else {
+        for (const std::size_t axis : walled) normal[axis] = random_.normal();
+        normal = (1 / length(normal)) * normal;
+      }
+      const double depth = 0.5 * between(0.5, 1) * std::min({size_.x, size_.y, size_.z});
+      const Vec3 point = center - depth * normal;
+      const double motion = random_.uniform();
+      if (motion < 0.3) {
+        const double amplitude = 0.2 * depth;
+        const double frequency = speed_ / (amplitude * between(2, 60));
+        surfaces.emplace_back(OscillatingPlane(normal, amplitude, frequency), point, Vec3{}, material);
+      } else if (motion < 0.5) {
+        surfaces.emplace_back(Plane(normal), point, -0.1 * speed_ * normal, material);
+      } else {
+        surfaces.emplace_back(Plane(normal), point, Vec3{}, material);
+      }
+      return;
+    }
+    const bool is_all_walled = walled.size() == kAxes;
+    if (is_all_walled && kind < 0.85) {
+      surfaces.emplace_back(HollowSphere(between(0.5, 0.9) * std::min({size_.x, size_.y, size_.z})), center,
+                            Vec3{}, material);
+      return;
+    }
+    // A tube through the box, along its only periodic axis if there is one.
+    std::size_t along = below(kAxes);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (box.is_periodic(axis)) along = axis;
+    }
+    Vec3 axis;
+    axis[along] = 1;
+    if (is_all_walled && chance(0.5)) axis = random_.direction();
+    const double narrower = std::min(size_[(along + 1) % kAxes], size_[(along + 2) % kAxes]);
+    if (walled.size() + 1 < kAxes) return;
+    surfaces.emplace_back(Cylinder(axis, 0.5 * between(0.7, 1) * narrower), center, Vec3{}, material);
   }
 
   // The distance of two spheres, as a multiple of the distance at which they touch.
@@ -120,6 +219,7 @@ class RandomWorldMaker {
   }
 
   bool fits(const Sphere& sphere) const {
+    if (distance_to_surfaces(made_.world, sphere.position, Time(0)) < sphere.radius) return false;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (!made_.world.box().is_wall(axis)) continue;
       const double x = sphere.position[axis];
@@ -267,10 +367,10 @@ class RandomWorldMaker {
       made_.world.add(sphere);
       energy += dot(sphere.velocity, sphere.velocity);
     }
-    constexpr double kCrossings = 10;
+    const double crossings = is_furnished_ ? 4 : 10;
     const double extent = std::max({size_.x, size_.y, size_.z, 4 * largest_radius_});
     const double mean = spheres_.empty() ? 0 : std::sqrt(energy / static_cast<double>(spheres_.size()));
-    made_.until = kCrossings * extent / (mean > 0 ? mean : speed_);
+    made_.until = crossings * extent / (mean > 0 ? mean : speed_);
     made_.name = "seed " + std::to_string(seed_) + ", " + kind_;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const Boundary boundary = made_.world.box().boundary(axis);
@@ -290,6 +390,7 @@ class RandomWorldMaker {
   std::size_t wanted_ = 0;
   double largest_radius_ = 0.5;
   double speed_ = 1;
+  bool is_furnished_ = false;
   Vec3 size_;  // of the box; along open axes, of the interval in which spheres start
   std::vector<Sphere> spheres_;
 };
@@ -299,6 +400,12 @@ class RandomWorldMaker {
 /// spheres, restitution from 0.3 to 1. No overlaps.
 inline RandomWorld make_random_world(std::uint64_t seed) {
   return RandomWorldMaker(seed).make();
+}
+
+/// The same with gravity in any direction, planes at rest, in motion and oscillating, tubes, hollow spheres and
+/// obstacles, some of them with their own restitution or thermal.
+inline RandomWorld make_furnished_world(std::uint64_t seed) {
+  return RandomWorldMaker(seed).make_furnished();
 }
 
 /// A gas of up to `spheres` spheres in a box with these boundaries, no two contacts of which are

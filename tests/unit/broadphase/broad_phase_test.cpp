@@ -90,7 +90,7 @@ std::set<Partner> touching(const World& world, Slot slot, const Time& now) {
   std::set<Partner> found;
   for (Slot other = 0; other < world.size(); ++other) {
     if (other == slot) continue;
-    const Vec3 apart = position_at(world.path(other), now) - position_at(world.path(slot), now);
+    const Vec3 apart = world.unfolded_position(other, now) - world.unfolded_position(slot, now);
     const double reach = world.radius(slot) + world.radius(other);
     Image middle;
     Image span;

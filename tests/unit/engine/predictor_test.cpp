@@ -133,7 +133,7 @@ class Comparison {
     const Slot self = candidates.self();
     const auto apart = [&](Slot other) {
       const Vec3 shift = world.box().shift(nearest_image(world, self, other, now));
-      return length(separation_at(world.path(self), world.path(other), shift, now));
+      return length(separation_at(world.motion(), world.path(self), world.path(other), shift, now));
     };
     double farthest = 0;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -154,7 +154,7 @@ class Comparison {
     for (Slot slot = 0; slot < world.size(); ++slot) {
       if (slot == self) continue;
       const double speed = length(world.path(slot).velocity);
-      const double longest_age = speed > 0 ? std::min(copies_.longest_age(), farthest / speed) : 1000;
+      const double longest_age = speed > 0 ? std::min(copies_.longest_age(slot), farthest / speed) : 1000;
       copies_.copy(world, slot, after(now, -longest_age * random_age()));
     }
     for (const Predictor& predictor : predictors_) {
@@ -588,7 +588,7 @@ TEST(NearestImage, IsTheNearestAndOppositeAsSeenFromTheOther) {
     const Time moment(2 + 10 * random.uniform());
     const Image image = nearest_image(world, 0, 1, moment);
     ASSERT_EQ(nearest_image(world, 1, 0, moment), -image);
-    const Vec3 apart = position_at(world.path(1), moment) - position_at(world.path(0), moment);
+    const Vec3 apart = world.unfolded_position(1, moment) - world.unfolded_position(0, moment);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (!box.is_periodic(axis)) {
         ASSERT_EQ(image[axis], 0);

@@ -242,12 +242,13 @@ TEST(ContactTime, IsComputedFromTheLaterPathAndTheSameInEitherOrder) {
     const Path a = path();
     const Path b = path();
     const Vec3 shift{8, 0, -8};
-    const Time time = contact_time(a, b, shift, 6);
-    ASSERT_EQ(time, contact_time(b, a, -shift, 6));
+    const Motion motion(i % 2 == 0 ? Vec3{} : random.direction());
+    const Time time = contact_time(motion, a, b, shift, 6);
+    ASSERT_EQ(time, contact_time(motion, b, a, -shift, 6));
     ASSERT_GE(time, later(a.time, b.time));
     if (time == kNever) continue;
     // They are at reach then; positions of size 10 are rounded to some 1e-15 and dt to 4 ulp(12).
-    ASSERT_LT(length(separation_at(a, b, shift, time)), 6 + 1e-13);
+    ASSERT_LT(length(separation_at(motion, a, b, shift, time)), 6 + 1e-13);
   }
 }
 

@@ -82,7 +82,9 @@ TEST(Restitution, ReflectsAtWallsAndChangesNoOtherComponent) {
     Contact contact;
     contact.kind = EventKind::wall;
     contact.second = face;
+    contact.wall_normal[axis_of(face)] = is_upper(face) ? 1 : -1;
     contact.before.first = {0.1, 0.2, 0.3};
+    contact.before.first[axis_of(face)] *= is_upper(face) ? 1 : -1;
     Vec3 expected = contact.before.first;
     expected[axis_of(face)] *= -0.5;
     EXPECT_EQ(Restitution(0.5)(contact).first, expected);

@@ -99,7 +99,7 @@ TEST(CompactPaths, AgesAreElapsedTimesUntilTheyExpire) {
     Time now = start;
     for (int step = 0; step < 5; ++step) {
       const std::int32_t before = copies.paths()[0].tick;
-      const double expiry = rounded_down(now) + copies.longest_age();
+      const double expiry = rounded_down(now) + copies.longest_age(0);
       ASSERT_GT(expiry, now.high);
       const double wait = step % 2 == 0 ? expiry - now.high : (expiry - now.high) * random.uniform();
       now = after(now, wait);

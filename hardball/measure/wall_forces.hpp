@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hardball/measure/block_average.hpp"
+#include "hardball/measure/measurement.hpp"
+#include "hardball/measure/scene.hpp"
+#include "hardball/response/contact.hpp"
+
+namespace hardball {
+
+/// The area of a wall, with the number that it has in events [L^2]; infinite if it is unbounded, NaN if it is
+/// cut by the box in ways not computed here: a plane or a tube that is not along the axes.
+double wall_area(const World& world, std::uint32_t wall);
+
+/// "z_lower" for a face of the box, "plane_1" or "obstacle_3" for the first or third surface.
+std::string wall_name(const World& world, std::uint32_t wall);
+
+/// Force, pressure, power and heat at each wall, where there is gravity or any surface besides the box.
+class WallForces {
+ public:
+  static constexpr std::string_view kName = "wall_forces";
+
+  explicit WallForces(const Scene& scene);
+
+  void note(const Contact& contact);
+  /// The result up to the time of the scene.
+  Measurement result(const Scene& scene) const;
+
+ private:
+  // Bins of each wall.
+  static constexpr std::size_t kForce = 0;  // along the normal [M L T^-2]
+  static constexpr std::size_t kWork = 1;   // on spheres, per time [M L^2 T^-3]
+  static constexpr std::size_t kHeat = 2;   // likewise
+  static constexpr std::size_t kBins = 3;
+
+  void advance(const Time& now);
+
+  std::vector<std::uint32_t> walls_;  // their numbers
+  std::vector<std::size_t> places_;   // of a wall among them, by its number
+  Time begin_;
+  Time last_;
+  BlockAverage average_;
+};
+
+}  // namespace hardball
