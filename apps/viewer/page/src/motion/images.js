@@ -47,16 +47,26 @@ export class Images {
     if (!this.isPeriodic || time === this.time) return;
     this.time = time;
     this.count = 0;
-    const { center, radii, box } = this;
-    const { period } = box;
+    const { radii } = this;
     for (let id = 0; id < radii.length; ++id) {
-      readCenter(paths, kPathNumbers * id, time, box, center);
-      const radius = radii[id];
-      let isNear = false;
-      for (let axis = 0; axis < 3; ++axis)
-        isNear ||= period[axis] > 0 && (center[axis] < radius || center[axis] > period[axis] - radius);
-      if (isNear) visitImages(center, radius, box, (x, y, z) => this.add(id, x, y, z));
+      if (this.isFarFromFaces(paths, kPathNumbers * id, time, radii[id])) continue;
+      readCenter(paths, kPathNumbers * id, time, this.box, this.center);
+      visitImages(this.center, radii[id], this.box, (x, y, z) => this.add(id, x, y, z));
     }
+  }
+
+  // Most spheres are: this is what costs time.
+  isFarFromFaces(paths, start, time, radius) {
+    const { period, gravity } = this.box;
+    const elapsed = time - paths[start + 6];
+    for (let axis = 0; axis < 3; ++axis) {
+      const length = period[axis];
+      if (length === 0) continue;
+      const place = paths[start + axis] + elapsed * (paths[start + 3 + axis] + 0.5 * elapsed * gravity[axis]);
+      const inBox = place - Math.floor(place / length) * length;
+      if (inBox < radius || inBox > length - radius) return false;
+    }
+    return true;
   }
 
   /** Forgets all. */
