@@ -89,6 +89,7 @@ export class Viewer {
     this.scales = null;
     this.cells = header.cell_edge[0] > 0 ? new Cells(header.cell_edge, header.cell_origin, this.box) : null;
     this.isLost = false;
+    this.isDark = matchMedia('(prefers-color-scheme: dark)');
     this.last = { frame: 0, panels: -Infinity, plots: -Infinity, time: NaN };
     this.listen();
     this.style();
@@ -174,7 +175,7 @@ export class Viewer {
   fit() {
     element('near-only').checked = false;
     element('camera-follows').checked = false;
-    if (this.playback.chunk) this.view.fit(this.extent());
+    if (this.playback.chunk) this.fitExtent();
   }
 
   /** Colors the spheres by one of kColorBy. */
@@ -205,9 +206,26 @@ export class Viewer {
     return readVelocity(this.playback.paths, kPathNumbers * id, this.playback.time, this.box, [0, 0, 0]);
   }
 
-  // What is to be seen as a whole.
-  extent() {
-    return extentOf(this.playback, this.box, this.surfaces, this.largestRadius);
+  // Fits the picture, from direction `from` if that is given, to all that is there.
+  fitExtent(from = null) {
+    const extent = extentOf(this.playback, this.box, this.surfaces, this.largestRadius);
+    this.view.fit(extent, from);
+    /** Within which surfaces are drawn: two corners [L]. */
+    this.surroundings = extent;
+  }
+
+  // In open space surfaces are drawn as far as spheres have come.
+  widenSurroundings() {
+    if (this.surfaces.length === 0 || !this.box.boundary.includes('open')) return;
+    const [low, high] = extentOf(this.playback, this.box, this.surfaces, this.largestRadius);
+    const [shownLow, shownHigh] = this.surroundings;
+    if (low.every((place, axis) => place >= shownLow[axis]) && high.every((place, axis) => place <= shownHigh[axis]))
+      return;
+    this.surroundings = [
+      low.map((place, axis) => Math.min(place, shownLow[axis])),
+      high.map((place, axis) => Math.max(place, shownHigh[axis])),
+    ];
+    this.view.isStale = true;
   }
 
   /** Center of sphere `id` at `time` [T], folded into the box [L]. Error: the chunk cannot be loaded. */
@@ -257,7 +275,7 @@ export class Viewer {
     this.plots.update(this.playback);
     this.view.resize();
     if (this.view.isSoftware && this.source.header.spheres > kManyForSoftware) this.quality.begin('points');
-    this.view.fit(this.extent(), [0.62, 0.42, 1]);
+    this.fitExtent([0.62, 0.42, 1]);
     element('show-events').checked = this.source.header.spheres <= kFewEnoughForFlashes;
     this.showCellEdge();
     this.updateColors();
@@ -274,7 +292,7 @@ export class Viewer {
     this.spheres.images.update(this.images, this.playback);
     uniforms.leastPixels.value = this.leastPixels * this.view.pixelRatio;
     this.surfaceLayer.object.visible = element('show-walls').checked;
-    this.surfaceLayer.update(this.playback.time, this.view.shown);
+    this.surfaceLayer.update(this.playback.time, this.surroundings);
     if (followed >= 0) {
       const center = this.center(followed);
       uniforms.followedCenter.value.set(...center);
@@ -338,10 +356,11 @@ export class Viewer {
     this.view.isStale = true;
   }
 
-  // Spheres of one size are in the middle of a range.
+  // Spheres of one size are in the middle of a range. The smallest, hard to see, contrast with the background most.
   sizeRange() {
     const [smallest, largest] = [this.smallestRadius, this.largestRadius];
-    return largest > smallest ? [smallest, largest] : [0, 2 * largest];
+    const range = largest > smallest ? [smallest, largest] : [0, 2 * largest];
+    return this.isDark.matches ? range.reverse() : range;
   }
 
   // The coloring that shows most of what differs between spheres.
@@ -369,6 +388,7 @@ export class Viewer {
     if (seconds - this.last.panels > kSecondsBetweenPanels) {
       this.last.panels = seconds;
       this.spherePanel.update();
+      this.widenSurroundings();
       showRunStatus(this.source, this.isLost);
     }
     if (seconds - this.last.plots > kSecondsBetweenPlots) {
@@ -493,7 +513,10 @@ export class Viewer {
 
     new ResizeObserver(() => this.view.resize()).observe(canvas);
     new ResizeObserver(() => this.plots.resize()).observe(element('plots'));
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.style());
+    this.isDark.addEventListener('change', () => {
+      this.style();
+      if (this.scales) this.updateColors();
+    });
 
     document.addEventListener('visibilitychange', () => {
       this.last.frame = performance.now();

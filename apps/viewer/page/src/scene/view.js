@@ -57,8 +57,6 @@ export class View {
    */
   fit([low, high], from = null) {
     this.frame.span(low, high);
-    /** What is to be seen as a whole: two corners [L]. */
-    this.shown = [low, high];
     const size = new Vector3(...high.map((end, axis) => end - low[axis]));
     this.extent = size.length();
     const center = new Vector3(...low).addScaledVector(size, 0.5);

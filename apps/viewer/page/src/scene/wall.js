@@ -13,6 +13,7 @@ import {
   SphereGeometry,
   Vector3,
 } from 'three';
+import { roundUp } from '../statistics/speeds.js';
 import { dot, planePatch, rangeAlong, tangents } from './plane_patch.js';
 import { kLineFragment, kLineVertex, kWallFragment, kWallVertex } from './surface_shaders.js';
 
@@ -73,7 +74,7 @@ export class PlaneWall {
     if (!this.object.visible) return;
     const size = Math.max(...high.map((end, axis) => end - low[axis]));
     const [first, second] = tangents(direction);
-    const spacing = size / kLinesAcross;
+    const spacing = roundUp(size / kLinesAcross);
     const spotOf = (corner) => [first, second].map((tangent) => dot(tangent, corner) / spacing);
     const triangles = corners.slice(2).flatMap((corner, k) => [corners[0], corners[k + 1], corner]);
     this.put(this.patch, {
