@@ -24,6 +24,7 @@ using chart::escaped;
 constexpr double kEnergyTolerance = 1e-10;
 constexpr double kFarInErrors = 3;
 constexpr double kManyTimes = 4;  // beyond this costs are best compared on a logarithmic axis
+constexpr std::size_t kMostSurfaceArticles = 12;
 constexpr std::size_t kMostScenarioBytes = 20'000;
 
 // One of our files without its licence header.
@@ -248,6 +249,18 @@ std::string surface_article(const SurfaceReport& surface, std::size_t number) {
          table.html() + "</article>\n";
 }
 
+// A row for each of many surfaces.
+std::string surfaces_table(const std::vector<SurfaceReport>& surfaces) {
+  Table table("numbers", "", {"surface", "shape", "contacts", "mean force", "pressure", "work"});
+  for (const SurfaceReport& surface : surfaces) {
+    table.add_row(escaped(surface.name), {escaped(surface.shape), count_text(surface.contacts),
+                                          typeset(measured_text(surface.force, surface.force_error)),
+                                          typeset(measured_text(surface.pressure, surface.pressure_error)),
+                                          typeset(number_text(surface.work))});
+  }
+  return table.html();
+}
+
 std::string gravity_and_surfaces(const Report& report) {
   std::string html;
   if (has_gravity(report)) {
@@ -263,6 +276,7 @@ std::string gravity_and_surfaces(const Report& report) {
                 "The force is that of all contacts along the normal, averaged over the run; pressure is the "
                 "force per area. Moving, thermal and inelastic surfaces do work: it is negative where they "
                 "take energy from the spheres.");
+  if (report.surfaces.size() > kMostSurfaceArticles) return html + surfaces_table(report.surfaces);
   for (std::size_t i = 0; i < report.surfaces.size(); ++i) html += surface_article(report.surfaces[i], i);
   return html;
 }

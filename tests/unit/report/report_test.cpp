@@ -101,6 +101,7 @@ TEST(Report, EscapesAllThatComesFromOutside) {
   report.rates[0].name = report.rates[0].unit = hostile;
   report.choice.title = report.choice.quantity = report.choice.explanation = hostile;
   report.choice.marks[0].name = hostile;
+  report.surfaces = {{.name = hostile, .shape = hostile}};
   Measurement& measurement = report.measurements[0];
   measurement.title = measurement.formula = measurement.source = hostile;
   measurement.quantities[0].name = measurement.quantities[0].unit = hostile;
@@ -157,6 +158,17 @@ TEST(Report, HasASectionOfEachSurface) {
   expect_in(html, "<th scope=\"row\">mean force on it</th><td>1.25 <span");
   expect_in(html, "<th scope=\"row\">work done on the spheres</th><td>−0.5 <span");
   EXPECT_EQ(count(html, ">pressure on it<"), 1U) << "an unbounded surface has none";
+  EXPECT_EQ(faults_of(report), "");
+}
+
+TEST(Report, ListsManySurfacesInATable) {
+  Report report = shaken_report();
+  report.surfaces.resize(30, {.name = "peg", .shape = "obstacle", .contacts = 1234, .force = 2});
+  const std::string html = to_html(report);
+  expect_in(html, "<tr><th scope=\"row\">floor</th><td>plane</td><td>12,345</td><td>2.50(13)</td>");
+  EXPECT_EQ(count(html, "<th scope=\"row\">peg</th><td>obstacle</td><td>1,234</td><td>2</td><td>–</td>"),
+            28U);
+  expect_not_in(html, "id=\"surface-0\"");
   EXPECT_EQ(faults_of(report), "");
 }
 

@@ -104,6 +104,21 @@ test('the speed shown is that at the time shown, and up is against gravity', asy
   });
 });
 
+test('spheres are colored by their speed at the time shown', async () => {
+  await withRecording(kThrown, async (page) => {
+    await page.selectOption('#color-by', 'speed');
+    // One that was faster when thrown is slower than the other.
+    await page.evaluate(() => window.hardball.setTime(1.5));
+    const image = await browser.pixels(page);
+    const greens = [];
+    for (const id of [0, 1]) {
+      const { x, y } = await page.evaluate((id) => window.hardball.screenPosition(id), id);
+      greens.push(image.data[4 * (Math.round(y) * image.width + Math.round(x)) + 1]);
+    }
+    assert.ok(greens[0] < greens[1] - 20, `${greens}`);
+  });
+});
+
 const kWalls = {
   ...kThrown,
   surfaces: [

@@ -75,6 +75,8 @@ test('the sphere picked is the first that the ray meets', () => {
   assert.equal(pick(playback, radii, kBox, kRay, kOptions), 1);
   const isShown = (id) => id !== 1;
   assert.equal(pick(playback, radii, kBox, kRay, { ...kOptions, isShown }), 2);
+  // The front counts, not the center.
+  assert.equal(pick(playback, [4.7, 0.5, 0.5], kBox, kRay, kOptions), 0);
   const upward = { origin: kRay.origin, direction: { x: 0, y: 0, z: 1 } };
   assert.equal(pick(playback, radii, kBox, upward, kOptions), -1);
 });
