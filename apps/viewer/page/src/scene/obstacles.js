@@ -19,6 +19,7 @@ export class Obstacles {
   /** `tints`: a color for each of `surfaces`; `shared`: uniforms of the spheres. */
   constructor(surfaces, tints, box, shared) {
     this.surfaces = surfaces;
+    this.moves = surfaces.some((surface) => surface.moves);
     this.tints = tints;
     this.box = box;
     const most = surfaces.length * (box.period.some((period) => period > 0) ? kMostImages : 1);

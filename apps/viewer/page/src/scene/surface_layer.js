@@ -15,8 +15,7 @@ export class SurfaceLayer {
     /** For each surface, its color: red, green, blue from 0 to 1. */
     this.colors = surfaceColors(surfaces);
     this.clip = { low: { value: new Vector3() }, high: { value: new Vector3() } };
-    this.moves = surfaces.some((surface) => surface.moves);
-    this.key = '';
+    this.extent = '';
     const isObstacle = surfaces.map((surface) => surface.shape === 'obstacle');
     this.parts = surfaces.flatMap((surface, k) =>
       isObstacle[k] ? [] : [new kWalls[surface.shape](surface, this.colors[k], this.clip)],
@@ -31,11 +30,11 @@ export class SurfaceLayer {
 
   /** Shows the surfaces at `time` [T] within the extent `low` to `high` [L]. */
   update(time, [low, high]) {
-    const key = `${this.moves ? time : ''} ${low} ${high}`;
-    if (key === this.key) return;
-    this.key = key;
+    const extent = `${low} ${high}`;
+    const hasChanged = extent !== this.extent;
+    this.extent = extent;
     this.clip.low.value.set(...low);
     this.clip.high.value.set(...high);
-    for (const part of this.parts) part.update(time, low, high);
+    for (const part of this.parts) if (hasChanged || part.moves) part.update(time, low, high);
   }
 }

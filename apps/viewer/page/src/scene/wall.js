@@ -50,6 +50,7 @@ function useSpots(geometry, u, v) {
 export class PlaneWall {
   constructor(surface, tint, shared) {
     this.surface = surface;
+    this.moves = surface.moves;
     this.patch = new Mesh(new BufferGeometry(), wallMaterial(tint, shared, 1, 1));
     const lines = new RawShaderMaterial({
       glslVersion: GLSL3,
@@ -110,6 +111,7 @@ export class PlaneWall {
 export class CylinderWall {
   constructor(surface, tint, shared) {
     this.surface = surface;
+    this.moves = surface.moves;
     const geometry = new CylinderGeometry(1, 1, 1, 4 * kLinesAround, 1, true);
     useSpots(geometry, kLinesAround, kLinesAcross);
     this.object = new Mesh(geometry, wallMaterial(tint, shared, 1, 0.3));
@@ -132,6 +134,7 @@ export class CylinderWall {
 export class SphereWall {
   constructor(surface, tint, shared) {
     this.surface = surface;
+    this.moves = surface.moves;
     const geometry = new SphereGeometry(1, 4 * kLinesAround, 2 * kLinesAround);
     useSpots(geometry, kLinesAround, kLinesAround / 2);
     this.object = new Mesh(geometry, wallMaterial(tint, shared, 1, 0.3));
