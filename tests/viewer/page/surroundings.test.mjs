@@ -209,7 +209,11 @@ test('a sphere of a hundredth of the radius of others is seen, and can be picked
       await page.evaluate((way) => window.hardball.setQuality(way), way);
       await page.evaluate(() => window.hardball.setTime(0));
       // The smallest are violet, the largest yellow.
-      const { count } = middleOf(await browser.pixels(page), around, (red, green) => green < 150 && red < 170);
+      const { count } = middleOf(
+        await browser.pixels(page),
+        around,
+        (red, green) => green < 150 && red < 170,
+      );
       assert.ok(count >= 4, `${way}: ${count}`);
     }
     await page.mouse.click(x, y);

@@ -59,7 +59,9 @@ function contactsOf({ box, gravity, surfaces, radius, id, until }, position, vel
   const contacts = [];
   for (let time = 0; time < until;) {
     const next = Math.min(until, time + kStep);
-    const hits = walls.filter((wall) => wall.gap(at(next), next) < 0 && wall.gap(at(next), next) < wall.gap(at(time), time));
+    const hits = walls.filter(
+      (wall) => wall.gap(at(next), next) < 0 && wall.gap(at(next), next) < wall.gap(at(time), time),
+    );
     if (hits.length === 0) {
       time = next;
       continue;
@@ -73,7 +75,12 @@ function contactsOf({ box, gravity, surfaces, radius, id, until }, position, vel
     const closing = dot(arriving, normal) - wall.speed(moment, normal);
     [x, t0] = [place.map((part, axis) => fold(part, axis, box)), moment];
     v = arriving.map((part, k) => part - (1 + wall.restitution) * Math.min(closing, 0) * normal[k]);
-    contacts.push({ time: moment, first: id, second: -wall.number - 1, numbers: [...x, ...v, 0, 0, 0, 0, 0, 0] });
+    contacts.push({
+      time: moment,
+      first: id,
+      second: -wall.number - 1,
+      numbers: [...x, ...v, 0, 0, 0, 0, 0, 0],
+    });
     time = moment;
     if (contacts.length > kMostContacts) throw new Error(`sphere ${id} is squeezed or at rest`);
   }
@@ -86,7 +93,8 @@ function wallOf(surface, radius) {
   const angle = (time) => 2 * Math.PI * frequency * time;
   const pointAt = (time) =>
     surface.point.map(
-      (part, k) => part + velocity[k] * time + (amplitude ? amplitude * Math.sin(angle(time)) * direction[k] : 0),
+      (part, k) =>
+        part + velocity[k] * time + (amplitude ? amplitude * Math.sin(angle(time)) * direction[k] : 0),
     );
   const apart = (place, time) => {
     const difference = place.map((part, k) => part - pointAt(time)[k]);

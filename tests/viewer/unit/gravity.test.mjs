@@ -143,12 +143,19 @@ test('the cells visited under gravity are those that the bounding box touches, a
     const times = touched.get(indices.join(' ')) ?? [];
     const isFound = times.some(
       ({ first, last }) =>
-        Math.abs(from + first * length - begin) <= 2 * length && Math.abs(from + last * length - end) <= 2 * length,
+        Math.abs(from + first * length - begin) <= 2 * length &&
+        Math.abs(from + last * length - end) <= 2 * length,
     );
     assert.ok(isFound || end - begin <= 2 * length, `${indices} from ${begin} to ${end}`);
   });
-  assert.equal(visits, [...touched.values()].reduce((sum, times) => sum + times.length, 0));
-  assert.ok([...touched.values()].some((times) => times.length === 2), 'a cell is entered again on the way down');
+  assert.equal(
+    visits,
+    [...touched.values()].reduce((sum, times) => sum + times.length, 0),
+  );
+  assert.ok(
+    [...touched.values()].some((times) => times.length === 2),
+    'a cell is entered again on the way down',
+  );
 });
 
 test('the next crossing under gravity is the first at which the cells touched change', () => {
@@ -229,8 +236,7 @@ test('kinetic and potential energy together are conserved', () => {
   assert.ok(intervals.length > 1);
   const height = (place) => 3 * place[2];
   const energy = kBouncing.positions.reduce(
-    (sum, place, id) =>
-      sum + masses[id] * (Math.hypot(...kBouncing.velocities[id]) ** 2 / 2 + height(place)),
+    (sum, place, id) => sum + masses[id] * (Math.hypot(...kBouncing.velocities[id]) ** 2 / 2 + height(place)),
     0,
   );
   for (const interval of intervals) assertNear(interval.energy, energy, 1e-9 * energy);

@@ -11,7 +11,10 @@ import { randomSpheres } from '../support/small_gas.mjs';
 const kNone = { count: 0 };
 
 function playbackOf({ positions, velocities }, time) {
-  return { paths: Float64Array.from(positions.flatMap((place, id) => [...place, ...velocities[id], 0])), time };
+  return {
+    paths: Float64Array.from(positions.flatMap((place, id) => [...place, ...velocities[id], 0])),
+    time,
+  };
 }
 
 function list(images) {
@@ -50,7 +53,11 @@ for (const boundary of [
         }
       }
       assert.deepEqual(list(images).sort(), expected.sort());
-      if (time > 0) assert.equal(images.count > 0, box.period.some((period) => period > 0));
+      if (time > 0)
+        assert.equal(
+          images.count > 0,
+          box.period.some((period) => period > 0),
+        );
     }
     images.clear();
     assert.equal(images.count, 0);
@@ -89,7 +96,10 @@ test('a near miss is picked only if nothing is met', () => {
   ]);
   assert.equal(pick(playback, [1, 0.1, 0.1], kBox, kRay, kOptions), 0);
   assert.equal(pick(playback, [1, 0.1, 0.1], kBox, kRay, { ...kOptions, isShown: (id) => id > 0 }), 2);
-  assert.equal(pick(playback, [1, 0.1, 0.1], kBox, kRay, { ...kOptions, tolerance: 1e-3, isShown: (id) => id > 0 }), -1);
+  assert.equal(
+    pick(playback, [1, 0.1, 0.1], kBox, kRay, { ...kOptions, tolerance: 1e-3, isShown: (id) => id > 0 }),
+    -1,
+  );
 });
 
 test('a sphere drawn larger than it is can be picked where it is drawn', () => {

@@ -34,7 +34,10 @@ test('surfaces are where they are at the time shown', () => {
   assertPlace(plane.pointAt(3), [0, -0.3, 0.6]);
   assertPlace(cylinder.pointAt(4), [3, 2, 0]);
   assertPlace(sphere.pointAt(4), [1, 1, 1]);
-  assert.deepEqual([plane, cylinder, sphere].map(({ moves }) => moves), [true, true, false]);
+  assert.deepEqual(
+    [plane, cylinder, sphere].map(({ moves }) => moves),
+    [true, true, false],
+  );
   assert.deepEqual(readSurfaces({}), []);
 });
 
@@ -141,9 +144,18 @@ test('a plane is drawn as its part in the box', () => {
 });
 
 test('tangents are perpendicular to their normal and to each other', () => {
-  for (const normal of [[0, 0, 1], [0, -1, 0], [0.48, -0.6, 0.64]]) {
+  for (const normal of [
+    [0, 0, 1],
+    [0, -1, 0],
+    [0.48, -0.6, 0.64],
+  ]) {
     const [first, second] = tangents(normal);
-    for (const [a, b] of [[first, second], [first, normal], [second, normal]]) assertNear(dot(a, b), 0, 1e-12);
+    for (const [a, b] of [
+      [first, second],
+      [first, normal],
+      [second, normal],
+    ])
+      assertNear(dot(a, b), 0, 1e-12);
     for (const unit of [first, second]) assertNear(dot(unit, unit), 1, 1e-12);
   }
 });
@@ -167,7 +179,13 @@ test('all surfaces are in the extent of open space', () => {
   // The sphere has fallen to 1.
   assertPlace(low, [-2, -3, -0.5]);
   assertPlace(high, [5, 3, 11]);
-  assert.deepEqual(extentOf(playback, falling, [], 1), [[-1, -1, 0], [1, 1, 2]]);
+  assert.deepEqual(extentOf(playback, falling, [], 1), [
+    [-1, -1, 0],
+    [1, 1, 2],
+  ]);
   const walls = new Box({ size: [4, 5, 6], boundary: ['wall', 'periodic', 'wall'] });
-  assert.deepEqual(extentOf(playback, walls, surfaces, 1), [[0, 0, 0], [4, 5, 6]]);
+  assert.deepEqual(extentOf(playback, walls, surfaces, 1), [
+    [0, 0, 0],
+    [4, 5, 6],
+  ]);
 });

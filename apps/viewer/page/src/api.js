@@ -49,7 +49,7 @@ export function createApi(viewer) {
       next: viewer.next ?? null,
       spheres: source.header.spheres,
       surfaces: viewer.surfaces.map((surface) => surface.name),
-      images: viewer.images.count,
+      images: viewer.surroundings.images.count,
       chunks: source.ends.length,
       chunksInMemory: store.chunks.size,
       bytesInMemory: store.bytes,

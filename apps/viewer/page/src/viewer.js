@@ -4,10 +4,8 @@ import { Cells } from './motion/cells.js';
 import { knownUntil, nextContact, recentPaths } from './motion/contacts_of.js';
 import { typicalScales } from './motion/default_speed.js';
 import { Box } from './motion/box.js';
-import { extentOf } from './motion/extent.js';
 import { readCenter, readVelocity } from './motion/path.js';
 import { Player } from './motion/player.js';
-import { Images } from './motion/images.js';
 import { partnerName, readSurfaces } from './motion/surfaces.js';
 import { ChunkStore } from './recording/chunk_store.js';
 import { kPathNumbers } from './recording/chunk.js';
@@ -24,9 +22,10 @@ import { EventFlashes } from './scene/event_flashes.js';
 import { pick } from './scene/pick.js';
 import { Quality } from './scene/quality.js';
 import { kColorBy, Spheres } from './scene/spheres.js';
-import { SurfaceLayer } from './scene/surface_layer.js';
+import { Surroundings } from './scene/surroundings.js';
 import { Trail } from './scene/trail.js';
 import { View } from './scene/view.js';
+import { Sizes } from './statistics/sizes.js';
 import { findSpecies, quantile, roundUp } from './statistics/speeds.js';
 
 const kFewEnoughForFlashes = 3000; // spheres; with more, contacts would hide everything else
@@ -37,7 +36,6 @@ const kSecondsBetweenPanels = 0.1;
 const kSecondsBetweenPlots = 0.5;
 const kPollSeconds = 0.7;
 const kRetrySeconds = 2;
-const kWideRatio = 10; // of radii; beyond, colors are logarithmic
 
 const element = (id) => document.getElementById(id);
 
@@ -62,18 +60,16 @@ export class Viewer {
     this.player = new Player(source, this.store);
     this.playback = this.player.playback;
     this.species = findSpecies(radii, masses);
-    this.largestRadius = radii.reduce((largest, radius) => Math.max(largest, radius), 0);
-
-    this.smallestRadius = radii.reduce((smallest, radius) => Math.min(smallest, radius), Infinity);
+    this.sizes = new Sizes(radii);
+    this.largestRadius = this.sizes.largest;
 
     this.view = new View(element('canvas'), this.box, upwardOf(this.box.gravity));
     this.spheres = new Spheres(radii, this.species.of, this.box);
     this.flashes = new EventFlashes(radii, this.box, this.surfaces);
     this.trail = new Trail(this.box);
     this.cellLayer = new CellLayer(radii, this.box);
-    this.images = new Images(radii, this.box);
-    this.surfaceLayer = new SurfaceLayer(this.surfaces, this.box, this.spheres.uniforms);
-    for (const { object } of [this.spheres, this.flashes, this.trail, this.cellLayer, this.surfaceLayer])
+    this.surroundings = new Surroundings(this.surfaces, radii, this.box, this.spheres, this.largestRadius);
+    for (const { object } of [this.spheres, this.flashes, this.trail, this.cellLayer, this.surroundings])
       this.view.scene.add(object);
 
     this.notices = new Notices();
@@ -94,10 +90,10 @@ export class Viewer {
     this.listen();
     this.style();
     this.setColorBy(this.firstColoring());
-    showSurfaceLegend(this.surfaces, this.surfaceLayer.colors);
+    showSurfaceLegend(this.surfaces, this.surroundings.layer.colors);
     element('walls-label').hidden = this.surfaces.length === 0;
-    element('images-label').hidden = !this.images.isPeriodic;
-    element('surroundings').hidden = this.surfaces.length === 0 && !this.images.isPeriodic;
+    element('images-label').hidden = !this.surroundings.images.isPeriodic;
+    element('surroundings').hidden = this.surfaces.length === 0 && !this.surroundings.images.isPeriodic;
     showEventLegend(header.box.boundary.includes('wall') || this.surfaces.length > 0);
   }
 
@@ -175,7 +171,7 @@ export class Viewer {
   fit() {
     element('near-only').checked = false;
     element('camera-follows').checked = false;
-    if (this.playback.chunk) this.fitExtent();
+    if (this.playback.chunk) this.view.fit(this.surroundings.measure(this.playback));
   }
 
   /** Colors the spheres by one of kColorBy. */
@@ -204,28 +200,6 @@ export class Viewer {
   /** Velocity of sphere `id` at the time shown [L/T]. */
   velocity(id) {
     return readVelocity(this.playback.paths, kPathNumbers * id, this.playback.time, this.box, [0, 0, 0]);
-  }
-
-  // Fits the picture, from direction `from` if that is given, to all that is there.
-  fitExtent(from = null) {
-    const extent = extentOf(this.playback, this.box, this.surfaces, this.largestRadius);
-    this.view.fit(extent, from);
-    /** Within which surfaces are drawn: two corners [L]. */
-    this.surroundings = extent;
-  }
-
-  // In open space surfaces are drawn as far as spheres have come.
-  widenSurroundings() {
-    if (this.surfaces.length === 0 || !this.box.boundary.includes('open')) return;
-    const [low, high] = extentOf(this.playback, this.box, this.surfaces, this.largestRadius);
-    const [shownLow, shownHigh] = this.surroundings;
-    if (low.every((place, axis) => place >= shownLow[axis]) && high.every((place, axis) => place <= shownHigh[axis]))
-      return;
-    this.surroundings = [
-      low.map((place, axis) => Math.min(place, shownLow[axis])),
-      high.map((place, axis) => Math.max(place, shownHigh[axis])),
-    ];
-    this.view.isStale = true;
   }
 
   /** Center of sphere `id` at `time` [T], folded into the box [L]. Error: the chunk cannot be loaded. */
@@ -275,7 +249,7 @@ export class Viewer {
     this.plots.update(this.playback);
     this.view.resize();
     if (this.view.isSoftware && this.source.header.spheres > kManyForSoftware) this.quality.begin('points');
-    this.fitExtent([0.62, 0.42, 1]);
+    this.view.fit(this.surroundings.measure(this.playback), [0.62, 0.42, 1]);
     element('show-events').checked = this.source.header.spheres <= kFewEnoughForFlashes;
     this.showCellEdge();
     this.updateColors();
@@ -287,12 +261,9 @@ export class Viewer {
     const followed = this.followed ?? -1;
     const window = kFlashSeconds * this.player.speed;
     this.spheres.update(this.playback);
-    if (element('show-images').checked) this.images.update(this.playback);
-    else this.images.clear();
-    this.spheres.images.update(this.images, this.playback);
-    uniforms.leastPixels.value = this.leastPixels * this.view.pixelRatio;
-    this.surfaceLayer.object.visible = element('show-walls').checked;
-    this.surfaceLayer.update(this.playback.time, this.surroundings);
+    const [walls, images] = [element('show-walls').checked, element('show-images').checked];
+    this.surroundings.update(this.playback, { walls, images });
+    uniforms.leastPixels.value = this.sizes.leastPixels * this.view.pixelRatio;
     if (followed >= 0) {
       const center = this.center(followed);
       uniforms.followedCenter.value.set(...center);
@@ -344,10 +315,9 @@ export class Viewer {
     const range = this.spheres.uniforms.colorRange.value;
     if (this.colorBy === 'species') return;
     if (this.colorBy === 'speed') range.set(0, this.plots.fast);
-    const isWide = this.largestRadius > kWideRatio * this.smallestRadius;
-    const isLogarithmic = this.colorBy === 'size' && isWide;
+    const isLogarithmic = this.colorBy === 'size' && this.sizes.areWide;
     this.spheres.uniforms.colorIsLogarithmic.value = isLogarithmic;
-    if (this.colorBy === 'size') range.set(...this.sizeRange());
+    if (this.colorBy === 'size') range.set(...this.sizes.range(this.isDark.matches));
     if (this.colorBy === 'collisions')
       range.set(0, Math.max(4, roundUp(quantile(this.playback.collisions, 0.99))));
     if (this.colorBy === 'last contact')
@@ -356,23 +326,11 @@ export class Viewer {
     this.view.isStale = true;
   }
 
-  // Spheres of one size are in the middle of a range. The smallest, hard to see, contrast with the background most.
-  sizeRange() {
-    const [smallest, largest] = [this.smallestRadius, this.largestRadius];
-    const range = largest > smallest ? [smallest, largest] : [0, 2 * largest];
-    return this.isDark.matches ? range.reverse() : range;
-  }
-
   // The coloring that shows most of what differs between spheres.
   firstColoring() {
     const { length } = this.species.list;
     if (length > 1 && length <= kSpeciesColors.length) return 'species';
-    return this.largestRadius > 2 * this.smallestRadius ? 'size' : 'speed';
-  }
-
-  // The diameter below which no sphere is drawn, in CSS pixels: small ones are seen beside much larger ones.
-  get leastPixels() {
-    return this.largestRadius > kWideRatio * this.smallestRadius ? 3 : 1.2;
+    return this.sizes.largest > 2 * this.sizes.smallest ? 'size' : 'speed';
   }
 
   // Updates numbers and plots, as often as people can read them.
@@ -388,7 +346,7 @@ export class Viewer {
     if (seconds - this.last.panels > kSecondsBetweenPanels) {
       this.last.panels = seconds;
       this.spherePanel.update();
-      this.widenSurroundings();
+      if (this.surroundings.widen(this.playback)) this.view.isStale = true;
       showRunStatus(this.source, this.isLost);
     }
     if (seconds - this.last.plots > kSecondsBetweenPlots) {
@@ -420,7 +378,9 @@ export class Viewer {
   lose() {
     if (this.isLost) return;
     this.isLost = this.store.isSuspended = true;
-    this.notices.show('lost', 'The program does not answer. The part loaded can still be viewed.', { kind: 'bad' });
+    this.notices.show('lost', 'The program does not answer. The part loaded can still be viewed.', {
+      kind: 'bad',
+    });
     this.pollIn(kRetrySeconds);
   }
 
@@ -553,8 +513,8 @@ export class Viewer {
       const apart = Math.hypot(...center.map((place, axis) => this.box.nearest(place - middle[axis], axis)));
       return apart <= reach.value;
     };
-    const leastSize = (this.leastPixels / 2) * this.view.pixelTangent;
-    const options = { tolerance, leastSize, isShown, images: this.images };
+    const leastSize = (this.sizes.leastPixels / 2) * this.view.pixelTangent;
+    const options = { tolerance, leastSize, isShown, images: this.surroundings.images };
     const id = pick(this.playback, this.source.radii, this.box, ray, options);
     if (id >= 0) this.follow(id);
   }

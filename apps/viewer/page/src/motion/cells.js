@@ -53,7 +53,8 @@ export class Cells {
     const low = begin - radius;
     const high = end + radius;
     const cross = (level, forward) => path[6] + crossingTime(place, velocity, gravity, level, forward);
-    if (gravity === 0) return [velocity > 0 ? [cross(low, 1), cross(high, 1)] : [cross(high, -1), cross(low, -1)]];
+    if (gravity === 0 && velocity > 0) return [[cross(low, 1), cross(high, 1)]];
+    if (gravity === 0) return [[cross(high, -1), cross(low, -1)]];
     // The motion comes from the side to which gravity pulls, turns, and returns.
     const toTurn = gravity < 0 ? 1 : -1;
     const [near, far] = gravity < 0 ? [low, high] : [high, low];
@@ -61,7 +62,12 @@ export class Cells {
     if (enter === Infinity) return [];
     const leave = cross(near, -toTurn);
     const beyond = cross(far, toTurn);
-    return beyond === Infinity ? [[enter, leave]] : [[enter, beyond], [cross(far, -toTurn), leave]];
+    return beyond === Infinity
+      ? [[enter, leave]]
+      : [
+          [enter, beyond],
+          [cross(far, -toTurn), leave],
+        ];
   }
 
   /** When a sphere on `path` touches the cell with the three `indices`; as layerTimes. */

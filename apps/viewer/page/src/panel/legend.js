@@ -57,7 +57,9 @@ export function showEventLegend(hasWalls) {
 /** What the colors of `surfaces` mean; `colors`: one for each. */
 export function showSurfaceLegend(surfaces, colors) {
   const place = document.getElementById('legend-surfaces');
-  const shown = surfaces.slice(0, kMostSurfaces).map((surface, k) => swatch(colors[k], describe(surface), 'square'));
+  const shown = surfaces
+    .slice(0, kMostSurfaces)
+    .map((surface, k) => swatch(colors[k], describe(surface), 'square'));
   place.replaceChildren(...shown);
   if (surfaces.length > kMostSurfaces) place.append(`and ${showCount(surfaces.length - kMostSurfaces)} more`);
 }

@@ -48,7 +48,9 @@ export class Obstacles {
     this.surfaces.forEach((surface, k) => {
       const center = surface.pointAt(time).map((place, axis) => this.box.fold(place, axis));
       this.add(center, surface.radius, this.tints[k]);
-      visitImages(center, surface.radius, this.box, (...image) => this.add(image, surface.radius, this.tints[k]));
+      visitImages(center, surface.radius, this.box, (...image) =>
+        this.add(image, surface.radius, this.tints[k]),
+      );
     });
     this.geometry.instanceCount = this.count;
     this.balls.needsUpdate = this.colors.needsUpdate = true;

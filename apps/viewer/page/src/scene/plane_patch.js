@@ -35,7 +35,9 @@ export function planePatch(point, normal, low, high) {
     }
   }
   if (corners.length < 3) return [];
-  const middle = [0, 1, 2].map((axis) => corners.reduce((sum, corner) => sum + corner[axis], 0) / corners.length);
+  const middle = [0, 1, 2].map(
+    (axis) => corners.reduce((sum, corner) => sum + corner[axis], 0) / corners.length,
+  );
   const [first, second] = tangents(normal);
   const angle = (corner) => {
     const apart = corner.map((place, axis) => place - middle[axis]);

@@ -98,8 +98,7 @@ export class Spheres {
     // The least t with v t + g t² / 2 = 3 L.
     const speed = Math.sqrt(fastest);
     const gravity = Math.hypot(...this.box.gravity);
-    this.referenceEnd =
-      this.reference + (6 * longest) / (speed + Math.sqrt(fastest + 6 * gravity * longest));
+    this.referenceEnd = this.reference + (6 * longest) / (speed + Math.sqrt(fastest + 6 * gravity * longest));
     this.dirty.fill(1);
     this.send();
   }

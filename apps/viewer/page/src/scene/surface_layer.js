@@ -22,7 +22,14 @@ export class SurfaceLayer {
     );
     if (isObstacle.includes(true)) {
       const tints = this.colors.filter((_, k) => isObstacle[k]);
-      this.parts.push(new Obstacles(surfaces.filter((_, k) => isObstacle[k]), tints, box, shared));
+      this.parts.push(
+        new Obstacles(
+          surfaces.filter((_, k) => isObstacle[k]),
+          tints,
+          box,
+          shared,
+        ),
+      );
     }
     for (const { object } of this.parts) this.object.add(object);
     this.object.renderOrder = -1;

@@ -61,7 +61,8 @@ export class View {
     this.extent = size.length();
     const center = new Vector3(...low).addScaledVector(size, 0.5);
     const direction = from ? new Vector3(...from) : this.camera.position.clone().sub(this.controls.target);
-    if (from) direction.applyQuaternion(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), this.camera.up));
+    if (from)
+      direction.applyQuaternion(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), this.camera.up));
     direction.normalize();
     this.controls.target.copy(center);
     this.camera.position.copy(center).add(direction);

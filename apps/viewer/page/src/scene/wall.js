@@ -90,7 +90,9 @@ export class PlaneWall {
   // From points spread between the middle and the corners of the patch, along the normal.
   ticks(corners, length) {
     const { direction } = this.surface;
-    const middle = [0, 1, 2].map((axis) => corners.reduce((sum, corner) => sum + corner[axis], 0) / corners.length);
+    const middle = [0, 1, 2].map(
+      (axis) => corners.reduce((sum, corner) => sum + corner[axis], 0) / corners.length,
+    );
     const feet = [middle];
     for (const corner of corners) {
       for (let k = 1; k < kTicks; ++k)
