@@ -24,6 +24,7 @@ using chart::escaped;
 constexpr double kEnergyTolerance = 1e-10;
 constexpr double kFarInErrors = 3;
 constexpr double kManyTimes = 4;  // beyond this costs are best compared on a logarithmic axis
+constexpr std::size_t kMostSurfaceArticles = 12;
 constexpr std::size_t kMostScenarioBytes = 20'000;
 
 // One of our files without its licence header.
@@ -39,6 +40,11 @@ std::string code(std::string_view text) {
   return "<code>" + escaped(text) + "</code>";
 }
 
+std::string vector_text(const Vec3& vector, int digits) {
+  return fmt::format("({}, {}, {})", number_text(vector.x, digits), number_text(vector.y, digits),
+                     number_text(vector.z, digits));
+}
+
 std::string hash_text(std::uint64_t hash) {
   return fmt::format("{:016x}", hash);
 }
@@ -47,10 +53,33 @@ bool is_elastic(const Report& report) {
   return report.restitution == 1;
 }
 
-// Relative to the energy at the start; zero if there was none.
-double energy_change(const Report& report) {
-  const double change = report.final_energy - report.initial_energy;
+bool has_gravity(const Report& report) {
+  return !(report.gravity == Vec3{});
+}
+
+// Done on the spheres by all surfaces.
+double work_of_surfaces(const Report& report) {
+  double work = 0;
+  for (const SurfaceReport& surface : report.surfaces) work += surface.work;
+  return work;
+}
+
+// Relative to the energy at the start; as it is if that is not positive.
+double relative_to_energy(const Report& report, double change) {
   return report.initial_energy > 0 ? change / report.initial_energy : change;
+}
+
+double energy_change(const Report& report) {
+  return relative_to_energy(report, report.final_energy - report.initial_energy);
+}
+
+// What the work of the surfaces does not account for, relative to the largest of the energies.
+double energy_drift(const Report& report) {
+  const double work = work_of_surfaces(report);
+  const double drift = report.final_energy - report.initial_energy - work;
+  const double scale =
+      std::max({std::abs(report.initial_energy), std::abs(report.final_energy), std::abs(work)});
+  return scale > 0 ? drift / scale : drift;
 }
 
 // --- agreement with theory ---
@@ -113,7 +142,7 @@ std::string description_of(std::string_view scenario) {
 
 std::string verdict(const Report& report) {
   const bool overlaps = !(report.max_overlap <= kOverlapTolerance);
-  const bool drifts = is_elastic(report) && !(std::abs(energy_change(report)) <= kEnergyTolerance);
+  const bool drifts = is_elastic(report) && !(std::abs(energy_drift(report)) <= kEnergyTolerance);
   const bool is_sound = !overlaps && !drifts;
   std::string text;
   if (report.is_complete) {
@@ -127,12 +156,19 @@ std::string verdict(const Report& report) {
   } else {
     text += "; no spheres overlap by more than rounding";
   }
+  const double work = work_of_surfaces(report);
   if (!is_elastic(report)) {
-    text += fmt::format("; collisions took {}% of the energy", number_text(-100 * energy_change(report), 4));
+    const double taken = report.initial_energy - report.final_energy + work;
+    text += work == 0 ? fmt::format("; collisions took {}% of the energy",
+                                    number_text(100 * relative_to_energy(report, taken), 4))
+                      : fmt::format("; collisions took the energy {}, and surfaces gave {}",
+                                    number_text(taken, 4), number_text(work, 4));
   } else if (drifts) {
-    text += fmt::format("; the energy changed by {} of its value", number_text(energy_change(report), 2));
+    text += fmt::format("; the energy changed by {} of its value", number_text(energy_drift(report), 2));
+    if (work != 0) text += " beyond the work of the surfaces";
   } else {
-    text += "; the energy is conserved";
+    text +=
+        work == 0 ? "; the energy is conserved" : "; the energy changed by the work of the surfaces alone";
   }
   const std::string_view word = !is_sound ? "Not sound" : report.is_complete ? "Sound" : "Interrupted";
   return fmt::format("<p class=\"verdict {}\"><strong>{}.</strong> <span>{}.{}{}</span></p>\n",
@@ -167,11 +203,14 @@ std::string certificate(const Report& report) {
   conserved.add_row("energy at the start", {in_unit(number_text(report.initial_energy, 10), "M L^2 T^-2")});
   conserved.add_row("energy at the end", {in_unit(number_text(report.final_energy, 10), "M L^2 T^-2")});
   conserved.add_row("relative change", {typeset(number_text(energy_change(report), 2))});
-  const Vec3& momentum = report.momentum;
-  conserved.add_row("momentum at the end",
-                    {in_unit(fmt::format("({}, {}, {})", number_text(momentum.x, 2),
-                                         number_text(momentum.y, 2), number_text(momentum.z, 2)),
-                             "M L T^-1")});
+  if (!report.surfaces.empty()) {
+    conserved.add_row("work of the surfaces",
+                      {in_unit(number_text(work_of_surfaces(report), 10), "M L^2 T^-2")});
+    if (is_elastic(report)) {
+      conserved.add_row("change beyond it", {typeset(number_text(energy_drift(report), 2))});
+    }
+  }
+  conserved.add_row("momentum at the end", {in_unit(vector_text(report.momentum, 2), "M L T^-1")});
   conserved.add_row("deepest overlap", {typeset(number_text(report.max_overlap, 2)) + " diameters"});
   conserved.add_row("restitution", {number_text(report.restitution)});
   conserved.add_row("seed", {std::to_string(report.seed)});
@@ -188,6 +227,58 @@ std::string certificate(const Report& report) {
              "note",
              "The hash is the fingerprint of all collisions and wall contacts in order: the last bit of "
              "each time, the kind, and the partners. Engine, cells and output do not change it.");
+}
+
+// A number and its unit; only a dash if it has no meaning.
+std::string measured_in(double value, double error, std::string_view unit) {
+  return std::isfinite(value) ? in_unit(measured_text(value, error), unit) : number_text(value);
+}
+
+std::string surface_article(const SurfaceReport& surface, std::size_t number) {
+  Table table("facts", "");
+  table.add_row("shape", {escaped(surface.shape)});
+  table.add_row("contacts", {count_text(surface.contacts)});
+  table.add_row("area",
+                {std::isfinite(surface.area) ? in_unit(number_text(surface.area), "L^2") : "unbounded"});
+  table.add_row("mean force on it", {measured_in(surface.force, surface.force_error, "M L T^-2")});
+  if (std::isfinite(surface.pressure)) {
+    table.add_row("pressure on it", {measured_in(surface.pressure, surface.pressure_error, "M L^-1 T^-2")});
+  }
+  table.add_row("work done on the spheres", {measured_in(surface.work, std::nan(""), "M L^2 T^-2")});
+  return fmt::format("<article>\n<h3 id=\"surface-{}\">{}</h3>\n", number, escaped(surface.name)) +
+         table.html() + "</article>\n";
+}
+
+// A row for each of many surfaces.
+std::string surfaces_table(const std::vector<SurfaceReport>& surfaces) {
+  Table table("numbers", "", {"surface", "shape", "contacts", "mean force", "pressure", "work"});
+  for (const SurfaceReport& surface : surfaces) {
+    table.add_row(escaped(surface.name), {escaped(surface.shape), count_text(surface.contacts),
+                                          typeset(measured_text(surface.force, surface.force_error)),
+                                          typeset(measured_text(surface.pressure, surface.pressure_error)),
+                                          typeset(number_text(surface.work))});
+  }
+  return table.html();
+}
+
+std::string gravity_and_surfaces(const Report& report) {
+  std::string html;
+  if (has_gravity(report)) {
+    Table table("facts", "");
+    table.add_row("gravity", {in_unit(vector_text(report.gravity, 6), "L T^-2")});
+    html += table.html() + paragraph("note",
+                                     "The energies in this report include the potential energy "
+                                     "−m g·x, which is zero at the origin.");
+  }
+  if (report.surfaces.empty()) return html;
+  html +=
+      paragraph("note",
+                "The force is that of all contacts along the normal, averaged over the run; pressure is the "
+                "force per area. Moving, thermal and inelastic surfaces do work: it is negative where they "
+                "take energy from the spheres.");
+  if (report.surfaces.size() > kMostSurfaceArticles) return html + surfaces_table(report.surfaces);
+  for (std::size_t i = 0; i < report.surfaces.size(); ++i) html += surface_article(report.surfaces[i], i);
+  return html;
 }
 
 std::string quantities_table(const std::vector<Quantity>& quantities) {
@@ -343,6 +434,13 @@ std::string to_html(const Report& report) {
     sections += section(id, heading, html);
   };
   add("certificate", "Certificate", certificate(report));
+  if (has_gravity(report) || !report.surfaces.empty()) {
+    add("surfaces",
+        !has_gravity(report)      ? "Surfaces"
+        : report.surfaces.empty() ? "Gravity"
+                                  : "Gravity and surfaces",
+        gravity_and_surfaces(report));
+  }
   if (!report.rates.empty()) add("rates", "Rates and kinetic theory", rates(report));
   if (!report.measurements.empty()) add("measures", "Measures", reading() + articles(report));
   if (!report.choice.length.empty()) add("choice", report.choice.title, choice(report.choice));

@@ -25,6 +25,19 @@ struct CostCurve {
   std::vector<chart::Marker> marks;  ///< The one in use, and others of interest.
 };
 
+/// What spheres did at one surface, and it to them. A number without meaning, or not known, is NaN.
+struct SurfaceReport {
+  std::string name;                                            ///< "lower x", "floor".
+  std::string shape;                                           ///< "plane", "cylinder", "sphere", "obstacle".
+  std::uint64_t contacts = 0;                                  ///< Of spheres with it.
+  double area = std::numeric_limits<double>::quiet_NaN();      ///< [L^2]; infinite or NaN if it is unbounded.
+  double force = std::numeric_limits<double>::quiet_NaN();     ///< Mean along the normal [M L T^-2].
+  double pressure = std::numeric_limits<double>::quiet_NaN();  ///< Force over area [M L^-1 T^-2].
+  double work = 0;                                             ///< Done on the spheres [M L^2 T^-2].
+  double force_error = std::numeric_limits<double>::quiet_NaN();     ///< Standard error of `force`.
+  double pressure_error = std::numeric_limits<double>::quiet_NaN();  ///< Standard error of `pressure`.
+};
+
 /// All contents of the report of a run. A number without meaning for the run is NaN.
 struct Report {
   // Input.
@@ -36,6 +49,7 @@ struct Report {
   double until = 0;                  ///< When the run should end [T].
   std::uint64_t seed = 0;
   double restitution = 1;  ///< [1]
+  Vec3 gravity;            ///< [L T^-2]
 
   // Results.
   double time = 0;  ///< When it ended [T].
@@ -44,10 +58,10 @@ struct Report {
   std::size_t spheres = 0;
   Counters events;
   double packing_fraction = std::numeric_limits<double>::quiet_NaN();  ///< [1]
-  double initial_energy = 0;                                           ///< [M L^2 T^-2]
-  double final_energy = 0;                                             ///< [M L^2 T^-2]
-  Vec3 momentum;                                                       ///< [M L T^-1]
-  double max_overlap = 0;                                              ///< In diameters [1].
+  double initial_energy = 0;  ///< Under gravity the potential energy is included [M L^2 T^-2].
+  double final_energy = 0;    ///< Likewise.
+  Vec3 momentum;              ///< [M L T^-1]
+  double max_overlap = 0;     ///< In diameters [1].
 
   // Performance.
   std::string engine;
@@ -58,6 +72,7 @@ struct Report {
   double bytes_per_sphere = 0;
   double peak_bytes = 0;
 
+  std::vector<SurfaceReport> surfaces;
   std::vector<Quantity> rates;  ///< With the predictions of kinetic theory.
   CostCurve choice;
   std::vector<Measurement> measurements;

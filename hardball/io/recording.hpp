@@ -25,7 +25,7 @@ struct RecordedSurface {
   };
 
   Shape shape = Shape::plane;
-  Vec3 point;                              ///< Of the plane or the axis at time 0, or the centre [L].
+  Vec3 point = {};                         ///< Of the plane or the axis at time 0, or the centre [L].
   Vec3 direction = {0, 0, 1};              ///< Unit normal of a plane, unit vector along an axis [1].
   double radius = 0;                       ///< [L]; 0 for a plane.
   Vec3 velocity = {};                      ///< With which the point moves [L/T].

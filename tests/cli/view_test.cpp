@@ -14,6 +14,7 @@
 
 #include "cli/program.hpp"
 #include "hardball/io/recording_reader.hpp"
+#include "hardball/io/recording_writer.hpp"
 
 namespace hardball {
 namespace {
@@ -131,6 +132,23 @@ TEST_F(View, ShowsARecordedRun) {
   const FileExtent& last = reader.chunks().back().bytes;
   EXPECT_TRUE(get("/api/chunk?number=" + std::to_string(reader.chunks().size() - 1)) ==
               read_text(folder_ / "out/recording.hbr").substr(last.offset, last.length));
+}
+
+TEST_F(View, PassesGravityAndSurfacesToThePage) {
+  std::filesystem::create_directory(folder_ / "out");
+  World world(Box::open());
+  world.add({.position = {0, 0, 1}, .radius = 0.5});
+  const RecordingHeader header{
+      .name = "floor",
+      .gravity = {0, 0, -9.81},
+      .surfaces = {{.shape = RecordedSurface::Shape::plane, .direction = {0, 0, 1}, .temperature = 2}}};
+  RecordingWriter(folder_ / "out/recording.hbr", header, world).close(1);
+  start({"out"});
+  const json shown = json::parse(get("/api/header"));
+  EXPECT_EQ(shown["gravity"], json::parse("[0, 0, -9.81]"));
+  ASSERT_EQ(shown["surfaces"].size(), 1U);
+  EXPECT_EQ(shown["surfaces"][0]["shape"], "plane");
+  EXPECT_EQ(shown["surfaces"][0]["temperature"], 2);
 }
 
 TEST_F(View, StopsTheRunAtTheLimitOfTheRecordingAndShowsIt) {

@@ -348,9 +348,7 @@ TEST(Recording, NeedsIdsWithoutGaps) {
 // A file of three spheres in two chunks.
 std::string small_recording(const ScratchFolder& folder) {
   Simulation simulation(make_mixture());
-  RecordingWriter writer(folder / "small.hbr",
-                         {.until = 30, .name = "small", .gravity = {0, 0, -1}, .surfaces = every_surface()},
-                         simulation.world());
+  RecordingWriter writer(folder / "small.hbr", {.until = 30, .name = "small"}, simulation.world());
   simulation.on_contact([&](const Contact& contact) { writer.note(contact); });
   simulation.run_until(2);
   writer.flush();
@@ -431,7 +429,7 @@ TEST(Recording, RefusesWhatNoRunCanProduce) {
   EXPECT_FALSE(is_read(folder, with(contact, std::string(8, '\0')))) << "time";
   EXPECT_FALSE(is_read(folder, with(contact + 8, std::string("\x03\x00\x00\x00", 4)))) << "first";
   EXPECT_FALSE(is_read(folder, with(contact + 12, std::string("\x03\x00\x00\x00", 4)))) << "second";
-  EXPECT_FALSE(is_read(folder, with(contact + 12, "\xf5\xff\xff\xff"))) << "surface";
+  EXPECT_FALSE(is_read(folder, with(contact + 12, "\xf9\xff\xff\xff"))) << "surface";
   EXPECT_FALSE(is_read(folder, with(contact + 16, nan))) << "position";
 }
 
@@ -480,6 +478,34 @@ TEST(Recording, InvalidHeadersAreRefused) {
   for (const std::string& json : nonsense) {
     EXPECT_THROW(parse_recording_header(json, "test"), Error) << json.substr(0, 80);
   }
+}
+
+TEST(Recording, WhateverAHeaderContainsIsReadOrRefused) {
+  const std::string json = to_json({.name = "small", .gravity = {0, 0, -9.81}, .surfaces = every_surface()});
+  std::size_t refused = 0;
+  std::size_t read = 0;
+  const auto attempt = [&](const std::string& changed) {
+    try {
+      const RecordingHeader header = parse_recording_header(changed, "test");
+      for (const RecordedSurface& surface : header.surfaces) {
+        EXPECT_TRUE(surface.shape == RecordedSurface::Shape::plane || surface.radius > 0) << changed;
+        EXPECT_TRUE(std::isfinite(dot(surface.point, surface.velocity))) << changed;
+      }
+      ++read;
+    } catch (const Error&) {
+      ++refused;
+    }
+  };
+  for (std::size_t at = 0; at < json.size(); ++at) {
+    attempt(json.substr(0, at));
+    for (const char letter : {'0', '9', '-', '"', ',', ':', '[', '}', 'x', '\0', '\xff'}) {
+      std::string changed = json;
+      changed[at] = letter;
+      attempt(changed);
+    }
+  }
+  EXPECT_GT(refused, json.size());
+  EXPECT_GT(read, json.size()) << "most digits can be others";
 }
 
 // The message with which a header with these surfaces is refused; empty if it is read.

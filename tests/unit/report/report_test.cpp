@@ -101,6 +101,7 @@ TEST(Report, EscapesAllThatComesFromOutside) {
   report.rates[0].name = report.rates[0].unit = hostile;
   report.choice.title = report.choice.quantity = report.choice.explanation = hostile;
   report.choice.marks[0].name = hostile;
+  report.surfaces = {{.name = hostile, .shape = hostile}};
   Measurement& measurement = report.measurements[0];
   measurement.title = measurement.formula = measurement.source = hostile;
   measurement.quantities[0].name = measurement.quantities[0].unit = hostile;
@@ -121,6 +122,81 @@ TEST(Report, JudgesTheRun) {
   const std::string sound = verdict_of(sample_report());
   expect_in(sound, "verdict good\"><strong>Sound.</strong>");
   expect_in(sound, "the energy is conserved");
+}
+
+// A run in a shaken box under gravity.
+Report shaken_report() {
+  Report report = sample_report();
+  report.gravity = {0, 0, -9.81};
+  report.surfaces = {{.name = "floor",
+                      .shape = "plane",
+                      .contacts = 12345,
+                      .area = 25,
+                      .force = 2.5,
+                      .pressure = 0.1,
+                      .work = 3.5,
+                      .force_error = 0.13,
+                      .pressure_error = 0.005},
+                     {.name = "drum <1>", .shape = "cylinder", .contacts = 7, .force = 1.25, .work = -0.5}};
+  report.final_energy = report.initial_energy + 3;
+  return report;
+}
+
+TEST(Report, HasASectionOfEachSurface) {
+  const Report report = shaken_report();
+  const std::string html = to_html(report);
+  expect_in(html, "<li><a href=\"#surfaces\">Gravity and surfaces</a></li>");
+  expect_in(html, "<th scope=\"row\">gravity</th><td>(0, 0, −9.81) <span");
+  expect_in(html, "<h3 id=\"surface-0\">floor</h3>");
+  expect_in(html, "<th scope=\"row\">contacts</th><td>12,345</td>");
+  expect_in(html, "<th scope=\"row\">area</th><td>25 <span");
+  expect_in(html, "<th scope=\"row\">mean force on it</th><td>2.50(13) <span");
+  expect_in(html, "<th scope=\"row\">pressure on it</th><td>0.1000(50) <span");
+  expect_in(html, "<th scope=\"row\">work done on the spheres</th><td>3.5 <span");
+  expect_in(html, "<h3 id=\"surface-1\">drum &lt;1&gt;</h3>");
+  expect_in(html, "<th scope=\"row\">area</th><td>unbounded</td>");
+  expect_in(html, "<th scope=\"row\">mean force on it</th><td>1.25 <span");
+  expect_in(html, "<th scope=\"row\">work done on the spheres</th><td>−0.5 <span");
+  EXPECT_EQ(count(html, ">pressure on it<"), 1U) << "an unbounded surface has none";
+  EXPECT_EQ(faults_of(report), "");
+}
+
+TEST(Report, ListsManySurfacesInATable) {
+  Report report = shaken_report();
+  report.surfaces.resize(30, {.name = "peg", .shape = "obstacle", .contacts = 1234, .force = 2});
+  const std::string html = to_html(report);
+  expect_in(html, "<tr><th scope=\"row\">floor</th><td>plane</td><td>12,345</td><td>2.50(13)</td>");
+  EXPECT_EQ(count(html, "<th scope=\"row\">peg</th><td>obstacle</td><td>1,234</td><td>2</td><td>–</td>"),
+            28U);
+  expect_not_in(html, "id=\"surface-0\"");
+  EXPECT_EQ(faults_of(report), "");
+}
+
+TEST(Report, MentionsOnlyGravityOrSurfacesThatThereAre) {
+  expect_not_in(to_html(sample_report()), "id=\"surfaces\"");
+  expect_not_in(to_html(sample_report()), "work of the surfaces");
+  Report falling = sample_report();
+  falling.gravity = {0, -1, 0};
+  expect_in(to_html(falling), "<h2 id=\"surfaces\">Gravity</h2>");
+  expect_not_in(to_html(falling), "id=\"surface-0\"");
+  EXPECT_EQ(faults_of(falling), "");
+  Report enclosed = shaken_report();
+  enclosed.gravity = {};
+  expect_in(to_html(enclosed), "<h2 id=\"surfaces\">Surfaces</h2>");
+  expect_not_in(to_html(enclosed), "potential energy");
+}
+
+TEST(Report, AccountsForTheWorkOfSurfaces) {
+  Report report = shaken_report();
+  expect_in(verdict_of(report), "<strong>Sound.</strong>");
+  expect_in(verdict_of(report), "the energy changed by the work of the surfaces alone");
+  expect_in(to_html(report), "<th scope=\"row\">work of the surfaces</th><td>3 <span");
+  report.final_energy += 0.01;
+  expect_in(verdict_of(report), "<strong>Not sound.</strong>");
+  expect_in(verdict_of(report), "of its value beyond the work of the surfaces");
+  report.restitution = 0.9;
+  report.final_energy = report.initial_energy - 10;
+  expect_in(verdict_of(report), "collisions took the energy 13, and surfaces gave 3");
 }
 
 TEST(Report, SaysThatARunWasInterrupted) {

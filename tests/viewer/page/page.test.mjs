@@ -231,7 +231,7 @@ test('all colorings, cells, flashes and a screenshot', async () => {
   await withRun(kGas, async (page) => {
     await page.evaluate(() => window.hardball.setTime(3));
     const pictures = new Set();
-    for (const name of ['speed', 'radius', 'species', 'collisions', 'last contact']) {
+    for (const name of ['speed', 'size', 'species', 'collisions', 'last contact']) {
       await page.selectOption('#color-by', name);
       await page.evaluate(() => window.hardball.setTime(3));
       pictures.add((await page.locator('#canvas').screenshot()).toString('base64'));

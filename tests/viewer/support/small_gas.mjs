@@ -63,7 +63,7 @@ export function recordSmallGas({
     name: 'small gas',
     restitution: 1,
   };
-  return write(header, radii, masses, chunks);
+  return writeRecording(header, radii, masses, chunks);
 }
 
 /** Spheres at random places of a lattice in a box of edge `edge` [L], with random velocities; a fixed history. */
@@ -153,7 +153,8 @@ function dot(a, b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-function write(header, radii, masses, chunks) {
+/** The bytes of a recording; `chunks`: a list of {begin, end, keyframe, contacts}. */
+export function writeRecording(header, radii, masses, chunks) {
   let text = JSON.stringify(header);
   while ((12 + text.length) % 8 !== 0) text += ' ';
   const lengths = chunks.map(({ contacts }) => 32 + 56 * radii.length + 112 * contacts.length);

@@ -11,19 +11,19 @@ test('a sphere enters a layer with its front and leaves it with its back', () =>
   const cells = new Cells([5, 5, 5], [0, 0, 0], kBox);
   const path = [7, 12, 1, 2, -1, 0, 100];
   // Along x: front at 8, layer 2 starts at 10; back at 6, layer 2 ends at 15.
-  assert.deepEqual(cells.layerTimes(path, 1, 2, 0), [101, 104.5]);
+  assert.deepEqual(cells.layerTimes(path, 1, 2, 0), [[101, 104.5]]);
   // Along y: front at 11, layer 1 ends at 10; back at 13, layer 1 starts at 5.
-  assert.deepEqual(cells.layerTimes(path, 1, 1, 1), [101, 108]);
+  assert.deepEqual(cells.layerTimes(path, 1, 1, 1), [[101, 108]]);
   // Along z it rests from 0 to 2, and a layer does not contain its end.
-  assert.deepEqual(cells.layerTimes(path, 1, -1, 2), [Infinity, -Infinity]);
-  assert.deepEqual(cells.layerTimes(path, 1, 0, 2), [-Infinity, Infinity]);
-  assert.deepEqual(cells.layerTimes(path, 1, 1, 2), [Infinity, -Infinity]);
-  assert.deepEqual(cells.cellTimes(path, 1, [2, 1, 0]), [101, 104.5]);
+  assert.deepEqual(cells.layerTimes(path, 1, -1, 2), []);
+  assert.deepEqual(cells.layerTimes(path, 1, 0, 2), [[-Infinity, Infinity]]);
+  assert.deepEqual(cells.layerTimes(path, 1, 1, 2), []);
+  assert.deepEqual(cells.cellTimes(path, 1, [2, 1, 0]), [[101, 104.5]]);
 });
 
 test('origin and edges may differ along the axes', () => {
   const cells = new Cells([5, 4, 2], [1, -2, 0.5], kBox);
-  assert.deepEqual(cells.layerTimes([7, 12, 1, 2, 0, 0, 0], 1, 2, 0), [1.5, 5]);
+  assert.deepEqual(cells.layerTimes([7, 12, 1, 2, 0, 0, 0], 1, 2, 0), [[1.5, 5]]);
   assert.equal(cells.index(-1.9, 1), 0);
   assert.equal(cells.begin(3, 2), 6.5);
 });

@@ -5,6 +5,7 @@ import test from 'node:test';
 import { show, showTime } from '../../../apps/viewer/page/src/panel/numbers.js';
 import { Quality } from '../../../apps/viewer/page/src/scene/quality.js';
 import { summarize } from '../../../apps/viewer/page/src/statistics/chunk_summary.js';
+import { Sizes } from '../../../apps/viewer/page/src/statistics/sizes.js';
 import {
   density,
   findSpecies,
@@ -70,6 +71,16 @@ test('spheres of equal radius and mass are one species', () => {
     list.map(({ count }) => count),
     [2, 1, 1],
   );
+});
+
+test('sizes that differ by more than a factor of ten have a logarithmic scale, and none is drawn too small', () => {
+  const wide = new Sizes(Float64Array.of(0.5, 0.01, 1));
+  assert.deepEqual([wide.smallest, wide.largest, wide.areWide, wide.leastPixels], [0.01, 1, true, 3]);
+  assert.deepEqual(wide.range(false), [0.01, 1]);
+  assert.deepEqual(wide.range(true), [1, 0.01]);
+  const narrow = new Sizes(Float64Array.of(0.5, 0.2));
+  assert.ok(!narrow.areWide && narrow.leastPixels < 2);
+  assert.deepEqual(new Sizes(Float64Array.of(2, 2)).range(false), [0, 4]);
 });
 
 test('ends of ranges are round and contain their values', () => {

@@ -1,6 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
+function onPage(view, place) {
+  const { left, top } = view.canvas.getBoundingClientRect();
+  const spot = view.project(place);
+  return spot && { x: spot.x + left, y: spot.y + top };
+}
+
 /** window.hardball: the API for tests and for the console. */
 export function createApi(viewer) {
   const { player, store, view, quality, source } = viewer;
@@ -19,12 +25,12 @@ export function createApi(viewer) {
     pause: () => player.pause(),
     /** Center of sphere `id` at `time`, now if none is given; a promise of three numbers [L]. */
     position: (id, time = player.time) => viewer.centerAt(id, time),
+    /** Where the point of surface `k` is at `time`, now if none is given: three numbers [L]. */
+    surfacePoint: (k, time = player.time) => viewer.surfaces[k].pointAt(time),
     /** Where on the page the center of sphere `id` is drawn: {x, y} in CSS pixels; null if behind the camera. */
-    screenPosition(id) {
-      const { left, top } = view.canvas.getBoundingClientRect();
-      const place = view.project(viewer.center(id));
-      return place && { x: place.x + left, y: place.y + top };
-    },
+    screenPosition: (id) => onPage(view, viewer.center(id)),
+    /** Where on the page `place`, three numbers [L], is drawn; as screenPosition. */
+    screenPlace: (place) => onPage(view, place),
     /** Follows sphere `id`, or none if it is null. */
     follow: (id) => viewer.follow(id),
     /** Draws in quality `name`: "full", "reduced", "points" or "coarse". */
@@ -42,6 +48,8 @@ export function createApi(viewer) {
       followed: viewer.followed,
       next: viewer.next ?? null,
       spheres: source.header.spheres,
+      surfaces: viewer.surfaces.map((surface) => surface.name),
+      images: viewer.surroundings.images.count,
       chunks: source.ends.length,
       chunksInMemory: store.chunks.size,
       bytesInMemory: store.bytes,

@@ -4,24 +4,28 @@ import { Cells } from './motion/cells.js';
 import { knownUntil, nextContact, recentPaths } from './motion/contacts_of.js';
 import { typicalScales } from './motion/default_speed.js';
 import { Box } from './motion/box.js';
-import { readCenter } from './motion/path.js';
+import { readCenter, readVelocity } from './motion/path.js';
 import { Player } from './motion/player.js';
+import { partnerName, readSurfaces } from './motion/surfaces.js';
 import { ChunkStore } from './recording/chunk_store.js';
 import { kPathNumbers } from './recording/chunk.js';
-import { ColorLegend, showEventLegend } from './panel/legend.js';
-import { show } from './panel/numbers.js';
+import { ColorLegend, showEventLegend, showSurfaceLegend } from './panel/legend.js';
+import { show, showCount } from './panel/numbers.js';
 import { Notices } from './panel/notices.js';
 import { Plots } from './panel/plots.js';
 import { showRunStatus } from './panel/run_status.js';
 import { SpherePanel } from './panel/sphere_panel.js';
 import { Transport } from './panel/transport.js';
 import { CellLayer, kFew } from './scene/cell_layer.js';
+import { kSpeciesColors } from './scene/colors.js';
 import { EventFlashes } from './scene/event_flashes.js';
 import { pick } from './scene/pick.js';
 import { Quality } from './scene/quality.js';
 import { kColorBy, Spheres } from './scene/spheres.js';
+import { Surroundings } from './scene/surroundings.js';
 import { Trail } from './scene/trail.js';
 import { View } from './scene/view.js';
+import { Sizes } from './statistics/sizes.js';
 import { findSpecies, quantile, roundUp } from './statistics/speeds.js';
 
 const kFewEnoughForFlashes = 3000; // spheres; with more, contacts would hide everything else
@@ -35,13 +39,20 @@ const kRetrySeconds = 2;
 
 const element = (id) => document.getElementById(id);
 
+// The unit vector against gravity; y if there is none.
+function upwardOf(gravity) {
+  const size = Math.hypot(...gravity);
+  return size > 0 ? gravity.map((part) => -part / size) : [0, 1, 0];
+}
+
 /** The whole viewer: what is shown of a recording, and what its user does. */
 export class Viewer {
   /** Precondition: `source` is open. */
   constructor(source) {
     this.source = source;
     const { header, radii, masses } = source;
-    this.box = new Box(header.box);
+    this.box = new Box(header.box, header.gravity);
+    this.surfaces = readSurfaces(header);
     this.store = new ChunkStore(source, {
       onLoad: (chunk, number) => this.plots.add(chunk, number),
       onLost: () => this.lose(),
@@ -49,18 +60,20 @@ export class Viewer {
     this.player = new Player(source, this.store);
     this.playback = this.player.playback;
     this.species = findSpecies(radii, masses);
-    this.largestRadius = radii.reduce((largest, radius) => Math.max(largest, radius), 0);
+    this.sizes = new Sizes(radii);
+    this.largestRadius = this.sizes.largest;
 
-    this.view = new View(element('canvas'), this.box, this.largestRadius);
+    this.view = new View(element('canvas'), this.box, upwardOf(this.box.gravity));
     this.spheres = new Spheres(radii, this.species.of, this.box);
-    this.flashes = new EventFlashes(radii, this.box);
+    this.flashes = new EventFlashes(radii, this.box, this.surfaces);
     this.trail = new Trail(this.box);
     this.cellLayer = new CellLayer(radii, this.box);
-    for (const { object } of [this.spheres, this.flashes, this.trail, this.cellLayer])
+    this.surroundings = new Surroundings(this.surfaces, radii, this.box, this.spheres, this.largestRadius);
+    for (const { object } of [this.spheres, this.flashes, this.trail, this.cellLayer, this.surroundings])
       this.view.scene.add(object);
 
     this.notices = new Notices();
-    this.plots = new Plots(source, this.player, this.species.list);
+    this.plots = new Plots(source, this.player, this.species.list, this.box, this.surfaces);
     this.legend = new ColorLegend();
     this.transport = new Transport(this);
     this.spherePanel = new SpherePanel(this);
@@ -72,11 +85,16 @@ export class Viewer {
     this.scales = null;
     this.cells = header.cell_edge[0] > 0 ? new Cells(header.cell_edge, header.cell_origin, this.box) : null;
     this.isLost = false;
+    this.isDark = matchMedia('(prefers-color-scheme: dark)');
     this.last = { frame: 0, panels: -Infinity, plots: -Infinity, time: NaN };
     this.listen();
     this.style();
-    this.setColorBy(this.species.list.length > 1 && this.species.list.length <= 8 ? 'species' : 'speed');
-    showEventLegend(header.box.boundary.includes('wall'));
+    this.setColorBy(this.firstColoring());
+    showSurfaceLegend(this.surfaces, this.surroundings.layer.colors);
+    element('walls-label').hidden = this.surfaces.length === 0;
+    element('images-label').hidden = !this.surroundings.images.isPeriodic;
+    element('surroundings').hidden = this.surfaces.length === 0 && !this.surroundings.images.isPeriodic;
+    showEventLegend(header.box.boundary.includes('wall') || this.surfaces.length > 0);
   }
 
   /** Starts the animation. */
@@ -97,7 +115,21 @@ export class Viewer {
   step(direction, isOfFollowed) {
     const id = isOfFollowed ? this.followed : null;
     const stepped = direction > 0 ? this.player.stepForward(id) : this.player.stepBack(id);
-    return stepped.catch(() => {});
+    return stepped.then(() => this.nameContacts(id)).catch(() => {});
+  }
+
+  // Says what meets at the time shown, of sphere `id` if it is not null.
+  nameContacts(id) {
+    const { chunk, cursor, time } = this.playback;
+    const met = [];
+    for (let k = cursor - 1; k >= 0 && chunk.time(k) === time; --k) {
+      if (id === null || chunk.involves(k, id)) met.unshift(k);
+    }
+    if (met.length === 0) return;
+    const [first, second] = [chunk.first(met[0]), partnerName(chunk.second(met[0]), this.surfaces)];
+    const more = met.length > 1 ? `, and ${showCount(met.length - 1)} more` : '';
+    this.notices.show('contact', `Sphere ${first} meets ${second}${more}`);
+    this.namedAt = time;
   }
 
   goToBegin() {
@@ -139,7 +171,7 @@ export class Viewer {
   fit() {
     element('near-only').checked = false;
     element('camera-follows').checked = false;
-    if (this.playback.chunk) this.view.fit(this.playback);
+    if (this.playback.chunk) this.view.fit(this.surroundings.measure(this.playback));
   }
 
   /** Colors the spheres by one of kColorBy. */
@@ -163,6 +195,11 @@ export class Viewer {
   /** Center of sphere `id` at the time shown, folded into the box [L]. */
   center(id) {
     return readCenter(this.playback.paths, kPathNumbers * id, this.playback.time, this.box, [0, 0, 0]);
+  }
+
+  /** Velocity of sphere `id` at the time shown [L/T]. */
+  velocity(id) {
+    return readVelocity(this.playback.paths, kPathNumbers * id, this.playback.time, this.box, [0, 0, 0]);
   }
 
   /** Center of sphere `id` at `time` [T], folded into the box [L]. Error: the chunk cannot be loaded. */
@@ -195,6 +232,7 @@ export class Viewer {
     }
     if (!this.scales) this.begin();
     const hasMoved = this.playback.time !== this.last.time;
+    if (this.playback.time !== this.namedAt) this.notices.hide('contact');
     this.last.time = this.playback.time;
     this.view.controls.update();
     if (hasMoved || this.view.isStale) this.drawMoment();
@@ -211,7 +249,7 @@ export class Viewer {
     this.plots.update(this.playback);
     this.view.resize();
     if (this.view.isSoftware && this.source.header.spheres > kManyForSoftware) this.quality.begin('points');
-    this.view.fit(this.playback, [0.62, 0.42, 1]);
+    this.view.fit(this.surroundings.measure(this.playback), [0.62, 0.42, 1]);
     element('show-events').checked = this.source.header.spheres <= kFewEnoughForFlashes;
     this.showCellEdge();
     this.updateColors();
@@ -223,6 +261,9 @@ export class Viewer {
     const followed = this.followed ?? -1;
     const window = kFlashSeconds * this.player.speed;
     this.spheres.update(this.playback);
+    const [walls, images] = [element('show-walls').checked, element('show-images').checked];
+    this.surroundings.update(this.playback, { walls, images });
+    uniforms.leastPixels.value = this.sizes.leastPixels * this.view.pixelRatio;
     if (followed >= 0) {
       const center = this.center(followed);
       uniforms.followedCenter.value.set(...center);
@@ -274,13 +315,22 @@ export class Viewer {
     const range = this.spheres.uniforms.colorRange.value;
     if (this.colorBy === 'species') return;
     if (this.colorBy === 'speed') range.set(0, this.plots.fast);
-    if (this.colorBy === 'radius') range.set(0, roundUp(this.largestRadius));
+    const isLogarithmic = this.colorBy === 'size' && this.sizes.areWide;
+    this.spheres.uniforms.colorIsLogarithmic.value = isLogarithmic;
+    if (this.colorBy === 'size') range.set(...this.sizes.range(this.isDark.matches));
     if (this.colorBy === 'collisions')
       range.set(0, Math.max(4, roundUp(quantile(this.playback.collisions, 0.99))));
     if (this.colorBy === 'last contact')
       range.set(roundUp(this.scales.rate > 0 ? 1 / this.scales.rate : this.player.speed), 0);
-    this.legend.showRange(range.x, range.y);
+    this.legend.showRange(range.x, range.y, isLogarithmic);
     this.view.isStale = true;
+  }
+
+  // The coloring that shows most of what differs between spheres.
+  firstColoring() {
+    const { length } = this.species.list;
+    if (length > 1 && length <= kSpeciesColors.length) return 'species';
+    return this.sizes.largest > 2 * this.sizes.smallest ? 'size' : 'speed';
   }
 
   // Updates numbers and plots, as often as people can read them.
@@ -296,6 +346,7 @@ export class Viewer {
     if (seconds - this.last.panels > kSecondsBetweenPanels) {
       this.last.panels = seconds;
       this.spherePanel.update();
+      if (this.surroundings.widen(this.playback)) this.view.isStale = true;
       showRunStatus(this.source, this.isLost);
     }
     if (seconds - this.last.plots > kSecondsBetweenPlots) {
@@ -327,7 +378,9 @@ export class Viewer {
   lose() {
     if (this.isLost) return;
     this.isLost = this.store.isSuspended = true;
-    this.notices.show('lost', 'The program does not answer. The part loaded can still be viewed.', { kind: 'bad' });
+    this.notices.show('lost', 'The program does not answer. The part loaded can still be viewed.', {
+      kind: 'bad',
+    });
     this.pollIn(kRetrySeconds);
   }
 
@@ -397,9 +450,7 @@ export class Viewer {
   // So slow that the followed sphere, or a typical one, takes at least four seconds to cross a cell.
   slowDown() {
     const edge = this.cells ? this.cells.edge[0] : 4 * this.largestRadius;
-    const start = kPathNumbers * (this.followed ?? 0) + 3;
-    const { paths } = this.playback;
-    const own = this.followed === null ? 0 : Math.hypot(paths[start], paths[start + 1], paths[start + 2]);
+    const own = this.followed === null ? 0 : Math.hypot(...this.velocity(this.followed));
     this.setSpeed(Math.min(this.player.speed, edge / (4 * (own || this.scales.speed || 1))));
   }
 
@@ -414,7 +465,7 @@ export class Viewer {
     element('show-cells').addEventListener('change', (event) => this.showCells(event.target.checked));
     element('cell-edge').addEventListener('change', (event) => this.setCellEdge(Number(event.target.value)));
     element('slow').addEventListener('click', () => this.slowDown());
-    for (const id of ['show-events', 'camera-follows', 'near-only']) {
+    for (const id of ['show-events', 'show-walls', 'show-images', 'camera-follows', 'near-only']) {
       element(id).addEventListener('change', () => (this.view.isStale = true));
     }
     if (this.source.replayAddress) element('save').href = this.source.replayAddress;
@@ -422,7 +473,10 @@ export class Viewer {
 
     new ResizeObserver(() => this.view.resize()).observe(canvas);
     new ResizeObserver(() => this.plots.resize()).observe(element('plots'));
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.style());
+    this.isDark.addEventListener('change', () => {
+      this.style();
+      if (this.scales) this.updateColors();
+    });
 
     document.addEventListener('visibilitychange', () => {
       this.last.frame = performance.now();
@@ -450,7 +504,7 @@ export class Viewer {
   followAt({ clientX, clientY, pointerType }) {
     if (!this.playback.chunk) return;
     const { left, top } = element('canvas').getBoundingClientRect();
-    const { origin, direction } = this.view.ray(clientX - left, clientY - top);
+    const ray = this.view.ray(clientX - left, clientY - top);
     const tolerance = (pointerType === 'touch' ? 14 : 4) * this.view.pixelTangent;
     const middle = this.followed === null ? null : this.center(this.followed);
     const { reach } = this.spheres.uniforms;
@@ -459,7 +513,9 @@ export class Viewer {
       const apart = Math.hypot(...center.map((place, axis) => this.box.nearest(place - middle[axis], axis)));
       return apart <= reach.value;
     };
-    const id = pick(this.playback, this.source.radii, this.box, origin, direction, tolerance, isShown);
+    const leastSize = (this.sizes.leastPixels / 2) * this.view.pixelTangent;
+    const options = { tolerance, leastSize, isShown, images: this.surroundings.images };
+    const id = pick(this.playback, this.source.radii, this.box, ray, options);
     if (id >= 0) this.follow(id);
   }
 

@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-/** The space in which spheres move, as the header of a recording describes it. */
+/** The space in which spheres move, as the header of a recording describes it: the box, and gravity. */
 export class Box {
-  /** `size`: three lengths [L]; `boundary`: three of "wall", "periodic", "open". */
-  constructor({ size, boundary }) {
+  /** `size`: three lengths [L]; `boundary`: three of "wall", "periodic", "open"; `gravity`: three of [L/T²]. */
+  constructor({ size, boundary }, gravity = [0, 0, 0]) {
     this.boundary = boundary;
     /** Edge lengths [L]; along open axes they say nothing about the motion. */
     this.size = size.map((length) => (Number.isFinite(length) ? length : 0));
     /** Edge lengths along periodic axes, zero along the others [L]. */
     this.period = this.size.map((length, axis) => (boundary[axis] === 'periodic' ? length : 0));
+    /** Acceleration of all spheres [L/T²]. */
+    this.gravity = gravity;
+    this.hasGravity = gravity.some((part) => part !== 0);
   }
 
   /** `place` along `axis` [L], folded into the box where that is periodic. */

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
+import { crossingTime, placeAfter, rangeOf } from './path.js';
 
 /**
  * The subdivision of space into cells: along each axis cell i reaches from origin + i edge to origin + (i + 1) edge.
@@ -12,6 +13,7 @@ export class Cells {
     this.origin = origin;
     /** The number of cells along each periodic axis; zero along the others. */
     this.count = box.period.map((period, axis) => Math.round(period / edge[axis]));
+    this.gravity = box.gravity;
   }
 
   /** Cells with edges of about `edge` [L], a whole number of which fits into the box. */
@@ -35,48 +37,65 @@ export class Cells {
   }
 
   /**
-   * When a sphere of radius `radius` on `path` enters the layer of cells `index` across `axis`, and when it
-   * leaves it [T]: a pair; enter is not before leave if it is never there. The path is taken as infinite.
+   * When a sphere of radius `radius` on `path` touches the layer of cells `index` across `axis`: a list of pairs of
+   * times [T] at which it enters and leaves. The path is taken as infinite.
    */
   layerTimes(path, radius, index, axis) {
     const begin = this.origin[axis] + index * this.edge[axis];
     const end = begin + this.edge[axis];
     const place = path[axis];
     const velocity = path[3 + axis];
-    if (velocity === 0) {
+    const gravity = this.gravity[axis];
+    if (velocity === 0 && gravity === 0) {
       const touches = place + radius >= begin && place - radius < end;
-      return touches ? [-Infinity, Infinity] : [Infinity, -Infinity];
+      return touches ? [[-Infinity, Infinity]] : [];
     }
-    const [nearFace, farFace] =
-      velocity > 0 ? [begin - radius, end + radius] : [end + radius, begin - radius];
-    return [path[6] + (nearFace - place) / velocity, path[6] + (farFace - place) / velocity];
+    const low = begin - radius;
+    const high = end + radius;
+    const cross = (level, forward) => path[6] + crossingTime(place, velocity, gravity, level, forward);
+    if (gravity === 0 && velocity > 0) return [[cross(low, 1), cross(high, 1)]];
+    if (gravity === 0) return [[cross(high, -1), cross(low, -1)]];
+    // The motion comes from the side to which gravity pulls, turns, and returns.
+    const toTurn = gravity < 0 ? 1 : -1;
+    const [near, far] = gravity < 0 ? [low, high] : [high, low];
+    const enter = cross(near, toTurn);
+    if (enter === Infinity) return [];
+    const leave = cross(near, -toTurn);
+    const beyond = cross(far, toTurn);
+    return beyond === Infinity
+      ? [[enter, leave]]
+      : [
+          [enter, beyond],
+          [cross(far, -toTurn), leave],
+        ];
   }
 
-  /** When a sphere on `path` enters the cell with the three `indices`, and when it leaves it; as layerTimes. */
+  /** When a sphere on `path` touches the cell with the three `indices`; as layerTimes. */
   cellTimes(path, radius, indices) {
-    let enter = -Infinity;
-    let leave = Infinity;
+    let times = [[-Infinity, Infinity]];
     for (let axis = 0; axis < 3; ++axis) {
-      const [from, until] = this.layerTimes(path, radius, indices[axis], axis);
-      enter = Math.max(enter, from);
-      leave = Math.min(leave, until);
+      const ofLayer = this.layerTimes(path, radius, indices[axis], axis);
+      times = times.flatMap(([enter, leave]) =>
+        ofLayer
+          .map(([from, until]) => [Math.max(enter, from), Math.min(leave, until)])
+          .filter(([from, until]) => from < until),
+      );
     }
-    return [enter, leave];
+    return times;
   }
 
   /**
    * Calls `visit(indices, enter, leave)` for each cell that a sphere on `path` touches between `from` and `until`
-   * [T]; `indices` lives only as long as the call. Returns false, and visits none, if that may be more than `most`.
+   * [T], for each time that it does; `indices` lives only as long as the call. Returns false, and visits none, if that may be more than `most`.
    */
   visit(path, radius, from, until, visit, most = 512) {
     const low = [0, 0, 0];
     const high = [0, 0, 0];
     let cells = 1;
     for (let axis = 0; axis < 3; ++axis) {
-      const start = path[axis] + (from - path[6]) * path[3 + axis];
-      const end = path[axis] + (until - path[6]) * path[3 + axis];
-      low[axis] = this.index(Math.min(start, end) - radius, axis);
-      high[axis] = this.index(Math.max(start, end) + radius, axis);
+      const [lowest, highest] = rangeOf(path, axis, from, until, this);
+      low[axis] = this.index(lowest - radius, axis);
+      high[axis] = this.index(highest + radius, axis);
       cells *= high[axis] - low[axis] + 1;
     }
     if (cells > most) return false;
@@ -84,8 +103,9 @@ export class Cells {
     for (indices[0] = low[0]; indices[0] <= high[0]; ++indices[0]) {
       for (indices[1] = low[1]; indices[1] <= high[1]; ++indices[1]) {
         for (indices[2] = low[2]; indices[2] <= high[2]; ++indices[2]) {
-          const [enter, leave] = this.cellTimes(path, radius, indices);
-          if (enter < leave && enter <= until && leave >= from) visit(indices, enter, leave);
+          for (const [enter, leave] of this.cellTimes(path, radius, indices)) {
+            if (enter <= until && leave >= from) visit(indices, enter, leave);
+          }
         }
       }
     }
@@ -96,21 +116,24 @@ export class Cells {
   nextCrossing(path, radius, time) {
     let next = { time: Infinity, kind: 'enter', axis: 0 };
     for (let axis = 0; axis < 3; ++axis) {
-      const velocity = path[3 + axis];
-      if (velocity === 0) continue;
-      const place = path[axis] + (time - path[6]) * velocity;
-      const forward = Math.sign(velocity);
-      for (const kind of ['enter', 'leave']) {
-        const surface = kind === 'enter' ? forward * radius : -forward * radius;
-        let index = this.index(place + surface, axis) + (forward > 0 ? 1 : 0);
-        for (;;) {
-          const face = this.origin[axis] + index * this.edge[axis];
-          const moment = path[6] + (face - surface - path[axis]) / velocity;
-          if (moment > time) {
-            if (moment < next.time) next = { time: moment, kind, axis };
-            break;
+      const gravity = this.gravity[axis];
+      const elapsed = time - path[6];
+      const place = placeAfter(elapsed, path[axis], path[3 + axis], gravity);
+      const velocity = path[3 + axis] + elapsed * gravity;
+      for (const forward of [1, -1]) {
+        if (!(forward * velocity > 0 || forward * gravity > 0)) continue;
+        for (const kind of ['enter', 'leave']) {
+          const surface = kind === 'enter' ? forward * radius : -forward * radius;
+          let index = this.index(place + surface, axis) + (forward > 0 ? 1 : 0);
+          for (;;) {
+            const level = this.origin[axis] + index * this.edge[axis] - surface;
+            const moment = path[6] + crossingTime(path[axis], path[3 + axis], gravity, level, forward);
+            if (moment > time) {
+              if (moment < next.time) next = { time: moment, kind, axis };
+              break;
+            }
+            index += forward;
           }
-          index += forward;
         }
       }
     }

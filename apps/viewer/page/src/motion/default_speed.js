@@ -6,7 +6,7 @@ import { kPathNumbers } from '../recording/chunk.js';
  * Typical scales of a recording, from its first chunk: how fast spheres are [L/T], how often each collides [1/T],
  * and a playback speed at which they are seen to move [T per second].
  */
-export function typicalScales(chunk, radii, { begin, until, box }) {
+export function typicalScales(chunk, radii, { begin, until, box, gravity = [0, 0, 0] }) {
   const spheres = radii.length;
   let squares = 0;
   let radius = 0;
@@ -15,7 +15,10 @@ export function typicalScales(chunk, radii, { begin, until, box }) {
     squares += chunk.keyframe[start] ** 2 + chunk.keyframe[start + 1] ** 2 + chunk.keyframe[start + 2] ** 2;
     radius += radii[id] / spheres;
   }
-  const speed = Math.sqrt(squares / spheres);
+  const edges = box.size.filter((size, axis) => box.boundary[axis] !== 'open' && size > 0);
+  const longest = edges.length > 0 ? Math.max(...edges) / 12 : 3 * radius;
+  // Of spheres at rest under gravity, that which they soon have.
+  const speed = Math.sqrt(squares / spheres + 2 * Math.hypot(...gravity) * longest);
   let collisions = 0;
   for (let k = 0; k < chunk.contacts; ++k) if (chunk.second(k) >= 0) ++collisions;
   const duration = chunk.end - chunk.begin;
@@ -23,8 +26,6 @@ export function typicalScales(chunk, radii, { begin, until, box }) {
 
   // In a second of real time a sphere collides once; but it moves at least a fifth of its radius, and at most a
   // twelfth of the box. A whole run takes at least ten seconds.
-  const edges = box.size.filter((size, axis) => box.boundary[axis] !== 'open' && size > 0);
-  const longest = edges.length > 0 ? Math.max(...edges) / 12 : 3 * radius;
   const wanted = Math.min(Math.max(rate > 0 ? speed / rate : Infinity, radius / 5), longest);
   let playing = speed > 0 ? wanted / speed : 1;
   if (until !== null && until > begin) playing = Math.min(playing, (until - begin) / 10);

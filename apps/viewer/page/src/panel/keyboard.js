@@ -17,6 +17,8 @@ export function listenToKeys(viewer) {
     g: () => viewer.approach(),
     c: () => document.getElementById('show-cells').click(),
     e: () => document.getElementById('show-events').click(),
+    w: () => document.getElementById('show-walls').click(),
+    i: () => document.getElementById('show-images').click(),
   };
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;

@@ -3,6 +3,8 @@
 import { kEventColors, kMapColors, kSpeciesColors, toCss } from '../scene/colors.js';
 import { show, showCount } from './numbers.js';
 
+const kMostSurfaces = 12; // named in the legend
+
 /** What the colors of the spheres mean. */
 export class ColorLegend {
   constructor() {
@@ -13,9 +15,10 @@ export class ColorLegend {
   }
 
   /** A bar from `low` to `high`. */
-  showRange(low, high) {
+  showRange(low, high, isLogarithmic = false) {
     this.choose('range');
-    [low, (low + high) / 2, high].forEach((value, k) => {
+    const middle = isLogarithmic ? Math.sqrt(low * high) : (low + high) / 2;
+    [low, middle, high].forEach((value, k) => {
       const text = show(value, 3);
       if (this.numbers.children[k].textContent !== text) this.numbers.children[k].textContent = text;
     });
@@ -49,6 +52,24 @@ export function showEventLegend(hasWalls) {
   ];
   const place = document.getElementById('legend-events');
   place.replaceChildren(...entries.map(([name, text, shape]) => swatch(kEventColors[name], text, shape)));
+}
+
+/** What the colors of `surfaces` mean; `colors`: one for each. */
+export function showSurfaceLegend(surfaces, colors) {
+  const place = document.getElementById('legend-surfaces');
+  const shown = surfaces
+    .slice(0, kMostSurfaces)
+    .map((surface, k) => swatch(colors[k], describe(surface), 'square'));
+  place.replaceChildren(...shown);
+  if (surfaces.length > kMostSurfaces) place.append(`and ${showCount(surfaces.length - kMostSurfaces)} more`);
+}
+
+function describe(surface) {
+  const parts = [surface.name];
+  if (surface.temperature !== null) parts.push(`kT = ${show(surface.temperature, 3)}`);
+  if (surface.oscillates) parts.push('oscillates');
+  if (surface.velocity.some((part) => part !== 0)) parts.push('moves');
+  return parts.join(', ');
 }
 
 function swatch(color, text, shape = '') {

@@ -11,8 +11,9 @@ const kFewestSpheres = 20; // fewer have no distribution of speeds worth a plot
 
 /** The plots beside the picture: collision rate, speeds, and the energy where it is lost. */
 export class Plots {
-  /** `player` knows how far the recording is known; `species` as listed by findSpecies. */
-  constructor({ header, masses }, player, species) {
+  /** `player` knows how far the recording is known; `species` as listed by findSpecies, `surfaces` by readSurfaces. */
+  constructor({ header, masses }, player, species, box, surfaces) {
+    this.box = box;
     this.begin = header.begin;
     this.masses = masses;
     this.species = species;
@@ -22,7 +23,7 @@ export class Plots {
 
     this.knownEnd = NaN;
     this.player = player;
-    const hasWalls = header.box.boundary.includes('wall');
+    const hasWalls = header.box.boundary.includes('wall') || surfaces.length > 0;
     this.rate = timePlot(
       'plot-rate',
       hasWalls ? ['Collisions', 'Wall contacts'] : ['Collisions'],
@@ -31,8 +32,15 @@ export class Plots {
     );
     this.hasWalls = hasWalls;
     document.getElementById('rate-key').hidden = !hasWalls;
-    this.energy = header.restitution < 1 ? timePlot('plot-energy', ['Energy'], ['--accent'], player) : null;
+    const changes = header.restitution < 1 || surfaces.some((surface) => surface.changesEnergy);
+    // Along periodic axes there is no height.
+    const hasHeight = box.gravity.every((part, axis) => part === 0 || box.period[axis] === 0);
+    this.energy =
+      (changes || box.hasGravity) && hasHeight
+        ? timePlot('plot-energy', ['Energy'], ['--accent'], player)
+        : null;
     document.getElementById('figure-energy').hidden = this.energy === null;
+    if (box.hasGravity) document.getElementById('energy-name').textContent = 'Kinetic and potential energy';
     this.histogram = masses.length >= kFewestSpheres ? histogramPlot('plot-speeds') : null;
     document.getElementById('figure-speeds').hidden = this.histogram === null;
     /** Hardly any sphere is faster [L/T]. */
@@ -48,7 +56,7 @@ export class Plots {
   /** Adds chunk `number`. */
   add(chunk, number) {
     if (this.summaries.has(number)) return;
-    this.summaries.set(number, summarize(chunk, this.masses, this.begin));
+    this.summaries.set(number, summarize(chunk, this.masses, this.begin, this.box.gravity));
     this.isStale = true;
   }
 
@@ -59,7 +67,7 @@ export class Plots {
     this.knownEnd = this.player.knownEnd;
     if (playback.time === this.time) return false;
     this.time = playback.time;
-    const energy = readSpeeds(playback.paths, this.masses, this.speeds);
+    const energy = readSpeeds(playback.paths, playback.time, this.masses, this.box, this.speeds);
     this.fastest = steady(this.fastest, 1.15 * quantile(this.speeds, 0.99));
     this.fast = steady(this.fast, quantile(this.speeds, 0.94));
     if (this.histogram) this.drawSpeeds(energy);
@@ -180,7 +188,7 @@ function timePlot(id, labels, colors, player) {
   const plot = create(id, series, {
     scales: {
       x: { time: false, range: () => [player.source.header.begin, player.knownEnd] },
-      y: { range: (_, low, high) => [0, high > 0 ? 1.08 * high : 1] },
+      y: { range: (_, low, high) => [Math.min(0, 1.08 * low), high > 0 ? 1.08 * high : low < 0 ? 0 : 1] },
     },
   });
   plot.present = document.createElement('div');

@@ -15,7 +15,8 @@ export function showRunStatus({ header, status, replayAddress }, isLost) {
   put('count-collisions', count(status.collisions));
   put('count-walls', count(status.walls));
   put('count-hash', status.event_log_hash || '–');
-  document.getElementById('counts-walls').hidden = !header.box.boundary.includes('wall');
+  document.getElementById('counts-walls').hidden =
+    !header.box.boundary.includes('wall') && !(header.surfaces?.length > 0);
   document.getElementById('counts-hash').hidden = !status.event_log_hash;
 }
 

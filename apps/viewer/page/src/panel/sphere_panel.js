@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import { readCenter } from '../motion/path.js';
+import { readCenter, readVelocity } from '../motion/path.js';
+import { partnerName } from '../motion/surfaces.js';
 import { kPathNumbers } from '../recording/chunk.js';
 import { show, showCount } from './numbers.js';
 
-const kFaces = ['lower x', 'upper x', 'lower y', 'upper y', 'lower z', 'upper z'];
 const kAxes = ['x', 'y', 'z'];
 
 /** The followed sphere in numbers. */
@@ -22,14 +22,14 @@ export class SpherePanel {
   }
 
   update() {
-    const { playback, followed, source, box, next } = this.viewer;
+    const { playback, followed, source, box, next, surfaces } = this.viewer;
     this.card.hidden = followed === null;
     if (document.activeElement !== this.number) this.number.value = followed ?? '';
     if (followed === null) return;
     text('sphere-number', showCount(followed));
     const start = kPathNumbers * followed;
     const { paths, time } = playback;
-    const velocity = [0, 1, 2].map((axis) => paths[start + 3 + axis]);
+    const velocity = readVelocity(paths, start, time, box, [0, 0, 0]);
     const vector = (numbers) => numbers.map((number) => show(number, 4)).join('  ');
     text('sphere-position', vector(readCenter(paths, start, time, box, [0, 0, 0])));
     text('sphere-velocity', vector(velocity));
@@ -43,7 +43,7 @@ export class SpherePanel {
     );
     text(
       'sphere-next',
-      next ? `${partner(next, followed)} in ${show(next.time - time, 3)}` : 'unknown',
+      next ? `${partner(next, followed, surfaces)} in ${show(next.time - time, 3)}` : 'unknown',
     );
     text('sphere-crossing', this.crossing());
   }
@@ -59,9 +59,8 @@ export class SpherePanel {
   }
 }
 
-function partner({ first, second }, id) {
-  if (second < 0) return `wall ${kFaces[-second - 1]}`;
-  return `sphere ${first === id ? second : first}`;
+function partner({ first, second }, id, surfaces) {
+  return partnerName(second === id ? first : second, surfaces);
 }
 
 function text(id, value) {

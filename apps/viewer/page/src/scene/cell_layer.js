@@ -11,6 +11,7 @@ import {
   RawShaderMaterial,
   Vector3,
 } from 'three';
+import { readCenter } from '../motion/path.js';
 import { kPathNumbers } from '../recording/chunk.js';
 import { kEventColors } from './colors.js';
 
@@ -94,17 +95,15 @@ export class CellLayer {
   gather({ paths, time }, followed, reach) {
     this.nearCount = 0;
     const count = this.radii.length;
-    const place = (id, axis) => {
-      const start = kPathNumbers * id;
-      return paths[start + axis] + (time - paths[start + 6]) * paths[start + 3 + axis];
-    };
-    const center = followed < 0 ? null : [0, 1, 2].map((axis) => place(followed, axis));
+    const centerOf = (id, center) => readCenter(paths, kPathNumbers * id, time, this.box, center);
+    const center = followed < 0 ? null : centerOf(followed, [0, 0, 0]);
+    const other = [0, 0, 0];
     for (let id = 0; id < count && this.nearCount < kSpheresAround; ++id) {
       if (id === followed) continue;
       let apart = 0;
       if (center && count > kFew) {
-        for (let axis = 0; axis < 3; ++axis)
-          apart += this.box.nearest(place(id, axis) - center[axis], axis) ** 2;
+        centerOf(id, other);
+        for (let axis = 0; axis < 3; ++axis) apart += this.box.nearest(other[axis] - center[axis], axis) ** 2;
       }
       if (apart <= reach * reach) this.near[this.nearCount++] = id;
     }

@@ -44,3 +44,19 @@ function colors(text) {
 function color(hexadecimal) {
   return [0, 2, 4].map((start) => parseInt(hexadecimal.slice(start, start + 2), 16) / 255);
 }
+
+const kWallColor = color('66789a');
+const kObstacleColor = color('4a4f58');
+const kCold = color('2166ac');
+const kHot = color('c9361f');
+
+/** A color for each of `surfaces`: thermal ones from cold to hot, the others gray. */
+export function surfaceColors(surfaces) {
+  const temperatures = surfaces.map((surface) => surface.temperature).filter((value) => value !== null);
+  const [least, most] = [Math.min(...temperatures), Math.max(...temperatures)];
+  return surfaces.map(({ temperature, shape }) => {
+    if (temperature === null) return shape === 'obstacle' ? kObstacleColor : kWallColor;
+    const share = most > least ? (temperature - least) / (most - least) : 1;
+    return kCold.map((part, k) => part + share * (kHot[k] - part));
+  });
+}

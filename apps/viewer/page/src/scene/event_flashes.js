@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
+import { kBoxFaces } from '../motion/surfaces.js';
 import { kEventColors } from './colors.js';
 import { Rings } from './rings.js';
 
@@ -7,12 +8,13 @@ const kMost = 512;
 
 /** Rings that flash up where contacts happen, grow, and fade. */
 export class EventFlashes {
-  constructor(radii, box) {
+  /** `surfaces`: as read by readSurfaces. */
+  constructor(radii, box, surfaces) {
     this.radii = radii;
     this.box = box;
+    this.surfaces = surfaces;
     this.rings = new Rings(kMost, 0.3);
     this.object = this.rings.object;
-    this.place = [0, 0, 0];
   }
 
   /** Shows the contacts of the last `window` [T] before the time of `playback`, the latest if there are too many. */
@@ -30,18 +32,28 @@ export class EventFlashes {
     const first = chunk.first(k);
     const second = chunk.second(k);
     const isCollision = second >= 0;
-    const radius = this.radii[first];
-    for (let axis = 0; axis < 3; ++axis) {
-      let touch = chunk.numbers[chunk.firstPlace(k) + axis];
-      if (isCollision) {
-        const apart = this.box.nearest(chunk.numbers[chunk.secondPlace(k) + axis] - touch, axis);
-        touch += (apart * radius) / (radius + this.radii[second]);
-      } else if ((-second - 1) >> 1 === axis) {
-        touch += (-second - 1) & 1 ? radius : -radius;
-      }
-      this.place[axis] = touch;
+    const size = isCollision ? Math.min(this.radii[first], this.radii[second]) : this.radii[first];
+    const color = isCollision ? kEventColors.collision : kEventColors.wall;
+    this.rings.add(this.touchPoint(chunk, k), size, color, age);
+  }
+
+  // Where the two of contact `k` touch.
+  touchPoint(chunk, k) {
+    const second = chunk.second(k);
+    const radius = this.radii[chunk.first(k)];
+    const place = chunk.firstPlace(k);
+    const center = [0, 1, 2].map((axis) => chunk.numbers[place + axis]);
+    if (second >= 0) {
+      const share = radius / (radius + this.radii[second]);
+      const other = chunk.secondPlace(k);
+      return center.map(
+        (from, axis) => from + share * this.box.nearest(chunk.numbers[other + axis] - from, axis),
+      );
     }
-    const size = isCollision ? Math.min(radius, this.radii[second]) : radius;
-    this.rings.add(this.place, size, isCollision ? kEventColors.collision : kEventColors.wall, age);
+    const number = -second - 1;
+    if (number >= kBoxFaces)
+      return this.surfaces[number - kBoxFaces].touchPoint(center, radius, chunk.time(k), this.box);
+    center[number >> 1] += number & 1 ? radius : -radius;
+    return center;
   }
 }

@@ -7,28 +7,31 @@ const kMotion = /* glsl */ `
   precision highp int;
 
   in vec4 place;      // center at the reference time, and the path's start relative to it
-  in vec4 motion;     // velocity, and the collisions so far
+  in vec4 motion;     // velocity at the reference time, and the collisions so far
   in vec2 kind;       // radius, species
 
   uniform mat4 projectionMatrix;
   uniform mat4 modelViewMatrix;
   uniform float elapsed;     // since the reference time
+  uniform vec3 gravity;
   uniform vec3 period;       // of the box, zero along axes that are not periodic
   uniform vec3 inversePeriod; // likewise zero
   uniform int colorBy;
   uniform vec2 colorRange;
+  uniform bool colorIsLogarithmic;
   uniform sampler2D colorMap;
   uniform sampler2D speciesColors;
   uniform int followed;      // id, or -1
   uniform vec3 followedCenter;
   uniform float pixels;      // height of the drawing
+  uniform float leastPixels; // diameter of the smallest drawn, lest they vanish
   uniform float reach;       // spheres farther from the followed one are not drawn; 0: all are
 
   flat out vec3 color;
   flat out float isFollowed;
 
   vec3 centerNow() {
-    vec3 center = place.xyz + elapsed * motion.xyz;
+    vec3 center = place.xyz + elapsed * (motion.xyz + (0.5 * elapsed) * gravity);
     return center - period * floor(center * inversePeriod);
   }
 
@@ -41,12 +44,13 @@ const kMotion = /* glsl */ `
 
   vec3 colorNow() {
     if (colorBy == 2) return texelFetch(speciesColors, ivec2(int(kind.y), 0), 0).rgb;
-    float value = colorBy == 0 ? length(motion.xyz)
+    float value = colorBy == 0 ? length(motion.xyz + elapsed * gravity)
                 : colorBy == 1 ? kind.x
                 : colorBy == 3 ? motion.w
                 : elapsed - place.w;
-    float share = clamp((value - colorRange.x) / (colorRange.y - colorRange.x), 0.0, 1.0);
-    return texture(colorMap, vec2((32.0 * share + 0.5) / 33.0, 0.5)).rgb;
+    float share = colorIsLogarithmic ? log(value / colorRange.x) / log(colorRange.y / colorRange.x)
+                                     : (value - colorRange.x) / (colorRange.y - colorRange.x);
+    return texture(colorMap, vec2((32.0 * clamp(share, 0.0, 1.0) + 0.5) / 33.0, 0.5)).rgb;
   }
 `;
 
@@ -80,8 +84,7 @@ export const kImpostorVertex = /* glsl */ `
     vec3 center = centerNow();
     ball.xyz = (modelViewMatrix * vec4(center, 1.0)).xyz;
     float distance = length(ball.xyz);
-    // At least a pixel, lest it vanish.
-    ball.w = max(kind.x, 1.2 * distance / (projectionMatrix[1][1] * pixels));
+    ball.w = max(kind.x, leastPixels * distance / (projectionMatrix[1][1] * pixels));
     color = colorNow();
     isFollowed = gl_InstanceID == followed ? 1.0 : 0.0;
     if (isHidden(center, gl_InstanceID) || distance <= 1.01 * ball.w) {
@@ -128,7 +131,7 @@ export const kPointVertex = /* glsl */ `
     color = colorNow();
     isFollowed = gl_VertexID == followed ? 1.0 : 0.0;
     gl_Position = isHidden(center, gl_VertexID) ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * seen;
-    gl_PointSize = max(1.2, kind.x * projectionMatrix[1][1] * pixels / max(-seen.z, 1e-6));
+    gl_PointSize = max(leastPixels, kind.x * projectionMatrix[1][1] * pixels / max(-seen.z, 1e-6));
   }
 `;
 

@@ -7,7 +7,9 @@ import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeome
 import { piecesInBox } from '../motion/path.js';
 import { Rings } from './rings.js';
 
-/** The path of the followed sphere: its past, contact by contact, and its next segment. */
+const kMostDeviation = 0.02; // of drawn lines from parabolas, in radii of the sphere
+
+/** The path of the followed sphere: its past, contact by contact, and its next piece. */
 export class Trail {
   constructor(box) {
     this.box = box;
@@ -36,11 +38,12 @@ export class Trail {
     this.rings.add(center, 1.3 * radius, this.color, 0);
     this.rings.send();
     const past = [];
+    const tolerance = kMostDeviation * radius;
     for (const { numbers, until: end } of [...paths].reverse()) {
-      past.push(...piecesInBox(numbers, numbers[6], Math.min(end, time), this.box));
+      past.push(...piecesInBox(numbers, numbers[6], Math.min(end, time), this.box, { tolerance }));
     }
     replace(this.past, past);
-    replace(this.ahead, piecesInBox(paths[0].numbers, time, until, this.box, 8));
+    replace(this.ahead, piecesInBox(paths[0].numbers, time, until, this.box, { most: 8, tolerance }));
   }
 }
 

@@ -1,17 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import { Color, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { Color, PerspectiveCamera, Quaternion, Scene, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
-import { kPathNumbers } from '../recording/chunk.js';
 import { BoxFrame } from './box_frame.js';
 
 /** The picture: camera, box, and what else is added to `scene`. */
 export class View {
-  /** `largestRadius`: of the spheres [L]. */
-  constructor(canvas, box, largestRadius) {
+  /** `up`: the direction that is upward in the picture. */
+  constructor(canvas, box, up) {
     this.canvas = canvas;
-    this.box = box;
-    this.largestRadius = largestRadius;
     /** Whether the graphics card is only emulated. */
     this.isSoftware = isSoftware();
     this.renderer = new WebGLRenderer({
@@ -21,6 +18,7 @@ export class View {
     });
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(32, 1, 0.1, 1000);
+    this.camera.up.set(...up);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = true;
     this.controls.dampingFactor = 0.12;
@@ -53,34 +51,18 @@ export class View {
     this.isStale = true;
   }
 
-  /** Where the spheres of `playback` are: the box, and along open axes all spheres; two corners [L]. */
-  bounds({ paths, spheres, time }) {
-    const low = [0, 0, 0];
-    const high = [...this.box.size];
-    for (let axis = 0; axis < 3; ++axis) {
-      if (this.box.boundary[axis] !== 'open') continue;
-      low[axis] = Infinity;
-      high[axis] = -Infinity;
-      for (let id = 0; id < spheres; ++id) {
-        const start = kPathNumbers * id;
-        const place = paths[start + axis] + (time - paths[start + 6]) * paths[start + 3 + axis];
-        low[axis] = Math.min(low[axis], place);
-        high[axis] = Math.max(high[axis], place);
-      }
-      low[axis] -= this.largestRadius;
-      high[axis] += this.largestRadius;
-    }
-    return [low, high];
-  }
-
-  /** Shows everything from the direction of `from`, or from where the camera is. */
-  fit(playback, from = null) {
-    const [low, high] = this.bounds(playback);
+  /**
+   * Shows the `extent`, two corners [L], from where the camera is, or from the direction `from`: to the right,
+   * upward, and to the front.
+   */
+  fit([low, high], from = null) {
     this.frame.span(low, high);
     const size = new Vector3(...high.map((end, axis) => end - low[axis]));
     this.extent = size.length();
     const center = new Vector3(...low).addScaledVector(size, 0.5);
     const direction = from ? new Vector3(...from) : this.camera.position.clone().sub(this.controls.target);
+    if (from)
+      direction.applyQuaternion(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), this.camera.up));
     direction.normalize();
     this.controls.target.copy(center);
     this.camera.position.copy(center).add(direction);
@@ -134,6 +116,11 @@ export class View {
     this.controls.target.add(shift);
     this.camera.position.add(shift);
     this.isStale = true;
+  }
+
+  /** Pixels of the drawing in a CSS pixel. */
+  get pixelRatio() {
+    return this.renderer.getPixelRatio();
   }
 
   /** Height of the drawing in its own pixels. */

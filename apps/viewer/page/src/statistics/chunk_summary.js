@@ -8,10 +8,11 @@ const kFewestContacts = 50; // a chunk that was closed early may hold too few fo
 
 /**
  * What happens in a chunk, in intervals of equal length: a list of {time, collisions, walls, energy}, the rates
- * [1/T] about `time` and the kinetic energy [M L^2 T^-2] there. `begin` [T] is that of the recording.
+ * [1/T] about `time` and the energy [M L^2 T^-2] there: the kinetic one and that of the height under `gravity`
+ * [L/T²]. `begin` [T] is that of the recording.
  * Cost: O(spheres + contacts).
  */
-export function summarize(chunk, masses, begin) {
+export function summarize(chunk, masses, begin, gravity = [0, 0, 0]) {
   const count = Math.max(1, Math.min(kMostIntervals, Math.floor(chunk.contacts / kContactsOfInterval)));
   const length = (chunk.end - chunk.begin) / count;
   if (!(length > 0) || (chunk.contacts < kFewestContacts && chunk.begin > begin)) return [];
@@ -20,11 +21,11 @@ export function summarize(chunk, masses, begin) {
   const energies = new Float64Array(spheres);
   let energy = 0;
   for (let id = 0; id < spheres; ++id) {
-    energies[id] = kineticEnergy(masses[id], chunk.keyframe, kPathNumbers * id + 3);
+    energies[id] = energyOf(masses[id], chunk.keyframe, kPathNumbers * id, gravity);
     energy += energies[id];
   }
   const change = (id, place) => {
-    const after = kineticEnergy(masses[id], chunk.numbers, place + 3);
+    const after = energyOf(masses[id], chunk.numbers, place, gravity);
     energy += after - energies[id];
     energies[id] = after;
   };
@@ -58,6 +59,10 @@ export function summarize(chunk, masses, begin) {
   return intervals;
 }
 
-function kineticEnergy(mass, numbers, start) {
-  return (mass * (numbers[start] ** 2 + numbers[start + 1] ** 2 + numbers[start + 2] ** 2)) / 2;
+// Between contacts it does not change. Position and velocity are in `numbers` from `start` on.
+function energyOf(mass, numbers, start, gravity) {
+  let energy = 0;
+  for (let axis = 0; axis < 3; ++axis)
+    energy += mass * (numbers[start + 3 + axis] ** 2 / 2 - gravity[axis] * numbers[start + axis]);
+  return energy;
 }

@@ -21,12 +21,20 @@ export function findSpecies(radii, masses) {
   return { of, list };
 }
 
-/** The speeds of all spheres: the list [L/T], into which they are written, and their total kinetic energy. */
-export function readSpeeds(paths, masses, speeds) {
+/**
+ * The speeds of all spheres at `time` [T]: the list [L/T], into which they are written, and their total kinetic
+ * energy.
+ */
+export function readSpeeds(paths, time, masses, box, speeds) {
   let energy = 0;
+  const [x, y, z] = box.gravity;
   for (let id = 0; id < speeds.length; ++id) {
     const start = kPathNumbers * id + 3;
-    const square = paths[start] ** 2 + paths[start + 1] ** 2 + paths[start + 2] ** 2;
+    const elapsed = time - paths[start + 3];
+    const square =
+      (paths[start] + elapsed * x) ** 2 +
+      (paths[start + 1] + elapsed * y) ** 2 +
+      (paths[start + 2] + elapsed * z) ** 2;
     energy += (masses[id] * square) / 2;
     speeds[id] = Math.sqrt(square);
   }

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+/** The faces of the box are numbered before the surfaces of the header. */
+export const kBoxFaces = 6;
+
+/** A surface that spheres bounce off, besides the faces of the box. */
+export class Surface {
+  /** `entry`: as in the header of a recording; `number`: its place in the list there. */
+  constructor(entry, number) {
+    /** "plane", "cylinder", "sphere" or "obstacle". */
+    this.shape = entry.shape;
+    this.point = entry.point;
+    /** Unit normal of a plane, to the side of the spheres; unit vector along an axis. */
+    this.direction = entry.direction ?? [0, 0, 1];
+    /** [L] */
+    this.radius = entry.radius ?? 0;
+    this.velocity = entry.velocity ?? [0, 0, 0];
+    this.amplitude = entry.amplitude ?? 0;
+    this.frequency = entry.frequency ?? 0;
+    /** k_B T [M L² T⁻²] of a thermal surface, or null. */
+    this.temperature = entry.temperature ?? null;
+    this.restitution = entry.restitution ?? 1;
+    this.name = `wall ${number}: ${this.shape}`;
+  }
+
+  get oscillates() {
+    return this.amplitude !== 0 && this.frequency !== 0;
+  }
+
+  get moves() {
+    return this.oscillates || this.velocity.some((part) => part !== 0);
+  }
+
+  /** Whether contacts with it may change the energy of a sphere. */
+  get changesEnergy() {
+    return this.moves || this.temperature !== null || this.restitution !== 1;
+  }
+
+  /** Where its point is at `time` [T]: a point of the plane or of the axis, or the center [L]. */
+  pointAt(time) {
+    const swing = this.oscillates ? this.amplitude * Math.sin(2 * Math.PI * this.frequency * time) : 0;
+    return this.point.map((place, axis) => place + time * this.velocity[axis] + swing * this.direction[axis]);
+  }
+
+  /** Where a sphere of radius `radius` with its center at `center` touches it at `time`: a point [L]. */
+  touchPoint(center, radius, time, box) {
+    if (this.shape === 'plane') return center.map((place, axis) => place - radius * this.direction[axis]);
+    const point = this.pointAt(time);
+    const apart = center.map((place, axis) => box.nearest(place - point[axis], axis));
+    if (this.shape === 'cylinder') {
+      const along = apart.reduce((sum, part, axis) => sum + part * this.direction[axis], 0);
+      for (let axis = 0; axis < 3; ++axis) apart[axis] -= along * this.direction[axis];
+    }
+    const distance = Math.hypot(...apart) || 1;
+    const reach = this.shape === 'obstacle' ? -radius : radius;
+    return center.map((place, axis) => place + (reach * apart[axis]) / distance);
+  }
+}
+
+/** The surfaces of a recording's header, in its order. */
+export function readSurfaces({ surfaces = [] }) {
+  return surfaces.map((entry, number) => new Surface(entry, number));
+}
+
+const kFaces = ['lower x', 'upper x', 'lower y', 'upper y', 'lower z', 'upper z'];
+
+/** What a contact's number `second` stands for, in words: "sphere 3", "wall lower x", "wall 2: cylinder". */
+export function partnerName(second, surfaces) {
+  if (second >= 0) return `sphere ${second}`;
+  const number = -second - 1;
+  return number < kBoxFaces ? `wall ${kFaces[number]}` : surfaces[number - kBoxFaces].name;
+}

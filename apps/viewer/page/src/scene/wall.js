@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+import {
+  BufferGeometry,
+  CylinderGeometry,
+  DoubleSide,
+  Float32BufferAttribute,
+  GLSL3,
+  Group,
+  LineSegments,
+  Mesh,
+  RawShaderMaterial,
+  SphereGeometry,
+  Vector3,
+} from 'three';
+import { roundUp } from '../statistics/speeds.js';
+import { dot, planePatch, rangeAlong, tangents } from './plane_patch.js';
+import { kLineFragment, kLineVertex, kWallFragment, kWallVertex } from './surface_shaders.js';
+
+const kLinesAround = 24; // of a cylinder or sphere
+const kLinesAcross = 12; // of the box
+const kTicks = 3; // along each direction of a plane
+
+// A material for walls; `shared` are uniforms of all walls.
+function wallMaterial(tint, shared, strength, nearStrength) {
+  return new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader: kWallVertex,
+    fragmentShader: kWallFragment,
+    uniforms: {
+      ...shared,
+      tint: { value: tint },
+      strength: { value: strength },
+      nearStrength: { value: nearStrength },
+    },
+    side: DoubleSide,
+    transparent: true,
+    depthWrite: false,
+  });
+}
+
+// Makes the attribute "spot" of texture coordinates: `u` lines around, `v` along.
+function useSpots(geometry, u, v) {
+  const uv = geometry.getAttribute('uv');
+  const spots = Float32Array.from({ length: 2 * uv.count }, (_, k) => uv.array[k] * (k % 2 === 0 ? u : v));
+  geometry.setAttribute('spot', new Float32BufferAttribute(spots, 2));
+}
+
+/** A plane within the box: translucent, with a grid, an outline, and ticks to the side of the spheres. */
+export class PlaneWall {
+  constructor(surface, tint, shared) {
+    this.surface = surface;
+    this.moves = surface.moves;
+    this.patch = new Mesh(new BufferGeometry(), wallMaterial(tint, shared, 1, 1));
+    const lines = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: kLineVertex,
+      fragmentShader: kLineFragment,
+      uniforms: { tint: { value: tint } },
+      transparent: true,
+      depthWrite: false,
+    });
+    this.lines = new LineSegments(new BufferGeometry(), lines);
+    this.object = new Group();
+    this.object.add(this.patch, this.lines);
+    for (const part of this.object.children) part.frustumCulled = false;
+  }
+
+  /** Fits it to the box between two corners at `time` [T]. */
+  update(time, low, high) {
+    const { direction } = this.surface;
+    const point = this.surface.pointAt(time);
+    const corners = planePatch(point, direction, low, high);
+    this.object.visible = corners.length > 0;
+    if (!this.object.visible) return;
+    const size = Math.max(...high.map((end, axis) => end - low[axis]));
+    const [first, second] = tangents(direction);
+    const spacing = roundUp(size / kLinesAcross);
+    const spotOf = (corner) => [first, second].map((tangent) => dot(tangent, corner) / spacing);
+    const triangles = corners.slice(2).flatMap((corner, k) => [corners[0], corners[k + 1], corner]);
+    this.put(this.patch, {
+      position: [triangles.flat(), 3],
+      normal: [triangles.flatMap(() => direction), 3],
+      spot: [triangles.flatMap(spotOf), 2],
+    });
+    const outline = corners.flatMap((corner, k) => [corner, corners[(k + 1) % corners.length]]);
+    this.put(this.lines, { position: [[...outline, ...this.ticks(corners, 0.03 * size)].flat(), 3] });
+  }
+
+  // From points spread between the middle and the corners of the patch, along the normal.
+  ticks(corners, length) {
+    const { direction } = this.surface;
+    const middle = [0, 1, 2].map(
+      (axis) => corners.reduce((sum, corner) => sum + corner[axis], 0) / corners.length,
+    );
+    const feet = [middle];
+    for (const corner of corners) {
+      for (let k = 1; k < kTicks; ++k)
+        feet.push(middle.map((place, axis) => place + (k / kTicks) * (corner[axis] - place)));
+    }
+    return feet.flatMap((foot) => [foot, foot.map((place, axis) => place + length * direction[axis])]);
+  }
+
+  put(part, attributes) {
+    part.geometry.dispose();
+    part.geometry = new BufferGeometry();
+    for (const [name, [numbers, size]] of Object.entries(attributes))
+      part.geometry.setAttribute(name, new Float32BufferAttribute(numbers, size));
+  }
+}
+
+/** A cylinder within the box, with the spheres inside. */
+export class CylinderWall {
+  constructor(surface, tint, shared) {
+    this.surface = surface;
+    this.moves = surface.moves;
+    const geometry = new CylinderGeometry(1, 1, 1, 4 * kLinesAround, 1, true);
+    useSpots(geometry, kLinesAround, kLinesAcross);
+    this.object = new Mesh(geometry, wallMaterial(tint, shared, 1, 0.3));
+    // The geometry's axis is y.
+    this.object.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...surface.direction));
+    this.object.frustumCulled = false;
+  }
+
+  /** As for a plane. */
+  update(time, low, high) {
+    const { direction, radius } = this.surface;
+    const point = this.surface.pointAt(time);
+    const [from, to] = rangeAlong(point, direction, low, high);
+    this.object.scale.set(radius, Math.max(to - from, 1e-9 * radius), radius);
+    this.object.position.set(...point.map((place, axis) => place + ((from + to) / 2) * direction[axis]));
+  }
+}
+
+/** A sphere, with the spheres inside. */
+export class SphereWall {
+  constructor(surface, tint, shared) {
+    this.surface = surface;
+    this.moves = surface.moves;
+    const geometry = new SphereGeometry(1, 4 * kLinesAround, 2 * kLinesAround);
+    useSpots(geometry, kLinesAround, kLinesAround / 2);
+    this.object = new Mesh(geometry, wallMaterial(tint, shared, 1, 0.3));
+    this.object.scale.setScalar(surface.radius);
+    this.object.frustumCulled = false;
+  }
+
+  /** As for a plane. */
+  update(time) {
+    this.object.position.set(...this.surface.pointAt(time));
+  }
+}
