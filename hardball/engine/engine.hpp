@@ -16,6 +16,7 @@
 #include "hardball/engine/standstill_guard.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event_queue.hpp"
+#include "hardball/geometry/inlining.hpp"
 #include "hardball/memory/huge_pages.hpp"
 #include "hardball/memory/prefetch.hpp"
 #include "hardball/response/execute.hpp"
@@ -458,12 +459,19 @@ class Engine {
     }
   }
 
-  // Lets a sphere's crossing come before its copy ceases to be good; that of a sphere at rest stays good.
+  // Lets a sphere's crossing come before its copy ceases to be good.
   void expire(Slot slot) {
+    const double expiry = rounded_down(now_) + compact_.longest_age();
+    if (!(expiry < plans_[slot].crossing)) [[likely]]
+      return;
+    expire_soon(slot);
+  }
+
+  // The copy of a sphere at rest stays good, unless it falls.
+  HARDBALL_NEVER_INLINE void expire_soon(Slot slot) {
     Plan& plan = plans_[slot];
     const double expiry = rounded_down(now_) + compact_.longest_age(slot);
-    if (!(expiry < plan.crossing)) [[likely]]
-      return;
+    if (!(expiry < plan.crossing)) return;
     const bool rests = world_.motion().is_straight() && world_.path(slot).velocity == Vec3{};
     plan.crossing = rests ? kNever.high : expiry;
     plan.tag |= Plan::kRenewal;

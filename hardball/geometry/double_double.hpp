@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "hardball/geometry/always_inline.hpp"
+#include "hardball/geometry/inlining.hpp"
 
 namespace hardball {
 

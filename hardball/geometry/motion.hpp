@@ -6,9 +6,16 @@
 #include <cmath>
 #include <limits>
 
+#include "hardball/geometry/inlining.hpp"
 #include "hardball/geometry/path.hpp"
 
 namespace hardball {
+
+/// Where a centre is at some moment, and how fast it moves.
+struct State {
+  Vec3 position;  ///< [L]
+  Vec3 velocity;  ///< [L/T]
+};
 
 /// How the centres of all spheres move along their paths between contacts: uniformly, or along parabolas.
 ///
@@ -25,21 +32,22 @@ class Motion {
   /// The acceleration of every centre [L/T^2].
   const Vec3& gravity() const { return gravity_; }
 
-  /// The centre at `moment` [L], which may lie outside a periodic box. Precondition: `moment` is finite.
-  Vec3 position_at(const Path& path, const Time& moment) const {
+  /// The state at `moment`; the centre may lie outside a periodic box. Precondition: `moment` is finite.
+  HARDBALL_ALWAYS_INLINE State state_at(const Path& path, const Time& moment) const {
     const double age = duration(path.time, moment);
     if (is_straight_) [[likely]]
-      return path.position + age * path.velocity;
-    return path.position + age * (path.velocity + (0.5 * age) * gravity_);
+      return {path.position + age * path.velocity, path.velocity};
+    return falling_state_at(path, age);
   }
-  /// The velocity at `moment` [L/T]. Precondition: `moment` is finite.
-  Vec3 velocity_at(const Path& path, const Time& moment) const {
-    if (is_straight_) [[likely]]
-      return path.velocity;
-    return path.velocity + duration(path.time, moment) * gravity_;
-  }
+  /// Its parts.
+  Vec3 position_at(const Path& path, const Time& moment) const { return state_at(path, moment).position; }
+  Vec3 velocity_at(const Path& path, const Time& moment) const { return state_at(path, moment).velocity; }
 
  private:
+  HARDBALL_NEVER_INLINE State falling_state_at(const Path& path, double age) const {
+    return {path.position + age * (path.velocity + (0.5 * age) * gravity_), path.velocity + age * gravity_};
+  }
+
   Vec3 gravity_;
   bool is_straight_ = true;
 };

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "hardball/geometry/always_inline.hpp"
+#include "hardball/geometry/inlining.hpp"
 
 namespace hardball {
 

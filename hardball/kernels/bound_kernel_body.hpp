@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "hardball/geometry/always_inline.hpp"
+#include "hardball/geometry/inlining.hpp"
 #include "hardball/kernels/bound_kernel.hpp"
 #include "hardball/kernels/vector_of_lanes.hpp"
 

@@ -73,7 +73,7 @@ std::string wall_name(const World& world, std::uint32_t wall) {
   if (wall < kFaces) return kFaceNames[wall];
   std::string name(world.surface(wall).name());
   std::replace(name.begin(), name.end(), ' ', '_');
-  return name + "_" + to_text(wall - kFaces + 1);
+  return name + "_" + to_text(wall - kFaces);
 }
 
 WallForces::WallForces(const Scene& scene)

@@ -17,7 +17,7 @@ namespace hardball {
 /// cut by the box in ways not computed here: a plane or a tube that is not along the axes.
 double wall_area(const World& world, std::uint32_t wall);
 
-/// "z_lower" for a face of the box, "plane_1" or "obstacle_3" for the first or third surface.
+/// "z_lower" for a face of the box, "plane_0" or "obstacle_2" for the first or third surface.
 std::string wall_name(const World& world, std::uint32_t wall);
 
 /// Force, pressure, power and heat at each wall, where there is gravity or any surface besides the box.

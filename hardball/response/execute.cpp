@@ -113,7 +113,7 @@ void contact_at(const World& world, const Event& event, const Participants& part
   const Box& box = world.box();
   const Path& path = world.path(participants.first);
   const double radius = world.radius(participants.first);
-  Vec3 position = world.unfolded_position(participants.first, event.time);
+  auto [position, velocity] = world.motion().state_at(path, event.time);
   done.were_idle[0] = is_idle(world.motion(), path, radius, event.time);
   done.folded[0] = box.fold(position);
   Velocities before;
@@ -128,7 +128,7 @@ void contact_at(const World& world, const Event& event, const Participants& part
   if (event.kind == EventKind::collision) {
     const Path& second_path = world.path(participants.second);
     const double second_radius = world.radius(participants.second);
-    Vec3 second_position = world.unfolded_position(participants.second, event.time);
+    auto [second_position, second_velocity] = world.motion().state_at(second_path, event.time);
     done.were_idle[1] = is_idle(world.motion(), second_path, second_radius, event.time);
     done.folded[1] = box.fold(second_position);
     contact.image = participants.nearest ? box.nearest_image(position - second_position)
@@ -137,14 +137,13 @@ void contact_at(const World& world, const Event& event, const Participants& part
     contact.separation = (second_position - position) + box.shift(contact.image);
     contact.reach = radius + second_radius;
     contact.second_mass = world.mass(participants.second);
-    before = {world.velocity(participants.first, event.time),
-              world.velocity(participants.second, event.time)};
+    before = {velocity, second_velocity};
   } else {
     contact.image = {};
     contact.second_position = {};
     contact.reach = radius;
     contact.second_mass = std::numeric_limits<double>::infinity();
-    before = {world.velocity(participants.first, event.time), {}};
+    before = {velocity, {}};
     describe_wall(world, event.second, contact, before.second);
   }
   // Twice from registers: reading back what has just been written would stall.

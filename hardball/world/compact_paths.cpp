@@ -99,6 +99,7 @@ void CompactPaths::choose_units(const World& world) {
     scale_.gravity[axis] = static_cast<float>(world.motion().gravity()[axis] / speed_unit * time_unit_);
   }
   scale_.has_gravity = fall > 0;
+  longest_age_of_all_ = scale_.has_gravity ? 0 : longest_age_;
   const double w = 2 * v;
   scale_.tick = static_cast<float>(1 / kTicks);
   scale_.reach_allowance = rounded_up(0x1p-20 * l);

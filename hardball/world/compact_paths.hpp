@@ -35,9 +35,8 @@ class CompactPaths {
 
   /// Copies one path as it is at `now`.
   void copy(const World& world, Slot slot, const Time& now) {
-    const Vec3 place = world.unfolded_position(slot, now);
+    const auto [place, v] = world.motion().state_at(world.path(slot), now);
     const double ticks = duration(epoch_, now) * ticks_per_time_;
-    const Vec3 v = world.velocity(slot, now);
     const double speed_squared = dot(v, v);
     CompactPath& copy = paths_[slot];
     copy.store({to_integer(place.x * steps_per_length_.x), to_integer(place.y * steps_per_length_.y),
@@ -64,9 +63,11 @@ class CompactPaths {
   /// One revision: three bits remain for other purposes.
   static constexpr std::uint32_t kRevision = 8;
 
-  /// How long the copy of a moving sphere is good [T].
+  /// How long the copy of any moving sphere is good [T]; zero if that depends on the sphere.
+  double longest_age() const { return longest_age_of_all_; }
+  /// How long that of one sphere is [T].
   double longest_age(Slot slot) const {
-    return !scale_.has_gravity ? longest_age_ : longest_age_of_falling(slot);
+    return scale_.has_gravity ? longest_age_of_falling(slot) : longest_age_;
   }
 
   /// By slot.
@@ -115,7 +116,8 @@ class CompactPaths {
   double length_unit_ = 1;
   double time_unit_ = 1;
   double ticks_per_time_ = 1;
-  double longest_age_ = 0;
+  double longest_age_ = 0;  // at which ticks overflow
+  double longest_age_of_all_ = 0;
   Vec3 step_;  // of the grid [L]
   Vec3 steps_per_length_;
   Vec3 farthest_place_;

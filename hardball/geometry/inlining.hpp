@@ -10,3 +10,10 @@
 #else
 #define HARDBALL_ALWAYS_INLINE inline
 #endif
+
+/// For what is rarely called from where time matters, and would keep the rest from being inlined.
+#if defined(__GNUC__)
+#define HARDBALL_NEVER_INLINE [[gnu::noinline]]
+#else
+#define HARDBALL_NEVER_INLINE
+#endif
