@@ -70,7 +70,9 @@ double expected_wall_pressure(const Moments& moments, double kinetic_energy) {
 std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments,
                             const EngineOptions& options, const Summary& summary) {
   std::vector<Quantity> all;
-  const bool theory = has_theory(moments, options);
+  const World& world = simulation.world();
+  const bool is_uniform = world.motion().is_straight() && world.surfaces().empty();
+  const bool theory = is_uniform && has_theory(moments, options);
   const auto add = [&](const std::string& name, const std::string& unit, double value, double expected) {
     if (std::isfinite(value)) all.push_back({name, unit, value, kNone, theory ? expected : kNone});
   };
@@ -148,6 +150,18 @@ report::CostCurve choice(const Simulation& simulation, const Moments& moments, c
   return {};
 }
 
+report::SurfaceReport surface_report(const WallSummary& wall) {
+  report::SurfaceReport report;
+  report.name = wall.name;
+  report.shape = wall.shape;
+  report.contacts = wall.tally.contacts;
+  report.area = wall.area;
+  report.force = wall.force;
+  report.pressure = wall.pressure;
+  report.work = wall.tally.work + wall.tally.heat;
+  return report;
+}
+
 }  // namespace
 
 report::Report run_report(const Options& options, const Scenario& scenario,
@@ -169,9 +183,12 @@ report::Report run_report(const Options& options, const Scenario& scenario,
   report.events = simulation.counters();
   report.packing_fraction = summary.packing_fraction();
   report.initial_energy = simulation.tally().initial_energy();
-  report.final_energy = simulation.world().kinetic_energy(simulation.now());
+  report.gravity = simulation.world().motion().gravity();
+  report.final_energy = simulation.world().energy(simulation.now());
   report.momentum = simulation.world().momentum(simulation.now());
   report.max_overlap = summary.max_overlap();
+
+  for (const WallSummary& wall : summary.walls()) report.surfaces.push_back(surface_report(wall));
 
   report.engine = name_of(simulation.engine());
   report.cell_edge = summary.cell_edge();

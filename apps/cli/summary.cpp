@@ -13,6 +13,7 @@
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/world/audit.hpp"
+#include "hardball/world/walls.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -42,7 +43,7 @@ Summary::Summary(const Simulation& simulation, const Seconds& seconds)
       counters_(simulation.counters()),
       hash_(simulation.event_log_hash()),
       initial_energy_(simulation.tally().initial_energy()),
-      final_energy_(simulation.world().kinetic_energy(simulation.now())),
+      final_energy_(simulation.world().energy(simulation.now())),
       momentum_(simulation.world().momentum(simulation.now())),
       engine_(name_of(simulation.engine())),
       cell_edge_(simulation.cell_edge() > 0 ? simulation.cell_edge() : kNone),
@@ -52,12 +53,14 @@ Summary::Summary(const Simulation& simulation, const Seconds& seconds)
   const Audit found = audit(simulation.world(), simulation.now());
   max_overlap_ = std::max({simulation.tally().max_overlap(), found.max_overlap, found.max_escape});
   const bool is_bounded = !has(box, Boundary::open);
-  packing_fraction_ = is_bounded ? simulation.world().sphere_volume() / box.volume() : kNone;
+  const double packing = simulation.world().sphere_volume() / accessible_volume(simulation.world());
+  packing_fraction_ = packing > 0 ? packing : kNone;
   compressibility_ =
-      box.is_all(Boundary::periodic) ? simulation.tally().compressibility(simulation.now()) : kNone;
+      box.is_all(Boundary::periodic) && simulation.world().surfaces().empty() ? simulation.tally().compressibility(simulation.now()) : kNone;
   wall_pressure_ = is_bounded && has(box, Boundary::wall)
                        ? simulation.tally().wall_pressure(box, simulation.now())
                        : kNone;
+  walls_ = summarize_walls(simulation);
   peak_rss_bytes_ = measure_peak_rss();
 }
 
@@ -78,6 +81,17 @@ std::string Summary::json() const {
   json["packing_fraction"] = number_or_null(packing_fraction_);
   json["compressibility"] = number_or_null(compressibility_);
   json["wall_pressure"] = number_or_null(wall_pressure_);
+  if (!walls_.empty()) json["walls"] = nlohmann::ordered_json::array();
+  for (const WallSummary& wall : walls_) {
+    const Vec3& impulse = wall.tally.impulse;
+    json["walls"].push_back({{"name", wall.name},
+                             {"contacts", wall.tally.contacts},
+                             {"impulse", {impulse.x, impulse.y, impulse.z}},
+                             {"force", number_or_null(wall.force)},
+                             {"pressure", number_or_null(wall.pressure)},
+                             {"work", wall.tally.work},
+                             {"heat", wall.tally.heat}});
+  }
   json["engine"] = engine_;
   json["cell_edge"] = number_or_null(cell_edge_);
   json["seconds"] = {{"setup", seconds_.setup}, {"run", seconds_.run}};
@@ -107,6 +121,10 @@ std::string Summary::table() const {
   add_if_meant("packing fraction", packing_fraction_);
   add_if_meant("PV/NkT", compressibility_);
   add_if_meant("pressure on walls", wall_pressure_);
+  for (const WallSummary& wall : walls_) {
+    add(wall.name, fmt::format("{} contacts, force {:.6g}, work {:.6g}, heat {:.6g}", wall.tally.contacts,
+                               wall.force, wall.tally.work, wall.tally.heat));
+  }
   add("engine", engine_);
   add_if_meant("cell edge", cell_edge_);
   if (counters_.rebuilds > 0) add("cells rebuilt", fmt::format("{} times", counters_.rebuilds));

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "apps/cli/wall_summary.hpp"
 #include "hardball/simulation/simulation.hpp"
 
 namespace hardball::cli {
@@ -33,6 +35,8 @@ class Summary {
   double wall_pressure() const { return wall_pressure_; }  ///< [M L^-1 T^-2]
   double cell_edge() const { return cell_edge_; }          ///< [L]
 
+  const std::vector<WallSummary>& walls() const { return walls_; }
+
   const Seconds& seconds() const { return seconds_; }
   double bytes_per_sphere() const { return bytes_per_sphere_; }
   long peak_rss_bytes() const { return peak_rss_bytes_; }
@@ -50,6 +54,7 @@ class Summary {
   double packing_fraction_;
   double compressibility_;
   double wall_pressure_;
+  std::vector<WallSummary> walls_;
   std::string engine_;
   double cell_edge_;
   Seconds seconds_;

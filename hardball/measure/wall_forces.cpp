@@ -52,15 +52,6 @@ bool has_only_faces(const World& world) {
   return world.motion().is_straight() && world.surfaces().empty();
 }
 
-std::vector<std::uint32_t> walls_of(const World& world) {
-  std::vector<std::uint32_t> walls;
-  if (has_only_faces(world)) return walls;
-  for (std::uint32_t wall = 0; wall < kFaces + world.surfaces().size(); ++wall) {
-    if (wall >= kFaces || world.box().is_wall(axis_of(wall))) walls.push_back(wall);
-  }
-  return walls;
-}
-
 }  // namespace
 
 double wall_area(const World& world, std::uint32_t wall) {
@@ -76,8 +67,17 @@ std::string wall_name(const World& world, std::uint32_t wall) {
   return name + "_" + to_text(wall - kFaces);
 }
 
+std::vector<std::uint32_t> measured_walls(const World& world) {
+  std::vector<std::uint32_t> walls;
+  if (has_only_faces(world)) return walls;
+  for (std::uint32_t wall = 0; wall < kFaces + world.surfaces().size(); ++wall) {
+    if (wall >= kFaces || world.box().is_wall(axis_of(wall))) walls.push_back(wall);
+  }
+  return walls;
+}
+
 WallForces::WallForces(const Scene& scene)
-    : walls_(walls_of(scene.world())),
+    : walls_(measured_walls(scene.world())),
       begin_(scene.now()),
       last_(scene.now()),
       average_(kBins * walls_.size()) {

@@ -20,6 +20,10 @@ double wall_area(const World& world, std::uint32_t wall);
 /// "z_lower" for a face of the box, "plane_0" or "obstacle_2" for the first or third surface.
 std::string wall_name(const World& world, std::uint32_t wall);
 
+/// The walls of a world with gravity, or with any surface besides the box: the faces that are walls, and the
+/// surfaces. None in other worlds, where Pressure says more.
+std::vector<std::uint32_t> measured_walls(const World& world);
+
 /// Force, pressure, power and heat at each wall, where there is gravity or any surface besides the box.
 class WallForces {
  public:

@@ -51,9 +51,13 @@ Moments moments_of(const World& world, const Time& moment) {
   for (double& sum : moments.radius_power) sum *= per_sphere;
   moments.mean_speed *= per_sphere;
   moments.largest_radius = world.largest_radius();
+  // Surfaces and gravity may keep spheres together in a part of the box.
+  const bool is_confined = !world.surfaces().empty() || !world.motion().is_straight();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    moments.extent[axis] =
-        world.box().is_open(axis) ? stretch(world, axis, moment) : world.box().size()[axis];
+    moments.extent[axis] = world.box().size()[axis];
+    if (world.box().is_open(axis) || is_confined) {
+      moments.extent[axis] = std::min(moments.extent[axis], stretch(world, axis, moment));
+    }
   }
   return moments;
 }

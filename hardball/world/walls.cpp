@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <variant>
 
 #include "hardball/geometry/contact_time.hpp"
@@ -133,6 +134,32 @@ double distance_to_surfaces(const World& world, const Vec3& position, const Time
     least = std::min(least, surface.distance(position - image, moment));
   }
   return least;
+}
+
+double accessible_volume(const World& world) {
+  constexpr double kSphere = 4 * std::numbers::pi / 3;
+  double volume = world.box().volume();
+  double obstacles = 0;
+  bool is_enclosed = false;
+  for (const Surface& surface : world.surfaces()) {
+    const Shape& shape = surface.shape();
+    if (const auto* obstacle = std::get_if<Obstacle>(&shape)) {
+      obstacles += kSphere * obstacle->radius() * obstacle->radius() * obstacle->radius();
+      continue;
+    }
+    if (is_enclosed) return std::numeric_limits<double>::quiet_NaN();
+    is_enclosed = true;
+    volume = std::numeric_limits<double>::quiet_NaN();
+    if (const auto* sphere = std::get_if<HollowSphere>(&shape)) {
+      volume = kSphere * sphere->radius() * sphere->radius() * sphere->radius();
+    } else if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        if (std::fabs(cylinder->axis()[axis]) != 1) continue;
+        volume = std::numbers::pi * cylinder->radius() * cylinder->radius() * world.box().size()[axis];
+      }
+    }
+  }
+  return volume - obstacles;
 }
 
 Vec3 nearest_image_of(const World& world, const Surface& surface, const Vec3& position) {

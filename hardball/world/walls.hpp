@@ -48,6 +48,10 @@ inline bool may_meet_wall(const World& world, Slot slot, double time, const Time
 /// and infinite if there are none.
 double distance_to_surfaces(const World& world, const Vec3& position, const Time& moment);
 
+/// The volume that spheres share: that of the box less the obstacles, or of the one hollow sphere or tube along
+/// an axis that encloses them [L^3]; infinite in open space, NaN between other surfaces.
+double accessible_volume(const World& world);
+
 /// The displacement of the image of a surface nearest to `position`, in a periodic box [L]; zero if the
 /// surface has none.
 Vec3 nearest_image_of(const World& world, const Surface& surface, const Vec3& position);

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/cli/wall_summary.hpp"
+
+#include "hardball/measure/wall_forces.hpp"
+
+namespace hardball::cli {
+
+std::vector<WallSummary> summarize_walls(const Simulation& simulation) {
+  std::vector<WallSummary> walls;
+  const World& world = simulation.world();
+  const double elapsed = simulation.tally().elapsed(simulation.now());
+  for (const std::uint32_t wall : measured_walls(world)) {
+    WallSummary summary;
+    summary.name = wall_name(world, wall);
+    summary.shape = wall < kFaces ? "face" : std::string(world.surface(wall).name());
+    summary.tally = simulation.tally().walls()[wall];
+    summary.area = wall_area(world, wall);
+    summary.force = summary.tally.normal_impulse / elapsed;
+    summary.pressure = summary.force / summary.area;
+    walls.push_back(summary);
+  }
+  return walls;
+}
+
+}  // namespace hardball::cli

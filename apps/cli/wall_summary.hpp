@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hardball/simulation/simulation.hpp"
+
+namespace hardball::cli {
+
+/// What spheres did at one wall, and it to them, over a run; NaN where it does not apply.
+struct WallSummary {
+  std::string name;   ///< As wall_name says.
+  std::string shape;  ///< "face", "plane", "cylinder", "sphere" or "obstacle".
+  WallTally tally;
+  double area = 0;      ///< [L^2]
+  double force = 0;     ///< Mean along the normal [M L T^-2].
+  double pressure = 0;  ///< [M L^-1 T^-2]
+};
+
+/// The walls of a world with gravity, or with surfaces besides the box: its faces that are walls, then the
+/// surfaces. Empty for other worlds.
+std::vector<WallSummary> summarize_walls(const Simulation& simulation);
+
+}  // namespace hardball::cli
