@@ -14,7 +14,8 @@
 
 namespace hardball {
 
-/// Whether the centre of a sphere of this radius [L] may lie there [L].
+/// Whether the centre of a sphere of this radius [L] may lie there [L]. Where this holds in less than about a
+/// ten-thousandth of a region, no place may be found.
 using IsAllowed = std::function<bool(const Vec3& center, double radius)>;
 
 /// The densest packing of equal spheres, pi / sqrt(18).
