@@ -167,7 +167,9 @@ TableDescription spheres_keys() {
               {.name = "placement",
                .type = choice,
                .choices = {"random", "fcc"},
-               .meaning = "`\"random\"`: anywhere without overlap, up to a packing fraction of about 0.36; "
+               .meaning = "`\"random\"`: anywhere without overlap, up to a packing fraction of 0.36 for "
+                          "equal spheres, "
+                          "more for unequal ones; "
                           "`\"fcc\"`: on a face-centred cubic lattice that fills the box",
                .example = "\"random\""},
               {.name = "positions",

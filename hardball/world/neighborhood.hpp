@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hardball/memory/huge_pages.hpp"
+#include "hardball/memory/prefetch.hpp"
 #include "hardball/world/box.hpp"
 
 namespace hardball {
@@ -23,6 +24,15 @@ class Neighborhood {
 
   /// Adds a sphere; its index is the number of spheres inserted before. `center` lies inside a periodic box.
   void insert(const Vec3& center, double radius);
+
+  /// How many spheres have been inserted.
+  std::size_t size() const { return spheres_.size(); }
+
+  /// Calls visit(center, radius) for every sphere, in the order of insertion.
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    for (const Resting& sphere : spheres_) visit(sphere.center, sphere.radius);
+  }
 
   /// Calls visit(index, separation, reach) once for every sphere or periodic image that may touch the given
   /// sphere, and perhaps for others nearby; `separation` [L] points from `center` to it, `reach` [L] is the
@@ -47,7 +57,9 @@ class Neighborhood {
       if (level.buckets.empty()) continue;
       const Cell own = cell_at(level, center);  // the likeliest
       if (search(level, {own, own}, center, radius, predicate)) return true;
-      if (search(level, cells_near(level, center, radius), center, radius, predicate)) return true;
+      const Cells near = cells_near(level, center, radius);
+      fetch(level, near);
+      if (search(level, near, center, radius, predicate)) return true;
     }
     return false;
   }
@@ -55,6 +67,7 @@ class Neighborhood {
  private:
   using Cell = std::array<std::int64_t, kAxes>;
   static constexpr std::uint32_t kNone = UINT32_MAX;
+  static constexpr std::size_t kFetched = 27;  // cells
   // Cells share buckets. The tags usually show that a cell is empty without a visit to the spheres of others.
   struct Bucket {
     std::uint32_t last = kNone;  // the sphere inserted last
@@ -110,6 +123,26 @@ class Neighborhood {
       }
     }
     return false;
+  }
+
+  // Fetches the spheres in these cells of a level from memory, all at a time rather than one after another.
+  void fetch(const Level& level, const Cells& cells) const {
+    const std::uint64_t mask = level.buckets.size() - 1;
+    std::array<std::uint64_t, kFetched> keys;
+    std::size_t count = 0;
+    for (std::int64_t x = cells.low[0]; x <= cells.high[0]; ++x) {
+      for (std::int64_t y = cells.low[1]; y <= cells.high[1]; ++y) {
+        const std::uint64_t column = column_key(fold(x, level.count[0]).index, fold(y, level.count[1]).index);
+        for (std::int64_t z = cells.low[2]; z <= cells.high[2] && count < kFetched; ++z, ++count) {
+          keys[count] = cell_key(column, fold(z, level.count[2]).index);
+          prefetch(&level.buckets[keys[count] & mask]);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const Bucket& bucket = level.buckets[keys[i] & mask];
+      if ((bucket.tags & tag(keys[i])) != 0) prefetch(spheres_.data() + bucket.last);
+    }
   }
 
   static Cell cell_at(const Level& level, const Vec3& place);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <string>
 
 #include "hardball/errors/error.hpp"
@@ -16,9 +17,9 @@
 namespace hardball {
 namespace {
 
-// Random sequential addition of equal spheres jams at a packing fraction of 0.38 and slows down long before.
+// Random sequential addition of equal spheres jams at a packing fraction of
+// 0.38 and slows down long before.
 constexpr double kRandomLimit = 0.36;
-constexpr int kMaxAttempts = 20000;
 
 void check_fits(const Region& region, double radius, const std::string& where) {
   constexpr double kRounding = 1e-12;
@@ -49,15 +50,174 @@ Span span_for_centers(const Box& box, const Region& region, double radius, std::
   return {region.low[axis] + inset, region.high[axis] - inset};
 }
 
-// A random centre in the region.
-Vec3 draw_center(const Box& box, const Region& region, double radius, Random& random) {
-  Vec3 center;
+// The part of the region in which a centre may lie.
+Region region_for_centers(const Box& box, const Region& region, double radius) {
+  Region centers;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const Span span = span_for_centers(box, region, radius, axis);
-    center[axis] = span.low + random.uniform() * (span.high - span.low);
+    centers.low[axis] = span.low;
+    centers.high[axis] = std::max(span.low, span.high);
   }
-  return center;
+  return centers;
 }
+
+// The high end of a periodic axis is the low end of the next box.
+bool contains(const Box& box, const Region& region, const Vec3& place) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (place[axis] < region.low[axis] || place[axis] > region.high[axis]) return false;
+    if (box.is_periodic(axis) && place[axis] == region.high[axis]) return false;
+  }
+  return true;
+}
+
+// Places spheres at random, one after another, none larger than the one before.
+class SequentialAddition {
+ public:
+  SequentialAddition(const Box& box, const Region& region, std::span<const double> radii, Random& random,
+                     const IsAllowed& is_allowed)
+      : box_(box),
+        region_(region),
+        count_(radii.size()),
+        smallest_(std::ranges::min(radii)),
+        random_(random),
+        is_allowed_(is_allowed),
+        placed_(box, radii.size(), std::ranges::max(radii)) {}
+
+  // The centre of the next sphere, uniform among those with room; none if there is none, or hardly any.
+  std::optional<Vec3> place(double radius) {
+    if (space_ && radius < space_->least_radius()) space_.reset();
+    std::optional<Vec3> center;
+    if (!space_ || !space_->is_listed()) center = draw_anywhere(radius);
+    if (!center) {
+      if (!space_ || !space_->is_listed()) {
+        make_space(radius, kFineVoxels);
+        space_->list();
+      }
+      center = draw_listed(radius);
+    }
+    if (!center) return center;
+    placed_.insert(*center, radius);
+    if (space_ && !space_->is_listed()) space_->exclude(*center, radius);
+    return center;
+  }
+
+ private:
+  // How finely the region is divided: at most so many voxels to a radius, and to a sphere.
+  struct Voxels {
+    double per_radius;
+    std::size_t per_sphere;
+  };
+  // Fine ones cost more, which is worth it where there is little room.
+  static constexpr Voxels kCoarseVoxels{2, 128};
+  static constexpr Voxels kFineVoxels{3, 512};
+  // Centres tried anywhere before voxels with room are listed, and then among these.
+  static constexpr int kTriesAnywhere = 20000;
+  static constexpr int kTriesListed = 100000;
+
+  std::optional<Vec3> draw_anywhere(double radius) {
+    const Region centers = region_for_centers(box_, region_, radius);
+    for (int i = 0; i < kTriesAnywhere; ++i) {
+      Vec3 center;
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        center[axis] = centers.low[axis] + random_.uniform() * (centers.high[axis] - centers.low[axis]);
+      }
+      if (space_ && space_->is_excluded(center)) continue;
+      if (is_allowed_ && !is_allowed_(center, radius)) continue;
+      const bool overlaps =
+          placed_.is_any_near(center, radius, [](std::uint32_t, const Vec3& separation, double reach) {
+            return dot(separation, separation) < reach * reach;
+          });
+      if (!overlaps) return center;
+      // To know where there is no room pays once that many tries have failed.
+      if (!space_ && ++failed_tries_ > placed_.size()) make_space(radius, kCoarseVoxels);
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Vec3> draw_listed(double radius) {
+    const Region centers = region_for_centers(box_, region_, radius);
+    for (int i = 0; i < kTriesListed && !space_->is_empty(); ++i) {
+      const FreeSpace::Draw draw = space_->draw(random_);
+      if (!contains(box_, centers, draw.center) || (is_allowed_ && !is_allowed_(draw.center, radius)))
+        continue;
+      // The sphere that reaches farthest beyond the centre, but one that leaves no room in the voxel if there
+      // is any.
+      std::optional<FreeSpace::Overlap> found;
+      double deepest = 0;
+      placed_.is_any_near(draw.center, radius, [&](std::uint32_t, const Vec3& separation, double reach) {
+        const double depth = reach * reach - dot(separation, separation);
+        if (!(depth > 0)) return false;
+        const FreeSpace::Overlap overlap{separation, reach - radius};
+        const bool is_last = space_->covers(draw, overlap);
+        if (is_last || depth > deepest) {
+          found = overlap;
+          deepest = depth;
+        }
+        return is_last;
+      });
+      if (!found) return draw.center;
+      space_->refine(draw, *found);
+    }
+    return std::nullopt;
+  }
+
+  void make_space(double radius, const Voxels& voxels) {
+    // Good for the next spheres, too, until they are a tenth smaller.
+    const double least_radius = std::max(smallest_, 0.9 * radius);
+    space_.emplace(box_, region_for_centers(box_, region_, least_radius), least_radius,
+                   least_radius / voxels.per_radius, count_ * voxels.per_sphere);
+    placed_.for_each([&](const Vec3& center, double other) { space_->exclude(center, other); });
+    failed_tries_ = 0;
+  }
+
+  const Box& box_;
+  const Region& region_;
+  std::size_t count_;
+  double smallest_;
+  Random& random_;
+  const IsAllowed& is_allowed_;
+  Neighborhood placed_;
+  std::optional<FreeSpace> space_;  // once tries have failed
+  std::size_t failed_tries_ = 0;    // since then
+};
+
+// Reports the progress of placement by the work done: the nearer to saturation, the longer a sphere takes.
+class PlacementProgress {
+ public:
+  // `packing` is the fraction that equal spheres will fill; zero if they are not equal.
+  PlacementProgress(const Progress& progress, std::size_t count, double packing)
+      : progress_(progress), count_(static_cast<double>(count)), packing_(packing), all_(work_until(1)) {}
+
+  void note(std::size_t placed) {
+    const auto step =
+        static_cast<std::size_t>(kSteps * work_until(static_cast<double>(placed) / count_) / all_);
+    for (; next_ <= step; ++next_) progress_.note(next_, kSteps);
+  }
+
+ private:
+  // The work for this fraction of the spheres, if a try costs a tenth of placing a sphere where there is
+  // room. Of the volume, about (1 - packing / saturation)^4 has room; where it is little, tries are made in
+  // listed voxels.
+  double work_until(double fraction) const {
+    constexpr double kSaturation = 0.385;
+    constexpr double kLeastRoom = 0.15;  // its fourth root
+    if (packing_ == 0) return fraction;
+    const double most = std::min(fraction, (1 - kLeastRoom) * kSaturation / packing_);
+    const double room = 1 - most * packing_ / kSaturation;
+    const double tries = (1 / (room * room * room) - 1) / 3 * kSaturation / packing_ +
+                         (fraction - most) / (room * room * room * room);
+    return fraction + 0.1 * tries;
+  }
+
+  // So few that each is reported.
+  static constexpr std::size_t kSteps = 127;
+
+  const Progress& progress_;
+  double count_;
+  double packing_;
+  double all_;
+  std::size_t next_ = 0;
+};
 
 double volume(const Region& region) {
   const Vec3 size = region.high - region.low;
@@ -70,8 +230,8 @@ double sphere_volume(std::span<const double> radii) {
   return 4 * std::numbers::pi / 3 * cubes;
 }
 
-// A face-centred cubic lattice. Its sites are every second point, as on a chessboard, of a grid with half the
-// edges of its cube.
+// A face-centred cubic lattice. Its sites are every second point, as on a
+// chessboard, of a grid with half the edges of its cube.
 struct Lattice {
   std::array<std::size_t, kAxes> cubes{};
   Vec3 half_edge;
@@ -97,7 +257,8 @@ Lattice make_lattice(const Box& box, const Region& region, double radius,
   return lattice;
 }
 
-// The lattice with room for `count` spheres whose nearest sites are farthest apart.
+// The lattice with room for `count` spheres whose nearest sites are farthest
+// apart.
 Lattice widest_lattice(const Box& box, const Region& region, std::size_t count, double radius) {
   const Vec3 size = region.high - region.low;
   const double edge = spacing(size, static_cast<double>(count) / 4);
@@ -120,7 +281,8 @@ Lattice widest_lattice(const Box& box, const Region& region, std::size_t count, 
 }  // namespace
 
 std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span<const double> radii,
-                                 Random& random, const std::string& where, const Progress& progress) {
+                                 Random& random, const std::string& where, const Progress& progress,
+                                 const IsAllowed& is_allowed) {
   std::vector<Vec3> centers(radii.size());
   if (radii.empty()) return centers;
   check_region(region, where);
@@ -129,7 +291,8 @@ std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span
   const double packing = sphere_volume(radii) / volume(region);
   if (packing > kClosePacking && std::ranges::min(radii) == std::ranges::max(radii)) {
     throw Error("a packing fraction of " + to_text(packing) + " cannot exist", where,
-                "equal spheres fill at most 0.7405; enlarge the box, or take fewer or smaller spheres");
+                "equal spheres fill at most 0.7405; enlarge the box, or take "
+                "fewer or smaller spheres");
   }
   if (packing > kRandomLimit && std::ranges::min(radii) == std::ranges::max(radii)) {
     throw Error("random placement cannot reach a packing fraction of " + to_text(packing), where,
@@ -141,25 +304,19 @@ std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span
     std::stable_sort(by_size.begin(), by_size.end(),
                      [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
   }
-  Neighborhood neighborhood(box, radii.size(), std::ranges::max(radii));
+  const bool are_equal = std::ranges::min(radii) == std::ranges::max(radii);
+  PlacementProgress progress_by_work(progress, radii.size(), are_equal ? packing : 0);
+  SequentialAddition addition(box, region, radii, random, is_allowed);
   std::size_t placed = 0;
   for (const std::size_t i : by_size) {
-    progress.note(placed, radii.size());
-    bool fits = false;
-    for (int attempt = 0; attempt < kMaxAttempts && !fits; ++attempt) {
-      const Vec3 center = draw_center(box, region, radii[i], random);
-      fits = !neighborhood.is_any_near(center, radii[i],
-                                       [](std::uint32_t, const Vec3& separation, double reach) {
-                                         return dot(separation, separation) < reach * reach;
-                                       });
-      if (fits) centers[i] = center;
-    }
-    if (!fits) {
+    progress_by_work.note(placed);
+    const std::optional<Vec3> center = addition.place(radii[i]);
+    if (!center) {
       throw Error(
           "random placement found room for " + to_text(placed) + " of " + to_text(radii.size()) + " spheres",
           where, "use placement = \"fcc\", a larger box, or fewer or smaller spheres");
     }
-    neighborhood.insert(centers[i], radii[i]);
+    centers[i] = *center;
     ++placed;
   }
   return centers;

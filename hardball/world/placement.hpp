@@ -2,31 +2,34 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "hardball/world/box.hpp"
+#include "hardball/world/free_space.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/random.hpp"
 
 namespace hardball {
 
-/// Where placement puts spheres: the box along bounded axes, an interval along open ones.
-struct Region {
-  Vec3 low;   ///< [L]
-  Vec3 high;  ///< [L]
-};
+/// Whether the centre of a sphere of this radius [L] may lie there [L]. Where this holds in less than about a
+/// ten-thousandth of a region, no place may be found.
+using IsAllowed = std::function<bool(const Vec3& center, double radius)>;
 
 /// The densest packing of equal spheres, pi / sqrt(18).
 inline constexpr double kClosePacking = 0.74048048969306104;
 
-/// Centres for spheres of these radii [L], in the order given, each uniform among the positions without
-/// overlap with spheres placed before; large spheres are placed first. Centres stay a radius away from the
-/// ends of axes that are not periodic. Error, with `where` as its place: a number out of range; they do not
-/// fit; random placement cannot reach this density. Cost: O(n) until the region is nearly full.
+/// Centres for spheres of these radii [L], in the order given, each uniform among the positions that are
+/// allowed and overlap no sphere placed before; large spheres are placed first. Centres stay a radius away
+/// from the ends of axes that are not periodic. The region is the box along bounded axes, an interval along
+/// open ones; without `is_allowed` all of it is allowed. Error, with `where` as its place: a number out of
+/// range; they do not fit; random placement cannot reach this density. Cost: O(n), also where the region is
+/// nearly full; in inverse proportion to the part of the region that is allowed.
 std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span<const double> radii,
-                                 Random& random, const std::string& where, const Progress& progress = {});
+                                 Random& random, const std::string& where, const Progress& progress = {},
+                                 const IsAllowed& is_allowed = {});
 
 /// Centres for `count` spheres of one radius [L] on a face-centred cubic lattice stretched to fill the
 /// region, with vacancies spread evenly. Error, with `where` as its place: a number out of range; no such

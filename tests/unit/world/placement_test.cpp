@@ -57,6 +57,101 @@ TEST(PlaceRandomly, FillsTheRegionEvenly) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) EXPECT_NEAR(sum[axis] / 20000, 5, 0.102);
 }
 
+// One centre after another, anywhere until it overlaps no other.
+std::vector<Vec3> place_slowly(const Box& box, const Vec3& size, const std::vector<double>& radii,
+                               Random& random) {
+  std::vector<Vec3> centers;
+  while (centers.size() < radii.size()) {
+    const double radius = radii[centers.size()];
+    Vec3 center;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const double inset = box.is_periodic(axis) ? 0 : radius;
+      center[axis] = inset + random.uniform() * (size[axis] - inset - inset);
+    }
+    bool overlaps = false;
+    for (std::size_t i = 0; i < centers.size() && !overlaps; ++i) {
+      const Vec3 apart = centers[i] - center;
+      const double reach = radius + radii[i];
+      const Vec3 nearest = apart - box.shift(box.nearest_image(apart));
+      overlaps = dot(nearest, nearest) < reach * reach;
+    }
+    if (!overlaps) centers.push_back(center);
+  }
+  return centers;
+}
+
+TEST(PlaceRandomly, GivesThePositionsOfTheSlowWay) {
+  const Vec3 size{12, 10, 8};
+  std::vector<double> equal(450, 0.5);
+  std::vector<double> unequal;
+  for (int i = 0; i < 150; ++i) unequal.push_back(0.8 - 0.001 * i);
+  for (const std::vector<double>& radii : {equal, unequal}) {
+    for (const auto& boundary : kBoundaries) {
+      const Box box(boundary, size);
+      Random slow(8);
+      Random fast(8);
+      const std::vector<Vec3> expected = place_slowly(box, size, radii, slow);
+      const std::vector<Vec3> centers = place_randomly(box, {{}, size}, radii, fast, "here");
+      for (std::size_t i = 0; i < radii.size(); ++i) ASSERT_LT(length(centers[i] - expected[i]), 1e-12) << i;
+      EXPECT_EQ(slow.bits(), fast.bits()) << "as many random numbers are drawn";
+    }
+  }
+}
+
+TEST(PlaceRandomly, ComesCloseToSaturation) {
+  const Vec3 size{20, 20, 20};
+  std::vector<double> equal(5470, 0.5);  // a packing fraction of 0.358
+  std::vector<double> mixed(200, 1);     // together 0.40
+  mixed.insert(mixed.end(), 36000, 0.2);
+  mixed.insert(mixed.end(), 60000, 0.1);
+  mixed.insert(mixed.end(), 10000, 0.109);
+  for (const std::vector<double>& radii : {equal, mixed}) {
+    for (const auto& boundary : {kBoundaries[1], kBoundaries[2]}) {
+      const Box box(boundary, size);
+      Random random(9);
+      const std::vector<Vec3> centers = place_randomly(box, {{}, size}, radii, random, "here");
+      EXPECT_EQ(audit_of(box, centers, radii).max_overlap, 0);
+    }
+  }
+}
+
+TEST(PlaceRandomly, FindsTheLastRoom) {
+  // Around a sphere in a box, only places near its corners are left.
+  const Box box = Box::walls({2.4, 2.4, 2.4});
+  std::array<int, 8> in_corner{};
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    Random random(seed);
+    const auto is_allowed = [](const Vec3& center, double radius) {
+      return radius < 1 || length(center - Vec3{1.2, 1.2, 1.2}) < 0.05;
+    };
+    const std::vector<double> radii{1, 0.25};
+    const std::vector<Vec3> centers =
+        place_randomly(box, {{}, {2.4, 2.4, 2.4}}, radii, random, "here", {}, is_allowed);
+    ASSERT_GE(length(centers[1] - centers[0]), 1.25);
+    ++in_corner[static_cast<std::size_t>(centers[1].x > 1.2) +
+                2 * static_cast<std::size_t>(centers[1].y > 1.2) +
+                4 * static_cast<std::size_t>(centers[1].z > 1.2)];
+  }
+  // 50 in each on average; the large sphere is within 0.05 of the middle.
+  for (const int count : in_corner) EXPECT_NEAR(count, 50, 35);
+}
+
+TEST(PlaceRandomly, KeepsToWhatIsAllowed) {
+  const Vec3 size{10, 10, 10};
+  const Box box = Box::walls(size);
+  // Inside a cylinder.
+  const auto is_allowed = [](const Vec3& center, double radius) {
+    return length(Vec3{center.x - 5, center.y - 5, 0}) + radius <= 4;
+  };
+  const std::vector<double> radii(280, 0.5);  // 0.29 of the cylinder
+  Random random(10);
+  const std::vector<Vec3> centers = place_randomly(box, {{}, size}, radii, random, "here", {}, is_allowed);
+  EXPECT_EQ(audit_of(box, centers, radii).max_overlap, 0);
+  for (const Vec3& center : centers) EXPECT_TRUE(is_allowed(center, 0.5));
+  const auto is_nothing_allowed = [](const Vec3&, double) { return false; };
+  EXPECT_THROW(place_randomly(box, {{}, size}, radii, random, "here", {}, is_nothing_allowed), Error);
+}
+
 TEST(PlaceRandomly, RefusesWhatCannotBeReached) {
   const Box box = Box::periodic({10, 10, 10});
   Random random(7);
