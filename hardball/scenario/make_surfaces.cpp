@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <variant>
 
 namespace hardball {
 namespace {
@@ -44,6 +46,33 @@ std::vector<Surface> make_surfaces(const Scenario& scenario) {
     surfaces.emplace_back(Obstacle(obstacle.radius), obstacle.position, Vec3{}, material(obstacle));
   }
   return surfaces;
+}
+
+Interval interval_between(std::span<const Surface> surfaces, std::size_t axis) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Interval interval{-kInfinity, kInfinity};
+  const auto enclose = [&](double center, double radius) {
+    interval.low = std::max(interval.low, center - radius);
+    interval.high = std::min(interval.high, center + radius);
+  };
+  const auto bound = [&](const Vec3& normal, double place, double amplitude) {
+    if (normal[axis] == 1) interval.low = std::max(interval.low, place - amplitude);
+    if (normal[axis] == -1) interval.high = std::min(interval.high, place + amplitude);
+  };
+  for (const Surface& surface : surfaces) {
+    const double place = surface.point()[axis];
+    const Shape& shape = surface.shape();
+    if (const auto* sphere = std::get_if<HollowSphere>(&shape)) {
+      enclose(place, sphere->radius());
+    } else if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
+      if (cylinder->axis()[axis] == 0) enclose(place, cylinder->radius());
+    } else if (const auto* plane = std::get_if<Plane>(&shape)) {
+      bound(plane->normal(), place, 0);
+    } else if (const auto* moving = std::get_if<OscillatingPlane>(&shape)) {
+      bound(moving->normal(), place, moving->amplitude());
+    }
+  }
+  return interval;
 }
 
 }  // namespace hardball

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "hardball/scenario/scenario.hpp"
@@ -11,5 +12,12 @@ namespace hardball {
 
 /// The walls of a scenario, then its obstacles, in the order of the file.
 std::vector<Surface> make_surfaces(const Scenario& scenario);
+
+/// The interval along an axis to which surfaces at time zero confine spheres [L]; infinite where they do not.
+struct Interval {
+  double low;
+  double high;
+};
+Interval interval_between(std::span<const Surface> surfaces, std::size_t axis);
 
 }  // namespace hardball

@@ -3,6 +3,7 @@
 #include "hardball/scenario/make_world.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "hardball/scenario/velocities.hpp"
 #include "hardball/world/placement.hpp"
 #include "hardball/world/random.hpp"
+#include "hardball/world/walls.hpp"
 
 namespace hardball {
 namespace {
@@ -72,8 +74,9 @@ double length_for_volume(const Scenario& scenario, double volume) {
   return high;
 }
 
-// The region in which spheres are placed: the sizes given, and along other axes an interval around 0.
-Region make_region(const Scenario& scenario, Groups groups) {
+// The region in which spheres are placed: the sizes given, or what surfaces leave, and along other axes an
+// interval around 0, or from a surface on.
+Region make_region(const Scenario& scenario, Groups groups, std::span<const Surface> surfaces) {
   const bool has_all_sizes = std::all_of(scenario.box.begin(), scenario.box.end(),
                                          [](const Scenario::Axis& axis) { return axis.size.has_value(); });
   const double volume = sphere_volume(groups) / kOpenPackingFraction;
@@ -82,8 +85,19 @@ Region make_region(const Scenario& scenario, Groups groups) {
   Region region;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const std::optional<double>& size = scenario.box[axis].size;
-    region.low[axis] = size ? 0 : -stretch / 2;
-    region.high[axis] = size ? *size : stretch / 2;
+    const Interval free = interval_between(surfaces, axis);
+    double& low = region.low[axis];
+    double& high = region.high[axis];
+    if (size) {
+      low = std::max(0.0, free.low);
+      high = std::min(*size, free.high);
+    } else if (std::isfinite(free.low)) {
+      low = free.low;
+      high = std::isfinite(free.high) ? free.high : free.low + stretch;
+    } else {
+      high = std::isfinite(free.high) ? free.high : stretch / 2;
+      low = high - stretch;
+    }
   }
   return region;
 }
@@ -122,7 +136,7 @@ void check_one_placement(Groups groups) {
   }
 }
 
-std::vector<Vec3> place(const Scenario& scenario, Groups groups, const Box& box, Random& random,
+std::vector<Vec3> place(const Scenario& scenario, Groups groups, const World& world, Random& random,
                         const Progress& progress) {
   check_one_placement(groups);
   const SphereGroup& first = groups.front();
@@ -133,16 +147,22 @@ std::vector<Vec3> place(const Scenario& scenario, Groups groups, const Box& box,
     }
     return positions;
   }
-  const Region region = make_region(scenario, groups);
+  const Region region = make_region(scenario, groups, world.surfaces());
   check_room(groups, region);
   std::vector<double> radii;
   for (const SphereGroup& group : groups) {
     for (std::size_t i = 0; i < group.count; ++i) radii.push_back(group.radius_of(i));
   }
   if (first.placement == Placement::fcc) {
-    return place_on_lattice(box, region, radii.size(), radii.front(), first.where);
+    return place_on_lattice(world.box(), region, radii.size(), radii.front(), first.where);
   }
-  return place_randomly(box, region, radii, random, first.where, progress);
+  IsAllowed is_allowed;
+  if (!world.surfaces().empty()) {
+    is_allowed = [&world](const Vec3& center, double radius) {
+      return distance_to_surfaces(world, center, Time(0)) >= radius;
+    };
+  }
+  return place_randomly(world.box(), region, radii, random, first.where, progress, is_allowed);
 }
 
 // Adds a sphere that a file describes at `where`.
@@ -160,7 +180,7 @@ void add_groups(const Scenario& scenario, World& world, const Progress& progress
   for (SphereGroup& group : groups) {
     if (group.distribution) group.radii = draw_radii(*group.distribution, group.count, random);
   }
-  const std::vector<Vec3> positions = place(scenario, groups, world.box(), random, progress.part(0, kPlaced));
+  const std::vector<Vec3> positions = place(scenario, groups, world, random, progress.part(0, kPlaced));
   const bool without_drift = world.box().is_all(Boundary::periodic);
   const std::vector<Vec3> velocities = draw_velocities(groups, without_drift, random);
   world.reserve(positions.size());
