@@ -55,8 +55,9 @@ Summary::Summary(const Simulation& simulation, const Seconds& seconds)
   const bool is_bounded = !has(box, Boundary::open);
   const double packing = simulation.world().sphere_volume() / accessible_volume(simulation.world());
   packing_fraction_ = packing > 0 ? packing : kNone;
-  compressibility_ =
-      box.is_all(Boundary::periodic) && simulation.world().surfaces().empty() ? simulation.tally().compressibility(simulation.now()) : kNone;
+  compressibility_ = box.is_all(Boundary::periodic) && simulation.world().surfaces().empty()
+                         ? simulation.tally().compressibility(simulation.now())
+                         : kNone;
   wall_pressure_ = is_bounded && has(box, Boundary::wall)
                        ? simulation.tally().wall_pressure(box, simulation.now())
                        : kNone;

@@ -76,9 +76,9 @@ double AllPairs::next_crossing(const World& world, Slot slot, const Time& now, c
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_periodic(axis)) continue;
     const double reach = kHalfInterval * world.box().size()[axis];
-    soonest = std::min(soonest, time_to_leave(std::max(0.0, reach + moved[axis]),
-                                              std::max(0.0, reach - moved[axis]), velocity[axis],
-                                              world.motion().gravity()[axis]));
+    soonest = std::min(soonest,
+                       time_to_leave(std::max(0.0, reach + moved[axis]), std::max(0.0, reach - moved[axis]),
+                                     velocity[axis], world.motion().gravity()[axis]));
   }
   return rounded_down(now) + soonest;
 }

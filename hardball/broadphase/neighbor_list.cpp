@@ -64,8 +64,7 @@ double wait_of_falling(const Vec3& place, const Vec3& velocity, double gravity, 
   constexpr double kSmaller = 0.75;
   const double speed_squared = dot(velocity, velocity);
   const double ahead = std::max(0.0, reach - length(place));
-  const double way =
-      2 * ahead / (std::sqrt(speed_squared) + std::sqrt(speed_squared + 2 * gravity * ahead));
+  const double way = 2 * ahead / (std::sqrt(speed_squared) + std::sqrt(speed_squared + 2 * gravity * ahead));
   const double smaller = kSmaller * reach;
   const double room = smaller * smaller - dot(place, place);
   if (!(room > 0)) return way;

@@ -106,7 +106,8 @@ HARDBALL_ALWAYS_INLINE BoundKeys least_two(const BoundScale& scale, const Compac
   Integers least = forever;
   Integers places = Integers::ascending();
   for (std::size_t i = 0; i < count; i += Floats::kWidth) {
-    const Integers key = bound_waits<has_gravity>(scale, paths, has_radii ? radii : nullptr, own, others + i) | places;
+    const Integers key =
+        bound_waits<has_gravity>(scale, paths, has_radii ? radii : nullptr, own, others + i) | places;
     places = places + Integers(static_cast<std::uint32_t>(Floats::kWidth));
     key.store(keys + i);
     least = minimum(least, key);

@@ -263,8 +263,8 @@ EarliestContact earliest_contact_of_moving(const ContactQuery& query) {
   if (query.shifts == nullptr) {
     const NearestShifts<Lanes, Motion> nearest(*query.period, *query.inverse_period, query.now_high,
                                                query.now_low, motion);
-    return earliest_of_all<Lanes>(query, motion,
-                                  [&](std::size_t) -> const NearestShifts<Lanes, Motion>& { return nearest; });
+    return earliest_of_all<Lanes>(
+        query, motion, [&](std::size_t) -> const NearestShifts<Lanes, Motion>& { return nearest; });
   }
   return earliest_of_all<Lanes>(query, motion, [&query](std::size_t i) {
     return [&query, i](const PathsOfLanes<Lanes>&, const PathsOfLanes<Lanes>&) {

@@ -69,10 +69,10 @@ class Measures {
     Cadence cadence;
   };
   using Entries =
-      std::tuple<Entry<Pressure>, Entry<WallForces>, Entry<Temperature>, Entry<CollisionRate>, Entry<ImpactSpeeds>,
-                 Entry<VelocityDistribution>, Entry<MeanSquareDisplacement>, Entry<VelocityAutocorrelation>,
-                 Entry<RadialDistribution>, Entry<StructureFactor>, Entry<DensityProfiles>,
-                 Entry<Coordination>, Entry<NearestNeighbor>, Entry<BondOrder>>;
+      std::tuple<Entry<Pressure>, Entry<WallForces>, Entry<Temperature>, Entry<CollisionRate>,
+                 Entry<ImpactSpeeds>, Entry<VelocityDistribution>, Entry<MeanSquareDisplacement>,
+                 Entry<VelocityAutocorrelation>, Entry<RadialDistribution>, Entry<StructureFactor>,
+                 Entry<DensityProfiles>, Entry<Coordination>, Entry<NearestNeighbor>, Entry<BondOrder>>;
   friend std::span<const std::string_view> measure_names();
 
   // Calls visit(entry) for every entry.

@@ -50,8 +50,8 @@ class Tally {
   /// Kinetic energy integrated over time, up to `now` [M L^2/T]. Precondition: there is no gravity.
   double energy_integral(const Time& now) const;
   /// P V / N k T over the time counted [1], from the virial and the mean kinetic energy in the rest frame of
-  /// the boundaries. One if nothing collided; NaN if no time has passed, nothing moves, or there is gravity. Source: Alder and
-  /// Wainwright, J. Chem. Phys. 33 (1960) 1439.
+  /// the boundaries. One if nothing collided; NaN if no time has passed, nothing moves, or there is gravity.
+  /// Source: Alder and Wainwright, J. Chem. Phys. 33 (1960) 1439.
   double compressibility(const Time& now) const;
   /// Mean pressure on the walls over the time counted [M L^-1 T^-2]; NaN without walls, or if no time has
   /// passed.

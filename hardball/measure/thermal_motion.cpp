@@ -17,7 +17,8 @@ ThermalMotion thermal_motion(const World& world, const Time& moment) {
   });
   motion.degrees_of_freedom = static_cast<double>(kAxes * world.size());
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (world.box().is_wall(axis) || !world.surfaces().empty() || world.motion().gravity()[axis] != 0) continue;
+    if (world.box().is_wall(axis) || !world.surfaces().empty() || world.motion().gravity()[axis] != 0)
+      continue;
     motion.drift[axis] = momentum[axis] / mass;
     --motion.degrees_of_freedom;
   }

@@ -38,7 +38,8 @@ VelocityAutocorrelation::VelocityAutocorrelation(const Scene& scene, double inte
       average_(scene, interval, most_spheres, sum_of_products) {}
 
 void VelocityAutocorrelation::sample(const Scene& scene) {
-  average_.sample(scene, [&](Slot slot) { return scene.world().velocity(slot, scene.now()) - motion_.drift; });
+  average_.sample(scene,
+                  [&](Slot slot) { return scene.world().velocity(slot, scene.now()) - motion_.drift; });
 }
 
 Measurement VelocityAutocorrelation::result(const Scene& scene) const {

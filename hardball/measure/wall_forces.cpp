@@ -107,8 +107,9 @@ void WallForces::note(const Contact& contact) {
 Measurement WallForces::result(const Scene& scene) const {
   Measurement found{.name = std::string(kName),
                     .title = "Forces on walls",
-                    .formula = "F = sum of normal impulses / t, P = F / area, power = sum of impulse times "
-                               "velocity of the wall / t, heat = other energy given to spheres / t",
+                    .formula =
+                        "F = sum of normal impulses / t, P = F / area, power = sum of impulse times "
+                        "velocity of the wall / t, heat = other energy given to spheres / t",
                     .source = "momentum and energy of each contact"};
   if (walls_.empty()) return found;
   WallForces up_to_now = *this;

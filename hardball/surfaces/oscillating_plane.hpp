@@ -23,9 +23,9 @@ class OscillatingPlane {
   double amplitude() const { return amplitude_; }
   double frequency() const { return frequency_; }
 
-  /// The time after the start of a passage at which a sphere of this radius first touches the plane while they
-  /// approach; infinity if never. The gap, a parabola less a sine, is evaluated in twice the precision, and
-  /// advanced by steps in which a bound of its curvature excludes a contact, to the last bit.
+  /// The time after the start of a passage at which a sphere of this radius first touches the plane while
+  /// they approach; infinity if never. The gap, a parabola less a sine, is evaluated in twice the precision,
+  /// and advanced by steps in which a bound of its curvature excludes a contact, to the last bit.
   double time_to_touch(const Passage& passage, double radius) const;
   /// How fast the gap opens at the start of a passage [L/T]; negative if it closes.
   DoubleDouble<> opening_speed(const Passage& passage) const;

@@ -80,8 +80,7 @@ Points sign_changes(const Polynomial& p) {
   for (std::size_t i = 0; i <= turns.count; ++i) {
     const bool is_last = i == turns.count;
     const bool begins_positive = sign_of(p(begin)) > 0;
-    const bool ends_positive =
-        is_last ? sign_of(p.coefficients[degree]) > 0 : sign_of(p(turns.at[i])) > 0;
+    const bool ends_positive = is_last ? sign_of(p.coefficients[degree]) > 0 : sign_of(p(turns.at[i])) > 0;
     if (begins_positive != ends_positive) {
       const double end = is_last ? beyond(p, begin, ends_positive) : turns.at[i];
       found.add(sign_change(p, begin, end));

@@ -76,11 +76,11 @@ std::string_view Surface::name() const {
 
 Passage Surface::passage_of(const Motion& motion, const Path& path) const {
   Passage passage{precise_difference(path.position, point_), precise_difference(path.velocity, velocity_),
-                precise(motion.gravity()), path.time};
+                  precise(motion.gravity()), path.time};
   if (velocity_ == Vec3{}) return passage;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     passage.place[axis] = passage.place[axis] - (product(velocity_[axis], path.time.high) +
-                                               product(velocity_[axis], path.time.low));
+                                                 product(velocity_[axis], path.time.low));
   }
   return passage;
 }

@@ -44,12 +44,12 @@ inline bool may_meet_wall(const World& world, Slot slot, double time, const Time
   return may;
 }
 
-/// The distance from a point to the nearest surface at `moment`, or its nearest image [L]; negative beyond it,
-/// and infinite if there are none.
+/// The distance from a point to the nearest surface at `moment`, or its nearest image [L]; negative beyond
+/// it, and infinite if there are none.
 double distance_to_surfaces(const World& world, const Vec3& position, const Time& moment);
 
-/// The volume that spheres share: that of the box less the obstacles, or of the one hollow sphere or tube along
-/// an axis that encloses them [L^3]; infinite in open space, NaN between other surfaces.
+/// The volume that spheres share: that of the box less the obstacles, or of the one hollow sphere or tube
+/// along an axis that encloses them [L^3]; infinite in open space, NaN between other surfaces.
 double accessible_volume(const World& world);
 
 /// The displacement of the image of a surface nearest to `position`, in a periodic box [L]; zero if the

@@ -48,8 +48,10 @@ void refuse_in_periodic_box(const Surface& surface, const Box& box) {
     }
     const auto* cylinder = std::get_if<Cylinder>(&surface.shape());
     if (cylinder != nullptr && std::fabs(cylinder->axis()[axis]) == 1) continue;
-    if (cylinder != nullptr && cylinder->axis()[axis] != 0) refuse(axis, "let it run along an axis of the box");
-    const double radius = cylinder != nullptr ? cylinder->radius() : std::get<HollowSphere>(surface.shape()).radius();
+    if (cylinder != nullptr && cylinder->axis()[axis] != 0)
+      refuse(axis, "let it run along an axis of the box");
+    const double radius =
+        cylinder != nullptr ? cylinder->radius() : std::get<HollowSphere>(surface.shape()).radius();
     const double center = surface.point()[axis];
     if (surface.velocity()[axis] != 0 || center < radius || center > box.size()[axis] - radius) {
       refuse(axis, "keep it inside the box and at rest, or make the axis open");

@@ -31,8 +31,8 @@ class World {
  public:
   explicit World(const Box& box = Box::open()) : box_(box) {}
   /// With an acceleration that acts on all spheres [L/T^2], and walls and obstacles, which are numbered from
-  /// kFaces on. Error: gravity is not finite or out of range; a surface that is not the same in every periodic
-  /// image of the box, and is no obstacle.
+  /// kFaces on. Error: gravity is not finite or out of range; a surface that is not the same in every
+  /// periodic image of the box, and is no obstacle.
   World(const Box& box, const Vec3& gravity, std::vector<Surface> surfaces = {});
 
   const Box& box() const { return box_; }
@@ -122,8 +122,8 @@ class World {
 
   /// Sum of m v^2 / 2 at `moment` [M L^2 T^-2]. Cost: O(n).
   double kinetic_energy(const Time& moment) const;
-  /// Kinetic energy and, with gravity, potential energy, which is zero at the origin: a centre that has crossed
-  /// a periodic box is as far away as it has come [M L^2 T^-2]. Cost: O(n).
+  /// Kinetic energy and, with gravity, potential energy, which is zero at the origin: a centre that has
+  /// crossed a periodic box is as far away as it has come [M L^2 T^-2]. Cost: O(n).
   double energy(const Time& moment) const;
   /// Sum of m v at `moment` [M L/T]. Cost: O(n).
   Vec3 momentum(const Time& moment) const;

@@ -12,6 +12,7 @@
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/placement.hpp"
 #include "hardball/world/random.hpp"
+#include "hardball/world/walls.hpp"
 
 namespace {
 
@@ -63,6 +64,54 @@ World newtons_cradle() {
   return world;
 }
 
+// Grains of several sizes in a tilted trough between an oscillating floor and a thermal lid, around an
+// obstacle.
+World shaken_grains() {
+  const SurfaceMaterial warm{.temperature = 0.5, .seed = 8};
+  const std::vector<Surface> surfaces{
+      Surface(Cylinder({0, 0.6, 0.8}, 6), {0, 0, 0}),
+      Surface(OscillatingPlane({0, 0.6, 0.8}, 0.25, 0.75), {0, -3, -4}),
+      Surface(Plane({0, -0.6, -0.8}), {0, 4.5, 6}, {0, 0.003, 0.004}, warm),
+      Surface(Obstacle(1.25), {0.5, 0, 0}, {}, {.restitution = 0.8}),
+  };
+  World world(Box::open(), {0.05, 0, -0.5}, surfaces);
+  Random random(9);
+  for (int x = -3; x <= 3; ++x) {
+    for (int y = -3; y <= 3; ++y) {
+      for (int z = -4; z <= 4; ++z) {
+        const Vec3 place{1.0 * x, 1.0 * y, 1.0 * z};
+        if (distance_to_surfaces(world, place, Time(0)) < 0.75) continue;
+        world.add({place, maxwell_velocity(random, 1), 0.25 + 0.2 * random.uniform(), 1});
+      }
+    }
+  }
+  return world;
+}
+
+// Periodic along two axes, with obstacles that have images.
+World lorentz_gas() {
+  std::vector<Surface> surfaces;
+  Random random(10);
+  for (int k = 0; k < 12; ++k) {
+    const double x = random.uniform();
+    const double y = random.uniform();
+    const double z = random.uniform();
+    surfaces.emplace_back(Obstacle(1 + random.uniform()), Vec3{20 * x, 20 * y, 20 * z});
+  }
+  World world(Box({Boundary::periodic, Boundary::periodic, Boundary::wall}, {20, 20, 20}), {}, surfaces);
+  for (int x = 0; x < 6; ++x) {
+    for (int y = 0; y < 6; ++y) {
+      for (int z = 0; z < 6; ++z) {
+        const Vec3 place{1 + 3.2 * x, 1 + 3.2 * y, 1 + 3.2 * z};
+        if (distance_to_surfaces(world, place, Time(0)) > 0.3) {
+          world.add({place, maxwell_velocity(random, 1), 0.3, 1});
+        }
+      }
+    }
+  }
+  return world;
+}
+
 World two_spheres() {
   World world(Box::walls({10, 10, 10}));
   world.add({{2.5, 3, 4}, {1, 0.3, -0.7}, 1.5, 1});
@@ -70,9 +119,11 @@ World two_spheres() {
   return world;
 }
 
-void print(const char* name, World world, std::uint64_t contacts, double restitution = 1) {
+void print(const char* name, World world, std::uint64_t contacts, double restitution = 1,
+           double elastic_below = 0) {
   EngineOptions options;
   options.restitution = restitution;
+  options.elastic_below = elastic_below;
   Simulation simulation(std::move(world), options);
   simulation.run_contacts(contacts);
   std::printf("%s %016llx\n", name, static_cast<unsigned long long>(simulation.event_log_hash()));
@@ -97,4 +148,6 @@ int main() {
   }
   print("newtons_cradle", newtons_cradle(), 10000);
   print("two_spheres", two_spheres(), 20000);
+  print("shaken_grains", shaken_grains(), 20000, 0.8, 0.01);
+  print("lorentz_gas", lorentz_gas(), 20000);
 }

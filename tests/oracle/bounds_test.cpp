@@ -34,6 +34,7 @@ struct Regime {
   bool fast_one_asks = false;  // it is the one whose contacts are bounded
   double length_unit = 1;      // [L]
   double speed_unit = 1;       // [L/T]
+  double gravity = 0;          // times the length unit over the square of the speed unit, in any direction
   double start = 0;            // [T], over the length unit divided by the speed unit
   double early = 1e-3;         // by how much half of the bounds are early at most, see Outcome
   double for_nothing = 0.02;   // the share of pairs with a bound among those that miss by less than a tenth
@@ -65,7 +66,9 @@ class EncounterMaker {
     const double edge = regime_.box * regime_.length_unit;
     const Boundary boundary = regime_.boundary;
     Encounters made;
-    made.world = World(Box({boundary, boundary, boundary}, {edge, edge, edge}));
+    gravity_ = regime_.gravity * regime_.speed_unit * regime_.speed_unit / regime_.length_unit *
+               (regime_.gravity > 0 ? random_.direction() : Vec3{});
+    made.world = World(Box({boundary, boundary, boundary}, {edge, edge, edge}), gravity_);
     made.farthest = regime_.farthest * regime_.length_unit;
     const double start = regime_.start * regime_.length_unit / regime_.speed_unit;
     made.now = after(Time(start), random_.uniform() * regime_.length_unit / regime_.speed_unit);
@@ -157,7 +160,8 @@ class EncounterMaker {
       const Time begin = after(made.now, -age);
       const auto slot = static_cast<Slot>(made.world.size() - 1);
       Path path = made.world.path(slot);
-      path.position = path.position - age * velocity;
+      path.position = path.position - age * (velocity - (0.5 * age) * gravity_);
+      path.velocity = path.velocity - age * gravity_;
       path.time = begin;
       made.world.store_path(slot, path, {});
     }
@@ -167,6 +171,7 @@ class EncounterMaker {
   Regime regime_;
   Random& random_;
   Vec3 drift_;
+  Vec3 gravity_;
 };
 
 // Copies every path as it was before, so long ago that the sphere has moved up to as far as it may, and for
@@ -180,8 +185,13 @@ void copy_paths(const Encounters& made, Random& random, CompactPaths& copies) {
     double way = made.farthest;
     if (world.box().is_periodic(0)) way = std::min(way, 0.49 * world.box().size().x - made.farthest);
     // At rest it may be any time, more than 2^32 ticks too.
-    const double longest_age =
+    double longest_age =
         speed > 0 ? std::min(way / speed, copies.longest_age(slot)) : 1e4 * copies.time_unit();
+    if (const double gravity = length(world.motion().gravity()); gravity > 0) {
+      // At the copy it may have been faster by all that it has fallen.
+      const double now = length(world.velocity(slot, made.now));
+      longest_age = 2 * way / (now + std::sqrt(now * now + 6 * gravity * way));
+    }
     const double part = random.uniform();
     const double age = part < 0.2 ? 0 : part < 0.4 ? longest_age : random.uniform() * longest_age;
     copies.copy(world, slot, after(made.now, -age));
@@ -257,7 +267,7 @@ class Bounds : public testing::TestWithParam<Regime> {
     outcome.contacts += contact < kNever.high ? 1U : 0U;
     if (made.meetings[other] != Meeting::generic) return;
     if (contact < kNever.high) {
-      const Vec3 velocity = made.world.path(other).velocity - made.world.path(0).velocity;
+      const Vec3 velocity = made.world.velocity(other, made.now) - made.world.velocity(0, made.now);
       outcome.early.push_back((contact - bound) / (made.farthest / length(velocity)));
     } else {
       ++outcome.misses;
@@ -315,6 +325,21 @@ std::vector<Regime> all_regimes() {
       {.name = "OneThatIsFaster", .fastest = 8},
       {.name = "OneThatIsMuchFaster", .fastest = 1e4, .early = 0.2, .for_nothing = 0.9},
       {.name = "AMuchFasterOneThatAsks", .fastest = 1e4, .fast_one_asks = true},
+      {.name = "Falling", .gravity = 0.3},
+      {.name = "FallingFromRest",
+       .slowest = 1e-6,
+       .share_at_rest = 0.3,
+       .gravity = 0.1,
+       .early = 0.05,
+       .for_nothing = 0.6},
+      {.name = "FallingFast", .gravity = 100, .early = 0.2, .for_nothing = 0.9},
+      {.name = "FallingInASmallBox", .farthest = 1.35, .box = 4.2, .gravity = 1},
+      {.name = "FallingOfMixedRadii",
+       .farthest = 5,
+       .smallest_radius = 0.005,
+       .gravity = 1,
+       .early = 0.01,
+       .for_nothing = 0.6},
       {.name = "SmallAndFast", .length_unit = 1e-9, .speed_unit = 300},
       {.name = "Large", .length_unit = 1e50},
       {.name = "SmallAndSlow", .length_unit = 1e-50, .speed_unit = 1e-50},

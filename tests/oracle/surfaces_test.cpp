@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// When a sphere on a line or a parabola touches a surface, found by plain geometry with 113 bits: the distance
-// from the surface is followed in small steps, and where it falls below the radius, bisected.
+// When a sphere on a line or a parabola touches a surface, found by plain geometry with 113 bits: the
+// distance from the surface is followed in small steps, and where it falls below the radius, bisected.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -59,7 +59,8 @@ Case make_case(Random& random, int shape, bool falls, bool moves) {
   const Vec3 direction = random.direction();
   const Vec3 point = vector(0.3);
   const Vec3 velocity = moves && shape != 1 ? vector(0.1) : Vec3{};
-  Case made{Surface(Plane({1, 0, 0}), {}), Motion(falls ? vector(1) : Vec3{}),
+  Case made{Surface(Plane({1, 0, 0}), {}),
+            Motion(falls ? vector(1) : Vec3{}),
             {vector(0.5), vector(1), Time(10 * random.uniform(), 1e-18 * random.normal())},
             0.05 + 0.2 * random.uniform(),
             {}};
@@ -144,8 +145,8 @@ TEST_P(SurfaceContact, AgreesWithPlainGeometryTo113Bits) {
       continue;
     }
     ++contacts;
-    const Quad found = (Quad(contact.high) - Quad(given.path.time.high)) +
-                       (Quad(contact.low) - Quad(given.path.time.low));
+    const Quad found =
+        (Quad(contact.high) - Quad(given.path.time.high)) + (Quad(contact.low) - Quad(given.path.time.low));
     if (found < expected && abs(given.gap(found)) < 1e-14) continue;  // a graze that the steps missed
     // How fast the gap closes decides what an error of the distance means; rounding errors of unit vectors
     // and of places are errors of the distance.

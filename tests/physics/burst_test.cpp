@@ -52,7 +52,8 @@ TEST(BurstIntoOpenSpace, EndsAfterFinitelyManyContactsAndNeedsNoMoreMemoryThanIt
   for (Slot a = 0; a < kSpheres; ++a) {
     for (Slot b = a + 1; b < kSpheres; ++b) ASSERT_EQ(contact_time(simulation.world(), a, b, {}), kNever);
   }
-  const double energy_error = simulation.world().kinetic_energy(simulation.now()) / world.kinetic_energy(Time(0)) - 1;
+  const double energy_error =
+      simulation.world().kinetic_energy(simulation.now()) / world.kinetic_energy(Time(0)) - 1;
   EXPECT_LT(std::fabs(energy_error), 1e-12);
   EXPECT_LT(length(simulation.world().momentum(simulation.now())), 1e-11 * kSpheres);
 }

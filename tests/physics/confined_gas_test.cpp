@@ -94,8 +94,7 @@ TEST(ThermalWalls, ConductTheHeatOfFreeMolecularFlow) {
   const WallTally& cold = simulation.tally().walls()[kFaces];
   const WallTally& hot = simulation.tally().walls()[kFaces + 1];
   const double density = kSpheres / (100 * (kLength - 2 * kRadius));
-  const double streams =
-      std::sqrt(2 * std::numbers::pi) * (1 / std::sqrt(kCold) + 1 / std::sqrt(kHot)) / 2;
+  const double streams = std::sqrt(2 * std::numbers::pi) * (1 / std::sqrt(kCold) + 1 / std::sqrt(kHot)) / 2;
   const double flux = density / streams;
   const double heat = flux * 2 * (kHot - kCold);
   const double area = 100;
@@ -106,9 +105,9 @@ TEST(ThermalWalls, ConductTheHeatOfFreeMolecularFlow) {
   EXPECT_NEAR(-(cold.heat - cold_before.heat) / (area * kTime) / heat, 1, 2 * error);
 }
 
-// The virial theorem in a container around the origin: the force on it times its inner radius equals twice the
-// kinetic energy and the collisional virial, exactly but for the change of the sum of x.v. And the pressure
-// is that of the bulk, with what the second and third virial coefficients add.
+// The virial theorem in a container around the origin: the force on it times its inner radius equals twice
+// the kinetic energy and the collisional virial, exactly but for the change of the sum of x.v. And the
+// pressure is that of the bulk, with what the second and third virial coefficients add.
 void expect_pressure(const Surface& surface, const Box& box, std::size_t dimensions, double inner,
                      double volume) {
   constexpr double kRadius = 0.25;
@@ -157,9 +156,9 @@ void expect_pressure(const Surface& surface, const Box& box, std::size_t dimensi
     if (contact.is_collision()) {
       virial -= across(contact.impulse(), contact.separation);
       const Vec3 second = contact.second_mass * (contact.after.second - contact.before.second);
-      twice_energy += across(contact.after.first - contact.before.first,
-                             contact.after.first + contact.before.first) +
-                      across(second, contact.after.second + contact.before.second);
+      twice_energy +=
+          across(contact.after.first - contact.before.first, contact.after.first + contact.before.first) +
+          across(second, contact.after.second + contact.before.second);
     }
   });
   constexpr double kTime = 400;

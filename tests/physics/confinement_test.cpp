@@ -125,17 +125,18 @@ TEST(Billiard, InAPeriodicCylinderKeepsItsAngle) {
 TEST(Billiard, InAnObliqueCylinderWithEndsKeepsItsAngle) {
   const double third = 1.0 / 3;
   const Vec3 axis{2 * third, -2 * third, third};
-  expect_constant_angle(kOpen,
-                        {Surface(Cylinder(axis, 3), {}), Surface(Plane(axis), -2 * axis),
-                         Surface(Plane(-axis), 2 * axis)},
-                        {0.8, 0.5, -0.3});
+  expect_constant_angle(
+      kOpen,
+      {Surface(Cylinder(axis, 3), {}), Surface(Plane(axis), -2 * axis), Surface(Plane(-axis), 2 * axis)},
+      {0.8, 0.5, -0.3});
 }
 
 // A piston does the work that the spheres gain, contact by contact.
 TEST(MovingWall, DoesTheWorkThatSpheresGain) {
   for (const bool oscillates : {false, true}) {
     const Box box({Boundary::wall, Boundary::periodic, Boundary::periodic}, {20, 8, 8});
-    const Shape shape = oscillates ? Shape(OscillatingPlane({-1, 0, 0}, 0.5, 0.375)) : Shape(Plane({-1, 0, 0}));
+    const Shape shape =
+        oscillates ? Shape(OscillatingPlane({-1, 0, 0}, 0.5, 0.375)) : Shape(Plane({-1, 0, 0}));
     World world(box, {}, {Surface(shape, {16, 0, 0}, oscillates ? Vec3{} : Vec3{-0.01, 0, 0})});
     Random random(5);
     for (int x = 0; x < 4; ++x) {
@@ -148,8 +149,7 @@ TEST(MovingWall, DoesTheWorkThatSpheresGain) {
     Simulation simulation(world);
     simulation.run_contacts(20'000);
     const WallTally& piston = simulation.tally().walls()[kFaces];
-    const double gained =
-        simulation.world().energy(simulation.now()) - simulation.tally().initial_energy();
+    const double gained = simulation.world().energy(simulation.now()) - simulation.tally().initial_energy();
     EXPECT_GT(piston.contacts, 1000U);
     EXPECT_NEAR(piston.work, gained, 1e-10 * std::fabs(gained));
     EXPECT_NEAR(piston.heat, 0, 1e-10 * std::fabs(gained));

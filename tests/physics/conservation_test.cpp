@@ -27,7 +27,8 @@ TEST(MillionCollisions, ConserveEnergyAndMomentum) {
   const World world = support::make_gas({.count = kSpheres, .packing_fraction = 0.3, .seed = 81});
   Simulation simulation(world);
   simulation.run_contacts(kContacts);
-  const double energy_error = simulation.world().kinetic_energy(simulation.now()) / world.kinetic_energy(Time(0)) - 1;
+  const double energy_error =
+      simulation.world().kinetic_energy(simulation.now()) / world.kinetic_energy(Time(0)) - 1;
   const double rms_speed = std::sqrt(2 * world.kinetic_energy(Time(0)) / kSpheres);
   const double momentum = length(simulation.world().momentum(simulation.now())) / (kSpheres * rms_speed);
   support::record("energy_error", energy_error);
@@ -49,7 +50,8 @@ TEST(MillionCollisions, BetweenWallsConserveEnergy) {
   Simulation simulation(world);
   simulation.run_contacts(kContacts);
   EXPECT_GT(simulation.counters().wall, kContacts / 10);
-  const double energy_error = simulation.world().kinetic_energy(simulation.now()) / world.kinetic_energy(Time(0)) - 1;
+  const double energy_error =
+      simulation.world().kinetic_energy(simulation.now()) / world.kinetic_energy(Time(0)) - 1;
   support::record("energy_error", energy_error);
   EXPECT_LT(std::fabs(energy_error), 1e-12);
   EXPECT_TRUE(audit(simulation.world(), simulation.now()).is_sound());
@@ -97,7 +99,8 @@ TEST(MillionCollisions, OfACrystalConserveEnergyAndMomentum) {
       support::make_gas({.count = 864, .packing_fraction = 0.72, .seed = 83, .start = support::Start::fcc});
   Simulation simulation(world);
   simulation.run_contacts(kContacts);
-  const double energy_error = simulation.world().kinetic_energy(simulation.now()) / world.kinetic_energy(Time(0)) - 1;
+  const double energy_error =
+      simulation.world().kinetic_energy(simulation.now()) / world.kinetic_energy(Time(0)) - 1;
   const double rms_speed = std::sqrt(2 * world.kinetic_energy(Time(0)) / 864);
   support::record("energy_error", energy_error);
   EXPECT_LT(std::fabs(energy_error), 1e-12);

@@ -33,7 +33,8 @@ void expect_cooling(double restitution) {
       support::settled(support::make_gas({.count = kSpheres, .packing_fraction = kPacking, .seed = 61}), 5);
   Simulation simulation(world, {.restitution = restitution});
   simulation.run_contacts(static_cast<std::uint64_t>(kCollisionsPerSphere * kSpheres / 2));
-  const double temperature = simulation.world().kinetic_energy(simulation.now()) / world.kinetic_energy(Time(0));
+  const double temperature =
+      simulation.world().kinetic_energy(simulation.now()) / world.kinetic_energy(Time(0));
   const double per_collision = -std::log(temperature) / kCollisionsPerSphere;
   support::record("cooling_ratio", per_collision / cooling_per_collision(restitution));
   // The deviation of the energy lost in N = 1e5 collisions is 1 / sqrt(N), 0.3%; growing correlations of

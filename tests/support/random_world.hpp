@@ -402,8 +402,8 @@ inline RandomWorld make_random_world(std::uint64_t seed) {
   return RandomWorldMaker(seed).make();
 }
 
-/// The same with gravity in any direction, planes at rest, in motion and oscillating, tubes, hollow spheres and
-/// obstacles, some of them with their own restitution or thermal.
+/// The same with gravity in any direction, planes at rest, in motion and oscillating, tubes, hollow spheres
+/// and obstacles, some of them with their own restitution or thermal.
 inline RandomWorld make_furnished_world(std::uint64_t seed) {
   return RandomWorldMaker(seed).make_furnished();
 }

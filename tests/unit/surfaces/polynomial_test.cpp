@@ -30,7 +30,8 @@ Polynomial with_roots(double a, const std::vector<double>& roots) {
   std::vector<double> coefficients{a};
   for (const double root : roots) {
     coefficients.push_back(0);
-    for (std::size_t i = coefficients.size(); i-- > 1;) coefficients[i] = coefficients[i - 1] - root * coefficients[i];
+    for (std::size_t i = coefficients.size(); i-- > 1;)
+      coefficients[i] = coefficients[i - 1] - root * coefficients[i];
     coefficients[0] *= -root;
   }
   return make(coefficients);
