@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <variant>
 
 #include "apps/cli/commands.hpp"
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/measure/wall_forces.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/kinetic_theory.hpp"
 
@@ -30,6 +32,29 @@ std::string describe(const Box& box) {
     if (!box.is_open(axis)) text += to_text(box.size()[axis]) + " ";
     text += kNames[static_cast<std::size_t>(box.boundary(axis))];
   }
+  return text;
+}
+
+std::string describe(const Vec3& vector) {
+  return "(" + readable(vector.x) + ", " + readable(vector.y) + ", " + readable(vector.z) + ")";
+}
+
+std::string describe(const Surface& surface) {
+  std::string text = "at " + describe(surface.point());
+  std::visit(
+      [&](const auto& shape) {
+        if constexpr (requires { shape.normal(); }) text += ", normal " + describe(shape.normal());
+        if constexpr (requires { shape.axis(); }) text += ", axis " + describe(shape.axis());
+        if constexpr (requires { shape.radius(); }) text += ", radius " + readable(shape.radius());
+        if constexpr (requires { shape.amplitude(); }) {
+          text += ", amplitude " + readable(shape.amplitude()) + ", frequency " + readable(shape.frequency());
+        }
+      },
+      surface.shape());
+  if (surface.velocity() != Vec3{}) text += ", moving with " + describe(surface.velocity());
+  const SurfaceMaterial& material = surface.material();
+  if (material.restitution) text += ", restitution " + readable(*material.restitution);
+  if (material.temperature) text += ", thermal at kT = " + readable(*material.temperature);
   return text;
 }
 
@@ -65,6 +90,13 @@ ExitCode check(const Options& options) {
   add("scenario", scenario.name);
   add("spheres", to_text(moments.spheres));
   add("box", describe(simulation.world().box()));
+  const Vec3& gravity = simulation.world().motion().gravity();
+  if (gravity != Vec3{}) {
+    add("gravity", to_text(gravity.x) + ", " + to_text(gravity.y) + ", " + to_text(gravity.z));
+  }
+  for (std::uint32_t k = 0; k < simulation.world().surfaces().size(); ++k) {
+    add(wall_name(simulation.world(), kFaces + k), describe(simulation.world().surfaces()[k]));
+  }
   add("radius", describe_radii(simulation.world()));
   add("packing fraction", readable(moments.packing_fraction()));
   add("mean speed", readable(moments.mean_speed));

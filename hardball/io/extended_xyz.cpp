@@ -361,7 +361,7 @@ void append_snapshot(OutputFile& file, const World& world, const Time& moment) {
   world.for_each_by_id([&](Slot slot) {
     line = "1 ";
     put(line, world.position(slot, moment));
-    put(line, world.path(slot).velocity);
+    put(line, world.velocity(slot, moment));
     put(line, world.radius(slot));
     put(line, world.mass(slot));
     put(line, world.id(slot));

@@ -46,7 +46,8 @@ double fluid_compressibility(double packing_fraction) {
 
 FluidTheory::FluidTheory(const World& world, const Species& species)
     : species_(species),
-      holds_(world.box().is_all(Boundary::periodic) && world.size() > 1),
+      holds_(world.box().is_all(Boundary::periodic) && world.motion().is_straight() &&
+             world.surfaces().empty() && world.size() > 1),
       has_equal_radii_(world.radii().is_common()),
       density_(static_cast<double>(world.size()) / world.box().volume()),
       compressibility_(kNone) {
