@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hardball/broadphase/wait_in_ball.hpp"
 #include "hardball/errors/error.hpp"
 
 namespace hardball {
@@ -39,27 +40,6 @@ double smallest_period(const Box& box) {
     if (box.is_periodic(axis)) smallest = std::min(smallest, box.size()[axis]);
   }
   return smallest;
-}
-
-// The squares of slower speeds underflow; inelastic collapse leads to them.
-constexpr double kSlow = 0x1p-400;
-
-// How long a centre at `place`, relative to the anchor, stays in its ball; `room` is the squared radius less
-// the squared distance.
-double wait_in_ball(const Vec3& place, Vec3 velocity, double room) {
-  const bool is_slow = dot(velocity, velocity) < kSlow * kSlow;
-  const double time_unit = is_slow ? 0x1p600 : 1;
-  if (is_slow) velocity = time_unit * velocity;
-  const double speed_squared = dot(velocity, velocity);
-  if (!(speed_squared > 0)) return std::numeric_limits<double>::infinity();
-  const double outwards = dot(place, velocity);
-  const double root = std::sqrt(outwards * outwards + speed_squared * room);
-  return time_unit * (outwards > 0 ? room / (root + outwards) : (root - outwards) / speed_squared);
-}
-
-// More than the rounding error of the coordinates of a centre, which shows in spheres very far away.
-double coordinate_error(const World& world, Slot slot, const Time& now) {
-  return 0x1p-50 * length(position_at(world.path(slot), now));
 }
 
 }  // namespace

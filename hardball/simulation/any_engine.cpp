@@ -9,6 +9,7 @@
 #include "hardball/broadphase/all_pairs.hpp"
 #include "hardball/broadphase/cell_grid.hpp"
 #include "hardball/broadphase/neighbor_list.hpp"
+#include "hardball/broadphase/shell_grid.hpp"
 #include "hardball/engine/engine.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/calendar_queue.hpp"
@@ -51,6 +52,15 @@ class EngineModel final : public AnyEngine {
   }
   void validate() const override { engine_.validate(); }
 
+  bool suits(double length) const override {
+    if constexpr (requires { engine_.rebuild(Time(), CellGrid(length)); }) {
+      return !ShellGrid::suits(world(), length);
+    } else if constexpr (requires { engine_.rebuild(Time(), ShellGrid(length)); }) {
+      return ShellGrid::suits(world(), length);
+    }
+    return true;
+  }
+
   Vec3 cell_edges() const override {
     if constexpr (requires { engine_.phase().edge(0); }) return edges_of(engine_.phase());
     if constexpr (requires { engine_.edge(0); }) return edges_of(engine_);
@@ -69,6 +79,8 @@ class EngineModel final : public AnyEngine {
       engine_.rebuild(now, NeighborList(length, engine_.phase().instructions()));
     } else if constexpr (requires { engine_.rebuild(now, CellGrid(length)); }) {
       engine_.rebuild(now, CellGrid(length));
+    } else if constexpr (requires { engine_.rebuild(now, ShellGrid(length)); }) {
+      engine_.rebuild(now, ShellGrid(length));
     } else {
       engine_.rebuild(now, length);
     }
@@ -95,6 +107,10 @@ std::unique_ptr<AnyEngine> make_queued(World world, EngineKind engine, const Eng
   if (engine == EngineKind::neighbors) {
     return make_model<Engine<Queue, NeighborList, AnyResponse>>(
         std::move(world), NeighborList(length, instructions), response, now, instructions, progress);
+  }
+  if (ShellGrid::suits(world, length)) {
+    return make_model<Engine<Queue, ShellGrid, AnyResponse>>(std::move(world), ShellGrid(length), response, now,
+                                                             instructions, progress);
   }
   return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(length), response, now,
                                                           instructions, progress);

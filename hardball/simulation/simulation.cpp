@@ -357,8 +357,10 @@ void Simulation::retune_if_due() {
   const std::optional<double> better = watch_.update(moments, duration(last_review_, moment));
   last_review_ = moment;
   if (!better) return;
+  const double edge = allowed_cell_edge(world(), kind_, *better);
+  if (!engine_->suits(edge)) return rebuild(moment);
   put_in_order(engine_->world_to_edit(), kind_, moment);
-  engine_->rebuild(moment, allowed_cell_edge(world(), kind_, *better));
+  engine_->rebuild(moment, edge);
 }
 
 // Rebuilds all regions and predictions, with another engine if that suits the world better.
@@ -366,7 +368,7 @@ void Simulation::rebuild(const Time& moment) {
   const EngineKind kind = choose_engine(world(), options_, moment, kind_);
   const double length = choose_length(world(), kind, options_, moment);
   put_in_order(engine_->world_to_edit(), kind, moment);
-  if (kind == kind_) {
+  if (kind == kind_ && engine_->suits(length)) {
     engine_->rebuild(moment, length);
   } else {
     counters_before_ = counters();
