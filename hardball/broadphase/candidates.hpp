@@ -73,8 +73,8 @@ class Candidates {
     size_ += count;
   }
 
-  /// Adds those of the first `count` slots of a cache line for which is_wanted(slot) holds. Branchless, as that is
-  /// unpredictable.
+  /// Adds those of the first `count` slots of a cache line for which is_wanted(slot) holds. Branchless, as
+  /// that is unpredictable.
   template <class Predicate>
   void add_if(const SlotLists::LineOfSlots& others, std::uint32_t count, Predicate&& is_wanted) {
     make_room(others.size());

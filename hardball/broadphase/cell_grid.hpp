@@ -27,8 +27,8 @@ class CellGrid {
   /// `edge` [L] is the wanted length of a cell's edge; see Subdivision.
   explicit CellGrid(double edge) : wanted_edge_(edge) {}
 
-  /// A grid of spheres whose radius is at most `largest_radius` [L]. Another broad phase adds the others to its
-  /// cells; their candidates are at most `farthest` [L] away.
+  /// A grid of spheres whose radius is at most `largest_radius` [L]. Another broad phase adds the others to
+  /// its cells; their candidates are at most `farthest` [L] away.
   CellGrid(double edge, double largest_radius, double farthest)
       : wanted_edge_(edge), largest_radius_(largest_radius), farthest_of_others_(farthest) {}
 

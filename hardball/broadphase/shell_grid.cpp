@@ -29,6 +29,20 @@ constexpr double kLargestShare = 0.495;
 // Shells overlap a little before they touch: far more than rounding.
 constexpr double kShellMargin = 1e-9;
 
+// The usual speed of lists, over the root mean square of all.
+constexpr double kUsualSpeed = 2.5;
+// With fewer candidates, a list does not pay.
+constexpr std::size_t kFewestToList = 256;
+// The least and the greatest depth of a list, over the slack.
+constexpr double kLeastDepth = 1e-4;
+constexpr double kGreatestDepth = 0.25;
+// Lists are deeper by this fraction of the farthest distance of candidates: far more than the errors of
+// compact copies.
+constexpr double kDepthMargin = 0x1p-19;
+// A list must last for this fraction of the time, and its slack show in coordinates, so that rounding does
+// not matter.
+constexpr double kFewestDigits = 0x1p-38;
+
 double smallest_edge(const Subdivision& cells) {
   return std::min({cells.edge(0), cells.edge(1), cells.edge(2)});
 }
@@ -112,6 +126,13 @@ void ShellGrid::build(const World& world, const Time& now, CompactPaths& copies)
     for_each_cell(ball, [&](const CellIndex& cell) { grid_.store_to_edit().insert(cell, slot); });
     balls_.push_back(ball);
   }
+  double squares = 0;
+  for (const Path& path : world.paths()) squares += dot(path.velocity, path.velocity);
+  usual_speed_ = kUsualSpeed * std::sqrt(squares / static_cast<double>(world.size()));
+  for (Ball& ball : balls_) {
+    collect_all(world, ball, found_);
+    list_near(world, ball, now, copies, found_);
+  }
 }
 
 void ShellGrid::move_anchor(const World& world, Ball& ball, const Time& now) const {
@@ -127,13 +148,21 @@ Vec3 ShellGrid::place_of(const World& world, const Ball& ball, const Time& now) 
 double ShellGrid::next_crossing_of_ball(const World& world, Slot slot, const Time& now) const {
   const Ball& ball = ball_of(slot);
   const Vec3 place = place_of(world, ball, now);
-  const double reach = std::max(0.0, slack_ - coordinate_error(world, slot, now));
-  const double room = std::max(0.0, reach * reach - dot(place, place));
-  return rounded_down(now) + wait_in_ball(place, world.path(slot).velocity, room);
+  const Vec3& velocity = world.path(slot).velocity;
+  const double error = coordinate_error(world, slot, now);
+  const auto wait_within = [&](const Vec3& middle, double slack) {
+    const Vec3 apart = place - middle;
+    const double reach = std::max(slack / 2, slack - error);
+    return wait_in_ball(apart, velocity, std::max(0.0, reach * reach - dot(apart, apart)));
+  };
+  const double begin = rounded_down(now);
+  const double left = begin + wait_within({}, slack_);
+  if (!ball.has_list) return left;
+  return std::max(begin, std::min({left, begin + wait_within(ball.middle, ball.near_slack), ball.expiry}));
 }
 
-// Calls visit(cell) for each cell, folded into the box, that the surface of a ball may touch, in columns along
-// the last axis. Cells at the ends of the box or of open space reach on for ever.
+// Calls visit(cell) for each cell, folded into the box, that the surface of a ball may touch, in columns
+// along the last axis. Cells at the ends of the box or of open space reach on for ever.
 template <class Visit>
 void ShellGrid::for_each_cell(const Ball& ball, Visit&& visit) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -203,37 +232,141 @@ bool ShellGrid::do_shells_meet(const World& world, const Ball& a, const Ball& b)
 // Of balls, a cell may hold the same as many others.
 void ShellGrid::collect_cell(const World& world, const Ball& ball, const CellIndex& cell,
                              Candidates& candidates) const {
-  grid_.store().lists().for_each_line(
-      grid_.store().list(cell), [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
-        const auto is_small = [&](Slot other) {
-          const bool is_other_ball = is_ball(other) & (other != ball.slot);
-          if (is_other_ball) [[unlikely]] {
-            if (candidates.is_new(other)) {
-              candidates.mark(other);
-              return do_shells_meet(world, ball, ball_of(other));
-            }
-          }
-          return !is_ball(other);
-        };
-        candidates.add_if(slots, count, is_small);
-      });
+  grid_.store().lists().for_each_line(grid_.store().list(cell),
+                                      [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
+                                        const auto is_small = [&](Slot other) {
+                                          const bool is_other_ball = is_ball(other) & (other != ball.slot);
+                                          if (is_other_ball) [[unlikely]] {
+                                            if (candidates.is_new(other)) {
+                                              candidates.mark(other);
+                                              return do_shells_meet(world, ball, ball_of(other));
+                                            }
+                                          }
+                                          return !is_ball(other);
+                                        };
+                                        candidates.add_if(slots, count, is_small);
+                                      });
 }
 
 void ShellGrid::collect_of_ball(const World& world, Slot slot, Candidates& candidates) const {
-  candidates.begin(slot, true);
-  candidates.start_round(balls_.size());
   const Ball& ball = ball_of(slot);
+  candidates.begin(slot, true);
+  if (ball.has_list) return candidates.refer_to(ball.near.data(), ball.near_count);
+  collect_all(world, ball, candidates);
+}
+
+void ShellGrid::collect_all(const World& world, const Ball& ball, Candidates& candidates) const {
+  candidates.begin(ball.slot, true);
+  candidates.start_round(balls_.size());
   for_each_cell(ball, [&](const CellIndex& cell) { collect_cell(world, ball, cell, candidates); });
   candidates.end();
 }
 
-void ShellGrid::cross_ball(const World& world, Slot slot, const Time& now, Candidates& candidates) {
+void ShellGrid::cross_ball(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
+                           Candidates& candidates) {
   Ball& ball = ball_of(slot);
-  for_each_cell(ball, [&](const CellIndex& cell) { grid_.store_to_edit().erase(cell, slot); });
-  ++left_count_;
-  move_anchor(world, ball, now);
-  collect_of_ball(world, slot, candidates);
-  for_each_cell(ball, [&](const CellIndex& cell) { grid_.store_to_edit().insert(cell, slot); });
+  // A list reaches no farther than the slack.
+  const double most = ball.has_list ? (1 - 2 * kGreatestDepth) * slack_ : 0;
+  const bool moves = !(length(place_of(world, ball, now)) < most);
+  if (moves) {
+    for_each_cell(ball, [&](const CellIndex& cell) { grid_.store_to_edit().erase(cell, slot); });
+    ++left_count_;
+    move_anchor(world, ball, now);
+    for_each_cell(ball, [&](const CellIndex& cell) { grid_.store_to_edit().insert(cell, slot); });
+  }
+  collect_all(world, ball, candidates);
+  if (moves) list_at_balls(slot, candidates);
+  list_near(world, ball, now, copies, candidates);
+  if (ball.has_list) candidates.refer_to(ball.near.data(), ball.near_count);
+}
+
+void ShellGrid::Ball::append(Slot other) {
+  near.resize(near_count + 1 + Candidates::kPadding);
+  near[near_count++] = other;
+  std::fill_n(near.begin() + static_cast<std::ptrdiff_t>(near_count), Candidates::kPadding, slot);
+}
+
+// Adds a sphere to the lists of the balls among its candidates.
+void ShellGrid::list_at_balls(Slot slot, const Candidates& candidates) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Slot other = candidates.slot(i);
+    if (is_ball(other) && other != slot && ball_of(other).has_list) ball_of(other).append(slot);
+  }
+}
+
+void ShellGrid::list_fast(const World& world, Slot slot) {
+  grid_.collect(world, slot, found_);
+  list_at_balls(slot, found_);
+}
+
+// Lists those of all candidates that can reach a ball before the list expires, each once.
+void ShellGrid::list_near(const World& world, Ball& ball, const Time& now, const CompactPaths& copies,
+                          const Candidates& all) const {
+  const Slot slot = ball.slot;
+  const bool pays = all.size() >= kFewestToList && copies.is_bounded(slot);
+  if (pays) choose_depth(ball, all.size());
+  const double begin = rounded_down(now);
+  // A ball at rest may be hit and move.
+  constexpr double kAtRest = 0.01;
+  constexpr double kChange = 3;
+  const double speed = length(world.path(slot).velocity);
+  ball.near_slack = ball.depth * std::min(1.0, kAtRest + kChange * speed / usual_speed_);
+  ball.expiry = begin + ball.depth / usual_speed_;
+  ball.has_list = pays && usual_speed_ > 0 && ball.expiry > begin + kFewestDigits * std::fabs(begin) &&
+                  0x1p-12 * ball.near_slack > coordinate_error(world, slot, now);
+  if (!ball.has_list) return;
+  ball.middle = place_of(world, ball, now);
+  ball.contacts = 0;
+  const double unit = copies.length_unit();
+  const CompactPath& own = copies.paths()[ball.slot];
+  const auto usual = static_cast<float>(ball.depth / unit);
+  const float reach =
+      copies.radius(ball.slot) +
+      static_cast<float>((ball.near_slack + ball.depth + kDepthMargin * copies.farthest()) / unit);
+  const auto wait = static_cast<float>((ball.expiry - begin) / copies.time_unit() * (1 + 0x1p-20));
+  ball.near.resize(all.size() + Candidates::kPadding);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Slot other = all.slot(i);
+    const CompactPath& path = copies.paths()[other];
+    const float age = static_cast<float>(static_cast<std::int32_t>(static_cast<std::uint32_t>(own.tick) -
+                                                                   static_cast<std::uint32_t>(path.tick))) *
+                      copies.scale().tick;
+    float distance_squared = 0;
+    float speed_squared = 0;
+    for_each_axis([&](auto axis) {
+      const auto steps =
+          static_cast<std::uint32_t>(path.place[axis]) - static_cast<std::uint32_t>(own.place[axis]);
+      const float place = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis] +
+                          path.velocity[axis] * age;
+      distance_squared += place * place;
+      speed_squared += path.velocity[axis] * path.velocity[axis];
+    });
+    const float way = std::sqrt(speed_squared) * wait;
+    const float sum = reach + copies.radius(other) + std::max(0.0F, way - usual);
+    ball.near[count] = other;
+    // Of a sphere too fast to be copied, nothing is known.
+    count += !(distance_squared > sum * sum) || is_ball(other) ? 1U : 0U;
+  }
+  const auto end = ball.near.begin() + static_cast<std::ptrdiff_t>(count);
+  std::sort(ball.near.begin(), end);
+  count = static_cast<std::size_t>(std::unique(ball.near.begin(), end) - ball.near.begin());
+  ball.near_count = count;
+  ball.near.resize(count + Candidates::kPadding);
+  std::fill_n(ball.near.begin() + static_cast<std::ptrdiff_t>(count), Candidates::kPadding, ball.slot);
+}
+
+// The search for a list is shared by the contacts of its time; each of these goes through the list: the depth
+// at which both cost the same costs least.
+void ShellGrid::choose_depth(Ball& ball, std::size_t searched) const {
+  constexpr double kFactor = 1.5;
+  if (!ball.has_list) {
+    ball.depth = slack_ / 64;
+  } else {
+    const double search = static_cast<double>(searched) / (1 + ball.contacts);
+    ball.depth *= search > static_cast<double>(ball.near_count) ? kFactor : 1 / kFactor;
+  }
+  ball.depth = std::clamp(ball.depth, kLeastDepth * slack_, kGreatestDepth * slack_);
 }
 
 std::size_t ShellGrid::memory_bytes() const {

@@ -11,28 +11,34 @@
 
 namespace hardball {
 
-/// A cell grid for spheres of very different sizes: cells suit the many small ones, and a large one belongs to
-/// those cells only that its surface touches.
+/// A cell grid for spheres of very different sizes: cells suit the many small ones, and a large one belongs
+/// to those cells only that its surface touches.
 ///
-/// Spheres smaller than a cell are kept by a CellGrid. The region of a larger one, a *ball*, is made of the cells
-/// that its surface may touch while its centre is within a slack of its anchor, a past position: spheres meet at
-/// their surfaces, and no other is inside it. When it reaches the edge of its slack, its anchor moves to its
-/// centre. Two balls are candidates if they share a cell and their shells overlap, a shell being the ball and its
-/// slack around its anchor. Cost of a contact of a ball: its surface, in cells.
+/// Spheres smaller than a cell are kept by a CellGrid. The region of a larger one, a *ball*, is made of the
+/// cells that its surface may touch while its centre is within a slack of its anchor, a past position:
+/// spheres meet at their surfaces, and no other is inside it. When it reaches the edge of its slack, its
+/// anchor moves to its centre. Two balls are candidates if they share a cell and their shells overlap, a
+/// shell being the ball and its slack around its anchor.
+///
+/// Of thousands of spheres at the surface of a large ball, few can reach it before it collides again. Such a
+/// ball lists those that can until some time soon, at their own speeds or a common one that is rarely
+/// exceeded, and then crosses to list others. Whoever becomes faster than that near a ball is added to its
+/// list.
 class ShellGrid {
  public:
   /// `edge` [L] is the wanted length of a cell's edge; see Subdivision. Precondition: suits(world, edge).
   explicit ShellGrid(double edge) : wanted_edge_(edge), grid_(edge) {}
 
-  /// Whether there are spheres larger than such a cell, but no more than smaller ones, and candidates would be
-  /// nearest images. Cost: O(n). Error: the edge is not positive and finite.
+  /// Whether there are spheres larger than such a cell, but no more than smaller ones, and candidates would
+  /// be nearest images. Cost: O(n). Error: the edge is not positive and finite.
   static bool suits(const World& world, double edge);
 
   void build(const World& world, const Time& now, CompactPaths& copies);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded) {
-    if (!is_ball(slot)) return grid_.refresh(world, slot, now, folded);
-    Ball& ball = ball_of(slot);
-    ball.boxes = ball.boxes + folded;
+    if (is_ball(slot)) return refresh_ball(slot, folded);
+    grid_.refresh(world, slot, now, folded);
+    if (is_fast(world, slot)) [[unlikely]]
+      list_fast(world, slot);
   }
   void collect(const World& world, Slot slot, Candidates& candidates) const {
     if (!is_ball(slot)) return grid_.collect(world, slot, candidates);
@@ -44,8 +50,10 @@ class ShellGrid {
   }
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
              Candidates& candidates) {
-    if (!is_ball(slot)) return grid_.cross(world, slot, now, copies, candidates);
-    cross_ball(world, slot, now, candidates);
+    if (is_ball(slot)) return cross_ball(world, slot, now, copies, candidates);
+    grid_.cross(world, slot, now, copies, candidates);
+    if (is_fast(world, slot)) [[unlikely]]
+      list_at_balls(slot, candidates);
   }
   static constexpr std::size_t kCachedSpheres = CellGrid::kCachedSpheres;
   void prefetch_region(Slot slot) const { grid_.prefetch_region(slot); }
@@ -75,6 +83,19 @@ class ShellGrid {
     double radius = 0;
     Vec3 anchor;  // inside a periodic box
     Image boxes;  // from the frame of the path to that of the anchor
+
+    // If it lists those that can reach it before `expiry` while its centre is within `near_slack` of
+    // `middle`.
+    bool has_list = false;
+    std::vector<Slot> near;  // padded with the ball itself
+    std::size_t near_count = 0;
+    Vec3 middle;  // relative to the anchor
+    double near_slack = 0;
+    double expiry = 0;
+    double depth = 0;            // how far from its surface spheres are listed [L]
+    std::uint32_t contacts = 0;  // since it listed them
+
+    void append(Slot other);
   };
 
   // Nothing if the cells do not suit the world.
@@ -87,8 +108,26 @@ class ShellGrid {
   Vec3 place_of(const World& world, const Ball& ball, const Time& now) const;
   double next_crossing_of_ball(const World& world, Slot slot, const Time& now) const;
   void collect_of_ball(const World& world, Slot slot, Candidates& candidates) const;
-  void cross_ball(const World& world, Slot slot, const Time& now, Candidates& candidates);
-  void collect_cell(const World& world, const Ball& ball, const CellIndex& cell, Candidates& candidates) const;
+  void collect_all(const World& world, const Ball& ball, Candidates& candidates) const;
+  void cross_ball(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
+                  Candidates& candidates);
+  void refresh_ball(Slot slot, const Image& folded) {
+    Ball& ball = ball_of(slot);
+    ball.boxes = ball.boxes + folded;
+    ++ball.contacts;
+  }
+  // Whether a sphere is faster than lists assume.
+  bool is_fast(const World& world, Slot slot) const {
+    const Vec3& velocity = world.path(slot).velocity;
+    return !(dot(velocity, velocity) <= usual_speed_ * usual_speed_);
+  }
+  void list_fast(const World& world, Slot slot);
+  void list_at_balls(Slot slot, const Candidates& candidates);
+  void list_near(const World& world, Ball& ball, const Time& now, const CompactPaths& copies,
+                 const Candidates& all) const;
+  void choose_depth(Ball& ball, std::size_t searched) const;
+  void collect_cell(const World& world, const Ball& ball, const CellIndex& cell,
+                    Candidates& candidates) const;
   bool do_shells_meet(const World& world, const Ball& a, const Ball& b) const;
   template <class Visit>
   void for_each_cell(const Ball& ball, Visit&& visit) const;
@@ -97,10 +136,12 @@ class ShellGrid {
   CellGrid grid_;
   double slack_ = 0;
   double margin_ = 0;  // of the cells
+  double usual_speed_ = 0;
   std::vector<Ball> balls_;
   std::vector<std::uint64_t> are_balls_;     // a bit for each slot
   std::vector<std::uint32_t> ball_numbers_;  // by slot, of those that are balls
   std::uint64_t left_count_ = 0;
+  Candidates found_;  // around the sphere in question
 };
 
 static_assert(BroadPhase<ShellGrid>);

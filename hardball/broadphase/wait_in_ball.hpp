@@ -5,14 +5,14 @@
 #include <cmath>
 #include <limits>
 
-#include "hardball/geometry/vec3.hpp"
 #include "hardball/geometry/time.hpp"
+#include "hardball/geometry/vec3.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
 
-/// How long a centre stays in a ball [T]: at `place` [L] relative to the middle, `room` [L^2] being the squared
-/// radius of the ball less the squared distance.
+/// How long a centre stays in a ball [T]: at `place` [L] relative to the middle, `room` [L^2] being the
+/// squared radius of the ball less the squared distance.
 inline double wait_in_ball(const Vec3& place, Vec3 velocity, double room) {
   // The squares of slower speeds underflow; inelastic collapse leads to them.
   constexpr double kSlow = 0x1p-400;

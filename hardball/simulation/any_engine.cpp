@@ -109,8 +109,8 @@ std::unique_ptr<AnyEngine> make_queued(World world, EngineKind engine, const Eng
         std::move(world), NeighborList(length, instructions), response, now, instructions, progress);
   }
   if (ShellGrid::suits(world, length)) {
-    return make_model<Engine<Queue, ShellGrid, AnyResponse>>(std::move(world), ShellGrid(length), response, now,
-                                                             instructions, progress);
+    return make_model<Engine<Queue, ShellGrid, AnyResponse>>(std::move(world), ShellGrid(length), response,
+                                                             now, instructions, progress);
   }
   return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(length), response, now,
                                                           instructions, progress);

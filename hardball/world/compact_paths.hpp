@@ -68,6 +68,9 @@ class CompactPaths {
   /// How long the copy of a moving sphere is good [T].
   double longest_age() const { return longest_age_; }
 
+  /// The distance given to reset() [L].
+  double farthest() const { return farthest_; }
+
   /// By slot.
   std::span<const CompactPath> paths() const { return paths_; }
   const BoundScale& scale() const { return scale_; }
