@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <concepts>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "hardball/broadphase/all_pairs.hpp"
 #include "hardball/broadphase/cell_grid.hpp"
@@ -18,6 +20,7 @@
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/moments.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
+#include "hardball/tuning/size_classes.hpp"
 #include "hardball/world/range.hpp"
 
 namespace hardball {
@@ -53,10 +56,10 @@ class EngineModel final : public AnyEngine {
   void validate() const override { engine_.validate(); }
 
   bool suits(double length) const override {
-    if constexpr (requires { engine_.rebuild(Time(), CellGrid(length)); }) {
-      return !ShellGrid::suits(world(), length);
-    } else if constexpr (requires { engine_.rebuild(Time(), ShellGrid(length)); }) {
-      return ShellGrid::suits(world(), length);
+    if constexpr (requires { engine_.phase(); }) {
+      using Phase = std::remove_cvref_t<decltype(engine_.phase())>;
+      if constexpr (std::same_as<Phase, CellGrid>) return !ShellGrid::suits(world(), length);
+      if constexpr (std::same_as<Phase, ShellGrid>) return ShellGrid::suits(world(), length);
     }
     return true;
   }
@@ -116,6 +119,29 @@ std::unique_ptr<AnyEngine> make_queued(World world, EngineKind engine, const Eng
                                                           instructions, progress);
 }
 
+// The edge of the best cells, and what they cost per sphere and time.
+struct BestCells {
+  double edge;
+  double cost;
+};
+
+BestCells best_cells(const World& world, const Moments& moments, const UnitCosts& costs) {
+  if (are_sizes_spread(moments)) {
+    const std::vector<SizeClass> classes = size_classes(world);
+    // In a small box, candidates must come from smaller cells to be nearest images.
+    constexpr double kStep = 1.15;
+    constexpr int kSteps = 20;
+    double edge = optimal_edge_by_class(moments, classes, costs);
+    for (int i = 0; i < kSteps; ++i, edge /= kStep) {
+      if (edge > 2 * moments.largest_radius || ShellGrid::suits(world, edge)) {
+        return {edge, cost_rate_by_class(moments, classes, edge, costs)};
+      }
+    }
+  }
+  const double edge = optimal_cell_edge(moments, costs);
+  return {edge, cost_rate(expected_counts(moments, edge), costs)};
+}
+
 }  // namespace
 
 std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
@@ -146,7 +172,7 @@ EngineKind choose_engine(const World& world, const EngineOptions& options, const
   if (options.cell_edge || !NeighborList::suits(world)) return EngineKind::cells;
   const Moments moments = moments_of(world, moment);
   const UnitCosts& costs = options.unit_costs;
-  const double cells = cost_rate(expected_counts(moments, optimal_cell_edge(moments, costs)), costs);
+  const double cells = best_cells(world, moments, costs).cost;
   const double neighbors = cost_rate(expected_neighbor_counts(moments, optimal_slack(moments, costs)), costs);
   constexpr double kSurpass = 0.9;
   if (current == EngineKind::cells) return neighbors < kSurpass * cells ? EngineKind::neighbors : current;
@@ -159,7 +185,10 @@ double choose_length(const World& world, EngineKind engine, const EngineOptions&
   if (engine == EngineKind::all_pairs) return 1;
   if (engine == EngineKind::neighbors) return optimal_slack(moments_of(world, moment), options.unit_costs);
   if (options.cell_edge) return *options.cell_edge;
-  return allowed_cell_edge(world, engine, optimal_cell_edge(moments_of(world, moment), options.unit_costs));
+  const Moments moments = moments_of(world, moment);
+  const double edge = engine == EngineKind::cells ? best_cells(world, moments, options.unit_costs).edge
+                                                  : optimal_cell_edge(moments, options.unit_costs);
+  return allowed_cell_edge(world, engine, edge);
 }
 
 double allowed_cell_edge(const World& world, EngineKind engine, double edge) {

@@ -9,6 +9,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/measures.hpp"
 #include "hardball/tuning/moments.hpp"
+#include "hardball/tuning/size_classes.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/curve_order.hpp"
 #include "hardball/world/range.hpp"
@@ -348,12 +349,18 @@ void Simulation::retune_if_due() {
   next_review_ = done.enter + done.contacts() + kEventsPerReview * size();
   const Time moment = later(now_, engine_->now());
   const Moments moments = moments_of(world(), moment);
+  const bool is_by_class = kind_ == EngineKind::cells && are_sizes_spread(moments);
   if (!are_alike(moments, reviewed_)) {
     reviewed_ = moments;
     if (choose_engine(world(), options_, moment, kind_) != kind_) return rebuild(moment);
+    if (is_by_class && !options_.cell_edge) {
+      constexpr double kEnough = 1.25;
+      const double best = choose_length(world(), kind_, options_, moment);
+      if (std::max(best / watch_.edge(), watch_.edge() / best) > kEnough) return rebuild(moment);
+    }
   }
   const bool has_cells = kind_ == EngineKind::cells || kind_ == EngineKind::paper;
-  if (!has_cells || options_.cell_edge) return;
+  if (!has_cells || is_by_class || options_.cell_edge) return;
   const std::optional<double> better = watch_.update(moments, duration(last_review_, moment));
   last_review_ = moment;
   if (!better) return;
