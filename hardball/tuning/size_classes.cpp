@@ -18,6 +18,9 @@ constexpr double kSlack = 0.25;
 constexpr double kFewestToList = 256;
 constexpr double kUsualSpeed = 2.5;
 
+// A cell that a ball searches costs more by so many others: measured, docs/theory.md.
+constexpr double kBallCell = 6;
+
 // The mean number of cells that the surface of a ball of this radius, in edges, touches: of those that touch
 // the ball, by Steiner's formula, those inside are missing.
 double cells_of_ball(double radius) {
@@ -82,17 +85,18 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
       each += collisions * rows * rows * rows * search;
     } else {
       const double touched = cells_held(one);
+      const double search_of_ball = search + kBallCell * costs.cell;
       const double slack = kSlack * edge;
       const double path = collisions > 0 ? one.mean_speed / collisions : slack;
       const double candidates = touched * occupants;
       each += one.mean_speed / (slack * (1 + kDiffusion * slack / std::max(path, 0x1p-60 * slack))) *
-              (costs.enter + touched * (2 * costs.cell + search));
+              (costs.enter + touched * (2 * costs.cell + search_of_ball));
       // A list costs as much as the searches for it.
       const double nearby =
           candidates / edge * kUsualSpeed * moments.mean_speed / std::max(collisions, 1e-300);
       const double listed = 2 * std::sqrt(candidates * nearby) * costs.prediction;
-      each +=
-          collisions * (candidates < kFewestToList ? touched * search : std::min(listed, touched * search));
+      each += collisions * (candidates < kFewestToList ? touched * search_of_ball
+                                                       : std::min(listed, touched * search_of_ball));
     }
     cost += one.spheres * each;
   }
