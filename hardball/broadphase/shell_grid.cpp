@@ -16,11 +16,12 @@ namespace {
 constexpr std::int32_t kMostCellsPerAxis = 1 << 28;
 constexpr double kMostCellsPerSphere = 1000;
 
-// By how much a cell is larger than the spheres that the grid keeps: as CellGrid demands of blocks.
-constexpr double kSurplus = 2e-4;
+// In boxes so small that larger spheres in the grid would have candidates too far apart, it keeps those that
+// touch at most two cells along each axis.
 
-// The slack over the edge of a cell [1]: measured.
-constexpr double kSlack = 0.25;
+constexpr double kLargestInCell = 0.4999;
+
+// The least slack over the edge of a cell [1].
 constexpr double kLeastSlack = 0.01;
 
 // Candidates stay closer than this fraction of a periodic box along each axis.
@@ -29,10 +30,6 @@ constexpr double kLargestShare = 0.495;
 // Shells overlap a little before they touch: far more than rounding.
 constexpr double kShellMargin = 1e-9;
 
-// The usual speed of lists, over the root mean square of all.
-constexpr double kUsualSpeed = 2.5;
-// With fewer candidates, a list does not pay.
-constexpr std::size_t kFewestToList = 256;
 // The least and the greatest depth of a list, over the slack.
 constexpr double kLeastDepth = 1e-4;
 constexpr double kGreatestDepth = 0.25;
@@ -61,16 +58,24 @@ std::int32_t round_down(double number) {
 }  // namespace
 
 std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const Subdivision& cells) {
-  if (world.radii().is_common()) return std::nullopt;
+  if (world.largest_radius() <= kLargestInGrid * smallest_edge(cells)) return std::nullopt;
+  const std::optional<Sizes> sizes = sizes_for(world, cells, kLargestInGrid);
+  return sizes ? sizes : sizes_for(world, cells, kLargestInCell);
+}
+
+std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const Subdivision& cells,
+                                                     double largest_in_edges) {
   const double edge = smallest_edge(cells);
   Sizes sizes;
-  sizes.largest_in_cell = edge / (2 * (1 + kSurplus));
   std::size_t balls = 0;
   double surfaces = 0;  // in cells
   double largest = 0;
   double second_largest = 0;
   for (const double radius : world.radii().each()) {
-    if (radius <= sizes.largest_in_cell) continue;
+    if (radius <= largest_in_edges * edge) {
+      sizes.largest_in_grid = std::max(sizes.largest_in_grid, radius);
+      continue;
+    }
     ++balls;
     surfaces += cells_of_surface(radius, edge);
     second_largest = std::max(second_largest, std::min(radius, largest));
@@ -79,15 +84,15 @@ std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const S
   const auto spheres = static_cast<double>(world.size());
   if (balls == 0 || 2 * balls > world.size() || surfaces > kMostCellsPerSphere * spheres) return std::nullopt;
   sizes.slack = kSlack * edge;
-  Vec3 extent;  // of a region of the grid beyond the cell that it shares
+  Vec3 extent;  // of a region of the grid; it shares one cell with a ball
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    extent[axis] = 3 * cells.edge(axis);
+    const double touched = most_cells_touched(2 * cells.reach(axis, sizes.largest_in_grid), cells.edge(axis));
+    extent[axis] = (touched + 1) * cells.edge(axis);
     if (!world.box().is_periodic(axis)) continue;
-    constexpr std::int32_t kFewestCells = 7;  // spheres touch at most two: see has_nearest_images
+    if (!hardball::has_nearest_images(cells.period(axis), touched)) return std::nullopt;
     const double room = kLargestShare * world.box().size()[axis];
     if (balls > 1) sizes.slack = std::min(sizes.slack, (room - (largest + second_largest)) / 4);
     sizes.slack = std::min(sizes.slack, (room - (largest + extent[axis])) / 2);
-    if (cells.period(axis) < kFewestCells) return std::nullopt;
   }
   if (sizes.slack < kLeastSlack * edge) return std::nullopt;
   sizes.farthest = std::max(2 * largest + 4 * sizes.slack, largest + 2 * sizes.slack + 2 * length(extent));
@@ -103,7 +108,7 @@ void ShellGrid::build(const World& world, const Time& now, CompactPaths& copies)
   const std::optional<Sizes> sizes =
       sizes_for(world, Subdivision(world.box(), wanted_edge_, kMostCellsPerAxis));
   HARDBALL_CHECK(sizes.has_value());
-  grid_ = CellGrid(wanted_edge_, sizes->largest_in_cell, sizes->farthest);
+  grid_ = CellGrid(wanted_edge_, sizes->largest_in_grid, sizes->farthest);
   grid_.build(world, now, copies);
   HARDBALL_CHECK(grid_.has_nearest_images());
   slack_ = sizes->slack;
@@ -116,7 +121,7 @@ void ShellGrid::build(const World& world, const Time& now, CompactPaths& copies)
   ball_numbers_.assign(world.size(), 0);
   left_count_ = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    if (world.radius(slot) <= sizes->largest_in_cell) continue;
+    if (world.radius(slot) <= sizes->largest_in_grid) continue;
     are_balls_[slot / 64] |= std::uint64_t{1} << (slot % 64);
     ball_numbers_[slot] = static_cast<std::uint32_t>(balls_.size());
     Ball ball;

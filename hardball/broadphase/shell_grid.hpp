@@ -26,6 +26,16 @@ namespace hardball {
 /// list.
 class ShellGrid {
  public:
+  /// The largest radius that is not a ball's, in edges of a cell: up to about there, crossing from row to row
+  /// costs less than listing all cells at the surface. Less in small boxes.
+  static constexpr double kLargestInGrid = 1.5;
+  /// The slack, in edges; less in small boxes. Measured.
+  static constexpr double kSlack = 0.25;
+  /// A ball with so many candidates lists those that can reach it soon.
+  static constexpr std::size_t kFewestToList = 256;
+  /// The speed assumed by lists, over the root mean square of all.
+  static constexpr double kUsualSpeed = 2.5;
+
   /// `edge` [L] is the wanted length of a cell's edge; see Subdivision. Precondition: suits(world, edge).
   explicit ShellGrid(double edge) : wanted_edge_(edge), grid_(edge) {}
 
@@ -74,7 +84,7 @@ class ShellGrid {
  private:
   // The sizes that follow from the cells.
   struct Sizes {
-    double largest_in_cell = 0;  // the largest radius that the grid keeps
+    double largest_in_grid = 0;  // the largest radius that the grid keeps
     double slack = 0;
     double farthest = 0;  // distance of a ball and a candidate
   };
@@ -100,6 +110,9 @@ class ShellGrid {
 
   // Nothing if the cells do not suit the world.
   static std::optional<Sizes> sizes_for(const World& world, const Subdivision& cells);
+  // The same if the grid keeps radii of up to so many edges.
+  static std::optional<Sizes> sizes_for(const World& world, const Subdivision& cells,
+                                        double largest_in_edges);
 
   bool is_ball(Slot slot) const { return (are_balls_[slot / 64] >> (slot % 64) & 1) != 0; }
   Ball& ball_of(Slot slot) { return balls_[ball_numbers_[slot]]; }

@@ -8,15 +8,11 @@
 #include <map>
 #include <numbers>
 
+#include "hardball/broadphase/shell_grid.hpp"
 #include "hardball/tuning/kinetic_theory.hpp"
 
 namespace hardball {
 namespace {
-
-// As in ShellGrid, in edges: the slack of a ball; and with how many candidates a ball lists those nearby.
-constexpr double kSlack = 0.25;
-constexpr double kFewestToList = 256;
-constexpr double kUsualSpeed = 2.5;
 
 // A cell that a ball searches costs more by so many others: measured, docs/theory.md.
 constexpr double kBallCell = 6;
@@ -24,8 +20,8 @@ constexpr double kBallCell = 6;
 // The mean number of cells that the surface of a ball of this radius, in edges, touches: of those that touch
 // the ball, by Steiner's formula, those inside are missing.
 double cells_of_ball(double radius) {
-  const double outer = radius + kSlack;
-  const double inner = std::max(0.0, radius - kSlack - 0.75);
+  const double outer = radius + ShellGrid::kSlack;
+  const double inner = std::max(0.0, radius - ShellGrid::kSlack - 0.75);
   constexpr double kSphere = 4 * std::numbers::pi / 3;
   return 1 + 6 * outer + 3 * std::numbers::pi * outer * outer + kSphere * outer * outer * outer -
          kSphere * inner * inner * inner;
@@ -58,7 +54,7 @@ bool are_sizes_spread(const Moments& moments) {
 double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& classes, double edge,
                           const UnitCosts& costs) {
   const double cells = moments.volume() / (edge * edge * edge);
-  const auto is_ball = [&](const SizeClass& one) { return 2 * one.radius > edge; };
+  const auto is_ball = [&](const SizeClass& one) { return one.radius > ShellGrid::kLargestInGrid * edge; };
   // A sphere is still in cells that it has left.
   constexpr double kReleasedLate = 1.3;
   const auto cells_held = [&](const SizeClass& one) {
@@ -86,17 +82,18 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
     } else {
       const double touched = cells_held(one);
       const double search_of_ball = search + kBallCell * costs.cell;
-      const double slack = kSlack * edge;
+      const double slack = ShellGrid::kSlack * edge;
       const double path = collisions > 0 ? one.mean_speed / collisions : slack;
       const double candidates = touched * occupants;
       each += one.mean_speed / (slack * (1 + kDiffusion * slack / std::max(path, 0x1p-60 * slack))) *
               (costs.enter + touched * (2 * costs.cell + search_of_ball));
       // A list costs as much as the searches for it.
       const double nearby =
-          candidates / edge * kUsualSpeed * moments.mean_speed / std::max(collisions, 1e-300);
+          candidates / edge * ShellGrid::kUsualSpeed * moments.mean_speed / std::max(collisions, 1e-300);
       const double listed = 2 * std::sqrt(candidates * nearby) * costs.prediction;
-      each += collisions * (candidates < kFewestToList ? touched * search_of_ball
-                                                       : std::min(listed, touched * search_of_ball));
+      each +=
+          collisions * (candidates < ShellGrid::kFewestToList ? touched * search_of_ball
+                                                              : std::min(listed, touched * search_of_ball));
     }
     cost += one.spheres * each;
   }

@@ -62,7 +62,7 @@ TEST(Mixtures, HaveTheHistoryOfAllPairs) {
     const RunLimits limits{.until = Time(10), .contacts = 100 + seed % 200};
     std::vector<EngineOptions> ways{{EngineKind::all_pairs, QueueKind::calendar, {}, restitution},
                                     {EngineKind::automatic, QueueKind::calendar, {}, restitution}};
-    for (const double edge : {0.25, 0.5, 0.9}) {
+    for (const double edge : {0.2, 0.35, 0.6}) {
       if (ShellGrid::suits(world, edge)) ++suited;
       const QueueKind queue = seed % 2 == 0 ? QueueKind::calendar : QueueKind::ordered;
       ways.push_back({EngineKind::cells, queue, edge, restitution});

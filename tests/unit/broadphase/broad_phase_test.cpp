@@ -235,7 +235,7 @@ TEST(ShellGrid, KnowsWhoMayTouch) {
   std::uint64_t suited = 0;
   for (std::uint64_t seed = 0; seed < support::cases(300); ++seed) {
     const World world = make_mixture(seed, 5 + static_cast<double>(seed % 3));
-    constexpr std::array kEdges = {0.25, 0.4, 0.7};
+    constexpr std::array kEdges = {0.25, 0.4, 0.6};
     const double edge = kEdges[seed % kEdges.size()];
     if (!ShellGrid::suits(world, edge)) continue;
     ++suited;
@@ -256,10 +256,10 @@ TEST(ShellGrid, SuitsOnlyMixturesInLargeBoxes) {
   };
   EXPECT_TRUE(suits(1, 10, 0.5));
   EXPECT_FALSE(suits(0.1, 10, 0.5)) << "equal spheres";
-  EXPECT_FALSE(suits(1, 10, 2.5)) << "all fit in cells";
-  EXPECT_FALSE(suits(1, 10, 0.1)) << "most are larger than cells";
-  EXPECT_FALSE(suits(1, 4, 0.5)) << "a ball and a candidate may be half a box apart";
-  EXPECT_FALSE(suits(1, 3, 0.5)) << "six cells";
+  EXPECT_FALSE(suits(1, 10, 0.8)) << "no ball";
+  EXPECT_FALSE(suits(1, 10, 0.05)) << "most would be balls";
+  EXPECT_FALSE(suits(1, 5, 0.5)) << "a ball and a candidate may be half a box apart";
+  EXPECT_TRUE(suits(1, 5.2, 0.47)) << "small enough cells";
 }
 
 TEST(ShellGrid, NoticesABallThatLeftItsCellsUnseen) {
