@@ -44,7 +44,7 @@ double smallest_edge(const Subdivision& cells) {
   return std::min({cells.edge(0), cells.edge(1), cells.edge(2)});
 }
 
-// More than the number of cells that the surface of a ball touches.
+// More than the number of cells that the surface of a large sphere touches.
 double cells_of_surface(double radius, double edge) {
   const double outer = radius + 2 * edge;
   const double inner = std::max(0.0, radius - 2 * edge);
@@ -67,7 +67,7 @@ std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const S
                                                      double largest_in_edges) {
   const double edge = smallest_edge(cells);
   Sizes sizes;
-  std::size_t balls = 0;
+  std::size_t count = 0;
   double surfaces = 0;  // in cells
   double largest = 0;
   double second_largest = 0;
@@ -76,22 +76,22 @@ std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const S
       sizes.largest_in_grid = std::max(sizes.largest_in_grid, radius);
       continue;
     }
-    ++balls;
+    ++count;
     surfaces += cells_of_surface(radius, edge);
     second_largest = std::max(second_largest, std::min(radius, largest));
     largest = std::max(largest, radius);
   }
   const auto spheres = static_cast<double>(world.size());
-  if (balls == 0 || 2 * balls > world.size() || surfaces > kMostCellsPerSphere * spheres) return std::nullopt;
+  if (count == 0 || 2 * count > world.size() || surfaces > kMostCellsPerSphere * spheres) return std::nullopt;
   sizes.slack = kSlack * edge;
-  Vec3 extent;  // of a region of the grid; it shares one cell with a ball
+  Vec3 extent;  // of a region of the grid; it shares one cell with that of a large sphere
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double touched = most_cells_touched(2 * cells.reach(axis, sizes.largest_in_grid), cells.edge(axis));
     extent[axis] = (touched + 1) * cells.edge(axis);
     if (!world.box().is_periodic(axis)) continue;
     if (!hardball::has_nearest_images(cells.period(axis), touched)) return std::nullopt;
     const double room = kLargestShare * world.box().size()[axis];
-    if (balls > 1) sizes.slack = std::min(sizes.slack, (room - (largest + second_largest)) / 4);
+    if (count > 1) sizes.slack = std::min(sizes.slack, (room - (largest + second_largest)) / 4);
     sizes.slack = std::min(sizes.slack, (room - (largest + extent[axis])) / 2);
   }
   if (sizes.slack < kLeastSlack * edge) return std::nullopt;
@@ -116,43 +116,43 @@ void ShellGrid::build(const World& world, const Time& now, CompactPaths& copies)
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     margin_ = std::max(margin_, grid_.cells().reach(axis, 0));
   }
-  balls_.clear();
-  are_balls_.assign(world.size() / 64 + 1, 0);
-  ball_numbers_.assign(world.size(), 0);
+  large_.clear();
+  are_large_.assign(world.size() / 64 + 1, 0);
+  large_numbers_.assign(world.size(), 0);
   left_count_ = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
     if (world.radius(slot) <= sizes->largest_in_grid) continue;
-    are_balls_[slot / 64] |= std::uint64_t{1} << (slot % 64);
-    ball_numbers_[slot] = static_cast<std::uint32_t>(balls_.size());
-    Ball ball;
-    ball.slot = slot;
-    ball.radius = world.radius(slot);
-    move_anchor(world, ball, now);
-    for_each_cell(ball, [&](const CellIndex& cell) { grid_.store_to_edit().insert(cell, slot); });
-    balls_.push_back(ball);
+    are_large_[slot / 64] |= std::uint64_t{1} << (slot % 64);
+    large_numbers_[slot] = static_cast<std::uint32_t>(large_.size());
+    LargeSphere large;
+    large.slot = slot;
+    large.radius = world.radius(slot);
+    move_anchor(world, large, now);
+    for_each_cell(large, [&](const CellIndex& cell) { grid_.store_to_edit().insert(cell, slot); });
+    large_.push_back(large);
   }
   double squares = 0;
   for (const Path& path : world.paths()) squares += dot(path.velocity, path.velocity);
   usual_speed_ = kUsualSpeed * std::sqrt(squares / static_cast<double>(world.size()));
-  for (Ball& ball : balls_) {
-    collect_all(world, ball, found_);
-    list_near(world, ball, now, copies, found_);
+  for (LargeSphere& large : large_) {
+    collect_all(world, large, found_);
+    list_near(world, large, now, copies, found_);
   }
 }
 
-void ShellGrid::move_anchor(const World& world, Ball& ball, const Time& now) const {
-  ball.anchor = position_at(world.path(ball.slot), now);
-  ball.boxes = -world.box().fold(ball.anchor);
+void ShellGrid::move_anchor(const World& world, LargeSphere& large, const Time& now) const {
+  large.anchor = position_at(world.path(large.slot), now);
+  large.boxes = -world.box().fold(large.anchor);
 }
 
 // The centre, relative to the anchor.
-Vec3 ShellGrid::place_of(const World& world, const Ball& ball, const Time& now) const {
-  return position_at(world.path(ball.slot), now) + world.box().shift(ball.boxes) - ball.anchor;
+Vec3 ShellGrid::place_of(const World& world, const LargeSphere& large, const Time& now) const {
+  return position_at(world.path(large.slot), now) + world.box().shift(large.boxes) - large.anchor;
 }
 
-double ShellGrid::next_crossing_of_ball(const World& world, Slot slot, const Time& now) const {
-  const Ball& ball = ball_of(slot);
-  const Vec3 place = place_of(world, ball, now);
+double ShellGrid::next_crossing_of_large(const World& world, Slot slot, const Time& now) const {
+  const LargeSphere& large = large_of(slot);
+  const Vec3 place = place_of(world, large, now);
   const Vec3& velocity = world.path(slot).velocity;
   const double error = coordinate_error(world, slot, now);
   const auto wait_within = [&](const Vec3& middle, double slack) {
@@ -162,18 +162,18 @@ double ShellGrid::next_crossing_of_ball(const World& world, Slot slot, const Tim
   };
   const double begin = rounded_down(now);
   const double left = begin + wait_within({}, slack_);
-  if (!ball.has_list) return left;
-  return std::max(begin, std::min({left, begin + wait_within(ball.middle, ball.near_slack), ball.expiry}));
+  if (!large.has_list) return left;
+  return std::max(begin, std::min({left, begin + wait_within(large.middle, large.near_slack), large.expiry}));
 }
 
-// Calls visit(cell) for each cell, folded into the box, that the surface of a ball may touch, in columns
-// along the last axis. Cells at the ends of the box or of open space reach on for ever.
+// Calls visit(cell) for each cell, folded into the box, that the surface of a large sphere may touch, in
+// columns along the last axis. Cells at the ends of the box or of open space reach on for ever.
 template <class Visit>
-void ShellGrid::for_each_cell(const Ball& ball, Visit&& visit) const {
+void ShellGrid::for_each_cell(const LargeSphere& large, Visit&& visit) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const Subdivision& cells = grid_.cells();
-  const double outer = ball.radius + slack_ + margin_;
-  const double inner = std::max(0.0, ball.radius - slack_ - margin_);
+  const double outer = large.radius + slack_ + margin_;
+  const double inner = std::max(0.0, large.radius - slack_ - margin_);
   const auto index_at = [&](std::size_t axis, double coordinate) {
     return round_down(std::clamp<double>(coordinate / cells.edge(axis), cells.first(axis), cells.last(axis)));
   };
@@ -186,16 +186,16 @@ void ShellGrid::for_each_cell(const Ball& ball, Visit&& visit) const {
   const auto distances = [&](std::size_t axis, std::int32_t index) {
     const bool has_below = is_periodic[axis] || index > cells.first(axis);
     const bool has_above = is_periodic[axis] || index < cells.last(axis);
-    const double low = has_below ? cells.edge(axis) * index - ball.anchor[axis] : -kInfinity;
-    const double high = has_above ? cells.edge(axis) * (index + 1) - ball.anchor[axis] : kInfinity;
+    const double low = has_below ? cells.edge(axis) * index - large.anchor[axis] : -kInfinity;
+    const double high = has_above ? cells.edge(axis) * (index + 1) - large.anchor[axis] : kInfinity;
     return Distances{std::max({low, -high, 0.0}), std::max(-low, high)};
   };
   const auto square = [](double number) { return number * number; };
   CellIndex low;
   CellIndex high;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    low[axis] = index_at(axis, ball.anchor[axis] - outer);
-    high[axis] = index_at(axis, ball.anchor[axis] + outer);
+    low[axis] = index_at(axis, large.anchor[axis] - outer);
+    high[axis] = index_at(axis, large.anchor[axis] + outer);
   }
   for (std::int32_t x = low[0]; x <= high[0]; ++x) {
     const Distances in_x = distances(0, x);
@@ -206,16 +206,16 @@ void ShellGrid::for_each_cell(const Ball& ball, Visit&& visit) const {
       if (room < 0) continue;
       const double height = std::sqrt(room);
       const std::int32_t folded_y = cells.folded(1, y);
-      const std::int32_t begin = index_at(2, ball.anchor.z - height);
-      const std::int32_t end = index_at(2, ball.anchor.z + height) + 1;
-      // Cells in which the ball leaves no room for others are left out.
+      const std::int32_t begin = index_at(2, large.anchor.z - height);
+      const std::int32_t end = index_at(2, large.anchor.z + height) + 1;
+      // Cells in which it leaves no room for others are left out.
       std::int32_t hole_begin = end;
       std::int32_t hole_end = end;
       const double hidden = inner * inner - (square(in_x.far) + square(in_y.far));
       if (hidden > 0) {
         const double half = std::sqrt(hidden);
-        hole_begin = std::max(begin, index_at(2, ball.anchor.z - half) + 1);
-        hole_end = std::min(end, index_at(2, ball.anchor.z + half));
+        hole_begin = std::max(begin, index_at(2, large.anchor.z - half) + 1);
+        hole_end = std::min(end, index_at(2, large.anchor.z + half));
         if (hole_begin >= hole_end) hole_begin = hole_end = end;
       }
       for (std::int32_t z = begin; z < hole_begin; ++z) {
@@ -228,108 +228,108 @@ void ShellGrid::for_each_cell(const Ball& ball, Visit&& visit) const {
   }
 }
 
-bool ShellGrid::do_shells_meet(const World& world, const Ball& a, const Ball& b) const {
+bool ShellGrid::do_shells_meet(const World& world, const LargeSphere& a, const LargeSphere& b) const {
   const Vec3 apart = b.anchor - a.anchor;
   const double reach = (a.radius + b.radius + 2 * slack_) * (1 + kShellMargin);
   return length(apart + world.box().shift(world.box().nearest_image(-apart))) <= reach;
 }
 
-// Of balls, a cell may hold the same as many others.
-void ShellGrid::collect_cell(const World& world, const Ball& ball, const CellIndex& cell,
+// Large spheres are found in many cells, and added once.
+void ShellGrid::collect_cell(const World& world, const LargeSphere& large, const CellIndex& cell,
                              Candidates& candidates) const {
   grid_.store().lists().for_each_line(grid_.store().list(cell),
                                       [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
                                         const auto is_small = [&](Slot other) {
-                                          const bool is_other_ball = is_ball(other) & (other != ball.slot);
-                                          if (is_other_ball) [[unlikely]] {
+                                          const bool is_other_large = is_large(other) & (other != large.slot);
+                                          if (is_other_large) [[unlikely]] {
                                             if (candidates.is_new(other)) {
                                               candidates.mark(other);
-                                              return do_shells_meet(world, ball, ball_of(other));
+                                              return do_shells_meet(world, large, large_of(other));
                                             }
                                           }
-                                          return !is_ball(other);
+                                          return !is_large(other);
                                         };
                                         candidates.add_if(slots, count, is_small);
                                       });
 }
 
-void ShellGrid::collect_of_ball(const World& world, Slot slot, Candidates& candidates) const {
-  const Ball& ball = ball_of(slot);
+void ShellGrid::collect_of_large(const World& world, Slot slot, Candidates& candidates) const {
+  const LargeSphere& large = large_of(slot);
   candidates.begin(slot, true);
-  if (ball.has_list) return candidates.refer_to(ball.near.data(), ball.near_count);
-  collect_all(world, ball, candidates);
+  if (large.has_list) return candidates.refer_to(large.near.data(), large.near_count);
+  collect_all(world, large, candidates);
 }
 
-void ShellGrid::collect_all(const World& world, const Ball& ball, Candidates& candidates) const {
-  candidates.begin(ball.slot, true);
-  candidates.start_round(balls_.size());
-  for_each_cell(ball, [&](const CellIndex& cell) { collect_cell(world, ball, cell, candidates); });
+void ShellGrid::collect_all(const World& world, const LargeSphere& large, Candidates& candidates) const {
+  candidates.begin(large.slot, true);
+  candidates.start_round(large_.size());
+  for_each_cell(large, [&](const CellIndex& cell) { collect_cell(world, large, cell, candidates); });
   candidates.end();
 }
 
-void ShellGrid::cross_ball(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
-                           Candidates& candidates) {
-  Ball& ball = ball_of(slot);
+void ShellGrid::cross_large(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
+                            Candidates& candidates) {
+  LargeSphere& large = large_of(slot);
   // A list reaches no farther than the slack.
-  const double most = ball.has_list ? (1 - 2 * kGreatestDepth) * slack_ : 0;
-  const bool moves = !(length(place_of(world, ball, now)) < most);
+  const double most = large.has_list ? (1 - 2 * kGreatestDepth) * slack_ : 0;
+  const bool moves = !(length(place_of(world, large, now)) < most);
   if (moves) {
-    for_each_cell(ball, [&](const CellIndex& cell) { grid_.store_to_edit().erase(cell, slot); });
+    for_each_cell(large, [&](const CellIndex& cell) { grid_.store_to_edit().erase(cell, slot); });
     ++left_count_;
-    move_anchor(world, ball, now);
-    for_each_cell(ball, [&](const CellIndex& cell) { grid_.store_to_edit().insert(cell, slot); });
+    move_anchor(world, large, now);
+    for_each_cell(large, [&](const CellIndex& cell) { grid_.store_to_edit().insert(cell, slot); });
   }
-  collect_all(world, ball, candidates);
-  if (moves) list_at_balls(slot, candidates);
-  list_near(world, ball, now, copies, candidates);
-  if (ball.has_list) candidates.refer_to(ball.near.data(), ball.near_count);
+  collect_all(world, large, candidates);
+  if (moves) list_at_large(slot, candidates);
+  list_near(world, large, now, copies, candidates);
+  if (large.has_list) candidates.refer_to(large.near.data(), large.near_count);
 }
 
-void ShellGrid::Ball::append(Slot other) {
+void ShellGrid::LargeSphere::append(Slot other) {
   near.resize(near_count + 1 + Candidates::kPadding);
   near[near_count++] = other;
   std::fill_n(near.begin() + static_cast<std::ptrdiff_t>(near_count), Candidates::kPadding, slot);
 }
 
-// Adds a sphere to the lists of the balls among its candidates.
-void ShellGrid::list_at_balls(Slot slot, const Candidates& candidates) {
+// Adds a sphere to the lists of the large ones among its candidates.
+void ShellGrid::list_at_large(Slot slot, const Candidates& candidates) {
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Slot other = candidates.slot(i);
-    if (is_ball(other) && other != slot && ball_of(other).has_list) ball_of(other).append(slot);
+    if (is_large(other) && other != slot && large_of(other).has_list) large_of(other).append(slot);
   }
 }
 
 void ShellGrid::list_fast(const World& world, Slot slot) {
   grid_.collect(world, slot, found_);
-  list_at_balls(slot, found_);
+  list_at_large(slot, found_);
 }
 
-// Lists those of all candidates that can reach a ball before the list expires, each once.
-void ShellGrid::list_near(const World& world, Ball& ball, const Time& now, const CompactPaths& copies,
+// Lists those of all candidates that can reach a large sphere before the list expires, each once.
+void ShellGrid::list_near(const World& world, LargeSphere& large, const Time& now, const CompactPaths& copies,
                           const Candidates& all) const {
-  const Slot slot = ball.slot;
+  const Slot slot = large.slot;
   const bool pays = all.size() >= kFewestToList && copies.is_bounded(slot);
-  if (pays) choose_depth(ball, all.size());
+  if (pays) choose_depth(large, all.size());
   const double begin = rounded_down(now);
-  // A ball at rest may be hit and move.
+  // At rest, it may be hit and move.
   constexpr double kAtRest = 0.01;
   constexpr double kChange = 3;
   const double speed = length(world.path(slot).velocity);
-  ball.near_slack = ball.depth * std::min(1.0, kAtRest + kChange * speed / usual_speed_);
-  ball.expiry = begin + ball.depth / usual_speed_;
-  ball.has_list = pays && usual_speed_ > 0 && ball.expiry > begin + kFewestDigits * std::fabs(begin) &&
-                  0x1p-12 * ball.near_slack > coordinate_error(world, slot, now);
-  if (!ball.has_list) return;
-  ball.middle = place_of(world, ball, now);
-  ball.contacts = 0;
+  large.near_slack = large.depth * std::min(1.0, kAtRest + kChange * speed / usual_speed_);
+  large.expiry = begin + large.depth / usual_speed_;
+  large.has_list = pays && usual_speed_ > 0 && large.expiry > begin + kFewestDigits * std::fabs(begin) &&
+                   0x1p-12 * large.near_slack > coordinate_error(world, slot, now);
+  if (!large.has_list) return;
+  large.middle = place_of(world, large, now);
+  large.contacts = 0;
   const double unit = copies.length_unit();
-  const CompactPath& own = copies.paths()[ball.slot];
-  const auto usual = static_cast<float>(ball.depth / unit);
+  const CompactPath& own = copies.paths()[large.slot];
+  const auto usual = static_cast<float>(large.depth / unit);
   const float reach =
-      copies.radius(ball.slot) +
-      static_cast<float>((ball.near_slack + ball.depth + kDepthMargin * copies.farthest()) / unit);
-  const auto wait = static_cast<float>((ball.expiry - begin) / copies.time_unit() * (1 + 0x1p-20));
-  ball.near.resize(all.size() + Candidates::kPadding);
+      copies.radius(large.slot) +
+      static_cast<float>((large.near_slack + large.depth + kDepthMargin * copies.farthest()) / unit);
+  const auto wait = static_cast<float>((large.expiry - begin) / copies.time_unit() * (1 + 0x1p-20));
+  large.near.resize(all.size() + Candidates::kPadding);
   std::size_t count = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Slot other = all.slot(i);
@@ -349,46 +349,46 @@ void ShellGrid::list_near(const World& world, Ball& ball, const Time& now, const
     });
     const float way = std::sqrt(speed_squared) * wait;
     const float sum = reach + copies.radius(other) + std::max(0.0F, way - usual);
-    ball.near[count] = other;
+    large.near[count] = other;
     // Of a sphere too fast to be copied, nothing is known.
-    count += !(distance_squared > sum * sum) || is_ball(other) ? 1U : 0U;
+    count += !(distance_squared > sum * sum) || is_large(other) ? 1U : 0U;
   }
-  const auto end = ball.near.begin() + static_cast<std::ptrdiff_t>(count);
-  std::sort(ball.near.begin(), end);
-  count = static_cast<std::size_t>(std::unique(ball.near.begin(), end) - ball.near.begin());
-  ball.near_count = count;
-  ball.near.resize(count + Candidates::kPadding);
-  std::fill_n(ball.near.begin() + static_cast<std::ptrdiff_t>(count), Candidates::kPadding, ball.slot);
+  const auto end = large.near.begin() + static_cast<std::ptrdiff_t>(count);
+  std::sort(large.near.begin(), end);
+  count = static_cast<std::size_t>(std::unique(large.near.begin(), end) - large.near.begin());
+  large.near_count = count;
+  large.near.resize(count + Candidates::kPadding);
+  std::fill_n(large.near.begin() + static_cast<std::ptrdiff_t>(count), Candidates::kPadding, large.slot);
 }
 
 // The search for a list is shared by the contacts of its time; each of these goes through the list: the depth
 // at which both cost the same costs least.
-void ShellGrid::choose_depth(Ball& ball, std::size_t searched) const {
+void ShellGrid::choose_depth(LargeSphere& large, std::size_t searched) const {
   constexpr double kFactor = 1.5;
-  if (!ball.has_list) {
-    ball.depth = slack_ / 64;
+  if (!large.has_list) {
+    large.depth = slack_ / 64;
   } else {
-    const double search = static_cast<double>(searched) / (1 + ball.contacts);
-    ball.depth *= search > static_cast<double>(ball.near_count) ? kFactor : 1 / kFactor;
+    const double search = static_cast<double>(searched) / (1 + large.contacts);
+    large.depth *= search > static_cast<double>(large.near_count) ? kFactor : 1 / kFactor;
   }
-  ball.depth = std::clamp(ball.depth, kLeastDepth * slack_, kGreatestDepth * slack_);
+  large.depth = std::clamp(large.depth, kLeastDepth * slack_, kGreatestDepth * slack_);
 }
 
 std::size_t ShellGrid::memory_bytes() const {
-  return grid_.memory_bytes() + balls_.capacity() * sizeof(Ball) +
-         are_balls_.capacity() * sizeof(std::uint64_t) + ball_numbers_.capacity() * sizeof(std::uint32_t);
+  return grid_.memory_bytes() + large_.capacity() * sizeof(LargeSphere) +
+         are_large_.capacity() * sizeof(std::uint64_t) + large_numbers_.capacity() * sizeof(std::uint32_t);
 }
 
 void ShellGrid::validate(const World& world, const Time& now, const CompactPaths& copies) const {
-  HARDBALL_CHECK(ball_numbers_.size() == world.size());
+  HARDBALL_CHECK(large_numbers_.size() == world.size());
   grid_.validate(world, now, copies);
-  for (const Ball& ball : balls_) {
-    HARDBALL_CHECK(is_ball(ball.slot) && ball.radius == world.radius(ball.slot));
-    HARDBALL_CHECK(length(place_of(world, ball, now)) <= slack_ + coordinate_error(world, ball.slot, now));
-    for_each_cell(ball, [&](const CellIndex& cell) {
+  for (const LargeSphere& large : large_) {
+    HARDBALL_CHECK(is_large(large.slot) && large.radius == world.radius(large.slot));
+    HARDBALL_CHECK(length(place_of(world, large, now)) <= slack_ + coordinate_error(world, large.slot, now));
+    for_each_cell(large, [&](const CellIndex& cell) {
       std::size_t found = 0;
       grid_.store().lists().for_each(grid_.store().list(cell),
-                                     [&](Slot occupant) { found += occupant == ball.slot ? 1U : 0U; });
+                                     [&](Slot occupant) { found += occupant == large.slot ? 1U : 0U; });
       HARDBALL_CHECK(found == 1);
     });
   }

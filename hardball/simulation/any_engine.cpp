@@ -133,8 +133,8 @@ BestCells best_cells(const World& world, const Moments& moments, const UnitCosts
     constexpr int kSteps = 20;
     double edge = optimal_edge_by_class(moments, classes, costs);
     for (int i = 0; i < kSteps; ++i, edge /= kStep) {
-      const bool has_balls = edge < moments.largest_radius / ShellGrid::kLargestInGrid;
-      if (!has_balls || ShellGrid::suits(world, edge)) {
+      const bool has_large = edge < moments.largest_radius / ShellGrid::kLargestInGrid;
+      if (!has_large || ShellGrid::suits(world, edge)) {
         return {edge, cost_rate_by_class(moments, classes, edge, costs)};
       }
     }

@@ -14,17 +14,22 @@
 namespace hardball {
 namespace {
 
-// A cell that a ball searches costs more by so many others: measured, docs/theory.md.
-constexpr double kBallCell = 6;
+// A cell that a large sphere searches costs more by so many others: measured, docs/theory.md.
+constexpr double kLargeCell = 6;
 
-// The mean number of cells that the surface of a ball of this radius, in edges, touches: of those that touch
-// the ball, by Steiner's formula, those inside are missing.
-double cells_of_ball(double radius) {
+// The mean number of cells that the surface of a large sphere of this radius, in edges, touches: of those
+// that touch the large, by Steiner's formula, those inside are missing.
+double cells_of_large(double radius) {
   const double outer = radius + ShellGrid::kSlack;
   const double inner = std::max(0.0, radius - ShellGrid::kSlack - 0.75);
   constexpr double kSphere = 4 * std::numbers::pi / 3;
   return 1 + 6 * outer + 3 * std::numbers::pi * outer * outer + kSphere * outer * outer * outer -
          kSphere * inner * inner * inner;
+}
+
+// Of velocities distributed as Maxwell's.
+double mean_relative_speed(const SizeClass& a, const SizeClass& b) {
+  return std::sqrt(a.mean_speed * a.mean_speed + b.mean_speed * b.mean_speed);
 }
 
 }  // namespace
@@ -54,12 +59,12 @@ bool are_sizes_spread(const Moments& moments) {
 double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& classes, double edge,
                           const UnitCosts& costs) {
   const double cells = moments.volume() / (edge * edge * edge);
-  const auto is_ball = [&](const SizeClass& one) { return one.radius > ShellGrid::kLargestInGrid * edge; };
+  const auto is_large = [&](const SizeClass& one) { return one.radius > ShellGrid::kLargestInGrid * edge; };
   // A sphere is still in cells that it has left.
   constexpr double kReleasedLate = 1.3;
   const auto cells_held = [&](const SizeClass& one) {
     const double rows = 1 + 2 * one.radius / edge;
-    return is_ball(one) ? cells_of_ball(one.radius / edge) : kReleasedLate * rows * rows * rows;
+    return is_large(one) ? cells_of_large(one.radius / edge) : kReleasedLate * rows * rows * rows;
   };
   double occupants = 0;  // of a cell
   for (const SizeClass& one : classes) occupants += one.spheres * cells_held(one) / cells;
@@ -72,28 +77,28 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
     for (const SizeClass& other : classes) {
       const double reach = one.radius + other.radius;
       collisions += other.spheres / moments.volume() * std::numbers::pi * reach * reach *
-                    std::hypot(one.mean_speed, other.mean_speed) * crowding;
+                    mean_relative_speed(one, other) * crowding;
     }
     double each = collisions * costs.contact / 2;
-    if (!is_ball(one)) {
+    if (!is_large(one)) {
       const double rows = 1 + 2 * one.radius / edge;
       each += 1.5 * one.mean_speed / edge * (costs.enter + rows * rows * search);
       each += collisions * rows * rows * rows * search;
     } else {
       const double touched = cells_held(one);
-      const double search_of_ball = search + kBallCell * costs.cell;
+      const double search_of_large = search + kLargeCell * costs.cell;
       const double slack = ShellGrid::kSlack * edge;
       const double path = collisions > 0 ? one.mean_speed / collisions : slack;
       const double candidates = touched * occupants;
       each += one.mean_speed / (slack * (1 + kDiffusion * slack / std::max(path, 0x1p-60 * slack))) *
-              (costs.enter + touched * (2 * costs.cell + search_of_ball));
+              (costs.enter + touched * (2 * costs.cell + search_of_large));
       // A list costs as much as the searches for it.
       const double nearby =
           candidates / edge * ShellGrid::kUsualSpeed * moments.mean_speed / std::max(collisions, 1e-300);
       const double listed = 2 * std::sqrt(candidates * nearby) * costs.prediction;
       each +=
-          collisions * (candidates < ShellGrid::kFewestToList ? touched * search_of_ball
-                                                              : std::min(listed, touched * search_of_ball));
+          collisions * (candidates < ShellGrid::kFewestToList ? touched * search_of_large
+                                                              : std::min(listed, touched * search_of_large));
     }
     cost += one.spheres * each;
   }

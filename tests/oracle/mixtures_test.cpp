@@ -20,7 +20,7 @@ namespace {
 
 using support::History;
 
-// Balls of radius one among spheres down to a hundredth of that.
+// Spheres of radius one among others down to a hundredth of that.
 World make_mixture(std::uint64_t seed) {
   Random random(seed);
   constexpr std::array kAll = {Boundary::periodic, Boundary::wall, Boundary::open};
@@ -29,11 +29,11 @@ World make_mixture(std::uint64_t seed) {
   const auto boundary = [&] { return is_uniform ? common : kAll[random.bits() % 3]; };
   const Box box({boundary(), boundary(), boundary()},
                 {4.5 + 3 * random.uniform(), 5 + random.uniform(), 4.5 + 3 * random.uniform()});
-  const std::size_t balls = 1 + random.bits() % 3;
-  const std::size_t small = 2 * balls + random.bits() % 60;
+  const std::size_t large = 1 + random.bits() % 3;
+  const std::size_t small = 2 * large + random.bits() % 60;
   const bool is_of_two_sizes = random.uniform() < 0.3;
   std::vector<double> radii;
-  for (std::size_t i = 0; i < balls; ++i) radii.push_back(1 - 0.3 * random.uniform());
+  for (std::size_t i = 0; i < large; ++i) radii.push_back(1 - 0.3 * random.uniform());
   for (std::size_t i = 0; i < small; ++i) {
     radii.push_back(is_of_two_sizes ? 0.1 : std::exp2(-6.6 * random.uniform()));
   }

@@ -209,7 +209,7 @@ TEST(NeighborList, KnowsWhoMayTouch) {
   EXPECT_GT(suited, support::cases(1000) / 3);
 }
 
-// A mixture of balls of radius one and spheres down to a hundredth of that, in a box of random boundaries;
+// A mixture of spheres of radius one and others down to a hundredth of that, in a box of random boundaries;
 // some are at rest.
 World make_mixture(std::uint64_t seed, double size) {
   Random random(seed);
@@ -256,13 +256,13 @@ TEST(ShellGrid, SuitsOnlyMixturesInLargeBoxes) {
   };
   EXPECT_TRUE(suits(1, 10, 0.5));
   EXPECT_FALSE(suits(0.1, 10, 0.5)) << "equal spheres";
-  EXPECT_FALSE(suits(1, 10, 0.8)) << "no ball";
-  EXPECT_FALSE(suits(1, 10, 0.05)) << "most would be balls";
-  EXPECT_FALSE(suits(1, 5, 0.5)) << "a ball and a candidate may be half a box apart";
+  EXPECT_FALSE(suits(1, 10, 0.8)) << "not much larger than a cell";
+  EXPECT_FALSE(suits(1, 10, 0.05)) << "most would be large";
+  EXPECT_FALSE(suits(1, 5, 0.5)) << "candidates may be half a box apart";
   EXPECT_TRUE(suits(1, 5.2, 0.47)) << "small enough cells";
 }
 
-TEST(ShellGrid, NoticesABallThatLeftItsCellsUnseen) {
+TEST(ShellGrid, NoticesALargeSphereThatLeftItsCellsUnseen) {
   World world(Box::periodic({20, 20, 20}));
   world.add({{5, 5, 5}, {1, 0, 0}, 2, 1});
   world.add({{10, 10, 10}, {}, 0.1, 1});
