@@ -44,23 +44,28 @@ double smallest_edge(const Subdivision& cells) {
   return std::min({cells.edge(0), cells.edge(1), cells.edge(2)});
 }
 
-// More than the number of cells that the surface of a large sphere touches.
-double cells_of_surface(double radius, double edge) {
-  const double outer = radius + 2 * edge;
-  const double inner = std::max(0.0, radius - 2 * edge);
-  return 4 * std::numbers::pi / 3 * (outer * outer * outer - inner * inner * inner) / (edge * edge * edge);
-}
-
 std::int32_t round_down(double number) {
   return static_cast<std::int32_t>(std::floor(number));
 }
 
 }  // namespace
 
+double ShellGrid::cells_of_surface(double radius) {
+  // By Steiner's formula for those that touch the sphere; those inside are missing.
+  constexpr double kSphere = 4 * std::numbers::pi / 3;
+  const double outer = radius + kSlack;
+  const double inner = std::max(0.0, radius - kSlack - 0.75);
+  return 1 + 6 * outer + 3 * std::numbers::pi * outer * outer + kSphere * outer * outer * outer -
+         kSphere * inner * inner * inner;
+}
+
 std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const Subdivision& cells) {
+  // Where few do not fit into cells, the grid may keep all others in blocks of cells, which is the fastest.
+  const std::optional<Sizes> in_blocks = sizes_for(world, cells, kLargestInCell);
+  if (in_blocks && in_blocks->surfaces <= kFewSurfaces * static_cast<double>(world.size())) return in_blocks;
   if (world.largest_radius() <= kLargestInGrid * smallest_edge(cells)) return std::nullopt;
-  const std::optional<Sizes> sizes = sizes_for(world, cells, kLargestInGrid);
-  return sizes ? sizes : sizes_for(world, cells, kLargestInCell);
+  const std::optional<Sizes> in_rows = sizes_for(world, cells, kLargestInGrid);
+  return in_rows ? in_rows : in_blocks;
 }
 
 std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const Subdivision& cells,
@@ -68,7 +73,6 @@ std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const S
   const double edge = smallest_edge(cells);
   Sizes sizes;
   std::size_t count = 0;
-  double surfaces = 0;  // in cells
   double largest = 0;
   double second_largest = 0;
   for (const double radius : world.radii().each()) {
@@ -77,12 +81,13 @@ std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const S
       continue;
     }
     ++count;
-    surfaces += cells_of_surface(radius, edge);
+    sizes.surfaces += cells_of_surface(radius / edge);
     second_largest = std::max(second_largest, std::min(radius, largest));
     largest = std::max(largest, radius);
   }
   const auto spheres = static_cast<double>(world.size());
-  if (count == 0 || 2 * count > world.size() || surfaces > kMostCellsPerSphere * spheres) return std::nullopt;
+  if (count == 0 || 2 * count > world.size() || sizes.surfaces > kMostCellsPerSphere * spheres)
+    return std::nullopt;
   sizes.slack = kSlack * edge;
   Vec3 extent;  // of a region of the grid; it shares one cell with that of a large sphere
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

@@ -39,8 +39,15 @@ class ShellGrid {
   /// `edge` [L] is the wanted length of a cell's edge; see Subdivision. Precondition: suits(world, edge).
   explicit ShellGrid(double edge) : wanted_edge_(edge), grid_(edge) {}
 
-  /// Whether there are spheres larger than such a cell, but no more than smaller ones, and candidates would
-  /// be nearest images. Cost: O(n). Error: the edge is not positive and finite.
+  /// Where large spheres touch no more cells than this for each sphere, all that do not fit into cells are
+  /// large: the others are kept in blocks, see CellGrid. Measured.
+  static constexpr double kFewSurfaces = 0.5;
+  /// The mean number of cells that the surface of a large sphere of this radius, in edges, touches.
+  static double cells_of_surface(double radius);
+
+  /// Whether there are spheres much larger than such a cell, or few that do not fit, but no more of them than
+  /// of others, and candidates would be nearest images. Cost: O(n). Error: the edge is not positive and
+  /// finite.
   static bool suits(const World& world, double edge);
 
   void build(const World& world, const Time& now, CompactPaths& copies);
@@ -86,6 +93,7 @@ class ShellGrid {
   struct Sizes {
     double largest_in_grid = 0;  // the largest radius that the grid keeps
     double slack = 0;
+    double surfaces = 0;  // cells that the large ones touch, about
     double farthest = 0;  // distance of a large sphere and a candidate
   };
   struct LargeSphere {

@@ -17,16 +17,6 @@ namespace {
 // A cell that a large sphere searches costs more by so many others: measured, docs/theory.md.
 constexpr double kLargeCell = 6;
 
-// The mean number of cells that the surface of a large sphere of this radius, in edges, touches: of those
-// that touch the large, by Steiner's formula, those inside are missing.
-double cells_of_large(double radius) {
-  const double outer = radius + ShellGrid::kSlack;
-  const double inner = std::max(0.0, radius - ShellGrid::kSlack - 0.75);
-  constexpr double kSphere = 4 * std::numbers::pi / 3;
-  return 1 + 6 * outer + 3 * std::numbers::pi * outer * outer + kSphere * outer * outer * outer -
-         kSphere * inner * inner * inner;
-}
-
 // Of velocities distributed as Maxwell's.
 double mean_relative_speed(const SizeClass& a, const SizeClass& b) {
   return std::sqrt(a.mean_speed * a.mean_speed + b.mean_speed * b.mean_speed);
@@ -59,12 +49,25 @@ bool are_sizes_spread(const Moments& moments) {
 double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& classes, double edge,
                           const UnitCosts& costs) {
   const double cells = moments.volume() / (edge * edge * edge);
-  const auto is_large = [&](const SizeClass& one) { return one.radius > ShellGrid::kLargestInGrid * edge; };
+  double surfaces = 0;  // of those that do not fit into cells
+  bool all_fit = true;
+  for (const SizeClass& one : classes) {
+    if (2 * one.radius <= edge) continue;
+    surfaces += one.spheres * ShellGrid::cells_of_surface(one.radius / edge);
+    all_fit &= one.radius > ShellGrid::kLargestInGrid * edge;
+  }
+  const bool are_few = surfaces <= ShellGrid::kFewSurfaces * static_cast<double>(moments.spheres);
+  const double largest_in_grid = are_few ? edge / 2 : ShellGrid::kLargestInGrid * edge;
+  const auto is_large = [&](const SizeClass& one) { return one.radius > largest_in_grid; };
+  // Where regions are no blocks, crossings and searches cost more: measured, docs/theory.md.
+  constexpr double kRows = 1.15;
+  const double in_rows = are_few || all_fit ? 1 : kRows;
   // A sphere is still in cells that it has left.
   constexpr double kReleasedLate = 1.3;
   const auto cells_held = [&](const SizeClass& one) {
     const double rows = 1 + 2 * one.radius / edge;
-    return is_large(one) ? cells_of_large(one.radius / edge) : kReleasedLate * rows * rows * rows;
+    return is_large(one) ? ShellGrid::cells_of_surface(one.radius / edge)
+                         : kReleasedLate * rows * rows * rows;
   };
   double occupants = 0;  // of a cell
   for (const SizeClass& one : classes) occupants += one.spheres * cells_held(one) / cells;
@@ -82,8 +85,8 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
     double each = collisions * costs.contact / 2;
     if (!is_large(one)) {
       const double rows = 1 + 2 * one.radius / edge;
-      each += 1.5 * one.mean_speed / edge * (costs.enter + rows * rows * search);
-      each += collisions * rows * rows * rows * search;
+      each += in_rows * 1.5 * one.mean_speed / edge * (costs.enter + rows * rows * search);
+      each += in_rows * collisions * rows * rows * rows * search;
     } else {
       const double touched = cells_held(one);
       const double search_of_large = search + kLargeCell * costs.cell;
