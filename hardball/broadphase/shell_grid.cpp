@@ -100,7 +100,10 @@ std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const S
     sizes.slack = std::min(sizes.slack, (room - (largest + extent[axis])) / 2);
   }
   if (sizes.slack < kLeastSlack * edge) return std::nullopt;
-  sizes.farthest = std::max(2 * largest + 4 * sizes.slack, largest + 2 * sizes.slack + 2 * length(extent));
+  // From a large sphere to any point of its cells, and on to the centre of one in the grid that shares them.
+  const Vec3 cell{cells.edge(0), cells.edge(1), cells.edge(2)};
+  sizes.farthest = largest + 2 * sizes.slack + length(cell) + length(extent);
+  if (count > 1) sizes.farthest = std::max(sizes.farthest, largest + second_largest + 5 * sizes.slack);
   return sizes;
 }
 
