@@ -16,8 +16,9 @@ namespace hardball {
 ///
 /// Each sphere has a region, and its candidates are all spheres and periodic images whose regions meet its
 /// own. The sphere stays in its region until its next crossing, when it reaches the region's edge and gets
-/// another region. Two spheres are always candidates of each other before they touch. A broad phase reads
-/// paths and never changes them.
+/// another region. Two spheres are always candidates of each other before they touch; but a sphere may leave
+/// out those that it cannot meet before its next crossing, if they have it as a candidate. A broad phase
+/// reads paths and never changes them.
 ///
 /// - `build(world, now, copies)` gives every sphere a region, and resets the compact copies of paths with the
 ///   distance [L] that candidates are at most apart and that no sphere exceeds between two crossings.

@@ -73,6 +73,17 @@ class Candidates {
     size_ += count;
   }
 
+  /// Adds those of the first `count` slots of a cache line for which is_wanted(slot) holds. Branchless, as
+  /// that is unpredictable.
+  template <class Predicate>
+  void add_if(const SlotLists::LineOfSlots& others, std::uint32_t count, Predicate&& is_wanted) {
+    make_room(others.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      slots_[size_] = others[i];
+      size_ += is_wanted(others[i]) ? 1U : 0U;
+    }
+  }
+
   /// Adds a candidate with its image.
   void add(Slot other, const Image& image, const Box& box) {
     make_room(1);

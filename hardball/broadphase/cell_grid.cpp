@@ -53,19 +53,23 @@ void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) 
   nearest_ = images_are_nearest(world);
   store_.reset(cells_.shape(), world.size());
   blocks_ = regions_are_blocks(world);
-  copies.reset(world, farthest_candidates(world), now);
-  // The errors of single precision grow with the spheres; the margin is a fraction of the edge.
+  copies.reset(world, std::max(farthest_candidates(world), farthest_of_others_), now);
+  // The errors of single precision grow with the spheres and with the grid of the copies; the margin is a
+  // fraction of the edge.
   constexpr double kLargestInEdges = 4;
+  constexpr double kFewestSteps = 0x1.ap20;
   suits_single_precision_ = nearest_ && world.motion().is_straight();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    suits_single_precision_ &= world.largest_radius() <= kLargestInEdges * cells_.edge(axis);
     const double steps = cells_.edge(axis) * copies.steps_per_length()[axis];
+    suits_single_precision_ &=
+        largest_radius(world) <= kLargestInEdges * cells_.edge(axis) && steps >= kFewestSteps;
     steps_of_cell_[axis] = static_cast<std::uint64_t>(std::ldexp(steps, 32));
     margin_[axis] = static_cast<float>(cells_.reach(axis, 0) / copies.length_unit());
   }
   regions_.assign(world.size(), Region{});
   left_count_ = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
+    if (!holds(world, slot)) continue;
     const CellRange range = range_at(world, slot, now);
     regions_[slot].take(range);
     cells_.for_each_folded(range,
@@ -76,6 +80,7 @@ void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) 
 void CellGrid::refuse_tiny_cells(const World& world) const {
   double cells = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
+    if (!holds(world, slot)) continue;
     double own = 1;
     for (std::size_t axis = 0; axis < kAxes; ++axis) own *= 2 * world.radius(slot) / cells_.edge(axis) + 1;
     cells += own;
@@ -88,7 +93,7 @@ void CellGrid::refuse_tiny_cells(const World& world) const {
 }
 
 double CellGrid::most_touched(const World& world, std::size_t axis) const {
-  return most_cells_touched(2 * cells_.reach(axis, world.largest_radius()), cells_.edge(axis));
+  return most_cells_touched(2 * cells_.reach(axis, largest_radius(world)), cells_.edge(axis));
 }
 
 bool CellGrid::images_are_nearest(const World& world) const {
@@ -114,7 +119,7 @@ double CellGrid::farthest_candidates(const World& world) const {
 // along each axis.
 bool CellGrid::regions_are_blocks(const World& world) const {
   constexpr double kSurplus = 1e-4;
-  const double largest = 2 * world.largest_radius() * (1 + kSurplus);
+  const double largest = 2 * largest_radius(world) * (1 + kSurplus);
   return nearest_ && store_.is_dense() && largest < cells_.edge(0) && largest < cells_.edge(1) &&
          largest < cells_.edge(2);
 }
@@ -377,6 +382,7 @@ std::size_t CellGrid::memory_bytes() const {
 void CellGrid::validate(const World& world, const Time& now, const CompactPaths&) const {
   HARDBALL_CHECK(regions_.size() == world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
+    if (!holds(world, slot)) continue;
     const CellRange range = regions_[slot].range();
     const Vec3 position = world.unfolded_position(slot, now);
     const double radius = world.radius(slot);

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "hardball/broadphase/broad_phase.hpp"
@@ -24,6 +26,11 @@ class CellGrid {
  public:
   /// `edge` [L] is the wanted length of a cell's edge; see Subdivision.
   explicit CellGrid(double edge) : wanted_edge_(edge) {}
+
+  /// A grid of spheres whose radius is at most `largest_radius` [L]. Another broad phase adds the others to
+  /// its cells; their candidates are at most `farthest` [L] away.
+  CellGrid(double edge, double largest_radius, double farthest)
+      : wanted_edge_(edge), largest_radius_(largest_radius), farthest_of_others_(farthest) {}
 
   /// Error: the edge is not positive, or so small that a sphere would lie in hundreds of cells.
   void build(const World& world, const Time& now, CompactPaths& copies);
@@ -56,6 +63,12 @@ class CellGrid {
   bool is_dense() const { return store_.is_dense(); }
   /// Whether images that share a cell are always the nearest images.
   bool has_nearest_images() const { return nearest_; }
+
+  /// The cells, and the spheres in each.
+  const Subdivision& cells() const { return cells_; }
+  const CellStore<SlotLists>& store() const { return store_; }
+  /// To add spheres that the grid itself leaves out.
+  CellStore<SlotLists>& store_to_edit() { return store_; }
 
  private:
   // A sphere's region, a range of cells, and the face through which it will be left.
@@ -118,7 +131,15 @@ class CellGrid {
   void leave_halves(Slot slot, std::uint32_t axes, std::uint32_t up);
   void leave(Slot slot, const CellRange& old, const CellRange& kept);
 
+  // Whether the grid has a region for the sphere.
+  bool holds(const World& world, Slot slot) const { return world.radius(slot) <= largest_radius_; }
+  double largest_radius(const World& world) const {
+    return std::min(world.largest_radius(), largest_radius_);
+  }
+
   double wanted_edge_;
+  double largest_radius_ = std::numeric_limits<double>::infinity();
+  double farthest_of_others_ = 0;
   Subdivision cells_;
   CellStore<SlotLists> store_;
   LargeVector<Region> regions_;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hardball/broadphase/wait_in_ball.hpp"
 #include "hardball/errors/error.hpp"
 
 namespace hardball {
@@ -39,42 +40,6 @@ double smallest_period(const Box& box) {
     if (box.is_periodic(axis)) smallest = std::min(smallest, box.size()[axis]);
   }
   return smallest;
-}
-
-// The squares of slower speeds underflow; inelastic collapse leads to them.
-constexpr double kSlow = 0x1p-400;
-
-// How long a centre at `place`, relative to the anchor, stays in its ball; `room` is the squared radius less
-// the squared distance.
-double wait_in_ball(const Vec3& place, Vec3 velocity, double room) {
-  const bool is_slow = dot(velocity, velocity) < kSlow * kSlow;
-  const double time_unit = is_slow ? 0x1p600 : 1;
-  if (is_slow) velocity = time_unit * velocity;
-  const double speed_squared = dot(velocity, velocity);
-  if (!(speed_squared > 0)) return std::numeric_limits<double>::infinity();
-  const double outwards = dot(place, velocity);
-  const double root = std::sqrt(outwards * outwards + speed_squared * room);
-  return time_unit * (outwards > 0 ? room / (root + outwards) : (root - outwards) / speed_squared);
-}
-
-// A time for which a centre that falls stays in a ball of radius `reach` around the anchor: either it would
-// stay in a smaller ball without gravity, and does not fall by the difference; or its way is shorter than the
-// distance to the edge.
-double wait_of_falling(const Vec3& place, const Vec3& velocity, double gravity, double reach) {
-  constexpr double kSmaller = 0.75;
-  const double speed_squared = dot(velocity, velocity);
-  const double ahead = std::max(0.0, reach - length(place));
-  const double way = 2 * ahead / (std::sqrt(speed_squared) + std::sqrt(speed_squared + 2 * gravity * ahead));
-  const double smaller = kSmaller * reach;
-  const double room = smaller * smaller - dot(place, place);
-  if (!(room > 0)) return way;
-  const double fall = std::sqrt(2 * (reach - smaller) / gravity);
-  return std::max(way, std::min(fall, wait_in_ball(place, velocity, room)));
-}
-
-// More than the rounding error of the coordinates of a centre, which shows in spheres very far away.
-double coordinate_error(const World& world, Slot slot, const Time& now) {
-  return 0x1p-50 * length(world.unfolded_position(slot, now));
 }
 
 }  // namespace
@@ -117,10 +82,7 @@ double NeighborList::next_crossing_of_any(const World& world, Slot slot, const T
   const Vec3 place{copies.apart(anchor, slot, 0), copies.apart(anchor, slot, 1),
                    copies.apart(anchor, slot, 2)};
   const double reach = std::max(0.0, room_ - coordinate_error(world, slot, now));
-  const double room = std::max(0.0, reach * reach - dot(place, place));
-  const Vec3 velocity = world.velocity(slot, now);
-  if (world.motion().is_straight()) return rounded_down(now) + wait_in_ball(place, velocity, room);
-  return rounded_down(now) + wait_of_falling(place, velocity, length(world.motion().gravity()), reach);
+  return rounded_down(now) + wait_in_ball(world.motion(), place, world.velocity(slot, now), reach);
 }
 
 void NeighborList::cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,

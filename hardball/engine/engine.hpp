@@ -135,8 +135,9 @@ class Engine {
       phase_.collect(world_, slot, candidates);
       for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Event contact = contact_with(candidates, i);
-        HARDBALL_CHECK(!contact.happens() || covers(slot, contact, candidates.slot(i)) ||
-                       covers(candidates.slot(i), contact, slot));
+        const Slot other = candidates.slot(i);
+        HARDBALL_CHECK(!contact.happens() || covers(slot, contact, other) || covers(other, contact, slot) ||
+                       is_found_in_time(other, contact, slot));
       }
     }
   }
@@ -248,6 +249,16 @@ class Engine {
     if (is_stale(slot)) return plan.contact <= contact.time.high;
     if (!plan.is_bound()) return contact_of(slot) <= contact;
     return (plan.partner == other ? plan.contact : plan.limit_or_low) <= contact.time.high;
+  }
+
+  // Whether a sphere has no such candidate yet, but crosses before their contact.
+  bool is_found_in_time(Slot slot, const Event& contact, Slot other) const {
+    Candidates candidates;
+    phase_.collect(world_, slot, candidates);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (candidates.slot(i) == other) return false;
+    }
+    return plans_[slot].crossing <= contact.time.high;
   }
 
   void rebuild(const Time& now, const Progress& progress) {

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <concepts>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "hardball/broadphase/all_pairs.hpp"
 #include "hardball/broadphase/cell_grid.hpp"
 #include "hardball/broadphase/neighbor_list.hpp"
+#include "hardball/broadphase/shell_grid.hpp"
 #include "hardball/engine/engine.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/calendar_queue.hpp"
@@ -17,6 +20,7 @@
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/moments.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
+#include "hardball/tuning/size_classes.hpp"
 #include "hardball/world/range.hpp"
 
 namespace hardball {
@@ -51,6 +55,15 @@ class EngineModel final : public AnyEngine {
   }
   void validate() const override { engine_.validate(); }
 
+  bool suits(double length) const override {
+    if constexpr (requires { engine_.phase(); }) {
+      using Phase = std::remove_cvref_t<decltype(engine_.phase())>;
+      if constexpr (std::same_as<Phase, CellGrid>) return !ShellGrid::suits(world(), length);
+      if constexpr (std::same_as<Phase, ShellGrid>) return ShellGrid::suits(world(), length);
+    }
+    return true;
+  }
+
   Vec3 cell_edges() const override {
     if constexpr (requires { engine_.phase().edge(0); }) return edges_of(engine_.phase());
     if constexpr (requires { engine_.edge(0); }) return edges_of(engine_);
@@ -69,6 +82,8 @@ class EngineModel final : public AnyEngine {
       engine_.rebuild(now, NeighborList(length, engine_.phase().instructions()));
     } else if constexpr (requires { engine_.rebuild(now, CellGrid(length)); }) {
       engine_.rebuild(now, CellGrid(length));
+    } else if constexpr (requires { engine_.rebuild(now, ShellGrid(length)); }) {
+      engine_.rebuild(now, ShellGrid(length));
     } else {
       engine_.rebuild(now, length);
     }
@@ -96,8 +111,36 @@ std::unique_ptr<AnyEngine> make_queued(World world, EngineKind engine, const Eng
     return make_model<Engine<Queue, NeighborList, AnyResponse>>(
         std::move(world), NeighborList(length, instructions), response, now, instructions, progress);
   }
+  if (ShellGrid::suits(world, length)) {
+    return make_model<Engine<Queue, ShellGrid, AnyResponse>>(std::move(world), ShellGrid(length), response,
+                                                             now, instructions, progress);
+  }
   return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(length), response, now,
                                                           instructions, progress);
+}
+
+// The edge of the best cells, and what they cost per sphere and time.
+struct BestCells {
+  double edge;
+  double cost;
+};
+
+BestCells best_cells(const World& world, const Moments& moments, const UnitCosts& costs, const Time& moment) {
+  if (are_sizes_spread(moments)) {
+    const std::vector<SizeClass> classes = size_classes(world, moment);
+    // In a small box, candidates must come from smaller cells to be nearest images.
+    constexpr double kStep = 1.15;
+    constexpr int kSteps = 20;
+    double edge = optimal_edge_by_class(moments, classes, costs);
+    for (int i = 0; i < kSteps; ++i, edge /= kStep) {
+      const bool has_large = edge < moments.largest_radius / ShellGrid::kLargestInGrid;
+      if (!has_large || ShellGrid::suits(world, edge)) {
+        return {edge, cost_rate_by_class(moments, classes, edge, costs)};
+      }
+    }
+  }
+  const double edge = optimal_cell_edge(moments, costs);
+  return {edge, cost_rate(expected_counts(moments, edge), costs)};
 }
 
 }  // namespace
@@ -134,7 +177,7 @@ EngineKind choose_engine(const World& world, const EngineOptions& options, const
   if (options.cell_edge || !NeighborList::suits(world)) return EngineKind::cells;
   const Moments moments = moments_of(world, moment);
   const UnitCosts& costs = options.unit_costs;
-  const double cells = cost_rate(expected_counts(moments, optimal_cell_edge(moments, costs)), costs);
+  const double cells = best_cells(world, moments, costs, moment).cost;
   const double neighbors = cost_rate(expected_neighbor_counts(moments, optimal_slack(moments, costs)), costs);
   constexpr double kSurpass = 0.9;
   if (current == EngineKind::cells) return neighbors < kSurpass * cells ? EngineKind::neighbors : current;
@@ -147,7 +190,11 @@ double choose_length(const World& world, EngineKind engine, const EngineOptions&
   if (engine == EngineKind::all_pairs) return 1;
   if (engine == EngineKind::neighbors) return optimal_slack(moments_of(world, moment), options.unit_costs);
   if (options.cell_edge) return *options.cell_edge;
-  return allowed_cell_edge(world, engine, optimal_cell_edge(moments_of(world, moment), options.unit_costs));
+  const Moments moments = moments_of(world, moment);
+  const double edge = engine == EngineKind::cells
+                          ? best_cells(world, moments, options.unit_costs, moment).edge
+                          : optimal_cell_edge(moments, options.unit_costs);
+  return allowed_cell_edge(world, engine, edge);
 }
 
 double allowed_cell_edge(const World& world, EngineKind engine, double edge) {

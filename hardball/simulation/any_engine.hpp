@@ -82,6 +82,8 @@ class AnyEngine {
   virtual RunStatus run(const RunLimits& limits, const Observe& observe) = 0;
   virtual std::optional<Event> next_contact(const Time& until) = 0;
   virtual void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) = 0;
+  /// Whether `rebuild` with this length would make what make_engine makes for the world as it is.
+  virtual bool suits(double length) const = 0;
   /// Rebuilds all regions and predictions, with this cell edge or slack [L] where there is one.
   virtual void rebuild(const Time& now, double length) = 0;
   virtual void replace_response(std::function<Velocities(const Contact&)> custom) = 0;

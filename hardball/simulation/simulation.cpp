@@ -9,6 +9,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/measures.hpp"
 #include "hardball/tuning/moments.hpp"
+#include "hardball/tuning/size_classes.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/curve_order.hpp"
 #include "hardball/world/range.hpp"
@@ -348,17 +349,25 @@ void Simulation::retune_if_due() {
   next_review_ = done.enter + done.contacts() + kEventsPerReview * size();
   const Time moment = later(now_, engine_->now());
   const Moments moments = moments_of(world(), moment);
+  const bool is_by_class = kind_ == EngineKind::cells && are_sizes_spread(moments);
   if (!are_alike(moments, reviewed_)) {
     reviewed_ = moments;
     if (choose_engine(world(), options_, moment, kind_) != kind_) return rebuild(moment);
+    if (is_by_class && !options_.cell_edge) {
+      constexpr double kEnough = 1.25;
+      const double best = choose_length(world(), kind_, options_, moment);
+      if (std::max(best / watch_.edge(), watch_.edge() / best) > kEnough) return rebuild(moment);
+    }
   }
   const bool has_cells = kind_ == EngineKind::cells || kind_ == EngineKind::paper;
-  if (!has_cells || options_.cell_edge) return;
+  if (!has_cells || is_by_class || options_.cell_edge) return;
   const std::optional<double> better = watch_.update(moments, duration(last_review_, moment));
   last_review_ = moment;
   if (!better) return;
+  const double edge = allowed_cell_edge(world(), kind_, *better);
+  if (!engine_->suits(edge)) return rebuild(moment);
   put_in_order(engine_->world_to_edit(), kind_, moment);
-  engine_->rebuild(moment, allowed_cell_edge(world(), kind_, *better));
+  engine_->rebuild(moment, edge);
 }
 
 // Rebuilds all regions and predictions, with another engine if that suits the world better.
@@ -366,7 +375,7 @@ void Simulation::rebuild(const Time& moment) {
   const EngineKind kind = choose_engine(world(), options_, moment, kind_);
   const double length = choose_length(world(), kind, options_, moment);
   put_in_order(engine_->world_to_edit(), kind, moment);
-  if (kind == kind_) {
+  if (kind == kind_ && engine_->suits(length)) {
     engine_->rebuild(moment, length);
   } else {
     counters_before_ = counters();

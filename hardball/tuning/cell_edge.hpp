@@ -50,6 +50,8 @@ class CellEdgeWatch {
 
   /// Starts over with cells of this edge [L].
   void restart(double edge);
+  /// That edge [L].
+  double edge() const { return edge_; }
 
   /// The new edge [L] if cells should be rebuilt, `elapsed` [T] after the last call. It anticipates the best
   /// edge expected halfway to the next rebuild. Cost: O(1), and up to a millisecond if density or radii have

@@ -70,6 +70,9 @@ class CompactPaths {
     return scale_.has_gravity ? longest_age_of_falling(slot) : longest_age_;
   }
 
+  /// The distance given to reset() [L].
+  double farthest() const { return farthest_; }
+
   /// By slot.
   std::span<const CompactPath> paths() const { return paths_; }
   const BoundScale& scale() const { return scale_; }

@@ -15,6 +15,7 @@
 #include "hardball/broadphase/all_pairs.hpp"
 #include "hardball/broadphase/cell_grid.hpp"
 #include "hardball/broadphase/neighbor_list.hpp"
+#include "hardball/broadphase/shell_grid.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/engine/predictor.hpp"
 #include "hardball/errors/error.hpp"
@@ -58,6 +59,7 @@ class Copying {
 using CopyingPairs = Copying<AllPairs>;
 using CopyingGrid = Copying<CellGrid>;
 using CopyingList = Copying<NeighborList>;
+using CopyingShells = Copying<ShellGrid>;
 
 // The candidates collected for a sphere at `now`, each with its image. Those with an image of their own may
 // not be collected twice, nor include the sphere.
@@ -85,13 +87,15 @@ std::set<Partner> candidates_of(const Copying<Phase>& phase, const World& world,
   return partners(candidates, world, now);
 }
 
-// All spheres and images that touch the sphere now, found by searching several boxes in all directions.
+// All spheres and images whose surface touches that of the sphere now, found by searching several boxes in
+// all directions; in these tests spheres pass through each other, and one may be inside another.
 std::set<Partner> touching(const World& world, Slot slot, const Time& now) {
   std::set<Partner> found;
   for (Slot other = 0; other < world.size(); ++other) {
     if (other == slot) continue;
     const Vec3 apart = world.unfolded_position(other, now) - world.unfolded_position(slot, now);
     const double reach = world.radius(slot) + world.radius(other);
+    const double inside = std::fabs(world.radius(slot) - world.radius(other));
     Image middle;
     Image span;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -103,7 +107,8 @@ std::set<Partner> touching(const World& world, Slot slot, const Time& now) {
       for (std::int32_t y = -span[1]; y <= span[1]; ++y) {
         for (std::int32_t z = -span[2]; z <= span[2]; ++z) {
           const Image image = middle + Image{{x, y, z}};
-          if (length(apart + world.box().shift(image)) <= reach) found.emplace(other, image.boxes);
+          const double distance = length(apart + world.box().shift(image));
+          if (inside <= distance && distance <= reach) found.emplace(other, image.boxes);
         }
       }
     }
@@ -202,6 +207,69 @@ TEST(NeighborList, KnowsWhoMayTouch) {
     if (HasFailure()) return;
   }
   EXPECT_GT(suited, support::cases(1000) / 3);
+}
+
+// A mixture of spheres of radius one and others down to a hundredth of that, in a box of random boundaries;
+// some are at rest.
+World make_mixture(std::uint64_t seed, double size) {
+  Random random(seed);
+  const std::array all = {Boundary::periodic, Boundary::wall, Boundary::open};
+  const std::array boundary = {all[random.bits() % 3], all[random.bits() % 3], all[random.bits() % 3]};
+  World world(Box(boundary, {size, size * (1 + random.uniform()), size}));
+  const std::size_t spheres = 20 + random.bits() % 40;
+  for (std::size_t i = 0; i < spheres; ++i) {
+    const double radius = i < 2        ? 1
+                          : i % 5 == 0 ? std::exp2(-6.6 * random.uniform())
+                                       : 0.01 + 0.1 * random.uniform();
+    Vec3 place;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      place[axis] = radius + (size - 2 * radius) * random.uniform();
+    }
+    world.add(
+        {place, random.uniform() < 0.1 ? Vec3{} : random.uniform() * 3 * random.direction(), radius, 1});
+  }
+  return world;
+}
+
+TEST(ShellGrid, KnowsWhoMayTouch) {
+  std::uint64_t suited = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(300); ++seed) {
+    const World world = make_mixture(seed, 5 + static_cast<double>(seed % 3));
+    constexpr std::array kEdges = {0.25, 0.4, 0.6};
+    const double edge = kEdges[seed % kEdges.size()];
+    if (!ShellGrid::suits(world, edge)) continue;
+    ++suited;
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    fly_about(CopyingShells(edge), world, 3, seed);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(suited, support::cases(300) / 2);
+}
+
+TEST(ShellGrid, SuitsOnlyMixturesInLargeBoxes) {
+  const auto suits = [](double radius, double size, double edge) {
+    World world(Box::periodic({size, size, size}));
+    world.add({{1, 1, 1}, {}, radius, 1});
+    world.add({{size / 2, size / 2, size / 2}, {}, 0.1, 1});
+    world.add({{size / 2, size / 2 + 1, size / 2}, {}, 0.1, 1});
+    return ShellGrid::suits(world, edge);
+  };
+  EXPECT_TRUE(suits(1, 10, 0.5));
+  EXPECT_FALSE(suits(0.1, 10, 0.5)) << "equal spheres";
+  EXPECT_FALSE(suits(1, 10, 0.8)) << "not much larger than a cell";
+  EXPECT_FALSE(suits(1, 10, 0.05)) << "most would be large";
+  EXPECT_FALSE(suits(1, 5, 0.5)) << "candidates may be half a box apart";
+  EXPECT_TRUE(suits(1, 5.2, 0.47)) << "small enough cells";
+}
+
+TEST(ShellGrid, NoticesALargeSphereThatLeftItsCellsUnseen) {
+  World world(Box::periodic({20, 20, 20}));
+  world.add({{5, 5, 5}, {1, 0, 0}, 2, 1});
+  world.add({{10, 10, 10}, {}, 0.1, 1});
+  CopyingShells grid(1);
+  grid.build(world, Time(0));
+  EXPECT_NO_THROW(grid.validate(world, Time(0)));
+  EXPECT_THROW(grid.validate(world, Time(1)), BrokenInvariant);
 }
 
 TEST(AllPairs, HasAllOthersAsCandidatesInABoxWithWalls) {

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/tuning/size_classes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "hardball/broadphase/shell_grid.hpp"
+#include "hardball/tuning/kinetic_theory.hpp"
+
+namespace hardball {
+namespace {
+
+// A cell that a large sphere searches costs more by so many others: measured, docs/theory.md.
+constexpr double kLargeCell = 6;
+
+// Of velocities distributed as Maxwell's.
+double mean_relative_speed(const SizeClass& a, const SizeClass& b) {
+  return std::sqrt(a.mean_speed * a.mean_speed + b.mean_speed * b.mean_speed);
+}
+
+}  // namespace
+
+std::vector<SizeClass> size_classes(const World& world, const Time& moment) {
+  constexpr double kPerOctave = 4;
+  std::map<int, SizeClass> classes;
+  world.for_each_by_id([&](Slot slot) {
+    const double radius = world.radius(slot);
+    SizeClass& own = classes[static_cast<int>(std::floor(kPerOctave * std::log2(radius)))];
+    own.spheres += 1;
+    own.radius += radius;
+    own.mean_speed += length(world.velocity(slot, moment));
+  });
+  std::vector<SizeClass> sorted;
+  for (const auto& [number, sum] : classes) {
+    sorted.push_back({sum.spheres, sum.radius / sum.spheres, sum.mean_speed / sum.spheres});
+  }
+  return sorted;
+}
+
+bool are_sizes_spread(const Moments& moments) {
+  constexpr double kSpread = 1.5;
+  return moments.spheres > 0 && moments.largest_radius > kSpread * moments.mean_radius();
+}
+
+double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& classes, double edge,
+                          const UnitCosts& costs) {
+  const double cells = moments.volume() / (edge * edge * edge);
+  double surfaces = 0;  // of those that do not fit into cells
+  bool all_fit = true;
+  for (const SizeClass& one : classes) {
+    if (2 * one.radius <= edge) continue;
+    surfaces += one.spheres * ShellGrid::cells_of_surface(one.radius / edge);
+    all_fit &= one.radius > ShellGrid::kLargestInGrid * edge;
+  }
+  const bool are_few = surfaces <= ShellGrid::kFewSurfaces * static_cast<double>(moments.spheres);
+  const double largest_in_grid = are_few ? edge / 2 : ShellGrid::kLargestInGrid * edge;
+  const auto is_large = [&](const SizeClass& one) { return one.radius > largest_in_grid; };
+  // Where regions are no blocks, crossings and searches cost more: measured, docs/theory.md.
+  constexpr double kRows = 1.15;
+  const double in_rows = are_few || all_fit ? 1 : kRows;
+  // A sphere is still in cells that it has left.
+  constexpr double kReleasedLate = 1.3;
+  const auto cells_held = [&](const SizeClass& one) {
+    const double rows = 1 + 2 * one.radius / edge;
+    return is_large(one) ? ShellGrid::cells_of_surface(one.radius / edge)
+                         : kReleasedLate * rows * rows * rows;
+  };
+  double occupants = 0;  // of a cell
+  for (const SizeClass& one : classes) occupants += one.spheres * cells_held(one) / cells;
+  const double search = costs.cell + costs.prediction * occupants;  // of a cell
+  const double crowding = contact_value(moments);
+  constexpr double kDiffusion = 0.2;
+  double cost = 0;
+  for (const SizeClass& one : classes) {
+    double collisions = 0;
+    for (const SizeClass& other : classes) {
+      const double reach = one.radius + other.radius;
+      collisions += other.spheres / moments.volume() * std::numbers::pi * reach * reach *
+                    mean_relative_speed(one, other) * crowding;
+    }
+    double each = collisions * costs.contact / 2;
+    if (!is_large(one)) {
+      const double rows = 1 + 2 * one.radius / edge;
+      each += in_rows * 1.5 * one.mean_speed / edge * (costs.enter + rows * rows * search);
+      each += in_rows * collisions * rows * rows * rows * search;
+    } else {
+      const double touched = cells_held(one);
+      const double search_of_large = search + kLargeCell * costs.cell;
+      const double slack = ShellGrid::kSlack * edge;
+      const double path = collisions > 0 ? one.mean_speed / collisions : slack;
+      const double candidates = touched * occupants;
+      each += one.mean_speed / (slack * (1 + kDiffusion * slack / std::max(path, 0x1p-60 * slack))) *
+              (costs.enter + touched * (2 * costs.cell + search_of_large));
+      // A list costs as much as the searches for it.
+      const double nearby =
+          candidates / edge * ShellGrid::kUsualSpeed * moments.mean_speed / std::max(collisions, 1e-300);
+      const double listed = 2 * std::sqrt(candidates * nearby) * costs.prediction;
+      each +=
+          collisions * (candidates < ShellGrid::kFewestToList ? touched * search_of_large
+                                                              : std::min(listed, touched * search_of_large));
+    }
+    cost += one.spheres * each;
+  }
+  return cost / static_cast<double>(moments.spheres);
+}
+
+double optimal_edge_by_class(const Moments& moments, const std::vector<SizeClass>& given,
+                             const UnitCosts& unit_costs) {
+  // Every cell and every candidate is another line of memory: measured, docs/theory.md.
+  constexpr double kFar = 2;
+  UnitCosts costs = unit_costs;
+  if (moments.spheres > kVeryManySpheres) {
+    costs.cell *= kFar;
+    costs.prediction *= kFar;
+  }
+  Moments moving = moments;
+  std::vector<SizeClass> classes = given;
+  if (!(moments.mean_speed > 0)) {
+    moving.mean_speed = 1;
+    for (SizeClass& one : classes) one.mean_speed = 1;
+  }
+  constexpr double kSurplus = 1.1;
+  constexpr double kStep = 1.06;
+  constexpr int kSteps = 120;  // up to a thousand times the smallest
+  double counted = 0;
+  double smallest = 0;
+  for (const SizeClass& one : classes) {
+    if (2 * counted <= static_cast<double>(moments.spheres)) smallest = 2 * kSurplus * one.radius;
+    counted += one.spheres;
+  }
+  double best = smallest;
+  double least = std::numeric_limits<double>::infinity();
+  double edge = smallest;
+  for (int i = 0; i < kSteps; ++i, edge *= kStep) {
+    const double cost = cost_rate_by_class(moving, classes, edge, costs);
+    if (!(cost < least)) continue;
+    least = cost;
+    best = edge;
+  }
+  return best;
+}
+
+}  // namespace hardball
