@@ -19,17 +19,17 @@ bool is_finite(const Vec3& a) {
 
 void note_escape(const World& world, Slot slot, const Vec3& position, const Time& moment, Audit& found) {
   const double radius = world.radius(slot);
-  const auto note = [&](double distance) {
-    const double through = (radius - distance) / (2 * radius);
+  const auto note = [&](double reach_through) {
+    const double through = reach_through / (2 * radius);
     if (through <= found.max_escape) return;
     found.max_escape = through;
     found.escaped = world.id(slot);
   };
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_wall(axis)) continue;
-    note(std::min(position[axis], world.box().size()[axis] - position[axis]));
+    note(std::max(radius - position[axis], position[axis] + radius - world.box().size()[axis]));
   }
-  note(distance_to_surfaces(world, position, moment));
+  note(radius - distance_to_surfaces(world, position, moment));
 }
 
 }  // namespace

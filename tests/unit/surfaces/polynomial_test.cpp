@@ -78,7 +78,7 @@ TEST(EarliestDescent, IsAtOnceIfClosedAndClosing) {
 
 TEST(EarliestDescent, IsAtTheTurnOfAGapThatStaysClosed) {
   EXPECT_EQ(earliest_descent(make({-2, 2, -1})), 1);
-  EXPECT_EQ(earliest_descent(make({-2, 4, 0, 0, -1})), 1);
+  EXPECT_EQ(earliest_descent(make({-4, 4, 0, 0, -1})), 1);
 }
 
 // A search in small steps with 113 bits, and bisection; nothing if the result depends on rounding.
