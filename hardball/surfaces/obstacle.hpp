@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <string_view>
 
 #include "hardball/surfaces/passage.hpp"
@@ -25,6 +26,21 @@ class Obstacle {
     const DoubleDouble<> reach = sum(radius_, radius);
     gap.coefficients[0] = gap.coefficients[0] - reach * reach;
     return gap;
+  }
+  /// Whether a sphere certainly passes by: a cheap test, as most do.
+  bool is_missed(const Passage& passage, double radius) const {
+    if (rounded(passage.acceleration) != Vec3{}) return false;
+    const Vec3 place = rounded(passage.place);
+    const Vec3 velocity = rounded(passage.velocity);
+    const double square = dot(place, place);
+    const double speed_squared = dot(velocity, velocity);
+    const double approach = dot(place, velocity);
+    const double reach = radius_ + radius;
+    // Far more than rounding.
+    constexpr double kMargin = 1e-12;
+    if (!(square > (1 + kMargin) * (reach * reach))) return false;
+    if (approach > kMargin * std::sqrt(square * speed_squared)) return true;
+    return (square - reach * reach) * speed_squared - approach * approach > kMargin * square * speed_squared;
   }
   /// The distance from a point to the surface [L]; negative beyond it.
   double distance(const Vec3& place) const { return length(place) - radius_; }

@@ -40,6 +40,11 @@ struct Passage {
   Time start;                  ///< [T]
 };
 
+/// The high parts of a vector.
+inline Vec3 rounded(const PreciseVector& a) {
+  return {a[0].high, a[1].high, a[2].high};
+}
+
 /// The square of the distance from the origin, along the curve a + b t + c t^2.
 inline Polynomial squared_distance(const PreciseVector& a, const PreciseVector& b, const PreciseVector& c) {
   const DoubleDouble<> two{2, 0};

@@ -3,6 +3,7 @@
 #include "hardball/surfaces/surface.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "hardball/errors/error.hpp"
 
@@ -92,6 +93,9 @@ Time Surface::contact_time(const Motion& motion, const Path& path, double radius
         if constexpr (requires { shape.time_to_touch(passage, radius); }) {
           return shape.time_to_touch(passage, radius);
         } else {
+          if constexpr (requires { shape.is_missed(passage, radius); }) {
+            if (shape.is_missed(passage, radius)) return std::numeric_limits<double>::infinity();
+          }
           return earliest_descent(shape.gap(passage, radius));
         }
       },

@@ -193,8 +193,8 @@ void copy_paths(const Encounters& made, Random& random, CompactPaths& copies) {
     if (const double gravity = length(world.motion().gravity()); gravity > 0) {
       // At the copy it may have been faster by all that it has fallen.
       const double now = length(world.velocity(slot, made.now));
-      longest_age = std::min(copies.longest_age(slot),
-                             2 * way / (now + std::sqrt(now * now + 6 * gravity * way)));
+      longest_age =
+          std::min(copies.longest_age(slot), 2 * way / (now + std::sqrt(now * now + 6 * gravity * way)));
     }
     const double part = random.uniform();
     const double age = part < 0.2 ? 0 : part < 0.4 ? longest_age : random.uniform() * longest_age;
