@@ -31,50 +31,40 @@ std::optional<History> history_by(const support::EngineVariant& variant, const R
   }
 }
 
-class EnginesAgree : public testing::TestWithParam<std::uint64_t> {};
+class EnginesAgree : public testing::TestWithParam<std::uint64_t> {
+ protected:
+  // Runs a part of the worlds that `make` makes of seeds by every engine.
+  void agree_on(RandomWorld (*make)(std::uint64_t seed)) {
+    std::uint64_t contacts = 0;
+    for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
+      const RandomWorld made = make(seed);
+      SCOPED_TRACE(made.name);
+      // Contacts are limited too: in a granular world infinitely many may happen in a finite time.
+      const RunLimits limits{.until = Time(made.until), .contacts = 60 + 60 * (seed % 5)};
+      std::optional<History> expected;
+      for (const support::EngineVariant& variant :
+           support::engine_variants(made.world, made.restitution, made.elastic_below)) {
+        SCOPED_TRACE(variant.name);
+        std::optional<History> history;
+        ASSERT_NO_THROW(history = history_by(variant, made, limits));
+        if (!history) continue;
+        if (!expected) expected = history;
+        ASSERT_EQ(support::difference(*expected, *history), "");
+      }
+      contacts += expected->contacts;
+    }
+    // The worlds have some 50 contacts each on average.
+    EXPECT_GT(contacts, 30 * support::cases(kWorlds) / kParts);
+  }
+};
 
 TEST_P(EnginesAgree, OnRandomWorlds) {
-  std::uint64_t contacts = 0;
-  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
-    const RandomWorld made = support::make_random_world(seed);
-    SCOPED_TRACE(made.name);
-    // Contacts are limited too: in a granular world infinitely many may happen in a finite time.
-    const RunLimits limits{.until = Time(made.until), .contacts = 60 + 60 * (seed % 5)};
-    std::optional<History> expected;
-    for (const support::EngineVariant& variant : support::engine_variants(made.world, made.restitution)) {
-      SCOPED_TRACE(variant.name);
-      std::optional<History> history;
-      ASSERT_NO_THROW(history = history_by(variant, made, limits));
-      if (!history) continue;
-      if (!expected) expected = history;
-      ASSERT_EQ(support::difference(*expected, *history), "");
-    }
-    contacts += expected->contacts;
-  }
-  // The worlds have some 50 contacts each on average.
-  EXPECT_GT(contacts, 30 * support::cases(kWorlds) / kParts);
+  agree_on(support::make_random_world);
 }
 
-// The same with gravity, walls of all shapes, in motion or thermal, and obstacles.
+// With gravity, walls of all shapes, in motion or thermal, and obstacles.
 TEST_P(EnginesAgree, OnFurnishedWorlds) {
-  std::uint64_t contacts = 0;
-  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
-    const RandomWorld made = support::make_furnished_world(seed);
-    SCOPED_TRACE(made.name);
-    const RunLimits limits{.until = Time(made.until), .contacts = 60 + 60 * (seed % 5)};
-    std::optional<History> expected;
-    for (const support::EngineVariant& variant :
-         support::engine_variants(made.world, made.restitution, made.elastic_below)) {
-      SCOPED_TRACE(variant.name);
-      std::optional<History> history;
-      ASSERT_NO_THROW(history = history_by(variant, made, limits));
-      if (!history) continue;
-      if (!expected) expected = history;
-      ASSERT_EQ(support::difference(*expected, *history), "");
-    }
-    contacts += expected->contacts;
-  }
-  EXPECT_GT(contacts, 30 * support::cases(kWorlds) / kParts);
+  agree_on(support::make_furnished_world);
 }
 
 INSTANTIATE_TEST_SUITE_P(Part, EnginesAgree, testing::Range<std::uint64_t>(0, kParts));
