@@ -15,7 +15,7 @@ namespace hardball {
 /// The fields, packed and little-endian:
 /// - `t` f8: when [T];
 /// - `i` u4: the sphere; for a collision, the one with the lower id;
-/// - `j` i4: the other sphere, or -(face + 1) for a wall (see Face);
+/// - `j` i4: the other sphere, or -(number + 1) for a wall (see Face);
 /// - `kind` u1: 0 a collision, 1 a wall;
 /// - `impulse` 3 f8: the momentum that `i` gained [M L/T];
 /// - `normal_speed` f8: the speed at which the surfaces met [L/T].
