@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/wall_summary.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "hardball/measure/wall_forces.hpp"
 
 namespace hardball::cli {
@@ -17,7 +20,8 @@ std::vector<WallSummary> summarize_walls(const Simulation& simulation) {
     summary.tally = simulation.tally().walls()[wall];
     summary.area = wall_area(world, wall);
     summary.force = summary.tally.normal_impulse / elapsed;
-    summary.pressure = summary.force / summary.area;
+    summary.pressure =
+        std::isfinite(summary.area) ? summary.force / summary.area : std::numeric_limits<double>::quiet_NaN();
     walls.push_back(summary);
   }
   return walls;

@@ -125,9 +125,12 @@ std::string transient_sentence(const Report& report) {
 
 // --- summary ---
 
-// The first paragraph of the comment at the head of a scenario.
+// The first paragraph of the comment at the head of a scenario, without what is meant for editors.
 std::string description_of(std::string_view scenario) {
   std::string text;
+  if (scenario.starts_with("#:schema")) {
+    scenario.remove_prefix(std::min(scenario.find('\n'), scenario.size() - 1) + 1);
+  }
   while (scenario.starts_with('#')) {
     const std::size_t end = std::min(scenario.find('\n'), scenario.size());
     std::string_view line = scenario.substr(1, end - 1);

@@ -43,6 +43,15 @@ const kPictures = {
       await page.evaluate(() => window.hardball.setTime(900));
     },
   },
+  // Grains in a tube above a floor that oscillates.
+  viewer_shaken: {
+    scenario: 'shaken_cylinder.toml',
+    settings: ['--until', '10'],
+    scheme: 'light',
+    async prepare(page) {
+      await page.evaluate(() => window.hardball.setTime(8));
+    },
+  },
   // The cells of the paper, as a sphere enters and leaves them.
   viewer_cells: {
     scenario: 'paper.toml',

@@ -62,6 +62,16 @@ TEST(Report, SaysWhatRanAndWhatResulted) {
   expect_in(html, "hardball 0.1.0, 2026-11-21 11:08 UTC");
 }
 
+TEST(Report, DescribesTheScenarioWithoutWhatIsMeantForEditors) {
+  Report report = sample_report();
+  report.scenario = "#:schema scenario.schema.json\n# Two spheres.\n[box]\n";
+  const std::string html = to_html(report);
+  expect_in(html, ">Two spheres.<");
+  expect_not_in(html, ">:schema");
+  report.scenario = "#:schema scenario.schema.json";
+  EXPECT_EQ(faults_of(report), "");
+}
+
 TEST(Report, HasEveryMeasurementWithItsNumbers) {
   const Report report = sample_report();
   const std::string html = to_html(report);
