@@ -113,7 +113,6 @@ inline constexpr std::uint64_t kSphereBytes = 2 * 8;
 inline constexpr std::uint64_t kChunkHeaderBytes = 4 + 4 + 8 + 2 * 8;
 inline constexpr std::uint64_t kPathBytes = 7 * 8;
 inline constexpr std::uint64_t kContactBytes = 8 + 2 * 4 + 12 * 8;
-inline constexpr std::size_t kBoxFaces = 2 * kAxes;  // the surfaces of the header are numbered after them
 
 /// Length of a chunk in bytes. Precondition: both counts are below 2^32.
 inline constexpr std::uint64_t chunk_bytes(std::uint64_t spheres, std::uint64_t contacts) {

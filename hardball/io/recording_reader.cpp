@@ -103,7 +103,7 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
                 "chunks are counted from 0, and there are " + to_text(chunks_.size()));
   }
   const ChunkExtent& extent = chunks_[chunk];
-  const std::size_t walls = kBoxFaces + header_.surfaces.size();
+  const std::size_t walls = kFaces + header_.surfaces.size();
   const auto refuse_unless = [&](bool condition) {
     if (!condition) refuse("chunk " + to_text(chunk) + " contains what no run can produce");
   };

@@ -80,10 +80,10 @@ void Pressure::note(const Contact& contact) {
   const Vec3 impulse = contact.impulse();
   change_kinetic(impulse, contact.before.first, contact.after.first);
   if (!contact.is_collision()) {
-    if (contact.second >= hardball::kFaces) return;
+    if (contact.second >= kFaces) return;
     const std::size_t axis = axis_of(contact.second);
     const double force = std::fabs(impulse[axis]);
-    average_.put(kFaces + contact.second, force);
+    average_.put(kFaceForces + contact.second, force);
     average_.put(kRadii + axis, force * contact.first_radius);
     average_.put(kHits, 1);
     return;
@@ -172,7 +172,7 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
   using Means = std::span<const double>;
   const auto area = [&](std::size_t axis) { return box_.volume() / box_.size()[axis]; };
   const auto force = [](Means means, std::size_t axis) {
-    return (means[kFaces + face_of(axis, false)] + means[kFaces + face_of(axis, true)]) / 2;
+    return (means[kFaceForces + face_of(axis, false)] + means[kFaceForces + face_of(axis, true)]) / 2;
   };
   const auto open_length = [&](Means means, std::size_t axis) {
     const double hits = force(means, axis);
@@ -222,13 +222,13 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
         return sum_over_walls(expected) / areas;
       });
   double impulse = 0;
-  for (Face face = 0; face < 2 * kAxes; ++face) impulse += average.total(kFaces + face);
+  for (Face face = 0; face < 2 * kAxes; ++face) impulse += average.total(kFaceForces + face);
   for (Face face = 0; face < 2 * kAxes; ++face) {
     const std::size_t axis = axis_of(face);
     if (!box_.is_wall(axis)) continue;
     add(
         std::string("wall_pressure_") + kFaceNames[face], kPressureUnit,
-        [&](Means means) { return means[kFaces + face] / area(axis); },
+        [&](Means means) { return means[kFaceForces + face] / area(axis); },
         [&](Means means) { return inside(means, axis) / (open_length(means, axis) * area(axis)); });
     // One more hit is allowed for: see BlockAverage::histogram.
     const double of_one = impulse / average.total(kHits) / area(axis) / average.total(BlockAverage::kWeight);

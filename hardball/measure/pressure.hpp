@@ -33,11 +33,11 @@ class Pressure {
  private:
   static constexpr std::size_t kComponents = 6;  // xx, yy, zz, xy, xz, yz
   // Bins of the averages.
-  static constexpr std::size_t kKinetic = 0;                           // sum of m v v [M L^2 T^-2]
-  static constexpr std::size_t kCollisional = kKinetic + kComponents;  // [M L^2 T^-2]
-  static constexpr std::size_t kFaces = kCollisional + kComponents;    // force on each face [M L T^-2]
-  static constexpr std::size_t kRadii = kFaces + 2 * kAxes;            // force times radius [M L^2 T^-2]
-  static constexpr std::size_t kHits = kRadii + kAxes;                 // contacts with walls [1/T]
+  static constexpr std::size_t kKinetic = 0;                              // sum of m v v [M L^2 T^-2]
+  static constexpr std::size_t kCollisional = kKinetic + kComponents;     // [M L^2 T^-2]
+  static constexpr std::size_t kFaceForces = kCollisional + kComponents;  // force on each face [M L T^-2]
+  static constexpr std::size_t kRadii = kFaceForces + 2 * kAxes;          // force times radius [M L^2 T^-2]
+  static constexpr std::size_t kHits = kRadii + kAxes;                    // contacts with walls [1/T]
   static constexpr std::size_t kBins = kHits + 1;
 
   using Tensor = std::array<double, kComponents>;
