@@ -44,15 +44,19 @@ double rebuild_cost(const CellCounts& counts, const UnitCosts& costs) {
   return costs.enter + costs.cell * counts.cells + costs.prediction * counts.candidates_at_any_time;
 }
 
-double optimal_cell_edge(const Moments& moments, const UnitCosts& unit_costs) {
-  if (moments.spheres == 0) return 1;
-  // Every cell and every candidate is another line of memory: measured, docs/theory.md.
+UnitCosts costs_with_memory(const Moments& moments, UnitCosts costs) {
+  // Measured, docs/theory.md.
   constexpr double kFar = 2;
-  UnitCosts costs = unit_costs;
   if (moments.spheres > kVeryManySpheres) {
     costs.cell *= kFar;
     costs.prediction *= kFar;
   }
+  return costs;
+}
+
+double optimal_cell_edge(const Moments& moments, const UnitCosts& unit_costs) {
+  if (moments.spheres == 0) return 1;
+  const UnitCosts costs = costs_with_memory(moments, unit_costs);
   Moments moving = moments;
   if (!(moving.mean_speed > 0)) moving.mean_speed = 1;  // the optimum does not depend on it
   constexpr double kSmallest = 1.0 / 8;

@@ -30,6 +30,10 @@ double cost_rate(const CellCounts& counts, const UnitCosts& costs);
 /// The cost per sphere of rebuilding cells and predictions [cost].
 double rebuild_cost(const CellCounts& counts, const UnitCosts& costs);
 
+/// The unit costs where so many spheres are far away in memory: every cell and every candidate is another
+/// line of it.
+UnitCosts costs_with_memory(const Moments& moments, UnitCosts costs);
+
 /// The edge [L] of the cells at which the event loop costs least: smaller cells are crossed more often,
 /// larger ones hold more candidates. Bounded below so that large spheres do not lie in hundreds of cells.
 /// Cost: O(1), less than a millisecond. Source: Kim, Guibas and Shin (1997), section 3, completed in

@@ -110,13 +110,7 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
 
 double optimal_edge_by_class(const Moments& moments, const std::vector<SizeClass>& given,
                              const UnitCosts& unit_costs) {
-  // Every cell and every candidate is another line of memory: measured, docs/theory.md.
-  constexpr double kFar = 2;
-  UnitCosts costs = unit_costs;
-  if (moments.spheres > kVeryManySpheres) {
-    costs.cell *= kFar;
-    costs.prediction *= kFar;
-  }
+  const UnitCosts costs = costs_with_memory(moments, unit_costs);
   Moments moving = moments;
   std::vector<SizeClass> classes = given;
   if (!(moments.mean_speed > 0)) {
