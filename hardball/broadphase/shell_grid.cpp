@@ -18,7 +18,6 @@ constexpr double kMostCellsPerSphere = 1000;
 
 // In boxes so small that larger spheres in the grid would have candidates too far apart, it keeps those that
 // touch at most two cells along each axis.
-
 constexpr double kLargestInCell = 0.4999;
 
 // The least slack over the edge of a cell [1].

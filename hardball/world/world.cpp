@@ -38,12 +38,14 @@ void refuse_in_periodic_box(const Surface& surface, const Box& box) {
   };
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!box.is_periodic(axis) || std::holds_alternative<Obstacle>(surface.shape())) continue;
-    if (const auto* plane = std::get_if<Plane>(&surface.shape())) {
-      if (plane->normal()[axis] != 0) refuse(axis, "make it parallel to the axis, or the axis not periodic");
-      continue;
-    }
-    if (const auto* plane = std::get_if<OscillatingPlane>(&surface.shape())) {
-      if (plane->normal()[axis] != 0) refuse(axis, "make it parallel to the axis, or the axis not periodic");
+    const Vec3* const normal = std::visit(
+        [](const auto& shape) -> const Vec3* {
+          if constexpr (requires { shape.normal(); }) return &shape.normal();
+          return nullptr;
+        },
+        surface.shape());
+    if (normal != nullptr) {
+      if ((*normal)[axis] != 0) refuse(axis, "make it parallel to the axis, or the axis not periodic");
       continue;
     }
     const auto* cylinder = std::get_if<Cylinder>(&surface.shape());

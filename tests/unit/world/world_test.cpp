@@ -369,5 +369,20 @@ TEST(ContactTime, OfTwoSpheresOfAWorldDependsOnTheImage) {
   EXPECT_EQ(contact_time(world, 0, 1, {{-2, 0, 0}}), Time(12)) << "once around the box";
 }
 
+TEST(World, RefusesSurfacesThatAreNotPeriodic) {
+  const Box box({Boundary::periodic, Boundary::wall, Boundary::wall}, {10, 10, 10});
+  const auto make = [&](const Surface& surface) { return World(box, {}, {surface}); };
+  EXPECT_NO_THROW(make(Surface(Plane({0, 0, 1}), {})));
+  EXPECT_NO_THROW(make(Surface(Cylinder({1, 0, 0}, 4), {0, 5, 5})));
+  EXPECT_NO_THROW(make(Surface(HollowSphere(5), {5, 5, 5})));
+  EXPECT_NO_THROW(make(Surface(Obstacle(2), {9.5, 5, 5})));
+  EXPECT_THROW(make(Surface(Plane({0.6, 0, 0.8}), {})), Error);
+  EXPECT_THROW(make(Surface(OscillatingPlane({1, 0, 0}, 1, 1), {})), Error);
+  EXPECT_THROW(make(Surface(Cylinder({0.6, 0.8, 0}, 4), {5, 5, 5})), Error);
+  EXPECT_THROW(make(Surface(Cylinder({0, 0, 1}, 4), {3, 5, 5})), Error);
+  EXPECT_THROW(make(Surface(HollowSphere(5), {4, 5, 5})), Error);
+  EXPECT_THROW(make(Surface(HollowSphere(3), {5, 5, 5}, {1, 0, 0})), Error);
+}
+
 }  // namespace
 }  // namespace hardball
