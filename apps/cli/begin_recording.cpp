@@ -45,10 +45,10 @@ RecordingWriter begin_recording(const std::filesystem::path& path, const Scenari
   header.until = scenario.until;
   header.cell_edge = simulation.cell_edges();
   header.name = std::filesystem::path(scenario.name).stem().string();
-  header.restitution = scenario.restitution;
+  header.restitution = scenario.restitution();
   header.gravity = scenario.gravity;
   for (const Surface& surface : simulation.world().surfaces()) {
-    header.surfaces.push_back(recorded(surface, scenario.restitution));
+    header.surfaces.push_back(recorded(surface, scenario.restitution()));
   }
   return {path, header, simulation.world()};
 }

@@ -44,8 +44,8 @@ bool has_theory(const Moments& moments, const EngineOptions& options) {
   constexpr std::size_t kFewSpheres = 100;
   constexpr double kFreezing = 0.494;
   const Box& box = moments.box;
-  return options.restitution == 1 && moments.spheres >= kFewSpheres &&
-         moments.packing_fraction() <= kFreezing && !box.is_open(0) && !box.is_open(1) && !box.is_open(2);
+  return is_elastic(options) && moments.spheres >= kFewSpheres && moments.packing_fraction() <= kFreezing &&
+         !box.is_open(0) && !box.is_open(1) && !box.is_open(2);
 }
 
 bool are_equal_spheres(const Moments& moments) {
@@ -82,7 +82,7 @@ std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments
   const double collision_rate = 2 * rate(counters.collision);
   add("collisions per sphere and time", "T^-1", collision_rate, 1 / mean_free_time(moments));
   add("mean free time", "T", 1 / collision_rate, mean_free_time(moments));
-  if (options.restitution == 1) {
+  if (is_elastic(options)) {
     add("mean free path", "L", moments.mean_speed / collision_rate, mean_free_path(moments));
   }
   add("compressibility", "1", summary.compressibility(),
@@ -175,7 +175,7 @@ report::Report run_report(const Options& options, const Scenario& scenario,
   report.date = date_now();
   report.until = *scenario.until;
   report.seed = scenario.seed;
-  report.restitution = scenario.restitution;
+  report.restitution = scenario.restitution();
 
   report.time = simulation.time();
   report.event_log_hash = simulation.event_log_hash();

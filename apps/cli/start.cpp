@@ -3,12 +3,14 @@
 #include "apps/cli/start.hpp"
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "apps/cli/parse_number.hpp"
 #include "apps/cli/progress.hpp"
 #include "apps/cli/unit_costs.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/scenario/make_responses.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/nearest_name.hpp"
 #include "hardball/tuning/cell_counts.hpp"
@@ -68,8 +70,7 @@ EngineOptions read_engine_options(const Options& options, const Scenario& scenar
   EngineOptions engine_options;
   engine_options.engine = static_cast<EngineKind>(choose(options.engine, kEngineNames, "--engine"));
   engine_options.queue = static_cast<QueueKind>(choose(options.queue, kQueueNames, "--queue"));
-  engine_options.restitution = scenario.restitution;
-  engine_options.elastic_below = scenario.elastic_below.value_or(0);
+  respond_as_described(scenario, engine_options);
   const std::size_t instructions = choose(options.instructions, kInstructionNames, "--instructions");
   if (instructions > 0) engine_options.instructions = static_cast<InstructionSet>(instructions - 1);
   const bool has_cells = engine_options.engine != EngineKind::all_pairs;
@@ -88,6 +89,15 @@ EngineOptions read_engine_options(const Options& options, const Scenario& scenar
     engine_options.cell_edge = edge;
   }
   return engine_options;
+}
+
+void respond_as_described(const Scenario& scenario, EngineOptions& options) {
+  if (scenario.bounce.contact_duration > 0 || std::isnan(scenario.restitution())) {
+    options.responses = make_responses(scenario);
+  } else {
+    options.restitution = scenario.restitution();
+    options.elastic_below = scenario.bounce.elastic_below;
+  }
 }
 
 Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options,

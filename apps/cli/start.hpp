@@ -19,6 +19,9 @@ Scenario read_scenario(const Options& options);
 /// a positive number; invalid unit costs.
 EngineOptions read_engine_options(const Options& options, const Scenario& scenario, const World& start);
 
+/// Sets the responses that a scenario describes.
+void respond_as_described(const Scenario& scenario, EngineOptions& options);
+
 /// The simulation of a scenario from its start. Error: see Simulation, located on the command line or in the
 /// scenario.
 Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options,

@@ -187,8 +187,7 @@ ExitCode tune(const Options& options) {
   const Scenario scenario = read_scenario(options);
   EngineOptions engine_options;
   engine_options.engine = EngineKind::cells;
-  engine_options.restitution = scenario.restitution;
-  engine_options.elastic_below = scenario.elastic_below.value_or(0);
+  respond_as_described(scenario, engine_options);
   engine_options.unit_costs = read_unit_costs(options.unit_costs == "auto" ? "measured" : options.unit_costs);
   catch_signals();
   if (options.out) make_directory(*options.out);

@@ -151,8 +151,7 @@ double all_pairs_work(const Comparison& comparison, double until) {
 ExitCode verify(const Options& options) {
   const Scenario scenario = read_scenario(options);
   EngineOptions engine_options;
-  engine_options.restitution = scenario.restitution;
-  engine_options.elastic_below = scenario.elastic_below.value_or(0);
+  respond_as_described(scenario, engine_options);
   Comparison comparison(scenario);
 
   engine_options.engine = EngineKind::cells;

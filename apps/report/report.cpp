@@ -215,7 +215,8 @@ std::string certificate(const Report& report) {
   }
   conserved.add_row("momentum at the end", {in_unit(vector_text(report.momentum, 2), "M L T^-1")});
   conserved.add_row("deepest overlap", {typeset(number_text(report.max_overlap, 2)) + " diameters"});
-  conserved.add_row("restitution", {number_text(report.restitution)});
+  const bool is_constant = !std::isnan(report.restitution);
+  conserved.add_row("restitution", {is_constant ? number_text(report.restitution) : "as the scenario says"});
   conserved.add_row("seed", {std::to_string(report.seed)});
   Table events("facts", "Events");
   events.add_row("event log hash", {code(hash_text(report.event_log_hash))});

@@ -114,6 +114,28 @@ class Candidates {
   bool is_new(Slot other) const { return seen_[other & (seen_.size() - 1)] != key(other); }
   void mark(Slot other) { seen_[other & (seen_.size() - 1)] = key(other); }
 
+  /// Removes the candidates i for which is_wanted(i) does not hold. Precondition: end() has been called.
+  template <class Predicate>
+  void keep_if(Predicate&& is_wanted) {
+    std::size_t kept = 0;
+    if (size_ > room_) {
+      room_ = size_;
+      slots_.resize(room_ + kPadding);
+    }
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (!is_wanted(i)) continue;
+      slots_[kept] = slots()[i];
+      if (!nearest_) {
+        images_[kept] = images_[i];
+        for (auto& shifts : shifts_) shifts[kept] = shifts[i];
+      }
+      ++kept;
+    }
+    listed_ = nullptr;
+    size_ = kept;
+    end();
+  }
+
   /// Fills the padding. Call before the arrays are read.
   void end() { std::fill_n(slots_.data() + size_, kPadding, self_); }
 

@@ -71,9 +71,9 @@ class Engine {
   }
 
   /// Handles events in order, calling observe(contact) after every collision and wall contact. The observer
-  /// may call change_velocity; after any other edit it must stop the run by returning false, and `rebuild`
-  /// must follow. Error: RunFailure on inelastic collapse; whatever the response or the observer throws. If
-  /// the response throws, its event has not happened.
+  /// may call change_velocity; after any other edit, and if two spheres have merged, it must stop the run by
+  /// returning false, and `rebuild` must follow. Error: RunFailure on inelastic collapse; whatever the
+  /// response or the observer throws. If the response throws, its event has not happened.
   template <class Observe>
   RunStatus run(const RunLimits& limits, Observe&& observe) {
     std::uint64_t contacts = 0;
@@ -93,6 +93,13 @@ class Engine {
       if (++contacts == limits.contacts) return RunStatus::contacts_reached;
       if (!goes_on) return RunStatus::observer_stopped;
     }
+  }
+
+  /// Carries out a collision now that is no event of the engine; `rebuild` must follow. Error: as for `run`.
+  const Contact& carry_out_besides(const Event& collision) {
+    execute(world_, guard_, collision, participants_of(world_, collision), respond_, done_);
+    ++counters_.collision;
+    return done_.contact;
   }
 
   /// The next collision or wall contact up to `until`, without carrying it out.
@@ -132,7 +139,7 @@ class Engine {
     Candidates candidates;
     for (Slot slot = 0; slot < world_.size(); ++slot) {
       HARDBALL_CHECK(plans_[slot].time() >= rounded_down(now_));
-      phase_.collect(world_, slot, candidates);
+      collect(slot, candidates);
       for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Event contact = contact_with(candidates, i);
         const Slot other = candidates.slot(i);
@@ -271,6 +278,7 @@ class Engine {
     is_cached_ = world_.size() <= Phase::kCachedSpheres;
     has_walls_ = has_walls(world_);
     has_images_of_obstacles_ = has_images_of_obstacles(world_);
+    has_passing_pairs_ = world_.has_passing_pairs();
     for (Slot slot = 0; slot < world_.size(); ++slot) {
       progress.note(slot, world_.size());
       predict(slot);
@@ -377,6 +385,7 @@ class Engine {
     if (!plan.is_renewal()) {
       ++counters_.enter;
       phase_.cross(world_, slot, now_, compact_, candidates_);
+      if (has_passing_pairs_) leave_out_met(candidates_);
       counters_.predictions += candidates_.size();
       counters_.enter_predictions += candidates_.size();
       if (is_stale(slot) && plan.is_bound()) postpone(slot);
@@ -446,6 +455,8 @@ class Engine {
     now_ = event.time;
     ++(is_collision ? counters_.collision : counters_.wall);
     queue_.pop();
+    if (done_.contact.fate == Fate::merge) [[unlikely]]
+      return done_.contact;
     const std::uint64_t predictions_before = counters_.predictions;
     note_new_path(participants.first, done_.folded[0]);
     if (is_collision) note_new_path(participants.second, done_.folded[1]);
@@ -520,9 +531,28 @@ class Engine {
     plan_contacts(b, of_b);
   }
 
+  // The spheres that one may meet.
+  void collect(Slot slot, Candidates& candidates) const {
+    phase_.collect(world_, slot, candidates);
+    if (has_passing_pairs_) [[unlikely]]
+      leave_out_met(candidates);
+  }
+
+  // Leaves out the candidates that the sphere is passing through, or has just begun to.
+  void leave_out_met(Candidates& candidates) const {
+    const Slot slot = candidates.self();
+    candidates.keep_if([&](std::size_t i) {
+      const Slot other = candidates.slot(i);
+      if (!world_.pass(slot, other)) return true;
+      const Image image =
+          candidates.are_nearest() ? nearest_image(world_, slot, other, now_) : candidates.image(i);
+      return !have_met(world_, slot, other, image);
+    });
+  }
+
   // Bounds a sphere's contacts with its candidates.
   BoundedContacts bound(Slot slot) {
-    phase_.collect(world_, slot, candidates_);
+    collect(slot, candidates_);
     counters_.predictions += candidates_.size();
     bound_watch_.note_bounded();
     const BoundedContacts found = predictor_.bound(compact_, candidates_, now_);
@@ -546,7 +576,7 @@ class Engine {
 
   // The same, where bounds do not tell which contact is the first. Precondition: likewise.
   void predict_exactly(Slot slot) {
-    phase_.collect(world_, slot, candidates_);
+    collect(slot, candidates_);
     counters_.predictions += candidates_.size();
     take(slot, predictor_.earliest(world_, candidates_, now_));
     if (has_walls_) {
@@ -658,6 +688,7 @@ class Engine {
   bool is_cached_ = true;  // prefetching all data ahead does not pay
   bool has_walls_ = false;
   bool has_images_of_obstacles_ = false;
+  bool has_passing_pairs_ = false;
   Candidates candidates_;  // of the current sphere
   PairContacts pairs_;     // of the current bucket
   Executed done_;          // the last contact

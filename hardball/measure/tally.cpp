@@ -9,9 +9,15 @@
 namespace hardball {
 namespace {
 
-// The change of the square of a velocity.
-double square_change(const Vec3& before, const Vec3& after) {
-  return dot(after - before, after + before);
+// The kinetic energy that a sphere gains, if it is not kinematic.
+double gain(double mass, const Vec3& before, const Vec3& after) {
+  return std::isinf(mass) ? 0 : mass * dot(after - before, after + before) / 2;
+}
+
+// The rotational energy that the first sphere gains.
+double rotational_gain(const Contact& contact) {
+  const double inertia = contact.first_moment * contact.first_radius * contact.first_radius;
+  return inertia * gain(contact.first_mass, contact.spins_before.first, contact.spins_after.first);
 }
 
 }  // namespace
@@ -21,9 +27,9 @@ void Tally::begin(const World& world, const Time& now) {
   walls_.resize(kFaces + world.surfaces().size());
   begin_ = now;
   last_ = now;
-  energy_ = world.energy(now);
+  energy_ = world.kinetic_energy(now);
   is_straight_ = world.motion().is_straight();
-  initial_energy_ = energy_;
+  initial_energy_ = world.energy(now);
 }
 
 void Tally::note_edit(double energy_change, const Time& now) {
@@ -37,9 +43,9 @@ void Tally::note(const Contact& contact) {
   last_ = contact.time;
   if (contact.is_collision()) {
     ++collisions_;
-    energy_ += (contact.first_mass * square_change(contact.before.first, contact.after.first) +
-                contact.second_mass * square_change(contact.before.second, contact.after.second)) /
-               2;
+    energy_ += gain(contact.first_mass, contact.before.first, contact.after.first) +
+               gain(contact.second_mass, contact.before.second, contact.after.second);
+    if (contact.fate != Fate::bounce) return;
     max_overlap_ = std::max(max_overlap_, contact.overlap());
     virial_ -= dot(contact.impulse(), contact.separation);
     const double speed = contact.impact_speed();
@@ -47,7 +53,7 @@ void Tally::note(const Contact& contact) {
     impact_speed_square_sum_ += speed * speed;
   } else {
     ++wall_contacts_;
-    const double gained = contact.first_mass * square_change(contact.before.first, contact.after.first) / 2;
+    const double gained = gain(contact.first_mass, contact.before.first, contact.after.first);
     energy_ += gained;
     max_overlap_ = std::max(max_overlap_, contact.overlap());
     WallTally& wall = walls_[contact.second];
@@ -57,7 +63,7 @@ void Tally::note(const Contact& contact) {
     wall.impulse -= impulse;
     wall.normal_impulse -= dot(impulse, contact.wall_normal);
     wall.work += work;
-    wall.heat += gained - work;
+    wall.heat += gained + rotational_gain(contact) - work;
   }
 }
 

@@ -35,6 +35,7 @@ class Tally {
   /// The deepest overlap of two spheres, or of a sphere and a wall, at their contact, as a fraction of the
   /// sum of the radii, or of the radius [1]; caused by rounding alone.
   double max_overlap() const { return max_overlap_; }
+  /// Spheres that pass through each other or merge count among collisions, and in none of these sums.
   /// Sum over collisions of impulse times separation of centres [M L^2/T].
   double virial() const { return virial_; }
   /// Sums over collisions of the impact speed [L/T] and of its square [L^2 T^-2].
@@ -47,7 +48,8 @@ class Tally {
   /// The time counted up to `now` [T].
   double elapsed(const Time& now) const { return duration(begin_, now); }
 
-  /// Kinetic energy integrated over time, up to `now` [M L^2/T]. Precondition: there is no gravity.
+  /// Kinetic energy, without that of spins, integrated over time, up to `now` [M L^2/T]. Precondition: there
+  /// is no gravity.
   double energy_integral(const Time& now) const;
   /// P V / N k T over the time counted [1], from the virial and the mean kinetic energy in the rest frame of
   /// the boundaries. One if nothing collided; NaN if no time has passed, nothing moves, or there is gravity.

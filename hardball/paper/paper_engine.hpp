@@ -80,6 +80,14 @@ class PaperEngine {
     }
   }
 
+  /// As Engine::carry_out_besides.
+  Contact carry_out_besides(const Event& collision) {
+    Executed done;
+    execute(world_, guard_, collision, participants_of(world_, collision), respond_, done);
+    ++counters_.collision;
+    return done.contact;
+  }
+
   /// As Engine::next_contact.
   std::optional<Event> next_contact(const Time& until) {
     while (!event_tree_.empty() && event_tree_.begin()->time.high <= until.high) {
@@ -198,9 +206,16 @@ class PaperEngine {
       const auto found = subspace_tree_.find(key(subspace));
       if (found == subspace_tree_.end()) return;
       for (const Member& member : found->second) {
-        if (member.slot != slot) visit(member.slot, boxes - member.boxes);
+        const Image image = boxes - member.boxes;
+        if (member.slot == slot || have_passed(slot, member.slot, image)) continue;
+        visit(member.slot, image);
       }
     });
+  }
+
+  // Whether two spheres are passing through each other, or have just begun to.
+  bool have_passed(Slot slot, Slot other, const Image& image) const {
+    return world_.has_passing_pairs() && world_.pass(slot, other) && have_met(world_, slot, other, image);
   }
 
   bool share_a_subspace(const Event& collision) const {
@@ -342,6 +357,7 @@ class PaperEngine {
     execute(world_, guard_, event, participants, respond_, done);
     now_ = event.time;
     ++(is_collision ? counters_.collision : counters_.wall);
+    if (done.contact.fate == Fate::merge) return done.contact;
     const std::uint64_t predictions_before = counters_.predictions;
     remove_candidates(participants.first);
     relocate(participants.first);

@@ -20,8 +20,8 @@ void CollapseGuard::count(SphereId id, bool was_idle, const Time& now) {
   throw RunFailure(
       "inelastic collapse: sphere " + to_text(id) + " was hit " + to_text(kMostIdleContacts) +
       " times in a row without moving, at time " + to_text(now.value()) +
-      "; raise the restitution, or end the run before this time, or, in a program, make slow impacts "
-      "elastic with Simulation::respond_with");
+      "; make slow impacts elastic (elastic_below) or those that follow another at once (contact_duration), "
+      "raise the restitution, or end the run before this time");
 }
 
 std::size_t CollapseGuard::memory_bytes() const {

@@ -3,10 +3,14 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
+#include <limits>
+#include <utility>
 
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/vec3.hpp"
 #include "hardball/surfaces/surface.hpp"
+#include "hardball/world/world.hpp"
 
 namespace hardball {
 
@@ -16,6 +20,21 @@ struct Velocities {
   Vec3 second;
 
   friend bool operator==(const Velocities&, const Velocities&) = default;
+};
+
+/// The angular velocities of the two bodies of a contact [1/T]; zero for a wall.
+struct Spins {
+  Vec3 first;
+  Vec3 second;
+
+  friend bool operator==(const Spins&, const Spins&) = default;
+};
+
+/// What becomes of the bodies of a contact.
+enum class Fate : std::uint8_t {
+  bounce,  ///< They part.
+  pass,    ///< They pass through each other, on unchanged paths.
+  merge,   ///< They become one: the first, in the place and with the mass of both.
 };
 
 /// Negative if bodies that are `separation` [L] apart approach each other [L^2/T]: the same expression whose
@@ -39,12 +58,23 @@ struct Contact {
   Vec3 separation;
   double reach = 0;         ///< Sum of the radii, or the radius: the length `separation` should have [L].
   double first_radius = 0;  ///< [L]
-  double first_mass = 0;    ///< [M]
-  double second_mass = 0;   ///< [M]; infinite for a wall.
+  double first_mass = 0;    ///< [M]; infinite for a kinematic sphere.
+  double second_mass = 0;   ///< [M]; infinite for a wall, too.
   Velocities before;        ///< [L/T]
   Velocities after;         ///< [L/T]; equal to `before` while the response is called.
-  Vec3 wall_normal;         ///< Wall: the unit vector from the centre towards it [1].
-  double pressing = 0;      ///< Wall: the acceleration of the sphere towards it [L/T^2].
+  Spins spins_before;       ///< [1/T]
+  Spins spins_after;        ///< [1/T]; equal to `spins_before` while the response is called.
+  /// Moments of inertia over mass and squared radius [1].
+  double first_moment = kUniformSphereMoment;
+  double second_moment = kUniformSphereMoment;
+  /// How long the motion of each sphere had not changed [T]; infinite for a wall.
+  double first_flight = 0;
+  double second_flight = 0;
+  SpeciesId first_species = 0;
+  SpeciesId second_species = 0;  ///< Zero for a wall.
+  Fate fate = Fate::bounce;
+  Vec3 wall_normal;               ///< Wall: the unit vector from the centre towards it [1].
+  double pressing = 0;            ///< Wall: the acceleration of the sphere towards it [L/T^2].
   SurfaceMaterial wall_material;  ///< Wall: what it does; of a face of the box, what the response does.
 
   bool is_collision() const { return kind == EventKind::collision; }
@@ -52,8 +82,15 @@ struct Contact {
   Vec3 normal() const { return is_collision() ? (1 / length(separation)) * separation : wall_normal; }
   /// Where the surfaces touch, in the coordinates of `position` [L].
   Vec3 point() const { return position + first_radius * normal(); }
-  /// The momentum the first sphere gained [M L/T]; the second lost as much.
-  Vec3 impulse() const { return first_mass * (after.first - before.first); }
+  double second_radius() const { return is_collision() ? reach - first_radius : 0; }  ///< [L]
+  /// The momentum the first sphere gained [M L/T]; the second lost as much. Zero between kinematic spheres.
+  Vec3 impulse() const {
+    if (first_mass < std::numeric_limits<double>::infinity()) [[likely]]
+      return first_mass * (after.first - before.first);
+    return second_mass < std::numeric_limits<double>::infinity()
+               ? second_mass * (before.second - after.second)
+               : Vec3{};
+  }
   /// The speed at which the surfaces met, along the normal [L/T]; not negative.
   double impact_speed() const {
     const double speed = dot(before.first - before.second, normal());
@@ -65,11 +102,45 @@ struct Contact {
   }
 };
 
-/// What a contact does to velocities: given the contact with `after` still equal to `before`, the new
-/// velocities. What is returned for a wall is ignored. The bodies must not approach each other afterwards.
+/// What a response decides: the velocities and spins after a contact, and whether two spheres merge.
+struct Outcome {
+  /// The same spins as before.
+  Outcome(const Contact& contact, const Velocities& after) : velocities(after), spins(contact.spins_before) {}
+
+  Velocities velocities;  ///< [L/T]
+  Spins spins;            ///< [1/T]
+  /// Whether the spheres merge, whatever the velocities and spins.
+  bool merges = false;
+};
+
+/// What a contact does to motions: given the contact with `after` still equal to `before`, the new
+/// velocities, or the whole Outcome; or `decide` sets what comes after in the contact itself, which spares
+/// copies. What is returned for a wall or a kinematic sphere is ignored. The bodies must not approach each
+/// other afterwards.
 template <class R>
 concept Response = requires(const R& response, const Contact& contact) {
   { response(contact) } -> std::convertible_to<Velocities>;
+}
+|| requires(const R& response, const Contact& contact) {
+  { response(contact) } -> std::convertible_to<Outcome>;
+}
+|| requires(const R& response, Contact& contact) {
+  response.decide(contact);
 };
+
+/// Lets a response decide what comes after a contact.
+template <Response R>
+void decide(const R& response, Contact& contact) {
+  if constexpr (requires { response.decide(contact); }) {
+    response.decide(contact);
+  } else if constexpr (std::convertible_to<decltype(response(std::as_const(contact))), Velocities>) {
+    contact.after = response(std::as_const(contact));
+  } else {
+    const Outcome outcome = response(std::as_const(contact));
+    contact.after = outcome.velocities;
+    contact.spins_after = outcome.spins;
+    contact.fate = outcome.merges ? Fate::merge : Fate::bounce;
+  }
+}
 
 }  // namespace hardball

@@ -65,21 +65,41 @@ void undo_approach_to_surface(const World& world, Contact& contact) {
   }
 }
 
+// The part of a change of relative velocity that the first sphere takes.
+double share_of_first(const Contact& contact) {
+  if (std::isinf(contact.first_mass)) return 0;
+  return std::isinf(contact.second_mass) ? 1
+                                         : contact.second_mass / (contact.first_mass + contact.second_mass);
+}
+
 void undo_approach_of_spheres(Contact& contact) {
   const Vec3& r = contact.separation;
   const double excess = approach(r, contact.after);
   const double speeds = length(contact.before.first) + length(contact.before.second) +
                         length(contact.after.first) + length(contact.after.second);
   if (-excess > length(r) * (kRounding * speeds + kSmallestMagnitude)) refuse_approach(contact);
-  const double total_mass = contact.first_mass + contact.second_mass;
+  const double share = share_of_first(contact);
   double exchange = excess / dot(r, r);
   Velocities settled = contact.after;
   while (approach(r, settled) < 0) {
-    settled.first = contact.after.first + (exchange * (contact.second_mass / total_mass)) * r;
-    settled.second = contact.after.second - (exchange * (contact.first_mass / total_mass)) * r;
+    settled.first = contact.after.first + (exchange * share) * r;
+    settled.second = contact.after.second - (exchange * (1 - share)) * r;
     exchange *= 2;
   }
   contact.after = settled;
+}
+
+// What a contact tells of spins and species. Precondition: the spheres' masses are set.
+void describe_traits(const World& world, const Participants& participants, Contact& contact) {
+  const bool is_collision = contact.is_collision();
+  const Slot first = participants.first;
+  const Slot second = participants.second;
+  contact.spins_before = {world.spin(first), is_collision ? world.spin(second) : Vec3{}};
+  contact.spins_after = contact.spins_before;
+  contact.first_moment = world.moment(first);
+  contact.second_moment = is_collision ? world.moment(second) : kUniformSphereMoment;
+  contact.first_species = world.species(first);
+  contact.second_species = is_collision ? world.species(second) : SpeciesId{0};
 }
 
 // What a contact tells of its wall, and the wall's velocity. Precondition: time and position are set.
@@ -125,6 +145,7 @@ void contact_at(const World& world, const Event& event, const Participants& part
   contact.position = position;
   contact.first_radius = radius;
   contact.first_mass = world.mass(participants.first);
+  contact.first_flight = duration(path.time, event.time);
   if (event.kind == EventKind::collision) {
     const Path& second_path = world.path(participants.second);
     const double second_radius = world.radius(participants.second);
@@ -137,18 +158,51 @@ void contact_at(const World& world, const Event& event, const Participants& part
     contact.separation = (second_position - position) + box.shift(contact.image);
     contact.reach = radius + second_radius;
     contact.second_mass = world.mass(participants.second);
+    contact.second_flight = duration(second_path.time, event.time);
     before = {velocity, second_velocity};
   } else {
     contact.image = {};
     contact.second_position = {};
     contact.reach = radius;
     contact.second_mass = std::numeric_limits<double>::infinity();
+    contact.second_flight = std::numeric_limits<double>::infinity();
     before = {velocity, {}};
     describe_wall(world, event.second, contact, before.second);
   }
+  contact.fate = Fate::bounce;
+  if (world.has_traits()) [[unlikely]]
+    describe_traits(world, participants, contact);
+  if (world.has_passing_pairs() && contact.is_collision() &&
+      world.pass(participants.first, participants.second)) [[unlikely]]
+    contact.fate = Fate::pass;
   // Twice from registers: reading back what has just been written would stall.
   contact.before = before;
   contact.after = before;
+}
+
+void keep_kinematic(Contact& contact) {
+  if (!contact.is_collision()) return;
+  if (std::isinf(contact.first_mass)) {
+    contact.after.first = contact.before.first;
+    contact.spins_after.first = contact.spins_before.first;
+  }
+  if (std::isinf(contact.second_mass)) {
+    contact.after.second = contact.before.second;
+    contact.spins_after.second = contact.spins_before.second;
+  }
+}
+
+void store_spins(World& world, const Contact& contact, const Participants& participants) {
+  const auto store = [&](Slot slot, const Vec3& spin) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (std::fabs(spin[axis]) <= kLargestMagnitude) continue;
+      refuse_response(contact, "the spin " + to_text(spin) + " is returned",
+                      "return finite spins of magnitude at most 1e60");
+    }
+    world.store_spin(slot, spin);
+  };
+  store(participants.first, contact.spins_after.first);
+  if (contact.is_collision()) store(participants.second, contact.spins_after.second);
 }
 
 void refuse_velocities(const Contact& contact) {

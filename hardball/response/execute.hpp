@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "hardball/response/collapse_guard.hpp"
@@ -38,6 +39,12 @@ Participants participants_of(const World& world, const Event& event);
 /// were idle.
 void contact_at(const World& world, const Event& event, const Participants& participants, Executed& done);
 
+/// Gives kinematic spheres back the velocities and spins that they had before.
+void keep_kinematic(Contact& contact);
+
+/// Stores the spins after a contact. Error: one is not finite or out of the operating range.
+void store_spins(World& world, const Contact& contact, const Participants& participants);
+
 /// Throws the Error of check_velocities.
 [[noreturn]] void refuse_velocities(const Contact& contact);
 
@@ -63,19 +70,33 @@ inline void settle(const World& world, Contact& contact) {
   undo_approach(world, contact);
 }
 
+/// Replaces the two spheres of a collision by one with their mass, momentum, angular momentum and volume, at
+/// their centre of mass, which keeps the lower id; sets what comes after the contact accordingly. Two
+/// kinematic spheres do not merge. Cost: O(n).
+void merge(World& world, Contact& contact, const Participants& participants);
+
 /// Carries out a collision or wall event: evaluates the paths at its time, calls the response, stores the new
-/// paths. The one place, shared by all engines, where a contact changes the motion. Error: check_velocities
-/// or settle refuses what the response returned. RunFailure: inelastic collapse, see CollapseGuard. In these
-/// cases, and if the response throws, nothing has changed.
+/// paths. The one place, shared by all engines, where a contact changes the motion. Spheres that pass through
+/// each other keep their paths; if two have merged, slots have changed. Error: check_velocities or settle
+/// refuses what the response returned. RunFailure: inelastic collapse, see CollapseGuard. In these cases, and
+/// if the response throws, nothing has changed.
 template <Response R>
 void execute(World& world, CollapseGuard& guard, const Event& event, const Participants& participants,
              const R& response, Executed& done) {
   Contact& contact = done.contact;
   contact_at(world, event, participants, done);
-  contact.after = response(std::as_const(contact));
+  if (contact.fate == Fate::pass) [[unlikely]] {
+    done.folded = {};
+    return world.note_passage(event);
+  }
+  decide(response, contact);
+  const bool is_collision = contact.is_collision();
+  if (contact.fate == Fate::merge) [[unlikely]]
+    return merge(world, contact, participants);
+  if (!(contact.first_mass + contact.second_mass < std::numeric_limits<double>::infinity()))
+    keep_kinematic(contact);
   check_velocities(contact);
   settle(world, contact);
-  const bool is_collision = contact.is_collision();
   guard.note_contact(contact.first, done.were_idle[0], event.time);
   if (is_collision) guard.note_contact(contact.second, done.were_idle[1], event.time);
   world.store_path(participants.first, {contact.position, contact.after.first, event.time}, done.folded[0]);
@@ -83,6 +104,8 @@ void execute(World& world, CollapseGuard& guard, const Event& event, const Parti
     world.store_path(participants.second, {contact.second_position, contact.after.second, event.time},
                      done.folded[1]);
   }
+  if (contact.spins_after != contact.spins_before) [[unlikely]]
+    store_spins(world, contact, participants);
 }
 
 }  // namespace hardball

@@ -29,9 +29,10 @@ Restitution::Restitution(double coefficient, double elastic_below)
   }
 }
 
-double Restitution::coefficient_at(const Contact& wall_contact, double impact_speed) const {
-  if (std::fabs(impact_speed) < elastic_below_) return 1;
-  return wall_contact.wall_material.restitution.value_or(coefficient_);
+bool Restitution::is_slow(const Contact& collision) const {
+  const Vec3& r = collision.separation;
+  const double closing = approach(r, collision.before);
+  return closing * closing < elastic_below_ * elastic_below_ * dot(r, r);
 }
 
 Velocities Restitution::bounce(const Contact& contact) const {
@@ -40,24 +41,30 @@ Velocities Restitution::bounce(const Contact& contact) const {
     after.first = rethermalized(contact);
     return after;
   }
+  const double impact_speed = dot(contact.before.first - contact.before.second, contact.wall_normal);
+  const double coefficient =
+      std::fabs(impact_speed) < elastic_below_ ? 1 : contact.wall_material.restitution.value_or(coefficient_);
+  after.first = velocity_after_bounce(contact, coefficient, least_parting_speed(contact, elastic_below_));
+  return after;
+}
+
+Vec3 velocity_after_bounce(const Contact& contact, double coefficient, double least_speed) {
+  Vec3 after = contact.before.first;
   const Vec3& normal = contact.wall_normal;
   const Vec3 velocity = contact.before.first - contact.before.second;
   const double impact_speed = dot(velocity, normal);
-  const double coefficient = coefficient_at(contact, impact_speed);
-  constexpr double kLeast = 0.1;
-  const double least = contact.pressing > 0 ? kLeast * elastic_below_ : 0;
-  const double parting_speed = std::max(least, coefficient * impact_speed);
+  const double parting_speed = std::max(least_speed, coefficient * impact_speed);
   if (is_along_axis(normal)) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (normal[axis] == 0) continue;
-      after.first[axis] = contact.before.second[axis] - parting_speed * normal[axis];
+      after[axis] = contact.before.second[axis] - parting_speed * normal[axis];
     }
   } else if (parting_speed > coefficient * impact_speed || !(impact_speed > 0)) {
-    after.first -= (impact_speed + parting_speed) * normal;
+    after -= (impact_speed + parting_speed) * normal;
   } else {
     // Scaled as the separation of spheres is, but by what varies at a plane, too.
     const Vec3 r = (1 + velocity.x * velocity.x / dot(velocity, velocity)) * normal;
-    after.first -= ((1 + coefficient) * dot(velocity, r) / dot(r, r)) * r;
+    after -= ((1 + coefficient) * dot(velocity, r) / dot(r, r)) * r;
   }
   return after;
 }

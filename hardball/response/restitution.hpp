@@ -2,9 +2,50 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 #include "hardball/response/contact.hpp"
 
 namespace hardball {
+
+/// The velocities of two smooth spheres after a collision with this coefficient of restitution [1].
+/// Precondition: at most one of them is kinematic.
+inline Velocities velocities_after_impact(const Contact& contact, double coefficient) {
+  Velocities after = contact.before;
+  if (!(approach(contact.separation, contact.before) < 0)) return after;
+  // The impulse lies along the separation r, whose length is reach up to rounding: dividing by r.r instead
+  // of normalising keeps exact cases exact. Energy drifts unless rounding errors have mean zero, which
+  // those of a number that hardly varies from contact to contact do not have. So r, whose length cancels,
+  // is scaled by a factor between 1 and 2 that depends on its direction, and no function of the masses
+  // alone is rounded.
+  const Vec3& separation = contact.separation;
+  const Vec3 r = (1 + separation.x * separation.x / dot(separation, separation)) * separation;
+  const double square = dot(r, r);
+  const double closing = approach(r, contact.before);
+  const double masses = square * contact.first_mass + square * contact.second_mass;
+  if (!(masses < std::numeric_limits<double>::infinity())) [[unlikely]] {
+    const double exchange = (1 + coefficient) * closing / square;
+    (std::isinf(contact.first_mass) ? after.second : after.first) +=
+        (std::isinf(contact.first_mass) ? -exchange : exchange) * r;
+    return after;
+  }
+  const double exchange = (1 + coefficient) * closing / masses;
+  after.first += (exchange * contact.second_mass) * r;
+  after.second -= (exchange * contact.first_mass) * r;
+  return after;
+}
+
+/// The velocity of a smooth sphere after a contact with a wall [L/T], which it leaves with at least
+/// `least_speed` [L/T].
+Vec3 velocity_after_bounce(const Contact& contact, double coefficient, double least_speed);
+
+/// The least speed with which a sphere leaves a wall that gravity presses it against, if impacts slower than
+/// `elastic_below` are elastic [L/T].
+inline double least_parting_speed(const Contact& contact, double elastic_below) {
+  constexpr double kLeast = 0.1;
+  return contact.pressing > 0 ? kLeast * elastic_below : 0;
+}
 
 /// Smooth spheres with a constant coefficient of restitution: the speed of separation along the normal is
 /// this fraction of the speed of approach, and momentum is kept. One is elastic. Walls may have a coefficient
@@ -28,26 +69,10 @@ class Restitution {
 
  private:
   Velocities collide(const Contact& contact) const {
-    Velocities after = contact.before;
-    if (!(approach(contact.separation, contact.before) < 0)) return after;
-    // The impulse lies along the separation r, whose length is reach up to rounding: dividing by r.r instead
-    // of normalising keeps exact cases exact. Energy drifts unless rounding errors have mean zero, which
-    // those of a number that hardly varies from contact to contact do not have. So r, whose length cancels,
-    // is scaled by a factor between 1 and 2 that depends on its direction, and no function of the masses
-    // alone is rounded.
-    const Vec3& separation = contact.separation;
-    const Vec3 r = (1 + separation.x * separation.x / dot(separation, separation)) * separation;
-    const double square = dot(r, r);
-    const double closing = approach(r, contact.before);
-    const bool is_slow = closing * closing < elastic_below_ * elastic_below_ * square;
-    const double exchange = (1 + (is_slow ? 1 : coefficient_)) * closing /
-                            (square * contact.first_mass + square * contact.second_mass);
-    after.first += (exchange * contact.second_mass) * r;
-    after.second -= (exchange * contact.first_mass) * r;
-    return after;
+    return velocities_after_impact(contact, elastic_below_ > 0 && is_slow(contact) ? 1 : coefficient_);
   }
   Velocities bounce(const Contact& contact) const;
-  double coefficient_at(const Contact& wall_contact, double impact_speed) const;
+  bool is_slow(const Contact& collision) const;
 
   double coefficient_;
   double elastic_below_;

@@ -197,6 +197,27 @@ TableDescription spheres_keys() {
                .dimension = "L/T",
                .meaning = "or: each velocity",
                .example = "[[0.0, 0.0, 1.0], [0.0, 0.0, 0.0]]"},
+              {.name = "rotational_temperature",
+               .range = not_negative,
+               .dimension = "M L²/T²",
+               .default_value = "0.0",
+               .meaning = "normally distributed spins with this I⟨w²⟩/3",
+               .example = "1.0"},
+              {.name = "spins",
+               .type = vectors,
+               .dimension = "1/T",
+               .meaning = "instead of `rotational_temperature`: each angular velocity",
+               .example = "[[0.0, 0.0, 2.0], [0.0, 0.0, 0.0]]"},
+              {.name = "species",
+               .type = text,
+               .meaning = "the name of their species; the first of `[[species]]` if not given",
+               .example = "\"steel\""},
+              {.name = "kinematic",
+               .type = truth,
+               .default_value = "false",
+               .meaning = "whether their mass is infinite, so that no collision deflects them; two of these "
+                          "pass through each other",
+               .example = "true"},
           },
       .one_of = {{"placement", "positions"}, {"mean_speed", "temperature", "speed", "velocities"}},
   };
@@ -213,21 +234,129 @@ TableDescription start_keys() {
            .example = "\"start.xyz\""}}};
 }
 
-TableDescription response_keys() {
+TableDescription restitution_keys() {
+  return {.title = "restitution",
+          .keys = {
+              {.name = "law",
+               .type = choice,
+               .choices = {"viscoelastic", "tabulated"},
+               .is_required = true,
+               .meaning = "how it depends on the impact speed, the normal relative speed before the contact",
+               .example = "\"viscoelastic\""},
+              {.name = "value",
+               .range = fraction,
+               .is_required = true,
+               .meaning = "the restitution at the impact speed `speed`; slower impacts are more elastic",
+               .example = "0.8",
+               .only_for = {"viscoelastic"}},
+              {.name = "speed",
+               .range = positive,
+               .dimension = "L/T",
+               .is_required = true,
+               .meaning = "an impact speed",
+               .example = "1.0",
+               .only_for = {"viscoelastic"}},
+              {.name = "speeds",
+               .type = numbers,
+               .range = not_negative,
+               .dimension = "L/T",
+               .is_required = true,
+               .meaning = "increasing impact speeds; between two the restitution is linear",
+               .example = "[0.0, 1.0, 10.0]",
+               .only_for = {"tabulated"}},
+              {.name = "values",
+               .type = numbers,
+               .range = fraction,
+               .is_required = true,
+               .meaning = "the restitution at each of the `speeds`",
+               .example = "[1.0, 0.9, 0.6]",
+               .only_for = {"tabulated"}},
+          }};
+}
+
+// How bodies bounce off each other.
+std::vector<KeyDescription> bounce_keys() {
   return {
-      .title = "[response]",
-      .keys = {{.name = "restitution",
-                .range = fraction,
-                .default_value = "1.0",
-                .meaning = "the ratio of normal speeds after and before a contact; 1 is elastic",
-                .example = "0.9"},
-               {.name = "elastic_below",
-                .range = not_negative,
-                .dimension = "L/T",
-                .meaning =
-                    "impacts slower than this are elastic; under gravity a sphere pressed against a surface "
-                    "parts from it with at least a tenth of it",
-                .example = "0.01"}}};
+      {.name = "restitution",
+       .range = fraction,
+       .meaning =
+           "the ratio of normal speeds after and before a contact, 1 being elastic, or how it depends on "
+           "the impact speed",
+       .example = "0.9",
+       .table = make(restitution_keys())},
+      {.name = "elastic_below",
+       .range = not_negative,
+       .dimension = "L/T",
+       .meaning = "impacts slower than this are elastic; under gravity a sphere pressed against a surface "
+                  "parts from it with at least a tenth of it",
+       .example = "0.01"},
+      {.name = "contact_duration",
+       .range = not_negative,
+       .dimension = "T",
+       .meaning = "a contact is elastic if the motion of one of the spheres changed within this time before "
+                  "it: the TC model, which prevents inelastic collapse",
+       .example = "1e-5"},
+      {.name = "tangential_restitution",
+       .range = signed_fraction,
+       .meaning = "of rough spheres, whose spins contacts change: the ratio of the tangential velocities of "
+                  "the surfaces after and before a contact, reversed; 1 is perfectly rough, -1 smooth",
+       .example = "0.5"}};
+}
+
+TableDescription pairs_keys() {
+  TableDescription table{
+      .title = "[[response.pairs]]",
+      .keys = {
+          {.name = "kind",
+           .type = choice,
+           .choices = {"bounce", "merge", "pass"},
+           .is_required = true,
+           .meaning = "what spheres of these species do when they touch: bounce, merge into one, or pass "
+                      "through each other",
+           .example = "\"bounce\""},
+          {.name = "between",
+           .type = texts,
+           .is_required = true,
+           .meaning = "two species, alike or not, or a species and `\"wall\"`, which means all walls",
+           .example = R"(["steel", "glass"])"}}};
+  for (KeyDescription key : bounce_keys()) {
+    key.only_for = {"bounce"};
+    table.keys.push_back(std::move(key));
+  }
+  return table;
+}
+
+TableDescription response_keys() {
+  TableDescription table{.title = "[response]", .keys = bounce_keys()};
+  table.keys.front().default_value = "1.0";
+  table.keys.push_back({.name = "kind",
+                        .type = choice,
+                        .choices = {"bounce", "merge"},
+                        .default_value = "\"bounce\"",
+                        .meaning =
+                            "what spheres do when they touch: bounce, or merge into one with the mass, "
+                            "momentum, angular momentum and volume of both; at walls they bounce",
+                        .example = "\"merge\""});
+  table.keys.push_back({.name = "pairs",
+                        .type = tables,
+                        .meaning = "other rules for pairs of species; what they leave open is as for all",
+                        .table = make(pairs_keys())});
+  return table;
+}
+
+TableDescription species_keys() {
+  return {.title = "[[species]]",
+          .keys = {{.name = "name",
+                    .type = text,
+                    .is_required = true,
+                    .meaning = "its name, by which `[[spheres]]` and `[[response.pairs]]` refer to it",
+                    .example = "\"steel\""},
+                   {.name = "moment",
+                    .range = positive,
+                    .default_value = "0.4",
+                    .meaning = "the moment of inertia of its spheres over mass and squared radius: 2/5 for "
+                               "uniform spheres, 2/3 for shells",
+                    .example = "0.4"}}};
 }
 
 // How a fixed surface reflects spheres.
@@ -415,9 +544,13 @@ TableDescription all_keys() {
                     .type = tables,
                     .meaning = "spheres that never move",
                     .table = make(obstacles_keys())},
+                   {.name = "species",
+                    .type = tables,
+                    .meaning = "kinds of spheres, if contacts depend on them",
+                    .table = make(species_keys())},
                    {.name = "response",
                     .type = table,
-                    .meaning = "what a contact does to velocities",
+                    .meaning = "what contacts do",
                     .table = make(response_keys())},
                    {.name = "run", .type = table, .meaning = "the run", .table = make(run_keys())},
                    {.name = "output",
@@ -439,21 +572,36 @@ std::string listed(const std::vector<std::string_view>& names) {
   return text;
 }
 
+std::string range_of(const KeyDescription& key, const std::string& noun) {
+  switch (key.range) {
+    case finite:
+      return noun;
+    case positive:
+      return "positive " + noun;
+    case not_negative:
+      return "zero or positive " + noun;
+    case fraction:
+      return noun + " from 0 to 1";
+    case signed_fraction:
+      return noun + " from -1 to 1";
+  }
+  return "";
+}
+
 std::string type_of(const KeyDescription& key) {
-  // In the order of NumberRange.
-  constexpr std::array<const char*, 4> kRanges{"", "positive ", "zero or positive ", ""};
-  const std::string range = kRanges[static_cast<std::size_t>(key.range)];
   switch (key.type) {
     case number:
-      return key.range == fraction ? "number from 0 to 1" : range + "number";
+      return range_of(key, "number");
     case numbers:
-      return "list of " + range + "numbers";
+      return "list of " + range_of(key, "numbers");
     case integer:
       return "integer from " + to_text(key.least) + " to " + to_text(key.most);
     case truth:
       return "`true` or `false`";
     case text:
       return "text";
+    case texts:
+      return "list of texts";
     case choice:
       return listed(key.choices);
     case choices:

@@ -17,6 +17,7 @@ enum class ValueType {
   integer,
   truth,    ///< true or false.
   text,     ///< A string that is not empty.
+  texts,    ///< A list of such strings.
   choice,   ///< One of several strings.
   choices,  ///< A list of some of them.
   vector,   ///< Three numbers.
@@ -26,7 +27,13 @@ enum class ValueType {
 };
 
 /// Which numbers a value consists of, within the operating range (world/range.hpp).
-enum class NumberRange { finite, positive, not_negative, fraction };
+enum class NumberRange {
+  finite,
+  positive,
+  not_negative,
+  fraction,         ///< From 0 to 1.
+  signed_fraction,  ///< From -1 to 1.
+};
 
 struct TableDescription;
 

@@ -174,6 +174,38 @@ void add(World& world, const Sphere& sphere, const std::string& where) {
   }
 }
 
+// A spin whose components have this variance.
+Vec3 spin_at(double variance, Random& random) {
+  // One after another: the order in which arguments are evaluated is not fixed.
+  const double x = random.normal();
+  const double y = random.normal();
+  const double z = random.normal();
+  return std::sqrt(variance) * Vec3{x, y, z};
+}
+
+double moment_of(const Scenario& scenario, SpeciesId species) {
+  return species < scenario.species.size() ? scenario.species[species].moment : kUniformSphereMoment;
+}
+
+// Drawn after all other random numbers, so that spheres that do not spin are where they would be without it.
+std::vector<Vec3> draw_spins(const Scenario& scenario, Groups groups, Random& random) {
+  std::vector<Vec3> spins;
+  for (const SphereGroup& group : groups) {
+    if (!group.spins.empty()) {
+      spins.insert(spins.end(), group.spins.begin(), group.spins.end());
+      continue;
+    }
+    for (std::size_t i = 0; i < group.count; ++i) {
+      const double radius = group.radius_of(i);
+      const double inertia = moment_of(scenario, group.species) * group.mass_of(i) * radius * radius;
+      spins.push_back(group.rotational_temperature > 0
+                          ? spin_at(group.rotational_temperature / inertia, random)
+                          : Vec3{});
+    }
+  }
+  return spins;
+}
+
 void add_groups(const Scenario& scenario, World& world, const Progress& progress) {
   Random random(scenario.seed);
   std::vector<SphereGroup> groups = scenario.spheres;
@@ -183,13 +215,22 @@ void add_groups(const Scenario& scenario, World& world, const Progress& progress
   const std::vector<Vec3> positions = place(scenario, groups, world, random, progress.part(0, kPlaced));
   const bool without_drift = world.box().is_all(Boundary::periodic);
   const std::vector<Vec3> velocities = draw_velocities(groups, without_drift, random);
+  const std::vector<Vec3> spins = draw_spins(scenario, groups, random);
   world.reserve(positions.size());
   const Progress added = progress.part(kPlaced, 1);
   std::size_t next = 0;
   for (const SphereGroup& group : groups) {
     for (std::size_t i = 0; i < group.count; ++i, ++next) {
       added.note(next, positions.size());
-      add(world, {positions[next], velocities[next], group.radius_of(i), group.mass_of(i)}, group.where);
+      add(world,
+          {.position = positions[next],
+           .velocity = velocities[next],
+           .radius = group.radius_of(i),
+           .mass = group.mass_of(i),
+           .spin = spins[next],
+           .species = group.species,
+           .moment = moment_of(scenario, group.species)},
+          group.where);
     }
   }
 }
@@ -215,6 +256,9 @@ World make_world(const Scenario& scenario, const OnProgress& on_progress) {
     add_from_file(*scenario.start_file, world);
   } else if (!scenario.spheres.empty()) {
     add_groups(scenario, world, progress);
+  }
+  for (const PairDescription& pair : scenario.pairs) {
+    if (pair.fate == Fate::pass && pair.second) world.let_pass(pair.first, *pair.second);
   }
   progress.note_end();
   return world;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/scenario/read_response.hpp"
 #include "hardball/world/range.hpp"
 
 namespace hardball {
@@ -125,15 +126,37 @@ void read_sizes(const Section& section, const std::filesystem::path& folder, Sph
   }
 }
 
+void read_spins(const Section& section, SphereGroup& group) {
+  const std::optional<Value> temperature = section.find("rotational_temperature");
+  const std::optional<Value> spins = section.find("spins");
+  if (temperature) group.rotational_temperature = temperature->number();
+  if (!spins) return;
+  if (temperature) {
+    throw Error("there are both rotational_temperature and spins", spins->place(), "remove one of the two");
+  }
+  group.spins = spins->vectors();
+  if (group.spins.size() != group.count) {
+    spins->wrong_length(group.spins.size(), "give one for each of the " + to_text(group.count) + " spheres");
+  }
+}
+
 }  // namespace
 
-SphereGroup read_spheres(const Section& section, const std::filesystem::path& folder) {
+SphereGroup read_spheres(const Section& section, const std::filesystem::path& folder,
+                         std::span<const SpeciesDescription> species) {
   SphereGroup group;
   group.where = section.place();
   read_placement(section, group);
   read_velocities(section, group);
   read_count(section, group);
   read_sizes(section, folder, group);
+  read_spins(section, group);
+  if (const auto name = section.find("species")) group.species = species_named(*name, species);
+  if (const auto kinematic = section.find("kinematic")) group.is_kinematic = kinematic->truth();
+  if (group.is_kinematic && section.find("mass")) {
+    throw Error("there are both mass and kinematic", section.need("mass").place(),
+                "remove one of the two: the mass of kinematic spheres is infinite");
+  }
   return group;
 }
 

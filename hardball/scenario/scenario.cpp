@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/document.hpp"
+#include "hardball/scenario/read_response.hpp"
 #include "hardball/scenario/read_spheres.hpp"
 #include "hardball/scenario/read_walls.hpp"
 #include "hardball/scenario/section.hpp"
@@ -70,7 +72,8 @@ void read_start(const Section& root, Scenario& scenario) {
     return;
   }
   if (groups.empty()) throw Error("there are no spheres", scenario.name, "add [[spheres]] or [start]");
-  for (const Section& group : groups) scenario.spheres.push_back(read_spheres(group, folder));
+  for (const Section& group : groups)
+    scenario.spheres.push_back(read_spheres(group, folder, scenario.species));
 }
 
 void read_run(const Section& section, Scenario& scenario) {
@@ -109,13 +112,11 @@ Scenario read_scenario(const Document& document) {
   }
   read_box(*box, scenario.box);
   scenario.gravity = read_gravity(*box);
+  scenario.species = read_species(root);
   read_start(root, scenario);
   scenario.walls = read_walls(root);
   scenario.obstacles = read_obstacles(root);
-  if (const auto response = root.section("response")) {
-    if (const auto restitution = response->find("restitution")) scenario.restitution = restitution->number();
-    if (const auto speed = response->find("elastic_below")) scenario.elastic_below = speed->number();
-  }
+  read_response(root, scenario);
   if (const auto run = root.section("run")) read_run(*run, scenario);
   if (const auto output = root.section("output")) read_output(*output, scenario);
   if (const auto measures = root.section("measures")) read_measures(*measures, scenario.measures);
@@ -124,7 +125,19 @@ Scenario read_scenario(const Document& document) {
 
 }  // namespace
 
+double Scenario::restitution() const {
+  const auto* const constant = std::get_if<ConstantRestitution>(&bounce.restitution);
+  const bool is_alike = constant && pairs.empty() && !merges && !bounce.tangential_restitution;
+  return is_alike ? constant->value : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool Scenario::has_merging() const {
+  return merges ||
+         std::ranges::any_of(pairs, [](const PairDescription& pair) { return pair.fate == Fate::merge; });
+}
+
 double SphereGroup::mass_of(std::size_t index) const {
+  if (is_kinematic) return std::numeric_limits<double>::infinity();
   if (!density) return mass;
   const double radius_of_it = radius_of(index);
   return *density * (4 * std::numbers::pi / 3) * radius_of_it * radius_of_it * radius_of_it;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hardball/measure/measure_settings.hpp"
+#include "hardball/response/bounce.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -64,9 +65,13 @@ struct SphereGroup {
   Placement placement = Placement::random;
   std::vector<Vec3> positions;  ///< Shape (count, 3) for Placement::listed, otherwise empty [L].
   VelocityRule velocity_rule = VelocityRule::speed;
-  double velocity_scale = 0;     ///< What the rule prescribes; unused for VelocityRule::listed.
-  std::vector<Vec3> velocities;  ///< Shape (count, 3) for VelocityRule::listed, otherwise empty [L/T].
-  std::string where;             ///< Its place in the scenario, for messages.
+  double velocity_scale = 0;          ///< What the rule prescribes; unused for VelocityRule::listed.
+  std::vector<Vec3> velocities;       ///< Shape (count, 3) for VelocityRule::listed, otherwise empty [L/T].
+  double rotational_temperature = 0;  ///< I <w^2> / 3 of the spins w [M L^2 T^-2].
+  std::vector<Vec3> spins;            ///< Instead, each one, shape (count, 3) [1/T]; empty otherwise.
+  SpeciesId species = 0;              ///< An index into Scenario::species, if there are any.
+  bool is_kinematic = false;          ///< Of infinite mass.
+  std::string where;                  ///< Its place in the scenario, for messages.
 
   /// The radius of a sphere of the group [L].
   double radius_of(std::size_t index) const { return radii.empty() ? radius : radii[index]; }
@@ -99,6 +104,20 @@ struct ObstacleDescription {
   std::string where;                  ///< Its place in the scenario, for messages.
 };
 
+/// A species: a table [[species]] of a scenario.
+struct SpeciesDescription {
+  std::string name;
+  double moment = kUniformSphereMoment;  ///< Moment of inertia over mass and squared radius [1].
+};
+
+/// What two species do at contacts: a table [[response.pairs]] of a scenario.
+struct PairDescription {
+  Fate fate = Fate::bounce;
+  SpeciesId first = 0;
+  std::optional<SpeciesId> second;  ///< None for walls.
+  BounceRules bounce;               ///< If they bounce.
+};
+
 /// A description of a run: the contents of a scenario file, each value checked by itself.
 struct Scenario {
   /// The box along an axis.
@@ -116,9 +135,11 @@ struct Scenario {
   std::vector<ObstacleDescription> obstacles;
   std::vector<SphereGroup> spheres;                 ///< In the order of ids.
   std::optional<std::filesystem::path> start_file;  ///< An extended XYZ file, instead of `spheres`.
-  double restitution = 1;                           ///< [1]
-  std::optional<double> elastic_below;              ///< Slower impacts are elastic [L/T].
-  std::optional<double> until;                      ///< When the run ends [T].
+  std::vector<SpeciesDescription> species;          ///< Named by their index; none if all spheres are alike.
+  BounceRules bounce;                               ///< Of all contacts that `pairs` does not name.
+  bool merges = false;                              ///< Whether all spheres that `pairs` does not name merge.
+  std::vector<PairDescription> pairs;
+  std::optional<double> until;  ///< When the run ends [T].
   std::uint64_t seed = 1;
   std::optional<std::filesystem::path> output_directory;
   std::optional<double> snapshots_every;  ///< [T]
@@ -126,6 +147,11 @@ struct Scenario {
   bool recording = false;
   bool report = true;        ///< Where there is an output directory.
   MeasureSettings measures;  ///< Of all measures if the scenario has no table [measures].
+
+  /// The constant coefficient of restitution of all contacts of smooth spheres [1]; NaN if they have none.
+  double restitution() const;
+  /// Whether spheres may merge.
+  bool has_merging() const;
 };
 
 /// Reads a scenario file. A start file is named relative to the scenario file, an output directory relative

@@ -34,6 +34,10 @@ Json schema_of_number(NumberRange range) {
       schema["minimum"] = 0;
       schema["maximum"] = 1;
       break;
+    case NumberRange::signed_fraction:
+      schema["minimum"] = -1;
+      schema["maximum"] = 1;
+      break;
   }
   return schema;
 }
@@ -62,6 +66,8 @@ Json schema_of_value(const KeyDescription& key) {
       return {{"type", "boolean"}};
     case ValueType::text:
       return {{"type", "string"}, {"minLength", 1}};
+    case ValueType::texts:
+      return list_of({{"type", "string"}, {"minLength", 1}});
     case ValueType::choice:
       return {{"type", "string"}, {"enum", key.choices}};
     case ValueType::choices:

@@ -34,6 +34,9 @@ void check_range(double number, const KeyDescription& key, const std::string& wh
     case NumberRange::fraction:
       if (!(number >= 0 && number <= 1)) refuse("give a number between 0 and 1");
       return;
+    case NumberRange::signed_fraction:
+      if (!(number >= -1 && number <= 1)) refuse("give a number between -1 and 1");
+      return;
   }
 }
 
@@ -107,6 +110,12 @@ std::vector<double> Value::numbers() const {
   std::vector<double> numbers;
   for (const Value& entry : entries("give numbers in brackets")) numbers.push_back(entry.number());
   return numbers;
+}
+
+std::vector<Value> Value::texts() const {
+  std::vector<Value> texts = entries("give strings in brackets");
+  for (const Value& entry : texts) static_cast<void>(entry.text());
+  return texts;
 }
 
 Vec3 Value::vector() const {

@@ -32,6 +32,8 @@ class Value {
   /// The index of the text among the key's choices.
   std::size_t choice() const;
   std::vector<double> numbers() const;
+  /// The values of a list, all of which have a text.
+  std::vector<Value> texts() const;
   Vec3 vector() const;
   std::vector<Vec3> vectors() const;
   /// The values of a list. `remedy` says what the list should hold.

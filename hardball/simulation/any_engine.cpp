@@ -46,13 +46,12 @@ class EngineModel final : public AnyEngine {
   RunStatus run(const RunLimits& limits, const Observe& observe) override {
     return engine_.run(limits, observe);
   }
+  Contact carry_out_besides(const Event& collision) override { return engine_.carry_out_besides(collision); }
   std::optional<Event> next_contact(const Time& until) override { return engine_.next_contact(until); }
   void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) override {
     engine_.change_velocity(slot, moment, velocity);
   }
-  void replace_response(std::function<Velocities(const Contact&)> custom) override {
-    engine_.response().replace(std::move(custom));
-  }
+  void replace_response(CustomResponse custom) override { engine_.response().replace(std::move(custom)); }
   void validate() const override { engine_.validate(); }
 
   bool suits(double length) const override {
@@ -98,10 +97,15 @@ std::unique_ptr<AnyEngine> make_model(Arguments&&... arguments) {
   return std::make_unique<EngineModel<Wrapped>>(Wrapped(std::forward<Arguments>(arguments)...));
 }
 
+AnyResponse response_of(const EngineOptions& options) {
+  const Restitution restitution(options.restitution, options.elastic_below);
+  return options.responses ? AnyResponse(*options.responses) : AnyResponse(restitution);
+}
+
 template <EventQueue Queue>
 std::unique_ptr<AnyEngine> make_queued(World world, EngineKind engine, const EngineOptions& options,
                                        double length, const Time& now, const Progress& progress) {
-  const AnyResponse response{Restitution(options.restitution, options.elastic_below)};
+  const AnyResponse response = response_of(options);
   const InstructionSet instructions = options.instructions.value_or(widest_instruction_set());
   if (engine == EngineKind::all_pairs) {
     return make_model<Engine<Queue, AllPairs, AnyResponse>>(std::move(world), AllPairs(), response, now,
@@ -148,8 +152,7 @@ BestCells best_cells(const World& world, const Moments& moments, const UnitCosts
 std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
                                        double length, const Time& now, const Progress& progress) {
   if (engine == EngineKind::paper) {
-    const AnyResponse response{Restitution(options.restitution, options.elastic_below)};
-    return make_model<PaperEngine<AnyResponse>>(std::move(world), length, response, now);
+    return make_model<PaperEngine<AnyResponse>>(std::move(world), length, response_of(options), now);
   }
   if (options.queue == QueueKind::ordered) {
     return make_queued<OrderedQueue>(std::move(world), engine, options, length, now, progress);

@@ -9,7 +9,8 @@
 #include "hardball/engine/run.hpp"
 #include "hardball/kernels/instruction_set.hpp"
 #include "hardball/response/contact.hpp"
-#include "hardball/response/restitution.hpp"
+#include "hardball/response/response_table.hpp"
+#include "hardball/simulation/any_response.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
@@ -42,6 +43,8 @@ struct EngineOptions {
   double restitution = 1;
   /// Slower impacts are elastic, see Restitution [L/T]. Error: negative or not finite.
   double elastic_below = 0;
+  /// Responses that depend on species, or on more than these two numbers, which they then replace.
+  std::optional<ResponseTable> responses = {};
   /// From which the cell edge is chosen; measure_unit_costs gives those of this machine. Error: not
   /// are_meaningful.
   UnitCosts unit_costs = {};
@@ -49,20 +52,10 @@ struct EngineOptions {
   std::optional<InstructionSet> instructions = {};
 };
 
-/// A response chosen at run time: a constant restitution, or the user's own.
-class AnyResponse {
- public:
-  explicit AnyResponse(Restitution restitution) : restitution_(restitution) {}
-
-  void replace(std::function<Velocities(const Contact&)> custom) { custom_ = std::move(custom); }
-  Velocities operator()(const Contact& contact) const {
-    return custom_ ? custom_(contact) : restitution_(contact);
-  }
-
- private:
-  Restitution restitution_;
-  std::function<Velocities(const Contact&)> custom_;
-};
+/// Whether all contacts of these spheres are known to be elastic and smooth.
+inline bool is_elastic(const EngineOptions& options) {
+  return options.restitution == 1 && !options.responses;
+}
 
 /// The interface that all engines share; see Engine for what its members do.
 class AnyEngine {
@@ -80,13 +73,14 @@ class AnyEngine {
   virtual Vec3 cell_edges() const = 0;
   virtual double slack() const = 0;
   virtual RunStatus run(const RunLimits& limits, const Observe& observe) = 0;
+  virtual Contact carry_out_besides(const Event& collision) = 0;
   virtual std::optional<Event> next_contact(const Time& until) = 0;
   virtual void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) = 0;
   /// Whether `rebuild` with this length would make what make_engine makes for the world as it is.
   virtual bool suits(double length) const = 0;
   /// Rebuilds all regions and predictions, with this cell edge or slack [L] where there is one.
   virtual void rebuild(const Time& now, double length) = 0;
-  virtual void replace_response(std::function<Velocities(const Contact&)> custom) = 0;
+  virtual void replace_response(CustomResponse custom) = 0;
   virtual void validate() const = 0;
 };
 

@@ -61,6 +61,33 @@ std::vector<Vec3> centers_at(const World& world, const Time& moment) {
   return centers;
 }
 
+bool contains(const World& world, SphereId id) {
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    if (world.id(slot) == id) return true;
+  }
+  return false;
+}
+
+// The collision of a sphere, now, with the one of lowest id that it overlaps and merges with.
+std::optional<Event> first_overlap(const World& world, SphereId id, const Time& now,
+                                   const ResponseTable& responses) {
+  const Slot self = world.slot_of(id);
+  std::optional<Event> first;
+  for (Slot other = 0; other < world.size(); ++other) {
+    if (other == self || world.pass(self, other)) continue;
+    if (!std::holds_alternative<Merging>(responses.rule(world.species(self), world.species(other)))) continue;
+    const Image image =
+        world.box().nearest_image(world.unfolded_position(self, now) - world.unfolded_position(other, now));
+    const Vec3 separation =
+        separation_at(world.motion(), world.path(self), world.path(other), world.box().shift(image), now);
+    const double reach = world.radius(self) + world.radius(other);
+    if (!(dot(separation, separation) < reach * reach)) continue;
+    const Event overlap = make_collision(now, id, world.id(other), image);
+    if (!first || overlap < *first) first = overlap;
+  }
+  return first;
+}
+
 }  // namespace
 
 Simulation::Simulation(World world, const EngineOptions& options, const OnProgress& on_progress)
@@ -93,6 +120,7 @@ Simulation::Simulation(const Simulation& other)
       hash_(other.hash_),
       tally_(other.tally_),
       watch_(other.watch_),
+      merged_(other.merged_),
       edited_(other.edited_),
       next_review_(other.next_review_),
       last_review_(other.last_review_) {}
@@ -111,6 +139,7 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   hash_ = other.hash_;
   tally_ = other.tally_;
   watch_ = other.watch_;
+  merged_ = std::move(other.merged_);
   edited_ = other.edited_;
   next_review_ = other.next_review_;
   last_review_ = other.last_review_;
@@ -130,9 +159,20 @@ void Simulation::take_next_listener() {
 }
 
 void Simulation::respond_with(std::function<Velocities(const Contact&)> response) {
+  if (!response) return respond_with(nullptr);
+  respond_with([response = std::move(response)](const Contact& contact) {
+    return Outcome(contact, response(contact));
+  });
+}
+
+void Simulation::respond_with(std::function<Outcome(const Contact&)> response) {
   check_editable("respond_with");
   response_ = std::move(response);
   engine_->replace_response(response_);
+}
+
+void Simulation::respond_with(std::nullptr_t) {
+  respond_with(std::function<Outcome(const Contact&)>());
 }
 
 void Simulation::run_until(double time) {
@@ -181,16 +221,18 @@ RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) 
   check_not_past(limits.until);
   const During running(activity_, Activity::running);
   const auto observe = [this, measures](const Contact& contact) {
-    now_ = contact.time;
-    tally_.note(contact);
-    hash_.note(contact);
-    if (measures) measures->note(contact);
-    if (listener_ || next_listener_)
-      call_listener(contact, measures ? Activity::measuring : Activity::listening);
+    note(contact, measures);
     return !edited_;
   };
   RunLimits left = limits;
   for (;;) {
+    while (const std::optional<Event> coalescence = next_coalescence()) {
+      if (left.contacts == 0) return RunStatus::contacts_reached;
+      if (left.steps == 0) return RunStatus::steps_reached;
+      note(engine_->carry_out_besides(*coalescence), measures);
+      --left.contacts;
+      --left.steps;
+    }
     apply_edits();
     const std::uint64_t slice = std::max<std::uint64_t>(kSliceSteps, size());
     const RunLimits piece{limits.until, left.contacts, std::min(left.steps, slice)};
@@ -213,6 +255,38 @@ RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) 
   }
 }
 
+// To be called with every contact when it has been carried out.
+void Simulation::note(const Contact& contact, Measures* measures) {
+  now_ = contact.time;
+  tally_.note(contact);
+  hash_.note(contact);
+  if (contact.fate == Fate::merge) [[unlikely]] {
+    edited_ = true;
+    merged_.push_back(contact.first);
+    if (measures) {
+      throw Error("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
+                      " have merged, and measures need all spheres",
+                  "measures", "run without measures");
+    }
+  }
+  if (measures) measures->note(contact);
+  if (listener_ || next_listener_)
+    call_listener(contact, measures ? Activity::measuring : Activity::listening);
+}
+
+// Spheres that have merged may overlap others: with those they merge at once, lowest ids first.
+std::optional<Event> Simulation::next_coalescence() {
+  while (!merged_.empty()) {
+    const SphereId id = *std::ranges::min_element(merged_);
+    if (options_.responses && !response_ && contains(world(), id)) {
+      if (const std::optional<Event> found = first_overlap(world(), id, now_, *options_.responses))
+        return found;
+    }
+    std::erase(merged_, id);
+  }
+  return std::nullopt;
+}
+
 void Simulation::call_listener(const Contact& contact, Activity activity) {
   take_next_listener();
   if (!listener_) return;
@@ -223,8 +297,11 @@ void Simulation::call_listener(const Contact& contact, Activity activity) {
 std::optional<NextContact> Simulation::next_contact(double until) {
   check_idle("next_contact");
   check_not_past(Time(until));
-  apply_edits();
-  const std::optional<Event> next = engine_->next_contact(Time(until));
+  std::optional<Event> next = next_coalescence();
+  if (!next) {
+    apply_edits();
+    next = engine_->next_contact(Time(until));
+  }
   if (!next) return std::nullopt;
   return NextContact{next->time.value(), next->kind, next->first, next->second};
 }
@@ -373,7 +450,8 @@ void Simulation::retune_if_due() {
 // Rebuilds all regions and predictions, with another engine if that suits the world better.
 void Simulation::rebuild(const Time& moment) {
   const EngineKind kind = choose_engine(world(), options_, moment, kind_);
-  const double length = choose_length(world(), kind, options_, moment);
+  // Spheres may have grown.
+  const double length = allowed_cell_edge(world(), kind, choose_length(world(), kind, options_, moment));
   put_in_order(engine_->world_to_edit(), kind, moment);
   if (kind == kind_ && engine_->suits(length)) {
     engine_->rebuild(moment, length);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -61,6 +62,10 @@ class Simulation {
   /// the bodies still approach with the velocities returned; a velocity is not finite or exceeds 1e60; the
   /// response runs or edits the simulation. The contact has then not happened.
   void respond_with(std::function<Velocities(const Contact&)> response);
+  /// The same, for a response that changes spins, or merges spheres.
+  void respond_with(std::function<Outcome(const Contact&)> response);
+  /// Restores the response of the options.
+  void respond_with(std::nullptr_t);
 
   /// Runs to `time` [T], events at that time included. Error: `time` is in the past, NaN, or finite and
   /// beyond 1e120.
@@ -72,7 +77,8 @@ class Simulation {
   std::uint64_t run_contacts(std::uint64_t count, double until = std::numeric_limits<double>::infinity());
   /// Runs until the first of the limits is met. Error: RunLimits::until, as for run_until.
   RunStatus run(const RunLimits& limits);
-  /// The same, with `measures` taken. Error: spheres have been added or removed since the measures began.
+  /// The same, with `measures` taken. Error: spheres have been added or removed since the measures began, or
+  /// merge.
   RunStatus run(const RunLimits& limits, Measures& measures);
 
   /// The next collision or wall contact up to `until` [T], without carrying it out. In a periodic box spheres
@@ -149,6 +155,8 @@ class Simulation {
   void check_idle(const char* what) const;
   void check_editable(const char* what) const;
   void check_not_past(const Time& time) const;
+  void note(const Contact& contact, Measures* measures);
+  std::optional<Event> next_coalescence();
   void apply_edits();
   void retune_if_due();
   void rebuild(const Time& moment);
@@ -156,8 +164,8 @@ class Simulation {
   EngineOptions options_;
   EngineKind kind_ = EngineKind::cells;  // the one in use
   std::unique_ptr<AnyEngine> engine_;
-  std::function<Velocities(const Contact&)> response_;  // the user's own, if there is one
-  Counters counters_before_;                            // of engines replaced
+  CustomResponse response_;   // the user's own, if there is one
+  Counters counters_before_;  // of engines replaced
   std::function<void(const Contact&)> listener_;
   std::optional<std::function<void(const Contact&)>> next_listener_;  // set by the listener itself
   Activity activity_ = Activity::none;
@@ -165,6 +173,7 @@ class Simulation {
   EventLogHash hash_;
   Tally tally_;
   CellEdgeWatch watch_;
+  std::vector<SphereId> merged_;   // which may overlap others
   bool edited_ = false;            // the engine's structures are out of date
   std::uint64_t next_review_ = 0;  // number of crossings and contacts at which the tuning is reviewed
   Time last_review_;

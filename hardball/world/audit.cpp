@@ -42,6 +42,7 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
     std::stable_sort(by_size.begin(), by_size.end(),
                      [&](Slot a, Slot b) { return world.radius(a) > world.radius(b); });
   }
+  const bool passes = world.has_passing_pairs();
   Neighborhood neighborhood(world.box(), world.size(), world.largest_radius());
   std::vector<Slot> inserted;
   inserted.reserve(world.size());
@@ -61,6 +62,7 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
                                  if (dot(separation, separation) > 1.001 * (reach * reach)) return;
                                  const double overlap = 1 - length(separation) / reach;
                                  if (overlap <= found.max_overlap) return;
+                                 if (passes && world.pass(slot, inserted[index])) return;
                                  found.max_overlap = overlap;
                                  found.overlap_first = std::min(world.id(slot), world.id(inserted[index]));
                                  found.overlap_second = std::max(world.id(slot), world.id(inserted[index]));
@@ -99,7 +101,9 @@ void refuse_overlap(const World& world, const Sphere& sphere, const Time& moment
       separation[axis] -= size * std::round(separation[axis] / size);
     }
     const double overlap = 1 - length(separation) / (sphere.radius + world.radius(slot));
-    if (overlap <= kOverlapTolerance) continue;
+    const bool passes = world.may_pass(sphere.species, world.species(slot)) ||
+                        (std::isinf(sphere.mass) && world.is_kinematic(slot));
+    if (overlap <= kOverlapTolerance || passes) continue;
     throw Error("the new sphere overlaps sphere " + to_text(world.id(slot)) + " by " + to_text(overlap) +
                     " of the sum of their radii",
                 "sphere to add", "place it elsewhere or shrink it");

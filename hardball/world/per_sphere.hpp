@@ -35,6 +35,12 @@ class PerSphere {
     ++size_;
   }
 
+  void set(Slot slot, double value) {
+    if (size_ == 1) common_ = value;
+    if (each_.empty() && value != common_) each_.assign(size_, common_);
+    if (!each_.empty()) each_[slot] = value;
+  }
+
   void erase(Slot slot) {
     if (!each_.empty()) each_.erase(each_.begin() + static_cast<std::ptrdiff_t>(slot));
     if (--size_ == 0) common_ = 0;

@@ -18,13 +18,14 @@ namespace {
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 constexpr const char* kPositionNames[] = {"position along x", "position along y", "position along z"};
 constexpr const char* kVelocityNames[] = {"velocity along x", "velocity along y", "velocity along z"};
+constexpr const char* kSpinNames[] = {"spin about x", "spin about y", "spin about z"};
 
-void check_velocity(const Vec3& velocity, const std::string& where) {
+void check_vector(const Vec3& vector, const char* const (&names)[kAxes], const std::string& where) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double v = velocity[axis];
-    check_finite(v, kVelocityNames[axis], where);
+    const double v = vector[axis];
+    check_finite(v, names[axis], where);
     if (v != 0 && std::fabs(v) < kSmallestMagnitude) {
-      throw Error(std::string(kVelocityNames[axis]) + " is " + to_text(v), where,
+      throw Error(std::string(names[axis]) + " is " + to_text(v), where,
                   "give zero, or a magnitude of at least 1e-60");
     }
   }
@@ -102,25 +103,29 @@ SphereId World::add(const Sphere& sphere, const Time& moment) {
   paths_.push_back({sphere.position - box_.shift(beyond), sphere.velocity, moment});
   radii_.push_back(sphere.radius);
   masses_.push_back(sphere.mass);
+  moments_.push_back(sphere.moment);
   folded_.push_back(beyond);
+  if (!spins_.empty()) spins_.emplace_back();
+  store_spin(static_cast<Slot>(size() - 1), sphere.spin);
+  if (sphere.species != 0 && species_.empty()) species_.assign(size() - 1, 0);
+  if (sphere.species != 0 || !species_.empty()) species_.push_back(sphere.species);
+  if (std::isinf(sphere.mass)) ++kinematic_count_;
   return next_id_++;
 }
 
 void World::check(const Sphere& sphere) const {
   const std::string where = name_of(next_id_);
   check_positive(sphere.radius, "radius", where);
-  check_positive(sphere.mass, "mass", where);
-  check_velocity(sphere.velocity, where);
+  check_mass(sphere.mass, where);
+  check_positive(sphere.moment, "moment", where);
+  check_vector(sphere.velocity, kVelocityNames, where);
+  check_vector(sphere.spin, kSpinNames, where);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double x = sphere.position[axis];
     check_finite(x, kPositionNames[axis], where);
     if (box_.is_open(axis)) continue;
     const double size = box_.size()[axis];
-    if (2 * sphere.radius > size * (1 + kWallTolerance)) {
-      throw Error("diameter " + to_text(2 * sphere.radius) + " exceeds the box size " + to_text(size) +
-                      " along " + kAxisNames[axis],
-                  where, "enlarge the box or shrink the sphere");
-    }
+    check_fits(sphere.radius, axis, where);
     if (box_.is_periodic(axis) && std::fabs(x / size) > Box::kMostBoxesBeyond) {
       throw Error("centre at " + to_text(x) + " along " + kAxisNames[axis] + " is more than 2^30 boxes away",
                   where, "place it inside the box, between 0 and " + to_text(size));
@@ -133,13 +138,32 @@ void World::check(const Sphere& sphere) const {
   }
 }
 
+void World::check_mass(double mass, const std::string& where) const {
+  if (mass != std::numeric_limits<double>::infinity()) return check_positive(mass, "mass", where);
+  if (motion_.is_straight()) return;
+  throw Error("a kinematic sphere, of infinite mass, does not fall", where,
+              "give it a finite mass, or remove gravity");
+}
+
+void World::check_fits(double radius, std::size_t axis, const std::string& where) const {
+  const double size = box_.size()[axis];
+  if (2 * radius <= size * (1 + kWallTolerance)) return;
+  throw Error("diameter " + to_text(2 * radius) + " exceeds the box size " + to_text(size) + " along " +
+                  kAxisNames[axis],
+              where, "enlarge the box or shrink the sphere");
+}
+
 void World::remove(SphereId id) {
   const Slot slot = slot_of(id);
   const auto at = static_cast<std::ptrdiff_t>(slot);
   ids_.erase(ids_.begin() + at);
   paths_.erase(paths_.begin() + at);
+  if (is_kinematic(slot)) --kinematic_count_;
   radii_.erase(slot);
   masses_.erase(slot);
+  moments_.erase(slot);
+  if (!spins_.empty()) spins_.erase(spins_.begin() + at);
+  if (!species_.empty()) species_.erase(species_.begin() + at);
   folded_.erase(folded_.begin() + at);
   sort_slots_by_id();
 }
@@ -147,6 +171,7 @@ void World::remove(SphereId id) {
 void World::reorder(std::span<const Slot> order) {
   const auto reordered = [order](const auto& values) {
     std::remove_cvref_t<decltype(values)> moved;
+    if (values.empty()) return moved;
     moved.reserve(values.size());
     for (const Slot slot : order) moved.push_back(values[slot]);
     return moved;
@@ -156,6 +181,9 @@ void World::reorder(std::span<const Slot> order) {
   folded_ = reordered(folded_);
   radii_.reorder(order);
   masses_.reorder(order);
+  moments_.reorder(order);
+  spins_ = reordered(spins_);
+  species_ = reordered(species_);
   sort_slots_by_id();
 }
 
@@ -171,7 +199,7 @@ void World::sort_slots_by_id() {
 }
 
 Image World::change_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
-  check_velocity(velocity, name_of(id(slot)));
+  check_vector(velocity, kVelocityNames, name_of(id(slot)));
   check_moment(moment, name_of(id(slot)));
   return rewrite_path(slot, moment, velocity);
 }
@@ -181,6 +209,37 @@ Image World::rewrite_path(Slot slot, const Time& moment, const Vec3& velocity) {
   const Image folded = box_.fold(position);
   store_path(slot, {position, velocity, moment}, folded);
   return folded;
+}
+
+void World::store_spin(Slot slot, const Vec3& spin) {
+  if (spins_.empty()) {
+    if (spin == Vec3{}) return;
+    spins_.assign(size(), Vec3{});
+  }
+  spins_[slot] = spin;
+}
+
+void World::reshape(Slot slot, double radius, double mass, double moment) {
+  const std::string where = name_of(id(slot));
+  check_positive(radius, "radius", where);
+  check_mass(mass, where);
+  check_positive(moment, "moment", where);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!box_.is_open(axis)) check_fits(radius, axis, where);
+  }
+  if (is_kinematic(slot)) --kinematic_count_;
+  if (std::isinf(mass)) ++kinematic_count_;
+  radii_.set(slot, radius);
+  masses_.set(slot, mass);
+  moments_.set(slot, moment);
+}
+
+void World::let_pass(SpeciesId a, SpeciesId b) {
+  if (!may_pass(a, b)) passing_.emplace_back(std::min(a, b), std::max(a, b));
+}
+
+bool World::may_pass(SpeciesId a, SpeciesId b) const {
+  return std::ranges::find(passing_, std::pair{std::min(a, b), std::max(a, b)}) != passing_.end();
 }
 
 Slot World::slot_of(SphereId id) const {
@@ -219,6 +278,12 @@ double World::kinetic_energy(const Time& moment) const {
   return energy;
 }
 
+double World::rotational_energy() const {
+  double energy = 0;
+  if (has_spins()) for_each_by_id([&](Slot slot) { energy += hardball::rotational_energy(*this, slot); });
+  return energy;
+}
+
 double World::energy(const Time& moment) const {
   double energy = 0;
   for_each_by_id([&](Slot slot) { energy += hardball::energy(*this, slot, moment); });
@@ -227,7 +292,9 @@ double World::energy(const Time& moment) const {
 
 Vec3 World::momentum(const Time& moment) const {
   Vec3 momentum;
-  for_each_by_id([&](Slot slot) { momentum += masses_[slot] * velocity(slot, moment); });
+  for_each_by_id([&](Slot slot) {
+    if (!is_kinematic(slot)) momentum += masses_[slot] * velocity(slot, moment);
+  });
   return momentum;
 }
 
@@ -244,13 +311,36 @@ double World::largest_radius() const {
 std::size_t World::memory_bytes() const {
   return paths_.capacity() * sizeof(Path) + radii_.memory_bytes() + masses_.memory_bytes() +
          ids_.capacity() * sizeof(SphereId) + slots_by_id_.capacity() * sizeof(Slot) +
-         folded_.capacity() * sizeof(Image) + surfaces_.capacity() * sizeof(Surface);
+         moments_.memory_bytes() + spins_.capacity() * sizeof(Vec3) +
+         species_.capacity() * sizeof(SpeciesId) + folded_.capacity() * sizeof(Image) +
+         surfaces_.capacity() * sizeof(Surface);
+}
+
+double rotational_energy(const World& world, Slot slot) {
+  if (!world.has_spins() || world.is_kinematic(slot)) return 0;
+  const Vec3 spin = world.spin(slot);
+  const double radius = world.radius(slot);
+  return world.moment(slot) * world.mass(slot) * radius * radius * dot(spin, spin) / 2;
 }
 
 double energy(const World& world, Slot slot, const Time& moment) {
-  const double kinetic = kinetic_energy(world, slot, moment);
+  if (world.is_kinematic(slot)) return 0;
+  const double kinetic = kinetic_energy(world, slot, moment) + rotational_energy(world, slot);
   if (world.motion().is_straight()) return kinetic;
   return kinetic - world.mass(slot) * dot(world.motion().gravity(), world.unwrapped_position(slot, moment));
+}
+
+bool have_met(const World& world, Slot a, Slot b, const Image& image) {
+  const Path& first = world.path(a);
+  const Path& second = world.path(b);
+  const Vec3 separation =
+      separation_at(world.motion(), first, second, world.box().shift(image), later(first.time, second.time));
+  const double reach = world.radius(a) + world.radius(b);
+  if (dot(separation, separation) <= reach * reach) return true;
+  Event contact = make_collision(contact_time(world, a, b, image), world.id(a), world.id(b), {});
+  // A contact is recorded by whichever image the engine knows it; the spheres and the time tell which it is.
+  contact.image = world.last_passage().image;
+  return contact <= world.last_passage();
 }
 
 }  // namespace hardball

@@ -4,7 +4,10 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "hardball/events/event.hpp"
@@ -17,12 +20,23 @@
 
 namespace hardball {
 
+/// Which kind of sphere one is, where contacts depend on it: a number that programs and scenarios choose.
+using SpeciesId = std::uint8_t;
+
+/// The moment of inertia of a uniform sphere, as a multiple of its mass and its squared radius [1].
+inline constexpr double kUniformSphereMoment = 0.4;
+
 /// A sphere as a caller describes it, at one moment.
 struct Sphere {
   Vec3 position;       ///< Centre [L].
   Vec3 velocity = {};  ///< [L/T]
   double radius = 1;   ///< [L]
-  double mass = 1;     ///< [M]
+  /// [M]; infinite for a kinematic sphere, which no collision deflects.
+  double mass = 1;
+  Vec3 spin = {};  ///< Angular velocity [1/T].
+  SpeciesId species = 0;
+  /// Moment of inertia over mass and squared radius [1].
+  double moment = kUniformSphereMoment;
 };
 
 /// The box, the surfaces and the spheres in it: their stored paths, radii and masses. The state of the motion
@@ -47,8 +61,9 @@ class World {
 
   /// Adds a sphere in its state at `moment`, and returns its id: ids count up from zero.
   /// Positions outside a periodic box are folded into it. Overlaps are not checked here (see audit.hpp).
-  /// Error: a number that is NaN, infinite or out of range; a radius or mass that is not positive; a centre
-  /// closer to a wall than the radius, or more than 2^30 boxes away; a box too small to hold the sphere.
+  /// Error: a number that is NaN, infinite or out of range; a radius, mass or moment that is not positive; a
+  /// centre closer to a wall than the radius, or more than 2^30 boxes away; a box too small to hold the
+  /// sphere; a kinematic sphere where there is gravity.
   SphereId add(const Sphere& sphere, const Time& moment = Time(0));
 
   /// Error: `add` would refuse this sphere.
@@ -71,9 +86,35 @@ class World {
     if (!folded.is_zero()) folded_[slot] = folded_[slot] + folded;
   }
 
+  /// Gives a sphere a new angular velocity [1/T]. Cost: O(n) for the first sphere that spins.
+  void store_spin(Slot slot, const Vec3& spin);
+
+  /// Gives a sphere a new radius [L], mass [M] and moment [1]. Error: as for `add`; then nothing has changed.
+  void reshape(Slot slot, double radius, double mass, double moment);
+
+  /// Lets spheres of these species pass through each other: their contacts are events, and change nothing.
+  void let_pass(SpeciesId a, SpeciesId b);
+
   SphereId id(Slot slot) const { return ids_[slot]; }
   double radius(Slot slot) const { return radii_[slot]; }
   double mass(Slot slot) const { return masses_[slot]; }
+  bool is_kinematic(Slot slot) const { return std::isinf(masses_[slot]); }
+  /// Angular velocity [1/T].
+  Vec3 spin(Slot slot) const { return spins_.empty() ? Vec3{} : spins_[slot]; }
+  SpeciesId species(Slot slot) const { return species_.empty() ? SpeciesId{0} : species_[slot]; }
+  /// Moment of inertia over mass and squared radius [1].
+  double moment(Slot slot) const { return moments_[slot]; }
+  /// Whether any sphere has a spin, a species or a moment of its own.
+  bool has_traits() const { return !spins_.empty() || !species_.empty() || !moments_.is_common(); }
+  bool has_spins() const { return !spins_.empty(); }
+  /// Whether contacts of some pairs do not deflect them: those let pass, and kinematic spheres.
+  bool has_passing_pairs() const { return !passing_.empty() || kinematic_count_ > 1; }
+  /// Whether the contacts of two spheres do not deflect them.
+  bool pass(Slot a, Slot b) const {
+    return may_pass(species(a), species(b)) || (is_kinematic(a) && is_kinematic(b));
+  }
+  /// Whether spheres of these species pass through each other.
+  bool may_pass(SpeciesId a, SpeciesId b) const;
   const PerSphere& radii() const { return radii_; }
   const Path& path(Slot slot) const { return paths_[slot]; }
   /// Where the path leads at `moment`, perhaps out of a periodic box [L]. Precondition: `moment` is finite.
@@ -120,10 +161,12 @@ class World {
   /// as for position().
   Image image(Slot slot, const Time& moment) const;
 
-  /// Sum of m v^2 / 2 at `moment` [M L^2 T^-2]. Cost: O(n).
+  /// Sum of m v^2 / 2 at `moment` [M L^2 T^-2]; of these sums kinematic spheres are no part. Cost: O(n).
   double kinetic_energy(const Time& moment) const;
-  /// Kinetic energy and, with gravity, potential energy, which is zero at the origin: a centre that has
-  /// crossed a periodic box is as far away as it has come [M L^2 T^-2]. Cost: O(n).
+  /// Sum of I w^2 / 2, with the spin w [M L^2 T^-2]. Cost: O(n).
+  double rotational_energy() const;
+  /// Kinetic and rotational energy and, with gravity, potential energy, which is zero at the origin: a centre
+  /// that has crossed a periodic box is as far away as it has come [M L^2 T^-2]. Cost: O(n).
   double energy(const Time& moment) const;
   /// Sum of m v at `moment` [M L/T]. Cost: O(n).
   Vec3 momentum(const Time& moment) const;
@@ -132,9 +175,16 @@ class World {
   /// The largest radius [L]; zero in an empty world.
   double largest_radius() const;
 
+  /// The last contact of spheres that passed through each other; before the first, earlier than any.
+  const Event& last_passage() const { return last_passage_; }
+  /// Records that two spheres have begun to pass through each other.
+  void note_passage(const Event& contact) { last_passage_ = contact; }
+
   std::size_t memory_bytes() const;
 
  private:
+  void check_mass(double mass, const std::string& where) const;
+  void check_fits(double radius, std::size_t axis, const std::string& where) const;
   void sort_slots_by_id();
 
   Box box_;
@@ -146,16 +196,26 @@ class World {
   LargeVector<Path> paths_;
   PerSphere radii_;
   PerSphere masses_;
-  std::vector<Image> folded_;  // by how many boxes the centre has been folded back
+  PerSphere moments_;
+  std::vector<Image> folded_;                             // by how many boxes the centre has been folded back
+  std::vector<Vec3> spins_;                               // none if no sphere spins
+  std::vector<SpeciesId> species_;                        // none if all are zero
+  std::vector<std::pair<SpeciesId, SpeciesId>> passing_;  // the lower species first
+  std::size_t kinematic_count_ = 0;
+  Event last_passage_{Time(-std::numeric_limits<double>::infinity()), EventKind::collision, 0, 0, {}};
 };
 
-/// m v^2 / 2 of one sphere at `moment` [M L^2 T^-2].
+/// m v^2 / 2 of one sphere at `moment` [M L^2 T^-2]; zero of a kinematic one.
 inline double kinetic_energy(const World& world, Slot slot, const Time& moment) {
+  if (world.is_kinematic(slot)) return 0;
   const Vec3 velocity = world.velocity(slot, moment);
   return world.mass(slot) * dot(velocity, velocity) / 2;
 }
 
-/// The same, with potential energy; see World::energy.
+/// I w^2 / 2 of one sphere [M L^2 T^-2]; zero of a kinematic one.
+double rotational_energy(const World& world, Slot slot);
+
+/// The sum of both, with potential energy; see World::energy.
 double energy(const World& world, Slot slot, const Time& moment);
 
 /// The moment at which two spheres touch, `image` being that of `b` which `a` meets; kNever if never.
@@ -163,5 +223,9 @@ inline Time contact_time(const World& world, Slot a, Slot b, const Image& image)
   return contact_time(world.motion(), world.path(a), world.path(b), world.box().shift(image),
                       world.radius(a) + world.radius(b));
 }
+
+/// Whether two spheres that pass through each other have begun to, and so will not touch on their present
+/// paths: they overlap when the later path starts, or their contact has happened. Precondition: pass(a, b).
+bool have_met(const World& world, Slot a, Slot b, const Image& image);
 
 }  // namespace hardball

@@ -42,8 +42,7 @@ class EnginesAgree : public testing::TestWithParam<std::uint64_t> {
       // Contacts are limited too: in a granular world infinitely many may happen in a finite time.
       const RunLimits limits{.until = Time(made.until), .contacts = 60 + 60 * (seed % 5)};
       std::optional<History> expected;
-      for (const support::EngineVariant& variant :
-           support::engine_variants(made.world, made.restitution, made.elastic_below)) {
+      for (const support::EngineVariant& variant : support::engine_variants(made)) {
         SCOPED_TRACE(variant.name);
         std::optional<History> history;
         ASSERT_NO_THROW(history = history_by(variant, made, limits));
@@ -65,6 +64,12 @@ TEST_P(EnginesAgree, OnRandomWorlds) {
 // With gravity, walls of all shapes, in motion or thermal, and obstacles.
 TEST_P(EnginesAgree, OnFurnishedWorlds) {
   agree_on(support::make_furnished_world);
+}
+
+// With species that bounce by different rules, rough or smooth, merge, or pass through each other, and
+// kinematic spheres.
+TEST_P(EnginesAgree, OnResponsiveWorlds) {
+  agree_on(support::make_responsive_world);
 }
 
 INSTANTIATE_TEST_SUITE_P(Part, EnginesAgree, testing::Range<std::uint64_t>(0, kParts));
@@ -99,7 +104,8 @@ TEST(InelasticCollapse, IsNoticedByAllEnginesAtTheSameContact) {
       Simulation simulation(world, variant.options);
       const History history = support::run_on(simulation, {.until = Time(20), .contacts = 200000});
       EXPECT_NE(history.failure.find("inelastic collapse"), std::string::npos);
-      EXPECT_NE(history.failure.find("respond_with"), std::string::npos) << "the message says what helps";
+      EXPECT_NE(history.failure.find("elastic_below"), std::string::npos) << "the message says what helps";
+      EXPECT_NE(history.failure.find("contact_duration"), std::string::npos);
       if (!expected) expected = history;
       ASSERT_EQ(support::difference(*expected, history), "");
     }
@@ -107,24 +113,25 @@ TEST(InelasticCollapse, IsNoticedByAllEnginesAtTheSameContact) {
 }
 
 // What the message of a collapse recommends.
-TEST(InelasticCollapse, IsAvoidedIfSlowImpactsAreElastic) {
+TEST(InelasticCollapse, IsAvoidedIfSlowOrRapidImpactsAreElastic) {
   World world(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {8, 3, 0}));
   for (std::size_t i = 0; i < 5; ++i) {
     world.add({{0.75 + 1.375 * static_cast<double>(i), 1, 1}, {i == 0 ? 1.0 : 0.0, 0, 0}, 0.5, 1});
   }
-  const auto respond = [](const Contact& contact) {
-    return Restitution(contact.impact_speed() < 1e-3 ? 1 : 0.1)(contact);
-  };
-  std::optional<History> expected;
-  for (const support::EngineVariant& variant : support::engine_variants(world, 1)) {
-    SCOPED_TRACE(variant.name);
-    Simulation simulation(world, variant.options);
-    simulation.respond_with(respond);
-    const History history = support::run_on(simulation, {.until = Time(1000)});
-    EXPECT_EQ(history.failure, "");
-    EXPECT_GT(history.contacts, 100U);
-    if (!expected) expected = history;
-    ASSERT_EQ(support::difference(*expected, history), "");
+  for (const bool by_duration : {false, true}) {
+    BounceRules rules{.restitution = ConstantRestitution{0.1}};
+    (by_duration ? rules.contact_duration : rules.elastic_below) = by_duration ? 0.01 : 1e-3;
+    std::optional<History> expected;
+    for (support::EngineVariant variant : support::engine_variants(world, 1)) {
+      SCOPED_TRACE(variant.name);
+      variant.options.responses = ResponseTable(Bounce(rules), Bounce(rules));
+      Simulation simulation(world, variant.options);
+      const History history = support::run_on(simulation, {.until = Time(1000)});
+      EXPECT_EQ(history.failure, "");
+      EXPECT_GT(history.contacts, by_duration ? 20U : 100U);
+      if (!expected) expected = history;
+      ASSERT_EQ(support::difference(*expected, history), "");
+    }
   }
 }
 

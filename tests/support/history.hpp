@@ -12,6 +12,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/paper/paper_engine.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "support/random_world.hpp"
 
 namespace hardball::support {
 
@@ -27,7 +28,12 @@ inline std::vector<EngineVariant> engine_variants(const World& world, double res
                                                   double elastic_below = 0) {
   std::vector<EngineVariant> variants;
   const auto add = [&](EngineKind engine, QueueKind queue, std::optional<double> edge) {
-    EngineVariant variant{{engine, queue, edge, restitution, elastic_below}, ""};
+    EngineVariant variant;
+    variant.options.engine = engine;
+    variant.options.queue = queue;
+    variant.options.cell_edge = edge;
+    variant.options.restitution = restitution;
+    variant.options.elastic_below = elastic_below;
     variant.name = engine == EngineKind::all_pairs   ? "all pairs"
                    : engine == EngineKind::paper     ? "paper"
                    : engine == EngineKind::neighbors ? "neighbors"
@@ -60,6 +66,13 @@ inline std::vector<EngineVariant> engine_variants(const World& world, double res
   return variants;
 }
 
+/// The same for a world with its own responses.
+inline std::vector<EngineVariant> engine_variants(const RandomWorld& made) {
+  std::vector<EngineVariant> variants = engine_variants(made.world, made.restitution, made.elastic_below);
+  for (EngineVariant& variant : variants) variant.options.responses = made.responses;
+  return variants;
+}
+
 /// The outcome of a run.
 struct History {
   std::uint64_t hash = 0;
@@ -68,6 +81,8 @@ struct History {
   std::string failure;
   double time = 0;
   std::vector<Path> paths;
+  std::vector<Vec3> spins;
+  std::vector<double> radii;
 };
 
 /// Runs to the limits, or to an inelastic collapse.
@@ -81,7 +96,11 @@ inline History run_on(Simulation& simulation, const RunLimits& limits) {
   history.hash = simulation.event_log_hash();
   history.contacts = simulation.counters().contacts();
   history.time = simulation.time();
-  history.paths.assign(simulation.world().paths().begin(), simulation.world().paths().end());
+  simulation.world().for_each_by_id([&](Slot slot) {
+    history.paths.push_back(simulation.world().path(slot));
+    history.spins.push_back(simulation.world().spin(slot));
+    history.radii.push_back(simulation.world().radius(slot));
+  });
   return history;
 }
 
@@ -103,7 +122,8 @@ inline std::string difference(const History& a, const History& b) {
   for (std::size_t i = 0; i < a.paths.size(); ++i) {
     const bool same = same_bits(a.paths[i].position, b.paths[i].position) &&
                       same_bits(a.paths[i].velocity, b.paths[i].velocity) &&
-                      a.paths[i].time == b.paths[i].time;
+                      a.paths[i].time == b.paths[i].time && same_bits(a.spins[i], b.spins[i]) &&
+                      same_bits(a.radii[i], b.radii[i]);
     if (!same) return "the paths of sphere " + to_text(i);
   }
   return "";

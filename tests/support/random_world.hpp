@@ -6,9 +6,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "hardball/response/response_table.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/random.hpp"
 #include "hardball/world/walls.hpp"
@@ -21,6 +24,8 @@ struct RandomWorld {
   World world;
   double restitution = 1;
   double elastic_below = 0;
+  /// Instead of these two.
+  std::optional<ResponseTable> responses;
   /// A time in which the spheres cross the world a few times [T]. A granular world may have infinitely many
   /// contacts before it: limit their number too.
   double until = 1;
@@ -64,6 +69,15 @@ class RandomWorldMaker {
       make_streams();
     }
     if (made_.restitution < 1 && chance(0.5)) made_.elastic_below = speed_ * between(0.001, 0.1);
+    return finish();
+  }
+
+  /// A world whose spheres respond in different ways, furnished or not.
+  RandomWorld make_responsive() {
+    choose_scales();
+    is_furnished_ = chance(0.5);
+    chance(0.6) ? make_gas() : chance(0.5) ? make_clumps() : make_streams();
+    make_responsive_spheres();
     return finish();
   }
 
@@ -361,6 +375,47 @@ class RandomWorldMaker {
     }
   }
 
+  Rule random_rule(bool may_merge) {
+    if (may_merge && chance(0.2)) return Merging();
+    BounceRules rules;
+    const double law = random_.uniform();
+    if (law < 0.5) {
+      rules.restitution = ConstantRestitution{chance(0.3) ? 1 : between(0.3, 1)};
+    } else if (law < 0.75) {
+      rules.restitution = ViscoelasticRestitution(between(0.3, 1), speed_);
+    } else {
+      rules.restitution = TabulatedRestitution({{0, 1}, {speed_, between(0, 1)}, {3 * speed_, 0.5}});
+    }
+    if (chance(0.3)) rules.elastic_below = speed_ * between(0.001, 0.1);
+    if (chance(0.3)) rules.contact_duration = largest_radius_ / speed_ * between(1e-6, 0.1);
+    if (chance(0.5)) rules.tangential_restitution = chance(0.2) ? 1 : between(-1, 1);
+    return Bounce(rules);
+  }
+
+  // Spheres of up to three species, some of which merge or pass through each other, spin or are kinematic.
+  void make_responsive_spheres() {
+    constexpr SpeciesId kSpecies = 3;
+    const bool may_merge = chance(0.4);
+    const bool some_spin = chance(0.6);
+    const bool some_are_kinematic = made_.world.motion().is_straight() && chance(0.3);
+    std::array<double, kSpecies> moments{};
+    for (double& moment : moments) moment = chance(0.5) ? kUniformSphereMoment : between(0.1, 0.7);
+    for (Sphere& sphere : spheres_) {
+      sphere.species = static_cast<SpeciesId>(below(kSpecies));
+      sphere.moment = moments[sphere.species];
+      if (some_spin && chance(0.7)) sphere.spin = (speed_ / largest_radius_) * random_.direction();
+      if (some_are_kinematic && chance(0.2)) sphere.mass = std::numeric_limits<double>::infinity();
+    }
+    made_.responses = ResponseTable(random_rule(may_merge), std::get<Bounce>(random_rule(false)));
+    for (SpeciesId a = 0; a < kSpecies; ++a) {
+      if (chance(0.3)) made_.responses->set_wall(a, std::get<Bounce>(random_rule(false)));
+      for (SpeciesId b = a; b < kSpecies; ++b) {
+        if (chance(0.5)) made_.responses->set(a, b, random_rule(may_merge));
+        if (chance(0.2)) made_.world.let_pass(a, b);
+      }
+    }
+  }
+
   RandomWorld finish() {
     double energy = 0;
     for (const Sphere& sphere : spheres_) {
@@ -406,6 +461,12 @@ inline RandomWorld make_random_world(std::uint64_t seed) {
 /// and obstacles, some of them with their own restitution or thermal.
 inline RandomWorld make_furnished_world(std::uint64_t seed) {
   return RandomWorldMaker(seed).make_furnished();
+}
+
+/// A world of either kind in which spheres of several species respond in all ways there are: bounce by
+/// different rules, merge, pass through each other; some spin, some are kinematic.
+inline RandomWorld make_responsive_world(std::uint64_t seed) {
+  return RandomWorldMaker(seed).make_responsive();
 }
 
 /// A gas of up to `spheres` spheres in a box with these boundaries, no two contacts of which are

@@ -145,8 +145,8 @@ TEST(ParseScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.obstacles[2].position, (Vec3{3, 3, 3}));
   EXPECT_EQ(scenario.obstacles[2].restitution, 0);
   EXPECT_EQ(scenario.obstacles[2].where, "gas.toml:44:1");
-  EXPECT_EQ(scenario.restitution, 0.5);
-  EXPECT_EQ(scenario.elastic_below, 0.125);
+  EXPECT_EQ(scenario.restitution(), 0.5);
+  EXPECT_EQ(scenario.bounce.elastic_below, 0.125);
   EXPECT_EQ(scenario.until, 12);
   EXPECT_EQ(scenario.seed, 7U);
   EXPECT_EQ(scenario.output_directory, "out");
@@ -176,8 +176,8 @@ TEST(ParseScenario, HasDefaults) {
   EXPECT_EQ(scenario.gravity, Vec3{});
   EXPECT_TRUE(scenario.walls.empty());
   EXPECT_TRUE(scenario.obstacles.empty());
-  EXPECT_FALSE(scenario.elastic_below);
-  EXPECT_EQ(scenario.restitution, 1);
+  EXPECT_EQ(scenario.bounce.elastic_below, 0);
+  EXPECT_EQ(scenario.restitution(), 1);
   EXPECT_FALSE(scenario.until);
   EXPECT_EQ(scenario.seed, 1U);
   EXPECT_FALSE(scenario.output_directory);
@@ -280,7 +280,7 @@ TEST(Overrides, ReplaceValues) {
 
 TEST(Overrides, AddKeysAndTables) {
   const Scenario scenario = parse(kLeast, {"response.restitution=0.25", "run.until=5", "run.seed=9"});
-  EXPECT_EQ(scenario.restitution, 0.25);
+  EXPECT_EQ(scenario.restitution(), 0.25);
   EXPECT_EQ(scenario.until, 5);
   EXPECT_EQ(scenario.seed, 9U);
 }

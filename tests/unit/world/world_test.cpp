@@ -114,9 +114,12 @@ TEST(World, RefusesInvalidNumbersAndChangesNothing) {
       bad.back().velocity[axis] = number;
     }
   }
-  for (const double number : {0.0, -1.0, kNan, kInfinity, 1e-61, 1e61}) {
-    bad.push_back({good.position, good.velocity, number, 1});
-    bad.push_back({good.position, good.velocity, 1, number});
+  for (const double number : {0.0, -1.0, kNan, kInfinity, -kInfinity, 1e-61, 1e61}) {
+    bad.push_back({.position = good.position, .radius = number});
+    bad.push_back({.position = good.position, .moment = number});
+    // Kinematic spheres have an infinite mass.
+    if (number != kInfinity) bad.push_back({.position = good.position, .mass = number});
+    if (number != 0 && number != -1) bad.push_back({.position = good.position, .spin = {0, number, 0}});
   }
   bad.push_back({{5, 4, 0}, {1e-61, 0, 0}, 1, 1});  // slower than the operating range and not at rest
   bad.push_back({{0.99, 4, 0}, {}, 1, 1});          // through the lower wall

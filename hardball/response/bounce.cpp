@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/response/bounce.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/response/restitution.hpp"
+#include "hardball/response/thermal_wall.hpp"
+
+namespace hardball {
+namespace {
+
+void check_not_negative(double value, const char* name, const char* remedy) {
+  if (value >= 0 && std::isfinite(value)) return;
+  throw Error(std::string(name) + " is " + to_text(value), name, remedy);
+}
+
+// Adds the tangential impulse to what comes after a smooth impact.
+void rub(const Contact& contact, double tangential_restitution, Outcome& outcome) {
+  const Vec3 normal = contact.normal();
+  const double first_radius = contact.first_radius;
+  const double second_radius = contact.second_radius();
+  const Vec3 turning =
+      first_radius * contact.spins_before.first + second_radius * contact.spins_before.second;
+  const Vec3 slip = (contact.before.first - contact.before.second) + cross(turning, normal);
+  const Vec3 tangential = slip - dot(slip, normal) * normal;
+  const double first_inverse = 1 / contact.first_mass;
+  const double second_inverse = 1 / contact.second_mass;
+  const double inverse =
+      first_inverse * (1 + 1 / contact.first_moment) + second_inverse * (1 + 1 / contact.second_moment);
+  if (inverse == 0) return;  // a kinematic sphere at a wall
+  const Vec3 impulse = (-(1 + tangential_restitution) / inverse) * tangential;
+  const Vec3 torque = cross(normal, impulse);
+  outcome.velocities.first += first_inverse * impulse;
+  outcome.spins.first += (first_inverse / (contact.first_moment * first_radius)) * torque;
+  if (!contact.is_collision()) return;
+  outcome.velocities.second -= second_inverse * impulse;
+  outcome.spins.second += (second_inverse / (contact.second_moment * second_radius)) * torque;
+}
+
+}  // namespace
+
+Bounce::Bounce(const BounceRules& rules) : rules_(rules) {
+  if (const auto* constant = std::get_if<ConstantRestitution>(&rules.restitution)) {
+    check_restitution(constant->value);
+  }
+  check_not_negative(rules.elastic_below, "elastic_below", "give zero or a positive speed");
+  check_not_negative(rules.contact_duration, "contact_duration", "give zero or a positive time");
+  const double tangential = rules.tangential_restitution.value_or(-1);
+  if (!(tangential >= -1 && tangential <= 1)) {
+    throw Error("tangential_restitution is " + to_text(tangential), "tangential_restitution",
+                "give a number between -1 and 1");
+  }
+}
+
+double Bounce::coefficient_at(const Contact& contact) const {
+  const double speed = contact.impact_speed();
+  const double flight = std::min(contact.first_flight, contact.second_flight);
+  if (speed < rules_.elastic_below || flight < rules_.contact_duration) return 1;
+  if (contact.wall_material.restitution && !contact.is_collision()) return *contact.wall_material.restitution;
+  return std::visit([speed](const auto& law) { return law.at(speed); }, rules_.restitution);
+}
+
+Outcome Bounce::operator()(const Contact& contact) const {
+  if (!contact.is_collision() && contact.wall_material.temperature) {
+    return {contact, {rethermalized(contact), contact.before.second}};
+  }
+  Velocities after = contact.before;
+  if (contact.is_collision()) {
+    after = velocities_after_impact(contact, coefficient_at(contact));
+  } else {
+    const double least = least_parting_speed(contact, rules_.elastic_below);
+    after.first = velocity_after_bounce(contact, coefficient_at(contact), least);
+  }
+  Outcome outcome(contact, after);
+  if (rules_.tangential_restitution) rub(contact, *rules_.tangential_restitution, outcome);
+  return outcome;
+}
+
+}  // namespace hardball

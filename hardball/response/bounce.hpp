@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "hardball/response/contact.hpp"
+#include "hardball/response/restitution_law.hpp"
+
+namespace hardball {
+
+/// How bodies bounce off each other.
+struct BounceRules {
+  RestitutionLaw restitution = ConstantRestitution();
+  /// Slower impacts are elastic, see Restitution [L/T].
+  double elastic_below = 0;
+  /// A contact is elastic if the motion of one of the bodies changed within this time before it [T]: the TC
+  /// model. Zero if no contact is. Source: Luding and McNamara, Granular Matter 1 (1998) 113.
+  double contact_duration = 0;
+  /// The tangential velocity of the surfaces after a contact over that before, reversed [1]: from -1, smooth,
+  /// over 0, sticking, to 1, perfectly rough; if absent, the bodies are smooth.
+  std::optional<double> tangential_restitution = {};
+};
+
+/// Spheres and walls that bounce off each other, smooth or rough, with any law of restitution. An impact of
+/// rough bodies changes their spins, too; energy is kept if the restitution is 1 and the tangential one 1 or
+/// -1, momentum and angular momentum always.
+/// Source: Huthmann and Zippelius, Phys. Rev. E 56 (1997) R6275, for spheres of equal size; here each sphere
+/// has a radius, mass and moment of its own.
+class Bounce {
+ public:
+  /// Error: a restitution is not between 0 and 1; the tangential one is not between -1 and 1; a speed or
+  /// duration is negative or not finite.
+  explicit Bounce(const BounceRules& rules = {});
+
+  const BounceRules& rules() const { return rules_; }
+  Outcome operator()(const Contact& contact) const;
+
+ private:
+  double coefficient_at(const Contact& contact) const;
+
+  BounceRules rules_;
+};
+
+static_assert(Response<Bounce>);
+
+}  // namespace hardball

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/response/execute.hpp"
+#include "hardball/world/random.hpp"
+
+namespace hardball {
+namespace {
+
+// The cube root: an estimate by logarithms, and two steps of Newton's method.
+double portable_cube_root(double x) {
+  double root = portable_exp(portable_log(x) / 3);
+  for (int step = 0; step < 2; ++step) root -= (root - x / (root * root)) / 3;
+  return root;
+}
+
+double cube(double x) {
+  return x * x * x;
+}
+
+double inertia(double moment, double mass, double radius) {
+  return moment * mass * radius * radius;
+}
+
+}  // namespace
+
+void merge(World& world, Contact& contact, const Participants& participants) {
+  HARDBALL_CHECK(contact.is_collision());
+  const double mass = contact.first_mass + contact.second_mass;
+  const double radius = portable_cube_root(cube(contact.first_radius) + cube(contact.second_radius()));
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (world.box().is_open(axis) || 2 * radius <= world.box().size()[axis]) continue;
+    throw RunFailure("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
+                     " would merge to a sphere larger than the box, at time " +
+                     to_text(contact.time.value()) + "; enlarge the box, or end the run before this time");
+  }
+  const bool is_kinematic = std::isinf(mass);
+  // How much of the merged sphere is the second; a kinematic one stays as it is but for its size.
+  const double weight = is_kinematic ? (std::isinf(contact.second_mass) ? 1 : 0) : contact.second_mass / mass;
+  const double moment = contact.first_moment + weight * (contact.second_moment - contact.first_moment);
+  const Vec3 relative = contact.before.second - contact.before.first;
+  const Vec3 velocity = contact.before.first + weight * relative;
+  Vec3 spin = weight == 1 ? contact.spins_before.second : contact.spins_before.first;
+  if (!is_kinematic) {
+    const Vec3 angular_momentum =
+        (contact.first_mass * weight) * cross(contact.separation, relative) +
+        inertia(contact.first_moment, contact.first_mass, contact.first_radius) * contact.spins_before.first +
+        inertia(contact.second_moment, contact.second_mass, contact.second_radius()) *
+            contact.spins_before.second;
+    spin = (1 / inertia(moment, mass, radius)) * angular_momentum;
+  }
+  world.reshape(participants.first, radius, mass, moment);
+  // The path is brought to this time first, so that boxes crossed until then are counted.
+  world.rewrite_path(participants.first, contact.time, velocity);
+  Vec3 position = contact.position + weight * contact.separation;
+  const Image folded = world.box().fold(position);
+  world.store_path(participants.first, {position, velocity, contact.time}, folded);
+  world.store_spin(participants.first, spin);
+  world.remove(contact.second);
+  contact.after = {velocity, velocity};
+  contact.spins_after = {spin, spin};
+}
+
+}  // namespace hardball

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/response/response_table.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace hardball {
+namespace {
+
+// The rules that every table begins with.
+constexpr std::uint32_t kCommon = 0;
+constexpr std::uint32_t kCommonAtWalls = 1;
+
+}  // namespace
+
+ResponseTable::ResponseTable(const Rule& spheres, const Bounce& walls)
+    : rules_{spheres, walls}, of_pairs_{kCommon}, of_walls_{kCommonAtWalls} {}
+
+void ResponseTable::make_room(SpeciesId species) {
+  if (species < species_) return;
+  ResponseTable wider(*this);
+  wider.species_ = species + std::size_t{1};
+  const std::size_t rows = wider.species_ + 1;
+  wider.of_pairs_.assign(rows * rows, kCommon);
+  wider.of_walls_.assign(rows, kCommonAtWalls);
+  for (std::size_t a = 0; a < species_; ++a) {
+    wider.of_walls_[a] = of_walls_[a];
+    for (std::size_t b = 0; b < species_; ++b) {
+      wider.of_pairs_[a * rows + b] = of_pairs_[a * (species_ + 1) + b];
+    }
+  }
+  *this = std::move(wider);
+}
+
+void ResponseTable::set(SpeciesId a, SpeciesId b, const Rule& rule) {
+  make_room(std::max(a, b));
+  of_pairs_[index(a, b)] = of_pairs_[index(b, a)] = static_cast<std::uint32_t>(rules_.size());
+  rules_.push_back(rule);
+}
+
+void ResponseTable::set_wall(SpeciesId species, const Bounce& bounce) {
+  make_room(species);
+  of_walls_[row(species)] = static_cast<std::uint32_t>(rules_.size());
+  rules_.emplace_back(bounce);
+}
+
+bool ResponseTable::has_merging() const {
+  return std::ranges::any_of(rules_, [](const Rule& rule) { return std::holds_alternative<Merging>(rule); });
+}
+
+Outcome ResponseTable::operator()(const Contact& contact) const {
+  if (!contact.is_collision()) return wall(contact.first_species)(contact);
+  return std::visit([&](const auto& respond) { return respond(contact); },
+                    rule(contact.first_species, contact.second_species));
+}
+
+}  // namespace hardball

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "hardball/response/bounce.hpp"
+#include "hardball/response/merging.hpp"
+
+namespace hardball {
+
+/// The built-in responses.
+using Rule = std::variant<Bounce, Merging>;
+
+/// A response for each pair of species, and for each species at walls.
+class ResponseTable {
+ public:
+  /// The same for all spheres, and for all at walls.
+  explicit ResponseTable(const Rule& spheres = Bounce(), const Bounce& walls = Bounce());
+
+  /// Sets the response of two species. Cost: O(number of species squared).
+  void set(SpeciesId a, SpeciesId b, const Rule& rule);
+  /// Sets how a species bounces off walls.
+  void set_wall(SpeciesId species, const Bounce& bounce);
+
+  const Rule& rule(SpeciesId a, SpeciesId b) const { return rules_[of_pairs_[index(a, b)]]; }
+  const Bounce& wall(SpeciesId species) const { return std::get<Bounce>(rules_[of_walls_[row(species)]]); }
+  /// Whether any spheres merge.
+  bool has_merging() const;
+  Outcome operator()(const Contact& contact) const;
+
+ private:
+  // Species that no rule names are alike: the last row is theirs.
+  std::size_t row(SpeciesId species) const { return species < species_ ? species : species_; }
+  std::size_t index(SpeciesId a, SpeciesId b) const { return row(a) * (species_ + 1) + row(b); }
+  void make_room(SpeciesId species);
+
+  std::size_t species_ = 0;  // numbers below this have a row of their own
+  std::vector<Rule> rules_;
+  std::vector<std::uint32_t> of_pairs_;  // indices into rules_
+  std::vector<std::uint32_t> of_walls_;
+};
+
+static_assert(Response<ResponseTable>);
+
+}  // namespace hardball

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <variant>
+#include <vector>
+
+namespace hardball {
+
+/// The same coefficient of restitution at any impact speed [1].
+struct ConstantRestitution {
+  double value = 1;
+
+  double at(double) const { return value; }
+};
+
+/// The coefficient of restitution of viscoelastic spheres, which is one at zero impact speed and decreases as
+/// 1 - 1.15344 b u^(1/5) at first. Source: Mueller and Poeschel, Phys. Rev. E 84 (2011) 021302, equation 16.
+class ViscoelasticRestitution {
+ public:
+  /// With the coefficient `value` [1] at the impact speed `speed` [L/T]. Error: `value` is not between 0 and
+  /// 1, or too small to be reached; `speed` is not positive.
+  ViscoelasticRestitution(double value, double speed);
+
+  /// At an impact speed [L/T].
+  double at(double speed) const;
+
+ private:
+  double speed_;  // at which `unit_` is the reduced speed
+  double unit_;
+};
+
+/// A coefficient of restitution that is linear between given points, and constant before the first and after
+/// the last.
+class TabulatedRestitution {
+ public:
+  struct Point {
+    double speed;  ///< Impact speed [L/T].
+    double value;  ///< [1]
+  };
+
+  /// Error: there are no points, speeds do not increase, or a value is not between 0 and 1.
+  explicit TabulatedRestitution(std::vector<Point> points);
+
+  double at(double speed) const;
+
+ private:
+  std::vector<Point> points_;
+};
+
+/// How the coefficient of restitution depends on the impact speed: each kind has `at(speed)`.
+using RestitutionLaw = std::variant<ConstantRestitution, ViscoelasticRestitution, TabulatedRestitution>;
+
+/// Error: `value` [1] is not between 0 and 1.
+void check_restitution(double value);
+
+}  // namespace hardball

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hardball/response/response_table.hpp"
+#include "hardball/scenario/scenario.hpp"
+
+namespace hardball {
+
+/// The responses that a scenario describes. Spheres that pass through each other are known to the world.
+ResponseTable make_responses(const Scenario& scenario);
+
+}  // namespace hardball

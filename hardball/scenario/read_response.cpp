@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/scenario/read_response.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/scenario/nearest_name.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr std::string_view kWall = "wall";
+
+// Gives errors of the library the place of a value.
+template <class Make>
+RestitutionLaw made_at(const std::string& place, Make&& make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    throw Error(error.problem(), place, error.remedy());
+  }
+}
+
+RestitutionLaw read_law(const Section& section) {
+  constexpr std::size_t kViscoelastic = 0;
+  if (section.need("law").choice() == kViscoelastic) {
+    const double value = section.need("value").number();
+    const double speed = section.need("speed").number();
+    return made_at(section.place(), [&] { return ViscoelasticRestitution(value, speed); });
+  }
+  const std::vector<double> speeds = section.need("speeds").numbers();
+  const std::vector<double> values = section.need("values").numbers();
+  if (speeds.size() != values.size()) {
+    section.need("values").wrong_length(values.size(), "give one for each of the speeds");
+  }
+  std::vector<TabulatedRestitution::Point> points;
+  for (std::size_t i = 0; i < speeds.size(); ++i) points.push_back({speeds[i], values[i]});
+  return made_at(section.place(), [&] { return TabulatedRestitution(points); });
+}
+
+// What the section says; what it leaves open stays as it is.
+void read_bounce(const Section& section, BounceRules& bounce) {
+  if (const auto restitution = section.find("restitution")) {
+    if (const auto law = restitution->section()) {
+      bounce.restitution = read_law(*law);
+    } else {
+      bounce.restitution = ConstantRestitution{restitution->number()};
+    }
+  }
+  if (const auto speed = section.find("elastic_below")) bounce.elastic_below = speed->number();
+  if (const auto time = section.find("contact_duration")) bounce.contact_duration = time->number();
+  if (const auto rough = section.find("tangential_restitution")) {
+    bounce.tangential_restitution = rough->number();
+  }
+}
+
+PairDescription read_pair(const Section& section, const Scenario& scenario) {
+  PairDescription pair;
+  pair.fate = std::array{Fate::bounce, Fate::merge, Fate::pass}[section.need("kind").choice()];
+  const Value between = section.need("between");
+  const std::vector<Value> names = between.texts();
+  if (names.size() != 2) between.wrong_length(names.size(), "give two species, or a species and \"wall\"");
+  const bool is_wall_first = names[0].text() == kWall;
+  const Value& species = names[is_wall_first ? 1 : 0];
+  const Value& other = names[is_wall_first ? 0 : 1];
+  pair.first = species_named(species, scenario.species);
+  if (other.text() != kWall) pair.second = species_named(other, scenario.species);
+  if (!pair.second && pair.fate != Fate::bounce) {
+    throw Error("spheres can only bounce off walls", between.place(), "make the kind \"bounce\"");
+  }
+  pair.bounce = scenario.bounce;
+  if (pair.fate == Fate::bounce) read_bounce(section, pair.bounce);
+  return pair;
+}
+
+}  // namespace
+
+std::vector<SpeciesDescription> read_species(const Section& root) {
+  std::vector<SpeciesDescription> all;
+  for (const Section& section : root.sections("species")) {
+    const Value name = section.need("name");
+    SpeciesDescription species{.name = name.text()};
+    if (species.name == kWall) {
+      throw Error("a species is named \"wall\"", name.place(), "choose another name: that one means walls");
+    }
+    if (std::ranges::find(all, species.name, &SpeciesDescription::name) != all.end()) {
+      throw Error("there are two species \"" + species.name + "\"", name.place(), "choose another name");
+    }
+    if (all.size() > std::numeric_limits<SpeciesId>::max()) {
+      throw Error("there are more than 256 species", name.place(), "describe fewer");
+    }
+    if (const auto moment = section.find("moment")) species.moment = moment->number();
+    all.push_back(species);
+  }
+  return all;
+}
+
+SpeciesId species_named(const Value& name, std::span<const SpeciesDescription> species) {
+  const std::string wanted = name.text();
+  const auto found = std::ranges::find(species, wanted, &SpeciesDescription::name);
+  if (found != species.end()) return static_cast<SpeciesId>(found - species.begin());
+  std::vector<std::string_view> names;
+  for (const SpeciesDescription& each : species) names.push_back(each.name);
+  throw Error("there is no species \"" + wanted + "\"", name.place(),
+              names.empty() ? "add [[species]] with this name" : suggestion(wanted, names, '"'));
+}
+
+void read_response(const Section& root, Scenario& scenario) {
+  const std::optional<Section> response = root.section("response");
+  if (!response) return;
+  read_bounce(*response, scenario.bounce);
+  if (const auto kind = response->find("kind")) scenario.merges = kind->choice() == 1;
+  for (const Section& section : response->sections("pairs")) {
+    scenario.pairs.push_back(read_pair(section, scenario));
+  }
+}
+
+}  // namespace hardball
