@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/response/bounce.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/response/restitution.hpp"
+#include "hardball/world/random.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// A collision of two spheres that differ in everything and spin.
+Contact any_collision(Random& random) {
+  Contact contact;
+  contact.first_radius = 0.5 + random.uniform();
+  const double second_radius = 0.5 + random.uniform();
+  contact.reach = contact.first_radius + second_radius;
+  contact.separation = contact.reach * random.direction();
+  contact.first_mass = 0.5 + random.uniform();
+  contact.second_mass = 0.5 + random.uniform();
+  contact.first_moment = 0.1 + 0.5 * random.uniform();
+  contact.second_moment = 0.1 + 0.5 * random.uniform();
+  contact.first_flight = contact.second_flight = 1;
+  contact.before = {3 * random.uniform() * random.direction(), 3 * random.uniform() * random.direction()};
+  if (approach(contact.separation, contact.before) > 0) {
+    std::swap(contact.before.first, contact.before.second);
+  }
+  contact.spins_before = {random.direction(), 2 * random.uniform() * random.direction()};
+  contact.after = contact.before;
+  contact.spins_after = contact.spins_before;
+  return contact;
+}
+
+double inertia_of_first(const Contact& contact) {
+  return contact.first_moment * contact.first_mass * contact.first_radius * contact.first_radius;
+}
+
+double inertia_of_second(const Contact& contact) {
+  return contact.second_moment * contact.second_mass * contact.second_radius() * contact.second_radius();
+}
+
+double energy(const Contact& contact, const Velocities& velocities, const Spins& spins) {
+  return (contact.first_mass * dot(velocities.first, velocities.first) +
+          contact.second_mass * dot(velocities.second, velocities.second) +
+          inertia_of_first(contact) * dot(spins.first, spins.first) +
+          inertia_of_second(contact) * dot(spins.second, spins.second)) /
+         2;
+}
+
+Vec3 momentum(const Contact& contact, const Velocities& velocities) {
+  return contact.first_mass * velocities.first + contact.second_mass * velocities.second;
+}
+
+// About the centre of the first sphere.
+Vec3 angular_momentum(const Contact& contact, const Velocities& velocities, const Spins& spins) {
+  return contact.second_mass * cross(contact.separation, velocities.second) +
+         inertia_of_first(contact) * spins.first + inertia_of_second(contact) * spins.second;
+}
+
+// How fast the surface of the first moves along that of the second, where they touch.
+Vec3 slip(const Contact& contact, const Velocities& velocities, const Spins& spins) {
+  const Vec3 normal = contact.normal();
+  const Vec3 of_first = velocities.first + cross(spins.first, contact.first_radius * normal);
+  const Vec3 of_second = velocities.second + cross(spins.second, -contact.second_radius() * normal);
+  const Vec3 relative = of_first - of_second;
+  return relative - dot(relative, normal) * normal;
+}
+
+double normal_speed(const Contact& contact, const Velocities& velocities) {
+  return dot(velocities.first - velocities.second, contact.normal());
+}
+
+void expect_near(const Vec3& a, const Vec3& b, double tolerance) {
+  EXPECT_LE(length(a - b), tolerance);
+}
+
+TEST(Bounce, OfRoughSpheresKeepsMomentaAndReversesTheSlip) {
+  Random random(1);
+  for (int i = 0; i < 200; ++i) {
+    const Contact contact = any_collision(random);
+    const double restitution = random.uniform();
+    const double tangential = 2 * random.uniform() - 1;
+    const Bounce bounce(
+        {.restitution = ConstantRestitution{restitution}, .tangential_restitution = tangential});
+    const Outcome outcome = bounce(contact);
+    constexpr double kRounding = 1e-14;
+    const double scale = 30;
+    expect_near(momentum(contact, outcome.velocities), momentum(contact, contact.before), kRounding * scale);
+    expect_near(angular_momentum(contact, outcome.velocities, outcome.spins),
+                angular_momentum(contact, contact.before, contact.spins_before), kRounding * scale);
+    EXPECT_NEAR(normal_speed(contact, outcome.velocities),
+                -restitution * normal_speed(contact, contact.before), kRounding * scale);
+    expect_near(slip(contact, outcome.velocities, outcome.spins),
+                -tangential * slip(contact, contact.before, contact.spins_before), kRounding * scale);
+    // Spheres do not turn about the line through their centres.
+    EXPECT_NEAR(dot(outcome.spins.first - contact.spins_before.first, contact.normal()), 0,
+                kRounding * scale);
+    EXPECT_FALSE(outcome.merges);
+  }
+}
+
+TEST(Bounce, KeepsEnergyIfPerfectlyRoughOrSmoothAndElastic) {
+  Random random(2);
+  for (const double tangential : {1.0, -1.0}) {
+    const Bounce bounce({.tangential_restitution = tangential});
+    for (int i = 0; i < 200; ++i) {
+      const Contact contact = any_collision(random);
+      const Outcome outcome = bounce(contact);
+      const double before = energy(contact, contact.before, contact.spins_before);
+      EXPECT_NEAR(energy(contact, outcome.velocities, outcome.spins), before, 1e-14 * before);
+      if (tangential == -1) {
+        EXPECT_EQ(outcome.spins, contact.spins_before);
+      }
+    }
+  }
+}
+
+TEST(Bounce, WithoutRoughnessIsThatOfRestitution) {
+  Random random(3);
+  for (int i = 0; i < 100; ++i) {
+    const Contact contact = any_collision(random);
+    const Outcome outcome = Bounce({.restitution = ConstantRestitution{0.7}})(contact);
+    EXPECT_EQ(outcome.velocities, Restitution(0.7)(contact));
+    EXPECT_EQ(outcome.spins, contact.spins_before);
+  }
+}
+
+// A sphere that rolls onto a floor: what it loses in translation it gains in rotation.
+TEST(Bounce, OffARoughWallTurnsASphere) {
+  Contact contact;
+  contact.kind = EventKind::wall;
+  contact.first_radius = contact.reach = 0.5;
+  contact.first_mass = 2;
+  contact.second_mass = kInfinity;
+  contact.first_flight = 1;
+  contact.second_flight = kInfinity;
+  contact.wall_normal = {0, 0, -1};
+  contact.before = contact.after = {{3, 0, -1}, {1, 0, 0}};
+  const Bounce sticking({.restitution = ConstantRestitution{0.5}, .tangential_restitution = 0});
+  const Outcome outcome = sticking(contact);
+  // It rolls without slipping on the wall, which moves with velocity 1.
+  EXPECT_NEAR(outcome.velocities.first.z, 0.5, 1e-15);
+  const double angular = outcome.spins.first.y;
+  EXPECT_NEAR(outcome.velocities.first.x - angular * 0.5, 1, 1e-14);
+  // 2/7 of the slip goes.
+  EXPECT_NEAR(outcome.velocities.first.x, 3 - 2 * 2.0 / 7, 1e-14);
+}
+
+TEST(Bounce, OfAKinematicSphereIsThatOffAWall) {
+  Random random(4);
+  for (int i = 0; i < 100; ++i) {
+    Contact contact = any_collision(random);
+    contact.first_mass = kInfinity;
+    const double tangential = 2 * random.uniform() - 1;
+    const Outcome outcome =
+        Bounce({.restitution = ConstantRestitution{0.6}, .tangential_restitution = tangential})(contact);
+    EXPECT_EQ(outcome.velocities.first, contact.before.first);
+    EXPECT_EQ(outcome.spins.first, contact.spins_before.first);
+    EXPECT_NEAR(normal_speed(contact, outcome.velocities), -0.6 * normal_speed(contact, contact.before),
+                1e-13);
+    expect_near(slip(contact, outcome.velocities, outcome.spins),
+                -tangential * slip(contact, contact.before, contact.spins_before), 1e-13);
+  }
+}
+
+TEST(Bounce, IsElasticSoonAfterAnotherContact) {
+  Random random(5);
+  Contact contact = any_collision(random);
+  const Bounce bounce({.restitution = ConstantRestitution{0.5}, .contact_duration = 0.01});
+  const double before = normal_speed(contact, contact.before);
+  const auto ratio = [&] { return -normal_speed(contact, bounce(contact).velocities) / before; };
+  EXPECT_NEAR(ratio(), 0.5, 1e-14);
+  contact.first_flight = 0.011;
+  EXPECT_NEAR(ratio(), 0.5, 1e-14);
+  contact.first_flight = 0.009;
+  EXPECT_NEAR(ratio(), 1, 1e-14);
+  contact.first_flight = 1;
+  contact.second_flight = 0;
+  EXPECT_NEAR(ratio(), 1, 1e-14);
+}
+
+TEST(Bounce, IsElasticIfSlow) {
+  Random random(6);
+  const Contact contact = any_collision(random);
+  const double speed = contact.impact_speed();
+  for (const double factor : {0.99, 1.01}) {
+    const Bounce bounce({.restitution = ConstantRestitution{0.5}, .elastic_below = factor * speed});
+    const double ratio = -normal_speed(contact, bounce(contact).velocities) / speed;
+    EXPECT_NEAR(ratio, factor > 1 ? 1 : 0.5, 1e-14);
+  }
+}
+
+TEST(Bounce, RefusesRulesOutOfRange) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double bad : {-0.1, 1.1, nan}) {
+    EXPECT_THROW(Bounce({.restitution = ConstantRestitution{bad}}), Error);
+  }
+  for (const double bad : {-1.0, kInfinity, nan}) {
+    EXPECT_THROW(Bounce({.elastic_below = bad}), Error);
+    EXPECT_THROW(Bounce({.contact_duration = bad}), Error);
+  }
+  for (const double bad : {-1.1, 1.1, nan}) EXPECT_THROW(Bounce({.tangential_restitution = bad}), Error);
+}
+
+}  // namespace
+}  // namespace hardball

@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Spheres that pass through each other, merge, spin, or are kinematic.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/measure/measures.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "hardball/world/random.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+EngineOptions merging_by(EngineKind engine) {
+  return {.engine = engine, .responses = ResponseTable(Merging())};
+}
+
+class Fates : public testing::TestWithParam<EngineKind> {};
+
+// Each meeting is one event, however rounding falls, and changes nothing.
+TEST_P(Fates, OfPassingSpheresIsOneEventForEachMeeting) {
+  Random random(1);
+  for (int i = 0; i < 200; ++i) {
+    World world(Box::open());
+    const Vec3 way = random.direction();
+    const Vec3 velocity = (0.5 + random.uniform()) * random.direction();
+    const double speed = 1 + random.uniform();
+    world.add({.position = {}, .velocity = velocity, .radius = 0.5 + random.uniform()});
+    world.add({.position = 10 * way, .velocity = velocity - speed * way, .radius = 0.5, .species = 1});
+    world.let_pass(1, 0);
+    Simulation simulation(world, {.engine = GetParam()});
+    std::vector<Contact> contacts;
+    simulation.on_contact([&](const Contact& contact) { contacts.push_back(contact); });
+    simulation.run_until(100);
+    ASSERT_EQ(contacts.size(), 1U);
+    EXPECT_EQ(contacts[0].fate, Fate::pass);
+    EXPECT_NEAR(contacts[0].time.value(), (10 - contacts[0].reach) / speed, 1e-13);
+    EXPECT_EQ(simulation.world().path(0).time, Time(0)) << "the path is as it was";
+    EXPECT_EQ(simulation.velocity(0), velocity);
+    simulation.validate();
+  }
+}
+
+TEST_P(Fates, OfPassingSpheresDoesNotHideOtherContacts) {
+  // A third sphere sends a ghost back, once when it is still inside the other, once when it has left it.
+  for (const bool has_left : {false, true}) {
+    World world(Box::open());
+    world.add({.position = {0, 0, 0}, .radius = 1});
+    world.add({.position = {3, 0, 0}, .velocity = {-1, 0, 0}, .radius = 0.5, .species = 1});
+    world.add(
+        {.position = {has_left ? -8.0 : -6.0, 0, 0}, .velocity = {1, 0, 0}, .radius = 0.5, .species = 2});
+    world.let_pass(0, 1);
+    world.let_pass(0, 2);
+    Simulation simulation(world, {.engine = GetParam()});
+    std::vector<std::pair<SphereId, std::uint32_t>> met;
+    simulation.on_contact([&](const Contact& contact) {
+      met.emplace_back(contact.first, contact.second);
+      EXPECT_EQ(contact.fate, contact.first == 0 ? Fate::pass : Fate::bounce);
+    });
+    simulation.run_until(20);
+    std::vector<std::pair<SphereId, std::uint32_t>> expected{{0, 1}, {1, 2}};
+    if (has_left) expected.emplace_back(0, 1);
+    EXPECT_EQ(met, expected);
+  }
+}
+
+TEST_P(Fates, OfSpheresThatOverlapFromTheStartMayBeToPass) {
+  World world(Box::walls({10, 10, 10}));
+  world.add({.position = {5, 5, 5}, .velocity = {1, 0, 0}, .radius = 1});
+  world.add({.position = {5.5, 5, 5}, .velocity = {-1, 0, 0}, .radius = 1});
+  EXPECT_THROW(Simulation{world}, Error);
+  world.let_pass(0, 0);
+  Simulation simulation(world, {.engine = GetParam()});
+  simulation.run_until(1);
+  EXPECT_EQ(simulation.counters().collision, 0U);
+  simulation.run_until(10);
+  EXPECT_GT(simulation.counters().collision, 0U) << "having come back from the walls";
+  EXPECT_EQ(simulation.tally().max_overlap() < 1e-12, true);
+}
+
+TEST_P(Fates, OfMergingSpheresKeepsMassMomentumVolumeAndAngularMomentum) {
+  Random random(2);
+  for (int i = 0; i < 50; ++i) {
+    World world(Box::open());
+    const Vec3 way = random.direction();
+    const Sphere first{.position = random.direction(),
+                       .velocity = random.direction(),
+                       .radius = 0.5 + random.uniform(),
+                       .mass = 1 + random.uniform(),
+                       .spin = random.direction()};
+    const Sphere second{.position = first.position + 5 * way,
+                        .velocity = first.velocity - 2 * way + 0.1 * random.direction(),
+                        .radius = 0.5 + random.uniform(),
+                        .mass = 1 + random.uniform(),
+                        .spin = 2 * random.direction(),
+                        .moment = 0.6};
+    world.add(first);
+    world.add(second);
+    Simulation simulation(world, merging_by(GetParam()));
+    simulation.run_until(5);
+    ASSERT_EQ(simulation.size(), 1U);
+    const World& merged = simulation.world();
+    const double mass = first.mass + second.mass;
+    EXPECT_EQ(merged.mass(0), mass);
+    EXPECT_NEAR(std::pow(merged.radius(0), 3), std::pow(first.radius, 3) + std::pow(second.radius, 3),
+                1e-14 * 8);
+    const Vec3 momentum = first.mass * first.velocity + second.mass * second.velocity;
+    EXPECT_LE(length(merged.momentum(simulation.now()) - momentum), 1e-14);
+    const Vec3 moments = first.mass * first.position + second.mass * second.position;
+    const Vec3 center = (1 / mass) * (moments + simulation.time() * momentum);
+    EXPECT_LE(length(simulation.position(0) - center), 1e-13);
+    const auto own = [](const Sphere& sphere) {
+      return (sphere.moment * sphere.mass * sphere.radius * sphere.radius) * sphere.spin;
+    };
+    const Vec3 angular_momentum = first.mass * cross(first.position, first.velocity) +
+                                  second.mass * cross(second.position, second.velocity) + own(first) +
+                                  own(second);
+    const Vec3 orbital = mass * cross(center, (1 / mass) * momentum);
+    const double inertia = merged.moment(0) * mass * merged.radius(0) * merged.radius(0);
+    EXPECT_LE(length(orbital + inertia * merged.spin(0) - angular_momentum), 1e-12);
+  }
+}
+
+// A drop in a row that grows into its neighbours merges with them at once.
+TEST_P(Fates, OfMergingSpheresIsToMergeWithAllThatTheMergedOneOverlaps) {
+  World world(Box::open());
+  world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 1});
+  world.add({.position = {3, 0, 0}, .radius = 1});
+  world.add({.position = {5.5, 0, 0}, .velocity = {0.5, 0, 0}, .radius = 1, .species = 1});
+  world.add({.position = {2.5, 2.05, 0}, .radius = 1});
+  Simulation simulation(world, merging_by(GetParam()));
+  std::vector<std::uint32_t> partners;
+  std::vector<double> times;
+  simulation.on_contact([&](const Contact& contact) {
+    EXPECT_EQ(contact.fate, Fate::merge);
+    EXPECT_EQ(contact.first, 0U);
+    partners.push_back(contact.second);
+    times.push_back(contact.time.value());
+  });
+  EXPECT_EQ(simulation.run_contacts(1), 1U);
+  ASSERT_TRUE(simulation.next_contact());
+  EXPECT_EQ(simulation.next_contact()->time, 1);
+  EXPECT_EQ(simulation.next_contact()->second, 3U);
+  Simulation copy(simulation);
+  simulation.run_until(1);
+  EXPECT_EQ(partners, (std::vector<std::uint32_t>{1, 3}));
+  EXPECT_EQ(times, (std::vector<double>{1, 1}));
+  EXPECT_EQ(simulation.size(), 2U);
+  copy.on_contact(nullptr);
+  copy.run_until(1);
+  EXPECT_EQ(copy.event_log_hash(), simulation.event_log_hash());
+}
+
+TEST_P(Fates, OfMergingSpheresEndsARunWithMeasures) {
+  World world(Box::open());
+  world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 1});
+  world.add({.position = {3, 0, 0}, .radius = 1});
+  Simulation simulation(world, merging_by(GetParam()));
+  Measures measures({.names = {"temperature"}});
+  EXPECT_THROW(simulation.run_until(5, measures), Error);
+  EXPECT_EQ(simulation.size(), 1U);
+}
+
+TEST_P(Fates, OfMergingThatFillsTheBoxIsTheEndOfTheRun) {
+  World world(Box::walls({2.2, 2.2, 10}));
+  world.add({.position = {1.1, 1.1, 2}, .velocity = {0, 0, 1}, .radius = 1});
+  world.add({.position = {1.1, 1.1, 8}, .radius = 1});
+  Simulation simulation(world, merging_by(GetParam()));
+  EXPECT_THROW(simulation.run_until(10), RunFailure);
+  EXPECT_EQ(simulation.size(), 2U) << "nothing has changed";
+}
+
+TEST_P(Fates, OfKinematicSpheresIsNeverToBeDeflected) {
+  World world(Box::periodic({10, 10, 10}));
+  world.add({.position = {2, 5, 5}, .velocity = {1, 0, 0}, .radius = 1, .mass = kInfinity});
+  world.add({.position = {8, 5, 5}, .velocity = {-1, 0, 0}, .radius = 1, .mass = kInfinity});
+  world.add({.position = {5, 5, 5}, .velocity = {0, 0.1, 0}, .radius = 0.5});
+  Simulation simulation(world, {.engine = GetParam()});
+  simulation.run_until(50);
+  EXPECT_EQ(simulation.velocity(0), (Vec3{1, 0, 0}));
+  EXPECT_EQ(simulation.velocity(1), (Vec3{-1, 0, 0}));
+  EXPECT_GT(simulation.counters().collision, 10U);
+  EXPECT_TRUE(std::isfinite(simulation.world().energy(simulation.now())));
+  EXPECT_TRUE(std::isfinite(simulation.tally().energy_integral(simulation.now())));
+}
+
+// Hit by a wall of infinite mass moving at 2, a sphere at rest leaves at 4.
+TEST_P(Fates, OfASphereHitByAKinematicOneIsExact) {
+  World world(Box::open());
+  world.add({.position = {0, 0, 0}, .velocity = {2, 0, 0}, .radius = 1, .mass = kInfinity});
+  world.add({.position = {4, 0, 0}, .radius = 1});
+  Simulation simulation(world, {.engine = GetParam()});
+  simulation.run_until(2);
+  EXPECT_EQ(simulation.velocity(1), (Vec3{4, 0, 0}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Engine, Fates,
+                         testing::Values(EngineKind::cells, EngineKind::neighbors, EngineKind::all_pairs,
+                                         EngineKind::paper));
+
+TEST(KinematicSpheres, AreRefusedWhereSpheresFall) {
+  World world(Box::open(), {0, 0, -1});
+  EXPECT_THROW(world.add({.position = {}, .mass = kInfinity}), Error);
+}
+
+TEST(CustomResponse, MaySpinAndMergeSpheres) {
+  World world(Box::open());
+  for (int i = 0; i < 3; ++i) {
+    world.add({.position = {3.0 * i, 0, 0}, .velocity = {i == 0 ? 1.0 : 0.0, 0, 0}, .radius = 1});
+  }
+  Simulation simulation(world);
+  simulation.respond_with([](const Contact& contact) {
+    Outcome outcome(contact, {contact.before.second, contact.before.first});
+    outcome.spins.second = {0, 0, 7};
+    outcome.merges = contact.second == 2;
+    return outcome;
+  });
+  simulation.run_until(1.5);
+  EXPECT_EQ(simulation.world().spin(1), (Vec3{0, 0, 7}));
+  EXPECT_EQ(simulation.size(), 3U);
+  simulation.run_until(5);
+  EXPECT_EQ(simulation.size(), 2U);
+  EXPECT_LT(length(simulation.world().spin(1)), 7);
+  simulation.respond_with([](const Contact& contact) {
+    Outcome outcome(contact, {contact.before.second, contact.before.first});
+    outcome.spins.first.x = kInfinity;
+    return outcome;
+  });
+  simulation.change_velocity(0, {2, 0, 0});
+  EXPECT_THROW(simulation.run_until(50), Error);
+}
+
+}  // namespace
+}  // namespace hardball
