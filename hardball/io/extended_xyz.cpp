@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <istream>
 #include <map>
 #include <numeric>
@@ -21,6 +22,8 @@ namespace {
 // --- writing ---
 
 constexpr std::string_view kProperties = "type:I:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1:map_shift:I:3";
+// Only where spheres spin.
+constexpr std::string_view kSpinProperties = ":angular_velocity:R:3:moment:R:1";
 
 template <class Number>
 void put(std::string& line, Number number) {
@@ -84,6 +87,7 @@ std::string comment_line(const World& world, const Time& moment) {
   put(line, moment.value());
   line += "Properties=";
   line += kProperties;
+  if (world.has_spins()) line += kSpinProperties;
   line += '\n';
   return line;
 }
@@ -166,6 +170,9 @@ struct Columns {
   std::optional<std::size_t> radius;
   std::optional<std::size_t> mass;
   std::optional<std::size_t> id;
+  std::optional<std::size_t> type;
+  std::optional<std::size_t> spin;
+  std::optional<std::size_t> moment;
   std::size_t count = 0;
 };
 
@@ -177,12 +184,15 @@ struct KnownColumn {
   std::optional<std::size_t> Columns::*column;
 };
 
-constexpr std::array<KnownColumn, 5> kKnownColumns{{
+constexpr std::array<KnownColumn, 8> kKnownColumns{{
     {"pos", "R", 3, true, &Columns::position},
     {"velo", "R", 3, true, &Columns::velocity},
     {"radius", "R", 1, true, &Columns::radius},
     {"mass", "R", 1, false, &Columns::mass},
     {"id", "I", 1, false, &Columns::id},
+    {"type", "I", 1, false, &Columns::type},
+    {"angular_velocity", "R", 3, false, &Columns::spin},
+    {"moment", "R", 1, false, &Columns::moment},
 }};
 
 std::string description(const KnownColumn& known) {
@@ -210,6 +220,8 @@ Columns parse_properties(const Token& properties, const Place& place) {
     }
     for (const KnownColumn& known : kKnownColumns) {
       if (name.text != known.name) continue;
+      // Other programs may call other things a type.
+      if (known.column == &Columns::type && type.text != known.type) continue;
       if (type.text != known.type || width != known.width) {
         throw Error("column '" + std::string(name.text) + "' has another type or width",
                     place.text(name.offset), "make it " + description(known));
@@ -330,6 +342,17 @@ class Row {
     throw Error(name + " is '" + std::string(token.text) + "'", place_.text(token.offset), "give an integer");
   }
 
+  // Infinite for kinematic spheres.
+  double mass(std::size_t column) const {
+    return values_[column].text == "inf" ? std::numeric_limits<double>::infinity() : real(column, "mass");
+  }
+  // Types count from one; beyond what species there may be, they mean something else.
+  SpeciesId species(std::size_t column) const {
+    const std::int64_t type = integer(column, "type");
+    const bool is_species = type >= 1 && type <= std::numeric_limits<SpeciesId>::max() + 1;
+    return is_species ? static_cast<SpeciesId>(type - 1) : SpeciesId{0};
+  }
+
  private:
   Place place_;
   std::vector<Token> values_;
@@ -359,7 +382,8 @@ void append_snapshot(OutputFile& file, const World& world, const Time& moment) {
   file.append(to_text(world.size()) + "\n" + comment_line(world, moment));
   std::string line;
   world.for_each_by_id([&](Slot slot) {
-    line = "1 ";
+    line.clear();
+    put(line, world.species(slot) + 1);
     put(line, world.position(slot, moment));
     put(line, world.velocity(slot, moment));
     put(line, world.radius(slot));
@@ -367,6 +391,10 @@ void append_snapshot(OutputFile& file, const World& world, const Time& moment) {
     put(line, world.id(slot));
     const Image image = world.image(slot, moment);
     for (std::size_t axis = 0; axis < kAxes; ++axis) put(line, image[axis]);
+    if (world.has_spins()) {
+      put(line, world.spin(slot));
+      put(line, world.moment(slot));
+    }
     line.back() = '\n';
     file.append(line);
   });
@@ -408,7 +436,10 @@ Snapshot read_snapshot(std::istream& in, const std::string& name) {
     sphere.position = row.vector(*columns.position, "pos");
     sphere.velocity = row.vector(*columns.velocity, "velo");
     sphere.radius = row.real(*columns.radius, "radius");
-    if (columns.mass) sphere.mass = row.real(*columns.mass, "mass");
+    if (columns.mass) sphere.mass = row.mass(*columns.mass);
+    if (columns.type) sphere.species = row.species(*columns.type);
+    if (columns.spin) sphere.spin = row.vector(*columns.spin, "angular_velocity");
+    if (columns.moment) sphere.moment = row.real(*columns.moment, "moment");
     if (columns.id) ids.push_back(row.integer(*columns.id, "id"));
     snapshot.spheres.push_back(sphere);
     snapshot.lines.push_back(lines.number());

@@ -101,6 +101,19 @@ void read_measures(const Section& section, MeasureSettings& measures) {
   if (const auto from = section.find("from")) measures.from = from->number();
 }
 
+// Measures need the same spheres throughout, and finite masses.
+void leave_out_measures(const Section& root, Scenario& scenario) {
+  const bool is_kinematic = std::ranges::any_of(scenario.spheres, &SphereGroup::is_kinematic);
+  if (!scenario.has_merging() && !is_kinematic) return;
+  const std::optional<Section> measures = root.section("measures");
+  if (measures && measures->find("names") && !scenario.measures.names.empty()) {
+    throw Error(is_kinematic ? "there are measures, and kinematic spheres"
+                             : "there are measures, and spheres that merge",
+                measures->need("names").place(), "give names = [], for no measures");
+  }
+  scenario.measures.names.clear();
+}
+
 Scenario read_scenario(const Document& document) {
   Scenario scenario;
   scenario.name = document.name();
@@ -120,6 +133,7 @@ Scenario read_scenario(const Document& document) {
   if (const auto run = root.section("run")) read_run(*run, scenario);
   if (const auto output = root.section("output")) read_output(*output, scenario);
   if (const auto measures = root.section("measures")) read_measures(*measures, scenario.measures);
+  leave_out_measures(root, scenario);
   return scenario;
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -171,6 +172,30 @@ TEST_P(RefusedSnapshot, NamesPlaceAndProblem) {
     EXPECT_NE(error.problem().find(GetParam().problem), std::string::npos) << error.what();
     EXPECT_FALSE(error.remedy().empty());
   }
+}
+
+TEST(ExtendedXyz, KeepsSpeciesSpinsMomentsAndInfiniteMasses) {
+  World world(Box::open());
+  world.add({.position = {0, 0, 0},
+             .velocity = {1, 0, 0},
+             .radius = 0.5,
+             .mass = std::numeric_limits<double>::infinity(),
+             .species = 255});
+  world.add({.position = {3, 0, 0}, .radius = 0.25, .mass = 2, .spin = {0.1, -2, 1e-7}, .moment = 1.0 / 3});
+  const Snapshot snapshot = parse(frame_of(world, 0.5));
+  ASSERT_EQ(snapshot.spheres.size(), 2U);
+  EXPECT_TRUE(std::isinf(snapshot.spheres[0].mass));
+  EXPECT_EQ(snapshot.spheres[0].species, 255);
+  EXPECT_EQ(snapshot.spheres[1].species, 0);
+  EXPECT_EQ(snapshot.spheres[1].spin, (Vec3{0.1, -2, 1e-7}));
+  EXPECT_EQ(snapshot.spheres[1].moment, 1.0 / 3);
+}
+
+TEST(ExtendedXyz, TakesOtherTypesForNoSpecies) {
+  const std::string columns = ":1:pos:R:3:velo:R:3:radius:R:1\n";
+  EXPECT_EQ(parse("1\nProperties=type:S" + columns + "Au 0 0 0 0 0 0 1\n").spheres[0].species, 0);
+  EXPECT_EQ(parse("1\nProperties=type:I" + columns + "1000 0 0 0 0 0 0 1\n").spheres[0].species, 0);
+  EXPECT_EQ(parse("1\nProperties=type:I" + columns + "3 0 0 0 0 0 0 1\n").spheres[0].species, 2);
 }
 
 const std::string kGood = "Properties=pos:R:3:velo:R:3:radius:R:1\n";
