@@ -112,6 +112,36 @@ World lorentz_gas() {
   return world;
 }
 
+// Species that bounce by different rules or pass through each other, many of them spinning.
+World motley_gas() {
+  World world = random_gas(Box({Boundary::periodic, Boundary::wall, Boundary::periodic}, {20, 20, 20}),
+                           {{0, 0, 0}, {20, 20, 20}}, 600, 0.4, 1.5, 11);
+  Random random(12);
+  World motley(world.box());
+  world.for_each_by_id([&](Slot slot) {
+    Sphere sphere{.position = world.path(slot).position,
+                  .velocity = world.path(slot).velocity,
+                  .radius = world.radius(slot),
+                  .mass = world.mass(slot)};
+    sphere.species = static_cast<SpeciesId>(slot % 3);
+    const double spin = random.normal();
+    if (sphere.species != 1) sphere.spin = spin * random.direction();
+    motley.add(sphere);
+  });
+  motley.let_pass(1, 2);
+  return motley;
+}
+
+ResponseTable motley_responses() {
+  const Bounce walls({.restitution = ConstantRestitution{0.95}, .tangential_restitution = 0.5});
+  ResponseTable table(Bounce({.restitution = ViscoelasticRestitution(0.9, 1), .contact_duration = 1e-4}),
+                      walls);
+  table.set(0, 0, Bounce({.restitution = ConstantRestitution{0.9}, .tangential_restitution = 0.25}));
+  table.set(0, 2,
+            Bounce({.restitution = TabulatedRestitution({{0, 1}, {2, 0.75}}), .tangential_restitution = 1}));
+  return table;
+}
+
 World two_spheres() {
   World world(Box::walls({10, 10, 10}));
   world.add({{2.5, 3, 4}, {1, 0.3, -0.7}, 1.5, 1});
@@ -124,6 +154,14 @@ void print(const char* name, World world, std::uint64_t contacts, double restitu
   EngineOptions options;
   options.restitution = restitution;
   options.elastic_below = elastic_below;
+  Simulation simulation(std::move(world), options);
+  simulation.run_contacts(contacts);
+  std::printf("%s %016llx\n", name, static_cast<unsigned long long>(simulation.event_log_hash()));
+}
+
+void print(const char* name, World world, std::uint64_t contacts, const ResponseTable& responses) {
+  EngineOptions options;
+  options.responses = responses;
   Simulation simulation(std::move(world), options);
   simulation.run_contacts(contacts);
   std::printf("%s %016llx\n", name, static_cast<unsigned long long>(simulation.event_log_hash()));
@@ -150,4 +188,7 @@ int main() {
   print("two_spheres", two_spheres(), 20000);
   print("shaken_grains", shaken_grains(), 20000, 0.8, 0.01);
   print("lorentz_gas", lorentz_gas(), 20000);
+  print("motley_gas", motley_gas(), 20000, motley_responses());
+  print("drops", random_gas(Box::periodic({20, 20, 20}), cube, 500, 0.3, 2, 13), 450,
+        ResponseTable(Merging()));
 }
