@@ -21,7 +21,7 @@ void check_not_negative(double value, const char* name, const char* remedy) {
 void rub(const Contact& contact, double tangential_restitution, Outcome& outcome) {
   const Vec3 normal = contact.normal();
   const double first_radius = contact.first_radius;
-  const double second_radius = contact.second_radius();
+  const double second_radius = contact.second_radius;
   const Vec3 turning =
       first_radius * contact.spins_before.first + second_radius * contact.spins_before.second;
   const Vec3 slip = (contact.before.first - contact.before.second) + cross(turning, normal);

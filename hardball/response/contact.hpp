@@ -58,6 +58,8 @@ struct Contact {
   Vec3 separation;
   double reach = 0;         ///< Sum of the radii, or the radius: the length `separation` should have [L].
   double first_radius = 0;  ///< [L]
+  /// Collision: the radius of the second sphere. Wall: zero. [L]
+  double second_radius = 0;
   double first_mass = 0;    ///< [M]; infinite for a kinematic sphere.
   double second_mass = 0;   ///< [M]; infinite for a wall, too.
   Velocities before;        ///< [L/T]
@@ -82,7 +84,6 @@ struct Contact {
   Vec3 normal() const { return is_collision() ? (1 / length(separation)) * separation : wall_normal; }
   /// Where the surfaces touch, in the coordinates of `position` [L].
   Vec3 point() const { return position + first_radius * normal(); }
-  double second_radius() const { return is_collision() ? reach - first_radius : 0; }  ///< [L]
   /// The momentum the first sphere gained [M L/T]; the second lost as much. Zero between kinematic spheres.
   Vec3 impulse() const {
     if (first_mass < std::numeric_limits<double>::infinity()) [[likely]]

@@ -156,6 +156,7 @@ void contact_at(const World& world, const Event& event, const Participants& part
                                          : event.image + done.folded[1] - done.folded[0];
     contact.second_position = second_position;
     contact.separation = (second_position - position) + box.shift(contact.image);
+    contact.second_radius = second_radius;
     contact.reach = radius + second_radius;
     contact.second_mass = world.mass(participants.second);
     contact.second_flight = duration(second_path.time, event.time);
@@ -163,6 +164,7 @@ void contact_at(const World& world, const Event& event, const Participants& part
   } else {
     contact.image = {};
     contact.second_position = {};
+    contact.second_radius = 0;
     contact.reach = radius;
     contact.second_mass = std::numeric_limits<double>::infinity();
     contact.second_flight = std::numeric_limits<double>::infinity();

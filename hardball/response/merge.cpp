@@ -4,16 +4,20 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/response/execute.hpp"
-#include "hardball/world/random.hpp"
 
 namespace hardball {
 namespace {
 
-// The cube root: an estimate by logarithms, and two steps of Newton's method.
+// The cube root of a positive normal number: of a number from 1 to 8, by Newton's method, and a power of two.
 double portable_cube_root(double x) {
-  double root = portable_exp(portable_log(x) / 3);
-  for (int step = 0; step < 2; ++step) root -= (root - x / (root * root)) / 3;
-  return root;
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  const int power = (exponent + 3 * 2048 - 1) / 3 - 2048;
+  const double reduced = std::ldexp(fraction, exponent - 3 * power);
+  double root = 1.5;
+  constexpr int kSteps = 8;
+  for (int step = 0; step < kSteps; ++step) root -= (root - reduced / (root * root)) / 3;
+  return std::ldexp(root, power);
 }
 
 double cube(double x) {
@@ -29,7 +33,7 @@ double inertia(double moment, double mass, double radius) {
 void merge(World& world, Contact& contact, const Participants& participants) {
   HARDBALL_CHECK(contact.is_collision());
   const double mass = contact.first_mass + contact.second_mass;
-  const double radius = portable_cube_root(cube(contact.first_radius) + cube(contact.second_radius()));
+  const double radius = portable_cube_root(cube(contact.first_radius) + cube(contact.second_radius));
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (world.box().is_open(axis) || 2 * radius <= world.box().size()[axis]) continue;
     throw RunFailure("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
@@ -47,7 +51,7 @@ void merge(World& world, Contact& contact, const Participants& participants) {
     const Vec3 angular_momentum =
         (contact.first_mass * weight) * cross(contact.separation, relative) +
         inertia(contact.first_moment, contact.first_mass, contact.first_radius) * contact.spins_before.first +
-        inertia(contact.second_moment, contact.second_mass, contact.second_radius()) *
+        inertia(contact.second_moment, contact.second_mass, contact.second_radius) *
             contact.spins_before.second;
     spin = (1 / inertia(moment, mass, radius)) * angular_momentum;
   }

@@ -54,6 +54,18 @@ double ViscoelasticRestitution::at(double speed) const {
   return speed > kSmallestMagnitude ? viscoelastic(unit_ * tenth_root(speed / speed_)) : 1;
 }
 
+ViscoelasticRestitution ViscoelasticRestitution::scaled(double factor) const {
+  ViscoelasticRestitution law(*this);
+  law.speed_ *= factor;
+  return law;
+}
+
+TabulatedRestitution TabulatedRestitution::scaled(double factor) const {
+  TabulatedRestitution law(*this);
+  for (Point& point : law.points_) point.speed *= factor;
+  return law;
+}
+
 TabulatedRestitution::TabulatedRestitution(std::vector<Point> points) : points_(std::move(points)) {
   if (points_.empty()) {
     throw Error("a table of restitutions is empty", "restitution", "give at least one speed and value");

@@ -24,6 +24,8 @@ class ViscoelasticRestitution {
 
   /// At an impact speed [L/T].
   double at(double speed) const;
+  /// The same law where all speeds are this many times as large.
+  ViscoelasticRestitution scaled(double factor) const;
 
  private:
   double speed_;  // at which `unit_` is the reduced speed
@@ -43,6 +45,7 @@ class TabulatedRestitution {
   explicit TabulatedRestitution(std::vector<Point> points);
 
   double at(double speed) const;
+  TabulatedRestitution scaled(double factor) const;
 
  private:
   std::vector<Point> points_;

@@ -19,6 +19,9 @@
 
 namespace hardball::support {
 
+/// How many species the spheres of a random world may have.
+inline constexpr SpeciesId kMostRandomSpecies = 3;
+
 /// A small world for any test, and how to run it.
 struct RandomWorld {
   World world;
@@ -394,22 +397,21 @@ class RandomWorldMaker {
 
   // Spheres of up to three species, some of which merge or pass through each other, spin or are kinematic.
   void make_responsive_spheres() {
-    constexpr SpeciesId kSpecies = 3;
     const bool may_merge = chance(0.4);
     const bool some_spin = chance(0.6);
     const bool some_are_kinematic = made_.world.motion().is_straight() && chance(0.3);
-    std::array<double, kSpecies> moments{};
+    std::array<double, kMostRandomSpecies> moments{};
     for (double& moment : moments) moment = chance(0.5) ? kUniformSphereMoment : between(0.1, 0.7);
     for (Sphere& sphere : spheres_) {
-      sphere.species = static_cast<SpeciesId>(below(kSpecies));
+      sphere.species = static_cast<SpeciesId>(below(kMostRandomSpecies));
       sphere.moment = moments[sphere.species];
       if (some_spin && chance(0.7)) sphere.spin = (speed_ / largest_radius_) * random_.direction();
       if (some_are_kinematic && chance(0.2)) sphere.mass = std::numeric_limits<double>::infinity();
     }
     made_.responses = ResponseTable(random_rule(may_merge), std::get<Bounce>(random_rule(false)));
-    for (SpeciesId a = 0; a < kSpecies; ++a) {
+    for (SpeciesId a = 0; a < kMostRandomSpecies; ++a) {
       if (chance(0.3)) made_.responses->set_wall(a, std::get<Bounce>(random_rule(false)));
-      for (SpeciesId b = a; b < kSpecies; ++b) {
+      for (SpeciesId b = a; b < kMostRandomSpecies; ++b) {
         if (chance(0.5)) made_.responses->set(a, b, random_rule(may_merge));
         if (chance(0.2)) made_.world.let_pass(a, b);
       }

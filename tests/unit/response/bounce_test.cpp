@@ -20,8 +20,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 Contact any_collision(Random& random) {
   Contact contact;
   contact.first_radius = 0.5 + random.uniform();
-  const double second_radius = 0.5 + random.uniform();
-  contact.reach = contact.first_radius + second_radius;
+  contact.second_radius = 0.5 + random.uniform();
+  contact.reach = contact.first_radius + contact.second_radius;
   contact.separation = contact.reach * random.direction();
   contact.first_mass = 0.5 + random.uniform();
   contact.second_mass = 0.5 + random.uniform();
@@ -43,7 +43,7 @@ double inertia_of_first(const Contact& contact) {
 }
 
 double inertia_of_second(const Contact& contact) {
-  return contact.second_moment * contact.second_mass * contact.second_radius() * contact.second_radius();
+  return contact.second_moment * contact.second_mass * contact.second_radius * contact.second_radius;
 }
 
 double energy(const Contact& contact, const Velocities& velocities, const Spins& spins) {
@@ -68,7 +68,7 @@ Vec3 angular_momentum(const Contact& contact, const Velocities& velocities, cons
 Vec3 slip(const Contact& contact, const Velocities& velocities, const Spins& spins) {
   const Vec3 normal = contact.normal();
   const Vec3 of_first = velocities.first + cross(spins.first, contact.first_radius * normal);
-  const Vec3 of_second = velocities.second + cross(spins.second, -contact.second_radius() * normal);
+  const Vec3 of_second = velocities.second + cross(spins.second, -contact.second_radius * normal);
   const Vec3 relative = of_first - of_second;
   return relative - dot(relative, normal) * normal;
 }
