@@ -43,6 +43,9 @@ class Measures {
   /// Error: no measure has this name; `every` is not positive, or `from` not finite.
   explicit Measures(const MeasureSettings& settings = {});
 
+  /// Whether any measure is switched on.
+  bool is_any_wanted() const { return is_any_wanted_; }
+
   /// Error: the spheres of `world` are not those with which the measures started.
   void check_spheres(const World& world) const;
 

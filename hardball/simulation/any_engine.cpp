@@ -57,8 +57,11 @@ class EngineModel final : public AnyEngine {
   bool suits(double length) const override {
     if constexpr (requires { engine_.phase(); }) {
       using Phase = std::remove_cvref_t<decltype(engine_.phase())>;
+      if constexpr (std::same_as<Phase, NeighborList>) return NeighborList::suits(world());
       if constexpr (std::same_as<Phase, CellGrid>) return !ShellGrid::suits(world(), length);
       if constexpr (std::same_as<Phase, ShellGrid>) return ShellGrid::suits(world(), length);
+    } else {
+      return length >= 2 * world().largest_radius();
     }
     return true;
   }

@@ -104,6 +104,7 @@ Simulation::Simulation(World world, const EngineOptions& options, const OnProgre
   engine_ = make_engine(std::move(world), kind_, options_, length, now_, progress.part(kAudited, 1));
   watch_.restart(length);
   last_review_ = now_;
+  spheres_at_choice_ = size();
   next_review_ = kEventsPerReview * size();
   tally_.begin(this->world(), now_);
   progress.note_end();
@@ -122,6 +123,7 @@ Simulation::Simulation(const Simulation& other)
       watch_(other.watch_),
       merged_(other.merged_),
       edited_(other.edited_),
+      spheres_at_choice_(other.spheres_at_choice_),
       next_review_(other.next_review_),
       last_review_(other.last_review_) {}
 
@@ -141,6 +143,7 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   watch_ = other.watch_;
   merged_ = std::move(other.merged_);
   edited_ = other.edited_;
+  spheres_at_choice_ = other.spheres_at_choice_;
   next_review_ = other.next_review_;
   last_review_ = other.last_review_;
   return *this;
@@ -263,7 +266,7 @@ void Simulation::note(const Contact& contact, Measures* measures) {
   if (contact.fate == Fate::merge) [[unlikely]] {
     edited_ = true;
     merged_.push_back(contact.first);
-    if (measures) {
+    if (measures && measures->is_any_wanted()) {
       throw Error("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
                       " have merged, and measures need all spheres",
                   "measures", "run without measures");
@@ -417,7 +420,14 @@ void Simulation::check_not_past(const Time& time) const {
 
 void Simulation::apply_edits() {
   if (!edited_) return;
-  rebuild(now_);
+  // To choose engine and cells again takes longer than to rebuild them; reviews do it now and then.
+  const bool is_new_choice_due =
+      16 * std::max(size(), spheres_at_choice_) > 17 * std::min(size(), spheres_at_choice_);
+  if (is_new_choice_due || !engine_->suits(watch_.edge())) {
+    rebuild(now_);
+  } else {
+    engine_->rebuild(now_, watch_.edge());
+  }
   edited_ = false;
 }
 
@@ -451,6 +461,7 @@ void Simulation::retune_if_due() {
 // Rebuilds all regions and predictions, with another engine if that suits the world better.
 void Simulation::rebuild(const Time& moment) {
   const EngineKind kind = choose_engine(world(), options_, moment, kind_);
+  spheres_at_choice_ = size();
   // Spheres may have grown.
   const double length = allowed_cell_edge(world(), kind, choose_length(world(), kind, options_, moment));
   put_in_order(engine_->world_to_edit(), kind, moment);

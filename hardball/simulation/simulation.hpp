@@ -173,9 +173,10 @@ class Simulation {
   EventLogHash hash_;
   Tally tally_;
   CellEdgeWatch watch_;
-  std::vector<SphereId> merged_;   // which may overlap others
-  bool edited_ = false;            // the engine's structures are out of date
-  std::uint64_t next_review_ = 0;  // number of crossings and contacts at which the tuning is reviewed
+  std::vector<SphereId> merged_;       // which may overlap others
+  bool edited_ = false;                // the engine's structures are out of date
+  std::size_t spheres_at_choice_ = 0;  // when engine and cells were last chosen
+  std::uint64_t next_review_ = 0;      // number of crossings and contacts at which the tuning is reviewed
   Time last_review_;
   Moments reviewed_;  // for which the kind of engine was last reviewed
 };
