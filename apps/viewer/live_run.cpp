@@ -34,6 +34,7 @@ LiveRun::LiveRun(Simulation simulation, RecordingWriter writer, SharedRecording&
       until_(until),
       most_bytes_(most_bytes) {
   simulation_.on_contact([this](const Contact& contact) { writer_.note(contact); });
+  simulation_.on_velocity_change([this](const VelocityChange& change) { writer_.note(change); });
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 

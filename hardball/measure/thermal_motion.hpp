@@ -16,6 +16,8 @@ struct ThermalMotion {
   /// How many independent components of velocity there are: three for each sphere, less one for each axis
   /// without walls.
   double degrees_of_freedom = 0;
+  /// Whether a thermostat has changed it.
+  bool is_driven = false;
 
   /// k T: twice the energy by the degrees of freedom [M L^2 T^-2]; NaN if there are none.
   double temperature() const { return 2 * energy / degrees_of_freedom; }
@@ -24,7 +26,8 @@ struct ThermalMotion {
 /// Cost: O(n).
 ThermalMotion thermal_motion(const World& world, const Time& moment);
 
-/// Whether the energy is still that of the start but for rounding, so that there can be equilibrium.
+/// Whether the energy is still that of the start but for rounding, and no thermostat has restored it, so that
+/// there can be the equilibrium of an isolated system.
 bool is_energy_conserved(const ThermalMotion& begin, const ThermalMotion& end);
 
 }  // namespace hardball
