@@ -133,8 +133,9 @@ std::string Summary::table() const {
                                wall.force, wall.tally.work, wall.tally.heat));
   }
   if (thermostat_) {
-    add("thermostat", fmt::format("{}, {} events, energy given {:.6g}", hardball::name_of(thermostat_->kind()),
-                                  thermostat_->events(), thermostat_->energy()));
+    add("thermostat",
+        fmt::format("{}, {} events, energy given {:.6g}", hardball::name_of(thermostat_->kind()),
+                    thermostat_->events(), thermostat_->energy()));
   }
   add("engine", engine_);
   add_if_meant("cell edge", cell_edge_);

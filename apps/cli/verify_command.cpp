@@ -179,7 +179,8 @@ ExitCode verify(const Options& options) {
   if (changes <= kMostPaperChanges) {
     run_or_leave_out(comparison, "paper", engine_options);
   } else {
-    comparison.leave_out("paper", fmt::format("{} contacts and other changes of velocity would take too long", changes));
+    comparison.leave_out(
+        "paper", fmt::format("{} contacts and other changes of velocity would take too long", changes));
   }
 
   constexpr double kMostPairs = 5e8;

@@ -107,15 +107,19 @@ void RecordingWriter::note(const Contact& contact) {
   // -(k + 1) is the bitwise complement of the number k of a surface.
   const std::uint32_t second = contact.is_collision() ? contact.second : ~contact.second;
   add({contact.time.value(), contact.first, static_cast<std::int32_t>(second), contact.position,
-       contact.after.first, contact.second_position,
-       contact.is_collision() ? contact.after.second : Vec3{}});
+       contact.after.first, contact.second_position, contact.is_collision() ? contact.after.second : Vec3{}});
 }
 
 void RecordingWriter::note(const VelocityChange& change) {
   constexpr std::uint32_t kMostIds = std::numeric_limits<std::int32_t>::max();
   HARDBALL_CHECK(change.sphere < keyframe_.size() && change.sphere <= kMostIds);
-  add({change.time.value(), change.sphere, static_cast<std::int32_t>(change.sphere), change.position,
-       change.after, {}, {}});
+  add({change.time.value(),
+       change.sphere,
+       static_cast<std::int32_t>(change.sphere),
+       change.position,
+       change.after,
+       {},
+       {}});
 }
 
 void RecordingWriter::add(const RecordedContact& contact) {

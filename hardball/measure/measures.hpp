@@ -37,8 +37,8 @@ namespace hardball {
 ///
 /// They receive every contact, and the world at times of their choice; Simulation provides both. They see the
 /// world as const and compute where spheres are without storing it, so that no contact changes. The spheres
-/// must stay those of the start, and only contacts and thermostats may change velocities. Results depend only on the
-/// scenario: they are the same bits for every engine.
+/// must stay those of the start, and only contacts and thermostats may change velocities. Results depend only
+/// on the scenario: they are the same bits for every engine.
 class Measures {
  public:
   /// Error: no measure has this name; `every` is not positive, or `from` not finite.

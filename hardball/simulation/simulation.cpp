@@ -257,7 +257,7 @@ RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) 
     }
     const bool goes_on =
         status == RunStatus::observer_stopped || (status == RunStatus::steps_reached && left.steps > 0);
-     if (status == RunStatus::steps_reached && !goes_on) {
+    if (status == RunStatus::steps_reached && !goes_on) {
       // Only here may the time reached depend on the engine.
       now_ = later(now_, engine_->now());
     }
@@ -412,15 +412,17 @@ std::uint64_t Simulation::act(Measures* measures) {
   const Time moment = later(next_action(), tally_.last_change());
   const double energy_before = thermostat_->energy();
   const std::span<const NewVelocity> changes = thermostat_->act(world(), moment);
+  for (const NewVelocity& change : changes) rewrite_velocity(change.slot, moment, change.after);
+  tally_.note_edit(thermostat_->energy() - energy_before, moment);
+  if (!measures && !change_listener_) return std::max<std::uint64_t>(1, changes.size());
   for (const NewVelocity& change : changes) {
     const Slot slot = change.slot;
-    rewrite_velocity(slot, moment, change.after);
-    const VelocityChange done{moment,        world().id(slot), world().mass(slot), world().path(slot).position,
-                              change.before, change.after};
+    const VelocityChange done{
+        moment,        world().id(slot), world().mass(slot), world().path(slot).position,
+        change.before, change.after};
     if (measures) measures->note(done);
     tell_of_change(done);
   }
-  tally_.note_edit(thermostat_->energy() - energy_before, moment);
   return std::max<std::uint64_t>(1, changes.size());
 }
 

@@ -96,8 +96,8 @@ class Simulation {
   RunStatus run(const RunLimits& limits, Measures& measures);
 
   /// The next collision or wall contact up to `until` [T], without carrying it out. In a periodic box spheres
-  /// may never meet: then give a finite time. Cost: if the thermostat acts before it, that of a copy, in which
-  /// it does so. Error: `until`, as for run_until.
+  /// may never meet: then give a finite time. Cost: if the thermostat acts before it, that of a copy, in
+  /// which it does so. Error: `until`, as for run_until.
   std::optional<NextContact> next_contact(double until = std::numeric_limits<double>::infinity());
 
   double time() const { return now_.value(); }  ///< [T]
@@ -109,8 +109,8 @@ class Simulation {
   Vec3 velocity(SphereId id) const;
   /// All centres now [L], in the order of ids, folded into a periodic box. Shape (size, 3).
   std::vector<Vec3> positions() const;
-  /// All centres at `time` [L], which is finite, not in the past and not after the next contact, nor after the
-  /// thermostat acts next. Error: any other time.
+  /// All centres at `time` [L], which is finite, not in the past and not after the next contact, nor after
+  /// the thermostat acts next. Error: any other time.
   std::vector<Vec3> positions_at(double time);
 
   /// Changes the velocity of a sphere [L/T], now. Error: no such sphere; a number that is NaN, infinite or

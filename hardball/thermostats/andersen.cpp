@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "hardball/thermostats/event_random.hpp"
+#include "hardball/thermostats/resolution.hpp"
 #include "hardball/world/range.hpp"
 
 namespace hardball {
@@ -39,6 +40,7 @@ double Andersen::next() const {
 }
 
 void Andersen::act(const World& world, const Time& moment, std::vector<NewVelocity>& changes) {
+  refuse_unresolved(1 / rate_, next());
   std::pop_heap(due_.begin(), due_.end(), is_later);
   Due& due = due_.back();
   const Slot slot = world.slot_of(due.sphere);

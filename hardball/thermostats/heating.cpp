@@ -9,7 +9,7 @@
 
 namespace hardball {
 
-Heating::Heating(double strength, double every) : strength_(strength), times_(every, "thermostat") {
+Heating::Heating(double strength, double every) : strength_(strength), times_(every) {
   check_positive(strength, "strength", "thermostat");
 }
 

@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/thermostats/intervals.hpp"
 
+#include "hardball/thermostats/resolution.hpp"
 #include "hardball/world/range.hpp"
 
 namespace hardball {
 
-Intervals::Intervals(double every, std::string_view where) : every_(every) {
-  check_positive(every, "every", where);
+Intervals::Intervals(double every) : every_(every) {
+  check_positive(every, "every", "thermostat");
+}
+
+void Intervals::advance() {
+  refuse_unresolved(every_, next());
+  ++passed_;
 }
 
 }  // namespace hardball

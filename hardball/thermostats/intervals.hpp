@@ -3,15 +3,14 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 
 namespace hardball {
 
 /// Times at equal intervals: start + k * every, for k = 1, 2, ...
 class Intervals {
  public:
-  /// Error: `every` [T] is not positive; `where` names what it belongs to.
-  Intervals(double every, std::string_view where);
+  /// Error: `every` [T] is not positive.
+  explicit Intervals(double every);
 
   double every() const { return every_; }
   /// Starts at a time [T].
@@ -23,7 +22,8 @@ class Intervals {
   double next() const { return start_ + static_cast<double>(passed_ + 1) * every_; }
   /// How many have passed.
   std::uint64_t passed() const { return passed_; }
-  void advance() { ++passed_; }
+  /// Error: doubles do not resolve the interval at the next time.
+  void advance();
 
  private:
   double every_;

@@ -9,7 +9,7 @@
 
 namespace hardball {
 
-Rescale::Rescale(double temperature, double every) : temperature_(temperature), times_(every, "thermostat") {
+Rescale::Rescale(double temperature, double every) : temperature_(temperature), times_(every) {
   check_positive(temperature, "temperature", "thermostat");
 }
 

@@ -46,8 +46,7 @@ std::span<const NewVelocity> Thermostat::act(const World& world, const Time& mom
   ++events_;
   for (NewVelocity& change : changes_) {
     flush(change.after);
-    energy_ +=
-        world.mass(change.slot) * dot(change.after - change.before, change.after + change.before) / 2;
+    energy_ += world.mass(change.slot) * dot(change.after - change.before, change.after + change.before) / 2;
   }
   return changes_;
 }

@@ -25,8 +25,8 @@ std::string_view name_of(const ThermostatKind& kind);
 /// A thermostat at work: when it acts next, what it does then, and what it has done so far.
 ///
 /// Its times and random numbers are functions of the seed, of the spheres' ids and of the times at which it
-/// was started and spheres were added: how a run is carried out does not affect them. It acts at a time once no
-/// contact that rounds to that time, or an earlier one, remains.
+/// was started and spheres were added: how a run is carried out does not affect them. It acts at a time once
+/// no contact that rounds to that time, or an earlier one, remains.
 class Thermostat {
  public:
   explicit Thermostat(ThermostatKind kind, std::uint64_t seed = 1) : kind_(kind), seed_(seed) {}
@@ -47,7 +47,8 @@ class Thermostat {
   /// When it acts next [T]; infinity for never. Precondition: it has begun.
   double next() const;
   /// The velocities that it gives to spheres then, in the order of ids, valid until the next call.
-  /// Precondition: `moment` rounds to next(), and no path starts after it. Cost: see the kinds.
+  /// Precondition: `moment` rounds to next(), and no path starts after it. Error: it acts so often that times
+  /// do not resolve it. Cost: see the kinds.
   std::span<const NewVelocity> act(const World& world, const Time& moment);
 
  private:

@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(
                              "[run]",
                              "[thermostat]\nkind = 'anderson'\n[run]",
                              {},
-                             {"gas.toml:12:8", "'anderson'", "\"andersen\""}},
+                             {"gas.toml:12:8", "\"anderson\"", "\"andersen\""}},
                     BadInput{"RateOfRescale",
                              "[run]",
                              "[thermostat]\nkind = 'rescale'\ntemperature = 1\nrate = 1\n[run]",

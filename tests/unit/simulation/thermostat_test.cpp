@@ -4,6 +4,7 @@
 // A simulation with a thermostat: when it acts, what is seen then, and what is recorded.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "hardball/errors/error.hpp"
@@ -64,6 +65,58 @@ TEST(SimulationWithThermostat, ActsAfterContactsAtTheSameTime) {
   EXPECT_EQ(simulation.thermostat()->events(), 1U) << "only once";
 }
 
+// A contact whose time rounds to that of the action, but is later: the action comes right after it.
+TEST(SimulationWithThermostat, ActsAtTheExactTimeOfAContactThatRoundsToItsOwn) {
+  const World world = support::make_gas({.count = 30, .packing_fraction = 0.2});
+  std::vector<Contact> contacts;
+  Simulation plain(world);
+  plain.on_contact([&](const Contact& contact) { contacts.push_back(contact); });
+  plain.run_contacts(40);
+  for (const Contact& contact : contacts) {
+    const Time expected = later(contact.time, Time(contact.time.high));
+    for (const EngineKind engine : {EngineKind::cells, EngineKind::all_pairs, EngineKind::paper}) {
+      for (const bool is_split : {false, true}) {
+        Simulation simulation(world, {.engine = engine});
+        simulation.set_thermostat(Thermostat(Heating(1, contact.time.high)));
+        if (is_split) simulation.run_contacts(static_cast<std::uint64_t>(&contact - contacts.data()) + 1);
+        simulation.run_until(contact.time.high);
+        EXPECT_EQ(simulation.thermostat()->events(), 1U);
+        EXPECT_EQ(simulation.world().path(contact.first).time, expected);
+        simulation.validate();
+      }
+    }
+  }
+}
+
+// The time that a run has reached after some steps depends on the engine; when the thermostat acts does not.
+TEST(SimulationWithThermostat, DoesNotActAtTheTimeOfACrossing) {
+  // Both spheres cross at the same times, so that a run of one step may end between two crossings.
+  World world(Box::periodic({10, 10, 10}));
+  world.add({{2, 2, 2}, {1, 0.25, 0.75}, 0.5, 1});
+  world.add({{7, 7, 7}, {1, 0.25, 0.75}, 0.5, 1});
+  Simulation start(world, {.engine = EngineKind::paper, .cell_edge = 2.5});
+  start.run_until(0.1);
+  for (const SphereId id : {0U, 1U}) start.change_velocity(id, {1, 0.25, 0.75});
+  std::vector<Time> crossings;
+  Simulation plain(start);
+  for (int step = 0; step < 60; ++step) {
+    plain.run({.steps = 1});
+    if (plain.now().low > 0) crossings.push_back(plain.now());
+  }
+  int compared = 0;
+  for (const Time& crossing : crossings) {
+    Simulation simulation(start);
+    const double every = crossing.high - start.time();
+    if (start.time() + every != crossing.high) continue;
+    ++compared;
+    simulation.set_thermostat(Thermostat(Heating(1, every)));
+    while (simulation.run({.until = Time(crossing.high), .steps = 1}) != RunStatus::time_reached) continue;
+    EXPECT_EQ(simulation.thermostat()->events(), 1U);
+    EXPECT_EQ(simulation.world().path(0).time, Time(crossing.high));
+  }
+  EXPECT_GT(compared, 5);
+}
+
 TEST(SimulationWithThermostat, TakesSamplesAfterItHasActed) {
   Simulation simulation(head_on_pair());
   simulation.set_thermostat(speed_doubler(1));
@@ -110,6 +163,16 @@ TEST(SimulationWithThermostat, CountsItsActionsAsSteps) {
   EXPECT_EQ(simulation.run({.until = Time(1), .steps = 500}), RunStatus::steps_reached);
   EXPECT_LE(simulation.thermostat()->events(), 10U);
   EXPECT_GE(simulation.thermostat()->events(), 9U);
+}
+
+TEST(SimulationWithThermostat, RefusesToActMoreOftenThanTimesResolve) {
+  for (const ThermostatKind& kind : {ThermostatKind(Andersen(2, 1e20)), ThermostatKind(Rescale(2, 1e-20)),
+                                     ThermostatKind(Heating(2, 1e-20))}) {
+    Simulation simulation(head_on_pair());
+    simulation.run_until(1);
+    simulation.set_thermostat(Thermostat(kind));
+    EXPECT_THROW(simulation.run_until(2), Error);
+  }
 }
 
 TEST(SimulationWithThermostat, GivesTheEnergyItSays) {
@@ -219,6 +282,22 @@ TEST(SimulationWithThermostat, IsFollowedByThePressure) {
   // Relative to the drift sum m v^2 is 2 for one unit of time, then 3 * 12 for half a unit.
   const Measurement pressure = measures.results(simulation.world(), simulation.now())[0];
   EXPECT_NEAR(pressure.quantities[1].value, (2 + 36 / 2) / 1.5 / 3000, 1e-15);
+}
+
+// Even if it has restored the energy of the start.
+TEST(SimulationWithThermostat, IsNoEquilibriumOfAFixedEnergy) {
+  for (const bool is_driven : {false, true}) {
+    Simulation simulation(support::make_gas({.count = 200, .packing_fraction = 0.2}),
+                          {.restitution = is_driven ? 0.9 : 1});
+    const double energy = simulation.tally().initial_energy();
+    if (is_driven) simulation.set_thermostat(Thermostat(Rescale(2 * energy / (3 * 199), 1)));
+    Measures measures({.names = {"pressure", "temperature"}});
+    simulation.run_until(2, measures);
+    ASSERT_NEAR(simulation.world().kinetic_energy(simulation.now()), energy, 1e-10 * energy);
+    const auto results = measures.results(simulation.world(), simulation.now());
+    EXPECT_EQ(std::isnan(results[0].quantities[0].theory), is_driven);
+    EXPECT_EQ(results[1].quantities[0].error == 0, !is_driven);
+  }
 }
 
 // Andersen's thermostat changes the drift, which does not count.
