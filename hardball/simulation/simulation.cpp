@@ -275,6 +275,7 @@ void Simulation::note(const Contact& contact, Measures* measures) {
   if (contact.fate == Fate::merge) [[unlikely]] {
     edited_ = true;
     merged_.push_back(contact.first);
+    if (thermostat_) thermostat_->note_removed(contact.second);
     if (measures) {
       throw Error("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
                       " have merged, and measures need all spheres",

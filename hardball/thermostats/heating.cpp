@@ -20,6 +20,7 @@ void Heating::act(const World& world, const Time& moment, std::vector<NewVelocit
   Vec3 momentum;
   double mass = 0;
   world.for_each_by_id([&](Slot slot) {
+    if (world.is_kinematic(slot)) return;
     Random random = event_random(seed_, world.id(slot), times_.passed());
     const Vec3 kick = spread * normal_vector(random);
     const Vec3 before = world.velocity(slot, moment);

@@ -19,6 +19,7 @@ void Rescale::act(const World& world, const Time& moment, std::vector<NewVelocit
   if (!(motion.energy > 0) || !(motion.degrees_of_freedom > 0)) return;
   const double factor = std::sqrt(temperature_ * motion.degrees_of_freedom / (2 * motion.energy));
   world.for_each_by_id([&](Slot slot) {
+    if (world.is_kinematic(slot)) return;
     const Vec3 before = world.velocity(slot, moment);
     changes.push_back({slot, before, motion.drift + factor * (before - motion.drift)});
   });

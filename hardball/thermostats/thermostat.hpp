@@ -16,7 +16,7 @@
 
 namespace hardball {
 
-/// What exchanges energy with the spheres between contacts.
+/// What exchanges energy with the spheres between contacts. Kinematic spheres and spins stay as they are.
 using ThermostatKind = std::variant<Andersen, Rescale, Heating>;
 
 /// The name of a kind in scenarios.

@@ -228,6 +228,27 @@ TEST(Thermostat, DoesNotDependOnHowSpheresAreStored) {
   }
 }
 
+TEST(Thermostat, LeavesKinematicSpheres) {
+  World world(Box::periodic({10, 10, 10}));
+  world.add({{1, 1, 1}, {1, 0, 0}, 0.5, std::numeric_limits<double>::infinity()});
+  world.add({{4, 4, 4}, {0, 2, 0}, 0.5, 2});
+  for (const ThermostatKind& kind :
+       {ThermostatKind(Andersen(1, 1)), ThermostatKind(Rescale(1, 1)), ThermostatKind(Heating(1, 1))}) {
+    Thermostat thermostat(kind);
+    thermostat.begin(world, Time(0));
+    std::size_t changed = 0;
+    for (int k = 0; k < 20; ++k) {
+      for (const NewVelocity& change : thermostat.act(world, Time(thermostat.next()))) {
+        EXPECT_EQ(world.id(change.slot), 1U);
+        EXPECT_TRUE(std::isfinite(length(change.after)));
+        ++changed;
+      }
+    }
+    EXPECT_GT(changed, 3U);
+    EXPECT_TRUE(std::isfinite(thermostat.energy()));
+  }
+}
+
 TEST(Thermostat, RefusesParametersThatAreNotPositive) {
   for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), 1e61}) {
     EXPECT_THROW(Andersen(bad, 1), Error);
