@@ -112,7 +112,6 @@ World lorentz_gas() {
   return world;
 }
 
-<<<<<<< HEAD
 // Species that bounce by different rules or pass through each other, many of them spinning.
 World motley_gas() {
   World world = random_gas(Box({Boundary::periodic, Boundary::wall, Boundary::periodic}, {20, 20, 20}),
@@ -141,7 +140,8 @@ ResponseTable motley_responses() {
   table.set(0, 2,
             Bounce({.restitution = TabulatedRestitution({{0, 1}, {2, 0.75}}), .tangential_restitution = 1}));
   return table;
-=======
+}
+
 // A granular gas with each kind of thermostat in turn.
 void print_thermostats() {
   Simulation simulation(random_gas(Box::periodic({20, 20, 20}), {{0, 0, 0}, {20, 20, 20}}, 500, 0.5, 1.5, 11),
@@ -154,7 +154,6 @@ void print_thermostats() {
   print("heated_gas", Heating(0.125, 0.0625));
   print("andersen_gas", Andersen(0.5, 0.25));
   print("rescaled_gas", Rescale(2, 0.5));
->>>>>>> b475182 (Thermostats: tests, golden hashes, a heated granular gas, documentation)
 }
 
 World two_spheres() {
@@ -203,11 +202,8 @@ int main() {
   print("two_spheres", two_spheres(), 20000);
   print("shaken_grains", shaken_grains(), 20000, 0.8, 0.01);
   print("lorentz_gas", lorentz_gas(), 20000);
-<<<<<<< HEAD
   print("motley_gas", motley_gas(), 20000, motley_responses());
   print("drops", random_gas(Box::periodic({20, 20, 20}), cube, 500, 0.3, 2, 13), 450,
         ResponseTable(Merging()));
-=======
   print_thermostats();
->>>>>>> b475182 (Thermostats: tests, golden hashes, a heated granular gas, documentation)
 }
