@@ -10,5 +10,6 @@
 #include "hardball/response/restitution.hpp"
 #include "hardball/simulation/measure_unit_costs.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/thermostats/thermostat.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/world.hpp"

@@ -58,6 +58,19 @@ std::string describe(const Surface& surface) {
   return text;
 }
 
+std::string describe(const ThermostatKind& kind) {
+  std::string text(hardball::name_of(kind));
+  std::visit(
+      [&](const auto& its) {
+        if constexpr (requires { its.temperature(); }) text += ", kT = " + readable(its.temperature());
+        if constexpr (requires { its.rate(); }) text += ", rate " + readable(its.rate());
+        if constexpr (requires { its.strength(); }) text += ", strength " + readable(its.strength());
+        if constexpr (requires { its.every(); }) text += ", every " + readable(its.every());
+      },
+      kind);
+  return text;
+}
+
 // The radius of all spheres, or the mean, the least and the largest.
 std::string describe_radii(const World& world) {
   double sum = 0;
@@ -97,6 +110,7 @@ ExitCode check(const Options& options) {
   for (std::uint32_t k = 0; k < simulation.world().surfaces().size(); ++k) {
     add(wall_name(simulation.world(), kFaces + k), describe(simulation.world().surfaces()[k]));
   }
+  if (simulation.thermostat()) add("thermostat", describe(simulation.thermostat()->kind()));
   add("radius", describe_radii(simulation.world()));
   add("packing fraction", readable(moments.packing_fraction()));
   add("mean speed", readable(moments.mean_speed));

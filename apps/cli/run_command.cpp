@@ -94,6 +94,7 @@ ExitCode run(const Options& options) {
   }
   if (files && files->has_contacts()) {
     simulation.on_contact([&files](const Contact& contact) { files->note(contact); });
+    simulation.on_velocity_change([&files](const VelocityChange& change) { files->note(change); });
   }
   // Measures are written to files.
   Measures measures(files ? scenario.measures : MeasureSettings{.names = {}});

@@ -98,6 +98,10 @@ void RunFiles::note(const Contact& contact) {
   if (recording_) recording_->note(contact);
 }
 
+void RunFiles::note(const VelocityChange& change) {
+  if (recording_) recording_->note(change);
+}
+
 void RunFiles::keep_current() {
   const auto now = std::chrono::steady_clock::now();
   if (!events_ || now < next_flush_) return;

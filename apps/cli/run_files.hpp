@@ -32,6 +32,7 @@ class RunFiles {
   /// Appends to the event log and the recording, if there are any. Error (RunFailure): they cannot be
   /// written.
   void note(const Contact& contact);
+  void note(const VelocityChange& change);
   /// Makes the event log complete for readers, at most once a second, so that little is lost if the process
   /// is killed. Error (RunFailure): it cannot be written.
   void keep_current();

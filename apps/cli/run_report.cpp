@@ -72,7 +72,7 @@ std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments
   std::vector<Quantity> all;
   const World& world = simulation.world();
   const bool is_uniform = world.motion().is_straight() && world.surfaces().empty();
-  const bool theory = is_uniform && has_theory(moments, options);
+  const bool theory = is_uniform && !simulation.thermostat() && has_theory(moments, options);
   const auto add = [&](const std::string& name, const std::string& unit, double value, double expected) {
     if (std::isfinite(value)) all.push_back({name, unit, value, kNone, theory ? expected : kNone});
   };
@@ -189,6 +189,12 @@ report::Report run_report(const Options& options, const Scenario& scenario,
   report.max_overlap = summary.max_overlap();
 
   for (const WallSummary& wall : summary.walls()) report.surfaces.push_back(surface_report(wall));
+
+  if (const auto& thermostat = simulation.thermostat()) {
+    report.thermostat = {.kind = std::string(hardball::name_of(thermostat->kind())),
+                         .events = thermostat->events(),
+                         .energy = thermostat->energy()};
+  }
 
   report.engine = name_of(simulation.engine());
   report.cell_edge = summary.cell_edge();

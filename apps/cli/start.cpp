@@ -103,7 +103,9 @@ void respond_as_described(const Scenario& scenario, EngineOptions& options) {
 Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options,
                            const OnProgress& on_progress) {
   try {
-    return Simulation(std::move(start), options, on_progress);
+    Simulation simulation(std::move(start), options, on_progress);
+    if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.seed));
+    return simulation;
   } catch (const Error& error) {
     const std::string where = options.cell_edge && error.where() == "cell edge"
                                   ? "--cell-edge"

@@ -45,6 +45,7 @@ Summary::Summary(const Simulation& simulation, const Seconds& seconds)
       initial_energy_(simulation.tally().initial_energy()),
       final_energy_(simulation.world().energy(simulation.now())),
       momentum_(simulation.world().momentum(simulation.now())),
+      thermostat_(simulation.thermostat()),
       engine_(name_of(simulation.engine())),
       cell_edge_(simulation.cell_edge() > 0 ? simulation.cell_edge() : kNone),
       seconds_(seconds),
@@ -93,6 +94,11 @@ std::string Summary::json() const {
                              {"work", wall.tally.work},
                              {"heat", wall.tally.heat}});
   }
+  if (thermostat_) {
+    json["thermostat"] = {{"kind", hardball::name_of(thermostat_->kind())},
+                          {"events", thermostat_->events()},
+                          {"energy", thermostat_->energy()}};
+  }
   json["engine"] = engine_;
   json["cell_edge"] = number_or_null(cell_edge_);
   json["seconds"] = {{"setup", seconds_.setup}, {"run", seconds_.run}};
@@ -125,6 +131,11 @@ std::string Summary::table() const {
   for (const WallSummary& wall : walls_) {
     add(wall.name, fmt::format("{} contacts, force {:.6g}, work {:.6g}, heat {:.6g}", wall.tally.contacts,
                                wall.force, wall.tally.work, wall.tally.heat));
+  }
+  if (thermostat_) {
+    add("thermostat",
+        fmt::format("{}, {} events, energy given {:.6g}", hardball::name_of(thermostat_->kind()),
+                    thermostat_->events(), thermostat_->energy()));
   }
   add("engine", engine_);
   add_if_meant("cell edge", cell_edge_);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,7 @@ class Summary {
   double compressibility_;
   double wall_pressure_;
   std::vector<WallSummary> walls_;
+  std::optional<Thermostat> thermostat_;
   std::string engine_;
   double cell_edge_;
   Seconds seconds_;

@@ -73,12 +73,24 @@ double energy_change(const Report& report) {
   return relative_to_energy(report, report.final_energy - report.initial_energy);
 }
 
-// What the work of the surfaces does not account for, relative to the largest of the energies.
+// By surfaces and the thermostat.
+double given_energy(const Report& report) {
+  return work_of_surfaces(report) + (report.thermostat ? report.thermostat->energy : 0);
+}
+
+// What gave this energy; empty if nothing did.
+std::string givers(const Report& report) {
+  const bool is_work = work_of_surfaces(report) != 0;
+  if (!report.thermostat) return is_work ? "surfaces" : "";
+  return is_work ? "surfaces and the thermostat" : "the thermostat";
+}
+
+// What the energy given does not account for, relative to the largest of the energies.
 double energy_drift(const Report& report) {
-  const double work = work_of_surfaces(report);
-  const double drift = report.final_energy - report.initial_energy - work;
+  const double given = given_energy(report);
+  const double drift = report.final_energy - report.initial_energy - given;
   const double scale =
-      std::max({std::abs(report.initial_energy), std::abs(report.final_energy), std::abs(work)});
+      std::max({std::abs(report.initial_energy), std::abs(report.final_energy), std::abs(given)});
   return scale > 0 ? drift / scale : drift;
 }
 
@@ -159,19 +171,20 @@ std::string verdict(const Report& report) {
   } else {
     text += "; no spheres overlap by more than rounding";
   }
-  const double work = work_of_surfaces(report);
+  const double given = given_energy(report);
+  const std::string by = givers(report);
+  const std::string gift = report.thermostat ? "what " + by + " gave" : "the work of the surfaces";
   if (!is_elastic(report)) {
-    const double taken = report.initial_energy - report.final_energy + work;
-    text += work == 0 ? fmt::format("; collisions took {}% of the energy",
-                                    number_text(100 * relative_to_energy(report, taken), 4))
-                      : fmt::format("; collisions took the energy {}, and surfaces gave {}",
-                                    number_text(taken, 4), number_text(work, 4));
+    const double taken = report.initial_energy - report.final_energy + given;
+    text += by.empty() ? fmt::format("; collisions took {}% of the energy",
+                                     number_text(100 * relative_to_energy(report, taken), 4))
+                       : fmt::format("; collisions took the energy {}, and {} gave {}", number_text(taken, 4),
+                                     by, number_text(given, 4));
   } else if (drifts) {
     text += fmt::format("; the energy changed by {} of its value", number_text(energy_drift(report), 2));
-    if (work != 0) text += " beyond the work of the surfaces";
+    if (!by.empty()) text += " beyond " + gift;
   } else {
-    text +=
-        work == 0 ? "; the energy is conserved" : "; the energy changed by the work of the surfaces alone";
+    text += by.empty() ? "; the energy is conserved" : "; the energy changed by " + gift + " alone";
   }
   const std::string_view word = !is_sound ? "Not sound" : report.is_complete ? "Sound" : "Interrupted";
   return fmt::format("<p class=\"verdict {}\"><strong>{}.</strong> <span>{}.{}{}</span></p>\n",
@@ -209,9 +222,13 @@ std::string certificate(const Report& report) {
   if (!report.surfaces.empty()) {
     conserved.add_row("work of the surfaces",
                       {in_unit(number_text(work_of_surfaces(report), 10), "M L^2 T^-2")});
-    if (is_elastic(report)) {
-      conserved.add_row("change beyond it", {typeset(number_text(energy_drift(report), 2))});
-    }
+  }
+  if (report.thermostat) {
+    conserved.add_row("given by the thermostat",
+                      {in_unit(number_text(report.thermostat->energy, 10), "M L^2 T^-2")});
+  }
+  if ((!report.surfaces.empty() || report.thermostat) && is_elastic(report)) {
+    conserved.add_row("change beyond it", {typeset(number_text(energy_drift(report), 2))});
   }
   conserved.add_row("momentum at the end", {in_unit(vector_text(report.momentum, 2), "M L T^-1")});
   conserved.add_row("deepest overlap", {typeset(number_text(report.max_overlap, 2)) + " diameters"});
@@ -222,6 +239,10 @@ std::string certificate(const Report& report) {
   events.add_row("event log hash", {code(hash_text(report.event_log_hash))});
   events.add_row("collisions", {count_text(report.events.collision)});
   events.add_row("wall contacts", {count_text(report.events.wall)});
+  if (report.thermostat) {
+    events.add_row("thermostat",
+                   {report.thermostat->kind + ", acted " + count_text(report.thermostat->events) + " times"});
+  }
   events.add_row("cells entered", {count_text(report.events.enter)});
   events.add_row("cells left", {count_text(report.events.leave)});
   events.add_row("stale events", {count_text(report.events.stale)});

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,13 @@ struct SurfaceReport {
   double work = 0;                                             ///< Done on the spheres [M L^2 T^-2].
   double force_error = std::numeric_limits<double>::quiet_NaN();     ///< Standard error of `force`.
   double pressure_error = std::numeric_limits<double>::quiet_NaN();  ///< Standard error of `pressure`.
+};
+
+/// What a thermostat did.
+struct ThermostatReport {
+  std::string kind;          ///< As in scenarios: "andersen".
+  std::uint64_t events = 0;  ///< How often it acted.
+  double energy = 0;         ///< That it gave to the spheres [M L^2 T^-2].
 };
 
 /// All contents of the report of a run. A number without meaning for the run is NaN.
@@ -73,6 +81,7 @@ struct Report {
   double peak_bytes = 0;
 
   std::vector<SurfaceReport> surfaces;
+  std::optional<ThermostatReport> thermostat;
   std::vector<Quantity> rates;  ///< With the predictions of kinetic theory.
   CostCurve choice;
   std::vector<Measurement> measurements;

@@ -34,6 +34,7 @@ LiveRun::LiveRun(Simulation simulation, RecordingWriter writer, SharedRecording&
       until_(until),
       most_bytes_(most_bytes) {
   simulation_.on_contact([this](const Contact& contact) { writer_.note(contact); });
+  simulation_.on_velocity_change([this](const VelocityChange& change) { writer_.note(change); });
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -54,9 +55,10 @@ void LiveRun::run(const std::stop_token& stop) {
 }
 
 void LiveRun::advance(const std::stop_token& stop) {
-  // The keyframes of a slice's chunks take no more space than their contacts.
+  // The keyframes of a slice's chunks take no more space than their contacts; the last step may be an action
+  // of the thermostat on all spheres.
   const std::uint64_t most_bytes_of_slice =
-      2 * kStepsPerSlice * recording_format::kContactBytes + writer_.keyframe_bytes();
+      2 * (kStepsPerSlice + simulation_.size()) * recording_format::kContactBytes + writer_.keyframe_bytes();
   Clock::time_point next = begin_;
   while (!stop.stop_requested()) {
     if (writer_.bytes() + most_bytes_of_slice > most_bytes_) {

@@ -17,7 +17,8 @@ struct RunLimits {
   /// Events at exactly this time still happen: all whose time rounds to the same double.
   Time until = kNever;
   std::uint64_t contacts = std::numeric_limits<std::uint64_t>::max();
-  /// Events of any kind, stale ones included, and samples of measures: a bound on the work.
+  /// Events of any kind, stale ones included, velocities changed by a thermostat, and samples of measures: a
+  /// bound on the work.
   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
 };
 

@@ -75,19 +75,21 @@ struct RecordedPath {
   friend bool operator==(const RecordedPath&, const RecordedPath&) = default;
 };
 
-/// A collision, or contact with a surface, and the motion after it.
+/// A collision, a contact with a surface, or a change of one sphere's velocity without a contact, and the
+/// motion after it.
 struct RecordedContact {
   double time = 0;  ///< [T]
   SphereId first = 0;
-  /// The id of the other sphere, or -(k + 1) for surface k: 0 to 5 are the faces of the box (see Face), and
-  /// 6 + i is surface i of the header.
+  /// The id of the other sphere; `first` where there is no contact; or -(k + 1) for surface k: 0 to 5 are the
+  /// faces of the box (see Face), and 6 + i is surface i of the header.
   std::int32_t second = 0;
   Vec3 first_position;   ///< Centre, folded into the box [L].
   Vec3 first_velocity;   ///< [L/T]
-  Vec3 second_position;  ///< Zero for a surface.
-  Vec3 second_velocity;  ///< Zero for a surface.
+  Vec3 second_position;  ///< Zero unless it is a collision.
+  Vec3 second_velocity;  ///< Likewise.
 
-  bool is_collision() const { return second >= 0; }
+  bool is_wall() const { return second < 0; }
+  bool is_collision() const { return !is_wall() && static_cast<SphereId>(second) != first; }
   /// Sets the paths of the contact's spheres to those after it. `paths`: by id.
   void rewrite(std::vector<RecordedPath>& paths) const;
   friend bool operator==(const RecordedContact&, const RecordedContact&) = default;

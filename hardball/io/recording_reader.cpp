@@ -134,8 +134,8 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
     contact.second_velocity = numbers.vector();
     refuse_unless(last <= contact.time && contact.time <= extent.end);
     refuse_unless(contact.first < header_.spheres);
-    refuse_unless(contact.is_collision() ? static_cast<std::size_t>(contact.second) < header_.spheres
-                                         : static_cast<std::size_t>(~contact.second) < walls);
+    refuse_unless(contact.is_wall() ? static_cast<std::size_t>(~contact.second) < walls
+                                    : static_cast<std::size_t>(contact.second) < header_.spheres);
     refuse_unless(is_finite(contact.first_position) && is_finite(contact.first_velocity) &&
                   is_finite(contact.second_position) && is_finite(contact.second_velocity));
     last = contact.time;

@@ -104,14 +104,29 @@ RecordingWriter::~RecordingWriter() {
 void RecordingWriter::note(const Contact& contact) {
   constexpr std::uint32_t kMostIds = std::numeric_limits<std::int32_t>::max();
   HARDBALL_CHECK(contact.first < keyframe_.size() && contact.first <= kMostIds && contact.second <= kMostIds);
-  if (contacts_.size() >= most_contacts_ && contact.time.value() > contacts_.back().time) {
-    write_chunk(contacts_.size(), contacts_.back().time);
-  }
   // -(k + 1) is the bitwise complement of the number k of a surface.
   const std::uint32_t second = contact.is_collision() ? contact.second : ~contact.second;
-  contacts_.push_back({contact.time.value(), contact.first, static_cast<std::int32_t>(second),
-                       contact.position, contact.after.first, contact.second_position,
-                       contact.is_collision() ? contact.after.second : Vec3{}});
+  add({contact.time.value(), contact.first, static_cast<std::int32_t>(second), contact.position,
+       contact.after.first, contact.second_position, contact.is_collision() ? contact.after.second : Vec3{}});
+}
+
+void RecordingWriter::note(const VelocityChange& change) {
+  constexpr std::uint32_t kMostIds = std::numeric_limits<std::int32_t>::max();
+  HARDBALL_CHECK(change.sphere < keyframe_.size() && change.sphere <= kMostIds);
+  add({change.time.value(),
+       change.sphere,
+       static_cast<std::int32_t>(change.sphere),
+       change.position,
+       change.after,
+       {},
+       {}});
+}
+
+void RecordingWriter::add(const RecordedContact& contact) {
+  if (contacts_.size() >= most_contacts_ && contact.time > contacts_.back().time) {
+    write_chunk(contacts_.size(), contacts_.back().time);
+  }
+  contacts_.push_back(contact);
 }
 
 void RecordingWriter::flush() {

@@ -10,11 +10,12 @@
 #include "hardball/io/output_file.hpp"
 #include "hardball/io/recording.hpp"
 #include "hardball/response/contact.hpp"
+#include "hardball/world/velocity_change.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
 
-/// Writes a recording: an observer notified of every contact.
+/// Writes a recording: an observer notified of every contact, and of every other change of a velocity.
 ///
 /// The file always ends with a complete chunk. A chunk is closed when it holds as many contacts as there are
 /// spheres, or 1000 if that is more, or 64 MB of them; at flush(); and at close(). Contacts at the same time
@@ -26,9 +27,10 @@ class RecordingWriter {
   /// Error: the file cannot be opened for writing; a sphere has been removed from the world.
   RecordingWriter(std::filesystem::path path, RecordingHeader header, const World& world);
 
-  /// Precondition: all contacts are noted, in order, and nothing else changes the motion: the world is not
-  /// edited. Error (RunFailure): the file cannot be written.
+  /// Precondition: all contacts and changes are noted, in order; no sphere is added or removed. Error
+  /// (RunFailure): the file cannot be written.
   void note(const Contact& contact);
+  void note(const VelocityChange& change);
 
   /// Closes the chunk and hands it to the operating system, so that readers see it. Contacts at the time of
   /// the last one are kept for the next chunk, since others may follow at the same time. Error (RunFailure):
@@ -50,6 +52,7 @@ class RecordingWriter {
   std::uint64_t keyframe_bytes() const { return recording_format::chunk_bytes(keyframe_.size(), 0); }
 
  private:
+  void add(const RecordedContact& contact);
   void write_chunk(std::size_t contacts, double end);
 
   OutputFile file_;

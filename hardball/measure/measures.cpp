@@ -21,6 +21,11 @@ concept NotesContacts = requires(Measure measure, const Contact& contact) {
 };
 
 template <class Measure>
+concept NotesChanges = requires(Measure measure, const VelocityChange& change) {
+  measure.note(change);
+};
+
+template <class Measure>
 concept Samples = requires(Measure measure, const Scene& scene) {
   measure.sample(scene);
 };
@@ -85,6 +90,16 @@ void Measures::note(const Contact& contact) {
   for_each([&](auto& entry) {
     if constexpr (NotesContacts<typename std::remove_reference_t<decltype(entry)>::Type>) {
       if (entry.measure) entry.measure->note(contact);
+    }
+  });
+}
+
+void Measures::note(const VelocityChange& change) {
+  if (!has_begun_) return;
+  is_driven_ = true;
+  for_each([&](auto& entry) {
+    if constexpr (NotesChanges<typename std::remove_reference_t<decltype(entry)>::Type>) {
+      if (entry.measure) entry.measure->note(change);
     }
   });
 }
@@ -154,7 +169,7 @@ void Measures::take_sample(Entry<Measure>& entry, const Scene& scene) const {
 }
 
 std::vector<Measurement> Measures::results(const World& world, const Time& now) const {
-  const Scene scene(world, now);
+  const Scene scene(world, now, is_driven_);
   std::vector<Measurement> results;
   for_each([&](const auto& entry) {
     if (!entry.measure) return;

@@ -28,6 +28,7 @@
 #include "hardball/measure/velocity_distribution.hpp"
 #include "hardball/measure/wall_forces.hpp"
 #include "hardball/response/contact.hpp"
+#include "hardball/world/velocity_change.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -36,8 +37,8 @@ namespace hardball {
 ///
 /// They receive every contact, and the world at times of their choice; Simulation provides both. They see the
 /// world as const and compute where spheres are without storing it, so that no contact changes. The spheres
-/// must stay those of the start, and only contacts may change velocities. Results depend only on the
-/// scenario: they are the same bits for every engine.
+/// must stay those of the start, and only contacts and thermostats may change velocities. Results depend only
+/// on the scenario: they are the same bits for every engine.
 class Measures {
  public:
   /// Error: no measure has this name; `every` is not positive, or `from` not finite.
@@ -50,6 +51,8 @@ class Measures {
   void check_spheres(const World& world) const;
 
   void note(const Contact& contact);
+  /// Of the thermostat.
+  void note(const VelocityChange& change);
   /// When the next sample is due; kNever if none is.
   Time next_sample() const;
   /// Samples the world; the first call starts the measures. Precondition: `now` is not before next_sample()
@@ -96,6 +99,7 @@ class Measures {
   MeasureSettings settings_;
   bool is_any_wanted_ = false;
   bool has_begun_ = false;
+  bool is_driven_ = false;   // a thermostat has acted
   std::size_t spheres_ = 0;  // at the start
   SphereId last_id_ = 0;     // at the start; of spheres added later all ids are higher
   Time begin_;

@@ -52,9 +52,11 @@ Pressure::Pressure(const Scene& scene)
       spheres_(static_cast<double>(scene.world().size())),
       mean_free_time_(mean_free_time(scene.moments())),
       begin_(scene.now()),
-      last_(scene.now()) {
+      last_(scene.now()),
+      drift_(motion_.drift) {
   const World& world = scene.world();
   world.for_each_by_id([&](Slot slot) {
+    mass_ += world.mass(slot);
     const Vec3 velocity = world.velocity(slot, begin_) - motion_.drift;
     for (std::size_t k = 0; k < kComponents; ++k) {
       kinetic_[k] += world.mass(slot) * velocity[kTensor[k].first] * velocity[kTensor[k].second];
@@ -70,13 +72,31 @@ void Pressure::advance(const Time& now) {
   average_.close_sample(duration(begin_, now), elapsed);
 }
 
+// An impulse dp that changes a velocity from v to w changes m v v by m w w - m v v, which is dp (v + w),
+// symmetrised.
+void Pressure::change_kinetic(const Vec3& impulse, const Vec3& before, const Vec3& after) {
+  add_symmetric_product(kinetic_.data(), impulse, (before + after) - 2 * drift_);
+}
+
+// Along axes on which nothing else acts, what changes the total momentum changes the drift.
+void Pressure::change_drift(const Vec3& impulse) {
+  Vec3 change;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!box_.is_wall(axis)) change[axis] = impulse[axis] / mass_;
+  }
+  drift_ += change;
+  add_symmetric_product(kinetic_.data(), -mass_ * change, change);
+}
+
+void Pressure::note(const VelocityChange& change) {
+  if (last_ < change.time) advance(change.time);
+  const Vec3 impulse = change.mass * (change.after - change.before);
+  change_kinetic(impulse, change.before, change.after);
+  change_drift(impulse);
+}
+
 void Pressure::note(const Contact& contact) {
   advance(contact.time);
-  // An impulse dp that changes a velocity from v to w changes m v v by m w w - m v v, which is dp (v + w),
-  // symmetrised.
-  const auto change_kinetic = [this](const Vec3& impulse, const Vec3& before, const Vec3& after) {
-    add_symmetric_product(kinetic_.data(), impulse, (before + after) - 2 * motion_.drift);
-  };
   const Vec3 impulse = contact.impulse();
   change_kinetic(impulse, contact.before.first, contact.after.first);
   if (!contact.is_collision()) {

@@ -12,6 +12,7 @@
 #include "hardball/measure/scene.hpp"
 #include "hardball/measure/thermal_motion.hpp"
 #include "hardball/response/contact.hpp"
+#include "hardball/world/velocity_change.hpp"
 
 namespace hardball {
 
@@ -27,6 +28,7 @@ class Pressure {
 
   /// Cost: O(1).
   void note(const Contact& contact);
+  void note(const VelocityChange& change);
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
@@ -43,6 +45,8 @@ class Pressure {
   using Tensor = std::array<double, kComponents>;
 
   void advance(const Time& now);
+  void change_kinetic(const Vec3& impulse, const Vec3& before, const Vec3& after);
+  void change_drift(const Vec3& impulse);
   double kinetic_error(std::size_t component, double elapsed) const;
   void add_walls(Measurement& found, const BlockAverage& average) const;
 
@@ -54,6 +58,8 @@ class Pressure {
   double mean_free_time_;  // expected [T]
   Time begin_;
   Time last_;
+  double mass_ = 0;   // of all spheres [M]
+  Vec3 drift_;        // at present [L/T]
   Tensor kinetic_{};  // relative to the drift [M L^2 T^-2]
   BlockAverage average_{kBins};
 };

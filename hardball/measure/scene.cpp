@@ -27,7 +27,11 @@ const Moments& Scene::moments() const {
 }
 
 const ThermalMotion& Scene::motion() const {
-  return once(motion_, [&] { return thermal_motion(world_, now_); });
+  return once(motion_, [&] {
+    ThermalMotion motion = thermal_motion(world_, now_);
+    motion.is_driven = is_driven_;
+    return motion;
+  });
 }
 
 const std::vector<Vec3>& Scene::centers() const {

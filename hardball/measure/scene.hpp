@@ -18,9 +18,10 @@ namespace hardball {
 /// requested.
 class Scene {
  public:
-  /// Refers to the world, which must not change while the scene is in use. Precondition: no contact lies
-  /// between the stored paths and `now`.
-  Scene(const World& world, const Time& now) : world_(world), now_(now) {}
+  /// Refers to the world, which must not change while the scene is in use; a world is driven if a thermostat
+  /// has acted on it. Precondition: no contact lies between the stored paths and `now`.
+  Scene(const World& world, const Time& now, bool is_driven = false)
+      : world_(world), now_(now), is_driven_(is_driven) {}
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
@@ -39,6 +40,7 @@ class Scene {
  private:
   const World& world_;
   Time now_;
+  bool is_driven_;
   // Computed so far.
   mutable std::optional<Species> species_;
   mutable std::optional<FluidTheory> fluid_;

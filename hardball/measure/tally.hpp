@@ -28,6 +28,8 @@ class Tally {
   void note_edit(double energy_change, const Time& now);
   void note(const Contact& contact);
 
+  /// The time of the last contact or edit, or of the start.
+  const Time& last_change() const { return last_; }
   std::uint64_t collisions() const { return collisions_; }
   std::uint64_t wall_contacts() const { return wall_contacts_; }
   /// Energy at the start, see World::energy [M L^2 T^-2].

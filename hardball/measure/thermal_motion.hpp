@@ -6,16 +6,19 @@
 
 namespace hardball {
 
-/// The motion of the spheres at one time, split into their common drift and the motion relative to it.
+/// The motion of the spheres, kinematic ones aside, at one time, split into their common drift and the motion
+/// relative to it.
 struct ThermalMotion {
-  /// Velocity of the centre of mass along axes without walls and gravity, where it is conserved; zero along
-  /// the others [L/T].
+  /// Velocity of the centre of mass along axes without walls, kinematic spheres and gravity, where it is
+  /// conserved; zero along the others [L/T].
   Vec3 drift;
   /// Kinetic energy relative to the drift [M L^2 T^-2].
   double energy = 0;
   /// How many independent components of velocity there are: three for each sphere, less one for each axis
   /// without walls.
   double degrees_of_freedom = 0;
+  /// Whether a thermostat has changed it.
+  bool is_driven = false;
 
   /// k T: twice the energy by the degrees of freedom [M L^2 T^-2]; NaN if there are none.
   double temperature() const { return 2 * energy / degrees_of_freedom; }
@@ -24,7 +27,8 @@ struct ThermalMotion {
 /// Cost: O(n).
 ThermalMotion thermal_motion(const World& world, const Time& moment);
 
-/// Whether the energy is still that of the start but for rounding, so that there can be equilibrium.
+/// Whether the energy is still that of the start but for rounding, and no thermostat has restored it, so that
+/// there can be the equilibrium of an isolated system.
 bool is_energy_conserved(const ThermalMotion& begin, const ThermalMotion& end);
 
 }  // namespace hardball

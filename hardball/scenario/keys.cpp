@@ -452,22 +452,62 @@ TableDescription obstacles_keys() {
   return {.title = "[[obstacles]]", .keys = keys, .one_of = {{"position", "positions"}}};
 }
 
-TableDescription run_keys() {
+TableDescription thermostat_keys() {
   return {
-      .title = "[run]",
-      .keys = {
-          {.name = "until",
-           .range = not_negative,
-           .dimension = "T",
-           .meaning = "when the run ends; `--until` takes precedence",
-           .example = "10.0"},
-          {.name = "seed",
-           .type = integer,
-           .least = 0,
-           .most = std::numeric_limits<std::int64_t>::max(),
-           .default_value = "1",
-           .meaning = "of the random numbers for radii, placement and velocities; `--seed` takes precedence",
-           .example = "1"}}};
+      .title = "[thermostat]",
+      .keys = {{.name = "kind",
+                .type = choice,
+                .choices = {"andersen", "rescale", "heating"},
+                .is_required = true,
+                .meaning = "`\"andersen\"`: each sphere gets a new velocity from Maxwell's distribution at "
+                           "random times of its own; `\"rescale\"`: all velocities are scaled; "
+                           "`\"heating\"`: all velocities get random kicks",
+                .example = "\"andersen\""},
+               {.name = "temperature",
+                .range = positive,
+                .dimension = "M L²/T²",
+                .is_required = true,
+                .meaning = "the kT to which it brings the spheres",
+                .example = "1.0",
+                .only_for = {"andersen", "rescale"}},
+               {.name = "rate",
+                .range = positive,
+                .dimension = "1/T",
+                .is_required = true,
+                .meaning = "how often a sphere gets a new velocity, on average",
+                .example = "0.5",
+                .only_for = {"andersen"}},
+               {.name = "strength",
+                .range = positive,
+                .dimension = "L²/T³",
+                .is_required = true,
+                .meaning = "how fast the kicks raise the mean square of each component of the velocities",
+                .example = "0.1",
+                .only_for = {"heating"}},
+               {.name = "every",
+                .range = positive,
+                .dimension = "T",
+                .is_required = true,
+                .meaning = "the time between two actions on all spheres",
+                .example = "0.1",
+                .only_for = {"rescale", "heating"}}}};
+}
+
+TableDescription run_keys() {
+  return {.title = "[run]",
+          .keys = {{.name = "until",
+                    .range = not_negative,
+                    .dimension = "T",
+                    .meaning = "when the run ends; `--until` takes precedence",
+                    .example = "10.0"},
+                   {.name = "seed",
+                    .type = integer,
+                    .least = 0,
+                    .most = std::numeric_limits<std::int64_t>::max(),
+                    .default_value = "1",
+                    .meaning = "of the random numbers for radii, placement, velocities and the thermostat; "
+                               "`--seed` takes precedence",
+                    .example = "1"}}};
 }
 
 TableDescription output_keys() {
@@ -552,6 +592,10 @@ TableDescription all_keys() {
                     .type = table,
                     .meaning = "what contacts do",
                     .table = make(response_keys())},
+                   {.name = "thermostat",
+                    .type = table,
+                    .meaning = "what exchanges energy with the spheres between contacts",
+                    .table = make(thermostat_keys())},
                    {.name = "run", .type = table, .meaning = "the run", .table = make(run_keys())},
                    {.name = "output",
                     .type = table,

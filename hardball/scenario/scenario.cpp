@@ -76,6 +76,19 @@ void read_start(const Section& root, Scenario& scenario) {
     scenario.spheres.push_back(read_spheres(group, folder, scenario.species));
 }
 
+ThermostatKind read_thermostat(const Section& section) {
+  const std::size_t kind = section.need("kind").choice();
+  const auto number = [&](const char* key) { return section.need(key).number(); };
+  switch (kind) {
+    case 0:
+      return Andersen(number("temperature"), number("rate"));
+    case 1:
+      return Rescale(number("temperature"), number("every"));
+    default:
+      return Heating(number("strength"), number("every"));
+  }
+}
+
 void read_run(const Section& section, Scenario& scenario) {
   if (const auto until = section.find("until")) scenario.until = until->number();
   if (const auto seed = section.find("seed")) scenario.seed = seed->integer();
@@ -130,6 +143,7 @@ Scenario read_scenario(const Document& document) {
   scenario.walls = read_walls(root);
   scenario.obstacles = read_obstacles(root);
   read_response(root, scenario);
+  if (const auto thermostat = root.section("thermostat")) scenario.thermostat = read_thermostat(*thermostat);
   if (const auto run = root.section("run")) read_run(*run, scenario);
   if (const auto output = root.section("output")) read_output(*output, scenario);
   if (const auto measures = root.section("measures")) read_measures(*measures, scenario.measures);

@@ -13,6 +13,7 @@
 
 #include "hardball/measure/measure_settings.hpp"
 #include "hardball/response/bounce.hpp"
+#include "hardball/thermostats/thermostat.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -139,7 +140,8 @@ struct Scenario {
   BounceRules bounce;                               ///< Of all contacts that `pairs` does not name.
   bool merges = false;                              ///< Whether all spheres that `pairs` does not name merge.
   std::vector<PairDescription> pairs;
-  std::optional<double> until;  ///< When the run ends [T].
+  std::optional<ThermostatKind> thermostat;  ///< Its seed is that of the run.
+  std::optional<double> until;               ///< When the run ends [T].
   std::uint64_t seed = 1;
   std::optional<std::filesystem::path> output_directory;
   std::optional<double> snapshots_every;  ///< [T]

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
@@ -117,6 +118,8 @@ Simulation::Simulation(const Simulation& other)
       response_(other.response_),
       counters_before_(other.counters_before_),
       listener_(other.listener_),
+      change_listener_(other.change_listener_),
+      thermostat_(other.thermostat_),
       now_(other.now_),
       hash_(other.hash_),
       tally_(other.tally_),
@@ -137,6 +140,8 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   response_ = std::move(other.response_);
   counters_before_ = other.counters_before_;
   listener_ = std::move(other.listener_);
+  change_listener_ = std::move(other.change_listener_);
+  thermostat_ = std::move(other.thermostat_);
   now_ = other.now_;
   hash_ = other.hash_;
   tally_ = other.tally_;
@@ -238,17 +243,24 @@ RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) 
     }
     apply_edits();
     const std::uint64_t slice = std::max<std::uint64_t>(kSliceSteps, size());
-    const RunLimits piece{limits.until, left.contacts, std::min(left.steps, slice)};
+    const Time action = next_action();
+    const bool acts = action.high <= limits.until.high && action < kNever;
+    const RunLimits piece{acts ? action : limits.until, left.contacts, std::min(left.steps, slice)};
     const Counters before = counters();
-    const RunStatus status = engine_->run(piece, observe);
+    RunStatus status = engine_->run(piece, observe);
     const Counters done = counters() - before;
     left.contacts -= done.contacts();
     left.steps -= status == RunStatus::steps_reached ? piece.steps : std::min(left.steps, steps_of(done));
+    if (status == RunStatus::time_reached && std::isfinite(piece.until.high)) {
+      now_ = later(now_, piece.until);
+    }
+    if (status == RunStatus::time_reached && acts) {
+      left.steps -= std::min(left.steps, act(measures));
+      status = RunStatus::steps_reached;
+    }
     const bool goes_on =
         status == RunStatus::observer_stopped || (status == RunStatus::steps_reached && left.steps > 0);
-    if (status == RunStatus::time_reached && std::isfinite(limits.until.high)) {
-      now_ = later(now_, limits.until);
-    } else if (status == RunStatus::steps_reached && !goes_on) {
+    if (status == RunStatus::steps_reached && !goes_on) {
       // Only here may the time reached depend on the engine.
       now_ = later(now_, engine_->now());
     }
@@ -266,6 +278,7 @@ void Simulation::note(const Contact& contact, Measures* measures) {
   if (contact.fate == Fate::merge) [[unlikely]] {
     edited_ = true;
     merged_.push_back(contact.first);
+    if (thermostat_) thermostat_->note_removed(contact.second);
     if (measures && measures->is_any_wanted()) {
       throw Error("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
                       " have merged, and measures need all spheres",
@@ -300,13 +313,28 @@ void Simulation::call_listener(const Contact& contact, Activity activity) {
 std::optional<NextContact> Simulation::next_contact(double until) {
   check_idle("next_contact");
   check_not_past(Time(until));
-  std::optional<Event> next = next_coalescence();
-  if (!next) {
-    apply_edits();
-    next = engine_->next_contact(Time(until));
+  if (const std::optional<Event> coalescence = next_coalescence()) {
+    return NextContact{coalescence->time.value(), coalescence->kind, coalescence->first, coalescence->second};
   }
-  if (!next) return std::nullopt;
-  return NextContact{next->time.value(), next->kind, next->first, next->second};
+  apply_edits();
+  const Time end(until);
+  std::optional<Simulation> ahead;  // where the thermostat has acted
+  Simulation* at = this;
+  for (;;) {
+    const Time action = at->next_action();
+    const bool acts = action.high <= end.high && action < kNever;
+    const std::optional<Event> next = at->engine_->next_contact(acts ? action : end);
+    if (next) return NextContact{next->time.value(), next->kind, next->first, next->second};
+    if (!acts) return std::nullopt;
+    if (!ahead) {
+      ahead.emplace(*this);
+      ahead->change_listener_ = nullptr;
+      at = &*ahead;
+    }
+    at->now_ = later(at->now_, action);
+    at->act(nullptr);
+    at->apply_edits();
+  }
 }
 
 Vec3 Simulation::position(SphereId id) const {
@@ -323,6 +351,11 @@ std::vector<Vec3> Simulation::positions() const {
 
 std::vector<Vec3> Simulation::positions_at(double time) {
   check_moment(Time(time), "positions_at");
+  if (next_action().value() < time) {
+    throw Error("the thermostat acts at " + to_text(next_action().value()) + ", before the time asked for, " +
+                    to_text(time),
+                "positions_at", "run_until that time first");
+  }
   const std::optional<NextContact> next = next_contact(time);
   if (next && next->time < time) {
     throw Error(
@@ -336,13 +369,65 @@ void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
   check_editable("change_velocity");
   const Slot slot = world().slot_of(id);
   const double energy_before = energy(world(), slot, now_);
-  if (edited_ || engine_->now() > now_) {
-    engine_->world_to_edit().change_velocity(slot, now_, velocity);
+  const Vec3 before = world().velocity(slot, now_);
+  rewrite_velocity(slot, now_, velocity);
+  tally_.note_edit(energy(world(), slot, now_) - energy_before, now_);
+  tell_of_change({now_, id, world().mass(slot), world().path(slot).position, before, velocity});
+}
+
+// Precondition: all events before `moment` have been handled, and no contact after it.
+void Simulation::rewrite_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
+  if (edited_ || engine_->now() > moment) {
+    engine_->world_to_edit().change_velocity(slot, moment, velocity);
     edited_ = true;
   } else {
-    engine_->change_velocity(slot, now_, velocity);
+    engine_->change_velocity(slot, moment, velocity);
   }
-  tally_.note_edit(energy(world(), slot, now_) - energy_before, now_);
+}
+
+void Simulation::tell_of_change(const VelocityChange& change) {
+  if (!change_listener_) return;
+  const During running(activity_, Activity::running);
+  change_listener_(change);
+}
+
+void Simulation::on_velocity_change(std::function<void(const VelocityChange&)> listener) {
+  check_editable("on_velocity_change");
+  change_listener_ = std::move(listener);
+}
+
+void Simulation::set_thermostat(std::optional<Thermostat> thermostat) {
+  check_editable("set_thermostat");
+  thermostat_ = std::move(thermostat);
+  if (thermostat_) thermostat_->begin(world(), now_);
+  // If a listener sets it, the run up to the next action of the former one ends.
+  if (activity_ == Activity::listening) edited_ = true;
+}
+
+// When the thermostat acts next; kNever without one.
+Time Simulation::next_action() const {
+  return thermostat_ ? Time(thermostat_->next()) : kNever;
+}
+
+// Lets the thermostat act, and returns how many velocities it has changed, at least one. Precondition: all
+// contacts that round to that time or an earlier one have been handled, and `now_` is no earlier.
+std::uint64_t Simulation::act(Measures* measures) {
+  // Not `now_`, which after a limited number of steps may depend on the engine.
+  const Time moment = later(next_action(), tally_.last_change());
+  const double energy_before = thermostat_->energy();
+  const std::span<const NewVelocity> changes = thermostat_->act(world(), moment);
+  for (const NewVelocity& change : changes) rewrite_velocity(change.slot, moment, change.after);
+  tally_.note_edit(thermostat_->energy() - energy_before, moment);
+  if (!measures && !change_listener_) return std::max<std::uint64_t>(1, changes.size());
+  for (const NewVelocity& change : changes) {
+    const Slot slot = change.slot;
+    const VelocityChange done{
+        moment,        world().id(slot), world().mass(slot), world().path(slot).position,
+        change.before, change.after};
+    if (measures) measures->note(done);
+    tell_of_change(done);
+  }
+  return std::max<std::uint64_t>(1, changes.size());
 }
 
 SphereId Simulation::add(const Sphere& sphere) {
@@ -352,6 +437,7 @@ SphereId Simulation::add(const Sphere& sphere) {
   const SphereId id = engine_->world_to_edit().add(sphere, now_);
   edited_ = true;
   tally_.note_edit(energy(world(), world().slot_of(id), now_), now_);
+  if (thermostat_) thermostat_->note_added(id, now_);
   return id;
 }
 
@@ -361,6 +447,7 @@ void Simulation::remove(SphereId id) {
   engine_->world_to_edit().remove(id);
   edited_ = true;
   tally_.note_edit(-energy, now_);
+  if (thermostat_) thermostat_->note_removed(id);
 }
 
 const World& Simulation::world() const {
@@ -400,7 +487,7 @@ void Simulation::check_idle(const char* what) const {
 
 void Simulation::check_editable(const char* what) const {
   if (activity_ == Activity::running) {
-    throw Error("the response to a contact must not edit the simulation", what,
+    throw Error("the response to a contact, and who hears of a velocity, must not edit the simulation", what,
                 "edit it from the listener, which is called after the contact");
   }
   if (activity_ == Activity::measuring) {

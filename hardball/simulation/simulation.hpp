@@ -14,9 +14,11 @@
 #include "hardball/measure/tally.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/simulation/any_engine.hpp"
+#include "hardball/thermostats/thermostat.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/moments.hpp"
 #include "hardball/world/progress.hpp"
+#include "hardball/world/velocity_change.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -67,6 +69,18 @@ class Simulation {
   /// Restores the response of the options.
   void respond_with(std::nullptr_t);
 
+  /// Replaces the thermostat, which starts now; none by default. It acts at times of its own, each time after
+  /// all contacts that round to the same double as that time, or an earlier one, and before all others:
+  /// whoever asks for the state at that time sees the velocities after it. With a thermostat a run has no end
+  /// of its own: give a finite time or a number of contacts that will happen. Cost: O(n). Error: as for
+  /// change_velocity.
+  void set_thermostat(std::optional<Thermostat> thermostat);
+  const std::optional<Thermostat>& thermostat() const { return thermostat_; }
+
+  /// Sets a listener, called after every change of a velocity without a contact: by the thermostat, or by
+  /// change_velocity. It may query the simulation; Error, from the calls in question: it runs or edits it.
+  void on_velocity_change(std::function<void(const VelocityChange&)> listener);
+
   /// Runs to `time` [T], events at that time included. Error: `time` is in the past, NaN, or finite and
   /// beyond 1e120.
   void run_until(double time);
@@ -82,7 +96,8 @@ class Simulation {
   RunStatus run(const RunLimits& limits, Measures& measures);
 
   /// The next collision or wall contact up to `until` [T], without carrying it out. In a periodic box spheres
-  /// may never meet: then give a finite time. Error: `until`, as for run_until.
+  /// may never meet: then give a finite time. Cost: if the thermostat acts before it, that of a copy, in
+  /// which it does so. Error: `until`, as for run_until.
   std::optional<NextContact> next_contact(double until = std::numeric_limits<double>::infinity());
 
   double time() const { return now_.value(); }  ///< [T]
@@ -94,8 +109,8 @@ class Simulation {
   Vec3 velocity(SphereId id) const;
   /// All centres now [L], in the order of ids, folded into a periodic box. Shape (size, 3).
   std::vector<Vec3> positions() const;
-  /// All centres at `time` [L], which is finite, not in the past and not after the next contact. Error: any
-  /// other time.
+  /// All centres at `time` [L], which is finite, not in the past and not after the next contact, nor after
+  /// the thermostat acts next. Error: any other time.
   std::vector<Vec3> positions_at(double time);
 
   /// Changes the velocity of a sphere [L/T], now. Error: no such sphere; a number that is NaN, infinite or
@@ -131,7 +146,7 @@ class Simulation {
   // Decides what may be called.
   enum class Activity {
     none,
-    running,    // events are being handled, and the response may be running
+    running,    // events are being handled; the response, or who hears of velocities, may be running
     listening,  // the listener is running
     measuring,  // the listener is running, and measures depend on the spheres
   };
@@ -152,6 +167,10 @@ class Simulation {
   RunStatus run_observed(const RunLimits& limits, Measures* measures);
   void take_next_listener();
   void call_listener(const Contact& contact, Activity activity);
+  Time next_action() const;
+  std::uint64_t act(Measures* measures);
+  void rewrite_velocity(Slot slot, const Time& moment, const Vec3& velocity);
+  void tell_of_change(const VelocityChange& change);
   void check_idle(const char* what) const;
   void check_editable(const char* what) const;
   void check_not_past(const Time& time) const;
@@ -168,6 +187,8 @@ class Simulation {
   Counters counters_before_;  // of engines replaced
   std::function<void(const Contact&)> listener_;
   std::optional<std::function<void(const Contact&)>> next_listener_;  // set by the listener itself
+  std::function<void(const VelocityChange&)> change_listener_;
+  std::optional<Thermostat> thermostat_;
   Activity activity_ = Activity::none;
   Time now_;
   EventLogHash hash_;

@@ -96,6 +96,15 @@ TEST(Scenario, GranularGasCools) {
   EXPECT_LT(summary["energy"]["final"], 0.1 * summary["energy"]["initial"].get<double>());
 }
 
+TEST(Scenario, HeatedGranularGasIsHeatedToItsSteadyTemperature) {
+  const json summary = run("heated_granular_gas");
+  EXPECT_EQ(summary["thermostat"]["kind"], "heating");
+  EXPECT_NEAR(summary["thermostat"]["events"].get<double>(), 600, 1);
+  // 3/2 N kT with kT = 1. Of 1000 spheres it scatters by sqrt(2 / 3N), 2.6%.
+  EXPECT_NEAR(summary["energy"]["final"].get<double>() / 1500, 1, 0.12);
+  EXPECT_GT(summary["thermostat"]["energy"], 5000);
+}
+
 TEST(Scenario, DiluteGasHasThePressureOfTheory) {
   // Carnahan and Starling at a packing fraction of 0.01. The virial of 7,000 collisions scatters by about 1%.
   EXPECT_NEAR(run("dilute_gas")["compressibility"].get<double>() - 1, 0.0410, 4 * 0.0410 / std::sqrt(7000));

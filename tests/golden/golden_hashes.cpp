@@ -142,6 +142,20 @@ ResponseTable motley_responses() {
   return table;
 }
 
+// A granular gas with each kind of thermostat in turn.
+void print_thermostats() {
+  Simulation simulation(random_gas(Box::periodic({20, 20, 20}), {{0, 0, 0}, {20, 20, 20}}, 500, 0.5, 1.5, 11),
+                        {.restitution = 0.875});
+  const auto print = [&](const char* name, const ThermostatKind& kind) {
+    simulation.set_thermostat(Thermostat(kind, 12));
+    simulation.run_contacts(10000);
+    std::printf("%s %016llx\n", name, static_cast<unsigned long long>(simulation.event_log_hash()));
+  };
+  print("heated_gas", Heating(0.125, 0.0625));
+  print("andersen_gas", Andersen(0.5, 0.25));
+  print("rescaled_gas", Rescale(2, 0.5));
+}
+
 World two_spheres() {
   World world(Box::walls({10, 10, 10}));
   world.add({{2.5, 3, 4}, {1, 0.3, -0.7}, 1.5, 1});
@@ -191,4 +205,5 @@ int main() {
   print("motley_gas", motley_gas(), 20000, motley_responses());
   print("drops", random_gas(Box::periodic({20, 20, 20}), cube, 500, 0.3, 2, 13), 450,
         ResponseTable(Merging()));
+  print_thermostats();
 }

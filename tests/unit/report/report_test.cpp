@@ -209,6 +209,24 @@ TEST(Report, AccountsForTheWorkOfSurfaces) {
   expect_in(verdict_of(report), "collisions took the energy 13, and surfaces gave 3");
 }
 
+TEST(Report, AccountsForTheEnergyOfTheThermostat) {
+  Report report = shaken_report();
+  report.surfaces.clear();
+  report.thermostat = {.kind = "heating", .events = 1200, .energy = 5};
+  report.final_energy = report.initial_energy + 5;
+  expect_in(verdict_of(report), "<strong>Sound.</strong>");
+  expect_in(verdict_of(report), "the energy changed by what the thermostat gave alone");
+  expect_in(to_html(report), "<th scope=\"row\">given by the thermostat</th><td>5 <span");
+  expect_in(to_html(report), "heating, acted");
+  EXPECT_EQ(faults_of(report), "");
+  report.final_energy += 0.01;
+  expect_in(verdict_of(report), "<strong>Not sound.</strong>");
+  expect_in(verdict_of(report), "of its value beyond what the thermostat gave");
+  report.restitution = 0.9;
+  report.final_energy = report.initial_energy - 10;
+  expect_in(verdict_of(report), "collisions took the energy 15, and the thermostat gave 5");
+}
+
 TEST(Report, SaysThatARunWasInterrupted) {
   Report report = sample_report();
   report.is_complete = false;

@@ -123,7 +123,7 @@ export class Viewer {
     const { chunk, cursor, time } = this.playback;
     const met = [];
     for (let k = cursor - 1; k >= 0 && chunk.time(k) === time; --k) {
-      if (id === null || chunk.involves(k, id)) met.unshift(k);
+      if (chunk.isContact(k, id)) met.unshift(k);
     }
     if (met.length === 0) return;
     const [first, second] = [chunk.first(met[0]), partnerName(chunk.second(met[0]), this.surfaces)];

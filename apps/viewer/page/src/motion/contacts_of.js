@@ -35,7 +35,7 @@ export function recentPaths(store, id, number, count, most) {
 export function nextContact(store, id, number, count) {
   for (let chunk = store.get(number); chunk; chunk = store.get(++number), count = 0) {
     for (let k = count; k < chunk.contacts; ++k) {
-      if (id === null || chunk.involves(k, id)) {
+      if (chunk.isContact(k, id)) {
         return { time: chunk.time(k), first: chunk.first(k), second: chunk.second(k) };
       }
     }

@@ -20,7 +20,7 @@ export function typicalScales(chunk, radii, { begin, until, box, gravity = [0, 0
   // Of spheres at rest under gravity, that which they soon have.
   const speed = Math.sqrt(squares / spheres + 2 * Math.hypot(...gravity) * longest);
   let collisions = 0;
-  for (let k = 0; k < chunk.contacts; ++k) if (chunk.second(k) >= 0) ++collisions;
+  for (let k = 0; k < chunk.contacts; ++k) if (chunk.isCollision(k)) ++collisions;
   const duration = chunk.end - chunk.begin;
   const rate = duration > 0 ? (2 * collisions) / (spheres * duration) : 0;
 

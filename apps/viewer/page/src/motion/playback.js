@@ -80,7 +80,7 @@ export class Playback {
   }
 
   count(chunk, k) {
-    if (chunk.second(k) < 0) return;
+    if (!chunk.isCollision(k)) return;
     ++this.collisions[chunk.first(k)];
     ++this.collisions[chunk.second(k)];
   }
@@ -94,7 +94,7 @@ export class Playback {
       const first = chunk.first(k);
       const second = chunk.second(k);
       this.store(first, chunk, chunk.firstPlace(k), chunk.time(k));
-      if (second >= 0) this.store(second, chunk, chunk.secondPlace(k), chunk.time(k));
+      if (chunk.isCollision(k)) this.store(second, chunk, chunk.secondPlace(k), chunk.time(k));
       this.count(chunk, k);
     }
   }

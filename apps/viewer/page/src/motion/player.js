@@ -88,7 +88,7 @@ export class Player {
     for (; number < ends.length; ++number, from = 0) {
       const chunk = await this.store.load(number);
       for (let k = from; k < chunk.contacts; ++k) {
-        if (id === null || chunk.involves(k, id)) return this.seek(chunk.time(k));
+        if (chunk.isContact(k, id)) return this.seek(chunk.time(k));
       }
     }
     return this.seek(this.knownEnd);
@@ -101,7 +101,7 @@ export class Player {
     for (let number = this.playback.number; number >= 0; --number) {
       const chunk = await this.store.load(number);
       for (let k = chunk.contacts - 1; k >= 0; --k) {
-        if (chunk.time(k) < time && (id === null || chunk.involves(k, id))) return this.seek(chunk.time(k));
+        if (chunk.time(k) < time && chunk.isContact(k, id)) return this.seek(chunk.time(k));
       }
     }
     return this.seek(this.source.header.begin);

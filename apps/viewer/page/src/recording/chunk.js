@@ -27,7 +27,8 @@ export function chunkLength(buffer, offset, sphereCount) {
 }
 
 /**
- * A part of the recording: the paths at `begin`, and all contacts in (begin, end], in order.
+ * A part of the recording: the paths at `begin`, and all contacts in (begin, end], in order. Counted as contacts
+ * are also changes of one sphere's velocity without a contact.
  * It is a view of the buffer and copies nothing, so that decoding costs no time.
  */
 export class Chunk {
@@ -62,9 +63,22 @@ export class Chunk {
     return this.integers[kContactIntegers * k + 2];
   }
 
-  /** The other sphere of contact `k`, or −(face + 1) for a wall. */
+  /** The other sphere of contact `k`, −(face + 1) for a wall, or the sphere itself where nothing is touched. */
   second(k) {
     return this.integers[kContactIntegers * k + 3];
+  }
+
+  isWall(k) {
+    return this.second(k) < 0;
+  }
+
+  isCollision(k) {
+    return !this.isWall(k) && this.second(k) !== this.first(k);
+  }
+
+  /** Whether something is touched: by sphere `id`, unless that is null. */
+  isContact(k, id = null) {
+    return this.second(k) !== this.first(k) && (id === null || this.involves(k, id));
   }
 
   involves(k, id) {

@@ -29,7 +29,10 @@ export class SavedSource {
     this.ends = chunks.map((chunk) => chunk.end);
     let [collisions, walls] = [0, 0];
     for (const chunk of chunks) {
-      for (let k = 0; k < chunk.contacts; ++k) chunk.second(k) < 0 ? ++walls : ++collisions;
+      for (let k = 0; k < chunk.contacts; ++k) {
+        if (chunk.isWall(k)) ++walls;
+        else if (chunk.isCollision(k)) ++collisions;
+      }
     }
     this.status = {
       finished: true,

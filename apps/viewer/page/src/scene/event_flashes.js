@@ -23,7 +23,7 @@ export class EventFlashes {
     for (let k = cursor - 1; k >= 0 && !this.rings.isFull; --k) {
       const age = (time - chunk.time(k)) / window;
       if (age >= 1) break;
-      this.add(chunk, k, age);
+      if (chunk.isContact(k)) this.add(chunk, k, age);
     }
     this.rings.send();
   }
@@ -31,7 +31,7 @@ export class EventFlashes {
   add(chunk, k, age) {
     const first = chunk.first(k);
     const second = chunk.second(k);
-    const isCollision = second >= 0;
+    const isCollision = chunk.isCollision(k);
     const size = isCollision ? Math.min(this.radii[first], this.radii[second]) : this.radii[first];
     const color = isCollision ? kEventColors.collision : kEventColors.wall;
     this.rings.add(this.touchPoint(chunk, k), size, color, age);
@@ -43,7 +43,7 @@ export class EventFlashes {
     const radius = this.radii[chunk.first(k)];
     const place = chunk.firstPlace(k);
     const center = [0, 1, 2].map((axis) => chunk.numbers[place + axis]);
-    if (second >= 0) {
+    if (chunk.isCollision(k)) {
       const share = radius / (radius + this.radii[second]);
       const other = chunk.secondPlace(k);
       return center.map(

@@ -41,11 +41,11 @@ export function summarize(chunk, masses, begin, gravity = [0, 0, 0]) {
     for (; k < chunk.contacts && chunk.time(k) <= end; ++k) {
       if (Number.isNaN(energyThere) && chunk.time(k) > middle) energyThere = energy;
       change(chunk.first(k), chunk.firstPlace(k));
-      if (chunk.second(k) >= 0) {
+      if (chunk.isWall(k)) {
+        ++walls;
+      } else if (chunk.isCollision(k)) {
         change(chunk.second(k), chunk.secondPlace(k));
         ++collisions;
-      } else {
-        ++walls;
       }
     }
     if (Number.isNaN(energyThere)) energyThere = energy;

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "hardball/thermostats/intervals.hpp"
+#include "hardball/thermostats/new_velocity.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// White noise, as which a driven granular gas is often modelled: at equal intervals each component of each
+/// velocity gets a normal random kick of variance strength * every. The mean kick is subtracted, so that the
+/// total momentum stays; for n equal spheres this lowers the variance by one part in n.
+/// Source: Williams and MacKintosh, Phys. Rev. E 54 (1996) R9; van Noije and Ernst, Granular Matter 1 (1998)
+/// 57.
+class Heating {
+ public:
+  static constexpr std::string_view kName = "heating";
+
+  /// `strength` is d<v_x^2> / dt [L^2 T^-3], the same along y and z; `every` [T] the interval, short
+  /// compared with the time between collisions for noise that is white to them. Error: one is not positive.
+  Heating(double strength, double every);
+
+  double strength() const { return strength_; }
+  double every() const { return times_.every(); }
+
+  /// Starts at `now` [T].
+  void begin(const World& /*world*/, double now, std::uint64_t seed) {
+    times_.begin(now);
+    seed_ = seed;
+  }
+  double next() const { return times_.next(); }
+  /// Appends the new velocities in the order of ids, and goes on to the next time. Cost: O(n).
+  void act(const World& world, const Time& moment, std::vector<NewVelocity>& changes);
+
+ private:
+  double strength_;
+  Intervals times_;
+  std::uint64_t seed_ = 0;
+};
+
+}  // namespace hardball

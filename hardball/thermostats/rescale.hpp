@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "hardball/thermostats/intervals.hpp"
+#include "hardball/thermostats/new_velocity.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// At equal intervals all velocities are scaled so that the temperature is exact: that of the measure
+/// `temperature`, 2 E / f, with E relative to the common drift along axes on which nothing outside acts. The
+/// drift stays, and with it the momentum of a periodic box. Spheres without relative motion stay as they are.
+/// Source: Woodcock, Chem. Phys. Lett. 10 (1971) 257.
+class Rescale {
+ public:
+  static constexpr std::string_view kName = "rescale";
+
+  /// `temperature` is k T [M L^2 T^-2]; `every` [T] the interval. Error: one is not positive.
+  Rescale(double temperature, double every);
+
+  double temperature() const { return temperature_; }
+  double every() const { return times_.every(); }
+
+  /// Starts at `now` [T].
+  void begin(const World& /*world*/, double now, std::uint64_t /*seed*/) { times_.begin(now); }
+  double next() const { return times_.next(); }
+  /// Appends the new velocities in the order of ids, and goes on to the next time. Cost: O(n).
+  void act(const World& world, const Time& moment, std::vector<NewVelocity>& changes);
+
+ private:
+  double temperature_;
+  Intervals times_;
+};
+
+}  // namespace hardball

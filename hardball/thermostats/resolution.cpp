@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/thermostats/resolution.hpp"
+
+#include <cmath>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+
+void refuse_unresolved(double interval, double time) {
+  constexpr double kMostIntervals = 0x1p50;
+  if (std::fabs(time) / interval < kMostIntervals) return;
+  throw Error("actions every " + to_text(interval) + " cannot be resolved at time " + to_text(time),
+              "thermostat", "let it act less often");
+}
+
+}  // namespace hardball
