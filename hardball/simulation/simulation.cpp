@@ -119,6 +119,7 @@ Simulation::Simulation(const Simulation& other)
       now_(other.now_),
       hash_(other.hash_),
       tally_(other.tally_),
+      user_data_(other.user_data_),
       watch_(other.watch_),
       merged_(other.merged_),
       edited_(other.edited_),
@@ -138,6 +139,7 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   now_ = other.now_;
   hash_ = other.hash_;
   tally_ = other.tally_;
+  user_data_ = std::move(other.user_data_);
   watch_ = other.watch_;
   merged_ = std::move(other.merged_);
   edited_ = other.edited_;
@@ -306,6 +308,38 @@ std::optional<NextContact> Simulation::next_contact(double until) {
   return NextContact{next->time.value(), next->kind, next->first, next->second};
 }
 
+std::vector<Contact> Simulation::contacts_within(double duration) const {
+  if (activity_ == Activity::running) check_idle("contacts_within");
+  const Time until = after(now_, duration);
+  check_not_past(until);
+  check_moment(until, "duration");
+  std::vector<Contact> contacts;
+  Simulation copy(*this);
+  copy.on_contact([&contacts](const Contact& contact) { contacts.push_back(contact); });
+  copy.run({.until = until});
+  return contacts;
+}
+
+std::optional<NextContact> Simulation::first_contact(SphereId id, const Vec3& velocity, double until) const {
+  return hardball::first_contact(world(), now_, id, velocity, Time(until));
+}
+
+std::optional<NextContact> Simulation::first_contact(const Sphere& sphere, double until) const {
+  return hardball::first_contact(world(), now_, sphere, Time(until));
+}
+
+std::optional<RayHit> Simulation::ray(const Vec3& origin, const Vec3& direction, double most) const {
+  return hardball::ray(world(), now_, origin, direction, most);
+}
+
+std::optional<Clearance> Simulation::clearance(const Vec3& point) const {
+  return hardball::clearance(world(), now_, point);
+}
+
+std::optional<Clearance> Simulation::clearance(SphereId id) const {
+  return hardball::clearance(world(), now_, id);
+}
+
 Vec3 Simulation::position(SphereId id) const {
   return world().position(world().slot_of(id), now_);
 }
@@ -333,13 +367,33 @@ void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
   check_editable("change_velocity");
   const Slot slot = world().slot_of(id);
   const double energy_before = energy(world(), slot, now_);
-  if (edited_ || engine_->now() > now_) {
+  if (is_engine_current()) {
+    engine_->change_velocity(slot, now_, velocity);
+  } else {
     engine_->world_to_edit().change_velocity(slot, now_, velocity);
     edited_ = true;
-  } else {
-    engine_->change_velocity(slot, now_, velocity);
   }
   tally_.note_edit(energy(world(), slot, now_) - energy_before, now_);
+}
+
+void Simulation::change_velocities(std::span<const VelocityChange> changes) {
+  check_editable("change_velocities");
+  std::vector<VelocityChange> sorted(changes.begin(), changes.end());
+  std::ranges::sort(sorted, {}, &VelocityChange::id);
+  const auto twice = std::ranges::adjacent_find(sorted, {}, &VelocityChange::id);
+  if (twice != sorted.end()) {
+    throw Error("sphere " + to_text(twice->id) + " is given two velocities", "change_velocities",
+                "give each sphere once");
+  }
+  for (const VelocityChange& change : sorted) {
+    static_cast<void>(
+        world().image(world().slot_of(change.id), now_));  // whether there is such a sphere, and where
+    World::check_velocity(change.id, change.velocity);
+  }
+  // So many changes one by one would cost more than a rebuild.
+  constexpr std::size_t kShare = 4;
+  if (sorted.size() > size() / kShare) edited_ = true;
+  for (const VelocityChange& change : sorted) change_velocity(change.id, change.velocity);
 }
 
 SphereId Simulation::add(const Sphere& sphere) {
@@ -356,8 +410,24 @@ void Simulation::remove(SphereId id) {
   check_editable("remove");
   const double energy = hardball::energy(world(), world().slot_of(id), now_);
   engine_->world_to_edit().remove(id);
+  user_data_.remove(id);
   edited_ = true;
   tally_.note_edit(-energy, now_);
+}
+
+SphereHandle Simulation::sphere(SphereId id) {
+  static_cast<void>(world().slot_of(id));
+  return {*this, id};
+}
+
+std::uint64_t Simulation::user_data(SphereId id) const {
+  static_cast<void>(world().slot_of(id));
+  return user_data_.get(id);
+}
+
+void Simulation::set_user_data(SphereId id, std::uint64_t data) {
+  static_cast<void>(world().slot_of(id));
+  user_data_.set(world(), id, data);
 }
 
 const World& Simulation::world() const {
@@ -413,6 +483,11 @@ void Simulation::check_not_past(const Time& time) const {
         "until", "give a time that is not in the past");
   }
   if (time < kNever) check_moment(time, "until");
+}
+
+// Whether the engine can change a velocity now: after looking ahead it can only be rebuilt.
+bool Simulation::is_engine_current() const {
+  return !edited_ && engine_->now() <= now_;
 }
 
 void Simulation::apply_edits() {
