@@ -123,6 +123,7 @@ Simulation::Simulation(const Simulation& other)
       watch_(other.watch_),
       merged_(other.merged_),
       edited_(other.edited_),
+      looks_ahead_apart_(other.looks_ahead_apart_),
       next_review_(other.next_review_),
       last_review_(other.last_review_) {}
 
@@ -143,6 +144,7 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   watch_ = other.watch_;
   merged_ = std::move(other.merged_);
   edited_ = other.edited_;
+  looks_ahead_apart_ = other.looks_ahead_apart_;
   next_review_ = other.next_review_;
   last_review_ = other.last_review_;
   return *this;
@@ -302,13 +304,14 @@ std::optional<NextContact> Simulation::next_contact(double until) {
   std::optional<Event> next = next_coalescence();
   if (!next) {
     apply_edits();
-    next = engine_->next_contact(Time(until));
+    next =
+        looks_ahead_apart_ ? engine_->clone()->next_contact(Time(until)) : engine_->next_contact(Time(until));
   }
   if (!next) return std::nullopt;
   return NextContact{next->time.value(), next->kind, next->first, next->second};
 }
 
-std::vector<Contact> Simulation::contacts_within(double duration) const {
+std::vector<Contact> Simulation::contacts_within(double duration, std::uint64_t most) const {
   if (activity_ == Activity::running) check_idle("contacts_within");
   const Time until = after(now_, duration);
   check_not_past(until);
@@ -316,7 +319,7 @@ std::vector<Contact> Simulation::contacts_within(double duration) const {
   std::vector<Contact> contacts;
   Simulation copy(*this);
   copy.on_contact([&contacts](const Contact& contact) { contacts.push_back(contact); });
-  copy.run({.until = until});
+  copy.run({.until = until, .contacts = most});
   return contacts;
 }
 
@@ -367,11 +370,13 @@ void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
   check_editable("change_velocity");
   const Slot slot = world().slot_of(id);
   const double energy_before = energy(world(), slot, now_);
-  if (is_engine_current()) {
-    engine_->change_velocity(slot, now_, velocity);
-  } else {
+  // An engine that has looked ahead can only be rebuilt.
+  looks_ahead_apart_ |= engine_->now() > now_;
+  if (edited_ || engine_->now() > now_) {
     engine_->world_to_edit().change_velocity(slot, now_, velocity);
     edited_ = true;
+  } else {
+    engine_->change_velocity(slot, now_, velocity);
   }
   tally_.note_edit(energy(world(), slot, now_) - energy_before, now_);
 }
@@ -483,11 +488,6 @@ void Simulation::check_not_past(const Time& time) const {
         "until", "give a time that is not in the past");
   }
   if (time < kNever) check_moment(time, "until");
-}
-
-// Whether the engine can change a velocity now: after looking ahead it can only be rebuilt.
-bool Simulation::is_engine_current() const {
-  return !edited_ && engine_->now() <= now_;
 }
 
 void Simulation::apply_edits() {

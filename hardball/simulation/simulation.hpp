@@ -85,12 +85,14 @@ class Simulation {
 
   /// The next collision or wall contact up to `until` [T], without carrying it out. In a periodic box spheres
   /// may never meet: then give a finite time. Error: `until`, as for run_until. Cost: that of the events that
-  /// a run would handle up to then, which need not be handled again; but an edit that follows costs O(n).
+  /// a run would handle up to then, which need not be handled again; where edits follow, a copy besides,
+  /// O(n).
   std::optional<NextContact> next_contact(double until = std::numeric_limits<double>::infinity());
-  /// All contacts of the next `duration` [T], in order, if nobody interferes: what run() up to then would
+  /// The contacts of the next `duration` [T], in order, up to `most`, if nobody interferes: what run() would
   /// tell the listener. Error: `duration` is negative, NaN, infinite or beyond 1e120; it is called by the
   /// response; what running throws. Cost: a copy, O(n), and its run.
-  std::vector<Contact> contacts_within(double duration) const;
+  std::vector<Contact> contacts_within(double duration,
+                                       std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) const;
 
   /// What a sphere would hit first up to `until` [T] if it had this velocity [L/T], and no other changed its
   /// motion; see first_contact (queries.hpp). Error: as there. Cost: O(n), as of the three that follow.
@@ -117,7 +119,7 @@ class Simulation {
   std::vector<Vec3> positions_at(double time);
 
   /// Changes the velocity of a sphere [L/T], now. Error: no such sphere; a number that is NaN, infinite or
-  /// out of range. Cost: that of a collision; of the first change after next_contact or positions_at, O(n).
+  /// out of range. Cost: that of a collision; when it first follows next_contact or positions_at, O(n).
   void change_velocity(SphereId id, const Vec3& velocity);
   /// The same for many, in the order of ids, whatever their order here: all of them, or on an Error none.
   /// Error: as for one; a sphere is given twice. Cost: that of as many collisions, or O(n) if that is less.
@@ -187,7 +189,6 @@ class Simulation {
   void check_not_past(const Time& time) const;
   void note(const Contact& contact, Measures* measures);
   std::optional<Event> next_coalescence();
-  bool is_engine_current() const;
   void apply_edits();
   void retune_if_due();
   void rebuild(const Time& moment);
@@ -205,9 +206,10 @@ class Simulation {
   Tally tally_;
   UserData user_data_;
   CellEdgeWatch watch_;
-  std::vector<SphereId> merged_;   // which may overlap others
-  bool edited_ = false;            // the engine's structures are out of date
-  std::uint64_t next_review_ = 0;  // number of crossings and contacts at which the tuning is reviewed
+  std::vector<SphereId> merged_;    // which may overlap others
+  bool edited_ = false;             // the engine's structures are out of date
+  bool looks_ahead_apart_ = false;  // predicts the next contact on a copy, as the caller edits afterwards
+  std::uint64_t next_review_ = 0;   // number of crossings and contacts at which the tuning is reviewed
   Time last_review_;
   Moments reviewed_;  // for which the kind of engine was last reviewed
 };
