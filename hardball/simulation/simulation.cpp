@@ -396,7 +396,7 @@ void Simulation::change_velocities(std::span<const VelocityChange> changes) {
     World::check_velocity(change.id, change.velocity);
   }
   // So many changes one by one would cost more than a rebuild.
-  constexpr std::size_t kShare = 4;
+  constexpr std::size_t kShare = 2;
   if (sorted.size() > size() / kShare) edited_ = true;
   for (const VelocityChange& change : sorted) change_velocity(change.id, change.velocity);
 }
