@@ -9,6 +9,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/contact_time.hpp"
+#include "hardball/geometry/inlining.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/range.hpp"
 #include "hardball/world/walls.hpp"
@@ -62,23 +63,27 @@ struct Sweep {
   double half;
 };
 
-Sweep sweep_of(double separation, double velocity, double reach, const Interval& during) {
+HARDBALL_ALWAYS_INLINE Sweep sweep_of(double separation, double velocity, double reach,
+                                      const Interval& during) {
   const double speed = std::fabs(velocity);
   const double margin = kRounding * (std::fabs(separation) + speed * during.end + reach);
   return {separation + velocity * (0.5 * (during.begin + during.end)),
           speed * (0.5 * (during.end - during.begin)) + reach + margin};
 }
 
-// Whether no image comes within reach during an interval. Most do not.
-bool is_missed(const Box& box, const Relative& other, const Interval& during) {
-  bool is_missed = false;
-  for_each_axis([&](auto axis) {
-    const Sweep sweep = sweep_of(other.separation[axis], other.velocity[axis], other.reach, during);
-    const double boxes = nearest_integer(sweep.middle * box.inverse_period()[axis]);
-    // False if the interval has no end, and products are NaN.
-    is_missed |= std::fabs(sweep.middle - boxes * box.period()[axis]) > sweep.half;
-  });
-  return is_missed;
+// Whether no image comes within reach along an axis during an interval.
+HARDBALL_ALWAYS_INLINE bool is_missed_along(std::size_t axis, const Box& box, const Relative& other,
+                                            const Interval& during) {
+  const Sweep sweep = sweep_of(other.separation[axis], other.velocity[axis], other.reach, during);
+  const double boxes = nearest_integer(sweep.middle * box.inverse_period()[axis]);
+  // False if the interval has no end, and products are NaN.
+  return std::fabs(sweep.middle - boxes * box.period()[axis]) > sweep.half;
+}
+
+// Whether one axis shows that no image comes within reach during an interval. Most do not.
+HARDBALL_ALWAYS_INLINE bool is_missed(const Box& box, const Relative& other, const Interval& during) {
+  return is_missed_along(0, box, other, during) || is_missed_along(1, box, other, during) ||
+         is_missed_along(2, box, other, during);
 }
 
 // Calls visit(separation) for all images that may come within reach during an interval.
