@@ -129,7 +129,7 @@ TEST(Queries, FirstContactsAreThoseOfAllImages) {
       World changed = world;
       changed.change_velocity(slot, simulation.now(), velocity);
       ASSERT_EQ(contact, slow_first_contact(changed, slot, simulation.now(), until));
-      found += contact ? 1 : 0;
+      found += contact ? 1U : 0U;
 
       // What the engine does next is this, or something earlier.
       Simulation copy = simulation;
@@ -180,7 +180,7 @@ TEST(Queries, ASphereNotInTheWorldMeetsWhatOneInItsPlaceWould) {
     const std::optional<NextContact> contact = simulation.first_contact(sphere, until);
     if (expected) expected->first = kNoSphere;
     ASSERT_EQ(contact, expected);
-    found += contact ? 1 : 0;
+    found += contact ? 1U : 0U;
   }
   EXPECT_GT(found, support::cases(kWorlds) / 5);
 }

@@ -44,7 +44,7 @@ TEST(ChangeVelocities, GiveTheHistoryOfSingleChangesInTheOrderOfIds) {
   for (const EngineKind engine :
        {EngineKind::cells, EngineKind::neighbors, EngineKind::all_pairs, EngineKind::paper}) {
     // Few are changed one by one, many with a rebuild.
-    for (const std::size_t count : {0, 1, 20, 300}) {
+    for (const std::size_t count : {0U, 1U, 20U, 300U}) {
       Simulation at_once(small_gas(), {.engine = engine});
       at_once.run_contacts(100);
       Simulation singly = at_once;
@@ -175,6 +175,23 @@ TEST(UserDataOfSpheres, StaysThroughCopiesEditsAndReordering) {
   for (SphereId id = 9; id < 12000; id += 3) ASSERT_EQ(moved.user_data(id), 0U);
   EXPECT_EQ(moved.user_data(added), 7U);
   EXPECT_EQ(simulation.user_data(11), 1U);
+}
+
+TEST(UserDataOfSpheres, IsAssignedAndForgottenWithTheSpheres) {
+  Simulation simulation(head_on_pair());
+  simulation.set_user_data(1, 5);
+  Simulation other(small_gas());
+  other.set_user_data(1, 6);
+  other = simulation;
+  EXPECT_EQ(other.user_data(1), 5U);
+  EXPECT_EQ(other.user_data(0), 0U);
+
+  UserData data;
+  data.set(simulation.world(), 1, 5);
+  data.remove(0);
+  EXPECT_EQ(data.get(1), 5U);
+  data.remove(1);
+  EXPECT_EQ(data.get(1), 0U);
 }
 
 TEST(ContactsWithin, AreThoseOfTheRunThatFollows) {
