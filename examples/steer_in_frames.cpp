@@ -219,6 +219,12 @@ void write_picture(const char* path, std::span<const Hit> hits) {
   std::fclose(file);
 }
 
+void print_times(const char* what, std::vector<double> times) {
+  std::ranges::sort(times);
+  std::fprintf(stderr, "frames took %.1f ms (median), %.1f ms (longest), %s\n", 1e3 * times[times.size() / 2],
+               1e3 * times.back(), what);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -241,8 +247,6 @@ int main(int argc, char** argv) {
               static_cast<unsigned long long>(blind.arrivals));
   if (argc > 1) write_picture(argv[1], flight.hits);
 
-  std::vector<double> times = flight.frame_times;
-  std::ranges::sort(times);
-  std::fprintf(stderr, "frames took %.1f ms (median), %.1f ms (longest)\n", 1e3 * times[times.size() / 2],
-               1e3 * times.back());
+  print_times("looking ahead", flight.frame_times);
+  print_times("flying blind", blind.frame_times);
 }
