@@ -145,8 +145,8 @@ void search_in_intervals(Stride&& stride, double end, Search&& search) {
   throw RunFailure("a search has crossed half the periodic box 2^30 times; search less far");
 }
 
-// Notes other spheres that are touched in an interval, as seen from a body at `from`; `wait_of(other)` is the
-// time until an image is touched.
+// Notes other spheres that are touched in an interval, as seen from a body at `from`; `wait_of(slot, other)`
+// is the time until an image is touched.
 template <class StateOf, class WaitOf>
 void note_spheres(const World& world, const Time& start, const State& from, double radius, Slot self,
                   const StateOf& state_of, const WaitOf& wait_of, Interval during, First& first) {
@@ -157,7 +157,7 @@ void note_spheres(const World& world, const Time& start, const State& from, doub
                          radius + world.radius(slot)};
     if (is_missed(world.box(), other, during)) continue;
     for_each_image(world.box(), other, during, [&](const Vec3& separation) {
-      const double wait = wait_of({separation, other.velocity, other.reach});
+      const double wait = wait_of(slot, Relative{separation, other.velocity, other.reach});
       if (wait > during.end) return;
       during.end = wait;
       first.note({after(start, wait), EventKind::collision, world.id(slot), separation});
@@ -175,15 +175,26 @@ double time_to_enter(const Relative& other) {
   return is_inside ? kInfinity : time_to_touch(other);
 }
 
+// Spheres that pass through each other, and have begun to, do not touch; see have_met (world.hpp).
+double time_to_begin(const World& world, const Time& now, SphereId id, SphereId other_id,
+                     const Relative& other) {
+  if (dot(other.separation, other.separation) <= other.reach * other.reach) return kInfinity;
+  const double wait = time_to_touch(other);
+  Event contact = make_collision(after(now, wait), id, other_id, {});
+  contact.image = world.last_passage().image;
+  return contact <= world.last_passage() ? kInfinity : wait;
+}
+
 void check_end(const Box& box, double end, const std::string& name, const char* where) {
   if (!(end >= 0)) throw Error("the " + name + " lies behind, or is NaN", where, "give one that lies ahead");
   if (std::isfinite(end) || !is_periodic(box)) return;
   throw Error("the box is periodic, and the search may have no end", where, "give a finite " + name);
 }
 
-// What a sphere on a path that starts now meets first.
+// What a sphere on a path that starts now meets first; `pass(slot)` tells through which others it passes.
+template <class Pass>
 std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slot self, const Path& path,
-                                            double radius, const Time& until) {
+                                            double radius, const Pass& pass, const Time& until) {
   const Time& now = path.time;
   const Box& box = world.box();
   const double last = until.high < kNever.high ? duration(now, until) : until.high;
@@ -193,6 +204,11 @@ std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slo
   const State from{path.position, path.velocity};
   const Motion& motion = world.motion();
   const auto state_of = [&](Slot slot) { return motion.state_at(world.path(slot), now); };
+  const bool some_pass = world.has_passing_pairs() || id == kNoSphere;
+  const auto wait_of = [&](Slot slot, const Relative& other) {
+    if (some_pass && pass(slot)) return time_to_begin(world, now, id, world.id(slot), other);
+    return time_to_touch(other);
+  };
 
   const double half = 0.5 * shortest_period(box);
   double fastest = 0;
@@ -211,7 +227,7 @@ std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slo
   First first;
   search_in_intervals(stride, end, [&](const Interval& during) {
     first = {};
-    note_spheres(world, now, from, radius, self, state_of, time_to_touch, during, first);
+    note_spheres(world, now, from, radius, self, state_of, wait_of, during, first);
     const Event wall = next_wall_event(world, id, path, radius, after(now, during.begin), 0.5);
     if (wall.time <= after(now, during.end)) first.note({wall.time, wall.kind, wall.second, {}});
     return first.time < kNever;
@@ -274,7 +290,7 @@ void note_walls(const World& world, const Time& now, const Path& path, const Int
     if (obstacle == nullptr) return note(surface.contact_time(Motion(), path, 0).high, number, {});
     const Relative other{surface.point() - path.position, -path.velocity, obstacle->radius()};
     for_each_image(box, other, during, [&](const Vec3& separation) {
-      note(time_to_enter({separation, other.velocity, other.reach}), number, separation);
+      note(time_to_enter(Relative{separation, other.velocity, other.reach}), number, separation);
     });
   });
 }
@@ -349,14 +365,19 @@ std::optional<NextContact> first_contact(const World& world, const Time& now, Sp
   const Slot slot = world.slot_of(id);
   World::check_velocity(id, velocity);
   const Path path{world.position(slot, now), velocity, now};
-  return first_contact_on(world, id, slot, path, world.radius(slot), until);
+  const auto pass = [&](Slot other) { return world.pass(slot, other); };
+  return first_contact_on(world, id, slot, path, world.radius(slot), pass, until);
 }
 
 std::optional<NextContact> first_contact(const World& world, const Time& now, const Sphere& sphere,
                                          const Time& until) {
   world.check(sphere);
   const Path path{folded(world.box(), sphere.position, "first_contact"), sphere.velocity, now};
-  return first_contact_on(world, kNoSphere, kNoSlot, path, sphere.radius, until);
+  const auto pass = [&](Slot other) {
+    return world.may_pass(sphere.species, world.species(other)) ||
+           (std::isinf(sphere.mass) && world.is_kinematic(other));
+  };
+  return first_contact_on(world, kNoSphere, kNoSlot, path, sphere.radius, pass, until);
 }
 
 std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origin, const Vec3& direction,
@@ -372,13 +393,14 @@ std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origi
   check_end(box, most, "distance", kWhere);
   const Path path{folded(box, origin, kWhere), (1 / norm) * direction, Time(0)};
   const auto state_of = [&](Slot slot) { return State{world.unfolded_position(slot, now), {}}; };
+  const auto wait_of = [](Slot, const Relative& other) { return time_to_enter(other); };
   const double half = 0.5 * shortest_period(box);
   First first;
   search_in_intervals([half](double) { return half; }, most,
                       [&](const Interval& during) {
                         first = {};
                         note_spheres(world, Time(0), {path.position, path.velocity}, 0, kNoSlot, state_of,
-                                     time_to_enter, during, first);
+                                     wait_of, during, first);
                         note_walls(world, now, path, during, first);
                         return first.time < kNever;
                       });

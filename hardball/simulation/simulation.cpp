@@ -61,13 +61,6 @@ std::vector<Vec3> centers_at(const World& world, const Time& moment) {
   return centers;
 }
 
-bool contains(const World& world, SphereId id) {
-  for (Slot slot = 0; slot < world.size(); ++slot) {
-    if (world.id(slot) == id) return true;
-  }
-  return false;
-}
-
 // The collision of a sphere, now, with the one of lowest id that it overlaps and merges with.
 std::optional<Event> first_overlap(const World& world, SphereId id, const Time& now,
                                    const ResponseTable& responses) {
@@ -267,6 +260,7 @@ void Simulation::note(const Contact& contact, Measures* measures) {
   if (contact.fate == Fate::merge) [[unlikely]] {
     edited_ = true;
     merged_.push_back(contact.first);
+    user_data_.remove(contact.second);
     if (measures) {
       throw Error("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
                       " have merged, and measures need all spheres",
@@ -282,7 +276,7 @@ void Simulation::note(const Contact& contact, Measures* measures) {
 std::optional<Event> Simulation::next_coalescence() {
   while (!merged_.empty()) {
     const SphereId id = *std::ranges::min_element(merged_);
-    if (options_.responses && !response_ && contains(world(), id)) {
+    if (options_.responses && !response_ && contains(id)) {
       if (const std::optional<Event> found = first_overlap(world(), id, now_, *options_.responses))
         return found;
     }

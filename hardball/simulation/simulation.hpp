@@ -133,8 +133,8 @@ class Simulation {
   SphereHandle sphere(SphereId id);
   /// Whether a sphere has this id. Cost: O(log n).
   bool contains(SphereId id) const { return world().contains(id); }
-  /// A number of the caller's for each sphere, zero at first; copies have their own. Error: no sphere has
-  /// this id. Cost: O(log n), of the first number O(n).
+  /// A number of the caller's for each sphere, zero at first; copies have their own, and a sphere that
+  /// absorbs another keeps its own. Error: no sphere has this id. Cost: O(log n), of the first number O(n).
   std::uint64_t user_data(SphereId id) const;
   void set_user_data(SphereId id, std::uint64_t data);
 

@@ -247,6 +247,21 @@ TEST(FirstContact, TellsWhatASphereWouldHitAndWhen) {
   EXPECT_THROW(static_cast<void>(simulation.first_contact({.position = {0.5, 5, 5}}, 1)), Error);
 }
 
+TEST(FirstContact, IsNotWithWhatASphereIsPassingThrough) {
+  World world;
+  world.let_pass(0, 1);
+  world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}});
+  world.add({.position = {4, 0, 0}, .species = 1});
+  world.add({.position = {10, 0, 0}});
+  Simulation simulation(world);
+  EXPECT_EQ(simulation.first_contact(0, {1, 0, 0}, 10), (NextContact{2, EventKind::collision, 0, 1}));
+  simulation.run_until(2);
+  EXPECT_EQ(simulation.first_contact(0, {1, 0, 0}, 10), (NextContact{8, EventKind::collision, 0, 2}));
+  simulation.run_until(3);
+  EXPECT_EQ(simulation.first_contact(0, {1, 0, 0}, 10), (NextContact{8, EventKind::collision, 0, 2}));
+  EXPECT_EQ(simulation.first_contact({.position = {4, 0, 0}, .velocity = {1, 0, 0}}, 10)->second, 2U);
+}
+
 TEST(FirstContact, GoesOnThroughManyPeriodicBoxes) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{5, 5, 5}, {0, 0, 0}, 0.5, 1});
