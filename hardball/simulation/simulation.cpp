@@ -62,13 +62,6 @@ std::vector<Vec3> centers_at(const World& world, const Time& moment) {
   return centers;
 }
 
-bool contains(const World& world, SphereId id) {
-  for (Slot slot = 0; slot < world.size(); ++slot) {
-    if (world.id(slot) == id) return true;
-  }
-  return false;
-}
-
 // The collision of a sphere, now, with the one of lowest id that it overlaps and merges with.
 std::optional<Event> first_overlap(const World& world, SphereId id, const Time& now,
                                    const ResponseTable& responses) {
@@ -123,9 +116,11 @@ Simulation::Simulation(const Simulation& other)
       now_(other.now_),
       hash_(other.hash_),
       tally_(other.tally_),
+      user_data_(other.user_data_),
       watch_(other.watch_),
       merged_(other.merged_),
       edited_(other.edited_),
+      looks_ahead_apart_(other.looks_ahead_apart_),
       spheres_at_choice_(other.spheres_at_choice_),
       next_review_(other.next_review_),
       last_review_(other.last_review_) {}
@@ -145,9 +140,11 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   now_ = other.now_;
   hash_ = other.hash_;
   tally_ = other.tally_;
+  user_data_ = std::move(other.user_data_);
   watch_ = other.watch_;
   merged_ = std::move(other.merged_);
   edited_ = other.edited_;
+  looks_ahead_apart_ = other.looks_ahead_apart_;
   spheres_at_choice_ = other.spheres_at_choice_;
   next_review_ = other.next_review_;
   last_review_ = other.last_review_;
@@ -279,6 +276,7 @@ void Simulation::note(const Contact& contact, Measures* measures) {
     edited_ = true;
     merged_.push_back(contact.first);
     if (thermostat_) thermostat_->note_removed(contact.second);
+    user_data_.remove(contact.second);
     if (measures && measures->is_any_wanted()) {
       throw Error("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
                       " have merged, and measures need all spheres",
@@ -294,7 +292,7 @@ void Simulation::note(const Contact& contact, Measures* measures) {
 std::optional<Event> Simulation::next_coalescence() {
   while (!merged_.empty()) {
     const SphereId id = *std::ranges::min_element(merged_);
-    if (options_.responses && !response_ && contains(world(), id)) {
+    if (options_.responses && !response_ && contains(id)) {
       if (const std::optional<Event> found = first_overlap(world(), id, now_, *options_.responses))
         return found;
     }
@@ -323,7 +321,10 @@ std::optional<NextContact> Simulation::next_contact(double until) {
   for (;;) {
     const Time action = at->next_action();
     const bool acts = action.high <= end.high && action < kNever;
-    const std::optional<Event> next = at->engine_->next_contact(acts ? action : end);
+    const Time limit = acts ? action : end;
+    const bool looks_apart = looks_ahead_apart_ && at == this;
+    const std::optional<Event> next =
+        looks_apart ? engine_->clone()->next_contact(limit) : at->engine_->next_contact(limit);
     if (next) return NextContact{next->time.value(), next->kind, next->first, next->second};
     if (!acts) return std::nullopt;
     if (!ahead) {
@@ -335,6 +336,38 @@ std::optional<NextContact> Simulation::next_contact(double until) {
     at->act(nullptr);
     at->apply_edits();
   }
+}
+
+std::vector<Contact> Simulation::contacts_within(double duration, std::uint64_t most) const {
+  if (activity_ == Activity::running) check_idle("contacts_within");
+  const Time until = after(now_, duration);
+  check_not_past(until);
+  check_moment(until, "duration");
+  std::vector<Contact> contacts;
+  Simulation copy(*this);
+  copy.on_contact([&contacts](const Contact& contact) { contacts.push_back(contact); });
+  copy.run({.until = until, .contacts = most});
+  return contacts;
+}
+
+std::optional<NextContact> Simulation::first_contact(SphereId id, const Vec3& velocity, double until) const {
+  return hardball::first_contact(world(), now_, id, velocity, Time(until));
+}
+
+std::optional<NextContact> Simulation::first_contact(const Sphere& sphere, double until) const {
+  return hardball::first_contact(world(), now_, sphere, Time(until));
+}
+
+std::optional<RayHit> Simulation::ray(const Vec3& origin, const Vec3& direction, double most) const {
+  return hardball::ray(world(), now_, origin, direction, most);
+}
+
+std::optional<Clearance> Simulation::clearance(const Vec3& point) const {
+  return hardball::clearance(world(), now_, point);
+}
+
+std::optional<Clearance> Simulation::clearance(SphereId id) const {
+  return hardball::clearance(world(), now_, id);
 }
 
 Vec3 Simulation::position(SphereId id) const {
@@ -377,6 +410,8 @@ void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
 
 // Precondition: all events before `moment` have been handled, and no contact after it.
 void Simulation::rewrite_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
+  // An engine that has looked ahead can only be rebuilt.
+  looks_ahead_apart_ |= engine_->now() > moment;
   if (edited_ || engine_->now() > moment) {
     engine_->world_to_edit().change_velocity(slot, moment, velocity);
     edited_ = true;
@@ -430,6 +465,26 @@ std::uint64_t Simulation::act(Measures* measures) {
   return std::max<std::uint64_t>(1, changes.size());
 }
 
+void Simulation::change_velocities(std::span<const VelocityEdit> edits) {
+  check_editable("change_velocities");
+  std::vector<VelocityEdit> sorted(edits.begin(), edits.end());
+  std::ranges::sort(sorted, {}, &VelocityEdit::id);
+  const auto twice = std::ranges::adjacent_find(sorted, {}, &VelocityEdit::id);
+  if (twice != sorted.end()) {
+    throw Error("sphere " + to_text(twice->id) + " is given two velocities", "change_velocities",
+                "give each sphere once");
+  }
+  for (const VelocityEdit& edit : sorted) {
+    static_cast<void>(
+        world().image(world().slot_of(edit.id), now_));  // whether there is such a sphere, and where
+    World::check_velocity(edit.id, edit.velocity);
+  }
+  // So many edits one by one would cost more than a rebuild.
+  constexpr std::size_t kShare = 2;
+  if (sorted.size() > size() / kShare) edited_ = true;
+  for (const VelocityEdit& edit : sorted) change_velocity(edit.id, edit.velocity);
+}
+
 SphereId Simulation::add(const Sphere& sphere) {
   check_editable("add");
   world().check(sphere);
@@ -445,9 +500,25 @@ void Simulation::remove(SphereId id) {
   check_editable("remove");
   const double energy = hardball::energy(world(), world().slot_of(id), now_);
   engine_->world_to_edit().remove(id);
+  user_data_.remove(id);
   edited_ = true;
   tally_.note_edit(-energy, now_);
   if (thermostat_) thermostat_->note_removed(id);
+}
+
+SphereHandle Simulation::sphere(SphereId id) {
+  static_cast<void>(world().slot_of(id));
+  return {*this, id};
+}
+
+std::uint64_t Simulation::user_data(SphereId id) const {
+  static_cast<void>(world().slot_of(id));
+  return user_data_.get(id);
+}
+
+void Simulation::set_user_data(SphereId id, std::uint64_t data) {
+  static_cast<void>(world().slot_of(id));
+  user_data_.set(world(), id, data);
 }
 
 const World& Simulation::world() const {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "hardball/engine/run.hpp"
@@ -14,6 +15,9 @@
 #include "hardball/measure/tally.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/simulation/any_engine.hpp"
+#include "hardball/simulation/queries.hpp"
+#include "hardball/simulation/sphere_handle.hpp"
+#include "hardball/simulation/user_data.hpp"
 #include "hardball/thermostats/thermostat.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/moments.hpp"
@@ -25,12 +29,10 @@ namespace hardball {
 
 class Measures;
 
-/// A contact in the future.
-struct NextContact {
-  double time = 0;  ///< [T]
-  EventKind kind = EventKind::collision;
-  SphereId first = 0;
-  std::uint32_t second = 0;  ///< The id of the other sphere, or the Face of the box.
+/// A new velocity for a sphere.
+struct VelocityEdit {
+  SphereId id = 0;
+  Vec3 velocity;  ///< [L/T]
 };
 
 /// Spheres in motion: the interface to Hardball.
@@ -53,11 +55,11 @@ class Simulation {
   /// Sets a listener, called after every collision and wall contact: the contact has been carried out, and
   /// time() is its time. If it throws, the run ends after that contact, and the simulation can be run on.
   ///
-  /// The listener may query the simulation, copy it, and edit it: change_velocity, add, remove, on_contact,
-  /// respond_with. An edit takes effect before any other event, simultaneous ones included, so that the
-  /// history is the same for every engine. Error, from the calls in question: it runs the simulation, asks
-  /// for future contacts or positions, or edits it during a run with measures. It must not move it, assign to
-  /// it or destroy it.
+  /// The listener may query the simulation, copy it, and edit it: change_velocity, change_velocities, add,
+  /// remove, on_contact, respond_with. An edit takes effect before any other event, simultaneous ones
+  /// included, so that the history is the same for every engine. Error, from the calls in question: it runs
+  /// the simulation, asks for future contacts or positions, or edits it during a run with measures. It must
+  /// not move it, assign to it or destroy it.
   void on_contact(std::function<void(const Contact&)> listener);
 
   /// Replaces the response, which gives the velocities after a contact; see Response. Error, from running:
@@ -96,9 +98,26 @@ class Simulation {
   RunStatus run(const RunLimits& limits, Measures& measures);
 
   /// The next collision or wall contact up to `until` [T], without carrying it out. In a periodic box spheres
-  /// may never meet: then give a finite time. Cost: if the thermostat acts before it, that of a copy, in
-  /// which it does so. Error: `until`, as for run_until.
+  /// may never meet: then give a finite time. Error: `until`, as for run_until. Cost: that of the events that
+  /// a run would handle up to then, which need not be handled again; where edits follow, or the thermostat
+  /// acts before, a copy besides, O(n).
   std::optional<NextContact> next_contact(double until = std::numeric_limits<double>::infinity());
+  /// The contacts of the next `duration` [T], in order, up to `most`, if nobody interferes: what run() would
+  /// tell the listener. Error: `duration` is negative, NaN, infinite or beyond 1e120; it is called by the
+  /// response; what running throws. Cost: a copy, O(n), and its run.
+  std::vector<Contact> contacts_within(double duration,
+                                       std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) const;
+
+  /// What a sphere would hit first up to `until` [T] if it had this velocity [L/T], and no other changed its
+  /// motion; see first_contact (queries.hpp). Error: as there. Cost: O(n), as of the three that follow.
+  std::optional<NextContact> first_contact(SphereId id, const Vec3& velocity, double until) const;
+  /// The same for a sphere that is not among them.
+  std::optional<NextContact> first_contact(const Sphere& sphere, double until) const;
+  /// What a ray hits first now, up to `most` [L] from its origin; see ray (queries.hpp).
+  std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double most) const;
+  /// The sphere or wall nearest to a point now, or to a sphere; see clearance (queries.hpp).
+  std::optional<Clearance> clearance(const Vec3& point) const;
+  std::optional<Clearance> clearance(SphereId id) const;
 
   double time() const { return now_.value(); }  ///< [T]
   const Time& now() const { return now_; }
@@ -114,12 +133,24 @@ class Simulation {
   std::vector<Vec3> positions_at(double time);
 
   /// Changes the velocity of a sphere [L/T], now. Error: no such sphere; a number that is NaN, infinite or
-  /// out of range. Cost: that of a collision.
+  /// out of range. Cost: that of a collision; when it first follows next_contact or positions_at, O(n).
   void change_velocity(SphereId id, const Vec3& velocity);
+  /// The same for many, in the order of ids, whatever their order here: all of them, or on an Error none.
+  /// Error: as for one; a sphere is given twice. Cost: that of as many collisions, or O(n) if that is less.
+  void change_velocities(std::span<const VelocityEdit> edits);
   /// Adds a sphere, now. Cost: O(n). Error: see World::add; it overlaps another sphere.
   SphereId add(const Sphere& sphere);
   /// Removes a sphere, now. Cost: O(n). Error: no sphere has this id.
   void remove(SphereId id);
+
+  /// A handle on a sphere. Error: no sphere has this id.
+  SphereHandle sphere(SphereId id);
+  /// Whether a sphere has this id. Cost: O(log n).
+  bool contains(SphereId id) const { return world().contains(id); }
+  /// A number of the caller's for each sphere, zero at first; copies have their own, and a sphere that
+  /// absorbs another keeps its own. Error: no sphere has this id. Cost: O(log n), of the first number O(n).
+  std::uint64_t user_data(SphereId id) const;
+  void set_user_data(SphereId id, std::uint64_t data);
 
   const World& world() const;
   std::size_t size() const { return world().size(); }
@@ -193,9 +224,11 @@ class Simulation {
   Time now_;
   EventLogHash hash_;
   Tally tally_;
+  UserData user_data_;
   CellEdgeWatch watch_;
   std::vector<SphereId> merged_;       // which may overlap others
   bool edited_ = false;                // the engine's structures are out of date
+  bool looks_ahead_apart_ = false;     // predicts the next contact on a copy, as the caller edits afterwards
   std::size_t spheres_at_choice_ = 0;  // when engine and cells were last chosen
   std::uint64_t next_review_ = 0;      // number of crossings and contacts at which the tuning is reviewed
   Time last_review_;

@@ -27,12 +27,12 @@ Path displaced(const Path& path, const Vec3& shift) {
 
 // Calls visit(path) with the path relative to each image of a surface that is within reach.
 template <class Visit>
-void for_each_image(const World& world, const Surface& surface, Slot slot, const Time& now, double boxes,
-                    Visit&& visit) {
-  const Path& path = world.path(slot);
+void for_each_image(const World& world, const Surface& surface, const Path& path, double radius,
+                    const Time& now, double boxes, Visit&& visit) {
   if (!has_images(world, surface)) return visit(path);
-  const double touching = std::get<Obstacle>(surface.shape()).radius() + world.radius(slot);
-  const Vec3 apart = (world.unfolded_position(slot, now) - surface.point()) - now.high * surface.velocity();
+  const double touching = std::get<Obstacle>(surface.shape()).radius() + radius;
+  const Vec3 position = world.motion().position_at(path, now);
+  const Vec3 apart = (position - surface.point()) - now.high * surface.velocity();
   Image low;
   Image high;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -54,9 +54,7 @@ void for_each_image(const World& world, const Surface& surface, Slot slot, const
 }
 
 // The time after the start of a path at which a sphere touches a face; infinity if never.
-double time_to_face(const World& world, Slot slot, std::size_t axis, bool upper) {
-  const Path& path = world.path(slot);
-  const double radius = world.radius(slot);
+double time_to_face(const World& world, const Path& path, double radius, std::size_t axis, bool upper) {
   const double distance =
       upper ? (world.box().size()[axis] - radius) - path.position[axis] : path.position[axis] - radius;
   const double approach = upper ? path.velocity[axis] : -path.velocity[axis];
@@ -77,29 +75,32 @@ bool has_images_of_obstacles(const World& world) {
                              [&](const Surface& surface) { return has_images(world, surface); });
 }
 
-Event next_wall_event(const World& world, Slot slot, const Time& now, double boxes) {
-  const Path& path = world.path(slot);
+Event next_wall_event(const World& world, SphereId id, const Path& path, double radius, const Time& now,
+                      double boxes) {
   Event next;
   const auto note = [&](const Time& time, std::uint32_t wall) {
-    const Event event{time, EventKind::wall, world.id(slot), wall, {}};
+    const Event event{time, EventKind::wall, id, wall, {}};
     if (event < next) next = event;
   };
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_wall(axis)) continue;
     for (const bool upper : {false, true}) {
-      note(after(path.time, time_to_face(world, slot, axis, upper)), face_of(axis, upper));
+      note(after(path.time, time_to_face(world, path, radius, axis, upper)), face_of(axis, upper));
     }
   }
-  const double radius = world.radius(slot);
   std::uint32_t number = kFaces;
   for (const Surface& surface : world.surfaces()) {
-    for_each_image(world, surface, slot, now, boxes, [&](const Path& image) {
+    for_each_image(world, surface, path, radius, now, boxes, [&](const Path& image) {
       if (surface.free_until(world.motion(), image, radius, now) > next.time.high) return;
       note(surface.contact_time(world.motion(), image, radius), number);
     });
     ++number;
   }
   return next;
+}
+
+Event next_wall_event(const World& world, Slot slot, const Time& now, double boxes) {
+  return next_wall_event(world, world.id(slot), world.path(slot), world.radius(slot), now, boxes);
 }
 
 bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const Time& now, double boxes) {
@@ -119,7 +120,7 @@ bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const
   }
   bool may = false;
   for (const Surface& surface : world.surfaces()) {
-    for_each_image(world, surface, slot, now, boxes, [&](const Path& image) {
+    for_each_image(world, surface, path, radius, now, boxes, [&](const Path& image) {
       may = may || surface.free_until(world.motion(), image, radius, now) < time;
     });
     if (may) return true;

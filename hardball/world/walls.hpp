@@ -20,6 +20,10 @@ bool has_images_of_obstacles(const World& world);
 /// `boxes` box lengths away along each axis from where the sphere is now.
 Event next_wall_event(const World& world, Slot slot, const Time& now, double boxes);
 
+/// The same for a sphere on any path: the event is that of sphere `id`.
+Event next_wall_event(const World& world, SphereId id, const Path& path, double radius, const Time& now,
+                      double boxes);
+
 /// What may_meet_wall does for surfaces, and for faces of the box if there is gravity.
 bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const Time& now, double boxes);
 

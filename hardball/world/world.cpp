@@ -153,6 +153,10 @@ void World::check_fits(double radius, std::size_t axis, const std::string& where
               where, "enlarge the box or shrink the sphere");
 }
 
+void World::check_velocity(SphereId id, const Vec3& velocity) {
+  check_vector(velocity, kVelocityNames, name_of(id));
+}
+
 void World::remove(SphereId id) {
   const Slot slot = slot_of(id);
   const auto at = static_cast<std::ptrdiff_t>(slot);
@@ -199,7 +203,7 @@ void World::sort_slots_by_id() {
 }
 
 Image World::change_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
-  check_vector(velocity, kVelocityNames, name_of(id(slot)));
+  check_velocity(id(slot), velocity);
   check_moment(moment, name_of(id(slot)));
   return rewrite_path(slot, moment, velocity);
 }
@@ -242,8 +246,7 @@ bool World::may_pass(SpeciesId a, SpeciesId b) const {
   return std::ranges::find(passing_, std::pair{std::min(a, b), std::max(a, b)}) != passing_.end();
 }
 
-Slot World::slot_of(SphereId id) const {
-  if (id < size() && ids_[id] == id) return id;
+std::size_t World::rank_of(SphereId id) const {
   std::size_t low = 0;
   std::size_t high = size();
   while (low < high) {
@@ -254,10 +257,22 @@ Slot World::slot_of(SphereId id) const {
       high = middle;
     }
   }
-  if (low == size() || ids_[slot_of_rank(low)] != id) {
+  return low;
+}
+
+bool World::contains(SphereId id) const {
+  if (id < size() && ids_[id] == id) return true;
+  const std::size_t rank = rank_of(id);
+  return rank < size() && ids_[slot_of_rank(rank)] == id;
+}
+
+Slot World::slot_of(SphereId id) const {
+  if (id < size() && ids_[id] == id) return id;
+  const std::size_t rank = rank_of(id);
+  if (rank == size() || ids_[slot_of_rank(rank)] != id) {
     throw Error("there is no sphere " + to_text(id), "sphere id", "use an id that add() returned");
   }
-  return slot_of_rank(low);
+  return slot_of_rank(rank);
 }
 
 Vec3 World::position(Slot slot, const Time& moment) const {

@@ -69,6 +69,9 @@ class World {
   /// Error: `add` would refuse this sphere.
   void check(const Sphere& sphere) const;
 
+  /// Error: `change_velocity` would refuse this velocity.
+  static void check_velocity(SphereId id, const Vec3& velocity);
+
   /// Removes a sphere. Cost: O(n). Error: no sphere has this id.
   void remove(SphereId id);
 
@@ -131,6 +134,9 @@ class World {
     hardball::prefetch(&paths_[slot]);
   }
 
+  /// Whether a sphere has this id. Cost: O(log n).
+  bool contains(SphereId id) const;
+
   /// Where the sphere with this id is stored. Cost: O(log n). Error: no sphere has this id.
   Slot slot_of(SphereId id) const;
 
@@ -186,6 +192,8 @@ class World {
   void check_mass(double mass, const std::string& where) const;
   void check_fits(double radius, std::size_t axis, const std::string& where) const;
   void sort_slots_by_id();
+  // How many spheres have lower ids.
+  std::size_t rank_of(SphereId id) const;
 
   Box box_;
   Motion motion_;

@@ -1,0 +1,424 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/simulation/queries.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <variant>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/geometry/contact_time.hpp"
+#include "hardball/geometry/inlining.hpp"
+#include "hardball/surfaces/surface.hpp"
+#include "hardball/world/range.hpp"
+#include "hardball/world/walls.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr Slot kNoSlot = std::numeric_limits<Slot>::max();
+
+// More than sums and products of a few numbers are rounded by.
+constexpr double kRounding = 0x1p-40;
+
+// After so many intervals a search is given up, as is a sphere that crosses so many boxes.
+constexpr double kMostIntervals = 1 << 30;
+
+// A part of the way: from so much time after the moment of the query to so much [T], or for rays [L].
+struct Interval {
+  double begin;
+  double end;
+};
+
+// Another body as seen from the one that the query is about.
+struct Relative {
+  Vec3 separation;  // from it to the other, some image [L]
+  Vec3 velocity;    // [L/T]
+  double reach;     // their distance when they touch [L]
+};
+
+double nearest_integer(double number) {
+  constexpr double kPusher = 0x1.8p52;
+  return (number + kPusher) - kPusher;
+}
+
+bool is_periodic(const Box& box) {
+  return box.period() != Vec3{};
+}
+
+double shortest_period(const Box& box) {
+  double shortest = kInfinity;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (box.is_periodic(axis)) shortest = std::min(shortest, box.size()[axis]);
+  }
+  return shortest;
+}
+
+// Where the separation can be within reach along an axis during an interval, with a margin for rounding: this
+// far from the middle.
+struct Sweep {
+  double middle;
+  double half;
+};
+
+HARDBALL_ALWAYS_INLINE Sweep sweep_of(double separation, double velocity, double reach,
+                                      const Interval& during) {
+  const double speed = std::fabs(velocity);
+  const double margin = kRounding * (std::fabs(separation) + speed * during.end + reach);
+  return {separation + velocity * (0.5 * (during.begin + during.end)),
+          speed * (0.5 * (during.end - during.begin)) + reach + margin};
+}
+
+// Whether no image comes within reach along an axis during an interval.
+HARDBALL_ALWAYS_INLINE bool is_missed_along(std::size_t axis, const Box& box, const Relative& other,
+                                            const Interval& during) {
+  const Sweep sweep = sweep_of(other.separation[axis], other.velocity[axis], other.reach, during);
+  const double boxes = nearest_integer(sweep.middle * box.inverse_period()[axis]);
+  // False if the interval has no end, and products are NaN.
+  return std::fabs(sweep.middle - boxes * box.period()[axis]) > sweep.half;
+}
+
+// Whether one axis shows that no image comes within reach during an interval. Most do not.
+HARDBALL_ALWAYS_INLINE bool is_missed(const Box& box, const Relative& other, const Interval& during) {
+  return is_missed_along(0, box, other, during) || is_missed_along(1, box, other, during) ||
+         is_missed_along(2, box, other, during);
+}
+
+// Calls visit(separation) for all images that may come within reach during an interval.
+template <class Visit>
+void for_each_image(const Box& box, const Relative& other, const Interval& during, Visit&& visit) {
+  Image low;
+  Image high;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!box.is_periodic(axis)) continue;
+    const Sweep sweep = sweep_of(other.separation[axis], other.velocity[axis], other.reach, during);
+    low[axis] = static_cast<std::int32_t>(std::ceil((-sweep.half - sweep.middle) / box.size()[axis]));
+    high[axis] = static_cast<std::int32_t>(std::floor((sweep.half - sweep.middle) / box.size()[axis]));
+  }
+  Image image;
+  for (image[0] = low[0]; image[0] <= high[0]; ++image[0]) {
+    for (image[1] = low[1]; image[1] <= high[1]; ++image[1]) {
+      for (image[2] = low[2]; image[2] <= high[2]; ++image[2]) visit(other.separation + box.shift(image));
+    }
+  }
+}
+
+// Calls visit(slot, other) for every sphere but `self`, as seen from a body at `state`.
+template <class Visit>
+void for_each_other(const World& world, const Time& now, const State& from, double radius, Slot self,
+                    Visit&& visit) {
+  const Motion& motion = world.motion();
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    if (slot == self) continue;
+    const State state = motion.state_at(world.path(slot), now);
+    visit(slot, Relative{state.position - from.position, state.velocity - from.velocity,
+                         radius + world.radius(slot)});
+  }
+}
+
+// What is met first: of simultaneous contacts, by the order of events.
+struct First {
+  Time time = kNever;
+  EventKind kind = EventKind::collision;
+  std::uint32_t body = kNoSphere;
+  Vec3 separation;  // when it all begins, of the image that is met [L]
+
+  void note(const First& other) {
+    const bool is_earlier =
+        other.time != time ? other.time < time : (other.kind != kind ? other.kind < kind : other.body < body);
+    if (is_earlier) *this = other;
+  }
+};
+
+// Divides the way to `end` into intervals, in each of which nothing moves farther than half a periodic box,
+// and calls search(interval) for one after the other until it returns true.
+template <class Stride, class Search>
+void search_in_intervals(Stride&& stride, double end, Search&& search) {
+  double begin = 0;
+  for (double intervals = 0; intervals < kMostIntervals; ++intervals) {
+    const Interval during{begin, std::min(begin + stride(begin), end)};
+    if (search(during) || !(during.end < end)) return;
+    begin = during.end;
+  }
+  throw RunFailure("a search has crossed half the periodic box 2^30 times; search less far");
+}
+
+// Notes other spheres that are touched in an interval, as seen from a body at `from`; `wait_of(slot, other)`
+// is the time until an image is touched.
+template <class StateOf, class WaitOf>
+void note_spheres(const World& world, const Time& start, const State& from, double radius, Slot self,
+                  const StateOf& state_of, const WaitOf& wait_of, Interval during, First& first) {
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    if (slot == self) continue;
+    const State state = state_of(slot);
+    const Relative other{state.position - from.position, state.velocity - from.velocity,
+                         radius + world.radius(slot)};
+    if (is_missed(world.box(), other, during)) continue;
+    for_each_image(world.box(), other, during, [&](const Vec3& separation) {
+      const double wait = wait_of(slot, Relative{separation, other.velocity, other.reach});
+      if (wait > during.end) return;
+      during.end = wait;
+      first.note({after(start, wait), EventKind::collision, world.id(slot), separation});
+    });
+  }
+}
+
+double time_to_touch(const Relative& other) {
+  return time_to_reach(other.separation, other.velocity, other.reach);
+}
+
+// A ray leaves what it starts in.
+double time_to_enter(const Relative& other) {
+  const bool is_inside = dot(other.separation, other.separation) < other.reach * other.reach;
+  return is_inside ? kInfinity : time_to_touch(other);
+}
+
+// Spheres that pass through each other, and have begun to, do not touch; see have_met (world.hpp).
+double time_to_begin(const World& world, const Time& now, SphereId id, SphereId other_id,
+                     const Relative& other) {
+  if (dot(other.separation, other.separation) <= other.reach * other.reach) return kInfinity;
+  const double wait = time_to_touch(other);
+  Event contact = make_collision(after(now, wait), id, other_id, {});
+  contact.image = world.last_passage().image;
+  return contact <= world.last_passage() ? kInfinity : wait;
+}
+
+void check_end(const Box& box, double end, const std::string& name, const char* where) {
+  if (!(end >= 0)) throw Error("the " + name + " lies behind, or is NaN", where, "give one that lies ahead");
+  if (std::isfinite(end) || !is_periodic(box)) return;
+  throw Error("the box is periodic, and the search may have no end", where, "give a finite " + name);
+}
+
+// What a sphere on a path that starts now meets first; `pass(slot)` tells through which others it passes.
+template <class Pass>
+std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slot self, const Path& path,
+                                            double radius, const Pass& pass, const Time& until) {
+  const Time& now = path.time;
+  const Box& box = world.box();
+  const double last = until.high < kNever.high ? duration(now, until) : until.high;
+  check_end(box, last, "time", "first_contact");
+  // Contacts whose time rounds to that of the end count.
+  const double end = last + 0x1p-52 * std::fabs(until.high);
+  const State from{path.position, path.velocity};
+  const Motion& motion = world.motion();
+  const auto state_of = [&](Slot slot) { return motion.state_at(world.path(slot), now); };
+  const bool some_pass = world.has_passing_pairs() || id == kNoSphere;
+  const auto wait_of = [&](Slot slot, const Relative& other) {
+    if (some_pass && pass(slot)) return time_to_begin(world, now, id, world.id(slot), other);
+    return time_to_touch(other);
+  };
+
+  const double half = 0.5 * shortest_period(box);
+  double fastest = 0;
+  for (Slot slot = 0; is_periodic(box) && slot < world.size(); ++slot) {
+    const Vec3 velocity = motion.velocity_at(world.path(slot), now) - path.velocity;
+    if (slot != self) fastest = std::max(fastest, dot(velocity, velocity));
+  }
+  const double stride_to_spheres = half / std::sqrt(fastest);
+  const bool has_obstacles = has_images_of_obstacles(world);
+  const auto stride = [&](double begin) {
+    if (!has_obstacles) return stride_to_spheres;
+    const double gravity = length(motion.gravity());
+    return std::min(stride_to_spheres, time_to_pass(half, length(path.velocity) + gravity * begin, gravity));
+  };
+
+  First first;
+  search_in_intervals(stride, end, [&](const Interval& during) {
+    first = {};
+    note_spheres(world, now, from, radius, self, state_of, wait_of, during, first);
+    const Event wall = next_wall_event(world, id, path, radius, after(now, during.begin), 0.5);
+    if (wall.time <= after(now, during.end)) first.note({wall.time, wall.kind, wall.second, {}});
+    return first.time < kNever;
+  });
+  if (!(first.time < kNever) || first.time.high > until.high) return std::nullopt;
+  return NextContact{first.time.value(), first.kind, id, first.body};
+}
+
+// The surface at rest as it is at this moment.
+Surface at_rest(const Surface& surface, const Time& now) {
+  const Vec3 point = surface.point() + (now.high * surface.velocity() + now.low * surface.velocity());
+  return std::visit(
+      [&](const auto& shape) {
+        if constexpr (requires { shape.displacement_at(now); })
+          return Surface(Plane(shape.normal()), point + shape.displacement_at(now));
+        else
+          return Surface(shape, point);
+      },
+      surface.shape());
+}
+
+Vec3 axis_vector(std::size_t axis, double length) {
+  Vec3 vector;
+  vector[axis] = length;
+  return vector;
+}
+
+// Calls visit(number, surface) for all surfaces, at rest as they are now.
+template <class Visit>
+void for_each_surface(const World& world, const Time& now, Visit&& visit) {
+  std::uint32_t number = kFaces;
+  for (const Surface& surface : world.surfaces()) visit(number++, at_rest(surface, now));
+}
+
+template <class Visit>
+void for_each_face(const Box& box, Visit&& visit) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!box.is_wall(axis)) continue;
+    for (const bool upper : {false, true}) visit(axis, upper);
+  }
+}
+
+double distance_to_face(const Box& box, const Vec3& point, std::size_t axis, bool upper) {
+  return upper ? box.size()[axis] - point[axis] : point[axis];
+}
+
+// Notes the walls that a ray hits in an interval.
+void note_walls(const World& world, const Time& now, const Path& path, const Interval& during, First& first) {
+  const Box& box = world.box();
+  const auto note = [&](double distance, std::uint32_t number, const Vec3& separation) {
+    if (distance <= during.end) first.note({Time(distance), EventKind::wall, number, separation});
+  };
+  for_each_face(box, [&](std::size_t axis, bool upper) {
+    const double approach = upper ? path.velocity[axis] : -path.velocity[axis];
+    note(time_to_plane(distance_to_face(box, path.position, axis, upper), approach), face_of(axis, upper),
+         {});
+  });
+  for_each_surface(world, now, [&](std::uint32_t number, const Surface& surface) {
+    const auto* obstacle = std::get_if<Obstacle>(&surface.shape());
+    if (obstacle == nullptr) return note(surface.contact_time(Motion(), path, 0).high, number, {});
+    const Relative other{surface.point() - path.position, -path.velocity, obstacle->radius()};
+    for_each_image(box, other, during, [&](const Vec3& separation) {
+      note(time_to_enter(Relative{separation, other.velocity, other.reach}), number, separation);
+    });
+  });
+}
+
+void check_vector(const Vec3& vector, const char* name, const char* where) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) check_finite(vector[axis], name, where);
+}
+
+// A point folded into the box.
+Vec3 folded(const Box& box, Vec3 point, const char* where) {
+  check_vector(point, "a coordinate", where);
+  box.fold(point);
+  return point;
+}
+
+// The unit vector out of what a ray hits.
+Vec3 normal_of(const World& world, const Time& now, const First& hit, const Vec3& point, const Vec3& way) {
+  const bool is_face = hit.kind == EventKind::wall && hit.body < kFaces;
+  if (is_face) return axis_vector(axis_of(hit.body), is_upper(hit.body) ? -1 : 1);
+  if (hit.separation != Vec3{}) {
+    const Vec3 outwards = way - hit.separation;
+    return (1 / length(outwards)) * outwards;
+  }
+  return -world.surface(hit.body).direction(point, now);
+}
+
+// What is nearest: of several bodies, by the order of events.
+void note_nearer(const Clearance& other, std::optional<Clearance>& nearest) {
+  const bool is_nearer =
+      !nearest ||
+      (other.distance != nearest->distance
+           ? other.distance < nearest->distance
+           : (other.kind != nearest->kind ? other.kind < nearest->kind : other.body < nearest->body));
+  if (is_nearer) nearest = other;
+}
+
+std::optional<Clearance> clearance_of(const World& world, const Time& now, const Vec3& center, double radius,
+                                      Slot self) {
+  const Box& box = world.box();
+  std::optional<Clearance> nearest;
+  double least = kInfinity;
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    if (slot == self) continue;
+    Vec3 apart = world.unfolded_position(slot, now) - center;
+    for_each_axis([&](auto axis) {
+      apart[axis] -= nearest_integer(apart[axis] * box.inverse_period()[axis]) * box.period()[axis];
+    });
+    const double reach = radius + world.radius(slot);
+    const double square = dot(apart, apart);
+    // Most are certainly farther, and need no square root.
+    const double within = least + reach;
+    if (within < 0 || square * (1 - kRounding) > within * within) continue;
+    const double distance = std::sqrt(square) - reach;
+    note_nearer({distance, EventKind::collision, world.id(slot)}, nearest);
+    least = nearest->distance;
+  }
+  for_each_face(box, [&](std::size_t axis, bool upper) {
+    const double distance = distance_to_face(box, center, axis, upper) - radius;
+    note_nearer({distance, EventKind::wall, face_of(axis, upper)}, nearest);
+  });
+  for_each_surface(world, now, [&](std::uint32_t number, const Surface& surface) {
+    const Vec3 image = nearest_image_of(world, surface, center);
+    note_nearer({surface.distance(center - image, now) - radius, EventKind::wall, number}, nearest);
+  });
+  return nearest;
+}
+
+}  // namespace
+
+std::optional<NextContact> first_contact(const World& world, const Time& now, SphereId id,
+                                         const Vec3& velocity, const Time& until) {
+  const Slot slot = world.slot_of(id);
+  World::check_velocity(id, velocity);
+  const Path path{world.position(slot, now), velocity, now};
+  const auto pass = [&](Slot other) { return world.pass(slot, other); };
+  return first_contact_on(world, id, slot, path, world.radius(slot), pass, until);
+}
+
+std::optional<NextContact> first_contact(const World& world, const Time& now, const Sphere& sphere,
+                                         const Time& until) {
+  world.check(sphere);
+  const Path path{folded(world.box(), sphere.position, "first_contact"), sphere.velocity, now};
+  const auto pass = [&](Slot other) {
+    return world.may_pass(sphere.species, world.species(other)) ||
+           (std::isinf(sphere.mass) && world.is_kinematic(other));
+  };
+  return first_contact_on(world, kNoSphere, kNoSlot, path, sphere.radius, pass, until);
+}
+
+std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origin, const Vec3& direction,
+                          double most) {
+  constexpr const char* kWhere = "ray";
+  const Box& box = world.box();
+  check_vector(direction, "the direction", kWhere);
+  const double norm = length(direction);
+  if (!(norm >= kSmallestMagnitude)) {
+    throw Error("the direction has the length " + to_text(norm), kWhere,
+                "give a vector that points somewhere");
+  }
+  check_end(box, most, "distance", kWhere);
+  const Path path{folded(box, origin, kWhere), (1 / norm) * direction, Time(0)};
+  const auto state_of = [&](Slot slot) { return State{world.unfolded_position(slot, now), {}}; };
+  const auto wait_of = [](Slot, const Relative& other) { return time_to_enter(other); };
+  const double half = 0.5 * shortest_period(box);
+  First first;
+  search_in_intervals([half](double) { return half; }, most,
+                      [&](const Interval& during) {
+                        first = {};
+                        note_spheres(world, Time(0), {path.position, path.velocity}, 0, kNoSlot, state_of,
+                                     wait_of, during, first);
+                        note_walls(world, now, path, during, first);
+                        return first.time < kNever;
+                      });
+  if (!(first.time < kNever)) return std::nullopt;
+  const double distance = first.time.value();
+  const Vec3 way = distance * path.velocity;
+  Vec3 point = path.position + way;
+  box.fold(point);
+  return RayHit{first.kind, first.body, distance, point, normal_of(world, now, first, point, way)};
+}
+
+std::optional<Clearance> clearance(const World& world, const Time& now, const Vec3& point) {
+  return clearance_of(world, now, folded(world.box(), point, "clearance"), 0, kNoSlot);
+}
+
+std::optional<Clearance> clearance(const World& world, const Time& now, SphereId id) {
+  const Slot slot = world.slot_of(id);
+  return clearance_of(world, now, world.position(slot, now), world.radius(slot), slot);
+}
+
+}  // namespace hardball

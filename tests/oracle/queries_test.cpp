@@ -1,0 +1,416 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Queries against slow twins that look at every image of every sphere, and against what the engine does next.
+#include "hardball/simulation/queries.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "hardball/simulation/simulation.hpp"
+#include "hardball/world/random.hpp"
+#include "hardball/world/walls.hpp"
+#include "support/effort.hpp"
+#include "support/random_world.hpp"
+
+namespace hardball {
+namespace {
+
+using support::RandomWorld;
+
+constexpr std::uint64_t kWorlds = 1500;
+constexpr int kQueriesPerWorld = 6;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+RandomWorld any_world(std::uint64_t seed) {
+  if (seed % 3 == 0) return support::make_responsive_world(seed);
+  return seed % 3 == 1 ? support::make_random_world(seed) : support::make_furnished_world(seed);
+}
+
+// A simulation of the world some contacts later.
+Simulation some_time_later(const RandomWorld& made, Random& random) {
+  Simulation simulation(
+      made.world,
+      {.restitution = made.restitution, .elastic_below = made.elastic_below, .responses = made.responses});
+  try {
+    simulation.run({.until = Time(made.until * random.uniform()), .contacts = 50});
+  } catch (const RunFailure&) {
+    // It has collapsed, which is as good a state as any.
+  }
+  return simulation;
+}
+
+// Calls visit(image) for all images up to so many boxes away along periodic axes.
+template <class Visit>
+void for_each_image(const Box& box, std::int32_t boxes, Visit&& visit) {
+  std::array<std::int32_t, kAxes> most{};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) most[axis] = box.is_periodic(axis) ? boxes : 0;
+  Image image;
+  for (image[0] = -most[0]; image[0] <= most[0]; ++image[0]) {
+    for (image[1] = -most[1]; image[1] <= most[1]; ++image[1]) {
+      for (image[2] = -most[2]; image[2] <= most[2]; ++image[2]) visit(image);
+    }
+  }
+}
+
+double shortest_period(const Box& box) {
+  double shortest = kInfinity;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (box.is_periodic(axis)) shortest = std::min(shortest, box.size()[axis]);
+  }
+  return shortest;
+}
+
+double fastest(const World& world, const Time& now) {
+  double speed = 0;
+  for (Slot slot = 0; slot < world.size(); ++slot) speed = std::max(speed, length(world.velocity(slot, now)));
+  return speed;
+}
+
+// A velocity as fast as the spheres, or one of theirs, or none.
+Vec3 some_velocity(const World& world, const Time& now, Random& random) {
+  const double kind = random.uniform();
+  if (kind < 0.1) return {};
+  const auto slot = static_cast<Slot>(random.uniform() * static_cast<double>(world.size()));
+  if (kind < 0.3) return world.velocity(slot, now);
+  return 2 * random.uniform() * fastest(world, now) * random.direction();
+}
+
+// Within which nothing moves farther than a few boxes, so that the twin can look at all images; infinite in
+// some cases where there are none.
+double some_duration(const World& world, const Time& now, const Vec3& velocity, double until,
+                     Random& random) {
+  constexpr double kBoxes = 2.5;
+  const double period = shortest_period(world.box());
+  if (period == kInfinity && random.uniform() < 0.5) return kInfinity;
+  const double speed = fastest(world, now) + length(velocity);
+  const double gravity = length(world.motion().gravity());
+  return std::min(until, time_to_pass(kBoxes * period, speed, gravity)) * random.uniform();
+}
+
+// The first contact of a sphere by its stored path.
+std::optional<NextContact> slow_first_contact(const World& world, Slot slot, const Time& now, double until) {
+  constexpr std::int32_t kBoxes = 7;
+  Event first = next_wall_event(world, slot, now, kBoxes);
+  for (Slot other = 0; other < world.size(); ++other) {
+    if (other == slot) continue;
+    for_each_image(world.box(), kBoxes, [&](const Image& image) {
+      // Paths may lead far out of the box.
+      const Image nearest =
+          world.box().nearest_image(world.unfolded_position(slot, now) - world.unfolded_position(other, now));
+      const Image seen = nearest + image;
+      if (world.pass(slot, other) && have_met(world, slot, other, seen)) return;
+      const Event contact =
+          make_collision(contact_time(world, slot, other, seen), world.id(slot), world.id(other), seen);
+      if (contact < first) first = contact;
+    });
+  }
+  if (!first.happens() || first.time.high > until) return std::nullopt;
+  const SphereId id = world.id(slot);
+  return NextContact{first.time.value(), first.kind, id, first.first == id ? first.second : first.first};
+}
+
+TEST(Queries, FirstContactsAreThoseOfAllImages) {
+  std::uint64_t found = 0;
+  std::uint64_t predicted = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(kWorlds); ++seed) {
+    const RandomWorld made = any_world(seed);
+    if (made.world.size() == 0) continue;
+    SCOPED_TRACE(made.name);
+    Random random(seed + 1);
+    const Simulation simulation = some_time_later(made, random);
+    const World& world = simulation.world();
+    for (int i = 0; i < kQueriesPerWorld; ++i) {
+      const auto slot = static_cast<Slot>(random.uniform() * static_cast<double>(world.size()));
+      const SphereId id = world.id(slot);
+      const Vec3 velocity = some_velocity(world, simulation.now(), random);
+      const double until =
+          simulation.time() + some_duration(world, simulation.now(), velocity, made.until, random);
+      const std::optional<NextContact> contact = simulation.first_contact(id, velocity, until);
+      World changed = world;
+      changed.change_velocity(slot, simulation.now(), velocity);
+      ASSERT_EQ(contact, slow_first_contact(changed, slot, simulation.now(), until));
+      found += contact ? 1U : 0U;
+
+      // What the engine does next is this, or something earlier.
+      Simulation copy = simulation;
+      copy.change_velocity(id, velocity);
+      const std::optional<NextContact> next =
+          copy.next_contact(std::min(until, simulation.time() + made.until));
+      if (!next) continue;
+      const bool is_about_it =
+          next->first == id || (next->kind == EventKind::collision && next->second == id);
+      if (!is_about_it) {
+        ASSERT_TRUE(!contact || next->time <= contact->time);
+        continue;
+      }
+      ASSERT_TRUE(contact);
+      ASSERT_EQ(contact->time, next->time);
+      ASSERT_EQ(contact->kind, next->kind);
+      ASSERT_EQ(contact->second, next->first == id ? next->second : next->first);
+      ++predicted;
+    }
+  }
+  EXPECT_GT(found, support::cases(kWorlds));
+  EXPECT_GT(predicted, support::cases(kWorlds) / 10);
+}
+
+TEST(Queries, ASphereNotInTheWorldMeetsWhatOneInItsPlaceWould) {
+  std::uint64_t found = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(kWorlds); ++seed) {
+    const RandomWorld made = any_world(seed);
+    if (made.world.size() < 2) continue;
+    SCOPED_TRACE(made.name);
+    Random random(seed + 1);
+    Simulation simulation = some_time_later(made, random);
+    const World& world = simulation.world();
+    const auto slot = static_cast<Slot>(random.uniform() * static_cast<double>(world.size()));
+    const SphereId id = world.id(slot);
+    const Vec3 velocity = some_velocity(world, simulation.now(), random);
+    const double until =
+        simulation.time() + some_duration(world, simulation.now(), velocity, made.until, random);
+    const Sphere sphere{.position = simulation.position(id),
+                        .velocity = velocity,
+                        .radius = world.radius(slot),
+                        .mass = world.mass(slot),
+                        .species = world.species(slot)};
+    std::optional<NextContact> expected = simulation.first_contact(id, velocity, until);
+    simulation.remove(id);
+    // It may reach through a face by rounding, where it cannot be added.
+    try {
+      world.check(sphere);
+    } catch (const Error&) {
+      continue;
+    }
+    const std::optional<NextContact> contact = simulation.first_contact(sphere, until);
+    if (expected) expected->first = kNoSphere;
+    ASSERT_EQ(contact, expected);
+    found += contact ? 1U : 0U;
+  }
+  EXPECT_GT(found, support::cases(kWorlds) / 5);
+}
+
+// A ray or a point sees spheres, obstacles, and walls with simple equations.
+struct SlowHit {
+  long double distance = kInfinity;
+  EventKind kind = EventKind::collision;
+  std::uint32_t body = 0;
+};
+
+// The lesser root t of |a + t b| = r, or the greater one; infinity if there is none ahead.
+long double root_ahead(const Vec3& a, const Vec3& b, long double r, bool greater) {
+  const auto product = [](const Vec3& p, const Vec3& q) {
+    return static_cast<long double>(p.x) * q.x + static_cast<long double>(p.y) * q.y +
+           static_cast<long double>(p.z) * q.z;
+  };
+  const long double half = product(a, b) / product(b, b);
+  const long double rest = (product(a, a) - r * r) / product(b, b);
+  const long double square = half * half - rest;
+  if (!(square >= 0)) return kInfinity;
+  const long double root = -half + (greater ? 1 : -1) * std::sqrt(square);
+  return root >= 0 ? root : kInfinity;
+}
+
+// Hits a little earlier or later than the first are returned as well.
+std::vector<SlowHit> slow_hits(const World& world, const Time& now, const Vec3& origin,
+                               const Vec3& direction) {
+  constexpr std::int32_t kBoxes = 5;
+  std::vector<SlowHit> hits;
+  const auto note = [&](long double distance, EventKind kind, std::uint32_t body) {
+    if (distance < kInfinity) hits.push_back({distance, kind, body});
+  };
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    const Vec3 center = world.position(slot, now);
+    for_each_image(world.box(), kBoxes, [&](const Image& image) {
+      const Vec3 from = origin - (center + world.box().shift(image));
+      note(root_ahead(from, direction, world.radius(slot), false), EventKind::collision, world.id(slot));
+    });
+  }
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!world.box().is_wall(axis)) continue;
+    for (const bool upper : {false, true}) {
+      const double way = upper ? world.box().size()[axis] - origin[axis] : -origin[axis];
+      const long double distance = static_cast<long double>(way) / direction[axis];
+      if (upper ? direction[axis] > 0 : direction[axis] < 0) {
+        note(std::max(distance, 0.0L), EventKind::wall, face_of(axis, upper));
+      }
+    }
+  }
+  std::uint32_t number = kFaces;
+  for (const Surface& surface : world.surfaces()) {
+    const Vec3 from = origin - (surface.point() + now.value() * surface.velocity());
+    if (const auto* obstacle = std::get_if<Obstacle>(&surface.shape())) {
+      for_each_image(world.box(), kBoxes, [&](const Image& image) {
+        note(root_ahead(from - world.box().shift(image), direction, obstacle->radius(), false),
+             EventKind::wall, number);
+      });
+    } else if (const auto* hollow = std::get_if<HollowSphere>(&surface.shape())) {
+      note(root_ahead(from, direction, hollow->radius(), true), EventKind::wall, number);
+    } else if (const auto* tube = std::get_if<Cylinder>(&surface.shape())) {
+      note(root_ahead(cross(from, tube->axis()), cross(direction, tube->axis()), tube->radius(), true),
+           EventKind::wall, number);
+    } else {
+      const Vec3 normal = std::visit(
+          [](const auto& shape) {
+            if constexpr (requires { shape.normal(); }) return shape.normal();
+            return Vec3{};
+          },
+          surface.shape());
+      if (dot(direction, normal) < 0) {
+        note(surface.distance(origin, now) / -static_cast<long double>(dot(direction, normal)),
+             EventKind::wall, number);
+      }
+    }
+    ++number;
+  }
+  return hits;
+}
+
+double extent_of(const World& world, const Time& now) {
+  double extent = 2 * world.largest_radius();
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    extent = std::max(extent, length(world.position(slot, now)));
+  }
+  return extent;
+}
+
+// A point among the spheres, but in none of them, nor beyond a wall.
+std::optional<Vec3> some_free_point(const World& world, const Time& now, Random& random) {
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    const auto slot = static_cast<Slot>(random.uniform() * static_cast<double>(world.size()));
+    const double way = world.largest_radius() * (1 + 3 * random.uniform());
+    const Vec3 point = world.position(slot, now) + way * random.direction();
+    const std::optional<Clearance> room = clearance(world, now, point);
+    if (room->distance > 1e-6 * way) return point;
+  }
+  return std::nullopt;
+}
+
+TEST(Queries, RaysHitWhatSimpleEquationsSay) {
+  std::uint64_t spheres = 0;
+  std::uint64_t walls = 0;
+  for (std::uint64_t seed = 0; seed < support::cases(kWorlds); ++seed) {
+    const RandomWorld made = any_world(seed);
+    if (made.world.size() == 0) continue;
+    SCOPED_TRACE(made.name);
+    Random random(seed + 1);
+    const Simulation simulation = some_time_later(made, random);
+    const World& world = simulation.world();
+    const Time& now = simulation.now();
+    const double extent = extent_of(world, now);
+    for (int i = 0; i < kQueriesPerWorld; ++i) {
+      const std::optional<Vec3> point = some_free_point(world, now, random);
+      if (!point) break;
+      const Vec3 direction = random.direction();
+      const double most = std::min(3 * shortest_period(world.box()), 4 * extent);
+      const std::vector<SlowHit> hits = slow_hits(world, now, *point, direction);
+      // The lengths of directions differ by rounding; a grazing ray may differ more, but rarely.
+      const double tolerance = 1e-9 * (extent + most);
+      const std::optional<RayHit> hit = simulation.ray(*point, 3 * direction, most);
+      long double nearest = kInfinity;
+      for (const SlowHit& slow : hits) nearest = std::min(nearest, slow.distance);
+      if (!hit) {
+        ASSERT_GT(nearest, most - tolerance);
+        continue;
+      }
+      ASSERT_LE(hit->distance, most);
+      ASSERT_NEAR(hit->distance, static_cast<double>(nearest), tolerance);
+      ASSERT_TRUE(std::ranges::any_of(hits, [&](const SlowHit& slow) {
+        return slow.kind == hit->kind && slow.body == hit->body &&
+               std::fabs(slow.distance - hit->distance) <= tolerance;
+      }));
+      ASSERT_NEAR(length(hit->normal), 1, 1e-12);
+      ASSERT_LT(dot(hit->normal, direction), 1e-6);
+      // The point lies on the body: a step out of it leads away from it.
+      const Vec3 outside = hit->point + (1e-3 * world.largest_radius()) * hit->normal;
+      const std::optional<Clearance> at = simulation.clearance(hit->point);
+      const std::optional<Clearance> beyond = simulation.clearance(outside);
+      ASSERT_NEAR(at->distance, 0, tolerance);
+      if (beyond->kind == hit->kind && beyond->body == hit->body) {
+        ASSERT_NEAR(beyond->distance, 1e-3 * world.largest_radius(), tolerance);
+      }
+      ++(hit->kind == EventKind::collision ? spheres : walls);
+    }
+  }
+  EXPECT_GT(spheres, support::cases(kWorlds) / 2);
+  EXPECT_GT(walls, support::cases(kWorlds) / 2);
+}
+
+// The nearest of all images.
+double slow_clearance(const World& world, const Time& now, const Vec3& center, double radius, Slot self) {
+  constexpr std::int32_t kBoxes = 2;
+  double least = kInfinity;
+  Vec3 place = center;
+  world.box().fold(place);
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    if (slot == self) continue;
+    for_each_image(world.box(), kBoxes, [&](const Image& image) {
+      const Vec3 apart = (world.position(slot, now) + world.box().shift(image)) - place;
+      least = std::min(least, length(apart) - radius - world.radius(slot));
+    });
+  }
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!world.box().is_wall(axis)) continue;
+    least = std::min({least, place[axis] - radius, world.box().size()[axis] - place[axis] - radius});
+  }
+  for (const Surface& surface : world.surfaces()) {
+    const bool has_images = std::holds_alternative<Obstacle>(surface.shape());
+    for_each_image(world.box(), has_images ? kBoxes : 0, [&](const Image& image) {
+      least = std::min(least, surface.distance(place + world.box().shift(image), now) - radius);
+    });
+  }
+  return least;
+}
+
+double distance_to(const World& world, const Time& now, const Vec3& center, double radius,
+                   const Clearance& nearest) {
+  World only(world.box());
+  if (nearest.kind != EventKind::collision) return nearest.distance;
+  const Slot slot = world.slot_of(nearest.body);
+  only.add({world.position(slot, now), {}, world.radius(slot), 1});
+  double least = kInfinity;
+  for_each_image(world.box(), 2, [&](const Image& image) {
+    Vec3 place = center;
+    world.box().fold(place);
+    const Vec3 apart = (only.position(0, Time(0)) + world.box().shift(image)) - place;
+    least = std::min(least, length(apart) - radius - world.radius(slot));
+  });
+  return least;
+}
+
+TEST(Queries, ClearancesAreThoseOfTheNearestImage) {
+  for (std::uint64_t seed = 0; seed < support::cases(kWorlds); ++seed) {
+    const RandomWorld made = any_world(seed);
+    if (made.world.size() == 0) continue;
+    SCOPED_TRACE(made.name);
+    Random random(seed + 1);
+    const Simulation simulation = some_time_later(made, random);
+    const World& world = simulation.world();
+    const Time& now = simulation.now();
+    const double tolerance = 1e-9 * extent_of(world, now);
+    for (int i = 0; i < kQueriesPerWorld; ++i) {
+      const auto slot = static_cast<Slot>(random.uniform() * static_cast<double>(world.size()));
+      const double way = 4 * world.largest_radius() * random.uniform();
+      const Vec3 point = simulation.position(world.id(slot)) + way * random.direction();
+      const std::optional<Clearance> room = simulation.clearance(point);
+      ASSERT_TRUE(room);
+      const auto none = static_cast<Slot>(world.size());
+      ASSERT_NEAR(room->distance, slow_clearance(world, now, point, 0, none), tolerance);
+      ASSERT_NEAR(room->distance, distance_to(world, now, point, 0, *room), tolerance);
+
+      const std::optional<Clearance> gap = simulation.clearance(world.id(slot));
+      const Vec3 center = world.position(slot, now);
+      const double expected = slow_clearance(world, now, center, world.radius(slot), slot);
+      ASSERT_EQ(gap.has_value(), expected < kInfinity);
+      if (!gap) continue;
+      ASSERT_NEAR(gap->distance, expected, tolerance);
+      ASSERT_NEAR(gap->distance, distance_to(world, now, center, world.radius(slot), *gap), tolerance);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hardball
