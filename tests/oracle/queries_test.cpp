@@ -21,7 +21,7 @@ namespace {
 
 using support::RandomWorld;
 
-constexpr std::uint64_t kWorlds = 1500;
+constexpr std::uint64_t kWorlds = 600;
 constexpr int kQueriesPerWorld = 6;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
