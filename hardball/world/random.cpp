@@ -56,6 +56,17 @@ Vec3 Random::direction() {
   }
 }
 
+Vec3 Random::direction_in_plane() {
+  for (;;) {
+    const double u = 2 * uniform() - 1;
+    const double v = 2 * uniform() - 1;
+    const double s = u * u + v * v;
+    if (s >= 1 || s == 0) continue;
+    const double scale = 1 / std::sqrt(s);
+    return {u * scale, v * scale, 0};
+  }
+}
+
 double portable_log(double x) {
   // x = m 2^e with m between sqrt(1/2) and sqrt(2); log m = 2 artanh((m - 1) / (m + 1)).
   int exponent = 0;

@@ -23,6 +23,9 @@ class Random {
   double normal();
   /// Uniform on the unit sphere. Source: Marsaglia, Ann. Math. Statist. 43 (1972) 645.
   Vec3 direction();
+  /// Uniform on the unit circle in the plane z = 0. Source: von Neumann, Nat. Bur. Stand. Appl. Math. Ser. 12
+  /// (1951) 36.
+  Vec3 direction_in_plane();
 
  private:
   std::array<std::uint64_t, 4> state_;
