@@ -47,7 +47,8 @@ constexpr Named<EngineKind> kEngines[] = {
     {"all-pairs", EngineKind::all_pairs}, {"paper", EngineKind::paper},
 };
 
-constexpr Named<Placement> kPlacements[] = {{"fcc", Placement::fcc}, {"random", Placement::random}};
+constexpr Named<Placement> kPlacements[] = {
+    {"fcc", Placement::fcc}, {"hexagonal", Placement::hexagonal}, {"random", Placement::random}};
 
 constexpr Named<Boundary> kBoundaries[] = {{"periodic", Boundary::periodic}, {"wall", Boundary::wall}};
 
@@ -89,6 +90,7 @@ std::string_view name_of(Value value, const Named<Value> (&table)[size]) {
 
 struct Options {
   std::size_t spheres = 0;
+  std::size_t dimensions = 3;
   double packing_fraction = 0;
   double equilibration = 0;  // collisions per sphere
   std::uint64_t seed = 1;
@@ -99,8 +101,9 @@ struct Options {
   double radius_ratio = 1;
 };
 
-SphereGroup group_of(std::size_t count, double radius, Placement placement) {
+SphereGroup group_of(std::size_t dimensions, std::size_t count, double radius, Placement placement) {
   SphereGroup group;
+  group.dimensions = dimensions;
   group.count = count;
   group.radius = radius;
   group.placement = placement;
@@ -115,21 +118,31 @@ World make_start(const Options& options) {
   check_positive(options.radius_ratio, "the ratio", "--radius-ratio");
   // Spheres of two sizes do not fit on a lattice.
   const bool is_mixture = options.radius_ratio != 1;
-  const Placement placement =
-      choose(options.placement.value_or(is_mixture ? "random" : "fcc"), kPlacements, "--placement");
+  if (options.dimensions != 2 && options.dimensions != 3) {
+    throw Error("the number is " + to_text(options.dimensions), "--dimensions", "give 2 or 3");
+  }
+  const bool is_flat = options.dimensions == 2;
+  const Placement placement = choose(options.placement.value_or(is_mixture ? "random"
+                                                                : is_flat  ? "hexagonal"
+                                                                           : "fcc"),
+                                     kPlacements, "--placement");
   const std::size_t others = is_mixture ? options.spheres / 2 : 0;
   Scenario scenario;
   scenario.seed = options.seed;
   double volume = 0;
   const auto add = [&](std::size_t count, double radius) {
     if (count == 0) return;
-    scenario.spheres.push_back(group_of(count, radius, placement));
-    volume += static_cast<double>(count) * 4 * std::numbers::pi / 3 * radius * radius * radius;
+    scenario.spheres.push_back(group_of(options.dimensions, count, radius, placement));
+    const double of_each =
+        is_flat ? std::numbers::pi * radius * radius : 4 * std::numbers::pi / 3 * radius * radius * radius;
+    volume += static_cast<double>(count) * of_each;
   };
   add(options.spheres - others, kRadius);
   add(others, kRadius * options.radius_ratio);
-  const double box_edge = std::cbrt(volume / options.packing_fraction);
+  const double box_volume = volume / options.packing_fraction;
+  const double box_edge = is_flat ? std::sqrt(box_volume) : std::cbrt(box_volume);
   scenario.box.fill({choose(options.boundary, kBoundaries, "--boundary"), box_edge});
+  if (is_flat) scenario.box[2] = {Boundary::flat, std::nullopt};
   return make_world(scenario);
 }
 
@@ -249,6 +262,7 @@ int parse_and_run(int argument_count, char** arguments) {
   CLI::App app("Runs equal spheres of diameter 1 by commands on standard input: run CONTACTS, finish.",
                "measured_engine");
   app.add_option("--spheres", options.spheres, "How many")->required();
+  app.add_option("--dimensions", options.dimensions, "3, or 2 for discs");
   app.add_option("--packing-fraction", options.packing_fraction, "Their volume over the box's")->required();
   app.add_option("--equilibration", options.equilibration, "Collisions per sphere before measuring");
   app.add_option("--seed", options.seed, "Seed of the random numbers");

@@ -27,11 +27,12 @@ std::string readable(double number) {
 std::string describe(const Box& box) {
   constexpr std::array<const char*, 3> kNames{"wall", "periodic", "open"};
   std::string text;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+  for (std::size_t axis = 0; axis < box.dimensions(); ++axis) {
     if (axis > 0) text += " x ";
     if (!box.is_open(axis)) text += to_text(box.size()[axis]) + " ";
     text += kNames[static_cast<std::size_t>(box.boundary(axis))];
   }
+  if (box.is_flat()) text += ", two dimensions";
   return text;
 }
 

@@ -8,8 +8,11 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 #include "apps/cli/start.hpp"
+#include "hardball/measure/fluid_theory.hpp"
+#include "hardball/measure/units.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/kinetic_theory.hpp"
 #include "hardball/tuning/moments.hpp"
@@ -42,10 +45,10 @@ std::vector<std::string> changes(const Options& options) {
 // density.
 bool has_theory(const Moments& moments, const EngineOptions& options) {
   constexpr std::size_t kFewSpheres = 100;
-  constexpr double kFreezing = 0.494;
   const Box& box = moments.box;
-  return is_elastic(options) && moments.spheres >= kFewSpheres && moments.packing_fraction() <= kFreezing &&
-         !box.is_open(0) && !box.is_open(1) && !box.is_open(2);
+  const double freezing = box.is_flat() ? FluidTheory::kFreezingOfDiscs : FluidTheory::kFreezing;
+  return is_elastic(options) && moments.spheres >= kFewSpheres && moments.packing_fraction() <= freezing &&
+         !box.is_any(Boundary::open);
 }
 
 bool are_equal_spheres(const Moments& moments) {
@@ -54,16 +57,17 @@ bool are_equal_spheres(const Moments& moments) {
   return moments.radius_power[2] <= square * (1 + kRounding);
 }
 
-// The mean pressure on the walls [M L^-1 T^-2]: each contact transfers 4 k T / v on average.
+// The mean pressure on the walls [M L^-1 T^-2]: each contact transfers 4 k T / v on average, in two
+// dimensions pi k T / v.
 double expected_wall_pressure(const Moments& moments, double kinetic_energy) {
   double area = 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const Vec3& size = moments.box.size();
-    if (moments.box.is_wall(axis)) area += 2 * size[(axis + 1) % kAxes] * size[(axis + 2) % kAxes];
+    if (moments.box.is_wall(axis)) area += 2 * moments.box.face_area(axis);
   }
   const auto spheres = static_cast<double>(moments.spheres);
-  const double temperature = kinetic_energy / (1.5 * spheres);
-  return spheres * wall_rate(moments) * 4 * temperature / (moments.mean_speed * area);
+  const double temperature = 2 * kinetic_energy / (static_cast<double>(moments.box.dimensions()) * spheres);
+  const double transferred = (moments.is_flat() ? std::numbers::pi : 4) * temperature / moments.mean_speed;
+  return spheres * wall_rate(moments) * transferred / area;
 }
 
 // Counts over the whole run.
@@ -89,7 +93,7 @@ std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments
       are_equal_spheres(moments) ? compressibility(moments) : kNone);
   if (std::isfinite(summary.wall_pressure())) {
     add("wall contacts per sphere and time", "T^-1", rate(counters.wall), wall_rate(moments));
-    add("pressure on the walls", "M L^-1 T^-2", summary.wall_pressure(),
+    add("pressure on the walls", pressure_unit(moments.box), summary.wall_pressure(),
         expected_wall_pressure(moments, simulation.world().kinetic_energy(simulation.now())));
   }
   if (simulation.engine() == EngineKind::cells && counters.rebuilds == 0) {
@@ -188,6 +192,7 @@ report::Report run_report(const Options& options, const Scenario& scenario,
   report.momentum = simulation.world().momentum(simulation.now());
   report.max_overlap = summary.max_overlap();
 
+  report.is_flat = simulation.world().box().is_flat();
   for (const WallSummary& wall : summary.walls()) report.surfaces.push_back(surface_report(wall));
 
   if (const auto& thermostat = simulation.thermostat()) {

@@ -27,10 +27,6 @@ long measure_peak_rss() {
   return usage.ru_maxrss * kBytesPerUnit;
 }
 
-bool has(const Box& box, Boundary boundary) {
-  return box.boundary(0) == boundary || box.boundary(1) == boundary || box.boundary(2) == boundary;
-}
-
 nlohmann::ordered_json number_or_null(double number) {
   return std::isfinite(number) ? nlohmann::ordered_json(number) : nlohmann::ordered_json(nullptr);
 }
@@ -53,13 +49,13 @@ Summary::Summary(const Simulation& simulation, const Seconds& seconds)
   const Box& box = simulation.world().box();
   const Audit found = audit(simulation.world(), simulation.now());
   max_overlap_ = std::max({simulation.tally().max_overlap(), found.max_overlap, found.max_escape});
-  const bool is_bounded = !has(box, Boundary::open);
+  const bool is_bounded = !box.is_any(Boundary::open);
   const double packing = simulation.world().sphere_volume() / accessible_volume(simulation.world());
   packing_fraction_ = packing > 0 ? packing : kNone;
   compressibility_ = box.is_all(Boundary::periodic) && simulation.world().surfaces().empty()
                          ? simulation.tally().compressibility(simulation.now())
                          : kNone;
-  wall_pressure_ = is_bounded && has(box, Boundary::wall)
+  wall_pressure_ = is_bounded && box.is_any(Boundary::wall)
                        ? simulation.tally().wall_pressure(box, simulation.now())
                        : kNone;
   walls_ = summarize_walls(simulation);

@@ -259,15 +259,16 @@ std::string measured_in(double value, double error, std::string_view unit) {
   return std::isfinite(value) ? in_unit(measured_text(value, error), unit) : number_text(value);
 }
 
-std::string surface_article(const SurfaceReport& surface, std::size_t number) {
+std::string surface_article(const SurfaceReport& surface, std::size_t number, bool is_flat) {
   Table table("facts", "");
   table.add_row("shape", {escaped(surface.shape)});
   table.add_row("contacts", {count_text(surface.contacts)});
-  table.add_row("area",
-                {std::isfinite(surface.area) ? in_unit(number_text(surface.area), "L^2") : "unbounded"});
+  const std::string area = in_unit(number_text(surface.area), is_flat ? "L" : "L^2");
+  table.add_row(is_flat ? "length" : "area", {std::isfinite(surface.area) ? area : "unbounded"});
   table.add_row("mean force on it", {measured_in(surface.force, surface.force_error, "M L T^-2")});
   if (std::isfinite(surface.pressure)) {
-    table.add_row("pressure on it", {measured_in(surface.pressure, surface.pressure_error, "M L^-1 T^-2")});
+    const char* const unit = is_flat ? "M T^-2" : "M L^-1 T^-2";
+    table.add_row("pressure on it", {measured_in(surface.pressure, surface.pressure_error, unit)});
   }
   table.add_row("work done on the spheres", {measured_in(surface.work, std::nan(""), "M L^2 T^-2")});
   return fmt::format("<article>\n<h3 id=\"surface-{}\">{}</h3>\n", number, escaped(surface.name)) +
@@ -302,7 +303,9 @@ std::string gravity_and_surfaces(const Report& report) {
                 "force per area. Moving, thermal and inelastic surfaces do work: it is negative where they "
                 "take energy from the spheres.");
   if (report.surfaces.size() > kMostSurfaceArticles) return html + surfaces_table(report.surfaces);
-  for (std::size_t i = 0; i < report.surfaces.size(); ++i) html += surface_article(report.surfaces[i], i);
+  for (std::size_t i = 0; i < report.surfaces.size(); ++i) {
+    html += surface_article(report.surfaces[i], i, report.is_flat);
+  }
   return html;
 }
 

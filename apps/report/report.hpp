@@ -80,6 +80,7 @@ struct Report {
   double bytes_per_sphere = 0;
   double peak_bytes = 0;
 
+  bool is_flat = false;  ///< In two dimensions surfaces have lengths.
   std::vector<SurfaceReport> surfaces;
   std::optional<ThermostatReport> thermostat;
   std::vector<Quantity> rates;  ///< With the predictions of kinetic theory.

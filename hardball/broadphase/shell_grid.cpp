@@ -49,11 +49,12 @@ std::int32_t round_down(double number) {
 
 }  // namespace
 
-double ShellGrid::cells_of_surface(double radius) {
+double ShellGrid::cells_of_surface(double radius, std::size_t dimensions) {
   // By Steiner's formula for those that touch the sphere; those inside are missing.
   constexpr double kSphere = 4 * std::numbers::pi / 3;
   const double outer = radius + kSlack;
   const double inner = std::max(0.0, radius - kSlack - 0.75);
+  if (dimensions == 2) return 1 + 4 * outer + std::numbers::pi * (outer * outer - inner * inner);
   return 1 + 6 * outer + 3 * std::numbers::pi * outer * outer + kSphere * outer * outer * outer -
          kSphere * inner * inner * inner;
 }
@@ -80,7 +81,7 @@ std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const S
       continue;
     }
     ++count;
-    sizes.surfaces += cells_of_surface(radius / edge);
+    sizes.surfaces += cells_of_surface(radius / edge, world.box().dimensions());
     second_largest = std::max(second_largest, std::min(radius, largest));
     largest = std::max(largest, radius);
   }

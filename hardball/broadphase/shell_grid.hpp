@@ -43,7 +43,7 @@ class ShellGrid {
   /// large: the others are kept in blocks, see CellGrid. Measured.
   static constexpr double kFewSurfaces = 0.5;
   /// The mean number of cells that the surface of a large sphere of this radius, in edges, touches.
-  static double cells_of_surface(double radius);
+  static double cells_of_surface(double radius, std::size_t dimensions);
 
   /// Whether there are spheres much larger than such a cell, or few that do not fit, but no more of them than
   /// of others, and candidates would be nearest images. Cost: O(n). Error: the edge is not positive and

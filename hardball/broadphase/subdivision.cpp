@@ -36,6 +36,12 @@ Subdivision::Subdivision(const Box& box, double edge, std::int32_t most_cells) {
   }
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     Axis& cells = axes_[axis];
+    if (box.boundary(axis) == Boundary::flat) {
+      // A single layer, from which no sphere reaches out.
+      cells.edge = edge;
+      cells.count = 1;
+      continue;
+    }
     if (box.is_open(axis)) {
       cells = {edge, 1 / edge, 0, -most_cells / 2, most_cells / 2 - 1, 0, 0};
       continue;
@@ -51,7 +57,7 @@ Subdivision::Subdivision(const Box& box, double edge, std::int32_t most_cells) {
     cells.first = std::numeric_limits<std::int32_t>::min() / 4;
     cells.last = std::numeric_limits<std::int32_t>::max() / 4;
   }
-  has_ends_ = !box.is_all(Boundary::periodic);
+  has_ends_ = !box.is_all(Boundary::periodic) || box.is_flat();
   for (Axis& cells : axes_) {
     const double farthest = cells.edge * (std::max(-cells.first, cells.last) + 1.0);
     cells.margin = kEdgeMargin * cells.edge + kDistanceMargin * farthest;

@@ -7,8 +7,8 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <istream>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <string_view>
@@ -40,7 +40,8 @@ void put(std::string& line, const Vec3& vector) {
   put(line, vector.z);
 }
 
-// The part of space that a frame shows: the box, and along open axes the interval that holds all spheres.
+// The part of space that a frame shows: the box, and along axes without ends the interval that holds all
+// spheres; in two dimensions a layer as thick as they are.
 struct Extent {
   Vec3 low;
   Vec3 high;
@@ -49,7 +50,7 @@ struct Extent {
 Extent extent_of(const World& world, const Time& moment) {
   Extent extent{{}, world.box().size()};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!world.box().is_open(axis)) continue;
+    if (world.box().is_bounded(axis)) continue;
     double low = 0;
     double high = 1;
     for (Slot slot = 0; slot < world.size(); ++slot) {
@@ -68,13 +69,13 @@ std::string comment_line(const World& world, const Time& moment) {
   const Box& box = world.box();
   const Extent extent = extent_of(world, moment);
   const Vec3 size = extent.high - extent.low;
-  const bool unbounded = box.is_open(0) || box.is_open(1) || box.is_open(2);
+  const bool unbounded = box.is_any(Boundary::open);
   std::string line = "Lattice=\"";
   put(line, Vec3{size.x, 0, 0});
   put(line, Vec3{0, size.y, 0});
   put(line, Vec3{0, 0, size.z});
   line.back() = '"';
-  if (unbounded) {
+  if (unbounded || box.is_flat()) {
     line += " Origin=\"";
     put(line, extent.low);
     line.back() = '"';

@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // In the order of Boundary.
-constexpr std::array<const char*, 3> kBoundaryNames{"wall", "periodic", "open"};
+constexpr std::array<const char*, 4> kBoundaryNames{"wall", "periodic", "open", "flat"};
 
 // In the order of RecordedSurface::Shape.
 constexpr std::array<const char*, 4> kShapeNames{"plane", "cylinder", "sphere", "obstacle"};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <string>
 #include <utility>
@@ -65,7 +66,7 @@ std::array<double, kDegree + 1> normalisation() {
 }
 
 // Sums over the bonds of one sphere, or of all.
-struct Bonds {
+struct BondsInSpace {
   double count = 0;
   Harmonics<4> four;
   Harmonics<6> six;
@@ -104,13 +105,35 @@ struct Bonds {
       real = turned;
     }
   }
-  void add(const Bonds& other) {
+  void add(const BondsInSpace& other) {
     count += other.count;
     four.add(other.four);
     six.add(other.six);
   }
   double invariant_four() const { return four.invariant(count); }
   double invariant_six() const { return six.invariant(count); }
+};
+
+// Sums of exp(4 i theta) and exp(6 i theta) over the bonds of one disc, or of all.
+struct BondsInPlane {
+  double count = 0;
+  std::complex<double> four;
+  std::complex<double> six;
+
+  void add(const Vec3& direction) {
+    ++count;
+    const std::complex<double> turn(direction.x, direction.y);
+    const std::complex<double> square = turn * turn;
+    four += square * square;
+    six += square * square * square;
+  }
+  void add(const BondsInPlane& other) {
+    count += other.count;
+    four += other.four;
+    six += other.six;
+  }
+  double invariant_four() const { return std::abs(four) / count; }
+  double invariant_six() const { return std::abs(six) / count; }
 };
 
 std::size_t bin_of(double invariant) {
@@ -120,7 +143,10 @@ std::size_t bin_of(double invariant) {
 }  // namespace
 
 BondOrder::BondOrder(const Scene& scene, double reach)
-    : reach_(reach), begin_(scene.now()), average_(kAllBins, kSphereGroups) {
+    : reach_(reach),
+      is_flat_(scene.world().box().is_flat()),
+      begin_(scene.now()),
+      average_(kAllBins, kSphereGroups) {
   constexpr double kEachBond = 100;
   const World& world = scene.world();
   if (world.size() == 0) return;
@@ -130,6 +156,11 @@ BondOrder::BondOrder(const Scene& scene, double reach)
 
 void BondOrder::sample(const Scene& scene) {
   if (scene.world().size() == 0) return;
+  is_flat_ ? sample_bonds<BondsInPlane>(scene) : sample_bonds<BondsInSpace>(scene);
+}
+
+template <class Bonds>
+void BondOrder::sample_bonds(const Scene& scene) {
   const Surroundings& surroundings = scene.surroundings();
   const double range = 2 * reach_ * scene.world().largest_radius();
   Bonds all;
@@ -176,6 +207,14 @@ Measurement BondOrder::result(const Scene& /*scene*/) const {
                         "Q_l = sqrt(4 pi / (2 l + 1) * sum over m of |mean of Y_lm over bonds|^2), over all "
                         "bonds; q_l the same over the bonds of one sphere",
                     .source = "Steinhardt, Nelson and Ronchetti, Phys. Rev. B 28 (1983) 784"};
+  if (is_flat_) {
+    found.formula =
+        "Psi_l = |mean of exp(i l theta) over bonds|, over all bonds; psi_l the same over the bonds of one "
+        "disc";
+    found.source = "Halperin and Nelson, Phys. Rev. Lett. 41 (1978) 121";
+  }
+  const std::string of_all = is_flat_ ? "Psi" : "Q";
+  const std::string of_each = is_flat_ ? "psi" : "q";
   const auto mean_of = [](std::size_t sum) {
     return [sum](std::span<const double> means) { return means[sum] / means[kBonded]; };
   };
@@ -185,12 +224,13 @@ Measurement BondOrder::result(const Scene& /*scene*/) const {
   const auto quantity = [&](const std::string& name, const Estimate& estimate) {
     return Quantity{name, "1", estimate.value, estimate.error};
   };
-  found.quantities = {quantity("Q4", average.ratio(kAllFour)),
-                      quantity("Q6", average.ratio(kAllSix)),
-                      quantity("mean_q4", average.estimate(mean_of(kSumFour), BlockAverage::Groups::coupled)),
-                      quantity("mean_q6", average.estimate(six_of, BlockAverage::Groups::coupled)),
-                      quantity("mean_bonds", average.ratio(kBonds, kSpheres)),
-                      {"neighbor_reach", "1", reach_}};
+  found.quantities = {
+      quantity(of_all + "4", average.ratio(kAllFour)),
+      quantity(of_all + "6", average.ratio(kAllSix)),
+      quantity("mean_" + of_each + "4", average.estimate(mean_of(kSumFour), BlockAverage::Groups::coupled)),
+      quantity("mean_" + of_each + "6", average.estimate(six_of, BlockAverage::Groups::coupled)),
+      quantity("mean_bonds", average.ratio(kBonds, kSpheres)),
+      {"neighbor_reach", "1", reach_}};
   Column invariant{"invariant", "1", ColumnRole::argument, {}};
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     invariant.values.push_back((static_cast<double>(bin) + 0.5) / kBins);
@@ -206,8 +246,8 @@ Measurement BondOrder::result(const Scene& /*scene*/) const {
     found.columns.push_back(std::move(value));
     found.columns.push_back(std::move(error));
   };
-  add_density("q6_density", kCountsSix);
-  add_density("q4_density", kCountsFour);
+  add_density(of_each + "6_density", kCountsSix);
+  add_density(of_each + "4_density", kCountsFour);
   transient.note_in(found);
   return found;
 }

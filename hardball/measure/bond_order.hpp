@@ -16,6 +16,7 @@ namespace hardball {
 /// Neighbours are centres no farther away than 1.4 times the distance at which the two touch. Q6 of all bonds
 /// is 0.575 for a face-centred, 0.511 for a body-centred and 0.354 for a simple cubic crystal, 0.485 for a
 /// hexagonal close packing, and goes to zero as one over the square root of the number of bonds for a fluid.
+/// In two dimensions Psi_l takes the place of Q_l: Psi6 is 1 for a hexagonal crystal, Psi4 for a square one.
 class BondOrder {
  public:
   static constexpr std::string_view kName = "bond_order";
@@ -29,7 +30,11 @@ class BondOrder {
   Measurement result(const Scene& scene) const;
 
  private:
+  template <class Bonds>
+  void sample_bonds(const Scene& scene);
+
   double reach_;
+  bool is_flat_;
   double sample_cost_ = 0;  // [ns]
   Time begin_;
   BlockAverage average_;  // by groups of spheres

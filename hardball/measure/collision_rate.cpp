@@ -16,10 +16,6 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-bool has_walls(const Box& box) {
-  return box.is_wall(0) || box.is_wall(1) || box.is_wall(2);
-}
-
 }  // namespace
 
 CollisionRate::CollisionRate(const Scene& scene)
@@ -27,7 +23,7 @@ CollisionRate::CollisionRate(const Scene& scene)
       theory_(scene.fluid()),
       motion_(scene.motion()),
       spheres_(static_cast<double>(scene.world().size())),
-      has_walls_(has_walls(scene.world().box())),
+      has_walls_(scene.world().box().is_any(Boundary::wall)),
       begin_(scene.now()),
       last_(scene.now()),
       contacts_(kPairs + species_.size() * species_.size()) {}
@@ -71,7 +67,7 @@ Measurement CollisionRate::result(const Scene& scene) const {
                     .title = "Collision rate",
                     .formula =
                         "w = 2 collisions / (N t); mean free time 1 / w, path <|v|> / w; theory: "
-                        "w = (6 / sqrt(pi)) (Z - 1) sqrt(kT / m) / diameter",
+                        "w = (2 d / sqrt(pi)) (Z - 1) sqrt(kT / m) / diameter in d dimensions",
                     .source =
                         "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, sections 5.2 "
                         "and 16.2"};

@@ -35,10 +35,12 @@ struct Polynomial {
 
 }  // namespace
 
-ContactExtrapolation::ContactExtrapolation(double width, double radius) : width_(width) {
-  // At the gap x width the area grows as (1 + c x)^2.
+ContactExtrapolation::ContactExtrapolation(double width, double radius, std::size_t dimensions)
+    : width_(width) {
+  // At the gap x width the area grows as (1 + c x)^2, the circumference in two dimensions as 1 + c x.
   const double c = width / radius;
-  const auto integral = [c](std::size_t bin, std::size_t power) {
+  const auto integral = [c, dimensions](std::size_t bin, std::size_t power) {
+    if (dimensions == 2) return power_integral(bin, power) + c * power_integral(bin, power + 1);
     return power_integral(bin, power) + 2 * c * power_integral(bin, power + 1) +
            c * c * power_integral(bin, power + 2);
   };

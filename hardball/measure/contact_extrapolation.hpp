@@ -22,8 +22,8 @@ class ContactExtrapolation {
   using Bins = std::array<double, kBins>;
 
   /// Bins fill the space within the gap 0 to `width` [L] of a sphere at contact with a sphere of radius
-  /// `radius` [L], or with a wall if that is infinite.
-  ContactExtrapolation(double width, double radius);
+  /// `radius` [L], or with a wall if that is infinite, in so many dimensions.
+  ContactExtrapolation(double width, double radius, std::size_t dimensions);
 
   double bin_width() const { return width_ / kBins; }  ///< [L]
   /// The bin of a gap [L]; kBins if it is in none. Spheres in contact may overlap by rounding.

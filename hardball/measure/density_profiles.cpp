@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hardball/measure/transient.hpp"
+#include "hardball/measure/units.hpp"
 
 namespace hardball {
 namespace {
@@ -24,15 +25,21 @@ double mean_radius(const World& world) {
   return sum / static_cast<double>(world.size());
 }
 
-// Volume of a ball of this radius below a plane this far from its centre, which cuts it.
-double volume_below_inside(double plane, double radius) {
+// Volume of a ball of this radius below a plane this far from its centre, which cuts it; area of a disc below
+// a line.
+double volume_below_inside(double plane, double radius, bool is_disc) {
+  if (is_disc) {
+    const double ratio = std::clamp(-plane / radius, -1.0, 1.0);
+    const double half_chord = std::sqrt(std::max(radius * radius - plane * plane, 0.0));
+    return radius * radius * std::acos(ratio) + plane * half_chord;
+  }
   const double h = plane + radius;
   return std::numbers::pi / 3 * h * h * (3 * radius - h);
 }
 
 // The same for any plane.
-double volume_below(double plane, double radius) {
-  return volume_below_inside(std::clamp(plane, -radius, radius), radius);
+double volume_below(double plane, double radius, bool is_disc) {
+  return volume_below_inside(std::clamp(plane, -radius, radius), radius, is_disc);
 }
 
 double walled_axes(const Box& box) {
@@ -59,14 +66,14 @@ DensityProfiles::DensityProfiles(const Scene& scene, double bin_width)
     : box_(scene.world().box()),
       begin_(scene.now()),
       contact_(2 * ContactExtrapolation::kReach * mean_radius(scene.world()),
-               std::numeric_limits<double>::infinity()) {
+               std::numeric_limits<double>::infinity(), box_.dimensions()) {
   const World& world = scene.world();
   if (world.size() == 0 || !std::isfinite(box_.volume())) return;
   const double longest = std::max({box_.size().x, box_.size().y, box_.size().z});
   const double wanted = std::ceil(longest / (bin_width * mean_radius(world)) * (1 - 1e-12));
   bin_width_ = longest / std::min(wanted, kMostBins);
   most_bins_ = static_cast<std::size_t>(std::min(wanted, kMostBins));
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+  for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
     bins_[axis] = static_cast<std::size_t>(std::ceil(box_.size()[axis] / bin_width_ * (1 - 1e-12)));
   }
   average_ = BlockAverage(first_at_walls() + kAtWalls);
@@ -94,13 +101,14 @@ void DensityProfiles::add_slices(double center, double radius, std::size_t axis,
     const std::ptrdiff_t last = bin_of(place + radius);
     const auto end_of = [&](std::ptrdiff_t bin) { return static_cast<double>(bin + 1) * bin_width_ - place; };
     double* const of_bin = &filled[axis * most_bins_];
-    double below = volume_below(end_of(first - 1), radius);
+    const bool is_disc = box_.is_flat();
+    double below = volume_below(end_of(first - 1), radius, is_disc);
     for (std::ptrdiff_t bin = first; bin < last; ++bin) {
-      const double below_end = volume_below_inside(end_of(bin), radius);
+      const double below_end = volume_below_inside(end_of(bin), radius, is_disc);
       of_bin[bin] += below_end - below;
       below = below_end;
     }
-    of_bin[last] += volume_below(std::min(end_of(last), size - place), radius) - below;
+    of_bin[last] += volume_below(std::min(end_of(last), size - place), radius, is_disc) - below;
   }
 }
 
@@ -114,7 +122,7 @@ void DensityProfiles::sample(const Scene& scene) {
   world.for_each_by_id([&](Slot slot) {
     const Vec3& center = *next++;
     const double radius = world.radius(slot);
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
       const auto bin = static_cast<std::size_t>(std::max(center[axis] / bin_width_, 0.0));
       ++centers[axis * most_bins_ + std::min(bin, bins_[axis] - 1)];
       add_slices(center[axis], radius, axis, filled);
@@ -126,8 +134,8 @@ void DensityProfiles::sample(const Scene& scene) {
     }
   });
   double wall_area = 0;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double area = box_.volume() / box_.size()[axis];
+  for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
+    const double area = box_.face_area(axis);
     if (box_.is_wall(axis)) wall_area += 2 * area;
     for (std::size_t bin = 0; bin < bins_[axis]; ++bin) {
       const double volume = area * slab_width(axis, bin);
@@ -164,8 +172,8 @@ Measurement DensityProfiles::result(const Scene& /*scene*/) const {
     const Estimate density = average.ratio(first_at_walls());
     const Estimate pressure = average.ratio(first_at_walls() + 1);
     found.quantities = {
-        {"density_at_walls", "L^-3", density.value, density.error},
-        {"pressure_at_walls", "M L^-1 T^-2", pressure.value, pressure.error},
+        {"density_at_walls", number_density_unit(box_), density.value, density.error},
+        {"pressure_at_walls", pressure_unit(box_), pressure.value, pressure.error},
     };
   }
   Column position{"position", "L", ColumnRole::argument, {}};
@@ -185,16 +193,16 @@ Measurement DensityProfiles::result(const Scene& /*scene*/) const {
     found.columns.push_back(std::move(value));
     found.columns.push_back(std::move(error));
   };
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+  for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
     std::vector<Estimate> densities = average.histogram(axis * most_bins_, bins_[axis]);
     std::vector<Estimate> fractions;
-    const double area = box_.volume() / box_.size()[axis];
+    const double area = box_.face_area(axis);
     for (std::size_t bin = 0; bin < bins_[axis]; ++bin) {
       const double per_volume = 1 / (area * slab_width(axis, bin));
       densities[bin] = {densities[bin].value * per_volume, densities[bin].error * per_volume};
       fractions.push_back(average.ratio(first_fraction() + axis * most_bins_ + bin));
     }
-    add_profile("number_density", "L^-3", axis, std::move(densities));
+    add_profile("number_density", number_density_unit(box_), axis, std::move(densities));
     add_profile("packing_fraction", "1", axis, std::move(fractions));
   }
   transient.note_in(found);

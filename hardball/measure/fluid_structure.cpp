@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hardball/tuning/kinetic_theory.hpp"
+
 namespace hardball {
 
 double fluid_packing_fraction(const Scene& scene) {
@@ -34,9 +36,16 @@ double percus_yevick_structure_factor(double packing_fraction, double wave_numbe
   return 1 / (1 - direct);
 }
 
-double nearest_neighbor_beyond(double packing_fraction, double distance) {
+double nearest_neighbor_beyond(double packing_fraction, double distance, std::size_t dimensions) {
   const double p = packing_fraction;
   const double x = std::max(distance, 1.0);
+  if (dimensions == 2) {
+    // The density of discs at the edge of an empty disc of radius x is a0 + a1 / x times the mean: the
+    // contact value at x = 1, and Z far beyond.
+    const double a0 = fluid_compressibility_of_discs(p);
+    const double a1 = (a0 - 1) / (2 * p) - a0;
+    return std::exp(-p * (4 * a0 * (x * x - 1) + 8 * a1 * (x - 1)));
+  }
   const double cube = std::pow(1 - p, 3);
   // The density of spheres at the surface of an empty ball of radius x is a0 + a1 / x + a2 / x^2 times the
   // mean.

@@ -18,7 +18,7 @@ double fluid_packing_fraction(const Scene& scene);
 double percus_yevick_structure_factor(double packing_fraction, double wave_number);
 
 /// The probability that no other centre is closer than `distance` to that of a sphere [1].
-/// Source: Torquato, Phys. Rev. E 51 (1995) 3170.
-double nearest_neighbor_beyond(double packing_fraction, double distance);
+/// Source: Torquato, Phys. Rev. E 51 (1995) 3170; docs/measures.md for discs.
+double nearest_neighbor_beyond(double packing_fraction, double distance, std::size_t dimensions = 3);
 
 }  // namespace hardball

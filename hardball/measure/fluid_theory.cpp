@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "hardball/tuning/kinetic_theory.hpp"
+
 namespace hardball {
 namespace {
 
@@ -46,6 +48,7 @@ double fluid_compressibility(double packing_fraction) {
 
 FluidTheory::FluidTheory(const World& world, const Species& species)
     : species_(species),
+      is_flat_(world.box().is_flat()),
       holds_(world.box().is_all(Boundary::periodic) && world.motion().is_straight() &&
              world.surfaces().empty() && world.size() > 1),
       has_equal_radii_(world.radii().is_common()),
@@ -60,6 +63,16 @@ FluidTheory::FluidTheory(const World& world, const Species& species)
       power *= 2 * world.radius(slot);
     }
   });
+  if (is_flat_) {
+    packing_fraction_ = kPi / 4 * xi[2] / world.box().volume();
+    surface_ = xi[1] / xi[2];
+    holds_ = packing_fraction_ <= kFreezingOfDiscs;
+    if (!holds_) return;
+    const double of_points = 1 / (1 - packing_fraction_);
+    const double of_equal = fluid_compressibility_of_discs(packing_fraction_);
+    compressibility_ = of_points + xi[1] * xi[1] / (xi[0] * xi[2]) * (of_equal - of_points);
+    return;
+  }
   for (double& sum : xi) sum *= kPi / 6 / world.box().volume();
   packing_fraction_ = xi[3];
   surface_ = xi[2];
@@ -71,10 +84,14 @@ FluidTheory::FluidTheory(const World& world, const Species& species)
 
 double FluidTheory::contact_value(std::size_t a, std::size_t b) const {
   if (!holds_) return kNone;
-  if (has_equal_radii_) return (compressibility_ - 1) / (4 * packing_fraction_);
   const double free = 1 - packing_fraction_;
-  const double mean_curvature =
-      2 * species_.radius(a) * species_.radius(b) / (species_.radius(a) + species_.radius(b)) * surface_;
+  const double mean_curvature = (is_flat_ ? 2 : 1) * 2 * species_.radius(a) * species_.radius(b) /
+                                (species_.radius(a) + species_.radius(b)) * surface_;
+  if (is_flat_) {
+    const double of_equal = (fluid_compressibility_of_discs(packing_fraction_) - 1) / (2 * packing_fraction_);
+    return 1 / free + mean_curvature * (of_equal - 1 / free);
+  }
+  if (has_equal_radii_) return (compressibility_ - 1) / (4 * packing_fraction_);
   return 1 / free + 3 * mean_curvature / (free * free) +
          2 * mean_curvature * mean_curvature / (free * free * free);
 }
@@ -82,8 +99,9 @@ double FluidTheory::contact_value(std::size_t a, std::size_t b) const {
 double FluidTheory::collision_rate(std::size_t a, std::size_t b, double temperature) const {
   const double reach = species_.radius(a) + species_.radius(b);
   const double reduced_mass = species_.mass(a) * species_.mass(b) / (species_.mass(a) + species_.mass(b));
-  return 2 * density_ * species_.fraction(b) * reach * reach * contact_value(a, b) *
-         std::sqrt(2 * kPi * temperature / reduced_mass);
+  const double relative_speed = std::sqrt(2 * kPi * temperature / reduced_mass);  // up to a factor
+  const double width = is_flat_ ? reach : 2 * reach * reach;
+  return density_ * species_.fraction(b) * width * contact_value(a, b) * relative_speed;
 }
 
 double FluidTheory::collision_rate(double temperature) const {
@@ -100,7 +118,8 @@ double FluidTheory::mean_speed(double temperature) const {
   if (!holds_) return kNone;
   double speed = 0;
   for (std::size_t a = 0; a < species_.size(); ++a) {
-    speed += species_.fraction(a) * std::sqrt(8 * temperature / (kPi * species_.mass(a)));
+    const double square = is_flat_ ? kPi / 2 : 8 / kPi;
+    speed += species_.fraction(a) * std::sqrt(square * temperature / species_.mass(a));
   }
   return speed;
 }
@@ -110,13 +129,14 @@ double FluidTheory::enskog_diffusion(double temperature) const {
   // The dilute gas to first and to higher order in Sonine polynomials.
   constexpr double kHigherOrders = 1.01896;
   const double diameter = 2 * species_.radius(0);
-  const double dilute =
-      3 * std::sqrt(temperature / (kPi * species_.mass(0))) / (8 * density_ * diameter * diameter);
+  const double speed = std::sqrt(temperature / (kPi * species_.mass(0)));
+  if (is_flat_) return speed / (2 * density_ * diameter * contact_value(0, 0));
+  const double dilute = 3 * speed / (8 * density_ * diameter * diameter);
   return kHigherOrders * dilute / contact_value(0, 0);
 }
 
 double FluidTheory::diffusion(double temperature) const {
-  if (!species_.is_one_kind() || !holds_) return kNone;
+  if (!species_.is_one_kind() || !holds_ || is_flat_) return kNone;
   const double diameter = 2 * species_.radius(0);
   const double reduced = density_ * diameter * diameter * diameter;
   const double dilute =

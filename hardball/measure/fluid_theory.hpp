@@ -17,13 +17,16 @@ class FluidTheory {
  public:
   /// The densest fluid of equal spheres. Source: Hoover and Ree, J. Chem. Phys. 49 (1968) 3609.
   static constexpr double kFreezing = 0.494;
+  /// That of equal discs. Source: Bernard and Krauth, Phys. Rev. Lett. 107 (2011) 155704.
+  static constexpr double kFreezingOfDiscs = 0.700;
 
   FluidTheory(const World& world, const Species& species);
 
   bool holds() const { return holds_; }
   /// Z = P V / N k T [1]: that of equal radii by fluid_compressibility, of others by the equation of Carnahan
-  /// and Starling, extended to mixtures. Source: Mansoori, Carnahan, Starling and Leland, J. Chem. Phys. 54
-  /// (1971) 1523.
+  /// and Starling, extended to mixtures; of discs by fluid_compressibility_of_discs, likewise extended.
+  /// Source: Mansoori, Carnahan, Starling and Leland, J. Chem. Phys. 54 (1971) 1523; Santos, Yuste and Lopez
+  /// de Haro, Mol. Phys. 96 (1999) 1, and for contact values J. Chem. Phys. 117 (2002) 5785.
   double compressibility() const { return compressibility_; }
   /// How much likelier than in a dilute gas spheres of two species touch [1]. Source: as for compressibility.
   double contact_value(std::size_t a, std::size_t b) const;
@@ -34,20 +37,24 @@ class FluidTheory {
   double collision_rate(double temperature) const;
   /// Mean speed of all spheres [L/T].
   double mean_speed(double temperature) const;
-  /// Diffusion constant of equal spheres by Enskog's theory [L^2 T^-1]; NaN for mixtures. Source: Chapman and
-  /// Cowling, section 16.3.
+  /// Diffusion constant of equal spheres by Enskog's theory [L^2 T^-1]; NaN for mixtures; of discs in the
+  /// first approximation. Source: Chapman and Cowling, section 16.3; Gass, J. Chem. Phys. 54 (1971) 1898.
   double enskog_diffusion(double temperature) const;
   /// Diffusion constant of equal spheres from simulations of some hundred, to a few per cent [L^2 T^-1]; NaN
-  /// for mixtures. Source: Speedy, Mol. Phys. 62 (1987) 509.
+  /// for mixtures, and for discs, whose constant depends on the size of the box. Source: Speedy, Mol. Phys.
+  /// 62 (1987) 509.
   double diffusion(double temperature) const;
 
  private:
   Species species_;
+  bool is_flat_;
   bool holds_;
   bool has_equal_radii_;
-  double density_;  // [L^-3]
+  double density_;  // [L^-3], of discs [L^-2]
   double packing_fraction_ = 0;
-  double surface_ = 0;  // pi / 6 times number density times mean square diameter [1/L]
+  // pi / 6 times number density times mean square diameter; of discs the mean diameter over its mean square
+  // [1/L].
+  double surface_ = 0;
   double compressibility_;
 };
 

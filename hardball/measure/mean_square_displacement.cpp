@@ -50,6 +50,7 @@ double slope(std::span<const double> x, std::span<const double> y, std::span<con
 MeanSquareDisplacement::MeanSquareDisplacement(const Scene& scene, double interval, std::size_t most_spheres)
     : theory_(scene.fluid()),
       motion_(scene.motion()),
+      dimensions_(static_cast<double>(scene.world().box().dimensions())),
       is_periodic_(scene.world().box().is_all(Boundary::periodic)),
       mean_free_time_(mean_free_time(scene.moments())),
       begin_(scene.now()),
@@ -65,7 +66,8 @@ void MeanSquareDisplacement::sample(const Scene& scene) {
 }
 
 // The linear part: lags after which a sphere has forgotten its velocity, ten times the decay time, 3/2 mean
-// free times in Enskog's theory, and has left its cage, having moved by its radius.
+// free times in Enskog's theory or, in two dimensions, one; and has left its cage, having moved by its
+// radius.
 Estimate MeanSquareDisplacement::diffusion(std::size_t species) const {
   constexpr double kFreeTimes = 15;
   constexpr std::size_t kFewest = 3;
@@ -87,7 +89,7 @@ Estimate MeanSquareDisplacement::diffusion(std::size_t species) const {
   return average_.estimate(species, [&](std::span<const double> means) {
     std::vector<double> y;
     for (const std::size_t lag : linear) y.push_back(means[lag]);
-    return slope(x, y, weights) / 6;
+    return slope(x, y, weights) / (2 * dimensions_);
   });
 }
 
@@ -95,9 +97,9 @@ Measurement MeanSquareDisplacement::result(const Scene& scene) const {
   Measurement found{.name = std::string(kName),
                     .title = "Mean square displacement",
                     .formula =
-                        "<|x(s + t) - x(s)|^2> over spheres and times s; D: a sixth of the slope of its "
-                        "linear part; theory: 6 D (t - T (1 - exp(-t / T))), T = m D / kT, with D of "
-                        "Enskog's theory",
+                        "<|x(s + t) - x(s)|^2> over spheres and times s; D: the slope of its linear part "
+                        "over 2 d in d dimensions; theory: 2 d D (t - T (1 - exp(-t / T))), T = m D / kT, "
+                        "with D of Enskog's theory",
                     .source =
                         "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; D: Speedy, Mol. "
                         "Phys. 62 (1987) 509; Enskog: Chapman and Cowling, section 16.3",
@@ -128,7 +130,8 @@ Measurement MeanSquareDisplacement::result(const Scene& scene) const {
       const Estimate square = average_.at(s, lag);
       value.values.push_back(square.value);
       error.values.push_back(square.error);
-      theory.values.push_back(6 * enskog * (lags[lag] + forgetting * std::expm1(-lags[lag] / forgetting)));
+      theory.values.push_back(2 * dimensions_ * enskog *
+                              (lags[lag] + forgetting * std::expm1(-lags[lag] / forgetting)));
     }
     found.columns.push_back(std::move(value));
     found.columns.push_back(std::move(error));

@@ -35,6 +35,7 @@ class MeanSquareDisplacement {
 
   FluidTheory theory_;
   ThermalMotion motion_;  // at the start
+  double dimensions_;
   bool is_periodic_;
   double mean_free_time_;  // expected [T]
   Time begin_;

@@ -24,6 +24,7 @@ constexpr double kWidestInOpenSpace = 10;
 
 NearestNeighbor::NearestNeighbor(const Scene& scene, std::size_t bins)
     : diameter_(2 * scene.world().largest_radius()),
+      dimensions_(scene.world().box().dimensions()),
       packing_fraction_(fluid_packing_fraction(scene)),
       begin_(scene.now()),
       bins_(bins),
@@ -33,9 +34,11 @@ NearestNeighbor::NearestNeighbor(const Scene& scene, std::size_t bins)
   widest_ = kWidestInOpenSpace * diameter_;
   if (std::isfinite(world.box().volume())) {
     const double volume_each = world.box().volume() / static_cast<double>(world.size());
-    widest_ =
-        std::cbrt(diameter_ * diameter_ * diameter_ + kExpected * volume_each * 3 / (4 * std::numbers::pi)) -
-        diameter_;
+    const double square = diameter_ * diameter_;
+    widest_ = (dimensions_ == 2
+                   ? std::sqrt(square + kExpected * volume_each / std::numbers::pi)
+                   : std::cbrt(square * diameter_ + kExpected * volume_each * 3 / (4 * std::numbers::pi))) -
+              diameter_;
   }
   sample_cost_ = Surroundings::effort(world, diameter_ + widest_).cost;
 }
@@ -86,7 +89,7 @@ Measurement NearestNeighbor::result(const Scene& /*scene*/) const {
   Column theory{"probability_density_theory", "L^-1", ColumnRole::theory, {}};
   const double width = widest_ / static_cast<double>(bins_);
   const auto none_within = [&](double gap_width) {
-    return nearest_neighbor_beyond(packing_fraction_, 1 + gap_width / diameter_);
+    return nearest_neighbor_beyond(packing_fraction_, 1 + gap_width / diameter_, dimensions_);
   };
   double mean_by_theory = 0;
   for (std::size_t bin = 0; bin < bins_; ++bin) {

@@ -30,9 +30,10 @@ class NearestNeighbor {
   std::size_t known_bin() const { return bins_ + 1; }
   std::size_t gaps_bin() const { return bins_ + 2; }
 
-  double widest_ = 0;        // the widest gap that is known [L]
-  double diameter_ = 0;      // the largest [L]
-  double sample_cost_ = 0;   // [ns]
+  double widest_ = 0;       // the widest gap that is known [L]
+  double diameter_ = 0;     // the largest [L]
+  double sample_cost_ = 0;  // [ns]
+  std::size_t dimensions_;
   double packing_fraction_;  // of a fluid of one species, see fluid_packing_fraction
   Time begin_;
   std::size_t bins_;

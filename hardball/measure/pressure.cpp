@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "hardball/measure/transient.hpp"
+#include "hardball/measure/units.hpp"
 #include "hardball/tuning/kinetic_theory.hpp"
 
 namespace hardball {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr const char* kPressureUnit = "M L^-1 T^-2";
 
 struct Component {
   std::size_t first;
@@ -37,15 +37,17 @@ void add_symmetric_product(double* sums, Vec3 a, Vec3 b) {
   sums[5] += (a.y * b.z + a.z * b.y) / 2;
 }
 
-bool has_open_axis(const Box& box) {
-  return box.is_open(0) || box.is_open(1) || box.is_open(2);
+// A component that there is not in two dimensions.
+bool is_along_z(const Component& component) {
+  return component.second == 2;
 }
 
 }  // namespace
 
 Pressure::Pressure(const Scene& scene)
     : box_(scene.world().box()),
-      is_homogeneous_(!has_open_axis(box_) && scene.world().motion().is_straight() &&
+      dimensions_(static_cast<double>(box_.dimensions())),
+      is_homogeneous_(!box_.is_any(Boundary::open) && scene.world().motion().is_straight() &&
                       scene.world().surfaces().empty()),
       theory_(scene.fluid()),
       motion_(scene.motion()),
@@ -114,13 +116,20 @@ void Pressure::note(const Contact& contact) {
 }
 
 Measurement Pressure::result(const Scene& scene) const {
-  Measurement found{.name = std::string(kName),
-                    .title = "Pressure",
-                    .formula = "P = (sum m v v + sum over collisions r dp / t) / V, Z = 3 P V / sum m v^2",
-                    .source =
-                        "Allen and Tildesley, Computer Simulation of Liquids, section 2.4; theory of "
-                        "equal spheres: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) "
-                        "2335; of mixtures: Mansoori et al., J. Chem. Phys. 54 (1971) 1523"};
+  Measurement found{
+      .name = std::string(kName),
+      .title = "Pressure",
+      .formula = "P = (sum m v v + sum over collisions r dp / t) / V, Z = d P V / sum m v^2 in d dimensions",
+      .source =
+          "Allen and Tildesley, Computer Simulation of Liquids, section 2.4; theory of "
+          "equal spheres: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) "
+          "2335; of mixtures: Mansoori et al., J. Chem. Phys. 54 (1971) 1523"};
+  if (box_.is_flat()) {
+    found.source =
+        "Allen and Tildesley, Computer Simulation of Liquids, section 2.4; theory of discs: Kolafa and "
+        "Rottner, Mol. Phys. 104 (2006) 3435; of mixtures: Santos, Yuste and Lopez de Haro, Mol. Phys. 96 "
+        "(1999) 1";
+  }
   if (!is_homogeneous_) return found;
   Pressure up_to_now = *this;
   up_to_now.advance(scene.now());
@@ -130,26 +139,28 @@ Measurement Pressure::result(const Scene& scene) const {
     return means[begin] + means[begin + 1] + means[begin + 2];
   };
   const double volume = box_.volume();
+  const char* const unit_of_pressure = pressure_unit(box_);
   const FunctionOfMeans compressibility = [&](std::span<const double> means) {
     return 1 + trace(means, kCollisional) / trace(means, kKinetic);
   };
   const auto pressure = [&](std::span<const double> means) {
-    return (trace(means, kKinetic) + trace(means, kCollisional)) / (3 * volume);
+    return (trace(means, kKinetic) + trace(means, kCollisional)) / (dimensions_ * volume);
   };
   const Transient transient = find_transient(whole, std::array{compressibility});
   const BlockAverage average = transient.left_out_of(whole);
-  // With the total momentum fixed n spheres have n - 1 times three degrees of freedom, and meet a little
-  // faster than their mean energy suggests.
+  // With the total momentum fixed n spheres have the degrees of freedom of n - 1, and meet a little faster
+  // than their mean energy suggests.
   const double excess = (theory_.compressibility() - 1) * spheres_ / (spheres_ - 1);
   const double expected = is_energy_conserved(motion_, scene.motion()) ? 1 + excess : kNone;
-  const double kinetic_pressure = 2 * motion_.energy / (3 * volume);
+  const double kinetic_pressure = 2 * motion_.energy / (dimensions_ * volume);
   const auto add = [&](std::string name, const char* unit, const FunctionOfMeans& quantity, double theory) {
     const Estimate estimate = average.estimate(quantity);
     found.quantities.push_back({std::move(name), unit, estimate.value, estimate.error, theory});
   };
   add("compressibility", "1", compressibility, expected);
-  add("pressure", kPressureUnit, pressure, expected * kinetic_pressure);
+  add("pressure", unit_of_pressure, pressure, expected * kinetic_pressure);
   for (std::size_t k = 0; k < kComponents; ++k) {
+    if (box_.is_flat() && is_along_z(kTensor[k])) continue;
     const bool is_diagonal = kTensor[k].first == kTensor[k].second;
     Estimate estimate = average.estimate([&](std::span<const double> means) {
       return (means[kKinetic + k] + means[kCollisional + k]) / volume;
@@ -159,7 +170,7 @@ Measurement Pressure::result(const Scene& scene) const {
     const double elapsed = average.total(BlockAverage::kWeight);
     estimate.error =
         std::fmax(estimate.error, std::hypot(collisional.error, kinetic_error(k, elapsed) / volume));
-    found.quantities.push_back({std::string("pressure_") + kTensor[k].name, kPressureUnit, estimate.value,
+    found.quantities.push_back({std::string("pressure_") + kTensor[k].name, unit_of_pressure, estimate.value,
                                 estimate.error, is_diagonal ? expected * kinetic_pressure : expected * 0});
   }
   add_walls(found, average);
@@ -167,7 +178,7 @@ Measurement Pressure::result(const Scene& scene) const {
   found.columns = {
       {"time", "T", ColumnRole::argument, whole.middles()},
       {"compressibility", "1", ColumnRole::value, whole.history(compressibility)},
-      {"pressure", kPressureUnit, ColumnRole::value, whole.history(pressure)},
+      {"pressure", unit_of_pressure, ColumnRole::value, whole.history(pressure)},
   };
   for (double& time : found.columns.front().values) time += begin_.value();
   transient.note_in(found);
@@ -176,12 +187,12 @@ Measurement Pressure::result(const Scene& scene) const {
 
 // The standard deviation of a component of the kinetic part, averaged over some time [M L^2 T^-2]. At one
 // time it is that of so many independent spheres that share a fixed energy; it is forgotten within 5/4 mean
-// free times, the ratio of viscosity to pressure of a dilute gas. Source: Chapman and Cowling, The
-// Mathematical Theory of Non-Uniform Gases, section 10.2.
+// free times, in two dimensions within one: the ratio of viscosity to pressure of a dilute gas. Source:
+// Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, section 10.2.
 double Pressure::kinetic_error(std::size_t component, double elapsed) const {
   const bool is_diagonal = kTensor[component].first == kTensor[component].second;
-  const double variance = spheres_ * (is_diagonal ? 4.0 / 3 : 1);
-  const double x = elapsed / (1.25 * mean_free_time_);
+  const double variance = spheres_ * (is_diagonal ? 2 * (1 - 1 / dimensions_) : 1);
+  const double x = elapsed / ((box_.is_flat() ? 1 : 1.25) * mean_free_time_);
   const double forgotten = x > 1e-3 ? 2 * (x + std::expm1(-x)) / (x * x) : 1;
   return motion_.temperature() * std::sqrt(variance * forgotten);
 }
@@ -190,7 +201,7 @@ double Pressure::kinetic_error(std::size_t component, double elapsed) const {
 // times the length open to the centres, averaged over those that hit it.
 void Pressure::add_walls(Measurement& found, const BlockAverage& average) const {
   using Means = std::span<const double>;
-  const auto area = [&](std::size_t axis) { return box_.volume() / box_.size()[axis]; };
+  const auto area = [&](std::size_t axis) { return box_.face_area(axis); };
   const auto force = [](Means means, std::size_t axis) {
     return (means[kFaceForces + face_of(axis, false)] + means[kFaceForces + face_of(axis, true)]) / 2;
   };
@@ -224,14 +235,14 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
       "compressibility_from_walls", "1",
       [&](Means means) {
         const auto virial = [&](std::size_t axis) { return force(means, axis) * open_length(means, axis); };
-        return 3 / axes * sum_over_walls(virial) / kinetic(means);
+        return dimensions_ / axes * sum_over_walls(virial) / kinetic(means);
       },
       [&](Means means) {
-        return 3 / axes * sum_over_walls([&](std::size_t axis) { return inside(means, axis); }) /
+        return dimensions_ / axes * sum_over_walls([&](std::size_t axis) { return inside(means, axis); }) /
                kinetic(means);
       });
   add(
-      "wall_pressure", kPressureUnit,
+      "wall_pressure", pressure_unit(box_),
       [&](Means means) {
         return sum_over_walls([&](std::size_t axis) { return force(means, axis); }) / areas;
       },
@@ -247,7 +258,7 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
     const std::size_t axis = axis_of(face);
     if (!box_.is_wall(axis)) continue;
     add(
-        std::string("wall_pressure_") + kFaceNames[face], kPressureUnit,
+        std::string("wall_pressure_") + kFaceNames[face], pressure_unit(box_),
         [&](Means means) { return means[kFaceForces + face] / area(axis); },
         [&](Means means) { return inside(means, axis) / (open_length(means, axis) * area(axis)); });
     // One more hit is allowed for: see BlockAverage::histogram.

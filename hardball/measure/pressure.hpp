@@ -51,6 +51,7 @@ class Pressure {
   void add_walls(Measurement& found, const BlockAverage& average) const;
 
   Box box_;
+  double dimensions_;
   bool is_homogeneous_;  // no open axes, gravity or surfaces: one pressure everywhere
   FluidTheory theory_;
   ThermalMotion motion_;  // at the start

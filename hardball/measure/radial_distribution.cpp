@@ -22,7 +22,7 @@ constexpr std::size_t kMostSpecies = 3;
 double largest_range(const World& world) {
   const Box& box = world.box();
   double range = std::numeric_limits<double>::infinity();
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+  for (std::size_t axis = 0; axis < box.dimensions(); ++axis) {
     range = std::min(range, box.size()[axis] / 2);
     if (box.is_wall(axis)) range = std::min(range, box.size()[axis] - 2 * world.largest_radius());
   }
@@ -50,9 +50,10 @@ RadialDistribution::RadialDistribution(const Scene& scene, double range, double 
     for (std::size_t b = a; b < species; ++b) {
       kind_of_[a * species + b] = kind_of_[b * species + a] = kinds_.size();
       const double reach = is_by_species_ ? species_.radius(a) + species_.radius(b) : mean_diameter;
-      kinds_.push_back({reach, is_by_species_ ? scene.fluid().contact_value(a, b) : 0,
-                        species == 1 ? "" : "_" + std::to_string(a + 1) + "_" + std::to_string(b + 1),
-                        ContactExtrapolation(ContactExtrapolation::kReach * reach, reach)});
+      kinds_.push_back(
+          {reach, is_by_species_ ? scene.fluid().contact_value(a, b) : 0,
+           species == 1 ? "" : "_" + std::to_string(a + 1) + "_" + std::to_string(b + 1),
+           ContactExtrapolation(ContactExtrapolation::kReach * reach, reach, box_.dimensions())});
     }
   }
   bin_width_ = mean_diameter * bin_width;
@@ -79,7 +80,7 @@ double RadialDistribution::ideal_share(double distance, double reach) const {
   double ones = 0;    // the sum over walls of 1 / L,
   double pairs = 0;   // over pairs of them,
   double triple = 1;  // and the product of all three
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+  for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
     const double free = box_.size()[axis] - (box_.is_wall(axis) ? reach : 0);
     volume *= free;
     const double inverse = box_.is_wall(axis) ? 1 / free : 0;
@@ -87,8 +88,10 @@ double RadialDistribution::ideal_share(double distance, double reach) const {
     ones += inverse;
     triple *= inverse;
   }
-  // Over directions, |u_x| has the mean 1/2, |u_x u_y| 2/(3 pi) and |u_x u_y u_z| 1/(4 pi).
   const double r = distance;
+  // Over directions, |u_x| has the mean 1/2, |u_x u_y| 2/(3 pi) and |u_x u_y u_z| 1/(4 pi); in the plane,
+  // |u_x| 2/pi and |u_x u_y| 1/pi.
+  if (box_.is_flat()) return r * r * (std::numbers::pi - r * 4 / 3 * ones + r * r / 2 * pairs) / volume;
   const double inside = 4 * std::numbers::pi / 3 - r * std::numbers::pi / 2 * ones + r * r * 8 / 15 * pairs -
                         r * r * r / 6 * triple;
   return r * r * r * inside / volume;
@@ -160,6 +163,12 @@ Measurement RadialDistribution::result(const Scene& /*scene*/) const {
                         "Allen and Tildesley, Computer Simulation of Liquids, section 2.6; contact value of "
                         "equal spheres: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) "
                         "2335; of mixtures: Mansoori et al., J. Chem. Phys. 54 (1971) 1523"};
+  if (box_.is_flat()) {
+    found.source =
+        "Allen and Tildesley, Computer Simulation of Liquids, section 2.6; contact value of discs: Kolafa "
+        "and Rottner, Mol. Phys. 104 (2006) 3435; of mixtures: Santos, Yuste and Lopez de Haro, J. Chem. "
+        "Phys. 117 (2002) 5785";
+  }
   if (!has_meaning()) return found;
   const FunctionOfMeans contact_of = [&](std::span<const double> means) {
     return means[contact_bin(0)] / means[pairs_bin(0)];

@@ -73,7 +73,9 @@ Vec3 direction(std::size_t index) {
 
 StructureFactor::StructureFactor(const Scene& scene, double longest,
                                  std::optional<std::size_t> vectors_in_shell)
-    : packing_fraction_(fluid_packing_fraction(scene)), begin_(scene.now()) {
+    : packing_fraction_(scene.world().box().is_flat() ? std::numeric_limits<double>::quiet_NaN()
+                                                      : fluid_packing_fraction(scene)),
+      begin_(scene.now()) {
   const World& world = scene.world();
   if (world.size() == 0) return;
   unit_ = 2 * std::numbers::pi * world.box().inverse_period();

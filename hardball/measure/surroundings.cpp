@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace hardball {
 namespace {
 
 // So few cells and few spheres are searched in vain, whatever the range.
 constexpr double kSpheresInCell = 2;
+
+// Of a cube, in two dimensions of a square.
+double edge_of(const Box& box, double volume) {
+  return box.is_flat() ? std::sqrt(volume) : std::cbrt(volume);
+}
 
 }  // namespace
 
@@ -19,7 +23,7 @@ Surroundings::Effort Surroundings::effort(const World& world, double range) {
   constexpr double kEachCenter = 400;
   constexpr double kEachNeighbor = 30;
   const auto spheres = static_cast<double>(world.size());
-  const double of_each = spheres * 4 * std::numbers::pi / 3 * range * range * range / world.box().volume();
+  const double of_each = spheres * world.box().sphere_volume(range) / world.box().volume();
   const double affordable = std::min(kMostNeighbors / of_each, static_cast<double>(kMostCenters));
   const std::size_t chosen = std::min(world.size(), static_cast<std::size_t>(std::max(affordable, 1.0)));
   const auto centers = static_cast<double>(chosen);
@@ -31,7 +35,7 @@ Surroundings::Effort Surroundings::effort(const World& world, double range) {
 Surroundings::Surroundings(const World& world, std::span<const Vec3> centers, double extent)
     : world_(world),
       centers_(centers),
-      ball_(std::cbrt(kSpheresInCell * extent / static_cast<double>(centers.size())) / 2),
+      ball_(edge_of(world.box(), kSpheresInCell * extent / static_cast<double>(centers.size())) / 2),
       neighborhood_(world.box(), centers.size(), ball_) {
   radii_.reserve(centers.size());
   world.for_each_by_id([&](Slot slot) { radii_.push_back(world.radius(slot)); });

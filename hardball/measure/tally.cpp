@@ -82,8 +82,7 @@ double Tally::wall_pressure(const Box& box, const Time& now) const {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!box.is_wall(axis)) continue;
     impulse += wall_impulse(face_of(axis, false)) + wall_impulse(face_of(axis, true));
-    const Vec3& size = box.size();
-    area += 2 * size[(axis + 1) % kAxes] * size[(axis + 2) % kAxes];
+    area += 2 * box.face_area(axis);
   }
   return area > 0 ? impulse / (area * duration(begin_, now)) : std::numeric_limits<double>::quiet_NaN();
 }

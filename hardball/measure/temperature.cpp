@@ -66,7 +66,7 @@ Measurement Temperature::result(const Scene& scene) const {
       .name = std::string(kName),
       .title = "Temperature",
       .formula =
-          "kT = sum m v^2 / degrees of freedom, three for each sphere less one for each "
+          "kT = sum m v^2 / degrees of freedom, one for each sphere and dimension less one for each "
           "axis without walls",
       .source = "Equipartition; Allen and Tildesley, Computer Simulation of Liquids, section 2.4"};
   using Means = std::span<const double>;
@@ -78,13 +78,13 @@ Measurement Temperature::result(const Scene& scene) const {
   };
   std::vector<Part> parts;
   const double total_mass = std::accumulate(masses_.begin(), masses_.end(), 0.0);
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+  for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
     parts.push_back({std::string("temperature_along_") + kAxisNames[axis], kAlong + axis,
                      freedom(axis, spheres_, total_mass)});
   }
   for (std::size_t s = 0; species_.size() > 1 && s < species_.size(); ++s) {
     double of_species = 0;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
       of_species += freedom(axis, static_cast<double>(species_.count(s)), masses_[s]);
     }
     parts.push_back({"temperature_of_species" + species_.suffix(s), kOfSpecies + s, of_species});

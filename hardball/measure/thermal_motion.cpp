@@ -18,8 +18,8 @@ ThermalMotion thermal_motion(const World& world, const Time& moment) {
     momentum += world.mass(slot) * world.velocity(slot, moment);
     mass += world.mass(slot);
   });
-  motion.degrees_of_freedom = static_cast<double>(kAxes * deflected);
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+  motion.degrees_of_freedom = static_cast<double>(world.box().dimensions() * deflected);
+  for (std::size_t axis = 0; axis < world.box().dimensions(); ++axis) {
     if (deflected < world.size() || world.box().is_wall(axis) || !world.surfaces().empty() ||
         world.motion().gravity()[axis] != 0)
       continue;

@@ -14,8 +14,8 @@ struct ThermalMotion {
   Vec3 drift;
   /// Kinetic energy relative to the drift [M L^2 T^-2].
   double energy = 0;
-  /// How many independent components of velocity there are: three for each sphere, less one for each axis
-  /// without walls.
+  /// How many independent components of velocity there are: one for each sphere and dimension, less one for
+  /// each axis without walls.
   double degrees_of_freedom = 0;
   /// Whether a thermostat has changed it.
   bool is_driven = false;

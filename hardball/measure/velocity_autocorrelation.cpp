@@ -21,11 +21,11 @@ double sum_of_products(std::span<const Vec3> earlier, std::span<const Vec3> late
   return sum;
 }
 
-// A third of the integral up to one of the lags, by the trapezoidal rule.
-double green_kubo(std::span<const double> lags, std::span<const double> means, std::size_t last) {
+// The integral up to one of the lags, by the trapezoidal rule.
+double integral(std::span<const double> lags, std::span<const double> means, std::size_t last) {
   double sum = 0;
   for (std::size_t i = 1; i <= last; ++i) sum += (means[i - 1] + means[i]) / 2 * (lags[i] - lags[i - 1]);
-  return sum / 3;
+  return sum;
 }
 
 }  // namespace
@@ -34,6 +34,7 @@ VelocityAutocorrelation::VelocityAutocorrelation(const Scene& scene, double inte
                                                  std::size_t most_spheres)
     : theory_(scene.fluid()),
       motion_(scene.motion()),
+      dimensions_(static_cast<double>(scene.world().box().dimensions())),
       mean_free_time_(mean_free_time(scene.moments())),
       average_(scene, interval, most_spheres, sum_of_products) {}
 
@@ -48,8 +49,8 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
   Measurement found{.name = std::string(kName),
                     .title = "Velocity autocorrelation",
                     .formula =
-                        "C(t) = <v(s).v(s + t)> over spheres and times s; D(t): a third of its integral "
-                        "up to t, D at 50 mean free times; theory: 3 (kT / m) exp(-t / T), T = m D / kT, "
+                        "C(t) = <v(s).v(s + t)> over spheres and times s; D(t): its integral up to t over d "
+                        "dimensions, D at 50 mean free times; theory: d (kT / m) exp(-t / T), T = m D / kT, "
                         "with D of Enskog's theory",
                     .source =
                         "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; D: Speedy, Mol. "
@@ -73,7 +74,8 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
       });
     };
     const auto integral_to = [&](std::size_t lag) {
-      return estimate([&](std::span<const double> means) { return green_kubo(lags, means, lag); });
+      return estimate(
+          [&](std::span<const double> means) { return integral(lags, means, lag) / dimensions_; });
     };
     if (last > 0) {
       const Estimate constant = integral_to(last);
@@ -89,23 +91,23 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
     Column value{name, "L^2 T^-2", ColumnRole::value, {}};
     Column error{name + "_error", "L^2 T^-2", ColumnRole::error, {}};
     Column theory{name + "_theory", "L^2 T^-2", ColumnRole::theory, {}};
-    Column integral{integral_name, "L^2 T^-1", ColumnRole::value, {}};
-    Column integral_error{integral_name + "_error", "L^2 T^-1", ColumnRole::error, {}};
-    const double square_speed = 3 * temperature / species.mass(s);
+    Column up_to_lag{integral_name, "L^2 T^-1", ColumnRole::value, {}};
+    Column up_to_lag_error{integral_name + "_error", "L^2 T^-1", ColumnRole::error, {}};
+    const double square_speed = dimensions_ * temperature / species.mass(s);
     for (std::size_t lag = 0; lag < lags.size(); ++lag) {
       const Estimate product = estimate([lag](std::span<const double> means) { return means[lag]; });
       const Estimate up_to = integral_to(lag);
       value.values.push_back(product.value);
       error.values.push_back(product.error);
-      theory.values.push_back(square_speed * std::exp(-lags[lag] * square_speed / (3 * enskog)));
-      integral.values.push_back(up_to.value);
-      integral_error.values.push_back(up_to.error);
+      theory.values.push_back(square_speed * std::exp(-lags[lag] * square_speed / (dimensions_ * enskog)));
+      up_to_lag.values.push_back(up_to.value);
+      up_to_lag_error.values.push_back(up_to.error);
     }
     found.columns.push_back(std::move(value));
     found.columns.push_back(std::move(error));
     if (species.is_one_kind()) found.columns.push_back(std::move(theory));
-    found.columns.push_back(std::move(integral));
-    found.columns.push_back(std::move(integral_error));
+    found.columns.push_back(std::move(up_to_lag));
+    found.columns.push_back(std::move(up_to_lag_error));
   }
   return found;
 }

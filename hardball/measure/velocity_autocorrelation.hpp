@@ -32,7 +32,8 @@ class VelocityAutocorrelation {
 
  private:
   FluidTheory theory_;
-  ThermalMotion motion_;   // at the start
+  ThermalMotion motion_;  // at the start
+  double dimensions_;
   double mean_free_time_;  // expected [T]
   LagAverage average_;
 };

@@ -20,7 +20,8 @@ namespace {
 double component_below(double c) {
   return std::erfc(-c / std::numbers::sqrt2) / 2;
 }
-double speed_below(double c) {
+double speed_below(double c, std::size_t dimensions) {
+  if (dimensions == 2) return -std::expm1(-c * c / 2);
   return std::erf(c / std::numbers::sqrt2) - std::sqrt(2 / std::numbers::pi) * c * std::exp(-c * c / 2);
 }
 
@@ -28,6 +29,7 @@ double speed_below(double c) {
 
 VelocityDistribution::VelocityDistribution(const Scene& scene)
     : spheres_(static_cast<double>(scene.world().size())),
+      dimensions_(scene.world().box().dimensions()),
       motion_(scene.motion()),
       begin_(scene.now()),
       average_(kAllBins, kSphereGroups) {}
@@ -43,7 +45,7 @@ void VelocityDistribution::sample(const Scene& scene) {
     const double unit = std::sqrt(temperature / world.mass(slot));
     const Vec3 c = (1 / unit) * velocity;
     double* const sums = average_.open_bins(0, group_of(rank++));
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (std::size_t axis = 0; axis < dimensions_; ++axis) {
       const double bin = (c[axis] + kEdge) / kWidth;
       if (bin >= 0 && bin < kBins) ++sums[kComponents + static_cast<std::size_t>(bin)];
     }
@@ -65,7 +67,8 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
       .title = "Velocity distribution",
       .formula =
           "densities of the components and the magnitude of c = v / sqrt(kT / m); theory: "
-          "Maxwell's, exp(-c^2 / 2) / sqrt(2 pi) and sqrt(2 / pi) c^2 exp(-c^2 / 2)",
+          "Maxwell's, exp(-c^2 / 2) / sqrt(2 pi) and sqrt(2 / pi) c^2 exp(-c^2 / 2), in two dimensions c "
+          "exp(-c^2 / 2)",
       .source = "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, section 4.1"};
   using Means = std::span<const double>;
   const FunctionOfMeans kurtosis_of = [](Means means) {
@@ -77,12 +80,15 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
   const Estimate kurtosis = average.estimate(kurtosis_of, BlockAverage::Groups::exchanging);
   const Estimate mean =
       mean_speed(average, kSpeed, kSquare, kSpheres, is_energy_conserved(motion_, scene.motion()));
-  // 5/3 for many spheres; exact where the energy is fixed.
+  // 5/3 for many spheres, 2 for many discs; exact where the energy is fixed.
   const double freedom = motion_.degrees_of_freedom;
+  const auto dimensions = static_cast<double>(dimensions_);
+  const double of_many = (dimensions + 2) / dimensions;
+  const double mean_of_maxwell = dimensions_ == 2 ? std::numbers::pi / 2 : 8 / std::numbers::pi;
   found.quantities = {
-      {"speed_kurtosis", "1", kurtosis.value, kurtosis.error, 5.0 / 3 * freedom / (freedom + 2)},
+      {"speed_kurtosis", "1", kurtosis.value, kurtosis.error, of_many * freedom / (freedom + 2)},
       {"mean_speed", "L T^-1", mean.value, mean.error,
-       std::sqrt(8 / std::numbers::pi) * average.ratio(kExpectedSpeed, kSpheres).value}};
+       std::sqrt(mean_of_maxwell) * average.ratio(kExpectedSpeed, kSpheres).value}};
   const std::vector<Estimate> components = average.histogram(kComponents, kBins, kSpheres);
   const std::vector<Estimate> speeds = average.histogram(kSpeeds, kBins / 2, kSpheres);
   Column argument{"reduced_velocity", "1", ColumnRole::argument, {}};
@@ -97,14 +103,15 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
     const double low = (static_cast<double>(bin) - kBins / 2) * kWidth;
     const double high = (static_cast<double>(bin + 1) - kBins / 2) * kWidth;
     argument.values.push_back((low + high) / 2);
-    component.values.push_back(components[bin].value / kAxes / kWidth);
-    component_error.values.push_back(components[bin].error / kAxes / kWidth);
+    component.values.push_back(components[bin].value / dimensions / kWidth);
+    component_error.values.push_back(components[bin].error / dimensions / kWidth);
     component_theory.values.push_back((component_below(high) - component_below(low)) / kWidth);
     const bool is_speed = bin >= kBins / 2;
     const Estimate of_speed = is_speed ? speeds[bin - kBins / 2] : Estimate{};
     speed.values.push_back(of_speed.value / kWidth);
     speed_error.values.push_back(of_speed.error / kWidth);
-    speed_theory.values.push_back(is_speed ? (speed_below(high) - speed_below(low)) / kWidth : kNone);
+    speed_theory.values.push_back(
+        is_speed ? (speed_below(high, dimensions_) - speed_below(low, dimensions_)) / kWidth : kNone);
   }
   found.columns = {std::move(argument),         std::move(component), std::move(component_error),
                    std::move(component_theory), std::move(speed),     std::move(speed_error),

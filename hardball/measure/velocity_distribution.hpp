@@ -43,6 +43,7 @@ class VelocityDistribution {
   static constexpr std::size_t kAllBins = kExpectedSpeed + 1;
 
   double spheres_;
+  std::size_t dimensions_;
   ThermalMotion motion_;  // at the start
   Time begin_;
   BlockAverage average_;

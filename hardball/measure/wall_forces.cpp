@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/measure/units.hpp"
 
 namespace hardball {
 namespace {
@@ -17,10 +18,6 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<const char*, kFaces> kFaceNames{"x_lower", "x_upper", "y_lower",
                                                      "y_upper", "z_lower", "z_upper"};
-
-double area_across(const Box& box, std::size_t axis) {
-  return box.size()[(axis + 1) % kAxes] * box.size()[(axis + 2) % kAxes];
-}
 
 // The axis along which a unit vector lies, or kAxes if there is none.
 std::size_t axis_along(const Vec3& direction) {
@@ -32,7 +29,7 @@ std::size_t axis_along(const Vec3& direction) {
 
 double area_of(const Box& box, const Vec3& normal) {
   const std::size_t axis = axis_along(normal);
-  return axis < kAxes ? area_across(box, axis) : kNone;
+  return axis < kAxes ? box.face_area(axis) : kNone;
 }
 double area_of(const Box& box, const Plane& plane) {
   return area_of(box, plane.normal());
@@ -41,11 +38,12 @@ double area_of(const Box& box, const OscillatingPlane& plane) {
   return area_of(box, plane.normal());
 }
 double area_of(const Box& box, const Cylinder& cylinder) {
+  if (box.is_flat()) return box.sphere_surface(cylinder.radius());
   const std::size_t axis = axis_along(cylinder.axis());
   return axis < kAxes ? 2 * std::numbers::pi * cylinder.radius() * box.size()[axis] : kNone;
 }
-double area_of(const Box&, const auto& sphere) {
-  return 4 * std::numbers::pi * sphere.radius() * sphere.radius();
+double area_of(const Box& box, const auto& sphere) {
+  return box.sphere_surface(sphere.radius());
 }
 
 bool has_only_faces(const World& world) {
@@ -55,7 +53,7 @@ bool has_only_faces(const World& world) {
 }  // namespace
 
 double wall_area(const World& world, std::uint32_t wall) {
-  if (wall < kFaces) return area_across(world.box(), axis_of(wall));
+  if (wall < kFaces) return world.box().face_area(axis_of(wall));
   return std::visit([&](const auto& shape) { return area_of(world.box(), shape); },
                     world.surface(wall).shape());
 }
@@ -123,7 +121,7 @@ Measurement WallForces::result(const Scene& scene) const {
     };
     add("force", "M L T^-2", kForce, 1);
     const double area = wall_area(scene.world(), walls_[i]);
-    if (std::isfinite(area)) add("pressure", "M L^-1 T^-2", kForce, area);
+    if (std::isfinite(area)) add("pressure", pressure_unit(scene.world().box()), kForce, area);
     if (walls_[i] < kFaces) continue;
     add("power", "M L^2 T^-3", kWork, 1);
     add("heat", "M L^2 T^-3", kHeat, 1);

@@ -60,12 +60,12 @@ struct Contact {
   double first_radius = 0;  ///< [L]
   /// Collision: the radius of the second sphere. Wall: zero. [L]
   double second_radius = 0;
-  double first_mass = 0;    ///< [M]; infinite for a kinematic sphere.
-  double second_mass = 0;   ///< [M]; infinite for a wall, too.
-  Velocities before;        ///< [L/T]
-  Velocities after;         ///< [L/T]; equal to `before` while the response is called.
-  Spins spins_before;       ///< [1/T]
-  Spins spins_after;        ///< [1/T]; equal to `spins_before` while the response is called.
+  double first_mass = 0;   ///< [M]; infinite for a kinematic sphere.
+  double second_mass = 0;  ///< [M]; infinite for a wall, too.
+  Velocities before;       ///< [L/T]
+  Velocities after;        ///< [L/T]; equal to `before` while the response is called.
+  Spins spins_before;      ///< [1/T]
+  Spins spins_after;       ///< [1/T]; equal to `spins_before` while the response is called.
   /// Moments of inertia over mass and squared radius [1].
   double first_moment = kUniformSphereMoment;
   double second_moment = kUniformSphereMoment;

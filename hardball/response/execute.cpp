@@ -117,6 +117,7 @@ void describe_wall(const World& world, std::uint32_t wall, Contact& contact, Vec
     contact.wall_normal = surface.direction(position, contact.time);
     contact.separation = surface.distance(position, contact.time) * contact.wall_normal;
     contact.wall_material = surface.material();
+    contact.wall_material.is_flat = world.box().is_flat();
     velocity = surface.velocity_at(contact.time);
   }
   contact.pressing = dot(world.motion().gravity(), contact.wall_normal);
@@ -197,9 +198,12 @@ void keep_kinematic(Contact& contact) {
 void store_spins(World& world, const Contact& contact, const Participants& participants) {
   const auto store = [&](Slot slot, const Vec3& spin) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      if (std::fabs(spin[axis]) <= kLargestMagnitude) continue;
+      // A disc spins about z.
+      const double most = axis < 2 && world.box().is_flat() ? 0 : kLargestMagnitude;
+      if (std::fabs(spin[axis]) <= most) continue;
       refuse_response(contact, "the spin " + to_text(spin) + " is returned",
-                      "return finite spins of magnitude at most 1e60");
+                      world.box().is_flat() ? "return finite spins of magnitude at most 1e60 about z"
+                                            : "return finite spins of magnitude at most 1e60");
     }
     world.store_spin(slot, spin);
   };
@@ -207,13 +211,15 @@ void store_spins(World& world, const Contact& contact, const Participants& parti
   if (contact.is_collision()) store(participants.second, contact.spins_after.second);
 }
 
-void refuse_velocities(const Contact& contact) {
+void refuse_velocities(const Box& box, const Contact& contact) {
   std::string what = "the velocity " + to_text(contact.after.first) + " is returned";
   if (contact.is_collision()) {
     what = "the velocities " + to_text(contact.after.first) + " and " + to_text(contact.after.second) +
            " are returned";
   }
-  refuse_response(contact, what, "return finite velocities of magnitude at most 1e60");
+  refuse_response(contact, what,
+                  box.is_flat() ? "return finite velocities of magnitude at most 1e60, and none along z"
+                                : "return finite velocities of magnitude at most 1e60");
 }
 
 void undo_approach(const World& world, Contact& contact) {

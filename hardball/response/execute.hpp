@@ -46,17 +46,19 @@ void keep_kinematic(Contact& contact);
 void store_spins(World& world, const Contact& contact, const Participants& participants);
 
 /// Throws the Error of check_velocities.
-[[noreturn]] void refuse_velocities(const Contact& contact);
+[[noreturn]] void refuse_velocities(const Box& box, const Contact& contact);
 
-/// Error: the response returned a velocity that is NaN, infinite or out of the operating range (range.hpp).
-inline void check_velocities(const Contact& contact) {
-  const auto is_in_range = [](const Vec3& v) {
+/// Error: the response returned a velocity that is NaN, infinite or out of the operating range (range.hpp),
+/// or out of the plane in two dimensions.
+inline void check_velocities(const Box& box, const Contact& contact) {
+  const double most_along_z = box.is_flat() ? 0 : kLargestMagnitude;
+  const auto is_in_range = [most_along_z](const Vec3& v) {
     return std::fabs(v.x) <= kLargestMagnitude && std::fabs(v.y) <= kLargestMagnitude &&
-           std::fabs(v.z) <= kLargestMagnitude;
+           std::fabs(v.z) <= most_along_z;
   };
   if (is_in_range(contact.after.first) && (!contact.is_collision() || is_in_range(contact.after.second)))
     return;
-  refuse_velocities(contact);
+  refuse_velocities(box, contact);
 }
 
 /// Removes an approach of the bodies of `contact` with the velocities `after`; see settle.
@@ -95,7 +97,7 @@ void execute(World& world, CollapseGuard& guard, const Event& event, const Parti
     return merge(world, contact, participants);
   if (!(contact.first_mass + contact.second_mass < std::numeric_limits<double>::infinity()))
     keep_kinematic(contact);
-  check_velocities(contact);
+  check_velocities(world.box(), contact);
   settle(world, contact);
   guard.note_contact(contact.first, done.were_idle[0], event.time);
   if (is_collision) guard.note_contact(contact.second, done.were_idle[1], event.time);

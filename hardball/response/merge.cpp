@@ -33,9 +33,12 @@ double inertia(double moment, double mass, double radius) {
 void merge(World& world, Contact& contact, const Participants& participants) {
   HARDBALL_CHECK(contact.is_collision());
   const double mass = contact.first_mass + contact.second_mass;
-  const double radius = portable_cube_root(cube(contact.first_radius) + cube(contact.second_radius));
+  const double a = contact.first_radius;
+  const double b = contact.second_radius;
+  const double radius =
+      world.box().is_flat() ? std::sqrt(a * a + b * b) : portable_cube_root(cube(a) + cube(b));
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (world.box().is_open(axis) || 2 * radius <= world.box().size()[axis]) continue;
+    if (!world.box().is_bounded(axis) || 2 * radius <= world.box().size()[axis]) continue;
     throw RunFailure("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
                      " would merge to a sphere larger than the box, at time " +
                      to_text(contact.time.value()) + "; enlarge the box, or end the run before this time");

@@ -40,7 +40,10 @@ Vec3 rethermalized(const Contact& contact) {
   Vec3 first = cross(normal, axis_across(normal));
   first = (1 / length(first)) * first;
   const Vec3 second = cross(normal, first);
-  return contact.before.second + (along * first + across * second) - away * normal;
+  Vec3 velocity = contact.before.second + (along * first + across * second) - away * normal;
+  // Of the two directions along a wall that is upright on the plane, one is z.
+  if (contact.wall_material.is_flat) velocity.z = 0;
+  return velocity;
 }
 
 }  // namespace hardball

@@ -22,29 +22,38 @@ std::shared_ptr<const TableDescription> make(TableDescription table) {
 }
 
 TableDescription box_keys() {
-  return {.title = "[box]",
-          .keys = {
-              {.name = "boundary",
-               .type = choices,
-               .choices = {"wall", "periodic", "open"},
-               .is_required = true,
-               .meaning = "what bounds the box along x, y and z",
-               .example = R"(["wall", "wall", "wall"])"},
-              {.name = "size",
-               .type = numbers,
-               .range = positive,
-               .dimension = "L",
-               .meaning =
-                   "edge lengths; the box spans 0 to size. Three numbers, or one for each axis that is not "
-                   "open. For an open axis it only says where placement puts spheres",
-               .example = "[10.0, 10.0, 10.0]"},
-              {.name = "gravity",
-               .type = vector,
-               .dimension = "L/T²",
-               .default_value = "[0.0, 0.0, 0.0]",
-               .meaning = "the acceleration of every sphere",
-               .example = "[0.0, 0.0, -9.81]"},
-          }};
+  return {
+      .title = "[box]",
+      .keys = {
+          {.name = "dimensions",
+           .type = integer,
+           .least = 2,
+           .most = 3,
+           .default_value = "3",
+           .meaning = "2 for discs in a plane: the spheres have z = 0. Then `boundary` and `size` are for x "
+                      "and y, vectors may have two numbers, and volumes are areas",
+           .example = "2"},
+          {.name = "boundary",
+           .type = choices,
+           .choices = {"wall", "periodic", "open"},
+           .is_required = true,
+           .meaning = "what bounds the box along x, y and z",
+           .example = R"(["wall", "wall", "wall"])"},
+          {.name = "size",
+           .type = numbers,
+           .range = positive,
+           .dimension = "L",
+           .meaning =
+               "edge lengths; the box spans 0 to size. Three numbers, or one for each axis that is not "
+               "open. For an open axis it only says where placement puts spheres",
+           .example = "[10.0, 10.0, 10.0]"},
+          {.name = "gravity",
+           .type = vector,
+           .dimension = "L/T²",
+           .default_value = "[0.0, 0.0, 0.0]",
+           .meaning = "the acceleration of every sphere",
+           .example = "[0.0, 0.0, -9.81]"},
+      }};
 }
 
 TableDescription radius_keys() {
@@ -133,7 +142,8 @@ TableDescription mass_keys() {
                     .range = positive,
                     .dimension = "M/L³",
                     .is_required = true,
-                    .meaning = "of the material: the mass of a sphere of radius r is 4π/3 r³ times this",
+                    .meaning = "of the material: the mass of a sphere of radius r is 4π/3 r³ times this, "
+                               "that of a disc π r² times this [M/L²]",
                     .example = "2.0"}}};
 }
 
@@ -166,11 +176,12 @@ TableDescription spheres_keys() {
                .table = make(mass_keys())},
               {.name = "placement",
                .type = choice,
-               .choices = {"random", "fcc"},
+               .choices = {"random", "fcc", "hexagonal"},
                .meaning = "`\"random\"`: anywhere without overlap, up to a packing fraction of 0.36 for "
-                          "equal spheres, "
+                          "equal spheres and 0.54 for equal discs, "
                           "more for unequal ones; "
-                          "`\"fcc\"`: on a face-centred cubic lattice that fills the box",
+                          "`\"fcc\"`: on a face-centred cubic lattice that fills the box; "
+                          "`\"hexagonal\"`: the same of discs",
                .example = "\"random\""},
               {.name = "positions",
                .type = vectors,
@@ -185,7 +196,7 @@ TableDescription spheres_keys() {
               {.name = "temperature",
                .range = not_negative,
                .dimension = "M L²/T²",
-               .meaning = "or: Maxwell velocities with this kT = m⟨v²⟩/3",
+               .meaning = "or: Maxwell velocities with this kT = m⟨v²⟩/3, in two dimensions m⟨v²⟩/2",
                .example = "1.0"},
               {.name = "speed",
                .range = not_negative,
@@ -201,7 +212,7 @@ TableDescription spheres_keys() {
                .range = not_negative,
                .dimension = "M L²/T²",
                .default_value = "0.0",
-               .meaning = "normally distributed spins with this I⟨w²⟩/3",
+               .meaning = "normally distributed spins with this I⟨w²⟩/3, or I⟨w²⟩ in two dimensions",
                .example = "1.0"},
               {.name = "spins",
                .type = vectors,
@@ -353,9 +364,8 @@ TableDescription species_keys() {
                     .example = "\"steel\""},
                    {.name = "moment",
                     .range = positive,
-                    .default_value = "0.4",
                     .meaning = "the moment of inertia of its spheres over mass and squared radius: 2/5 for "
-                               "uniform spheres, 2/3 for shells",
+                               "uniform spheres and 1/2 for uniform discs, if not given; 2/3 for shells",
                     .example = "0.4"}}};
 }
 

@@ -20,7 +20,7 @@ enum class ValueType {
   texts,    ///< A list of such strings.
   choice,   ///< One of several strings.
   choices,  ///< A list of some of them.
-  vector,   ///< Three numbers.
+  vector,   ///< Three numbers, or two in two dimensions.
   vectors,  ///< A list of vectors.
   table,
   tables,  ///< One or more tables of the same name, [[name]].

@@ -37,7 +37,16 @@ Box make_box(const Scenario& scenario) {
   return {boundary, size};
 }
 
+double disc_area(Groups groups) {
+  double squares = 0;
+  for (const SphereGroup& group : groups) {
+    for (std::size_t i = 0; i < group.count; ++i) squares += group.radius_of(i) * group.radius_of(i);
+  }
+  return std::numbers::pi * squares;
+}
+
 double sphere_volume(Groups groups) {
+  if (groups.front().dimensions == 2) return disc_area(groups);
   double volume = 0;
   for (const SphereGroup& group : groups) {
     if (group.radii.empty()) {
@@ -62,7 +71,9 @@ const SphereGroup& group_of_largest(Groups groups) {
 double length_for_volume(const Scenario& scenario, double volume) {
   const auto volume_at = [&](double length) {
     double product = 1;
-    for (const Scenario::Axis& axis : scenario.box) product *= axis.size.value_or(length);
+    for (std::size_t axis = 0; axis < scenario.dimensions(); ++axis) {
+      product *= scenario.box[axis].size.value_or(length);
+    }
     return product;
   };
   double low = 0;
@@ -77,13 +88,13 @@ double length_for_volume(const Scenario& scenario, double volume) {
 // The region in which spheres are placed: the sizes given, or what surfaces leave, and along other axes an
 // interval around 0, or from a surface on.
 Region make_region(const Scenario& scenario, Groups groups, std::span<const Surface> surfaces) {
-  const bool has_all_sizes = std::all_of(scenario.box.begin(), scenario.box.end(),
-                                         [](const Scenario::Axis& axis) { return axis.size.has_value(); });
+  const bool has_all_sizes = std::ranges::all_of(
+      scenario.box, [](const Scenario::Axis& axis) { return axis.size || axis.boundary == Boundary::flat; });
   const double volume = sphere_volume(groups) / kOpenPackingFraction;
   const double diameter = 2 * largest_radius(group_of_largest(groups));
   const double stretch = has_all_sizes ? 0 : std::max(length_for_volume(scenario, volume), 2 * diameter);
   Region region;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+  for (std::size_t axis = 0; axis < scenario.dimensions(); ++axis) {
     const std::optional<double>& size = scenario.box[axis].size;
     const Interval free = interval_between(surfaces, axis);
     double& low = region.low[axis];
@@ -102,16 +113,16 @@ Region make_region(const Scenario& scenario, Groups groups, std::span<const Surf
   return region;
 }
 
-void check_room(Groups groups, const Region& region) {
+void check_room(const Box& box, Groups groups, const Region& region) {
   const Vec3 size = region.high - region.low;
   const SphereGroup& largest = group_of_largest(groups);
   const double diameter = 2 * largest_radius(largest);
-  const double narrowest = std::min({size.x, size.y, size.z});
+  const double narrowest = box.is_flat() ? std::min(size.x, size.y) : std::min({size.x, size.y, size.z});
   if (diameter > narrowest) {
     throw Error("diameter " + to_text(diameter) + " exceeds the box size " + to_text(narrowest),
                 largest.where, "enlarge the box or shrink the spheres");
   }
-  const double packing = sphere_volume(groups) / (size.x * size.y * size.z);
+  const double packing = sphere_volume(groups) / box.volume_of(size);
   if (packing > 1) {
     throw Error("a packing fraction of " + to_text(packing) + " cannot exist", largest.where,
                 "enlarge the box, or take fewer or smaller spheres");
@@ -124,12 +135,12 @@ void check_one_placement(Groups groups) {
     const SphereGroup& first = groups.front();
     if (group.placement != first.placement) {
       throw Error("groups are placed in different ways", group.where,
-                  "place all groups at random, all by \"fcc\", or all by positions");
+                  "place all groups at random, all on a lattice, or all by positions");
     }
-    if (group.placement != Placement::fcc) continue;
+    if (group.placement == Placement::random || group.placement == Placement::listed) continue;
     for (std::size_t i = 0; i < group.count; ++i) {
       if (group.radius_of(i) == first.radius_of(0)) continue;
-      throw Error("placement \"fcc\" needs spheres of one radius, and there are " +
+      throw Error("placement on a lattice needs spheres of one radius, and there are " +
                       to_text(first.radius_of(0)) + " and " + to_text(group.radius_of(i)),
                   group.where, "make the radii equal or use placement = \"random\"");
     }
@@ -148,12 +159,12 @@ std::vector<Vec3> place(const Scenario& scenario, Groups groups, const World& wo
     return positions;
   }
   const Region region = make_region(scenario, groups, world.surfaces());
-  check_room(groups, region);
+  check_room(world.box(), groups, region);
   std::vector<double> radii;
   for (const SphereGroup& group : groups) {
     for (std::size_t i = 0; i < group.count; ++i) radii.push_back(group.radius_of(i));
   }
-  if (first.placement == Placement::fcc) {
+  if (first.placement != Placement::random) {
     return place_on_lattice(world.box(), region, radii.size(), radii.front(), first.where);
   }
   IsAllowed is_allowed;
@@ -174,17 +185,16 @@ void add(World& world, const Sphere& sphere, const std::string& where) {
   }
 }
 
-// A spin whose components have this variance.
-Vec3 spin_at(double variance, Random& random) {
-  // One after another: the order in which arguments are evaluated is not fixed.
-  const double x = random.normal();
-  const double y = random.normal();
-  const double z = random.normal();
-  return std::sqrt(variance) * Vec3{x, y, z};
+// A spin whose components have this variance; that of a disc is along z.
+Vec3 spin_at(double variance, std::size_t dimensions, Random& random) {
+  if (dimensions == 2) return {0, 0, std::sqrt(variance) * random.normal()};
+  return std::sqrt(variance) * random.normal_vector(kAxes);
 }
 
-double moment_of(const Scenario& scenario, SpeciesId species) {
-  return species < scenario.species.size() ? scenario.species[species].moment : kUniformSphereMoment;
+double moment_of(const Scenario& scenario, const SphereGroup& group) {
+  const double uniform = group.dimensions == 2 ? kUniformDiscMoment : kUniformSphereMoment;
+  if (group.species >= scenario.species.size()) return uniform;
+  return scenario.species[group.species].moment.value_or(uniform);
 }
 
 // Drawn after all other random numbers, so that spheres that do not spin are where they would be without it.
@@ -197,9 +207,9 @@ std::vector<Vec3> draw_spins(const Scenario& scenario, Groups groups, Random& ra
     }
     for (std::size_t i = 0; i < group.count; ++i) {
       const double radius = group.radius_of(i);
-      const double inertia = moment_of(scenario, group.species) * group.mass_of(i) * radius * radius;
+      const double inertia = moment_of(scenario, group) * group.mass_of(i) * radius * radius;
       spins.push_back(group.rotational_temperature > 0
-                          ? spin_at(group.rotational_temperature / inertia, random)
+                          ? spin_at(group.rotational_temperature / inertia, group.dimensions, random)
                           : Vec3{});
     }
   }
@@ -229,7 +239,7 @@ void add_groups(const Scenario& scenario, World& world, const Progress& progress
            .mass = group.mass_of(i),
            .spin = spins[next],
            .species = group.species,
-           .moment = moment_of(scenario, group.species)},
+           .moment = moment_of(scenario, group)},
           group.where);
     }
   }

@@ -83,7 +83,7 @@ std::vector<SpeciesDescription> read_species(const Section& root) {
   std::vector<SpeciesDescription> all;
   for (const Section& section : root.sections("species")) {
     const Value name = section.need("name");
-    SpeciesDescription species{.name = name.text()};
+    SpeciesDescription species{name.text(), std::nullopt};
     if (species.name == kWall) {
       throw Error("a species is named \"wall\"", name.place(), "choose another name: that one means walls");
     }

@@ -21,10 +21,17 @@ void read_placement(const Section& section, SphereGroup& group) {
       throw Error("there are both placement and positions", placement->place(), "remove one of the two");
     }
     group.placement = Placement::listed;
-    group.positions = positions->vectors();
-  } else {
-    group.placement = static_cast<Placement>(section.need("placement").choice());
+    group.positions = positions->vectors(group.dimensions);
+    return;
   }
+  const Value placement = section.need("placement");
+  group.placement = static_cast<Placement>(placement.choice());
+  const Placement lattice_of_others = group.dimensions == 2 ? Placement::fcc : Placement::hexagonal;
+  if (group.placement != lattice_of_others) return;
+  throw Error("placement is \"" + placement.text() + "\" in a box of " +
+                  (group.dimensions == 2 ? "two" : "three") + " dimensions",
+              placement.place(),
+              std::string("use \"") + (group.dimensions == 2 ? "hexagonal" : "fcc") + "\" or \"random\"");
 }
 
 void read_velocities(const Section& section, SphereGroup& group) {
@@ -39,7 +46,7 @@ void read_velocities(const Section& section, SphereGroup& group) {
     }
     rule = static_cast<VelocityRule>(i);
     if (rule == VelocityRule::listed) {
-      group.velocities = value->vectors();
+      group.velocities = value->vectors(group.dimensions);
     } else {
       group.velocity_scale = value->number();
     }
@@ -134,7 +141,7 @@ void read_spins(const Section& section, SphereGroup& group) {
   if (temperature) {
     throw Error("there are both rotational_temperature and spins", spins->place(), "remove one of the two");
   }
-  group.spins = spins->vectors();
+  group.spins = spins->vectors(kAxes);
   if (group.spins.size() != group.count) {
     spins->wrong_length(group.spins.size(), "give one for each of the " + to_text(group.count) + " spheres");
   }
@@ -143,8 +150,9 @@ void read_spins(const Section& section, SphereGroup& group) {
 }  // namespace
 
 SphereGroup read_spheres(const Section& section, const std::filesystem::path& folder,
-                         std::span<const SpeciesDescription> species) {
+                         std::span<const SpeciesDescription> species, std::size_t dimensions) {
   SphereGroup group;
+  group.dimensions = dimensions;
   group.where = section.place();
   read_placement(section, group);
   read_velocities(section, group);

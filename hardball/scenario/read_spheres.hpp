@@ -14,6 +14,6 @@ namespace hardball {
 /// `species` are those of the scenario. Error, with the place
 /// of the value: a key is missing, contradicts another or is out of range.
 SphereGroup read_spheres(const Section& section, const std::filesystem::path& folder,
-                         std::span<const SpeciesDescription> species);
+                         std::span<const SpeciesDescription> species, std::size_t dimensions);
 
 }  // namespace hardball

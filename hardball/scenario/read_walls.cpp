@@ -11,9 +11,9 @@ namespace hardball {
 namespace {
 
 // A vector of any length but zero.
-Vec3 read_direction(const Section& section, const std::string& key) {
+Vec3 read_direction(const Section& section, const std::string& key, std::size_t dimensions) {
   const Value value = section.need(key);
-  const Vec3 direction = value.vector();
+  const Vec3 direction = value.vector(dimensions);
   check_positive(length(direction), "the length of " + key, value.place());
   return direction;
 }
@@ -33,9 +33,9 @@ void read_surface(const Section& section, Description& surface) {
   }
 }
 
-void read_motion(const Section& section, WallDescription& wall) {
+void read_motion(const Section& section, std::size_t dimensions, WallDescription& wall) {
   const std::optional<Value> velocity = section.find("velocity");
-  if (velocity) wall.velocity = velocity->vector();
+  if (velocity) wall.velocity = velocity->vector(dimensions);
   if (wall.shape != WallDescription::Shape::plane) return;
   const std::optional<Value> amplitude = section.find("amplitude");
   const std::optional<Value> frequency = section.find("frequency");
@@ -48,46 +48,46 @@ void read_motion(const Section& section, WallDescription& wall) {
   wall.frequency = section.need("frequency").number();
 }
 
-WallDescription read_wall(const Section& section) {
+WallDescription read_wall(const Section& section, std::size_t dimensions) {
   using Shape = WallDescription::Shape;
   WallDescription wall;
   wall.where = section.place();
   wall.shape = static_cast<Shape>(section.need("shape").choice());
-  wall.point = section.need("point").vector();
-  if (wall.shape == Shape::plane) wall.direction = read_direction(section, "normal");
-  if (wall.shape == Shape::cylinder) wall.direction = read_direction(section, "axis");
+  wall.point = section.need("point").vector(dimensions);
+  if (wall.shape == Shape::plane) wall.direction = read_direction(section, "normal", dimensions);
+  if (wall.shape == Shape::cylinder) wall.direction = read_direction(section, "axis", dimensions);
   if (wall.shape != Shape::plane) wall.radius = section.need("radius").number();
   read_surface(section, wall);
-  read_motion(section, wall);
+  read_motion(section, dimensions, wall);
   return wall;
 }
 
-std::vector<Vec3> read_positions(const Section& section) {
+std::vector<Vec3> read_positions(const Section& section, std::size_t dimensions) {
   const std::optional<Value> position = section.find("position");
   const std::optional<Value> positions = section.find("positions");
   if (position && positions) {
     throw Error("there are both position and positions", positions->place(), "remove one of the two");
   }
-  if (positions) return positions->vectors();
-  return {section.need("position").vector()};
+  if (positions) return positions->vectors(dimensions);
+  return {section.need("position").vector(dimensions)};
 }
 
 }  // namespace
 
-std::vector<WallDescription> read_walls(const Section& root) {
+std::vector<WallDescription> read_walls(const Section& root, std::size_t dimensions) {
   std::vector<WallDescription> walls;
-  for (const Section& section : root.sections("walls")) walls.push_back(read_wall(section));
+  for (const Section& section : root.sections("walls")) walls.push_back(read_wall(section, dimensions));
   return walls;
 }
 
-std::vector<ObstacleDescription> read_obstacles(const Section& root) {
+std::vector<ObstacleDescription> read_obstacles(const Section& root, std::size_t dimensions) {
   std::vector<ObstacleDescription> obstacles;
   for (const Section& section : root.sections("obstacles")) {
     ObstacleDescription obstacle;
     obstacle.where = section.place();
     obstacle.radius = section.need("radius").number();
     read_surface(section, obstacle);
-    for (const Vec3& position : read_positions(section)) {
+    for (const Vec3& position : read_positions(section, dimensions)) {
       obstacle.position = position;
       obstacles.push_back(obstacle);
     }

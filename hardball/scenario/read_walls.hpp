@@ -11,9 +11,9 @@ namespace hardball {
 
 /// What the tables [[walls]] of a scenario describe. Error, with the place of the value: a key is missing,
 /// contradicts another or is out of range.
-std::vector<WallDescription> read_walls(const Section& root);
+std::vector<WallDescription> read_walls(const Section& root, std::size_t dimensions);
 
 /// What the tables [[obstacles]] describe, one for each position. Error: likewise.
-std::vector<ObstacleDescription> read_obstacles(const Section& root);
+std::vector<ObstacleDescription> read_obstacles(const Section& root, std::size_t dimensions);
 
 }  // namespace hardball

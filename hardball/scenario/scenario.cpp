@@ -23,25 +23,34 @@ namespace {
 // The largest scenario file, which becomes a tree many times its size.
 constexpr std::size_t kMostBytes = std::size_t{16} << 20;
 
-void read_sizes(const Value& size, std::array<Scenario::Axis, kAxes>& box) {
+std::string number_of(std::size_t axes) {
+  return axes == 2 ? "two" : "three";
+}
+
+void read_sizes(const Value& size, std::span<Scenario::Axis> box) {
   const auto is_bounded = [](const Scenario::Axis& axis) { return axis.boundary != Boundary::open; };
   const auto bounded = static_cast<std::size_t>(std::count_if(box.begin(), box.end(), is_bounded));
-  const std::string remedy = "give three numbers, or one for each axis that is not open";
+  const std::string remedy =
+      "give " + number_of(box.size()) + " numbers, or one for each axis that is not open";
   const std::vector<Value> sizes = size.entries(remedy);
-  if (sizes.size() != kAxes && sizes.size() != bounded) size.wrong_length(sizes.size(), remedy);
+  if (sizes.size() != box.size() && sizes.size() != bounded) size.wrong_length(sizes.size(), remedy);
   auto next = sizes.begin();
   for (Scenario::Axis& axis : box) {
-    if (sizes.size() == kAxes || is_bounded(axis)) axis.size = (next++)->number();
+    if (sizes.size() == box.size() || is_bounded(axis)) axis.size = (next++)->number();
   }
 }
 
-void read_box(const Section& section, std::array<Scenario::Axis, kAxes>& box) {
+void read_box(const Section& section, std::array<Scenario::Axis, kAxes>& all_axes) {
+  const auto dimensions = section.find("dimensions");
+  const std::span<Scenario::Axis> box = std::span(all_axes).first(dimensions ? dimensions->integer() : kAxes);
+  for (Scenario::Axis& axis : all_axes) axis.boundary = Boundary::flat;
   const Value boundary = section.need("boundary");
-  const std::string remedy = "give three of \"wall\", \"periodic\" and \"open\" in brackets";
+  const std::string remedy =
+      "give " + number_of(box.size()) + " of \"wall\", \"periodic\" and \"open\" in brackets";
   const std::vector<Value> boundaries = boundary.entries(remedy);
-  if (boundaries.size() != kAxes) boundary.wrong_length(boundaries.size(), remedy);
+  if (boundaries.size() != box.size()) boundary.wrong_length(boundaries.size(), remedy);
   bool is_open = true;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+  for (std::size_t axis = 0; axis < box.size(); ++axis) {
     box[axis].boundary = static_cast<Boundary>(boundaries[axis].choice());
     is_open = is_open && box[axis].boundary == Boundary::open;
   }
@@ -52,10 +61,10 @@ void read_box(const Section& section, std::array<Scenario::Axis, kAxes>& box) {
   }
 }
 
-Vec3 read_gravity(const Section& box) {
+Vec3 read_gravity(const Section& box, std::size_t dimensions) {
   const std::optional<Value> given = box.find("gravity");
   if (!given) return {};
-  const Vec3 gravity = given->vector();
+  const Vec3 gravity = given->vector(dimensions);
   if (gravity != Vec3{}) check_positive(length(gravity), "the magnitude of gravity", given->place());
   return gravity;
 }
@@ -73,7 +82,7 @@ void read_start(const Section& root, Scenario& scenario) {
   }
   if (groups.empty()) throw Error("there are no spheres", scenario.name, "add [[spheres]] or [start]");
   for (const Section& group : groups)
-    scenario.spheres.push_back(read_spheres(group, folder, scenario.species));
+    scenario.spheres.push_back(read_spheres(group, folder, scenario.species, scenario.dimensions()));
 }
 
 ThermostatKind read_thermostat(const Section& section) {
@@ -137,11 +146,11 @@ Scenario read_scenario(const Document& document) {
                 "add [box] with size = [10.0, 10.0, 10.0] and boundary = [\"wall\", \"wall\", \"wall\"]");
   }
   read_box(*box, scenario.box);
-  scenario.gravity = read_gravity(*box);
+  scenario.gravity = read_gravity(*box, scenario.dimensions());
   scenario.species = read_species(root);
   read_start(root, scenario);
-  scenario.walls = read_walls(root);
-  scenario.obstacles = read_obstacles(root);
+  scenario.walls = read_walls(root, scenario.dimensions());
+  scenario.obstacles = read_obstacles(root, scenario.dimensions());
   read_response(root, scenario);
   if (const auto thermostat = root.section("thermostat")) scenario.thermostat = read_thermostat(*thermostat);
   if (const auto run = root.section("run")) read_run(*run, scenario);
@@ -168,6 +177,7 @@ double SphereGroup::mass_of(std::size_t index) const {
   if (is_kinematic) return std::numeric_limits<double>::infinity();
   if (!density) return mass;
   const double radius_of_it = radius_of(index);
+  if (dimensions == 2) return *density * std::numbers::pi * radius_of_it * radius_of_it;
   return *density * (4 * std::numbers::pi / 3) * radius_of_it * radius_of_it * radius_of_it;
 }
 

@@ -20,15 +20,16 @@ namespace hardball {
 
 /// How the centres of a group's spheres are chosen.
 enum class Placement {
-  random,  ///< Anywhere without overlap.
-  fcc,     ///< On a face-centred cubic lattice that fills the region.
-  listed,  ///< Where SphereGroup::positions says.
+  random,     ///< Anywhere without overlap.
+  fcc,        ///< On a face-centred cubic lattice that fills the region.
+  hexagonal,  ///< The same in two dimensions.
+  listed,     ///< Where SphereGroup::positions says.
 };
 
 /// How the velocities of a group's spheres are chosen.
 enum class VelocityRule {
   mean_speed,   ///< Maxwell's distribution with this mean of |v| [L/T].
-  temperature,  ///< Maxwell's distribution with this k T = m <v^2> / 3 [M L^2 T^-2].
+  temperature,  ///< Maxwell's distribution with this k T, m <v^2> by the dimensions [M L^2 T^-2].
   speed,        ///< This |v| [L/T], in random directions.
   listed,       ///< As SphereGroup::velocities says.
 };
@@ -57,12 +58,13 @@ struct RadiusDistribution {
 
 /// Spheres of one kind: a table [[spheres]] of a scenario.
 struct SphereGroup {
+  std::size_t dimensions = 3;  ///< Of the box: 3, or 2 for discs.
   std::size_t count = 0;
   double radius = 1;                               ///< Of all, unless they are distributed [L].
   std::optional<RadiusDistribution> distribution;  ///< Of the radii.
   std::vector<double> radii;      ///< Shape (count) once they are drawn, otherwise empty [L].
   double mass = 1;                ///< Of all, unless there is a density [M].
-  std::optional<double> density;  ///< Of the material, from which masses follow [M/L^3].
+  std::optional<double> density;  ///< Of the material, from which masses follow [M/L^3]; of discs [M/L^2].
   Placement placement = Placement::random;
   std::vector<Vec3> positions;  ///< Shape (count, 3) for Placement::listed, otherwise empty [L].
   VelocityRule velocity_rule = VelocityRule::speed;
@@ -108,7 +110,8 @@ struct ObstacleDescription {
 /// A species: a table [[species]] of a scenario.
 struct SpeciesDescription {
   std::string name;
-  double moment = kUniformSphereMoment;  ///< Moment of inertia over mass and squared radius [1].
+  /// Moment of inertia over mass and squared radius [1]; that of uniform spheres or discs if not given.
+  std::optional<double> moment;
 };
 
 /// What two species do at contacts: a table [[response.pairs]] of a scenario.
@@ -125,12 +128,15 @@ struct Scenario {
   struct Axis {
     Boundary boundary = Boundary::open;
     /// Length of the box; along an open axis, of the interval from 0 on in which spheres are placed [L].
+    /// None along a flat axis.
     std::optional<double> size;
   };
 
   std::string name;  ///< The file, for messages.
   std::string text;  ///< Its contents, without overrides.
   std::array<Axis, kAxes> box;
+  /// 2 if the box is flat.
+  std::size_t dimensions() const { return box[2].boundary == Boundary::flat ? 2 : 3; }
   Vec3 gravity;                        ///< [L/T^2]
   std::vector<WallDescription> walls;  ///< Besides those of the box.
   std::vector<ObstacleDescription> obstacles;

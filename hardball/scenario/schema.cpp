@@ -48,7 +48,7 @@ Json list_of(const Json& items) {
 
 Json schema_of_vector(NumberRange range) {
   Json schema = list_of(schema_of_number(range));
-  schema["minItems"] = kAxes;
+  schema["minItems"] = kAxes - 1;
   schema["maxItems"] = kAxes;
   return schema;
 }

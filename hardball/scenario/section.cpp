@@ -118,18 +118,21 @@ std::vector<Value> Value::texts() const {
   return texts;
 }
 
-Vec3 Value::vector() const {
-  const std::string remedy = "give three numbers in brackets";
+Vec3 Value::vector(std::size_t dimensions) const {
+  const std::string remedy =
+      dimensions == 2 ? "give two numbers in brackets" : "give three numbers in brackets";
   const std::vector<Value> parts = entries(remedy);
-  if (parts.size() != kAxes) wrong_length(parts.size(), remedy);
-  return {parts[0].number(), parts[1].number(), parts[2].number()};
+  if (parts.size() != kAxes && parts.size() != dimensions) wrong_length(parts.size(), remedy);
+  Vec3 vector;
+  for (std::size_t axis = 0; axis < parts.size(); ++axis) vector[axis] = parts[axis].number();
+  return vector;
 }
 
-std::vector<Vec3> Value::vectors() const {
+std::vector<Vec3> Value::vectors(std::size_t dimensions) const {
   std::vector<Vec3> vectors;
-  for (const Value& entry : entries("give an array of arrays of three numbers")) {
-    vectors.push_back(entry.vector());
-  }
+  const char* const remedy =
+      dimensions == 2 ? "give an array of arrays of two numbers" : "give an array of arrays of three numbers";
+  for (const Value& entry : entries(remedy)) vectors.push_back(entry.vector(dimensions));
   return vectors;
 }
 

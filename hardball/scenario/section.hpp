@@ -34,8 +34,9 @@ class Value {
   std::vector<double> numbers() const;
   /// The values of a list, all of which have a text.
   std::vector<Value> texts() const;
-  Vec3 vector() const;
-  std::vector<Vec3> vectors() const;
+  /// In two dimensions z may be left out: it is zero.
+  Vec3 vector(std::size_t dimensions) const;
+  std::vector<Vec3> vectors(std::size_t dimensions) const;
   /// The values of a list. `remedy` says what the list should hold.
   std::vector<Value> entries(const std::string& remedy) const;
   /// The table that may be given instead of a plain value; none if it is a plain value.

@@ -10,6 +10,7 @@ namespace hardball {
 namespace {
 
 bool is_maxwell(const SphereGroup& group) {
+  if (group.is_kinematic) return false;
   return group.velocity_rule == VelocityRule::mean_speed || group.velocity_rule == VelocityRule::temperature;
 }
 
@@ -18,7 +19,9 @@ double spread(const SphereGroup& group, std::size_t index) {
   if (group.velocity_rule == VelocityRule::temperature) {
     return std::sqrt(group.velocity_scale / group.mass_of(index));
   }
-  return group.velocity_scale * std::sqrt(std::numbers::pi / 8);
+  // The mean speed is sqrt(8 / pi) times that, of discs sqrt(pi / 2) times.
+  return group.velocity_scale *
+         std::sqrt(group.dimensions == 2 ? 2 / std::numbers::pi : std::numbers::pi / 8);
 }
 
 Vec3 draw(const SphereGroup& group, std::size_t index, Random& random) {
@@ -26,16 +29,13 @@ Vec3 draw(const SphereGroup& group, std::size_t index, Random& random) {
     case VelocityRule::listed:
       return group.velocities[index];
     case VelocityRule::speed:
-      return group.velocity_scale * random.direction();
+      return group.velocity_scale *
+             (group.dimensions == 2 ? random.direction_in_plane() : random.direction());
     case VelocityRule::mean_speed:
     case VelocityRule::temperature:
       break;
   }
-  // One after another: the order in which arguments are evaluated is not fixed.
-  const double x = random.normal();
-  const double y = random.normal();
-  const double z = random.normal();
-  return spread(group, index) * Vec3{x, y, z};
+  return spread(group, index) * random.normal_vector(group.dimensions);
 }
 
 // Calls visit(group, velocities of its spheres) for every group.
@@ -77,7 +77,8 @@ void scale_to_rule(const SphereGroup& group, std::span<Vec3> velocities) {
   if (!(speeds > 0)) return;
   const double factor = group.velocity_rule == VelocityRule::mean_speed
                             ? group.velocity_scale / (speeds / count)
-                            : std::sqrt(group.velocity_scale / (group.mass_of(0) * squares / count / 3));
+                            : std::sqrt(group.velocity_scale / (group.mass_of(0) * squares / count /
+                                                                static_cast<double>(group.dimensions)));
   for (Vec3& velocity : velocities) velocity = factor * velocity;
 }
 

@@ -363,7 +363,7 @@ std::optional<Clearance> clearance_of(const World& world, const Time& now, const
 std::optional<NextContact> first_contact(const World& world, const Time& now, SphereId id,
                                          const Vec3& velocity, const Time& until) {
   const Slot slot = world.slot_of(id);
-  World::check_velocity(id, velocity);
+  world.check_velocity(id, velocity);
   const Path path{world.position(slot, now), velocity, now};
   const auto pass = [&](Slot other) { return world.pass(slot, other); };
   return first_contact_on(world, id, slot, path, world.radius(slot), pass, until);

@@ -477,7 +477,7 @@ void Simulation::change_velocities(std::span<const VelocityEdit> edits) {
   for (const VelocityEdit& edit : sorted) {
     static_cast<void>(
         world().image(world().slot_of(edit.id), now_));  // whether there is such a sphere, and where
-    World::check_velocity(edit.id, edit.velocity);
+    world().check_velocity(edit.id, edit.velocity);
   }
   // So many edits one by one would cost more than a rebuild.
   constexpr std::size_t kShare = 2;

@@ -32,6 +32,8 @@ struct SurfaceMaterial {
   /// surface reflects.
   std::optional<double> temperature = {};
   std::uint64_t seed = 0;  ///< Of a thermal wall's random numbers.
+  /// Whether spheres return from a thermal wall within the plane z = 0: in a contact, as the box has it.
+  bool is_flat = false;
 };
 
 /// A wall or an obstacle in the way of spheres: at rest, in uniform motion, or oscillating.

@@ -20,12 +20,4 @@ Random event_random(std::uint64_t seed, SphereId sphere, std::uint64_t count) {
   return Random(mixed(mixed(mixed(0, seed), sphere), count));
 }
 
-Vec3 normal_vector(Random& random) {
-  // One after another: the order in which arguments are evaluated is not fixed.
-  const double x = random.normal();
-  const double y = random.normal();
-  const double z = random.normal();
-  return {x, y, z};
-}
-
 }  // namespace hardball

@@ -13,7 +13,4 @@ namespace hardball {
 /// The random numbers of event `count` of a sphere: a function of these three, whatever else has happened.
 Random event_random(std::uint64_t seed, SphereId sphere, std::uint64_t count);
 
-/// Three independent normal numbers with mean zero and variance one.
-Vec3 normal_vector(Random& random);
-
 }  // namespace hardball

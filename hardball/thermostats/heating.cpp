@@ -22,7 +22,7 @@ void Heating::act(const World& world, const Time& moment, std::vector<NewVelocit
   world.for_each_by_id([&](Slot slot) {
     if (world.is_kinematic(slot)) return;
     Random random = event_random(seed_, world.id(slot), times_.passed());
-    const Vec3 kick = spread * normal_vector(random);
+    const Vec3 kick = spread * random.normal_vector(world.box().dimensions());
     const Vec3 before = world.velocity(slot, moment);
     changes.push_back({slot, before, before + kick});
     momentum += world.mass(slot) * kick;

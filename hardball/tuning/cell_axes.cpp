@@ -33,7 +33,14 @@ double sum_rows_at_wall(double edge, double reached, double room) {
   return edge * near * (near + 1) / 2 + (reached - near) * room;
 }
 
+// An axis that does not exist in two dimensions is like a single cell, so long that spheres are points in it.
+CellAxis missing_axis(double edge) {
+  const double length = 0x1p60 * edge;
+  return {.edge = length, .room = length, .crossings = 0, .is_divided = false};
+}
+
 CellAxis cell_axis(const Moments& moments, const Subdivision& cells, std::size_t axis) {
+  if (moments.box.boundary(axis) == Boundary::flat) return missing_axis(cells.edge(axis));
   const double diameter = 2 * moments.mean_radius();
   const double edge = cells.edge(axis);
   const double rows_touched = 1 + diameter / edge;  // far from walls

@@ -45,8 +45,10 @@ Powers diameter_powers(const std::array<double, 6>& radius_power) {
   return {1, 2 * radius_power[1], 4 * radius_power[2], 8 * radius_power[3]};
 }
 
-// The same for colliding spheres, weighted by the squared sum of the two radii.
-Powers colliding_diameter_powers(const std::array<double, 6>& m) {
+// The same for colliding spheres, weighted by the squared sum of the two radii, of discs by their sum.
+Powers colliding_diameter_powers(const std::array<double, 6>& m, bool is_flat) {
+  if (is_flat)
+    return {1, (m[1] * m[1] + m[2]) / m[1], 2 * (m[1] * m[2] + m[3]) / m[1], 4 * (m[3] + m[4] / m[1])};
   const double all = 2 * m[2] + 2 * m[1] * m[1];
   return {1, 2 * (3 * m[1] * m[2] + m[3]) / all, 4 * (m[2] * m[2] + 2 * m[1] * m[3] + m[4]) / all,
           8 * (m[2] * m[3] + 2 * m[1] * m[4] + m[5]) / all};
@@ -60,8 +62,10 @@ struct Separation {
   double three;
 };
 constexpr Separation kInContact{1.0 / 2, 2 / (3 * std::numbers::pi), 1 / (4 * std::numbers::pi)};
+constexpr Separation kDiscsInContact{2 / std::numbers::pi, 1 / std::numbers::pi, 0};
 // Anywhere in the sphere that a sphere excludes.
 constexpr Separation kOverlapping{3.0 / 8, 2 / (5 * std::numbers::pi), 1 / (8 * std::numbers::pi)};
+constexpr Separation kDiscsOverlapping{4 / (3 * std::numbers::pi), 1 / (2 * std::numbers::pi), 0};
 
 // The mean number of cells that they share.
 double shared_cells(const CellAxes& axes, double diameter, const Separation& mean) {
@@ -105,12 +109,16 @@ CellCounts expected_counts(const Moments& moments, double edge) {
   }
   const double free_path = mean_free_path(moments);
   const RowSurplus none;
-  const RowSurplus surplus = mean_row_surplus(axes, 2 * moments.mean_radius(), free_path);
+  const RowSurplus surplus =
+      mean_row_surplus(axes, 2 * moments.mean_radius(), free_path, moments.box.dimensions());
+  const bool is_flat = moments.is_flat();
+  const Separation& in_contact = is_flat ? kDiscsInContact : kInContact;
+  const Separation& overlapping = is_flat ? kDiscsOverlapping : kOverlapping;
   const Powers one = diameter_powers(moments.radius_power);
-  const Powers colliding = colliding_diameter_powers(moments.radius_power);
+  const Powers colliding = colliding_diameter_powers(moments.radius_power, is_flat);
 
   const Box& box = moments.box;
-  counts.is_hashed = box.is_open(0) || box.is_open(1) || box.is_open(2);
+  counts.is_hashed = box.is_any(Boundary::open);
   counts.are_images_listed =
       !axes[0].has_nearest_images || !axes[1].has_nearest_images || !axes[2].has_nearest_images;
   counts.collision = 1 / mean_free_time(moments);
@@ -134,11 +142,11 @@ CellCounts expected_counts(const Moments& moments, double edge) {
   const double in_cells = (is_once ? 0 : rows) + shared * others;
   // Spheres nearby share several cells; some are missing there.
   const double held = at_any_time / after_wall;
-  const double missing = is_once ? 1 : held * shared_cells(axes, diameter, kOverlapping);
+  const double missing = is_once ? 1 : held * shared_cells(axes, diameter, overlapping);
   const double excess = missing * excess_about_sphere(moments);
   counts.cells = after_collision * rows;
   counts.candidates_after_collision =
-      std::max(1.0, after_collision * in_cells + (is_once ? 1 : shared_cells(axes, diameter, kInContact)) +
+      std::max(1.0, after_collision * in_cells + (is_once ? 1 : shared_cells(axes, diameter, in_contact)) +
                         missing * (excess_about_pair(moments) - 1));
   if (walls > 0) {
     const double in_cells_at_wall = (is_once ? 0 : rows_at_wall) + shared_at_wall * others;
@@ -148,13 +156,13 @@ CellCounts expected_counts(const Moments& moments, double edge) {
   counts.candidates_when_stale = std::max(1.0, when_stale * in_cells + excess);
 
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double rate = moments.mean_speed / 2 * axes[axis].crossings;
+    const double rate = moments.mean_speed_along_axis() * axes[axis].crossings;
     counts.enter += rate;
     const double entered =
         mean_section(axes, none, one, axis) * axes[axis].edge / cell * rows / axes[axis].rows;
     counts.cells_entered += rate * entered;
     // Half of the volume around a sphere lies in the row ahead.
-    const double near = is_once ? 1 : held * shared_cells_in_row(axes, diameter, kOverlapping, axis);
+    const double near = is_once ? 1 : held * shared_cells_in_row(axes, diameter, overlapping, axis);
     const double in_row = entered * others / repeated(axis) * shared / rows;
     counts.candidates_after_enter += rate * (in_row + near / 2 * excess_about_sphere(moments));
   }
@@ -163,8 +171,8 @@ CellCounts expected_counts(const Moments& moments, double edge) {
     counts.candidates_after_enter = std::max(0.0, counts.candidates_after_enter / counts.enter);
   }
   // Measured in simulations from dilute to dense: docs/theory.md.
-  const double mean_edge = std::cbrt(cell);
-  counts.stale = counts.collision / 2 * 0.065 * mean_edge / (mean_edge + 1.35 * free_path);
+  const double mean_edge = is_flat ? std::sqrt(axes[0].edge * axes[1].edge) : std::cbrt(cell);
+  counts.stale = counts.collision / 2 * (is_flat ? 0.04 : 0.065) * mean_edge / (mean_edge + 1.35 * free_path);
   return counts;
 }
 

@@ -86,8 +86,14 @@ double paper_cell_edge(const Moments& moments, const UnitCosts& costs) {
   const double density = moments.number_density();
   const double radius = moments.mean_radius();
   // 2 n0 (L + 2r)^2 {c1 pi r^2 n0 L^2 + c3 (L - r)} = c4. The left side grows from zero at or below L = r.
+  // Derived in the same way, in two dimensions: n0 (L + 2r) {2 c1 r n0 L^2 + c3 (L - 2r)} = c4.
   const auto is_beyond = [&](double edge) {
     const double reach = edge + 2 * radius;
+    if (moments.is_flat()) {
+      const double of_collisions = 2 * costs.prediction * radius * density * edge * edge;
+      const double of_crossings = costs.prediction * (edge - 2 * radius);
+      return density * reach * (of_collisions + of_crossings) > costs.enter + costs.cell;
+    }
     const double collisions = costs.prediction * std::numbers::pi * radius * radius * density * edge * edge;
     const double crossings = costs.prediction * (edge - radius);
     return 2 * density * reach * reach * (collisions + crossings) > costs.enter + costs.cell;

@@ -28,7 +28,12 @@ double stretch(const World& world, std::size_t axis, const Time& moment) {
 
 }  // namespace
 
+double Moments::mean_speed_along_axis() const {
+  return is_flat() ? 2 / std::numbers::pi * mean_speed : mean_speed / 2;
+}
+
 double Moments::packing_fraction() const {
+  if (is_flat()) return number_density() * std::numbers::pi * radius_power[2];
   return number_density() * 4 * std::numbers::pi / 3 * radius_power[3];
 }
 
@@ -53,7 +58,7 @@ Moments moments_of(const World& world, const Time& moment) {
   moments.largest_radius = world.largest_radius();
   // Surfaces and gravity may keep spheres together in a part of the box.
   const bool is_confined = !world.surfaces().empty() || !world.motion().is_straight();
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+  for (std::size_t axis = 0; axis < moments.box.dimensions(); ++axis) {
     moments.extent[axis] = world.box().size()[axis];
     if (world.box().is_open(axis) || is_confined) {
       moments.extent[axis] = std::min(moments.extent[axis], stretch(world, axis, moment));

@@ -16,15 +16,18 @@ inline constexpr std::size_t kVeryManySpheres = 300000;
 struct Moments {
   std::size_t spheres = 0;
   Box box;
-  /// Of the box; along open axes, of the interval that holds most spheres [L].
+  /// Of the box; along open axes, of the interval that holds most spheres [L]. Zero along z in two
+  /// dimensions, where volumes are areas.
   Vec3 extent;
   /// The mean of the k-th power of the radius, k = 0 to 5 [L^k].
   std::array<double, 6> radius_power{1, 0, 0, 0, 0, 0};
   double largest_radius = 0;  ///< [L]
   double mean_speed = 0;      ///< [L/T]
 
+  bool is_flat() const { return box.is_flat(); }
   double mean_radius() const { return radius_power[1]; }                             ///< [L]
-  double volume() const { return extent.x * extent.y * extent.z; }                   ///< [L^3]
+  double mean_speed_along_axis() const;                                              ///< Of |v_x| [L/T]
+  double volume() const { return box.volume_of(extent); }                            ///< [L^3]
   double number_density() const { return static_cast<double>(spheres) / volume(); }  ///< [L^-3]
   double packing_fraction() const;                                                   ///< [1]
 };

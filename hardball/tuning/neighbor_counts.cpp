@@ -23,30 +23,36 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
   counts.stale = counts.collision / 25;
   // A sphere flies straight out of a ball smaller than its free path and diffuses out of a larger one. The
   // factor is measured: docs/theory.md.
-  constexpr double kDiffusion = 0.2;
-  counts.rebuild = moments.mean_speed / (slack * (1 + kDiffusion * slack / path));
-  // The mean of (sum of two radii + 2 slack) cubed.
+  const double diffusion = moments.is_flat() ? 0.3 : 0.2;
+  counts.rebuild = moments.mean_speed / (slack * (1 + diffusion * slack / path));
+  counts.is_far = moments.spheres > kVeryManySpheres;
+  const double searched_edge = 6 * (moments.largest_radius + slack);
+  // The mean of (sum of two radii + 2 slack) cubed, or in two dimensions squared.
   const double sum = 2 * m[1];
   const double sum_squared = 2 * m[2] + 2 * m[1] * m[1];
+  if (moments.is_flat()) {
+    const double squared = sum_squared + 4 * slack * sum + 4 * slack * slack;
+    counts.neighbors = std::max(1.0, std::numbers::pi * density * squared + excess_about_sphere(moments));
+    counts.searched = density * searched_edge * searched_edge;
+    counts.rows = 3;
+    counts.listed = 0.6;
+    return counts;
+  }
   const double sum_cubed = 2 * m[3] + 6 * m[1] * m[2];
   const double cubed =
       sum_cubed + 6 * slack * sum_squared + 12 * slack * slack * sum + 8 * slack * slack * slack;
   counts.neighbors = std::max(1.0, 4 * std::numbers::pi / 3 * density * cubed + excess_about_sphere(moments));
-  counts.is_far = moments.spheres > kVeryManySpheres;
-  counts.searched = density * std::pow(6 * (moments.largest_radius + slack), 3);
+  counts.searched = density * std::pow(searched_edge, 3);
   return counts;
 }
 
 double cost_rate(const NeighborCounts& counts, const UnitCosts& costs) {
-  // A rebuild visits 27 cells, in rows of three that are adjacent in memory.
-  constexpr double kCellsOfRebuild = 9;
-  // What an anchor searched and a neighbour listed cost, in candidates of a cell, and a rebuild whose anchors
-  // are far away: fitted so that lists are chosen where they are faster than cells, see docs/theory.md.
+  // What an anchor searched costs, in candidates of a cell, and a rebuild whose anchors are far away: fitted,
+  // as NeighborCounts::listed, so that lists are chosen where they are faster than cells, see docs/theory.md.
   constexpr double kSearch = 0.85;
-  constexpr double kListed = 0.9;
   constexpr double kFarRebuild = 1.3;
-  const double pass = costs.cell + kListed * costs.prediction * counts.neighbors;
-  const double rebuild = (counts.is_far ? kFarRebuild : 1) * (costs.enter + kCellsOfRebuild * costs.cell +
+  const double pass = costs.cell + counts.listed * costs.prediction * counts.neighbors;
+  const double rebuild = (counts.is_far ? kFarRebuild : 1) * (costs.enter + counts.rows * costs.cell +
                                                               kSearch * costs.prediction * counts.searched);
   return costs.contact * (counts.collision / 2 + counts.wall) +
          (counts.collision + counts.wall + counts.stale) * pass + counts.rebuild * rebuild;

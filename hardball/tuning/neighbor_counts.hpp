@@ -18,6 +18,8 @@ struct NeighborCounts {
   double neighbors = 0;  ///< In its list [1].
   double searched = 0;   ///< Anchors in the cells around its own [1].
   bool is_far = false;   ///< Whether these are far away in memory.
+  double listed = 0.9;   ///< What a neighbour in a list costs, in candidates of a cell [1].
+  double rows = 9;       ///< Of three cells that are adjacent in memory, visited by a rebuild [1].
 };
 
 /// The counts expected for balls of radius `slack` [L]. Cost: O(1). Precondition: `slack` is positive.

@@ -20,7 +20,7 @@ struct Flight {
 // "The unreasonable effectiveness of quasirandom sequences" (2018): multiples of the powers of the root of
 // x^7 = x + 1.
 constexpr std::size_t kFlights = 512;
-std::array<Flight, kFlights> even_flights() {
+std::array<Flight, kFlights> even_flights(std::size_t dimensions) {
   constexpr double kRoot = 1.1127756842787055;
   std::array<Flight, kFlights> flights;
   std::array<double, 6> point;
@@ -28,7 +28,7 @@ std::array<Flight, kFlights> even_flights() {
   for (Flight& flight : flights) {
     double step = 1;
     for (double& coordinate : point) coordinate = std::fmod(coordinate + (step /= kRoot), 1.0);
-    const double up = point[0];
+    const double up = dimensions == 2 ? 0 : point[0];
     const double flat = std::sqrt(1 - up * up);
     const double turn = point[1] * std::numbers::pi / 2;
     flight.slowness = {1 / (flat * std::cos(turn)), 1 / (flat * std::sin(turn)), 1 / up};
@@ -40,15 +40,16 @@ std::array<Flight, kFlights> even_flights() {
 
 }  // namespace
 
-RowSurplus mean_row_surplus(const CellAxes& axes, double diameter, double free_path) {
-  static const std::array<Flight, kFlights> kEvenFlights = even_flights();
+RowSurplus mean_row_surplus(const CellAxes& axes, double diameter, double free_path, std::size_t dimensions) {
+  static const std::array<Flight, kFlights> kInSpace = even_flights(3);
+  static const std::array<Flight, kFlights> kInPlane = even_flights(2);
   // How far a sphere extends into the rearmost row when its front enters one, in edges.
   std::array<double, kAxes> overhang{};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     overhang[axis] = std::fmod(diameter, axes[axis].edge) / axes[axis].edge;
   }
   RowSurplus sum;
-  for (const Flight& flight : kEvenFlights) {
+  for (const Flight& flight : dimensions == 2 ? kInPlane : kInSpace) {
     // Path lengths since the sphere last released rows, and since it left the row behind; negative if it has
     // not left it yet.
     double released = free_path * flight.since_collision;

@@ -19,6 +19,6 @@ struct RowSurplus {
 
 /// For spheres in a gas of mean free path `free_path` [L]. Cost: O(1), a few microseconds.
 /// Source: docs/theory.md.
-RowSurplus mean_row_surplus(const CellAxes& axes, double diameter, double free_path);
+RowSurplus mean_row_surplus(const CellAxes& axes, double diameter, double free_path, std::size_t dimensions);
 
 }  // namespace hardball

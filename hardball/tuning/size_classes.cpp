@@ -48,12 +48,14 @@ bool are_sizes_spread(const Moments& moments) {
 
 double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& classes, double edge,
                           const UnitCosts& costs) {
-  const double cells = moments.volume() / (edge * edge * edge);
+  const bool is_flat = moments.is_flat();
+  const std::size_t dimensions = moments.box.dimensions();
+  const double cells = moments.volume() / (is_flat ? edge * edge : edge * edge * edge);
   double surfaces = 0;  // of those that do not fit into cells
   bool all_fit = true;
   for (const SizeClass& one : classes) {
     if (2 * one.radius <= edge) continue;
-    surfaces += one.spheres * ShellGrid::cells_of_surface(one.radius / edge);
+    surfaces += one.spheres * ShellGrid::cells_of_surface(one.radius / edge, dimensions);
     all_fit &= one.radius > ShellGrid::kLargestInGrid * edge;
   }
   const bool are_few = surfaces <= ShellGrid::kFewSurfaces * static_cast<double>(moments.spheres);
@@ -66,8 +68,8 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
   constexpr double kReleasedLate = 1.3;
   const auto cells_held = [&](const SizeClass& one) {
     const double rows = 1 + 2 * one.radius / edge;
-    return is_large(one) ? ShellGrid::cells_of_surface(one.radius / edge)
-                         : kReleasedLate * rows * rows * rows;
+    return is_large(one) ? ShellGrid::cells_of_surface(one.radius / edge, dimensions)
+                         : kReleasedLate * rows * rows * (is_flat ? 1 : rows);
   };
   double occupants = 0;  // of a cell
   for (const SizeClass& one : classes) occupants += one.spheres * cells_held(one) / cells;
@@ -79,14 +81,16 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
     double collisions = 0;
     for (const SizeClass& other : classes) {
       const double reach = one.radius + other.radius;
-      collisions += other.spheres / moments.volume() * std::numbers::pi * reach * reach *
-                    mean_relative_speed(one, other) * crowding;
+      const double section = is_flat ? 2 * reach : std::numbers::pi * reach * reach;
+      collisions += other.spheres / moments.volume() * section * mean_relative_speed(one, other) * crowding;
     }
     double each = collisions * costs.contact / 2;
     if (!is_large(one)) {
       const double rows = 1 + 2 * one.radius / edge;
-      each += in_rows * 1.5 * one.mean_speed / edge * (costs.enter + rows * rows * search);
-      each += in_rows * collisions * rows * rows * rows * search;
+      const double touched = is_flat ? rows * rows : rows * rows * rows;
+      const double crossings = (is_flat ? 4 / std::numbers::pi : 1.5) * one.mean_speed / edge;
+      each += in_rows * crossings * (costs.enter + touched / rows * search);
+      each += in_rows * collisions * touched * search;
     } else {
       const double touched = cells_held(one);
       const double search_of_large = search + kLargeCell * costs.cell;

@@ -18,6 +18,11 @@ Box::Box(const std::array<Boundary, kAxes>& boundary, const Vec3& size) : bounda
       size_[axis] = kInfinity;
       continue;
     }
+    if (boundary[axis] == Boundary::flat) {
+      if (axis != 2) throw Error("an axis other than z is flat", "boundary", "make z flat instead");
+      size_[axis] = 0;
+      continue;
+    }
     check_positive(size[axis], "box size", axis == 0 ? "size.x" : axis == 1 ? "size.y" : "size.z");
     if (!is_periodic(axis)) continue;
     period_[axis] = size[axis];

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 
 #include "hardball/geometry/vec3.hpp"
 
@@ -15,16 +16,18 @@ enum class Boundary {
   wall,      ///< Hard faces at 0 and at the size.
   periodic,  ///< What leaves at one end enters at the other.
   open,      ///< Nothing: space is unbounded.
+  flat,      ///< There is no such axis, and everything lies at 0: z in two dimensions.
 };
 
-/// The space in which spheres move: along each axis from 0 to a size, or unbounded.
+/// The space in which spheres move: along each axis from 0 to a size, or unbounded; or the plane z = 0, in
+/// which they are discs. Source: docs/decisions/0015-discs-are-spheres-in-a-plane.md.
 class Box {
  public:
   /// Open space.
   Box() : Box({Boundary::open, Boundary::open, Boundary::open}, {}) {}
 
-  /// `size` [L] is ignored along open axes. Error: a size that is not finite, positive and in the
-  /// operating range (range.hpp).
+  /// `size` [L] is ignored along open axes and flat ones. Error: a size that is not finite, positive and in
+  /// the operating range (range.hpp); an axis other than z that is flat.
   Box(const std::array<Boundary, kAxes>& boundary, const Vec3& size);
 
   static Box walls(const Vec3& size) { return {{Boundary::wall, Boundary::wall, Boundary::wall}, size}; }
@@ -32,19 +35,54 @@ class Box {
     return {{Boundary::periodic, Boundary::periodic, Boundary::periodic}, size};
   }
   static Box open() { return {}; }
+  /// The same in two dimensions, of width and height [L].
+  static Box flat_walls(double x, double y) {
+    return {{Boundary::wall, Boundary::wall, Boundary::flat}, {x, y, 0}};
+  }
+  static Box flat_periodic(double x, double y) {
+    return {{Boundary::periodic, Boundary::periodic, Boundary::flat}, {x, y, 0}};
+  }
+  static Box flat_open() { return {{Boundary::open, Boundary::open, Boundary::flat}, {}}; }
 
   Boundary boundary(std::size_t axis) const { return boundary_[axis]; }
   bool is_wall(std::size_t axis) const { return boundary_[axis] == Boundary::wall; }
   bool is_periodic(std::size_t axis) const { return boundary_[axis] == Boundary::periodic; }
   bool is_open(std::size_t axis) const { return boundary_[axis] == Boundary::open; }
+  /// Whether the box has two ends along an axis: walls, or those of a period.
+  bool is_bounded(std::size_t axis) const { return is_wall(axis) || is_periodic(axis); }
+  /// Whether all axes that there are have this boundary, or any.
   bool is_all(Boundary boundary) const {
-    return boundary_[0] == boundary && boundary_[1] == boundary && boundary_[2] == boundary;
+    return boundary_[0] == boundary && boundary_[1] == boundary && (is_flat() || boundary_[2] == boundary);
+  }
+  bool is_any(Boundary boundary) const {
+    return boundary_[0] == boundary || boundary_[1] == boundary || boundary_[2] == boundary;
   }
 
-  /// Edge lengths [L]; infinite along open axes.
+  /// Whether this is a plane: everything has z = 0.
+  bool is_flat() const { return boundary_[2] == Boundary::flat; }
+  /// 3, or 2 if the box is flat: axes from this number on do not exist.
+  std::size_t dimensions() const { return is_flat() ? 2 : 3; }
+
+  /// Edge lengths [L]; infinite along open axes, zero along flat ones.
   const Vec3& size() const { return size_; }
-  /// [L^3]; infinite if an axis is open.
-  double volume() const { return size_.x * size_.y * size_.z; }
+  /// [L^3], in two dimensions the area [L^2]; infinite if an axis is open.
+  double volume() const { return volume_of(size_); }
+  /// The same of a part of the box with these edge lengths [L].
+  double volume_of(const Vec3& size) const { return is_flat() ? size.x * size.y : size.x * size.y * size.z; }
+  /// The area of a face across an axis [L^2], in two dimensions the length of an edge [L].
+  double face_area(std::size_t axis) const {
+    if (is_flat()) return size_[1 - axis];
+    return size_[(axis + 1) % kAxes] * size_[(axis + 2) % kAxes];
+  }
+  /// The volume of a sphere of this radius [L], in two dimensions the area of a disc [L^2].
+  double sphere_volume(double radius) const {
+    return is_flat() ? std::numbers::pi * radius * radius
+                     : 4 * std::numbers::pi / 3 * radius * radius * radius;
+  }
+  /// Its surface [L^2], the circumference of the disc [L].
+  double sphere_surface(double radius) const {
+    return is_flat() ? 2 * std::numbers::pi * radius : 4 * std::numbers::pi * radius * radius;
+  }
 
   /// The displacement [L] of `image`.
   Vec3 shift(const Image& image) const {

@@ -16,11 +16,6 @@ std::int64_t rounded_down(double number) {
   return toward_zero - (static_cast<double>(toward_zero) > number ? 1 : 0);
 }
 
-// Eight voxels have the volume of one on the level before.
-constexpr double part_of_volume(std::size_t level) {
-  return 1 / static_cast<double>(std::uint64_t{1} << (3 * level));
-}
-
 // The square of the larger of two distances along an axis: from 0 to `from`, and to `from + edge`.
 double farther_squared(double from, double edge) {
   const double farther = std::max(std::fabs(from), std::fabs(from + edge));
@@ -31,7 +26,7 @@ double farther_squared(double from, double edge) {
 
 FreeSpace::FreeSpace(const Box& box, const Region& centers, double least_radius, double finest_edge,
                      std::size_t most_voxels)
-    : least_radius_(least_radius), low_(centers.low) {
+    : parts_(std::uint32_t{1} << box.dimensions()), least_radius_(least_radius), low_(centers.low) {
   double edge = finest_edge;
   std::int64_t voxels = 0;
   do {
@@ -166,7 +161,7 @@ void FreeSpace::refine(const Draw& draw, const Overlap& overlap) {
   voxels[draw.index] = voxels.back();
   voxels.pop_back();
   if (has_no_room) return;
-  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+  for (std::uint32_t corner = 0; corner < parts_; ++corner) {
     const Voxel part{2 * voxel[0] + (corner & 1), 2 * voxel[1] + (corner >> 1 & 1),
                      2 * voxel[2] + (corner >> 2 & 1)};
     if (!covers(part, draw.level + 1, draw.center, overlap)) listed_[draw.level + 1].push_back(part);
@@ -206,6 +201,13 @@ void FreeSpace::exclude_part(std::int64_t y, std::int64_t z, std::int64_t begin,
     const std::int64_t last = std::min(end - 8 * x, std::int64_t{8});
     excluded_[byte_at(x, y, z)] |= static_cast<std::uint8_t>((0xff >> (8 - (last - first))) << first);
   }
+}
+
+// Relative to a voxel of the first level.
+double FreeSpace::part_of_volume(std::size_t level) const {
+  double part = 1;
+  for (std::size_t i = 0; i < level; ++i) part /= parts_;
+  return part;
 }
 
 Vec3 FreeSpace::edge_at(std::size_t level) const {

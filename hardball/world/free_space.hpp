@@ -94,6 +94,7 @@ class FreeSpace {
   bool is_excluded(std::int64_t x, std::int64_t y, std::int64_t z) const {
     return (excluded_[byte_at(x >> 3, y, z)] >> (x & 7) & 1) != 0;
   }
+  double part_of_volume(std::size_t level) const;
   Vec3 edge_at(std::size_t level) const;
 
   // Halved so often, the edge of a voxel no longer matters, and its number fits in 32 bits.
@@ -101,6 +102,7 @@ class FreeSpace {
   static constexpr std::int64_t kMostAlongAxis = std::int64_t{1} << 20;
   static constexpr double kRelativeMargin = 1e-9;
 
+  std::uint32_t parts_;  // into which a voxel is divided: eight, or four in two dimensions
   double least_radius_;
   double margin_ = 0;  // [L]
   Vec3 low_;

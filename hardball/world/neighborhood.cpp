@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 namespace hardball {
 
@@ -15,7 +16,9 @@ Neighborhood::Neighborhood(const Box& box, std::size_t capacity, double largest_
     Level level;
     level.largest_radius = std::ldexp(largest_radius, -i);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      level.edge[axis] = 2 * level.largest_radius;
+      // Without an axis there is a single layer.
+      level.edge[axis] = box.boundary(axis) == Boundary::flat ? std::numeric_limits<double>::infinity()
+                                                              : 2 * level.largest_radius;
       if (!box.is_periodic(axis)) continue;
       level.count[axis] = std::max<std::int64_t>(
           1, static_cast<std::int64_t>(std::min(1e9, box.size()[axis] / level.edge[axis])));

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -17,22 +16,34 @@
 namespace hardball {
 namespace {
 
-// Random sequential addition of equal spheres jams at a packing fraction of
-// 0.38 and slows down long before.
-constexpr double kRandomLimit = 0.36;
+// How densely equal spheres or discs can be packed.
+struct Packing {
+  const char* name;  // of the lattice, in messages and in a scenario
+  const char* keyword;
+  double closest;      // on it
+  double saturation;   // of random sequential addition, which slows down long before
+  double most_random;  // placed at random
+};
 
-void check_fits(const Region& region, double radius, const std::string& where) {
+// Source: Zhang and Torquato, Phys. Rev. E 88 (2013) 053312, for saturation.
+const Packing& packing_in(const Box& box) {
+  static constexpr Packing kSpheres{"face-centred cubic", "fcc", kClosePacking, 0.385, 0.36};
+  static constexpr Packing kDiscs{"hexagonal", "hexagonal", kClosePackingOfDiscs, 0.547, 0.54};
+  return box.is_flat() ? kDiscs : kSpheres;
+}
+
+void check_fits(const Box& box, const Region& region, double radius, const std::string& where) {
   constexpr double kRounding = 1e-12;
   const Vec3 size = region.high - region.low;
-  const double narrowest = std::min({size.x, size.y, size.z});
+  const double narrowest = box.is_flat() ? std::min(size.x, size.y) : std::min({size.x, size.y, size.z});
   if (2 * radius <= narrowest * (1 + kRounding)) return;
   throw Error(
       "diameter " + to_text(2 * radius) + " exceeds the length " + to_text(narrowest) + " of the region",
       where, "enlarge the region or shrink the spheres");
 }
 
-void check_region(const Region& region, const std::string& where) {
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+void check_region(const Box& box, const Region& region, const std::string& where) {
+  for (std::size_t axis = 0; axis < box.dimensions(); ++axis) {
     check_finite(region.low[axis], "an end of the region", where);
     check_finite(region.high[axis], "an end of the region", where);
     check_positive(region.high[axis] - region.low[axis], "a length of the region", where);
@@ -46,6 +57,7 @@ struct Span {
 };
 
 Span span_for_centers(const Box& box, const Region& region, double radius, std::size_t axis) {
+  if (box.boundary(axis) == Boundary::flat) return {0, 0};
   const double inset = box.is_periodic(axis) ? 0 : radius;
   return {region.low[axis] + inset, region.high[axis] - inset};
 }
@@ -118,7 +130,7 @@ class SequentialAddition {
     const Region centers = region_for_centers(box_, region_, radius);
     for (int i = 0; i < kTriesAnywhere; ++i) {
       Vec3 center;
-      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
         center[axis] = centers.low[axis] + random_.uniform() * (centers.high[axis] - centers.low[axis]);
       }
       if (space_ && space_->is_excluded(center)) continue;
@@ -184,9 +196,13 @@ class SequentialAddition {
 // Reports the progress of placement by the work done: the nearer to saturation, the longer a sphere takes.
 class PlacementProgress {
  public:
-  // `packing` is the fraction that equal spheres will fill; zero if they are not equal.
-  PlacementProgress(const Progress& progress, std::size_t count, double packing)
-      : progress_(progress), count_(static_cast<double>(count)), packing_(packing), all_(work_until(1)) {}
+  // `filled` is the part of saturation at which equal spheres will be; zero if they are not equal.
+  PlacementProgress(const Progress& progress, std::size_t count, double filled, std::size_t dimensions)
+      : progress_(progress),
+        count_(static_cast<double>(count)),
+        filled_(filled),
+        dimensions_(static_cast<double>(dimensions)),
+        all_(work_until(1)) {}
 
   void note(std::size_t placed) {
     const auto step =
@@ -196,16 +212,15 @@ class PlacementProgress {
 
  private:
   // The work for this fraction of the spheres, if a try costs a tenth of placing a sphere where there is
-  // room. Of the volume, about (1 - packing / saturation)^4 has room; where it is little, tries are made in
-  // listed voxels.
+  // room. Of the volume, about (1 - packing / saturation)^4 has room, of an area the third power; where it is
+  // little, tries are made in listed voxels.
   double work_until(double fraction) const {
-    constexpr double kSaturation = 0.385;
-    constexpr double kLeastRoom = 0.15;  // its fourth root
-    if (packing_ == 0) return fraction;
-    const double most = std::min(fraction, (1 - kLeastRoom) * kSaturation / packing_);
-    const double room = 1 - most * packing_ / kSaturation;
-    const double tries = (1 / (room * room * room) - 1) / 3 * kSaturation / packing_ +
-                         (fraction - most) / (room * room * room * room);
+    constexpr double kLeastRoom = 0.15;  // its root
+    if (filled_ == 0) return fraction;
+    const double most = std::min(fraction, (1 - kLeastRoom) / filled_);
+    const double room = 1 - most * filled_;
+    const double tries = (std::pow(room, -dimensions_) - 1) / dimensions_ / filled_ +
+                         (fraction - most) * std::pow(room, -dimensions_ - 1);
     return fraction + 0.1 * tries;
   }
 
@@ -214,44 +229,43 @@ class PlacementProgress {
 
   const Progress& progress_;
   double count_;
-  double packing_;
+  double filled_;
+  double dimensions_;
   double all_;
   std::size_t next_ = 0;
 };
 
-double volume(const Region& region) {
-  const Vec3 size = region.high - region.low;
-  return size.x * size.y * size.z;
+double sphere_volume(const Box& box, std::span<const double> radii) {
+  double volume = 0;
+  for (const double radius : radii) volume += box.sphere_volume(radius);
+  return volume;
 }
 
-double sphere_volume(std::span<const double> radii) {
-  double cubes = 0;
-  for (const double radius : radii) cubes += radius * radius * radius;
-  return 4 * std::numbers::pi / 3 * cubes;
-}
-
-// A face-centred cubic lattice. Its sites are every second point, as on a
-// chessboard, of a grid with half the edges of its cube.
+// A face-centred cubic or hexagonal lattice. Its sites are every second point, as on a chessboard, of a grid
+// with half the edges of its cube, or of a rectangle with a site in the middle.
 struct Lattice {
-  std::array<std::size_t, kAxes> cubes{};
+  std::array<std::size_t, kAxes> points{};  // of the grid, along each axis
   Vec3 half_edge;
   Vec3 origin;
   double nearest = 0;
 
-  std::size_t sites() const { return 4 * cubes[0] * cubes[1] * cubes[2]; }
+  std::size_t sites() const { return points[0] * points[1] * points[2] / 2; }
 };
 
 Lattice make_lattice(const Box& box, const Region& region, double radius,
                      const std::array<std::size_t, kAxes>& cubes) {
-  Lattice lattice{cubes, {}, {}, 0};
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+  Lattice lattice{{1, 1, 1}, {}, {}, 0};
+  for (std::size_t axis = 0; axis < box.dimensions(); ++axis) {
     const Span span = span_for_centers(box, region, radius, axis);
-    const auto points = static_cast<double>(2 * cubes[axis]);
+    lattice.points[axis] = 2 * cubes[axis];
+    const auto points = static_cast<double>(lattice.points[axis]);
     const bool periodic = box.is_periodic(axis);
     lattice.half_edge[axis] = (span.high - span.low) / (periodic ? points : points - 1);
     lattice.origin[axis] = span.low + (periodic ? lattice.half_edge[axis] / 2 : 0);
   }
   const Vec3& h = lattice.half_edge;
+  lattice.nearest = std::min({length({h.x, h.y, 0}), 2 * h.x, 2 * h.y});
+  if (box.is_flat()) return lattice;
   lattice.nearest = std::min(
       {length({h.x, h.y, 0}), length({0, h.y, h.z}), length({h.x, 0, h.z}), 2 * h.x, 2 * h.y, 2 * h.z});
   return lattice;
@@ -260,6 +274,15 @@ Lattice make_lattice(const Box& box, const Region& region, double radius,
 // The lattice with room for `count` spheres whose nearest sites are farthest
 // apart.
 Lattice widest_lattice(const Box& box, const Region& region, std::size_t count, double radius) {
+  Lattice widest;
+  if (box.is_flat()) {
+    const std::size_t pairs = (count + 1) / 2;
+    for (std::size_t a = 1; a <= pairs; ++a) {
+      const Lattice lattice = make_lattice(box, region, radius, {a, (pairs + a - 1) / a, 1});
+      if (lattice.nearest > widest.nearest) widest = lattice;
+    }
+    return widest;
+  }
   const Vec3 size = region.high - region.low;
   const double edge = spacing(size, static_cast<double>(count) / 4);
   std::array<std::size_t, kAxes> low{};
@@ -267,7 +290,6 @@ Lattice widest_lattice(const Box& box, const Region& region, std::size_t count, 
     low[axis] = static_cast<std::size_t>(std::max(1.0, std::floor(size[axis] / edge) - 2));
   }
   constexpr std::size_t kTries = 6;
-  Lattice widest;
   for (std::size_t a = low[0]; a < low[0] + kTries; ++a) {
     for (std::size_t b = low[1]; b < low[1] + kTries; ++b) {
       const std::size_t c = (count + 4 * a * b - 1) / (4 * a * b);
@@ -285,27 +307,32 @@ std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span
                                  const IsAllowed& is_allowed) {
   std::vector<Vec3> centers(radii.size());
   if (radii.empty()) return centers;
-  check_region(region, where);
+  check_region(box, region, where);
   for (const double radius : radii) check_positive(radius, "radius", where);
-  check_fits(region, std::ranges::max(radii), where);
-  const double packing = sphere_volume(radii) / volume(region);
-  if (packing > kClosePacking && std::ranges::min(radii) == std::ranges::max(radii)) {
+  check_fits(box, region, std::ranges::max(radii), where);
+  const Packing& densest = packing_in(box);
+  const std::string lattice = "use placement = \"" + std::string(densest.keyword) + "\"";
+  const bool are_equal = std::ranges::min(radii) == std::ranges::max(radii);
+  const double packing = sphere_volume(box, radii) / box.volume_of(region.high - region.low);
+  if (packing > densest.closest && are_equal) {
     throw Error("a packing fraction of " + to_text(packing) + " cannot exist", where,
-                "equal spheres fill at most 0.7405; enlarge the box, or take "
-                "fewer or smaller spheres");
+                "equal " + std::string(box.is_flat() ? "discs" : "spheres") + " fill at most " +
+                    to_text(std::floor(1e4 * densest.closest + 0.5) / 1e4) +
+                    "; enlarge the box, or take fewer or smaller ones");
   }
-  if (packing > kRandomLimit && std::ranges::min(radii) == std::ranges::max(radii)) {
+  if (packing > densest.most_random && are_equal) {
     throw Error("random placement cannot reach a packing fraction of " + to_text(packing), where,
-                "use placement = \"fcc\", which reaches 0.74, or stay below 0.36");
+                lattice + ", which reaches " + to_text(std::floor(100 * densest.closest) / 100) +
+                    ", or stay below " + to_text(densest.most_random));
   }
   std::vector<std::size_t> by_size(radii.size());
   std::iota(by_size.begin(), by_size.end(), std::size_t{0});
-  if (std::ranges::min(radii) != std::ranges::max(radii)) {
+  if (!are_equal) {
     std::stable_sort(by_size.begin(), by_size.end(),
                      [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
   }
-  const bool are_equal = std::ranges::min(radii) == std::ranges::max(radii);
-  PlacementProgress progress_by_work(progress, radii.size(), are_equal ? packing : 0);
+  PlacementProgress progress_by_work(progress, radii.size(), are_equal ? packing / densest.saturation : 0,
+                                     box.dimensions());
   SequentialAddition addition(box, region, radii, random, is_allowed);
   std::size_t placed = 0;
   for (const std::size_t i : by_size) {
@@ -314,7 +341,7 @@ std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span
     if (!center) {
       throw Error(
           "random placement found room for " + to_text(placed) + " of " + to_text(radii.size()) + " spheres",
-          where, "use placement = \"fcc\", a larger box, or fewer or smaller spheres");
+          where, lattice + ", a larger box, or fewer or smaller spheres");
     }
     centers[i] = *center;
     ++placed;
@@ -326,21 +353,21 @@ std::vector<Vec3> place_on_lattice(const Box& box, const Region& region, std::si
                                    const std::string& where) {
   std::vector<Vec3> centers;
   if (count == 0) return centers;
-  check_region(region, where);
+  check_region(box, region, where);
   check_positive(radius, "radius", where);
-  check_fits(region, radius, where);
+  check_fits(box, region, radius, where);
   const Lattice lattice = widest_lattice(box, region, count, radius);
   if (lattice.nearest < 2 * radius) {
-    throw Error("no face-centred cubic lattice holds " + to_text(count) + " spheres of radius " +
-                    to_text(radius) + " in this box",
+    throw Error("no " + std::string(packing_in(box).name) + " lattice holds " + to_text(count) +
+                    " spheres of radius " + to_text(radius) + " in this box",
                 where, "with this count and box the radius can be at most " + to_text(lattice.nearest / 2));
   }
   centers.reserve(count);
   const std::size_t sites = lattice.sites();
   std::size_t site = 0;
-  for (std::size_t x = 0; x < 2 * lattice.cubes[0]; ++x) {
-    for (std::size_t y = 0; y < 2 * lattice.cubes[1]; ++y) {
-      for (std::size_t z = (x + y) % 2; z < 2 * lattice.cubes[2]; z += 2) {
+  for (std::size_t x = 0; x < lattice.points[0]; ++x) {
+    for (std::size_t y = 0; y < lattice.points[1]; ++y) {
+      for (std::size_t z = (x + y) % 2; z < lattice.points[2]; z += 2) {
         // Site k is taken where k * count / sites increases: at `count` sites, evenly spread.
         const bool taken = (site + 1) * count / sites > site * count / sites;
         ++site;

@@ -18,8 +18,9 @@ namespace hardball {
 /// ten-thousandth of a region, no place may be found.
 using IsAllowed = std::function<bool(const Vec3& center, double radius)>;
 
-/// The densest packing of equal spheres, pi / sqrt(18).
+/// The densest packing of equal spheres, pi / sqrt(18), or of equal discs, pi / sqrt(12).
 inline constexpr double kClosePacking = 0.74048048969306104;
+inline constexpr double kClosePackingOfDiscs = 0.90689968211710893;
 
 /// Centres for spheres of these radii [L], in the order given, each uniform among the positions that are
 /// allowed and overlap no sphere placed before; large spheres are placed first. Centres stay a radius away
@@ -31,9 +32,9 @@ std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span
                                  Random& random, const std::string& where, const Progress& progress = {},
                                  const IsAllowed& is_allowed = {});
 
-/// Centres for `count` spheres of one radius [L] on a face-centred cubic lattice stretched to fill the
-/// region, with vacancies spread evenly. Error, with `where` as its place: a number out of range; no such
-/// lattice leaves room for the spheres.
+/// Centres for `count` spheres of one radius [L] on a lattice stretched to fill the region, face-centred
+/// cubic or, in two dimensions, hexagonal, with vacancies spread evenly. Cost: O(n). Error, with `where` as
+/// its place: a number out of range; no such lattice leaves room for the spheres.
 std::vector<Vec3> place_on_lattice(const Box& box, const Region& region, std::size_t count, double radius,
                                    const std::string& where);
 

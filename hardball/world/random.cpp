@@ -45,6 +45,12 @@ double Random::normal() {
   }
 }
 
+Vec3 Random::normal_vector(std::size_t dimensions) {
+  Vec3 vector;
+  for (std::size_t axis = 0; axis < dimensions; ++axis) vector[axis] = normal();
+  return vector;
+}
+
 Vec3 Random::direction() {
   for (;;) {
     const double u = 2 * uniform() - 1;
@@ -53,6 +59,17 @@ Vec3 Random::direction() {
     if (s >= 1) continue;
     const double scale = 2 * std::sqrt(1 - s);
     return {u * scale, v * scale, 1 - 2 * s};
+  }
+}
+
+Vec3 Random::direction_in_plane() {
+  for (;;) {
+    const double u = 2 * uniform() - 1;
+    const double v = 2 * uniform() - 1;
+    const double s = u * u + v * v;
+    if (s >= 1 || s == 0) continue;
+    const double scale = 1 / std::sqrt(s);
+    return {u * scale, v * scale, 0};
   }
 }
 

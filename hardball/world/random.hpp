@@ -21,8 +21,13 @@ class Random {
   double uniform();
   /// Normal with mean zero and variance one. Source: Marsaglia and Bray, SIAM Rev. 6 (1964) 260.
   double normal();
+  /// Independent normal components along the first `dimensions` axes, and zero along the others.
+  Vec3 normal_vector(std::size_t dimensions);
   /// Uniform on the unit sphere. Source: Marsaglia, Ann. Math. Statist. 43 (1972) 645.
   Vec3 direction();
+  /// Uniform on the unit circle in the plane z = 0. Source: von Neumann, Nat. Bur. Stand. Appl. Math. Ser. 12
+  /// (1951) 36.
+  Vec3 direction_in_plane();
 
  private:
   std::array<std::uint64_t, 4> state_;

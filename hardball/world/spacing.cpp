@@ -9,6 +9,10 @@
 namespace hardball {
 
 double spacing(const Vec3& extent, double count) {
+  if (extent.z == 0) {
+    const double square = std::sqrt(extent.x * extent.y / count);
+    return square <= std::min(extent.x, extent.y) ? square : std::max(extent.x, extent.y) / count;
+  }
   std::array<double, kAxes> lengths{extent.x, extent.y, extent.z};
   std::sort(lengths.begin(), lengths.end());
   const double volume = lengths[0] * lengths[1] * lengths[2] / count;

@@ -138,25 +138,26 @@ double distance_to_surfaces(const World& world, const Vec3& position, const Time
 }
 
 double accessible_volume(const World& world) {
-  constexpr double kSphere = 4 * std::numbers::pi / 3;
-  double volume = world.box().volume();
+  const Box& box = world.box();
+  double volume = box.volume();
   double obstacles = 0;
   bool is_enclosed = false;
   for (const Surface& surface : world.surfaces()) {
     const Shape& shape = surface.shape();
     if (const auto* obstacle = std::get_if<Obstacle>(&shape)) {
-      obstacles += kSphere * obstacle->radius() * obstacle->radius() * obstacle->radius();
+      obstacles += box.sphere_volume(obstacle->radius());
       continue;
     }
     if (is_enclosed) return std::numeric_limits<double>::quiet_NaN();
     is_enclosed = true;
     volume = std::numeric_limits<double>::quiet_NaN();
     if (const auto* sphere = std::get_if<HollowSphere>(&shape)) {
-      volume = kSphere * sphere->radius() * sphere->radius() * sphere->radius();
+      volume = box.sphere_volume(sphere->radius());
     } else if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
+      const double section = std::numbers::pi * cylinder->radius() * cylinder->radius();
       for (std::size_t axis = 0; axis < kAxes; ++axis) {
         if (std::fabs(cylinder->axis()[axis]) != 1) continue;
-        volume = std::numbers::pi * cylinder->radius() * cylinder->radius() * world.box().size()[axis];
+        volume = box.is_flat() ? section : section * box.size()[axis];
       }
     }
   }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <type_traits>
 #include <utility>
 
@@ -31,6 +30,37 @@ void check_vector(const Vec3& vector, const char* const (&names)[kAxes], const s
   }
 }
 
+// Of a plane, at rest or oscillating; null for other shapes.
+const Vec3* normal_of(const Surface& surface) {
+  return std::visit(
+      [](const auto& shape) -> const Vec3* {
+        if constexpr (requires { shape.normal(); }) return &shape.normal();
+        return nullptr;
+      },
+      surface.shape());
+}
+
+// In two dimensions. `what` names the vector.
+void refuse_out_of_plane(const Vec3& vector, const std::string& what, const std::string& where) {
+  if (vector.z == 0) return;
+  throw Error(what + " along z is " + to_text(vector.z) + " in a box of two dimensions", where,
+              "make it zero, or give the box three dimensions");
+}
+
+// A plane or a tube stands upright on the plane of the discs, a sphere is centred in it.
+void refuse_out_of_plane(const Surface& surface) {
+  const std::string name = "a " + std::string(surface.name());
+  refuse_out_of_plane(surface.point(), "the position of " + name, "walls");
+  refuse_out_of_plane(surface.velocity(), "the velocity of " + name, "walls");
+  if (const auto* cylinder = std::get_if<Cylinder>(&surface.shape())) {
+    if (cylinder->axis().x == 0 && cylinder->axis().y == 0) return;
+    throw Error("the axis of " + name + " is not z in a box of two dimensions", "walls",
+                "let it be (0, 0, 1): a circle around the discs");
+  }
+  if (const Vec3* const normal = normal_of(surface))
+    refuse_out_of_plane(*normal, "the normal of " + name, "walls");
+}
+
 // A plane or a tube must be the same in every image of the box; what encloses spheres must lie inside it.
 void refuse_in_periodic_box(const Surface& surface, const Box& box) {
   const auto refuse = [&](std::size_t axis, const char* remedy) {
@@ -39,13 +69,7 @@ void refuse_in_periodic_box(const Surface& surface, const Box& box) {
   };
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!box.is_periodic(axis) || std::holds_alternative<Obstacle>(surface.shape())) continue;
-    const Vec3* const normal = std::visit(
-        [](const auto& shape) -> const Vec3* {
-          if constexpr (requires { shape.normal(); }) return &shape.normal();
-          return nullptr;
-        },
-        surface.shape());
-    if (normal != nullptr) {
+    if (const Vec3* const normal = normal_of(surface)) {
       if ((*normal)[axis] != 0) refuse(axis, "make it parallel to the axis, or the axis not periodic");
       continue;
     }
@@ -86,6 +110,9 @@ World::World(const Box& box, const Vec3& gravity, std::vector<Surface> surfaces)
     }
   }
   for (const Surface& surface : surfaces_) refuse_in_periodic_box(surface, box_);
+  if (!box_.is_flat()) return;
+  refuse_out_of_plane(gravity, "gravity", "gravity");
+  for (const Surface& surface : surfaces_) refuse_out_of_plane(surface);
 }
 
 void World::reserve(std::size_t count) {
@@ -120,10 +147,13 @@ void World::check(const Sphere& sphere) const {
   check_positive(sphere.moment, "moment", where);
   check_vector(sphere.velocity, kVelocityNames, where);
   check_vector(sphere.spin, kSpinNames, where);
+  check_in_plane(sphere.velocity, "velocity", where);
+  check_in_plane(sphere.position, "position", where);
+  check_spin(sphere.spin, where);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double x = sphere.position[axis];
     check_finite(x, kPositionNames[axis], where);
-    if (box_.is_open(axis)) continue;
+    if (!box_.is_bounded(axis)) continue;
     const double size = box_.size()[axis];
     check_fits(sphere.radius, axis, where);
     if (box_.is_periodic(axis) && std::fabs(x / size) > Box::kMostBoxesBeyond) {
@@ -136,6 +166,16 @@ void World::check(const Sphere& sphere) const {
                   "place it between " + to_text(sphere.radius) + " and " + to_text(size - sphere.radius));
     }
   }
+}
+
+void World::check_in_plane(const Vec3& vector, const char* what, const std::string& where) const {
+  if (box_.is_flat()) refuse_out_of_plane(vector, what, where);
+}
+
+void World::check_spin(const Vec3& spin, const std::string& where) const {
+  if (!box_.is_flat() || (spin.x == 0 && spin.y == 0)) return;
+  throw Error("the spin is not along z in a box of two dimensions", where,
+              "give (0, 0, w), or give the box three dimensions");
 }
 
 void World::check_mass(double mass, const std::string& where) const {
@@ -153,8 +193,9 @@ void World::check_fits(double radius, std::size_t axis, const std::string& where
               where, "enlarge the box or shrink the sphere");
 }
 
-void World::check_velocity(SphereId id, const Vec3& velocity) {
+void World::check_velocity(SphereId id, const Vec3& velocity) const {
   check_vector(velocity, kVelocityNames, name_of(id));
+  check_in_plane(velocity, "velocity", name_of(id));
 }
 
 void World::remove(SphereId id) {
@@ -229,7 +270,7 @@ void World::reshape(Slot slot, double radius, double mass, double moment) {
   check_mass(mass, where);
   check_positive(moment, "moment", where);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!box_.is_open(axis)) check_fits(radius, axis, where);
+    if (box_.is_bounded(axis)) check_fits(radius, axis, where);
   }
   if (is_kinematic(slot)) --kinematic_count_;
   if (std::isinf(mass)) ++kinematic_count_;
@@ -314,9 +355,9 @@ Vec3 World::momentum(const Time& moment) const {
 }
 
 double World::sphere_volume() const {
-  double cubes = 0;
-  for_each_by_id([&](Slot slot) { cubes += radii_[slot] * radii_[slot] * radii_[slot]; });
-  return 4 * std::numbers::pi / 3 * cubes;
+  double volume = 0;
+  for_each_by_id([&](Slot slot) { volume += box_.sphere_volume(radii_[slot]); });
+  return volume;
 }
 
 double World::largest_radius() const {

@@ -23,8 +23,9 @@ namespace hardball {
 /// Which kind of sphere one is, where contacts depend on it: a number that programs and scenarios choose.
 using SpeciesId = std::uint8_t;
 
-/// The moment of inertia of a uniform sphere, as a multiple of its mass and its squared radius [1].
+/// The moments of inertia of a uniform sphere and of a uniform disc, over mass and squared radius [1].
 inline constexpr double kUniformSphereMoment = 0.4;
+inline constexpr double kUniformDiscMoment = 0.5;
 
 /// A sphere as a caller describes it, at one moment.
 struct Sphere {
@@ -35,7 +36,7 @@ struct Sphere {
   double mass = 1;
   Vec3 spin = {};  ///< Angular velocity [1/T].
   SpeciesId species = 0;
-  /// Moment of inertia over mass and squared radius [1].
+  /// Moment of inertia over mass and squared radius [1]; of discs, kUniformDiscMoment is usual.
   double moment = kUniformSphereMoment;
 };
 
@@ -46,7 +47,7 @@ class World {
   explicit World(const Box& box = Box::open()) : box_(box) {}
   /// With an acceleration that acts on all spheres [L/T^2], and walls and obstacles, which are numbered from
   /// kFaces on. Error: gravity is not finite or out of range; a surface that is not the same in every
-  /// periodic image of the box, and is no obstacle.
+  /// periodic image of the box, and is no obstacle; in two dimensions, gravity or a surface out of the plane.
   World(const Box& box, const Vec3& gravity, std::vector<Surface> surfaces = {});
 
   const Box& box() const { return box_; }
@@ -63,20 +64,22 @@ class World {
   /// Positions outside a periodic box are folded into it. Overlaps are not checked here (see audit.hpp).
   /// Error: a number that is NaN, infinite or out of range; a radius, mass or moment that is not positive; a
   /// centre closer to a wall than the radius, or more than 2^30 boxes away; a box too small to hold the
-  /// sphere; a kinematic sphere where there is gravity.
+  /// sphere; a kinematic sphere where there is gravity; in two dimensions, a position or velocity out of the
+  /// plane, or a spin within it.
   SphereId add(const Sphere& sphere, const Time& moment = Time(0));
 
   /// Error: `add` would refuse this sphere.
   void check(const Sphere& sphere) const;
 
   /// Error: `change_velocity` would refuse this velocity.
-  static void check_velocity(SphereId id, const Vec3& velocity);
+  void check_velocity(SphereId id, const Vec3& velocity) const;
 
   /// Removes a sphere. Cost: O(n). Error: no sphere has this id.
   void remove(SphereId id);
 
   /// Gives a sphere a new velocity [L/T] from `moment` on; returns what rewrite_path does.
-  /// Error: a number, or moment, that is NaN, infinite or out of range.
+  /// Error: a number, or moment, that is NaN, infinite or out of range; a velocity out of the plane in two
+  /// dimensions.
   Image change_velocity(Slot slot, const Time& moment, const Vec3& velocity);
 
   /// Rewrites a path at `moment`: the centre where the old path puts it then, folded into the box, and the
@@ -176,7 +179,7 @@ class World {
   double energy(const Time& moment) const;
   /// Sum of m v at `moment` [M L/T]. Cost: O(n).
   Vec3 momentum(const Time& moment) const;
-  /// Volume of the spheres [L^3]. Cost: O(n).
+  /// Volume of the spheres [L^3], in two dimensions the area of the discs [L^2]. Cost: O(n).
   double sphere_volume() const;
   /// The largest radius [L]; zero in an empty world.
   double largest_radius() const;
@@ -189,6 +192,8 @@ class World {
   std::size_t memory_bytes() const;
 
  private:
+  void check_spin(const Vec3& spin, const std::string& where) const;
+  void check_in_plane(const Vec3& vector, const char* what, const std::string& where) const;
   void check_mass(double mass, const std::string& where) const;
   void check_fits(double radius, std::size_t axis, const std::string& where) const;
   void sort_slots_by_id();

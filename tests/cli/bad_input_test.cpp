@@ -131,6 +131,43 @@ INSTANTIATE_TEST_SUITE_P(
                  {"gas.toml:8:13", "both placement and positions", "remove"}}),
     name_of);
 
+const std::string kBox = "size = [10.0, 10.0, 10.0]\nboundary = [\"wall\", \"wall\", \"wall\"]";
+const std::string kFlatBox = "dimensions = 2\nsize = [10, 10]\nboundary = ['wall', 'wall']";
+
+INSTANTIATE_TEST_SUITE_P(
+    TwoDimensions, RefusedInput,
+    testing::Values(
+        BadInput{"FourDimensions", "[box]", "[box]\ndimensions = 4", {}, {"gas.toml:2:14", "at most 3"}},
+        BadInput{
+            "ThreeBoundaries", "[box]", "[box]\ndimensions = 2", {}, {"gas.toml:4:12", "3 entries", "two"}},
+        BadInput{"ThreeSizes",
+                 kBox,
+                 "dimensions = 2\nsize = [10, 10, 10]\nboundary = ['wall', 'wall']",
+                 {},
+                 {"gas.toml:3:8", "3 entries", "two numbers"}},
+        BadInput{"TwoNumbersInThreeDimensions", "[box]", "[box]\ngravity = [0, 1]", {}, {"three numbers"}},
+        BadInput{"CubicLattice",
+                 kBox,
+                 kFlatBox,
+                 {"--set", "spheres.0.placement=fcc"},
+                 {"fcc", "two dimensions", "hexagonal"}},
+        BadInput{"HexagonalInThreeDimensions",
+                 "\"random\"",
+                 "\"hexagonal\"",
+                 {},
+                 {"gas.toml:8:13", "three dimensions", "fcc"}},
+        BadInput{"GravityAcross",
+                 kBox,
+                 kFlatBox,
+                 {"--set", "box.gravity=[0, 0, 1]"},
+                 {"gravity along z is 1", "two dimensions"}},
+        BadInput{"TooDense",
+                 kBox,
+                 kFlatBox,
+                 {"--set", "spheres.0.count=60", "--set", "spheres.0.radius=0.6"},
+                 {"0.67", "hexagonal", "0.9"}}),
+    name_of);
+
 INSTANTIATE_TEST_SUITE_P(
     Thermostats, RefusedInput,
     testing::Values(BadInput{"ThermostatWithoutKind",

@@ -112,6 +112,44 @@ World lorentz_gas() {
   return world;
 }
 
+// Discs of several sizes that fall in a tilted channel between thermal and oscillating walls, around a round
+// obstacle.
+World falling_discs() {
+  const SurfaceMaterial warm{.temperature = 0.5, .seed = 11};
+  const std::vector<Surface> surfaces{
+      Surface(OscillatingPlane({0.6, 0.8, 0}, 0.25, 0.75), {-3, -4, 0}),
+      Surface(Plane({-0.6, -0.8, 0}), {6, 8, 0}, {0.003, 0.004, 0}, warm),
+      Surface(Obstacle(1.25), {1, 0.5, 0}, {}, {.restitution = 0.8}),
+      Surface(Cylinder({0, 0, 1}, 11), {0, 0, 0}),
+  };
+  World world(Box::flat_open(), {-0.3, -0.4, 0}, surfaces);
+  Random random(12);
+  for (int x = -9; x <= 9; ++x) {
+    for (int y = -9; y <= 9; ++y) {
+      const Vec3 place{1.0 * x, 1.0 * y, 0};
+      if (distance_to_surfaces(world, place, Time(0)) < 0.75) continue;
+      Vec3 velocity = maxwell_velocity(random, 1);
+      velocity.z = 0;
+      world.add({place, velocity, 0.25 + 0.2 * random.uniform(), 1});
+    }
+  }
+  return world;
+}
+
+// A mixture, placed at random.
+World periodic_discs() {
+  const Box box = Box::flat_periodic(30, 20);
+  Random random(13);
+  std::vector<double> radii;
+  for (int i = 0; i < 400; ++i) radii.push_back(0.3 * (1 + random.uniform()));
+  const std::vector<Vec3> centers = place_randomly(box, {{0, 0, 0}, {30, 20, 0}}, radii, random, "golden");
+  World world(box);
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    world.add({centers[i], random.direction_in_plane(), radii[i], radii[i] * radii[i]});
+  }
+  return world;
+}
+
 // Species that bounce by different rules or pass through each other, many of them spinning.
 World motley_gas() {
   World world = random_gas(Box({Boundary::periodic, Boundary::wall, Boundary::periodic}, {20, 20, 20}),
@@ -202,6 +240,8 @@ int main() {
   print("two_spheres", two_spheres(), 20000);
   print("shaken_grains", shaken_grains(), 20000, 0.8, 0.01);
   print("lorentz_gas", lorentz_gas(), 20000);
+  print("falling_discs", falling_discs(), 20000, 0.8, 0.01);
+  print("periodic_discs", periodic_discs(), 20000);
   print("motley_gas", motley_gas(), 20000, motley_responses());
   print("drops", random_gas(Box::periodic({20, 20, 20}), cube, 500, 0.3, 2, 13), 450,
         ResponseTable(Merging()));

@@ -33,10 +33,10 @@ std::optional<History> history_by(const support::EngineVariant& variant, const R
 
 class EnginesAgree : public testing::TestWithParam<std::uint64_t> {
  protected:
-  // Runs a part of the worlds that `make` makes of seeds by every engine.
-  void agree_on(RandomWorld (*make)(std::uint64_t seed)) {
+  // Runs a part of so many worlds that `make` makes of seeds by every engine.
+  void agree_on(RandomWorld (*make)(std::uint64_t seed), std::uint64_t worlds = kWorlds) {
     std::uint64_t contacts = 0;
-    for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
+    for (std::uint64_t seed = GetParam(); seed < support::cases(worlds); seed += kParts) {
       const RandomWorld made = make(seed);
       SCOPED_TRACE(made.name);
       // Contacts are limited too: in a granular world infinitely many may happen in a finite time.
@@ -53,7 +53,7 @@ class EnginesAgree : public testing::TestWithParam<std::uint64_t> {
       contacts += expected->contacts;
     }
     // The worlds have some 50 contacts each on average.
-    EXPECT_GT(contacts, 30 * support::cases(kWorlds) / kParts);
+    EXPECT_GT(contacts, 30 * support::cases(worlds) / kParts);
   }
 };
 
@@ -64,6 +64,14 @@ TEST_P(EnginesAgree, OnRandomWorlds) {
 // With gravity, walls of all shapes, in motion or thermal, and obstacles.
 TEST_P(EnginesAgree, OnFurnishedWorlds) {
   agree_on(support::make_furnished_world);
+}
+
+// Discs, with and without all that.
+TEST_P(EnginesAgree, OnFlatWorlds) {
+  const auto make = [](std::uint64_t seed) {
+    return seed % 3 == 0 ? support::make_responsive_flat_world(seed) : support::make_flat_world(seed);
+  };
+  agree_on(make, kWorlds / 2);
 }
 
 // With species that bounce by different rules, rough or smooth, merge, or pass through each other, and

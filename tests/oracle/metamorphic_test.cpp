@@ -44,14 +44,15 @@ EngineOptions some_options(std::uint64_t seed, const RandomWorld& made) {
 }
 
 // Of three worlds one has gravity, walls and obstacles, and one has spheres that respond in various ways.
+// Some are flat.
 RandomWorld some_world(std::uint64_t seed) {
   switch (seed / 5 % 3) {
     case 0:
-      return support::make_random_world(seed);
+      return seed % 2 == 0 ? support::make_flat_world(seed) : support::make_random_world(seed);
     case 1:
       return support::make_furnished_world(seed);
     default:
-      return support::make_responsive_world(seed);
+      return seed % 4 == 0 ? support::make_responsive_flat_world(seed) : support::make_responsive_world(seed);
   }
 }
 
@@ -297,7 +298,7 @@ Vec3 random_velocity(const World& world, double until, Random& random) {
   for (const Path& path : world.paths()) energy += dot(path.velocity, path.velocity);
   const double speed = energy > 0 ? std::sqrt(energy / static_cast<double>(world.size()))
                                   : 50 * world.largest_radius() / until;
-  return speed * random.direction();
+  return speed * (world.box().is_flat() ? random.direction_in_plane() : random.direction());
 }
 
 // Runs in pieces, with an edit after each; `ask` interleaves queries, which advance the engine beyond the

@@ -15,6 +15,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/tuning/moments.hpp"
+#include "support/discs.hpp"
 #include "support/effort.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"
@@ -130,6 +131,37 @@ TEST(CellCounts, OfAMixtureAreThoseExpected) {
   world = support::settled(std::move(world), 1);
   expect_counts(world, 1.3, "narrow_cells");
   expect_counts(world, 3, "wide_cells");
+}
+
+class CellCountsOfDiscs : public testing::TestWithParam<double> {};
+
+TEST_P(CellCountsOfDiscs, AreThoseExpectedFromOneDiameterToTen) {
+  const double packing_fraction = GetParam();
+  const World world =
+      support::settled(support::make_discs(8000, packing_fraction, 304), packing_fraction < 0.05  ? 0.3
+                                                                         : packing_fraction > 0.5 ? 150
+                                                                                                  : 5);
+  for (const double edge : {1.0, 1.5, 2.0, 3.0, 5.0, 10.0}) {
+    expect_counts(world, edge, "diameters_" + to_text(edge));
+    if (support::kIsSlowBuild) break;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Packing, CellCountsOfDiscs, testing::Values(0.01, 0.1, 0.3, 0.6),
+                         [](const auto& each) {
+                           return "Permille" + to_text(std::lround(1000 * each.param));
+                         });
+
+TEST(CellCounts, OfDiscsBetweenWallsAreThoseExpected) {
+  const World world = support::settled(support::make_discs(8000, 0.05, 305, Boundary::wall), 2);
+  for (const double edge : {2.0, 8.0}) {
+    const CellCounts expected = expected_counts(moments_of(world, Time(0)), edge);
+    const Counted counted = count(world, edge, expected);
+    EXPECT_NEAR(counted.enter / expected.enter, 1, 0.05);
+    EXPECT_NEAR(counted.wall / expected.wall, 1, 0.08);
+    EXPECT_NEAR(counted.after_contact / after_contact(expected), 1, 0.08);
+    EXPECT_NEAR(counted.after_enter / expected.candidates_after_enter, 1, 0.08);
+  }
 }
 
 TEST(CellCounts, BetweenWallsAreThoseExpected) {

@@ -84,6 +84,18 @@ class RandomWorldMaker {
     return finish();
   }
 
+  /// A world in two dimensions, half of them with gravity, surfaces, or both.
+  RandomWorld make_flat() {
+    dimensions_ = 2;
+    return chance(0.5) ? make_furnished() : make();
+  }
+
+  /// The same whose discs respond in different ways.
+  RandomWorld make_responsive_flat() {
+    dimensions_ = 2;
+    return make_responsive();
+  }
+
   /// A gas without ties in a box with these boundaries.
   RandomWorld make_gas_within(const std::array<Boundary, kAxes>& boundary, std::size_t spheres) {
     choose_scales();
@@ -94,6 +106,7 @@ class RandomWorldMaker {
   }
 
  private:
+  bool is_flat() const { return dimensions_ == 2; }
   bool chance(double probability) { return random_.uniform() < probability; }
   std::size_t below(std::size_t count) {
     return static_cast<std::size_t>(random_.uniform() * static_cast<double>(count));
@@ -114,8 +127,11 @@ class RandomWorldMaker {
   std::array<Boundary, kAxes> random_boundary() {
     constexpr std::array<Boundary, 3> kAll = {Boundary::wall, Boundary::periodic, Boundary::open};
     const Boundary common = kAll[below(3)];
-    if (chance(0.4)) return {common, common, common};
-    return {kAll[below(3)], kAll[below(3)], kAll[below(3)]};
+    const bool are_alike = chance(0.4);
+    std::array<Boundary, kAxes> boundary{common, common, common};
+    if (!are_alike) boundary = {kAll[below(3)], kAll[below(3)], kAll[below(3)]};
+    if (is_flat()) boundary[2] = Boundary::flat;
+    return boundary;
   }
 
   // From barely larger than a sphere, through two or three diameters, to large [1].
@@ -138,7 +154,7 @@ class RandomWorldMaker {
     size_ = given_size;
     const double common = random_roominess();
     const bool all_alike = chance(0.7);
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (std::size_t axis = 0; axis < dimensions_; ++axis) {
       if (size_[axis] > 0) continue;
       size_[axis] = 2 * largest_radius_ * (all_alike ? common : random_roominess());
     }
@@ -151,7 +167,7 @@ class RandomWorldMaker {
     const double extent = std::max({size_.x, size_.y, size_.z});
     if (chance(0.6)) {
       const double strength = speed_ * speed_ / extent * std::ldexp(1, static_cast<int>(below(6)) - 4);
-      gravity = strength * (chance(0.5) ? Vec3{0, 0, -1} : random_.direction());
+      gravity = strength * (chance(0.5) ? downwards() : random_direction());
       // Along a periodic axis spheres fall ever faster.
       const bool falls_forever = chance(0.2);
       for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -175,12 +191,12 @@ class RandomWorldMaker {
     }
     const Vec3 center = 0.5 * size_;
     std::vector<std::size_t> walled;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (std::size_t axis = 0; axis < dimensions_; ++axis) {
       if (!box.is_periodic(axis)) walled.push_back(axis);
     }
     const double kind = random_.uniform();
     if (kind < 0.3 || walled.empty()) {
-      const Vec3 place{between(0, size_.x), between(0, size_.y), between(0, size_.z)};
+      const Vec3 place{between(0, size_.x), between(0, size_.y), is_flat() ? 0 : between(0, size_.z)};
       surfaces.emplace_back(Obstacle(largest_radius_ * between(0.2, 1.5)), place, Vec3{}, material);
       return;
     }
@@ -192,7 +208,7 @@ class RandomWorldMaker {
         for (const std::size_t axis : walled) normal[axis] = random_.normal();
         normal = (1 / length(normal)) * normal;
       }
-      const double depth = 0.5 * between(0.5, 1) * std::min({size_.x, size_.y, size_.z});
+      const double depth = 0.5 * between(0.5, 1) * narrowest();
       const Vec3 point = center - depth * normal;
       const double motion = random_.uniform();
       if (motion < 0.3) {
@@ -206,22 +222,21 @@ class RandomWorldMaker {
       }
       return;
     }
-    const bool is_all_walled = walled.size() == kAxes;
+    const bool is_all_walled = walled.size() == dimensions_;
     if (is_all_walled && kind < 0.85) {
-      surfaces.emplace_back(HollowSphere(between(0.5, 0.9) * std::min({size_.x, size_.y, size_.z})), center,
-                            Vec3{}, material);
+      surfaces.emplace_back(HollowSphere(between(0.5, 0.9) * narrowest()), center, Vec3{}, material);
       return;
     }
-    // A tube through the box, along its only periodic axis if there is one.
-    std::size_t along = below(kAxes);
+    // A tube through the box, along its only periodic axis if there is one; across the plane of discs.
+    std::size_t along = is_flat() ? 2 : below(kAxes);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      if (box.is_periodic(axis)) along = axis;
+      if (!is_flat() && box.is_periodic(axis)) along = axis;
     }
     Vec3 axis;
     axis[along] = 1;
-    if (is_all_walled && chance(0.5)) axis = random_.direction();
+    if (!is_flat() && is_all_walled && chance(0.5)) axis = random_.direction();
     const double narrower = std::min(size_[(along + 1) % kAxes], size_[(along + 2) % kAxes]);
-    if (walled.size() + 1 < kAxes) return;
+    if (walled.size() < 2) return;
     surfaces.emplace_back(Cylinder(axis, 0.5 * between(0.7, 1) * narrower), center, Vec3{}, material);
   }
 
@@ -251,13 +266,24 @@ class RandomWorldMaker {
   Vec3 random_place(double radius) {
     Vec3 place;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (axis >= dimensions_) continue;
       const double inset = made_.world.box().is_wall(axis) ? radius : 0;
       place[axis] = between(inset, size_[axis] - inset);
     }
     return place;
   }
 
-  Vec3 random_velocity() { return speed_ * Vec3{random_.normal(), random_.normal(), random_.normal()}; }
+  double narrowest() const {
+    return is_flat() ? std::min(size_.x, size_.y) : std::min({size_.x, size_.y, size_.z});
+  }
+  Vec3 downwards() const { return is_flat() ? Vec3{0, -1, 0} : Vec3{0, 0, -1}; }
+  Vec3 random_direction() { return is_flat() ? random_.direction_in_plane() : random_.direction(); }
+  Vec3 random_spin() { return is_flat() ? Vec3{0, 0, between(-1, 1)} : random_.direction(); }
+  Vec3 random_velocity() {
+    Vec3 velocity{random_.normal(), random_.normal(), random_.normal()};
+    if (is_flat()) velocity.z = 0;
+    return speed_ * velocity;
+  }
 
   bool place_somewhere(Sphere sphere) {
     constexpr int kAttempts = 60;
@@ -303,7 +329,7 @@ class RandomWorldMaker {
     std::array<std::size_t, kAxes> count{};
     Vec3 size;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      count[axis] = 1 + below(4);
+      count[axis] = axis < dimensions_ ? 1 + below(4) : 1;
       size[axis] = spacing * static_cast<double>(count[axis]) + (chance(0.5) ? 0 : 0.5);
     }
     make_box(random_boundary(), size);
@@ -317,11 +343,11 @@ class RandomWorldMaker {
           Sphere sphere;
           sphere.radius = 0.5;
           sphere.position =
-              Vec3{0.5, 0.5, 0.5} +
+              Vec3{0.5, 0.5, is_flat() ? 0 : 0.5} +
               spacing * Vec3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-          for (std::size_t axis = 0; axis < kAxes; ++axis) sphere.velocity[axis] = kSpeeds[below(3)];
+          for (std::size_t axis = 0; axis < dimensions_; ++axis) sphere.velocity[axis] = kSpeeds[below(3)];
           if (along_axes) {
-            const std::size_t kept = below(kAxes);
+            const std::size_t kept = below(dimensions_);
             for (std::size_t axis = 0; axis < kAxes; ++axis) {
               if (axis != kept) sphere.velocity[axis] = 0;
             }
@@ -350,10 +376,10 @@ class RandomWorldMaker {
       constexpr int kAttempts = 20;
       for (int attempt = 0; attempt < kAttempts; ++attempt) {
         const Sphere& neighbor = spheres_[below(spheres_.size())];
-        Vec3 direction = random_.direction();
+        Vec3 direction = random_direction();
         if (along_axes) {
           direction = {};
-          direction[below(kAxes)] = chance(0.5) ? 1 : -1;
+          direction[below(dimensions_)] = chance(0.5) ? 1 : -1;
         }
         sphere.position = neighbor.position + (neighbor.radius + sphere.radius) * direction;
         if (!fits(sphere)) continue;
@@ -369,7 +395,7 @@ class RandomWorldMaker {
     kind_ = "streams";
     made_.has_ties = true;
     make_box(random_boundary(), {});
-    const std::size_t along = below(kAxes);
+    const std::size_t along = below(dimensions_);
     const bool mixed_radii = chance(0.5);
     for (std::size_t i = 0; i < wanted_; ++i) {
       Vec3 velocity;
@@ -405,7 +431,7 @@ class RandomWorldMaker {
     for (Sphere& sphere : spheres_) {
       sphere.species = static_cast<SpeciesId>(below(kMostRandomSpecies));
       sphere.moment = moments[sphere.species];
-      if (some_spin && chance(0.7)) sphere.spin = (speed_ / largest_radius_) * random_.direction();
+      if (some_spin && chance(0.7)) sphere.spin = (speed_ / largest_radius_) * random_spin();
       if (some_are_kinematic && chance(0.2)) sphere.mass = std::numeric_limits<double>::infinity();
     }
     made_.responses = ResponseTable(random_rule(may_merge), std::get<Bounce>(random_rule(false)));
@@ -433,6 +459,7 @@ class RandomWorldMaker {
       const Boundary boundary = made_.world.box().boundary(axis);
       made_.name += boundary == Boundary::wall       ? ", wall"
                     : boundary == Boundary::periodic ? ", periodic"
+                    : boundary == Boundary::flat     ? ", flat"
                                                      : ", open";
     }
     made_.name +=
@@ -444,6 +471,7 @@ class RandomWorldMaker {
   std::uint64_t seed_;
   RandomWorld made_;
   std::string kind_ = "gas";
+  std::size_t dimensions_ = 3;
   std::size_t wanted_ = 0;
   double largest_radius_ = 0.5;
   double speed_ = 1;
@@ -469,6 +497,16 @@ inline RandomWorld make_furnished_world(std::uint64_t seed) {
 /// different rules, merge, pass through each other; some spin, some are kinematic.
 inline RandomWorld make_responsive_world(std::uint64_t seed) {
   return RandomWorldMaker(seed).make_responsive();
+}
+
+/// A random or furnished world in two dimensions.
+inline RandomWorld make_flat_world(std::uint64_t seed) {
+  return RandomWorldMaker(seed).make_flat();
+}
+
+/// A responsive world in two dimensions.
+inline RandomWorld make_responsive_flat_world(std::uint64_t seed) {
+  return RandomWorldMaker(seed).make_responsive_flat();
 }
 
 /// A gas of up to `spheres` spheres in a box with these boundaries, no two contacts of which are

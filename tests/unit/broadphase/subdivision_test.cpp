@@ -31,6 +31,27 @@ TEST(Subdivision, FitsWholeCellsIntoBoundedAxes) {
   EXPECT_EQ(one.edge(0), 10);
 }
 
+TEST(Subdivision, OfAFlatBoxIsOneLayer) {
+  for (const Box& box : {Box::flat_periodic(10, 20), Box::flat_walls(10, 20), Box::flat_open()}) {
+    const Subdivision cells(box, 1, kMost);
+    EXPECT_EQ(cells.first(2), 0);
+    EXPECT_EQ(cells.last(2), 0);
+    EXPECT_EQ(cells.shape()[2], 1);
+    const Path path{{5.5, 5.5, 0}, {1, -2, 0}, Time(0)};
+    const CellRange range = cells.range_at(path.position, 3);
+    EXPECT_EQ(range.low[2], 0);
+    EXPECT_EQ(range.high[2], 0);
+    EXPECT_EQ(range.high[0] - range.low[0], 6);
+    EXPECT_NEAR(cells.next_enter(path, 3, range).wait, 0.25, 1e-4);
+    EXPECT_EQ(cells.next_enter(path, 3, range).axis, 1);
+    const Path at_rest{{5.5, 5.5, 0}, {}, Time(0)};
+    EXPECT_TRUE(std::isinf(cells.next_enter(at_rest, 3, range).wait));
+    const CellCrossing falling = cells.next_enter_of_falling({5.5, 5.5, 0}, {}, {2, 0, 0}, 3, range);
+    EXPECT_EQ(falling.axis, 0);
+    EXPECT_NEAR(falling.wait, std::sqrt(0.5), 1e-4);
+  }
+}
+
 TEST(Subdivision, RefusesEdgesThatAreNotPositiveAndFinite) {
   for (const double edge :
        {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {

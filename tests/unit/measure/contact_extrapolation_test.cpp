@@ -34,20 +34,20 @@ ContactExtrapolation::Bins means(const ContactExtrapolation& contact, double rad
 TEST(ContactExtrapolation, IsExactForCubics) {
   const auto cubic = [](double gap) { return 5 - 30 * gap + 80 * gap * gap - 90 * gap * gap * gap; };
   for (const double radius : {1.0, 0.3, kInfinity}) {
-    const ContactExtrapolation contact(0.3, radius);
+    const ContactExtrapolation contact(0.3, radius, 3);
     EXPECT_NEAR(contact.at_contact(means(contact, radius, cubic)), 5, 1e-5) << radius;
   }
 }
 
 // As steep as the pair density of the fluid at freezing, which falls by the factor exp(-8 gap / diameter).
 TEST(ContactExtrapolation, FollowsTheSteepestFluid) {
-  const ContactExtrapolation contact(ContactExtrapolation::kReach, 1);
+  const ContactExtrapolation contact(ContactExtrapolation::kReach, 1, 3);
   const auto steep = [](double gap) { return 5.7 * std::exp(-8 * gap); };
   EXPECT_NEAR(contact.at_contact(means(contact, 1, steep)) / 5.7, 1, 1e-3);
 }
 
 TEST(ContactExtrapolation, KnowsTheBinOfAGap) {
-  const ContactExtrapolation contact(0.3, kInfinity);
+  const ContactExtrapolation contact(0.3, kInfinity, 3);
   EXPECT_DOUBLE_EQ(contact.bin_width(), 0.02);
   EXPECT_EQ(contact.bin(0.01), 0U);
   EXPECT_EQ(contact.bin(0.05), 2U);

@@ -170,10 +170,10 @@ void read(const Value& value, ValueType type) {
       for (const Value& entry : value.entries("")) entry.choice();
       return;
     case ValueType::vector:
-      value.vector();
+      value.vector(3);
       return;
     case ValueType::vectors:
-      value.vectors();
+      value.vectors(3);
       return;
     case ValueType::table:
     case ValueType::tables:

@@ -51,7 +51,7 @@ TEST(EventRandom, GivesIndependentNormalNumbers) {
   for (std::uint64_t k = 0; k < kEvents; ++k) {
     const auto draw = [](SphereId sphere, std::uint64_t count) {
       Random random = event_random(5, sphere, count);
-      return normal_vector(random);
+      return random.normal_vector(3);
     };
     const Vec3 own = draw(7, k);
     squares += dot(own, own);

@@ -106,7 +106,7 @@ TEST(RowSurplus, IsThatOfASphereMovingThroughCells) {
     for (const double diameter : {0.01, 0.4, 1.7}) {
       for (const double free_path : {0.3, 2.0, 40.0}) {
         const RowSurplus expected = Flyer(edges, diameter, free_path).mean(200000);
-        const RowSurplus surplus = mean_row_surplus(undisturbed(edges), diameter, free_path);
+        const RowSurplus surplus = mean_row_surplus(undisturbed(edges), diameter, free_path, 3);
         // Standard errors of the samples, which are correlated over a few edges, and of 512 points: below
         // 0.01.
         for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -120,11 +120,11 @@ TEST(RowSurplus, IsThatOfASphereMovingThroughCells) {
 }
 
 TEST(RowSurplus, VanishesWithManyCollisionsAndWithOneCell) {
-  const RowSurplus crowded = mean_row_surplus(undisturbed({1, 1, 1}), 0.4, 1e-4);
+  const RowSurplus crowded = mean_row_surplus(undisturbed({1, 1, 1}), 0.4, 1e-4, 3);
   for (std::size_t axis = 0; axis < kAxes; ++axis) EXPECT_NEAR(crowded.along[axis], 0, 0.01);
   CellAxes whole = undisturbed({1, 1, 1});
   for (CellAxis& axis : whole) axis.is_divided = false;
-  const RowSurplus none = mean_row_surplus(whole, 0.4, std::numeric_limits<double>::infinity());
+  const RowSurplus none = mean_row_surplus(whole, 0.4, std::numeric_limits<double>::infinity(), 3);
   EXPECT_EQ(none.along, (std::array<double, kAxes>{}));
   EXPECT_EQ(none.all, 0);
 }
