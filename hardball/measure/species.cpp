@@ -13,9 +13,13 @@ Species::Species(const World& world) {
     const double radius = world.radius(slot);
     const double mass = world.mass(slot);
     std::size_t kind = 0;
-    while (kind < kinds_.size() && (kinds_[kind].radius != radius || kinds_[kind].mass != mass)) ++kind;
+    const SpeciesId label = world.species(slot);
+    const auto is_alike = [&](const Kind& known) {
+      return known.radius == radius && known.mass == mass && known.label == label;
+    };
+    while (kind < kinds_.size() && !is_alike(kinds_[kind])) ++kind;
     if (kind > kMostSpecies) return;
-    if (kind == kinds_.size()) kinds_.push_back({radius, mass, 0});
+    if (kind == kinds_.size()) kinds_.push_back({radius, mass, label, 0});
     ++kinds_[kind].count;
     species_.resize(world.id(slot) + std::size_t{1});
     species_.back() = static_cast<std::uint8_t>(kind);
@@ -23,7 +27,7 @@ Species::Species(const World& world) {
   is_one_kind_ = kinds_.size() <= 1;
   if (kinds_.empty() || kinds_.size() > kMostSpecies) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    kinds_ = {{kNone, kNone, world.size()}};
+    kinds_ = {{kNone, kNone, 0, world.size()}};
   }
   if (kinds_.size() == 1) species_ = {};
 }

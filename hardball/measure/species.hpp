@@ -10,8 +10,8 @@
 
 namespace hardball {
 
-/// The spheres of a world by kind: those of equal radius and equal mass are one species. Species are numbered
-/// from zero in the order of their lowest ids, which is that of the groups of a scenario.
+/// The spheres of a world by kind: those of equal radius, mass and SpeciesId are one species. Species are
+/// numbered from zero in the order of their lowest ids, which is that of the groups of a scenario.
 ///
 /// If there are more than eight kinds, as with radii from a distribution, all spheres are one species.
 class Species {
@@ -29,7 +29,7 @@ class Species {
   double fraction(std::size_t species) const;
   double radius(std::size_t species) const { return kinds_[species].radius; }  ///< [L]; NaN if they differ.
   double mass(std::size_t species) const { return kinds_[species].mass; }      ///< [M]; NaN if they differ.
-  /// Whether all spheres have equal radii and masses.
+  /// Whether all spheres are of one kind.
   bool is_one_kind() const { return is_one_kind_; }
   /// The suffix of names of quantities: empty if there is one species, otherwise "_1" for the first and so
   /// on.
@@ -39,6 +39,7 @@ class Species {
   struct Kind {
     double radius;
     double mass;
+    SpeciesId label;
     std::size_t count;
   };
 

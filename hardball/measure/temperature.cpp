@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kEnergyUnit = "M L^2 T^-2";
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 
-// Bins of the average; those of the species follow.
+// Bins of the average; those of the species follow, and that of the spins, sum of I w^2, is the last.
 constexpr std::size_t kTime = 0;    // since the start
 constexpr std::size_t kAll = 1;     // kT
 constexpr std::size_t kSquare = 2;  // sum of m v^2, by groups of spheres, and so in each of the rest
@@ -31,7 +31,7 @@ Temperature::Temperature(const Scene& scene)
       spheres_(static_cast<double>(scene.world().size())),
       motion_(scene.motion()),
       begin_(scene.now()),
-      average_(kOfSpecies + species_.size(), kSphereGroups) {
+      average_(kOfSpecies + species_.size() + 1, kSphereGroups) {
   const World& world = scene.world();
   world.for_each_by_id([&](Slot slot) { masses_[species_.of(world.id(slot))] += world.mass(slot); });
 }
@@ -51,6 +51,7 @@ void Temperature::sample(const Scene& scene) {
     sums[kSquare] += square;
     for (std::size_t axis = 0; axis < kAxes; ++axis) sums[kAlong + axis] += mass * v[axis] * v[axis];
     sums[kOfSpecies + species_.of(world.id(slot))] += square;
+    sums[kOfSpecies + species_.size()] += 2 * rotational_energy(world, slot);
   });
   average_.close_sample(duration(begin_, scene.now()));
 }
@@ -88,6 +89,10 @@ Measurement Temperature::result(const Scene& scene) const {
       of_species += freedom(axis, static_cast<double>(species_.count(s)), masses_[s]);
     }
     parts.push_back({"temperature_of_species" + species_.suffix(s), kOfSpecies + s, of_species});
+  }
+  if (scene.world().has_spins()) {
+    const double freedom_of_spin = box_.is_flat() ? 1 : kAxes;
+    parts.push_back({"rotational_temperature", kOfSpecies + species_.size(), freedom_of_spin * spheres_});
   }
   std::vector<FunctionOfMeans> shares;
   for (const Part& part : parts) {

@@ -13,9 +13,9 @@
 
 namespace hardball {
 
-/// Temperature k T, of all spheres, along each axis and of each species, and its history. In equilibrium all
-/// are equal. A common drift along axes without walls does not count. The temperature of all spheres is exact
-/// if energy is conserved; if they cool, its error is not known.
+/// Temperature k T, of all spheres, along each axis, of each species and of spins, and its history. In
+/// equilibrium all are equal. A common drift along axes without walls does not count. The temperature of all
+/// spheres is exact if energy is conserved; if they cool, its error is not known.
 class Temperature {
  public:
   static constexpr std::string_view kName = "temperature";

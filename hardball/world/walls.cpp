@@ -32,7 +32,7 @@ void for_each_image(const World& world, const Surface& surface, const Path& path
   if (!has_images(world, surface)) return visit(path);
   const double touching = std::get<Obstacle>(surface.shape()).radius() + radius;
   const Vec3 position = world.motion().position_at(path, now);
-  const Vec3 apart = (position - surface.point()) - now.high * surface.velocity();
+  const Vec3 apart = position - surface.point();
   Image low;
   Image high;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

@@ -68,7 +68,13 @@ void refuse_in_periodic_box(const Surface& surface, const Box& box) {
                 remedy);
   };
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!box.is_periodic(axis) || std::holds_alternative<Obstacle>(surface.shape())) continue;
+    if (!box.is_periodic(axis)) continue;
+    if (std::holds_alternative<Obstacle>(surface.shape())) {
+      if (surface.velocity() == Vec3{}) continue;
+      // Its images would come from any distance.
+      throw Error("an obstacle moves in a periodic box", "walls",
+                  "keep it at rest, or take a kinematic sphere");
+    }
     if (const Vec3* const normal = normal_of(surface)) {
       if ((*normal)[axis] != 0) refuse(axis, "make it parallel to the axis, or the axis not periodic");
       continue;

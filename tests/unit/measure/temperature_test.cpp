@@ -58,5 +58,39 @@ TEST(Temperature, OfOneKindHasNoSpecies) {
       has_quantity(Temperature({world, Time(0)}).result({world, Time(0)}), "temperature_of_species_1"));
 }
 
+// A spin of w about each axis has I w^2 = k T in equilibrium.
+TEST(Temperature, CountsSpins) {
+  World world(Box::walls({10, 10, 10}));
+  world.add({.position = {2, 2, 2}, .radius = 0.5, .mass = 2, .spin = {1, 2, 3}});
+  world.add({.position = {5, 5, 5}, .velocity = {1, 0, 0}, .radius = 1, .spin = {0, 0, 1}, .moment = 0.5});
+  Temperature temperature({world, Time(0)});
+  temperature.sample({world, Time(0)});
+  const Measurement found = temperature.result({world, Time(0)});
+  EXPECT_NEAR(quantity(found, "rotational_temperature").value, (0.4 * 2 * 0.25 * 14 + 0.5 * 1) / 6, 1e-15);
+  EXPECT_NEAR(quantity(found, "temperature").value, 1.0 / 6, 1e-15);
+  const World still = mixture({}, Box::walls({10, 10, 10}));
+  EXPECT_FALSE(
+      has_quantity(Temperature({still, Time(0)}).result({still, Time(0)}), "rotational_temperature"));
+}
+
+TEST(Temperature, OfDiscsCountsSpinsAboutOneAxis) {
+  World world(Box::flat_walls(10, 10));
+  world.add({.position = {2, 2, 0}, .velocity = {1, 0, 0}, .radius = 0.5, .spin = {0, 0, 3}, .moment = 0.5});
+  Temperature temperature({world, Time(0)});
+  temperature.sample({world, Time(0)});
+  EXPECT_NEAR(quantity(temperature.result({world, Time(0)}), "rotational_temperature").value, 0.125 * 9,
+              1e-15);
+}
+
+TEST(Temperature, TellsSpeciesApartThatDifferInNothingElse) {
+  World world(Box::walls({10, 10, 10}));
+  world.add({.position = {2, 2, 2}, .velocity = {1, 0, 0}, .radius = 0.5});
+  world.add({.position = {5, 5, 5}, .velocity = {2, 0, 0}, .radius = 0.5, .species = 4});
+  Temperature temperature({world, Time(0)});
+  temperature.sample({world, Time(0)});
+  EXPECT_NEAR(quantity(temperature.result({world, Time(0)}), "temperature_of_species_2").value, 4.0 / 3,
+              1e-15);
+}
+
 }  // namespace
 }  // namespace hardball

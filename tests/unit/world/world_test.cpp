@@ -372,6 +372,13 @@ TEST(ContactTime, OfTwoSpheresOfAWorldDependsOnTheImage) {
   EXPECT_EQ(contact_time(world, 0, 1, {{-2, 0, 0}}), Time(12)) << "once around the box";
 }
 
+TEST(World, RefusesObstaclesThatMoveInAPeriodicBox) {
+  const std::vector<Surface> moving{Surface(Obstacle(1), {5, 5, 5}, {0, 0.5, 0})};
+  EXPECT_THROW(World(Box({Boundary::periodic, Boundary::wall, Boundary::wall}, {10, 10, 10}), {}, moving),
+               Error);
+  EXPECT_NO_THROW(World(Box::walls({10, 10, 10}), {}, moving));
+}
+
 TEST(World, RefusesSurfacesThatAreNotPeriodic) {
   const Box box({Boundary::periodic, Boundary::wall, Boundary::wall}, {10, 10, 10});
   const auto make = [&](const Surface& surface) { return World(box, {}, {surface}); };
