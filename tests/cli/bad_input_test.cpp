@@ -409,6 +409,91 @@ INSTANTIATE_TEST_SUITE_P(
                  {"gas.toml", "0 and 1 overlap", "apart"}}),
     name_of);
 
+// Tables from line 11 on.
+BadInput bad_tables(const std::string& name, const std::string& tables,
+                    const std::vector<std::string>& fragments) {
+  return {name, "[run]", tables + "\n[run]", {}, fragments};
+}
+
+BadInput bad_response(const std::string& name, const std::string& keys,
+                      const std::vector<std::string>& fragments) {
+  return bad_tables(name, "[response]\n" + keys, fragments);
+}
+
+// Keys of spheres from line 10 on.
+BadInput bad_spheres(const std::string& name, const std::string& keys,
+                     const std::vector<std::string>& fragments) {
+  return {name, "mean_speed = 1.0", "mean_speed = 1.0\n" + keys, {}, fragments};
+}
+
+const std::string kSpecies = "[[species]]\nname = 'steel'\n";
+const std::string kPair = kSpecies + "[[response.pairs]]\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Responses, RefusedInput,
+    testing::Values(
+        bad_response("UnknownLaw", "restitution = {law = 'viscous'}",
+                     {"gas.toml:12:22", "law is \"viscous\"", "viscoelastic"}),
+        bad_response("NoLaw", "restitution = {value = 1}", {"gas.toml:12:15", "'law' is missing"}),
+        bad_response("LawWithoutValue", "restitution = {law = 'viscoelastic', speed = 1}",
+                     {"gas.toml:12:15", "'value' is missing in restitution"}),
+        bad_response("ValueOfATable", "restitution = {law = 'tabulated', value = 1}",
+                     {"gas.toml:12:35", "'value' does not go with law"}),
+        bad_response("ViscoelasticAndSticky", "restitution = {law = 'viscoelastic', value = 0, speed = 1}",
+                     {"gas.toml:12:15", "a viscoelastic restitution of 0", "at least"}),
+        bad_response("SpeedsDecrease", "restitution = {law = 'tabulated', speeds = [1, 0], values = [1, 1]}",
+                     {"gas.toml:12:15", "speed 0 is out of order", "increase"}),
+        bad_response("FewerValues", "restitution = {law = 'tabulated', speeds = [1, 2], values = [1]}",
+                     {"gas.toml:12:61", "values has 1 entry", "each of the speeds"}),
+        bad_response("NoSpeeds", "restitution = {law = 'tabulated', speeds = [], values = []}",
+                     {"gas.toml:12:15", "is empty", "at least one"}),
+        bad_response("TooRough", "tangential_restitution = -1.5",
+                     {"gas.toml:12:26", "-1.5", "between -1 and 1"}),
+        bad_response("NegativeDuration", "contact_duration = -1",
+                     {"gas.toml:12:20", "-1", "zero or a positive"}),
+        bad_response("AllPass", "kind = 'pass'", {"gas.toml:12:8", "kind is \"pass\"", "\"merge\""}),
+        bad_response("PairsIsANumber", "pairs = 3", {"gas.toml:12:9", "an integer", "[[response.pairs]]"}),
+        bad_response("MeasuresOfMergingSpheres", "kind = 'merge'\n[measures]\nnames = ['pressure']",
+                     {"gas.toml:14:9", "spheres that merge", "names = []"}),
+        bad_tables("PairWithoutKind", kPair + "between = ['steel', 'steel']",
+                   {"gas.toml:13:1", "'kind' is missing in [[response.pairs]]"}),
+        bad_tables("PairOfUnknownSpecies", kPair + "kind = 'pass'\nbetween = ['steel', 'stel']",
+                   {"gas.toml:15:21", "no species \"stel\"", "\"steel\"?"}),
+        bad_tables("PairWithoutSpecies", "[[response.pairs]]\nkind = 'pass'\nbetween = ['a', 'b']",
+                   {"gas.toml:13:12", "no species \"a\"", "add [[species]]"}),
+        bad_tables("PairOfThree", kPair + "kind = 'pass'\nbetween = ['steel', 'steel', 'steel']",
+                   {"gas.toml:15:11", "3 entries", "two species"}),
+        bad_tables("PairOfWalls", kPair + "kind = 'bounce'\nbetween = ['wall', 'wall']",
+                   {"gas.toml:15:20", "no species \"wall\""}),
+        bad_tables("MergingWithWalls", kPair + "kind = 'merge'\nbetween = ['wall', 'steel']",
+                   {"gas.toml:15:11", "only bounce off walls", "\"bounce\""}),
+        bad_tables("RestitutionOfMerging",
+                   kPair + "kind = 'merge'\nbetween = ['steel', 'steel']\nrestitution = 1",
+                   {"gas.toml:16:1", "'restitution' does not go with kind"}),
+        bad_tables("PairWithANumber", kPair + "kind = 'merge'\nbetween = ['steel', 1]",
+                   {"gas.toml:15:21", "an integer", "a string"}),
+        bad_tables("SpeciesTwice", kSpecies + kSpecies,
+                   {"gas.toml:14:8", "two species \"steel\"", "another"}),
+        bad_tables("SpeciesNamedWall", "[[species]]\nname = 'wall'",
+                   {"gas.toml:12:8", "\"wall\"", "another"}),
+        bad_tables("SpeciesWithoutName", "[[species]]\nmoment = 1", {"gas.toml:11:1", "'name' is missing"}),
+        bad_tables("MomentIsZero", kSpecies + "moment = 0", {"gas.toml:13:10", "moment is 0", "positive"}),
+        bad_spheres("SpheresOfUnknownSpecies", "species = 'b'", {"gas.toml:10:11", "no species \"b\""}),
+        bad_spheres("KinematicWithMass", "mass = 1\nkinematic = true",
+                    {"gas.toml:10:8", "both mass and kinematic", "remove one"}),
+        bad_spheres("KinematicIsANumber", "kinematic = 1", {"gas.toml:10:13", "an integer", "true or false"}),
+        bad_spheres("TooFewSpins", "spins = [[0, 0, 1]]", {"gas.toml:10:9", "1 entry", "20 spheres"}),
+        bad_spheres("SpinsAndTemperature", "spins = [[0, 0, 1]]\nrotational_temperature = 1",
+                    {"gas.toml:10:9", "both rotational_temperature and spins"}),
+        bad_spheres("NegativeRotationalTemperature", "rotational_temperature = -1",
+                    {"gas.toml:10:26", "-1", "zero or a positive"}),
+        BadInput{"KinematicUnderGravity",
+                 "boundary = [\"wall\", \"wall\", \"wall\"]",
+                 "boundary = [\"wall\", \"wall\", \"wall\"]\ngravity = [0, 0, -1]",
+                 {"--set", "spheres.0.kinematic=true"},
+                 {"gas.toml:6:1", "does not fall", "remove gravity"}}),
+    name_of);
+
 // The keys of the wall begin in line 12.
 BadInput bad_wall(const std::string& name, const std::string& keys,
                   const std::vector<std::string>& fragments) {

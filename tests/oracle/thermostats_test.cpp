@@ -176,6 +176,10 @@ TEST_P(Thermostats, GiveOneHistoryWithResponses) {
   agree_on(support::make_responsive_world);
 }
 
+TEST_P(Thermostats, GiveOneHistoryInTwoDimensions) {
+  agree_on(support::make_flat_world);
+}
+
 INSTANTIATE_TEST_SUITE_P(Part, Thermostats, testing::Range<std::uint64_t>(0, kParts));
 
 }  // namespace
