@@ -200,5 +200,28 @@ TEST(ReversedVelocities, BringACrystalBack) {
       expect_to_return({.count = 500, .packing_fraction = 0.6, .seed = 15, .start = support::Start::fcc}));
 }
 
+// A row of two species, where like meets like with a restitution of one half, and unlike elastically.
+TEST(NewtonsCradle, WithATableOfPairsIsExact) {
+  ResponseTable table;
+  table.set(0, 0, Bounce({.restitution = ConstantRestitution{0.5}}));
+  World world(Box::open());
+  for (const SpeciesId i : std::initializer_list<SpeciesId>{0, 1, 2, 3}) {
+    world.add({.position = {3.0 * i, 0, 0},
+               .velocity = {i == 0 ? 1.0 : 0.0, 0, 0},
+               .radius = 0.5,
+               .species = static_cast<SpeciesId>(i == 1 ? 1 : 0)});
+  }
+  EngineOptions options;
+  options.responses = table;
+  Simulation simulation(world, options);
+  std::vector<double> times;
+  simulation.on_contact([&](const Contact& contact) { times.push_back(contact.time.value()); });
+  simulation.run_until(100);
+  EXPECT_EQ(times, (std::vector<double>{2, 4, 6}));
+  for (const auto& [id, speed] : {std::pair{0, 0.0}, {1, 0.0}, {2, 0.25}, {3, 0.75}}) {
+    EXPECT_EQ(simulation.velocity(static_cast<SphereId>(id)), (Vec3{speed, 0, 0}));
+  }
+}
+
 }  // namespace
 }  // namespace hardball

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/world/random.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"
 
@@ -47,6 +48,47 @@ TEST(RoughSpheres, ReachEquipartitionIfNoEnergyIsLost) {
   // At constant energy, a mean of 40 independent values with a relative deviation of sqrt(4 / (3 N)), 2.6%,
   // has one of 0.4%; four of them.
   EXPECT_NEAR(rotation / translation, 1, 0.016);
+}
+
+Vec3 angular_momentum(const Simulation& simulation) {
+  const World& world = simulation.world();
+  Vec3 sum;
+  world.for_each_by_id([&](Slot slot) {
+    const double radius = world.radius(slot);
+    sum += world.mass(slot) *
+           cross(world.unwrapped_position(slot, simulation.now()), world.velocity(slot, simulation.now()));
+    sum += (world.moment(slot) * world.mass(slot) * radius * radius) * world.spin(slot);
+  });
+  return sum;
+}
+
+// A cluster of spheres of all sizes, masses and moments that flies apart in open space.
+TEST(RoughSpheres, KeepAngularMomentumInOpenSpace) {
+  World world;
+  Random random(74);
+  for (int i = 0; i < 512; ++i) {
+    const Vec3 site{1.0 * (i % 8), 1.0 * (i / 8 % 8), 1.0 * (i / 64)};
+    const Vec3 velocity = random.normal_vector(kAxes);
+    const Vec3 spin = random.normal_vector(kAxes);
+    const double radius = 0.4 + 0.09 * random.uniform();
+    const double mass = 0.5 + random.uniform();
+    const double moment = 0.2 + 0.4 * random.uniform();
+    world.add({.position = site,
+               .velocity = velocity,
+               .radius = radius,
+               .mass = mass,
+               .spin = spin,
+               .moment = moment});
+  }
+  Simulation simulation(world,
+                        all_bounce({.restitution = ConstantRestitution{0.8}, .tangential_restitution = 0.3}));
+  const Vec3 before = angular_momentum(simulation);
+  const Vec3 momentum = simulation.world().momentum(simulation.now());
+  simulation.run_until(100);
+  EXPECT_GT(simulation.counters().collision, 1000U);
+  // Rounding of positions of up to 400 and of some 1e3 impulses.
+  EXPECT_LT(length(angular_momentum(simulation) - before), 1e-9);
+  EXPECT_LT(length(simulation.world().momentum(simulation.now()) - momentum), 1e-12);
 }
 
 // The stationary ratio of the temperatures of rotation and translation, R, of spheres with the reduced moment
