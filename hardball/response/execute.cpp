@@ -89,7 +89,8 @@ void undo_approach_of_spheres(Contact& contact) {
   contact.after = settled;
 }
 
-// What a contact tells of spins and species. Precondition: the spheres' masses are set.
+// What a contact tells of spins and species, and whether the spheres pass through each other. Precondition:
+// the spheres' masses are set.
 void describe_traits(const World& world, const Participants& participants, Contact& contact) {
   const bool is_collision = contact.is_collision();
   const Slot first = participants.first;
@@ -100,6 +101,7 @@ void describe_traits(const World& world, const Participants& participants, Conta
   contact.second_moment = is_collision ? world.moment(second) : kUniformSphereMoment;
   contact.first_species = world.species(first);
   contact.second_species = is_collision ? world.species(second) : SpeciesId{0};
+  if (is_collision && world.pass(first, second)) contact.fate = Fate::pass;
 }
 
 // What a contact tells of its wall, and the wall's velocity. Precondition: time and position are set.
@@ -175,9 +177,6 @@ void contact_at(const World& world, const Event& event, const Participants& part
   contact.fate = Fate::bounce;
   if (world.has_traits()) [[unlikely]]
     describe_traits(world, participants, contact);
-  if (world.has_passing_pairs() && contact.is_collision() &&
-      world.pass(participants.first, participants.second)) [[unlikely]]
-    contact.fate = Fate::pass;
   // Twice from registers: reading back what has just been written would stall.
   contact.before = before;
   contact.after = before;

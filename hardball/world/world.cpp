@@ -143,6 +143,7 @@ SphereId World::add(const Sphere& sphere, const Time& moment) {
   if (sphere.species != 0 && species_.empty()) species_.assign(size() - 1, 0);
   if (sphere.species != 0 || !species_.empty()) species_.push_back(sphere.species);
   if (std::isinf(sphere.mass)) ++kinematic_count_;
+  note_traits();
   return next_id_++;
 }
 
@@ -182,6 +183,13 @@ void World::check_spin(const Vec3& spin, const std::string& where) const {
   if (!box_.is_flat() || (spin.x == 0 && spin.y == 0)) return;
   throw Error("the spin is not along z in a box of two dimensions", where,
               "give (0, 0, w), or give the box three dimensions");
+}
+
+void World::note_traits() {
+  const bool have_moments =
+      size() > 0 && !(moments_.is_common() && moments_.common() == kUniformSphereMoment);
+  has_traits_ |=
+      have_moments || !spins_.empty() || !species_.empty() || !passing_.empty() || kinematic_count_ > 0;
 }
 
 void World::check_mass(double mass, const std::string& where) const {
@@ -268,6 +276,7 @@ void World::store_spin(Slot slot, const Vec3& spin) {
     spins_.assign(size(), Vec3{});
   }
   spins_[slot] = spin;
+  note_traits();
 }
 
 void World::reshape(Slot slot, double radius, double mass, double moment) {
@@ -283,10 +292,12 @@ void World::reshape(Slot slot, double radius, double mass, double moment) {
   radii_.set(slot, radius);
   masses_.set(slot, mass);
   moments_.set(slot, moment);
+  note_traits();
 }
 
 void World::let_pass(SpeciesId a, SpeciesId b) {
   if (!may_pass(a, b)) passing_.emplace_back(std::min(a, b), std::max(a, b));
+  note_traits();
 }
 
 bool World::may_pass(SpeciesId a, SpeciesId b) const {

@@ -110,8 +110,9 @@ class World {
   SpeciesId species(Slot slot) const { return species_.empty() ? SpeciesId{0} : species_[slot]; }
   /// Moment of inertia over mass and squared radius [1].
   double moment(Slot slot) const { return moments_[slot]; }
-  /// Whether any sphere has a spin, a species or a moment of its own.
-  bool has_traits() const { return !spins_.empty() || !species_.empty() || !moments_.is_common(); }
+  /// Whether a sphere has had a spin, a species or a moment of its own, or an infinite mass, or some pass
+  /// through each other: in one flag, as every contact asks.
+  bool has_traits() const { return has_traits_; }
   bool has_spins() const { return !spins_.empty(); }
   /// Whether contacts of some pairs do not deflect them: those let pass, and kinematic spheres.
   bool has_passing_pairs() const { return !passing_.empty() || kinematic_count_ > 1; }
@@ -194,6 +195,7 @@ class World {
  private:
   void check_spin(const Vec3& spin, const std::string& where) const;
   void check_in_plane(const Vec3& vector, const char* what, const std::string& where) const;
+  void note_traits();
   void check_mass(double mass, const std::string& where) const;
   void check_fits(double radius, std::size_t axis, const std::string& where) const;
   void sort_slots_by_id();
@@ -215,6 +217,7 @@ class World {
   std::vector<SpeciesId> species_;                        // none if all are zero
   std::vector<std::pair<SpeciesId, SpeciesId>> passing_;  // the lower species first
   std::size_t kinematic_count_ = 0;
+  bool has_traits_ = false;
   Event last_passage_{Time(-std::numeric_limits<double>::infinity()), EventKind::collision, 0, 0, {}};
 };
 

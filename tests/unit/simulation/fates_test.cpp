@@ -201,6 +201,23 @@ TEST_P(Fates, OfASphereHitByAKinematicOneIsExact) {
   EXPECT_EQ(simulation.velocity(1), (Vec3{4, 0, 0}));
 }
 
+// All spheres are shells: what all have in common counts, too.
+TEST_P(Fates, OfRoughSpheresDependsOnTheirMoments) {
+  for (const double moment : {0.4, 2.0 / 3}) {
+    World world(Box::open());
+    world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 0.5, .moment = moment});
+    world.add({.position = {3, 0.5, 0}, .radius = 0.5, .moment = moment});
+    EngineOptions options{.engine = GetParam()};
+    options.responses = ResponseTable(Bounce({.tangential_restitution = 1}));
+    Simulation simulation(world, options);
+    const double before = simulation.world().energy(simulation.now());
+    simulation.run_until(10);
+    EXPECT_EQ(simulation.counters().collision, 1U);
+    EXPECT_GT(length(simulation.world().spin(0)), 0.1);
+    EXPECT_NEAR(simulation.world().energy(simulation.now()), before, 1e-15);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Engine, Fates,
                          testing::Values(EngineKind::cells, EngineKind::neighbors, EngineKind::all_pairs,
                                          EngineKind::paper));
