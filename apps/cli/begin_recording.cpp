@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/begin_recording.hpp"
 
+#include <algorithm>
 #include <variant>
 
 namespace hardball::cli {
@@ -36,17 +37,27 @@ RecordedSurface recorded(const Surface& surface, double restitution) {
   return recorded;
 }
 
+// Whether contacts may turn spheres or merge them.
+bool needs_bodies(const Scenario& scenario) {
+  const auto is_rough = [](const BounceRules& rules) { return rules.tangential_restitution.has_value(); };
+  return scenario.has_merging() || is_rough(scenario.bounce) ||
+         std::ranges::any_of(scenario.pairs,
+                             [&](const PairDescription& pair) { return is_rough(pair.bounce); });
+}
+
 }  // namespace
 
 RecordingWriter begin_recording(const std::filesystem::path& path, const Scenario& scenario,
                                 const Simulation& simulation) {
   RecordingHeader header;
+  header.version = needs_bodies(scenario) ? 2 : 1;
   header.begin = simulation.time();
   header.until = scenario.until;
   header.cell_edge = simulation.cell_edges();
   header.name = std::filesystem::path(scenario.name).stem().string();
   header.restitution = scenario.restitution();
   header.gravity = scenario.gravity;
+  for (const SpeciesDescription& species : scenario.species) header.species_names.push_back(species.name);
   for (const Surface& surface : simulation.world().surfaces()) {
     header.surfaces.push_back(recorded(surface, scenario.restitution()));
   }

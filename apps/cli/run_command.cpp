@@ -93,8 +93,10 @@ ExitCode run(const Options& options) {
     files.emplace(*scenario.output_directory, scenario, simulation);
   }
   if (files && files->has_contacts()) {
-    simulation.on_contact([&files](const Contact& contact) { files->note(contact); });
-    simulation.on_velocity_change([&files](const VelocityChange& change) { files->note(change); });
+    const Simulation& observed = simulation;
+    simulation.on_contact([&](const Contact& contact) { files->note(contact, observed.world()); });
+    simulation.on_velocity_change(
+        [&](const VelocityChange& change) { files->note(change, observed.world()); });
   }
   // Measures are written to files.
   Measures measures(files ? scenario.measures : MeasureSettings{.names = {}});

@@ -93,13 +93,13 @@ void RunFiles::write_snapshot(const Simulation& simulation) {
   if (trajectory_) append_snapshot(*trajectory_, simulation.world(), simulation.now());
 }
 
-void RunFiles::note(const Contact& contact) {
+void RunFiles::note(const Contact& contact, const World& world) {
   if (events_) events_->append(contact);
-  if (recording_) recording_->note(contact);
+  if (recording_) recording_->note(contact, world);
 }
 
-void RunFiles::note(const VelocityChange& change) {
-  if (recording_) recording_->note(change);
+void RunFiles::note(const VelocityChange& change, const World& world) {
+  if (recording_) recording_->note(change, world);
 }
 
 void RunFiles::keep_current() {

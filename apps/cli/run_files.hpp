@@ -29,10 +29,10 @@ class RunFiles {
 
   /// Appends a frame at the current time, if there is a trajectory. Error (RunFailure): it cannot be written.
   void write_snapshot(const Simulation& simulation);
-  /// Appends to the event log and the recording, if there are any. Error (RunFailure): they cannot be
-  /// written.
-  void note(const Contact& contact);
-  void note(const VelocityChange& change);
+  /// Appends to the event log and the recording, if there are any; `world`: after the contact or change.
+  /// Error (RunFailure): they cannot be written.
+  void note(const Contact& contact, const World& world);
+  void note(const VelocityChange& change, const World& world);
   /// Makes the event log complete for readers, at most once a second, so that little is lost if the process
   /// is killed. Error (RunFailure): it cannot be written.
   void keep_current();

@@ -33,8 +33,9 @@ LiveRun::LiveRun(Simulation simulation, RecordingWriter writer, SharedRecording&
       recording_(&recording),
       until_(until),
       most_bytes_(most_bytes) {
-  simulation_.on_contact([this](const Contact& contact) { writer_.note(contact); });
-  simulation_.on_velocity_change([this](const VelocityChange& change) { writer_.note(change); });
+  simulation_.on_contact([this](const Contact& contact) { writer_.note(contact, simulation_.world()); });
+  simulation_.on_velocity_change(
+      [this](const VelocityChange& change) { writer_.note(change, simulation_.world()); });
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -58,7 +59,7 @@ void LiveRun::advance(const std::stop_token& stop) {
   // The keyframes of a slice's chunks take no more space than their contacts; the last step may be an action
   // of the thermostat on all spheres.
   const std::uint64_t most_bytes_of_slice =
-      2 * (kStepsPerSlice + simulation_.size()) * recording_format::kContactBytes + writer_.keyframe_bytes();
+      2 * (kStepsPerSlice + simulation_.size()) * writer_.contact_bytes() + writer_.keyframe_bytes();
   Clock::time_point next = begin_;
   while (!stop.stop_requested()) {
     if (writer_.bytes() + most_bytes_of_slice > most_bytes_) {
@@ -78,7 +79,8 @@ void LiveRun::advance(const std::stop_token& stop) {
 void LiveRun::publish() {
   const Counters counters = simulation_.counters();
   const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
-  progress_.collisions = counters.collision;
+  progress_.collisions = counters.collision - simulation_.tally().passes();
+  progress_.mergers = simulation_.tally().mergers();
   progress_.walls = counters.wall;
   progress_.rate = seconds > 0 ? static_cast<double>(counters.contacts()) / seconds : 0;
   progress_.hash = simulation_.event_log_hash();

@@ -44,7 +44,8 @@ RunProgress recorded_progress(const std::filesystem::path& recording, const std:
   RecordingReader reader(recording);
   for (std::size_t k = 0; k < reader.chunks().size(); ++k) {
     for (const RecordedContact& contact : reader.read(k).contacts) {
-      progress.collisions += contact.is_collision() ? 1U : 0U;
+      progress.collisions += contact.is_collision() && contact.fate != Fate::pass ? 1U : 0U;
+      progress.mergers += contact.fate == Fate::merge ? 1U : 0U;
       progress.walls += contact.is_wall() ? 1U : 0U;
     }
   }

@@ -54,7 +54,8 @@ RunProgress SharedRecording::progress() const {
 std::string SharedRecording::header_json() const {
   const std::string& text = reader_.header_text();
   const std::lock_guard lock(mutex_);
-  return text.substr(0, text.find_last_of('}')) + ", \"chunks\": " + to_text(reader_.chunks().size()) + "}";
+  return text.substr(0, text.find_last_of('}')) + ", \"version\": " + to_text(header().version) +
+         ", \"chunks\": " + to_text(reader_.chunks().size()) + "}";
 }
 
 std::string SharedRecording::status_json(std::uint64_t from) const {
@@ -70,6 +71,7 @@ std::string SharedRecording::status_json(std::uint64_t from) const {
   status["finished"] = progress_.is_finished;
   status["failed"] = or_null(progress_.failure);
   status["collisions"] = progress_.collisions;
+  status["mergers"] = progress_.mergers;
   status["walls"] = progress_.walls;
   status["rate"] = progress_.rate;
   status["event_log_hash"] = progress_.hash ? nlohmann::json(hash_text(*progress_.hash)) : nlohmann::json();

@@ -16,7 +16,8 @@ namespace hardball::viewer {
 struct RunProgress {
   bool is_finished = false;            ///< The run has ended.
   std::optional<std::string> failure;  ///< Why it ended early.
-  std::uint64_t collisions = 0;
+  std::uint64_t collisions = 0;        ///< Of spheres that did not pass through each other.
+  std::uint64_t mergers = 0;           ///< Those of them after which the spheres were one.
   std::uint64_t walls = 0;
   double rate = 0;                    ///< Contacts per second of wall-clock time.
   std::optional<std::uint64_t> hash;  ///< Of the event log.
@@ -38,7 +39,7 @@ class SharedRecording {
 
   RunProgress progress() const;
   const RecordingHeader& header() const { return reader_.header(); }
-  /// The recording's header and the number of chunks: one JSON object.
+  /// The recording's header and version, and the number of chunks: one JSON object.
   std::string header_json() const;
   /// The progress of the run, and the end times of the chunks from number `from` on: one JSON object.
   std::string status_json(std::uint64_t from) const;

@@ -25,6 +25,22 @@ Json json_vector(const Vec3& vector) {
   return {vector.x, vector.y, vector.z};
 }
 
+Json number_or_null(double number) {
+  return std::isnan(number) ? Json(nullptr) : Json(number);
+}
+
+// The species of all spheres as runs of ids: pairs of a species and how many follow each other.
+Json json_runs(const std::vector<SpeciesId>& species) {
+  Json runs = Json::array();
+  for (std::size_t begin = 0; begin < species.size();) {
+    std::size_t end = begin;
+    while (end < species.size() && species[end] == species[begin]) ++end;
+    runs.push_back({species[begin], end - begin});
+    begin = end;
+  }
+  return runs;
+}
+
 Json json_surface(const RecordedSurface& surface) {
   Json json;
   json["shape"] = kShapeNames[static_cast<std::size_t>(surface.shape)];
@@ -35,7 +51,7 @@ Json json_surface(const RecordedSurface& surface) {
   json["amplitude"] = surface.amplitude;
   json["frequency"] = surface.frequency;
   json["temperature"] = surface.temperature ? Json(*surface.temperature) : Json(nullptr);
-  json["restitution"] = surface.restitution;
+  json["restitution"] = number_or_null(surface.restitution);
   return json;
 }
 
@@ -60,6 +76,24 @@ class HeaderReader {
   double number(const Json& value) const {
     if (!value.is_number() || !std::isfinite(value.get<double>())) fail("a number is missing");
     return value.get<double>();
+  }
+
+  // NaN for null.
+  double number_if_any(const Json& value) const {
+    return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : number(value);
+  }
+
+  std::string text(const Json& value, const std::string& what) const {
+    if (!value.is_string()) fail("the " + what + " is not a string");
+    return value.get<std::string>();
+  }
+
+  std::size_t count(const Json& value, const std::string& what, double most) const {
+    const double count = number(value);
+    if (!(count >= 0 && count <= most) || count != std::floor(count)) {
+      fail("the " + what + " is " + to_text(count));
+    }
+    return static_cast<std::size_t>(count);
   }
 
   Vec3 vector(const Json& value) const {
@@ -97,9 +131,29 @@ class HeaderReader {
     read(value, "temperature", [&](const Json& entry) {
       if (!entry.is_null()) surface.temperature = number(entry);
     });
-    read(value, "restitution", [&](const Json& entry) { surface.restitution = number(entry); });
+    read(value, "restitution", [&](const Json& entry) { surface.restitution = number_if_any(entry); });
     check(surface);
     return surface;
+  }
+
+  // Takes names and species; there are header.spheres of the latter, or none.
+  void species(const Json& value, RecordingHeader& header) const {
+    read(value, "names", [&](const Json& names) {
+      if (!names.is_array()) fail("the names of species are not a list");
+      for (const Json& name : names) header.species_names.push_back(text(name, "name of a species"));
+    });
+    read(value, "runs", [&](const Json& runs) {
+      if (!runs.is_array()) fail("the runs of species are not a list");
+      for (const Json& run : runs) {
+        if (!run.is_array() || run.size() != 2) fail("a run of species is not a pair");
+        const auto species =
+            static_cast<SpeciesId>(count(run[0], "species", std::numeric_limits<SpeciesId>::max()));
+        const std::size_t left = header.spheres - header.species.size();
+        const std::size_t length = count(run[1], "length of a run of species", static_cast<double>(left));
+        header.species.insert(header.species.end(), length, species);
+      }
+      if (header.species.size() != header.spheres) fail("the runs of species do not name all spheres");
+    });
   }
 
   std::vector<RecordedSurface> surfaces(const Json& value) const {
@@ -136,7 +190,7 @@ class HeaderReader {
     if (surface.temperature && !(*surface.temperature >= 0)) {
       fail("the temperature is " + to_text(*surface.temperature));
     }
-    if (!(surface.restitution >= 0)) fail("the restitution is " + to_text(surface.restitution));
+    if (surface.restitution < 0) fail("the restitution is " + to_text(surface.restitution));
   }
 
   const std::string* where_;
@@ -161,10 +215,14 @@ std::string to_json(const RecordingHeader& header) {
   json["cell_edge"] = json_vector(header.cell_edge);
   json["cell_origin"] = json_vector(header.cell_origin);
   json["name"] = header.name;
-  json["restitution"] = header.restitution;
+  json["restitution"] = number_or_null(header.restitution);
   json["gravity"] = json_vector(header.gravity);
   json["surfaces"] = Json::array();
   for (const RecordedSurface& surface : header.surfaces) json["surfaces"].push_back(json_surface(surface));
+  if (!header.species.empty() || !header.species_names.empty()) {
+    json["species"]["names"] = header.species_names;
+    if (!header.species.empty()) json["species"]["runs"] = json_runs(header.species);
+  }
   // A file name may contain any bytes.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -174,11 +232,8 @@ RecordingHeader parse_recording_header(std::string_view json, const std::string&
   const Json object = Json::parse(json, nullptr, false);
   if (object.is_discarded()) in.fail("is not JSON");
   RecordingHeader header;
-  const double count = in.number(in.member(object, "spheres"));
-  if (!(count >= 0 && count < std::numeric_limits<SphereId>::max()) || count != std::floor(count)) {
-    in.fail("the number of spheres is " + to_text(count));
-  }
-  header.spheres = static_cast<std::size_t>(count);
+  header.spheres =
+      in.count(in.member(object, "spheres"), "number of spheres", std::numeric_limits<SphereId>::max() - 1.0);
   const Json& box = in.member(object, "box");
   header.box = Box(in.boundary(in.member(box, "boundary")), in.vector(in.member(box, "size")));
   in.read(object, "begin", [&](const Json& value) { header.begin = in.number(value); });
@@ -187,13 +242,11 @@ RecordingHeader parse_recording_header(std::string_view json, const std::string&
   });
   in.read(object, "cell_edge", [&](const Json& value) { header.cell_edge = in.vector(value); });
   in.read(object, "cell_origin", [&](const Json& value) { header.cell_origin = in.vector(value); });
-  in.read(object, "name", [&](const Json& value) {
-    if (!value.is_string()) in.fail("the name is not a string");
-    header.name = value.get<std::string>();
-  });
-  in.read(object, "restitution", [&](const Json& value) { header.restitution = in.number(value); });
+  in.read(object, "name", [&](const Json& value) { header.name = in.text(value, "name"); });
+  in.read(object, "restitution", [&](const Json& value) { header.restitution = in.number_if_any(value); });
   in.read(object, "gravity", [&](const Json& value) { header.gravity = in.vector(value); });
   in.read(object, "surfaces", [&](const Json& value) { header.surfaces = in.surfaces(value); });
+  in.read(object, "species", [&](const Json& value) { in.species(value, header); });
   return header;
 }
 
@@ -206,9 +259,40 @@ Vec3 RecordedPath::velocity_at(double moment, const Vec3& gravity) const {
   return velocity + (moment - time) * gravity;
 }
 
+// Source: the product of two quaternions, of which the first is the turn by angle |spin| duration.
+Orientation Orientation::turned(const Vec3& spin, double duration) const {
+  const double rate = length(spin);
+  if (rate == 0) return *this;
+  const double half = rate * duration / 2;
+  const Vec3 axis = (std::sin(half) / rate) * spin;
+  const double along = std::cos(half);
+  return {along * imaginary + real * axis + cross(axis, imaginary), along * real - dot(axis, imaginary)};
+}
+
 void RecordedContact::rewrite(std::vector<RecordedPath>& paths) const {
+  if (fate == Fate::pass) return;
   paths[first] = {first_position, first_velocity, time};
   if (is_collision()) paths[static_cast<std::size_t>(second)] = {second_position, second_velocity, time};
+}
+
+void RecordedContact::rewrite(std::vector<RecordedBody>& bodies,
+                              const std::vector<RecordedPath>& paths) const {
+  if (fate == Fate::pass) return;
+  const auto turn = [&](SphereId id, const Vec3& spin) {
+    bodies[id].orientation = bodies[id].orientation.turned(bodies[id].spin, time - paths[id].time);
+    bodies[id].spin = spin;
+  };
+  turn(first, first_spin);
+  if (!is_collision()) return;
+  const auto other = static_cast<SphereId>(second);
+  if (fate == Fate::merge) {
+    bodies[first].radius = merged.radius;
+    bodies[first].mass = merged.mass;
+    bodies[first].moment = merged.moment;
+    bodies[other] = {};
+  } else {
+    turn(other, second_spin);
+  }
 }
 
 std::vector<RecordedPath> RecordedChunk::paths_at(double time) const {
@@ -219,6 +303,18 @@ std::vector<RecordedPath> RecordedChunk::paths_at(double time) const {
     contact.rewrite(paths);
   }
   return paths;
+}
+
+std::vector<RecordedBody> RecordedChunk::bodies_at(double time) const {
+  HARDBALL_CHECK(begin <= time && time <= end);
+  std::vector<RecordedPath> paths = keyframe;
+  std::vector<RecordedBody> all = bodies;
+  for (const RecordedContact& contact : contacts) {
+    if (contact.time > time) break;
+    contact.rewrite(all, paths);
+    contact.rewrite(paths);
+  }
+  return all;
 }
 
 }  // namespace hardball

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -11,7 +12,9 @@
 
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/vec3.hpp"
+#include "hardball/response/contact.hpp"
 #include "hardball/world/box.hpp"
+#include "hardball/world/world.hpp"
 
 namespace hardball {
 
@@ -32,7 +35,7 @@ struct RecordedSurface {
   double amplitude = 0;                    ///< Of a plane's oscillation along its normal [L].
   double frequency = 0;                    ///< Of that oscillation: cycles per time [1/T].
   std::optional<double> temperature = {};  ///< kT [M L^2 T^-2] of a thermal surface.
-  double restitution = 1;                  ///< [1]
+  double restitution = 1;                  ///< [1]; NaN if it is not one number.
 
   friend bool operator==(const RecordedSurface&, const RecordedSurface&) = default;
 };
@@ -42,6 +45,8 @@ struct RecordedSurface {
 /// A recording is the whole history of a run in a file: where the spheres were at the start, and every
 /// contact with the motion after it. docs/recording.md describes the format.
 struct RecordingHeader {
+  /// Of the format: 1, or 2 where spheres may spin, merge or pass through each other.
+  int version = 1;
   std::size_t spheres = 0;  ///< How many; their ids are 0 to spheres - 1.
   Box box = {};
   double begin = 0;                  ///< [T]
@@ -49,12 +54,14 @@ struct RecordingHeader {
   Vec3 cell_edge = {};               ///< Edges of a cell [L]; zero if there are no cells.
   Vec3 cell_origin = {};             ///< A corner of a cell [L].
   std::string name = {};             ///< Of the scenario.
-  double restitution = 1;            ///< [1]
+  double restitution = 1;            ///< [1]; NaN if it is not one number.
   Vec3 gravity = {};                 ///< Acceleration of all spheres [L/T^2].
   std::vector<RecordedSurface> surfaces = {};
+  std::vector<std::string> species_names = {};  ///< By species; those without a name are missing.
+  std::vector<SpeciesId> species = {};          ///< By id; empty if all are zero.
 };
 
-/// One JSON object.
+/// One JSON object; the version is no part of it.
 std::string to_json(const RecordingHeader& header);
 
 /// The header described by a JSON object; unknown keys are ignored. `where` names the recording in messages.
@@ -75,6 +82,29 @@ struct RecordedPath {
   friend bool operator==(const RecordedPath&, const RecordedPath&) = default;
 };
 
+/// How a sphere is turned: a unit quaternion. Turned upright, a sphere is as it was at the start.
+struct Orientation {
+  Vec3 imaginary;   ///< [1]
+  double real = 1;  ///< [1]
+
+  /// After `duration` [T] with this spin [1/T].
+  Orientation turned(const Vec3& spin, double duration) const;
+
+  friend bool operator==(const Orientation&, const Orientation&) = default;
+};
+
+/// What a sphere is and how it turns, from a contact, or from the start, on.
+struct RecordedBody {
+  Vec3 spin = {};                        ///< Angular velocity [1/T].
+  Orientation orientation = {};          ///< When the sphere's path started.
+  double radius = 0;                     ///< [L]; zero once the sphere has become part of another.
+  double mass = 0;                       ///< [M]; infinite for a kinematic sphere.
+  double moment = kUniformSphereMoment;  ///< Of inertia, over mass and squared radius [1].
+
+  bool exists() const { return radius > 0; }
+  friend bool operator==(const RecordedBody&, const RecordedBody&) = default;
+};
+
 /// A collision, a contact with a surface, or a change of one sphere's velocity without a contact, and the
 /// motion after it.
 struct RecordedContact {
@@ -83,15 +113,30 @@ struct RecordedContact {
   /// The id of the other sphere; `first` where there is no contact; or -(k + 1) for surface k: 0 to 5 are the
   /// faces of the box (see Face), and 6 + i is surface i of the header.
   std::int32_t second = 0;
-  Vec3 first_position;   ///< Centre, folded into the box [L].
-  Vec3 first_velocity;   ///< [L/T]
-  Vec3 second_position;  ///< Zero unless it is a collision.
-  Vec3 second_velocity;  ///< Likewise.
+  Vec3 first_position = {};   ///< Centre, folded into the box [L].
+  Vec3 first_velocity = {};   ///< [L/T]
+  Vec3 second_position = {};  ///< Zero unless it is a collision.
+  Vec3 second_velocity = {};  ///< Likewise; zero if the spheres merge.
+  Fate fate = Fate::bounce;
+  Vec3 first_spin = {};   ///< [1/T]
+  Vec3 second_spin = {};  ///< Zero unless it is a collision; zero if the spheres merge.
+  /// The first sphere after a merger.
+  struct Merged {
+    double radius = 0;  ///< [L]
+    double mass = 0;    ///< [M]
+    double moment = 0;  ///< Of inertia, over mass and squared radius [1].
+
+    friend bool operator==(const Merged&, const Merged&) = default;
+  };
+  Merged merged = {};
 
   bool is_wall() const { return second < 0; }
+  /// Whether two spheres meet, even if they pass through each other.
   bool is_collision() const { return !is_wall() && static_cast<SphereId>(second) != first; }
   /// Sets the paths of the contact's spheres to those after it. `paths`: by id.
   void rewrite(std::vector<RecordedPath>& paths) const;
+  /// The same for bodies; `paths`: those before the contact.
+  void rewrite(std::vector<RecordedBody>& bodies, const std::vector<RecordedPath>& paths) const;
   friend bool operator==(const RecordedContact&, const RecordedContact&) = default;
 };
 
@@ -100,25 +145,38 @@ struct RecordedChunk {
   double begin = 0;                       ///< [T]
   double end = 0;                         ///< [T]
   std::vector<RecordedPath> keyframe;     ///< By id: the paths at `begin`, before any contact of the chunk.
+  std::vector<RecordedBody> bodies;       ///< By id: likewise.
   std::vector<RecordedContact> contacts;  ///< In order.
 
   /// By id: the paths after all contacts up to `time` [T]. Precondition: begin <= time <= end.
   std::vector<RecordedPath> paths_at(double time) const;
+  /// By id: the bodies likewise; that of a sphere that has become part of another does not exist.
+  std::vector<RecordedBody> bodies_at(double time) const;
 };
 
 /// The layout of the file, see docs/recording.md.
 namespace recording_format {
-inline constexpr std::string_view kMagic = "HBREC001";
+inline constexpr std::array<std::string_view, 2> kMagics{"HBREC001", "HBREC002"};  // by version, from 1 on
+inline constexpr std::uint64_t kMagicBytes = 8;
 inline constexpr std::uint32_t kChunkMagic = 0x4b4e4843;
 inline constexpr std::uint64_t kLengthBytes = 4;  // of the length of the header's text
 inline constexpr std::uint64_t kSphereBytes = 2 * 8;
 inline constexpr std::uint64_t kChunkHeaderBytes = 4 + 4 + 8 + 2 * 8;
 inline constexpr std::uint64_t kPathBytes = 7 * 8;
-inline constexpr std::uint64_t kContactBytes = 8 + 2 * 4 + 12 * 8;
+
+/// Length of what a keyframe says of a sphere, in bytes.
+inline constexpr std::uint64_t keyframe_bytes(int version) {
+  return version == 1 ? kPathBytes : kPathBytes + 10 * 8;
+}
+
+/// Length of a contact in bytes.
+inline constexpr std::uint64_t contact_bytes(int version) {
+  return version == 1 ? 8 + 2 * 4 + 12 * 8 : 8 + 4 * 4 + 18 * 8;
+}
 
 /// Length of a chunk in bytes. Precondition: both counts are below 2^32.
-inline constexpr std::uint64_t chunk_bytes(std::uint64_t spheres, std::uint64_t contacts) {
-  return kChunkHeaderBytes + kPathBytes * spheres + kContactBytes * contacts;
+inline constexpr std::uint64_t chunk_bytes(int version, std::uint64_t spheres, std::uint64_t contacts) {
+  return kChunkHeaderBytes + keyframe_bytes(version) * spheres + contact_bytes(version) * contacts;
 }
 }  // namespace recording_format
 

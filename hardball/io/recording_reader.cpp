@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/io/recording_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
@@ -34,6 +35,23 @@ class Numbers {
   const char* next_;
 };
 
+bool is_positive(double number) {
+  return number > 0 && std::isfinite(number);
+}
+
+// Kinematic spheres have infinite masses.
+bool is_mass(double number) {
+  return number > 0;
+}
+
+bool is_sound(const RecordedBody& body) {
+  const auto& [imaginary, real] = body.orientation;
+  const double square = dot(imaginary, imaginary) + real * real;
+  constexpr double kTolerance = 1e-6;  // of the square of a unit quaternion
+  const bool is_there = is_positive(body.radius) && is_mass(body.mass) && is_positive(body.moment);
+  return (is_there || body == RecordedBody{}) && std::fabs(square - 1) <= kTolerance;
+}
+
 bool is_finite(const Vec3& vector) {
   return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
@@ -47,27 +65,31 @@ RecordingReader::RecordingReader(const std::filesystem::path& path)
     throw Error("the file cannot be read", name_, "name a recording");
   }
   const std::uint64_t available = file_length();
-  const std::uint64_t text_begin = kMagic.size() + kLengthBytes;
+  const std::uint64_t text_begin = kMagicBytes + kLengthBytes;
   if (available < text_begin) refuse("is not a recording");
   const std::string start = read_bytes({0, text_begin});
-  if (!start.starts_with(kMagic)) refuse("is not a recording of a known version");
-  const std::uint64_t text_bytes = read_little_endian<std::uint32_t>(start.data() + kMagic.size());
+  const auto* const magic = std::ranges::find(kMagics, start.substr(0, kMagicBytes));
+  if (magic == kMagics.end()) refuse("is not a recording of a known version");
+  const std::uint64_t text_bytes = read_little_endian<std::uint32_t>(start.data() + kMagicBytes);
   spheres_.offset = text_begin + text_bytes;
   if (spheres_.offset > available) refuse("ends within its header");
   header_text_ = read_bytes({text_begin, text_bytes});
   header_ = parse_recording_header(header_text_, name_);
+  header_.version = static_cast<int>(magic - kMagics.begin()) + 1;
   spheres_.length = kSphereBytes * header_.spheres;
   if (spheres_.length > available - spheres_.offset) refuse("ends before its spheres");
   const std::string bytes = read_bytes(spheres_);
   Numbers numbers(bytes);
-  for (std::vector<double>* values : {&radii_, &masses_}) {
-    values->reserve(header_.spheres);
+  const auto read_all = [&](std::vector<double>& values, bool (*is_valid)(double)) {
+    values.reserve(header_.spheres);
     for (std::size_t id = 0; id < header_.spheres; ++id) {
       const auto value = numbers.take<double>();
-      if (!(value > 0) || !std::isfinite(value)) refuse("has a radius or a mass that is " + to_text(value));
-      values->push_back(value);
+      if (!is_valid(value)) refuse("has a radius or a mass that is " + to_text(value));
+      values.push_back(value);
     }
-  }
+  };
+  read_all(radii_, is_positive);
+  read_all(masses_, is_mass);
   length_ = spheres_.offset + spheres_.length;
   refresh();
 }
@@ -85,7 +107,7 @@ void RecordingReader::refresh() {
     chunk.bytes = {length_, numbers.take<std::uint64_t>()};
     chunk.begin = numbers.take<double>();
     chunk.end = numbers.take<double>();
-    if (chunk.bytes.length != chunk_bytes(header_.spheres, chunk.contacts)) {
+    if (chunk.bytes.length != chunk_bytes(header_.version, header_.spheres, chunk.contacts)) {
       refuse(which + " has a length that does not match its contacts");
     }
     if (chunk.begin != reached() || !(chunk.end >= chunk.begin) || !std::isfinite(chunk.end)) {
@@ -110,7 +132,8 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
   const std::string bytes =
       read_bytes({extent.bytes.offset + kChunkHeaderBytes, extent.bytes.length - kChunkHeaderBytes});
   Numbers numbers(bytes);
-  RecordedChunk recorded{extent.begin, extent.end, {}, {}};
+  RecordedChunk recorded{extent.begin, extent.end, {}, {}, {}};
+  const bool has_bodies = header_.version > 1;
   recorded.keyframe.reserve(header_.spheres);
   for (std::size_t id = 0; id < header_.spheres; ++id) {
     RecordedPath path;
@@ -121,6 +144,20 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
                   path.time <= extent.begin);
     recorded.keyframe.push_back(path);
   }
+  recorded.bodies.reserve(header_.spheres);
+  for (std::size_t id = 0; id < header_.spheres; ++id) {
+    RecordedBody body{.radius = radii_[id], .mass = masses_[id]};
+    if (has_bodies) {
+      body.spin = numbers.vector();
+      body.orientation.imaginary = numbers.vector();
+      body.orientation.real = numbers.take<double>();
+      body.radius = numbers.take<double>();
+      body.mass = numbers.take<double>();
+      body.moment = numbers.take<double>();
+      refuse_unless(is_finite(body.spin) && is_sound(body));
+    }
+    recorded.bodies.push_back(body);
+  }
   recorded.contacts.reserve(extent.contacts);
   double last = extent.begin;
   for (std::uint32_t k = 0; k < extent.contacts; ++k) {
@@ -128,16 +165,29 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
     contact.time = numbers.take<double>();
     contact.first = numbers.take<std::uint32_t>();
     contact.second = static_cast<std::int32_t>(numbers.take<std::uint32_t>());
+    const std::uint64_t fate = has_bodies ? numbers.take<std::uint64_t>() : 0;
+    refuse_unless(fate <= static_cast<std::uint64_t>(Fate::merge));
+    contact.fate = static_cast<Fate>(fate);
     contact.first_position = numbers.vector();
     contact.first_velocity = numbers.vector();
+    if (has_bodies) contact.first_spin = numbers.vector();
     contact.second_position = numbers.vector();
     contact.second_velocity = numbers.vector();
+    if (has_bodies) contact.second_spin = numbers.vector();
+    if (contact.fate == Fate::merge) {
+      const Vec3& values = contact.second_velocity;
+      refuse_unless(is_positive(values.x) && is_mass(values.y) && is_positive(values.z));
+      contact.merged = {values.x, values.y, values.z};
+      contact.second_velocity = {};
+    }
     refuse_unless(last <= contact.time && contact.time <= extent.end);
     refuse_unless(contact.first < header_.spheres);
     refuse_unless(contact.is_wall() ? static_cast<std::size_t>(~contact.second) < walls
                                     : static_cast<std::size_t>(contact.second) < header_.spheres);
+    refuse_unless(contact.fate == Fate::bounce || contact.is_collision());
     refuse_unless(is_finite(contact.first_position) && is_finite(contact.first_velocity) &&
-                  is_finite(contact.second_position) && is_finite(contact.second_velocity));
+                  is_finite(contact.second_position) && is_finite(contact.second_velocity) &&
+                  is_finite(contact.first_spin) && is_finite(contact.second_spin));
     last = contact.time;
     recorded.contacts.push_back(contact);
   }

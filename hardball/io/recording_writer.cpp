@@ -18,7 +18,7 @@ using namespace recording_format;
 // Contacts of a chunk: enough that keyframes take no more space than contacts, few enough that a chunk fits
 // into memory.
 constexpr std::size_t kLeastContacts = 1000;
-constexpr std::size_t kMostContacts = (std::size_t{64} << 20) / kContactBytes;
+constexpr std::size_t kMostContactBytes = std::size_t{64} << 20;
 
 void append(std::string& bytes, const Vec3& vector) {
   append_little_endian(bytes, vector.x);
@@ -32,23 +32,36 @@ void append(std::string& bytes, const RecordedPath& path) {
   append_little_endian(bytes, path.time);
 }
 
-void append(std::string& bytes, const RecordedContact& contact) {
+void append(std::string& bytes, const RecordedBody& body) {
+  append(bytes, body.spin);
+  append(bytes, body.orientation.imaginary);
+  append_little_endian(bytes, body.orientation.real);
+  append_little_endian(bytes, body.radius);
+  append_little_endian(bytes, body.mass);
+  append_little_endian(bytes, body.moment);
+}
+
+void append(std::string& bytes, const RecordedContact& contact, int version) {
   append_little_endian(bytes, contact.time);
   append_little_endian(bytes, contact.first);
   append_little_endian(bytes, static_cast<std::uint32_t>(contact.second));
+  if (version > 1) append_little_endian(bytes, static_cast<std::uint64_t>(contact.fate));
   append(bytes, contact.first_position);
   append(bytes, contact.first_velocity);
+  if (version > 1) append(bytes, contact.first_spin);
   append(bytes, contact.second_position);
-  append(bytes, contact.second_velocity);
+  const auto& [radius, mass, moment] = contact.merged;
+  append(bytes, contact.fate == Fate::merge ? Vec3{radius, mass, moment} : contact.second_velocity);
+  if (version > 1) append(bytes, contact.second_spin);
 }
 
-// Appends all values, using bounded memory.
-template <class Iterator>
-void append_all(OutputFile& file, Iterator begin, Iterator end) {
+// Appends all values, using bounded memory; `how` goes on to append().
+template <class Iterator, class... How>
+void append_all(OutputFile& file, Iterator begin, Iterator end, const How&... how) {
   constexpr std::size_t kBlockBytes = 1 << 16;
   std::string block;
   for (; begin != end; ++begin) {
-    append(block, *begin);
+    append(block, *begin, how...);
     if (block.size() < kBlockBytes) continue;
     file.append(block);
     block.clear();
@@ -56,12 +69,20 @@ void append_all(OutputFile& file, Iterator begin, Iterator end) {
   file.append(block);
 }
 
+// By id; none if all are zero.
+std::vector<SpeciesId> species_of(const World& world) {
+  std::vector<SpeciesId> species;
+  world.for_each_by_id([&](Slot slot) { species.push_back(world.species(slot)); });
+  if (std::ranges::all_of(species, [](SpeciesId id) { return id == 0; })) species.clear();
+  return species;
+}
+
 // The start of the file, up to the radii.
 std::string preamble(const RecordingHeader& header) {
   std::string text = to_json(header);
-  const std::size_t before = kMagic.size() + kLengthBytes;
+  const std::size_t before = kMagicBytes + kLengthBytes;
   while ((before + text.size()) % 8 != 0) text += ' ';
-  std::string bytes(kMagic);
+  std::string bytes(kMagics[static_cast<std::size_t>(header.version - 1)]);
   append_little_endian(bytes, static_cast<std::uint32_t>(text.size()));
   return bytes + text;
 }
@@ -70,10 +91,14 @@ std::string preamble(const RecordingHeader& header) {
 
 RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader header, const World& world)
     : file_(std::move(path)),
-      most_contacts_(std::clamp(world.size(), kLeastContacts, kMostContacts)),
+      version_(world.has_spins() || world.has_passing_pairs() ? 2 : header.version),
+      most_contacts_(std::clamp(world.size(), kLeastContacts, kMostContactBytes / contact_bytes())),
       begin_(header.begin) {
+  HARDBALL_CHECK(version_ == 1 || version_ == 2);
+  header.version = version_;
   header.spheres = world.size();
   header.box = world.box();
+  header.species = species_of(world);
   std::string bytes = preamble(header);
   std::string masses;
   keyframe_.reserve(world.size());
@@ -84,6 +109,8 @@ RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader hea
     }
     const Path& stored = world.path(slot);
     keyframe_.push_back({stored.position, stored.velocity, stored.time.value()});
+    if (version_ > 1)
+      bodies_.push_back({world.spin(slot), {}, world.radius(slot), world.mass(slot), world.moment(slot)});
     append_little_endian(bytes, world.radius(slot));
     append_little_endian(masses, world.mass(slot));
   });
@@ -101,25 +128,44 @@ RecordingWriter::~RecordingWriter() {
   }
 }
 
-void RecordingWriter::note(const Contact& contact) {
+void RecordingWriter::note(const Contact& contact, const World& world) {
   constexpr std::uint32_t kMostIds = std::numeric_limits<std::int32_t>::max();
   HARDBALL_CHECK(contact.first < keyframe_.size() && contact.first <= kMostIds && contact.second <= kMostIds);
   // -(k + 1) is the bitwise complement of the number k of a surface.
   const std::uint32_t second = contact.is_collision() ? contact.second : ~contact.second;
-  add({contact.time.value(), contact.first, static_cast<std::int32_t>(second), contact.position,
-       contact.after.first, contact.second_position, contact.is_collision() ? contact.after.second : Vec3{}});
+  RecordedContact recorded{contact.time.value(),
+                           contact.first,
+                           static_cast<std::int32_t>(second),
+                           contact.position,
+                           contact.after.first,
+                           contact.second_position,
+                           contact.is_collision() ? contact.after.second : Vec3{}};
+  if (version_ > 1) {
+    const Slot first = world.slot_of(contact.first);
+    recorded.fate = contact.fate;
+    recorded.first_spin = world.spin(first);
+    if (contact.fate == Fate::merge) {
+      recorded.first_position = world.path(first).position;
+      recorded.second_velocity = {};
+      recorded.merged = {world.radius(first), world.mass(first), world.moment(first)};
+    } else if (contact.is_collision()) {
+      recorded.second_spin = world.spin(world.slot_of(contact.second));
+    }
+  }
+  HARDBALL_CHECK(version_ > 1 || contact.fate != Fate::merge);
+  add(recorded);
 }
 
-void RecordingWriter::note(const VelocityChange& change) {
+void RecordingWriter::note(const VelocityChange& change, const World& world) {
   constexpr std::uint32_t kMostIds = std::numeric_limits<std::int32_t>::max();
   HARDBALL_CHECK(change.sphere < keyframe_.size() && change.sphere <= kMostIds);
-  add({change.time.value(),
-       change.sphere,
-       static_cast<std::int32_t>(change.sphere),
-       change.position,
-       change.after,
-       {},
-       {}});
+  RecordedContact recorded{.time = change.time.value(),
+                           .first = change.sphere,
+                           .second = static_cast<std::int32_t>(change.sphere),
+                           .first_position = change.position,
+                           .first_velocity = change.after};
+  if (version_ > 1) recorded.first_spin = world.spin(world.slot_of(change.sphere));
+  add(recorded);
 }
 
 void RecordingWriter::add(const RecordedContact& contact) {
@@ -144,12 +190,12 @@ void RecordingWriter::close(double time) {
 }
 
 std::uint64_t RecordingWriter::bytes() const {
-  return written_ + chunk_bytes(keyframe_.size(), contacts_.size());
+  return written_ + chunk_bytes(version_, keyframe_.size(), contacts_.size());
 }
 
 // Writes the first contacts of the open chunk as a chunk ending at `end`; the rest stay open.
 void RecordingWriter::write_chunk(std::size_t contacts, double end) {
-  const std::uint64_t length = chunk_bytes(keyframe_.size(), contacts);
+  const std::uint64_t length = chunk_bytes(version_, keyframe_.size(), contacts);
   std::string header;
   append_little_endian(header, kChunkMagic);
   append_little_endian(header, static_cast<std::uint32_t>(contacts));
@@ -159,11 +205,15 @@ void RecordingWriter::write_chunk(std::size_t contacts, double end) {
   const auto behind = contacts_.begin() + static_cast<std::ptrdiff_t>(contacts);
   file_.append(header);
   append_all(file_, keyframe_.begin(), keyframe_.end());
-  append_all(file_, contacts_.begin(), behind);
+  append_all(file_, bodies_.begin(), bodies_.end());
+  append_all(file_, contacts_.begin(), behind, version_);
   file_.flush_complete();
   written_ += length;
   has_chunks_ = true;
-  for (auto contact = contacts_.begin(); contact != behind; ++contact) contact->rewrite(keyframe_);
+  for (auto contact = contacts_.begin(); contact != behind; ++contact) {
+    if (version_ > 1) contact->rewrite(bodies_, keyframe_);
+    contact->rewrite(keyframe_);
+  }
   contacts_.erase(contacts_.begin(), behind);
   begin_ = end;
 }

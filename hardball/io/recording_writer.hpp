@@ -19,18 +19,22 @@ namespace hardball {
 ///
 /// The file always ends with a complete chunk. A chunk is closed when it holds as many contacts as there are
 /// spheres, or 1000 if that is more, or 64 MB of them; at flush(); and at close(). Contacts at the same time
-/// are never split between chunks. Memory: 56 bytes per sphere, and 112 per contact of the open chunk.
+/// are never split between chunks. Memory: 56 bytes per sphere, and
+/// 200 per contact of the open chunk; in version 2 also 88 per sphere.
 class RecordingWriter {
  public:
-  /// Creates the file and records the spheres of `world`, whose number and box replace those of `header`.
+  /// Creates the file and records the spheres of `world`, whose number, box and species replace those of
+  /// `header`. Version 2 must be chosen where contacts may turn spheres or merge them; where spheres spin or
+  /// may pass through each other, it is.
   /// Precondition: no contact has happened since header.begin, nor lies between the stored paths and it.
   /// Error: the file cannot be opened for writing; a sphere has been removed from the world.
   RecordingWriter(std::filesystem::path path, RecordingHeader header, const World& world);
 
-  /// Precondition: all contacts and changes are noted, in order; no sphere is added or removed. Error
-  /// (RunFailure): the file cannot be written.
-  void note(const Contact& contact);
-  void note(const VelocityChange& change);
+  /// `world`: after the contact or change. Precondition: all contacts and changes are noted, in order; no
+  /// sphere is added or removed but by a merger, which version 1 cannot record. Error (RunFailure): the file
+  /// cannot be written.
+  void note(const Contact& contact, const World& world);
+  void note(const VelocityChange& change, const World& world);
 
   /// Closes the chunk and hands it to the operating system, so that readers see it. Contacts at the time of
   /// the last one are kept for the next chunk, since others may follow at the same time. Error (RunFailure):
@@ -49,18 +53,24 @@ class RecordingWriter {
   /// Length of the file if the chunk were closed now.
   std::uint64_t bytes() const;
   /// Length of a chunk without contacts.
-  std::uint64_t keyframe_bytes() const { return recording_format::chunk_bytes(keyframe_.size(), 0); }
+  std::uint64_t keyframe_bytes() const {
+    return recording_format::chunk_bytes(version_, keyframe_.size(), 0);
+  }
+  /// Length of a contact.
+  std::uint64_t contact_bytes() const { return recording_format::contact_bytes(version_); }
 
  private:
   void add(const RecordedContact& contact);
   void write_chunk(std::size_t contacts, double end);
 
   OutputFile file_;
+  int version_;
   std::uint64_t written_ = 0;
   std::size_t most_contacts_;  // of a chunk, unless they are at one time
   bool has_chunks_ = false;
   double begin_;                           // of the open chunk
   std::vector<RecordedPath> keyframe_;     // of the open chunk
+  std::vector<RecordedBody> bodies_;       // likewise; none in version 1
   std::vector<RecordedContact> contacts_;  // of the open chunk, so far
 };
 

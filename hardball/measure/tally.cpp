@@ -45,6 +45,8 @@ void Tally::note(const Contact& contact) {
     ++collisions_;
     energy_ += gain(contact.first_mass, contact.before.first, contact.after.first) +
                gain(contact.second_mass, contact.before.second, contact.after.second);
+    if (contact.fate == Fate::merge) ++mergers_;
+    if (contact.fate == Fate::pass) ++passes_;
     if (contact.fate != Fate::bounce) return;
     max_overlap_ = std::max(max_overlap_, contact.overlap());
     virial_ -= dot(contact.impulse(), contact.separation);

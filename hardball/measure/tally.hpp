@@ -31,6 +31,10 @@ class Tally {
   /// The time of the last contact or edit, or of the start.
   const Time& last_change() const { return last_; }
   std::uint64_t collisions() const { return collisions_; }
+  /// Those of them after which the two spheres were one.
+  std::uint64_t mergers() const { return mergers_; }
+  /// Those of them in which the two passed through each other.
+  std::uint64_t passes() const { return passes_; }
   std::uint64_t wall_contacts() const { return wall_contacts_; }
   /// Energy at the start, see World::energy [M L^2 T^-2].
   double initial_energy() const { return initial_energy_; }
@@ -68,6 +72,8 @@ class Tally {
   double initial_energy_ = 0;
   double energy_integral_ = 0;
   std::uint64_t collisions_ = 0;
+  std::uint64_t mergers_ = 0;
+  std::uint64_t passes_ = 0;
   std::uint64_t wall_contacts_ = 0;
   double max_overlap_ = 0;
   double virial_ = 0;

@@ -46,7 +46,7 @@ Contact contact_at_time(double time) {
 Simulation record(const std::filesystem::path& path, World world, double until) {
   Simulation simulation(std::move(world));
   RecordingWriter writer(path, {.until = until, .name = "test"}, simulation.world());
-  simulation.on_contact([&](const Contact& contact) { writer.note(contact); });
+  simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
   simulation.run_until(until);
   writer.close(until);
   simulation.on_contact({});
@@ -152,7 +152,7 @@ TEST(Recording, NumbersSurfacesAfterTheFacesOfTheBox) {
     contact.first = 1;
     contact.second = surface;
     contact.after.first = {1, 2, 3};
-    writer.note(contact);
+    writer.note(contact, make_mixture());
     writer.close(2);
   };
   record_contact_with(9);
@@ -180,7 +180,7 @@ TEST(Recording, ContainsEveryContactInOrder) {
   {
     RecordingWriter writer(folder / "recording.hbr", {}, simulation.world());
     simulation.on_contact([&](const Contact& contact) {
-      writer.note(contact);
+      writer.note(contact, simulation.world());
       noted.push_back(contact);
     });
     simulation.run_until(40);
@@ -271,8 +271,8 @@ TEST(Recording, ContactsAtOneTimeAreNotSplit) {
   const ScratchFolder folder;
   {
     RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
-    for (int k = 0; k < 1500; ++k) writer.note(contact_at_time(1));
-    for (int k = 0; k < 10; ++k) writer.note(contact_at_time(2));
+    for (int k = 0; k < 1500; ++k) writer.note(contact_at_time(1), make_mixture());
+    for (int k = 0; k < 10; ++k) writer.note(contact_at_time(2), make_mixture());
     writer.close(3);
   }
   const RecordingReader reader(folder / "recording.hbr");
@@ -290,7 +290,7 @@ TEST(Recording, FlushLetsReadersSeeWhatIsSurelyComplete) {
   RecordingReader reader(folder / "recording.hbr");
   EXPECT_TRUE(reader.chunks().empty());
   EXPECT_EQ(reader.reached(), 0);
-  for (const double time : {1.0, 2.0, 3.0, 3.0}) writer.note(contact_at_time(time));
+  for (const double time : {1.0, 2.0, 3.0, 3.0}) writer.note(contact_at_time(time), make_mixture());
   reader.refresh();
   EXPECT_TRUE(reader.chunks().empty());
   writer.flush();
@@ -301,7 +301,7 @@ TEST(Recording, FlushLetsReadersSeeWhatIsSurelyComplete) {
   writer.flush();
   reader.refresh();
   EXPECT_EQ(reader.chunks().size(), 1U);
-  writer.note(contact_at_time(3));
+  writer.note(contact_at_time(3), make_mixture());
   writer.close(3.5);
   reader.refresh();
   ASSERT_EQ(reader.chunks().size(), 2U);
@@ -313,7 +313,7 @@ TEST(Recording, FlushLetsReadersSeeWhatIsSurelyComplete) {
 TEST(Recording, PredictsItsLength) {
   const ScratchFolder folder;
   RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
-  for (const double time : {1.0, 2.0, 3.0}) writer.note(contact_at_time(time));
+  for (const double time : {1.0, 2.0, 3.0}) writer.note(contact_at_time(time), make_mixture());
   const std::uint64_t bytes = writer.bytes();
   writer.close(4);
   EXPECT_EQ(std::filesystem::file_size(folder / "recording.hbr"), bytes);
@@ -323,7 +323,7 @@ TEST(Recording, WhatWasNotClosedEndsAtTheLastContact) {
   const ScratchFolder folder;
   {
     RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
-    for (const double time : {1.0, 2.0, 3.0}) writer.note(contact_at_time(time));
+    for (const double time : {1.0, 2.0, 3.0}) writer.note(contact_at_time(time), make_mixture());
   }
   const RecordingReader reader(folder / "recording.hbr");
   EXPECT_EQ(reader.reached(), 3);
@@ -349,7 +349,7 @@ TEST(Recording, NeedsIdsWithoutGaps) {
 std::string small_recording(const ScratchFolder& folder) {
   Simulation simulation(make_mixture());
   RecordingWriter writer(folder / "small.hbr", {.until = 30, .name = "small"}, simulation.world());
-  simulation.on_contact([&](const Contact& contact) { writer.note(contact); });
+  simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
   simulation.run_until(2);
   writer.flush();
   simulation.run_until(4);
@@ -407,7 +407,7 @@ TEST(Recording, RefusesWhatNoRunCanProduce) {
   const std::string bytes = small_recording(folder);
   const RecordingReader whole(folder / "small.hbr");
   const std::size_t chunk = whole.chunks()[0].bytes.offset;
-  const std::size_t contact = bytes.size() - recording_format::kContactBytes;
+  const std::size_t contact = bytes.size() - recording_format::contact_bytes(1);
   const auto with = [&](std::size_t at, const std::string& replacement) {
     std::string changed = bytes;
     changed.replace(at, replacement.size(), replacement);
@@ -415,7 +415,7 @@ TEST(Recording, RefusesWhatNoRunCanProduce) {
   };
   const std::string nan = "\xff\xff\xff\xff\xff\xff\xff\xff";
   ASSERT_TRUE(is_read(folder, bytes));
-  EXPECT_FALSE(is_read(folder, with(0, "HBREC002")));
+  EXPECT_FALSE(is_read(folder, with(0, "HBREC003")));
   EXPECT_FALSE(is_read(folder, with(8, "\xff\xff\xff\xff")));
   EXPECT_FALSE(is_read(folder, with(whole.spheres().offset, nan)));
   EXPECT_FALSE(is_read(folder, with(chunk, "CHUM")));

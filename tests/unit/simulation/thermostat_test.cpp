@@ -240,10 +240,10 @@ TEST(SimulationWithThermostat, IsRecorded) {
   {
     RecordingWriter writer(path, {.name = "test"}, simulation.world());
     simulation.on_contact([&](const Contact& contact) {
-      writer.note(contact);
+      writer.note(contact, simulation.world());
       ++contacts;
     });
-    simulation.on_velocity_change([&](const VelocityChange& change) { writer.note(change); });
+    simulation.on_velocity_change([&](const VelocityChange& change) { writer.note(change, simulation.world()); });
     simulation.run_until(20);
     simulation.change_velocity(4, {3, 0, 0});
     simulation.run_until(40);

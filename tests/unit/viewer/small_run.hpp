@@ -33,7 +33,7 @@ inline constexpr std::uint64_t kNoLimit = std::numeric_limits<std::int64_t>::max
 inline std::uint64_t record(const std::filesystem::path& path, World world, double until) {
   Simulation simulation(std::move(world));
   RecordingWriter writer(path, {.until = until, .name = "gas"}, simulation.world());
-  simulation.on_contact([&](const Contact& contact) { writer.note(contact); });
+  simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
   simulation.run_until(until);
   writer.close(until);
   return simulation.event_log_hash();
@@ -44,7 +44,7 @@ inline void make_huge_recording(const std::filesystem::path& path) {
   constexpr std::uint32_t kContacts = 2'000'000;
   record(path, support::make_gas({.count = 2, .packing_fraction = 0.01}), 0);
   const std::uint64_t chunk = RecordingReader(path).chunks().at(0).bytes.offset;
-  const std::uint64_t length = recording_format::chunk_bytes(2, kContacts);
+  const std::uint64_t length = recording_format::chunk_bytes(1, 2, kContacts);
   std::string counts;
   append_little_endian(counts, kContacts);
   append_little_endian(counts, length);
