@@ -153,11 +153,16 @@ function dot(a, b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/** The bytes of a recording; `chunks`: a list of {begin, end, keyframe, contacts}. */
+/**
+ * The bytes of a recording; `chunks`: a list of {begin, end, keyframe, contacts}. Where they also have `bodies`, and
+ * contacts a `fate`, it is of version 2.
+ */
 export function writeRecording(header, radii, masses, chunks) {
   let text = JSON.stringify(header);
   while ((12 + text.length) % 8 !== 0) text += ' ';
-  const lengths = chunks.map(({ contacts }) => 32 + 56 * radii.length + 112 * contacts.length);
+  const hasBodies = chunks.some(({ bodies }) => bodies !== undefined);
+  const [ofSphere, ofContact] = hasBodies ? [136, 168] : [56, 112];
+  const lengths = chunks.map(({ contacts }) => 32 + ofSphere * radii.length + ofContact * contacts.length);
   const bytes = new ArrayBuffer(
     12 + text.length + 16 * radii.length + lengths.reduce((sum, length) => sum + length, 0),
   );
@@ -166,20 +171,21 @@ export function writeRecording(header, radii, masses, chunks) {
   const letters = (word) => [...word].forEach((letter) => view.setUint8(offset++, letter.charCodeAt(0)));
   const number = (value) => (view.setFloat64(offset, value, true), (offset += 8));
   const integer = (value) => (view.setUint32(offset, value >>> 0, true), (offset += 4));
-  letters('HBREC001');
+  letters(hasBodies ? 'HBREC002' : 'HBREC001');
   integer(text.length);
   letters(text);
   [...radii, ...masses].forEach(number);
-  chunks.forEach(({ begin, end, keyframe, contacts }, k) => {
+  chunks.forEach(({ begin, end, keyframe, bodies = [], contacts }, k) => {
     integer(0x4b4e4843);
     integer(contacts.length);
     view.setBigUint64(offset, BigInt(lengths[k]), true);
     offset += 8;
-    [begin, end, ...keyframe].forEach(number);
-    for (const { time, first, second, numbers } of contacts) {
+    [begin, end, ...keyframe, ...bodies].forEach(number);
+    for (const { time, first, second, fate, numbers } of contacts) {
       number(time);
       integer(first);
       integer(second);
+      if (hasBodies) [fate, 0].forEach(integer);
       numbers.forEach(number);
     }
   });

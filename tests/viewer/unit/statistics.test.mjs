@@ -8,7 +8,7 @@ import { summarize } from '../../../apps/viewer/page/src/statistics/chunk_summar
 import { Sizes } from '../../../apps/viewer/page/src/statistics/sizes.js';
 import {
   density,
-  findSpecies,
+  findKinds,
   maxwellDensity,
   quantile,
   roundUp,
@@ -59,13 +59,31 @@ test("Maxwell's density has the area one and the mean square of its temperature"
   assertNear(squares, (3 * 2 * (30 / 1 + 10 / 4)) / 40, 1e-5);
 });
 
+test("Maxwell's density in two dimensions has the area one and the mean square of its temperature", () => {
+  const species = [
+    { mass: 1, count: 30 },
+    { mass: 4, count: 10 },
+    { mass: Infinity, count: 5 },
+  ];
+  let area = 0;
+  let squares = 0;
+  for (let k = 0; k < 20000; ++k) {
+    const speed = (k + 0.5) * 1e-3;
+    const share = maxwellDensity(speed, species, 2, 2) * 1e-3;
+    area += share;
+    squares += share * speed ** 2;
+  }
+  assertNear(area, 1, 1e-6);
+  assertNear(squares, (2 * 2 * (30 / 1 + 10 / 4)) / 40, 1e-5);
+});
+
 test('a density sums to the share of values below its end', () => {
   const shares = density([0.1, 0.2, 1.5, 2.5], 2, 4);
   assert.deepEqual([...shares], [1, 0, 0, 0.5]);
 });
 
 test('spheres of equal radius and mass are one species', () => {
-  const { of, list } = findSpecies([1, 2, 1, 1], [1, 1, 1, 3]);
+  const { of, list } = findKinds([1, 2, 1, 1], [1, 1, 1, 3]);
   assert.deepEqual([...of], [0, 1, 0, 2]);
   assert.deepEqual(
     list.map(({ count }) => count),

@@ -166,7 +166,8 @@ test('a cylinder ends where the box does', () => {
 });
 
 test('all surfaces are in the extent of open space', () => {
-  const playback = { paths: new Float64Array([0, 0, 5, 0, 0, 0, 0]), spheres: 1, time: 2 };
+  const bodies = { radii: [1] };
+  const playback = { paths: new Float64Array([0, 0, 5, 0, 0, 0, 0]), spheres: 1, time: 2, bodies };
   const surfaces = readSurfaces({
     surfaces: [
       { shape: 'plane', point: [7, 7, 0], direction: [0, 0, 1], amplitude: 0.5, frequency: 1 },

@@ -31,6 +31,10 @@ export function createApi(viewer) {
     screenPosition: (id) => onPage(view, viewer.center(id)),
     /** Where on the page `place`, three numbers [L], is drawn; as screenPosition. */
     screenPlace: (place) => onPage(view, place),
+    /** The radius of sphere `id` now [L]; zero once it is part of another. */
+    radius: (id) => viewer.bodies.radii[id],
+    /** The orientation of sphere `id` now: a quaternion, its real part last. */
+    orientation: (id) => viewer.orientation(id),
     /** Follows sphere `id`, or none if it is null. */
     follow: (id) => viewer.follow(id),
     /** Draws in quality `name`: "full", "reduced", "points" or "coarse". */

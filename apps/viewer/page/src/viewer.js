@@ -26,7 +26,7 @@ import { Surroundings } from './scene/surroundings.js';
 import { Trail } from './scene/trail.js';
 import { View } from './scene/view.js';
 import { Sizes } from './statistics/sizes.js';
-import { findSpecies, quantile, roundUp } from './statistics/speeds.js';
+import { findKinds, quantile, readSpecies, roundUp } from './statistics/speeds.js';
 
 const kFewEnoughForFlashes = 3000; // spheres; with more, contacts would hide everything else
 const kFlashSeconds = 0.6; // how long a flash lasts while playing
@@ -59,21 +59,27 @@ export class Viewer {
     });
     this.player = new Player(source, this.store);
     this.playback = this.player.playback;
-    this.species = findSpecies(radii, masses);
+    this.bodies = this.playback.bodies;
+    /** Whether spheres may spin, merge, and pass through each other. */
+    this.canTurn = header.version > 1;
+    /** The species that the recording names, or null. */
+    this.species = readSpecies(header);
+    this.kinds = this.species ?? findKinds(radii, masses);
     this.sizes = new Sizes(radii);
     this.largestRadius = this.sizes.largest;
 
     this.view = new View(element('canvas'), this.box, upwardOf(this.box.gravity));
-    this.spheres = new Spheres(radii, this.species.of, this.box);
-    this.flashes = new EventFlashes(radii, this.box, this.surfaces);
+    this.spheres = new Spheres(this.bodies, this.kinds.of, this.box, this.canTurn);
+    this.flashes = new EventFlashes(this.bodies.radii, this.box, this.surfaces);
     this.trail = new Trail(this.box);
-    this.cellLayer = new CellLayer(radii, this.box);
-    this.surroundings = new Surroundings(this.surfaces, radii, this.box, this.spheres, this.largestRadius);
+    this.cellLayer = new CellLayer(this.bodies.radii, this.box);
+    const { radii: radiiNow } = this.bodies;
+    this.surroundings = new Surroundings(this.surfaces, radiiNow, this.box, this.spheres, this.largestRadius);
     for (const { object } of [this.spheres, this.flashes, this.trail, this.cellLayer, this.surroundings])
       this.view.scene.add(object);
 
     this.notices = new Notices();
-    this.plots = new Plots(source, this.player, this.species.list, this.box, this.surfaces);
+    this.plots = new Plots(source, this.player, this.box, this.surfaces);
     this.legend = new ColorLegend();
     this.transport = new Transport(this);
     this.spherePanel = new SpherePanel(this);
@@ -91,10 +97,12 @@ export class Viewer {
     this.style();
     this.setColorBy(this.firstColoring());
     showSurfaceLegend(this.surfaces, this.surroundings.layer.colors);
+    this.legend.showKinematic(masses.filter((mass) => mass === Infinity).length);
+    element('spin-label').hidden = !this.canTurn;
     element('walls-label').hidden = this.surfaces.length === 0;
     element('images-label').hidden = !this.surroundings.images.isPeriodic;
     element('surroundings').hidden = this.surfaces.length === 0 && !this.surroundings.images.isPeriodic;
-    showEventLegend(header.box.boundary.includes('wall') || this.surfaces.length > 0);
+    showEventLegend(header.box.boundary.includes('wall') || this.surfaces.length > 0, this.canTurn);
   }
 
   /** Starts the animation. */
@@ -178,7 +186,7 @@ export class Viewer {
   setColorBy(name) {
     element('color-by').value = name;
     this.spheres.uniforms.colorBy.value = kColorBy.indexOf(name);
-    if (name === 'species') this.legend.showSpecies(this.species.list);
+    if (name === 'species') this.showSpecies();
     this.colorBy = name;
     this.view.isStale = true;
     if (this.scales) this.updateColors();
@@ -200,6 +208,11 @@ export class Viewer {
   /** Velocity of sphere `id` at the time shown [L/T]. */
   velocity(id) {
     return readVelocity(this.playback.paths, kPathNumbers * id, this.playback.time, this.box, [0, 0, 0]);
+  }
+
+  /** The orientation of sphere `id` at the time shown: a quaternion, its real part last. */
+  orientation(id) {
+    return this.bodies.orientation(id, this.playback.time - this.playback.paths[kPathNumbers * id + 6]);
   }
 
   /** Center of sphere `id` at `time` [T], folded into the box [L]. Error: the chunk cannot be loaded. */
@@ -263,6 +276,7 @@ export class Viewer {
     this.spheres.update(this.playback);
     const [walls, images] = [element('show-walls').checked, element('show-images').checked];
     this.surroundings.update(this.playback, { walls, images });
+    uniforms.hasMarks.value = this.canTurn && element('show-spin').checked;
     uniforms.leastPixels.value = this.sizes.leastPixels * this.view.pixelRatio;
     if (followed >= 0) {
       const center = this.center(followed);
@@ -278,6 +292,7 @@ export class Viewer {
     for (const { pixels } of [uniforms, this.flashes.rings.uniforms, this.trail.rings.uniforms])
       pixels.value = this.view.pixels;
     this.view.prepare(uniforms.haze.value);
+    uniforms.fromCamera.value.setFromMatrix4(this.view.camera.matrixWorld);
     this.view.render();
   }
 
@@ -296,7 +311,7 @@ export class Viewer {
       playback.time,
       this.next?.time ?? known,
       center,
-      this.source.radii[followed],
+      this.bodies.radii[followed],
     );
   }
 
@@ -313,11 +328,13 @@ export class Viewer {
 
   updateColors() {
     const range = this.spheres.uniforms.colorRange.value;
-    if (this.colorBy === 'species') return;
+    this.measureBodies();
+    if (this.colorBy === 'species') return this.showSpecies();
     if (this.colorBy === 'speed') range.set(0, this.plots.fast);
     const isLogarithmic = this.colorBy === 'size' && this.sizes.areWide;
     this.spheres.uniforms.colorIsLogarithmic.value = isLogarithmic;
     if (this.colorBy === 'size') range.set(...this.sizes.range(this.isDark.matches));
+    if (this.colorBy === 'spin') range.set(0, this.typicalSpin());
     if (this.colorBy === 'collisions')
       range.set(0, Math.max(4, roundUp(quantile(this.playback.collisions, 0.99))));
     if (this.colorBy === 'last contact')
@@ -326,9 +343,31 @@ export class Viewer {
     this.view.isStale = true;
   }
 
+  // Sizes and the number of each species change as spheres merge.
+  measureBodies() {
+    const { bodies } = this;
+    if (bodies.count === this.measuredCount) return;
+    this.measuredCount = bodies.count;
+    this.sizes = new Sizes(bodies.radii);
+    for (const kind of this.kinds.list) kind.count = 0;
+    for (let id = 0; id < bodies.radii.length; ++id)
+      if (bodies.exists(id)) ++this.kinds.list[this.kinds.of[id]].count;
+  }
+
+  showSpecies() {
+    this.legend.showSpecies(this.kinds.list);
+  }
+
+  // Few spheres spin faster [1/T].
+  typicalSpin() {
+    const { bodies } = this;
+    const rates = bodies.radii.map((_, id) => Math.hypot(...bodies.spin(id)));
+    return roundUp(quantile(rates.filter((_, id) => bodies.exists(id)), 0.94));
+  }
+
   // The coloring that shows most of what differs between spheres.
   firstColoring() {
-    const { length } = this.species.list;
+    const { length } = this.kinds.list;
     if (length > 1 && length <= kSpeciesColors.length) return 'species';
     return this.sizes.largest > 2 * this.sizes.smallest ? 'size' : 'speed';
   }
@@ -439,6 +478,7 @@ export class Viewer {
     let nearest = 0;
     let least = Infinity;
     for (let id = 0; id < this.source.header.spheres; ++id) {
+      if (!this.bodies.exists(id)) continue;
       const [x, y, z] = this.center(id);
       const apart = (x - middle.x) ** 2 + (y - middle.y) ** 2 + (z - middle.z) ** 2;
       if (apart < least) [nearest, least] = [id, apart];
@@ -457,7 +497,9 @@ export class Viewer {
   listen() {
     const canvas = element('canvas');
     element('color-by').replaceChildren(
-      ...kColorBy.map((name) => new Option(name[0].toUpperCase() + name.slice(1), name)),
+      ...kColorBy
+        .filter((name) => name !== 'spin' || this.canTurn)
+        .map((name) => new Option(name[0].toUpperCase() + name.slice(1), name)),
     );
     element('color-by').addEventListener('change', (event) => this.setColorBy(event.target.value));
     element('fit').addEventListener('click', () => this.fit());
@@ -465,7 +507,7 @@ export class Viewer {
     element('show-cells').addEventListener('change', (event) => this.showCells(event.target.checked));
     element('cell-edge').addEventListener('change', (event) => this.setCellEdge(Number(event.target.value)));
     element('slow').addEventListener('click', () => this.slowDown());
-    for (const id of ['show-events', 'show-walls', 'show-images', 'camera-follows', 'near-only']) {
+    for (const id of ['show-events', 'show-walls', 'show-images', 'show-spin', 'camera-follows', 'near-only']) {
       element(id).addEventListener('change', () => (this.view.isStale = true));
     }
     if (this.source.replayAddress) element('save').href = this.source.replayAddress;
@@ -515,7 +557,7 @@ export class Viewer {
     };
     const leastSize = (this.sizes.leastPixels / 2) * this.view.pixelTangent;
     const options = { tolerance, leastSize, isShown, images: this.surroundings.images };
-    const id = pick(this.playback, this.source.radii, this.box, ray, options);
+    const id = pick(this.playback, this.bodies.radii, this.box, ray, options);
     if (id >= 0) this.follow(id);
   }
 

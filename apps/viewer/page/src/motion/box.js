@@ -3,7 +3,7 @@
 
 /** The space in which spheres move, as the header of a recording describes it: the box, and gravity. */
 export class Box {
-  /** `size`: three lengths [L]; `boundary`: three of "wall", "periodic", "open"; `gravity`: three of [L/T²]. */
+  /** `size`: three lengths [L]; `boundary`: three of "wall", "periodic", "open", and "flat" for z in two dimensions; `gravity`: three of [L/T²]. */
   constructor({ size, boundary }, gravity = [0, 0, 0]) {
     this.boundary = boundary;
     /** Edge lengths [L]; along open axes they say nothing about the motion. */
@@ -13,6 +13,9 @@ export class Box {
     /** Acceleration of all spheres [L/T²]. */
     this.gravity = gravity;
     this.hasGravity = gravity.some((part) => part !== 0);
+    /** Whether everything lies in the plane z = 0. */
+    this.isFlat = boundary[2] === 'flat';
+    this.dimensions = this.isFlat ? 2 : 3;
   }
 
   /** `place` along `axis` [L], folded into the box where that is periodic. */

@@ -7,25 +7,27 @@ import { crossingTime, placeAfter, rangeOf } from './path.js';
  * A sphere is in each cell that its bounding box touches.
  */
 export class Cells {
-  /** `edge` and `origin`: three lengths [L] each. */
+  /** `edge` and `origin`: three lengths [L] each. Cells are squares where the box is flat: the edge is zero there. */
   constructor(edge, origin, box) {
-    this.edge = edge;
+    this.edge = edge.map((length, axis) => (axis < box.dimensions ? length : 0));
+    this.dimensions = box.dimensions;
     this.origin = origin;
     /** The number of cells along each periodic axis; zero along the others. */
-    this.count = box.period.map((period, axis) => Math.round(period / edge[axis]));
+    this.count = box.period.map((period, axis) => (period > 0 ? Math.round(period / edge[axis]) : 0));
     this.gravity = box.gravity;
   }
 
   /** Cells with edges of about `edge` [L], a whole number of which fits into the box. */
   static fitting(edge, box) {
     const edges = box.boundary.map((boundary, axis) =>
-      boundary === 'open' ? edge : box.size[axis] / Math.max(1, Math.round(box.size[axis] / edge)),
+      boundary === 'open' || boundary === 'flat' ? edge : box.size[axis] / Math.max(1, Math.round(box.size[axis] / edge)),
     );
     return new Cells(edges, [0, 0, 0], box);
   }
 
   /** The index of the cell in which `place` lies along `axis` [L]. */
   index(place, axis) {
+    if (axis >= this.dimensions) return 0;
     return Math.floor((place - this.origin[axis]) / this.edge[axis]);
   }
 
@@ -41,6 +43,7 @@ export class Cells {
    * times [T] at which it enters and leaves. The path is taken as infinite.
    */
   layerTimes(path, radius, index, axis) {
+    if (axis >= this.dimensions) return [[-Infinity, Infinity]];
     const begin = this.origin[axis] + index * this.edge[axis];
     const end = begin + this.edge[axis];
     const place = path[axis];
@@ -115,7 +118,7 @@ export class Cells {
   /** The first time after `time` at which a sphere on `path` enters or leaves a layer of cells. */
   nextCrossing(path, radius, time) {
     let next = { time: Infinity, kind: 'enter', axis: 0 };
-    for (let axis = 0; axis < 3; ++axis) {
+    for (let axis = 0; axis < this.dimensions; ++axis) {
       const gravity = this.gravity[axis];
       const elapsed = time - path[6];
       const place = placeAfter(elapsed, path[axis], path[3 + axis], gravity);

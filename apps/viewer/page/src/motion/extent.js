@@ -7,7 +7,7 @@ import { placeAfter } from './path.js';
  * Where the spheres of `playback` are: the box, and along open axes all spheres and surfaces; two corners [L].
  * `largestRadius`: of the spheres [L].
  */
-export function extentOf({ paths, spheres, time }, box, surfaces, largestRadius) {
+export function extentOf({ paths, spheres, time, bodies }, box, surfaces, largestRadius) {
   const low = [0, 0, 0];
   const high = [...box.size];
   const isOpen = box.boundary.map((kind) => kind === 'open');
@@ -16,6 +16,7 @@ export function extentOf({ paths, spheres, time }, box, surfaces, largestRadius)
     low[axis] = Infinity;
     high[axis] = -Infinity;
     for (let id = 0; id < spheres; ++id) {
+      if (bodies.radii[id] === 0) continue;
       const start = kPathNumbers * id;
       const elapsed = time - paths[start + 6];
       const place = placeAfter(elapsed, paths[start + axis], paths[start + 3 + axis], box.gravity[axis]);
@@ -38,7 +39,7 @@ export function extentOf({ paths, spheres, time }, box, surfaces, largestRadius)
       if (Math.abs(along) < 0.999) widen(axis, point[axis] - reach, point[axis] + reach);
     }
   }
-  for (let axis = 0; axis < 3; ++axis) {
+  for (let axis = 0; axis < box.dimensions; ++axis) {
     // There is neither sphere nor surface.
     if (low[axis] > high[axis]) [low[axis], high[axis]] = [-1, 1];
   }

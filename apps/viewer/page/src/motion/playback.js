@@ -1,18 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 import { kPathNumbers } from '../recording/chunk.js';
+import { Bodies } from './bodies.js';
 
 /**
  * The paths that hold at one time, and how they change as time moves.
  * Moving by a few contacts touches only their spheres.
  */
 export class Playback {
-  /** `spheres`: their number. `chunkAt(number)`: a chunk if it is in memory. */
-  constructor(spheres, chunkAt) {
+  /** `spheres`: their number. `chunkAt(number)`: a chunk if it is in memory. `bodies`: at the start. */
+  constructor(spheres, chunkAt, bodies = new Bodies([], [])) {
     this.chunkAt = chunkAt;
     this.spheres = spheres;
     /** Shape (spheres, kPathNumbers). */
     this.paths = new Float64Array(kPathNumbers * spheres);
+    /** What the spheres are, and how they turn. */
+    this.bodies = bodies;
     /** Collisions of each sphere since `countedFrom`. */
     this.collisions = new Uint32Array(spheres);
     /** [T] */
@@ -55,6 +58,7 @@ export class Playback {
 
   enter(chunk, number) {
     this.paths.set(chunk.keyframe);
+    this.bodies.set(chunk.bodies);
     this.countBefore(chunk, number);
     this.chunk = chunk;
     this.number = number;
@@ -91,10 +95,13 @@ export class Playback {
     const { contacts } = chunk;
     while (this.cursor < contacts && chunk.time(this.cursor) <= time) {
       const k = this.cursor++;
+      if (chunk.isPass(k)) continue;
+      if (chunk.bodies) this.bodies.pass(chunk, k, this.paths);
       const first = chunk.first(k);
       const second = chunk.second(k);
       this.store(first, chunk, chunk.firstPlace(k), chunk.time(k));
       if (chunk.isCollision(k)) this.store(second, chunk, chunk.secondPlace(k), chunk.time(k));
+      if (chunk.isMerger(k)) this.paths.fill(0, kPathNumbers * second + 3, kPathNumbers * second + 6);
       this.count(chunk, k);
     }
   }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
+import { Bodies } from './bodies.js';
 import { Playback } from './playback.js';
 
 const kLongestFrame = 0.1; // seconds; a page that was hidden continues where it was
@@ -12,7 +13,8 @@ export class Player {
   constructor(source, store) {
     this.source = source;
     this.store = store;
-    this.playback = new Playback(source.header.spheres, (number) => store.get(number));
+    const bodies = new Bodies(source.radii, source.masses);
+    this.playback = new Playback(source.header.spheres, (number) => store.get(number), bodies);
     /** Time per second [T]. */
     this.speed = 1;
     this.isPlaying = false;

@@ -19,6 +19,7 @@ export function listenToKeys(viewer) {
     e: () => document.getElementById('show-events').click(),
     w: () => document.getElementById('show-walls').click(),
     i: () => document.getElementById('show-images').click(),
+    s: () => document.getElementById('show-spin').click(),
   };
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;

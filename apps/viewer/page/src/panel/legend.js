@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import { kEventColors, kMapColors, kSpeciesColors, toCss } from '../scene/colors.js';
+import { kEventColors, kKinematicColor, kMapColors, kSpeciesColors, toCss } from '../scene/colors.js';
 import { show, showCount } from './numbers.js';
 
 const kMostSurfaces = 12; // named in the legend
@@ -24,15 +24,27 @@ export class ColorLegend {
     });
   }
 
-  /** A swatch for each species. */
+  /** A swatch for each species: named, or known by radius and mass. */
   showSpecies(list) {
     this.choose('species');
+    const texts = list.map(({ name, radius, mass, count }) =>
+      name ? `${name}: ${showCount(count)}` : `${showCount(count)} × radius ${show(radius, 3)}, mass ${show(mass, 3)}`,
+    );
+    if (this.texts === texts.join('\n')) return;
+    this.texts = texts.join('\n');
+    // As many colors as there are: those of further species are used again.
     this.species.replaceChildren(
-      ...list
-        .slice(0, kSpeciesColors.length)
-        .map(({ radius, mass, count }, k) =>
-          swatch(kSpeciesColors[k], `${showCount(count)} × radius ${show(radius, 3)}, mass ${show(mass, 3)}`),
-        ),
+      ...texts
+        .slice(0, 3 * kSpeciesColors.length)
+        .map((text, k) => swatch(kSpeciesColors[k % kSpeciesColors.length], text)),
+    );
+  }
+
+  /** A swatch for kinematic spheres, of which there are `count`. */
+  showKinematic(count) {
+    const place = document.getElementById('legend-kinematic');
+    place.replaceChildren(
+      ...(count > 0 ? [swatch(kKinematicColor, `grayish: ${showCount(count)} of infinite mass, kinematic`)] : []),
     );
   }
 
@@ -43,9 +55,10 @@ export class ColorLegend {
 }
 
 /** What the colors of events and cells mean. */
-export function showEventLegend(hasWalls) {
+export function showEventLegend(hasWalls, mayMerge) {
   const entries = [
     ['collision', 'collision', ''],
+    ...(mayMerge ? [['merger', 'merger', '']] : []),
     ...(hasWalls ? [['wall', 'wall contact', '']] : []),
     ['enter', 'cell just entered', 'square'],
     ['leave', 'cell just left', 'square'],

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 import uPlot from 'uplot';
 import { summarize } from '../statistics/chunk_summary.js';
-import { density, maxwellDensity, quantile, readSpeeds, roundUp } from '../statistics/speeds.js';
+import { density, findKinds, maxwellDensity, quantile, readSpeeds, roundUp } from '../statistics/speeds.js';
 
 const kHeight = 132;
 const kMostPoints = 1500;
@@ -11,12 +11,12 @@ const kFewestSpheres = 20; // fewer have no distribution of speeds worth a plot
 
 /** The plots beside the picture: collision rate, speeds, and the energy where it is lost. */
 export class Plots {
-  /** `player` knows how far the recording is known; `species` as listed by findSpecies, `surfaces` by readSurfaces. */
-  constructor({ header, masses }, player, species, box, surfaces) {
+  /** `player` knows how far the recording is known; `surfaces`: as read by readSurfaces. */
+  constructor({ header, masses }, player, box, surfaces) {
     this.box = box;
     this.begin = header.begin;
     this.masses = masses;
-    this.species = species;
+    this.kinds = null;
     this.summaries = new Map();
     this.speeds = new Float64Array(masses.length);
     this.time = NaN;
@@ -32,7 +32,7 @@ export class Plots {
     );
     this.hasWalls = hasWalls;
     document.getElementById('rate-key').hidden = !hasWalls;
-    const changes = header.restitution < 1 || surfaces.some((surface) => surface.changesEnergy);
+    const changes = header.restitution !== 1 || surfaces.some((surface) => surface.changesEnergy);
     // Along periodic axes there is no height.
     const hasHeight = box.gravity.every((part, axis) => part === 0 || box.period[axis] === 0);
     this.energy =
@@ -40,7 +40,7 @@ export class Plots {
         ? timePlot('plot-energy', ['Energy'], ['--accent'], player)
         : null;
     document.getElementById('figure-energy').hidden = this.energy === null;
-    if (box.hasGravity) document.getElementById('energy-name').textContent = 'Kinetic and potential energy';
+    document.getElementById('energy-name').textContent = energyName(header, box);
     this.histogram = masses.length >= kFewestSpheres ? histogramPlot('plot-speeds') : null;
     document.getElementById('figure-speeds').hidden = this.histogram === null;
     /** Hardly any sphere is faster [L/T]. */
@@ -67,10 +67,16 @@ export class Plots {
     this.knownEnd = this.player.knownEnd;
     if (playback.time === this.time) return false;
     this.time = playback.time;
-    const energy = readSpeeds(playback.paths, playback.time, this.masses, this.box, this.speeds);
-    this.fastest = steady(this.fastest, 1.15 * quantile(this.speeds, 0.99));
-    this.fast = steady(this.fast, quantile(this.speeds, 0.94));
-    if (this.histogram) this.drawSpeeds(energy);
+    const { masses, radii, count: present } = playback.bodies;
+    const { count, energy } = readSpeeds(playback.paths, playback.time, masses, this.box, this.speeds);
+    if (count === 0) return true;
+    const speeds = this.speeds.subarray(0, count);
+    this.fastest = steady(this.fastest, 1.15 * quantile(speeds, 0.99));
+    this.fast = steady(this.fast, quantile(speeds, 0.94));
+    // Spheres change only where their number does: they merge.
+    if (this.kinds === null || present !== this.present) this.kinds = findKinds(radii, masses).list;
+    this.present = present;
+    if (this.histogram) this.drawSpeeds(speeds, energy);
     return true;
   }
 
@@ -117,15 +123,20 @@ export class Plots {
     this.energy?.setData([column('time'), column('energy')]);
   }
 
-  drawSpeeds(energy) {
-    const shares = density(this.speeds, this.fastest, kIntervals);
-    const temperature = (2 * energy) / (3 * this.masses.length);
+  drawSpeeds(speeds, energy) {
+    const shares = density(speeds, this.fastest, kIntervals);
+    const temperature = (2 * energy) / (this.box.dimensions * speeds.length);
     const middles = Array.from(shares, (_, k) => ((k + 0.5) * this.fastest) / kIntervals);
     const curve = middles.map((speed) =>
-      temperature > 0 ? maxwellDensity(speed, this.species, temperature) : null,
+      temperature > 0 ? maxwellDensity(speed, this.kinds, temperature, this.box.dimensions) : null,
     );
     this.histogram.setData([middles, Array.from(shares), curve]);
   }
+}
+
+function energyName({ version }, box) {
+  const parts = ['Kinetic', ...(version > 1 ? ['rotational'] : []), ...(box.hasGravity ? ['potential'] : [])];
+  return `${parts.join(parts.length > 2 ? ', ' : ' and ')} energy`;
 }
 
 // The end of a range that contains `value` and follows only large changes of it, so that axes stay still.

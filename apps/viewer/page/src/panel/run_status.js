@@ -13,8 +13,10 @@ export function showRunStatus({ header, status, replayAddress }, isLost) {
   put('status-text', words);
   put('count-spheres', showCount(header.spheres));
   put('count-collisions', count(status.collisions));
+  put('count-mergers', count(status.mergers));
   put('count-walls', count(status.walls));
   put('count-hash', status.event_log_hash || '–');
+  document.getElementById('counts-mergers').hidden = !(status.mergers > 0);
   document.getElementById('counts-walls').hidden =
     !header.box.boundary.includes('wall') && !(header.surfaces?.length > 0);
   document.getElementById('counts-hash').hidden = !status.event_log_hash;

@@ -22,19 +22,27 @@ export class SpherePanel {
   }
 
   update() {
-    const { playback, followed, source, box, next, surfaces } = this.viewer;
+    const { playback, followed, source, box, next, surfaces, species, canTurn } = this.viewer;
     this.card.hidden = followed === null;
     if (document.activeElement !== this.number) this.number.value = followed ?? '';
     if (followed === null) return;
     text('sphere-number', showCount(followed));
     const start = kPathNumbers * followed;
     const { paths, time } = playback;
+    const { bodies } = playback;
+    const axes = box.dimensions;
     const velocity = readVelocity(paths, start, time, box, [0, 0, 0]);
-    const vector = (numbers) => numbers.map((number) => show(number, 4)).join('  ');
-    text('sphere-position', vector(readCenter(paths, start, time, box, [0, 0, 0])));
-    text('sphere-velocity', vector(velocity));
+    const vector = (numbers) => Array.from(numbers, (number) => show(number, 4)).join('  ');
+    text('sphere-position', vector(readCenter(paths, start, time, box, [0, 0, 0]).slice(0, axes)));
+    text('sphere-velocity', vector(velocity.slice(0, axes)));
     text('sphere-speed', show(Math.hypot(...velocity)));
-    text('sphere-kind', `${show(source.radii[followed])}, ${show(source.masses[followed])}`);
+    const mass = bodies.isKinematic(followed) ? 'kinematic' : show(bodies.masses[followed]);
+    text('sphere-kind', bodies.exists(followed) ? `${show(bodies.radii[followed])}, ${mass}` : 'merged');
+    document.getElementById('sphere-species-row').hidden = species === null;
+    if (species) text('sphere-species', species.list[species.of[followed]].name);
+    document.getElementById('sphere-spin-row').hidden = !canTurn;
+    const spin = bodies.spin(followed);
+    if (canTurn) text('sphere-spin', axes === 2 ? show(spin[2], 4) : vector(spin));
     text('sphere-collisions', showCount(playback.collisions[followed]));
     const isWhole = playback.countedFrom <= source.header.begin;
     text(
@@ -49,10 +57,10 @@ export class SpherePanel {
   }
 
   crossing() {
-    const { cells, playback, followed, source, next } = this.viewer;
-    if (!cells) return '–';
+    const { cells, playback, followed, next } = this.viewer;
+    if (!cells || !playback.bodies.exists(followed)) return '–';
     const path = playback.paths.subarray(kPathNumbers * followed, kPathNumbers * (followed + 1));
-    const { time, kind, axis } = cells.nextCrossing(path, source.radii[followed], playback.time);
+    const { time, kind, axis } = cells.nextCrossing(path, playback.bodies.radii[followed], playback.time);
     if (!Number.isFinite(time)) return 'none: at rest';
     if (next && time > next.time) return 'after the contact';
     return `${kind} along ${kAxes[axis]} in ${show(time - playback.time, 3)}`;

@@ -4,22 +4,36 @@
 /** Numbers of one path: position (3) [L], velocity (3) [L/T], start time [T]. */
 export const kPathNumbers = 7;
 
+/**
+ * Numbers of one body: spin (3) [1/T]; orientation when its path starts, a quaternion whose real part is last;
+ * radius [L], mass [M], and moment of inertia over mass and squared radius. All zero but the real part and the
+ * moment: it does not exist.
+ */
+export const kBodyNumbers = 10;
+
 const kMagic = 0x4b4e4843; // "CHNK"
 const kHeadBytes = 32;
-const kContactBytes = 112;
-const kContactNumbers = kContactBytes / 8;
-const kContactIntegers = kContactBytes / 4;
+
+// Where the numbers of a contact are, by version: how many; the offsets of those of its spheres.
+const kLayouts = {
+  1: { bodies: 0, contact: 14, first: 2, second: 8 },
+  2: { bodies: kBodyNumbers, contact: 21, first: 3, second: 12 },
+};
+
+const kPass = 1;
+const kMerge = 2;
 
 /**
  * The length of the chunk at `offset` [bytes], or undefined if the buffer ends before the chunk does.
  * Error: there is no chunk of `sphereCount` spheres.
  */
-export function chunkLength(buffer, offset, sphereCount) {
+export function chunkLength(buffer, offset, sphereCount, version = 1) {
   if (buffer.byteLength - offset < kHeadBytes) return undefined;
+  const { bodies, contact } = kLayouts[version];
   const view = new DataView(buffer, offset, kHeadBytes);
   const contacts = view.getUint32(4, true);
   const length = Number(view.getBigUint64(8, true));
-  const expected = kHeadBytes + 8 * kPathNumbers * sphereCount + kContactBytes * contacts;
+  const expected = kHeadBytes + 8 * ((kPathNumbers + bodies) * sphereCount + contact * contacts);
   if (view.getUint32(0, true) !== kMagic || length !== expected) {
     throw new Error(`the recording is damaged: no chunk at byte ${offset}`);
   }
@@ -33,12 +47,14 @@ export function chunkLength(buffer, offset, sphereCount) {
  */
 export class Chunk {
   /** Precondition: `offset` is a multiple of 8. Error: there is no complete chunk of `sphereCount` spheres. */
-  constructor(buffer, offset, sphereCount) {
-    const length = chunkLength(buffer, offset, sphereCount);
+  constructor(buffer, offset, sphereCount, version = 1) {
+    const length = chunkLength(buffer, offset, sphereCount, version);
     if (length === undefined) throw new Error('the recording is damaged: a chunk is truncated');
     const view = new DataView(buffer, offset, kHeadBytes);
-    const keyframeNumbers = kPathNumbers * sphereCount;
-    const first = offset + kHeadBytes + 8 * keyframeNumbers;
+    this.layout = kLayouts[version];
+    const keyframe = offset + kHeadBytes;
+    const bodies = keyframe + 8 * kPathNumbers * sphereCount;
+    const first = bodies + 8 * this.layout.bodies * sphereCount;
     /** Number of contacts. */
     this.contacts = view.getUint32(4, true);
     /** Length in the recording. */
@@ -48,51 +64,66 @@ export class Chunk {
     /** [T] */
     this.end = view.getFloat64(24, true);
     /** The paths that hold at `begin`; shape (spheres, kPathNumbers). */
-    this.keyframe = new Float64Array(buffer, offset + kHeadBytes, keyframeNumbers);
-    this.numbers = new Float64Array(buffer, first, kContactNumbers * this.contacts);
-    this.integers = new Int32Array(buffer, first, kContactIntegers * this.contacts);
+    this.keyframe = new Float64Array(buffer, keyframe, kPathNumbers * sphereCount);
+    /** The bodies likewise, shape (spheres, kBodyNumbers); null in version 1, where they stay as they were. */
+    this.bodies =
+      this.layout.bodies > 0 ? new Float64Array(buffer, bodies, kBodyNumbers * sphereCount) : null;
+    this.numbers = new Float64Array(buffer, first, this.layout.contact * this.contacts);
+    this.integers = new Int32Array(buffer, first, 2 * this.layout.contact * this.contacts);
   }
 
   /** When contact `k` happens [T]. */
   time(k) {
-    return this.numbers[kContactNumbers * k];
+    return this.numbers[this.layout.contact * k];
   }
 
   /** The sphere of contact `k`; for a collision, the one with the lower id. */
   first(k) {
-    return this.integers[kContactIntegers * k + 2];
+    return this.integers[2 * this.layout.contact * k + 2];
   }
 
   /** The other sphere of contact `k`, −(face + 1) for a wall, or the sphere itself where nothing is touched. */
   second(k) {
-    return this.integers[kContactIntegers * k + 3];
+    return this.integers[2 * this.layout.contact * k + 3];
   }
 
   isWall(k) {
     return this.second(k) < 0;
   }
 
+  /** Whether two spheres meet, and do not pass through each other. */
   isCollision(k) {
-    return !this.isWall(k) && this.second(k) !== this.first(k);
+    return !this.isWall(k) && this.second(k) !== this.first(k) && !this.isPass(k);
   }
 
-  /** Whether something is touched: by sphere `id`, unless that is null. */
+  /** Whether two spheres pass through each other, and nothing changes. */
+  isPass(k) {
+    return this.bodies !== null && this.integers[2 * this.layout.contact * k + 4] === kPass;
+  }
+
+  /** Whether two spheres become one: the first. */
+  isMerger(k) {
+    return this.bodies !== null && this.integers[2 * this.layout.contact * k + 4] === kMerge;
+  }
+
+  /** Whether something is touched that is not passed through: by sphere `id`, unless that is null. */
   isContact(k, id = null) {
-    return this.second(k) !== this.first(k) && (id === null || this.involves(k, id));
+    return this.second(k) !== this.first(k) && !this.isPass(k) && (id === null || this.involves(k, id));
   }
 
+  /** Whether sphere `id` has another path after contact `k`. */
   involves(k, id) {
-    return this.first(k) === id || this.second(k) === id;
+    return (this.first(k) === id || this.second(k) === id) && !this.isPass(k);
   }
 
-  /** The offset in `numbers` of position and velocity of the first sphere after contact `k`. */
+  /** The offset in `numbers` of position and velocity, and in version 2 the spin, of the first sphere after it. */
   firstPlace(k) {
-    return kContactNumbers * k + 2;
+    return this.layout.contact * k + this.layout.first;
   }
 
-  /** The offset in `numbers` of position and velocity of the second sphere after contact `k`. */
+  /** The same for the second sphere. Of a merger, radius, mass and moment of the first stand for the velocity. */
   secondPlace(k) {
-    return kContactNumbers * k + 8;
+    return this.layout.contact * k + this.layout.second;
   }
 
   /** How many contacts happen at or before `time`. Cost: O(log contacts). */
@@ -120,8 +151,10 @@ export class Chunk {
 
   /** Writes the path of sphere `id` that starts with contact `k` into `path`. Precondition: `id` is in it. */
   readPathAfter(k, id, path) {
-    const place = this.first(k) === id ? this.firstPlace(k) : this.secondPlace(k);
+    const isFirst = this.first(k) === id;
+    const place = isFirst ? this.firstPlace(k) : this.secondPlace(k);
     for (let n = 0; n < 6; ++n) path[n] = this.numbers[place + n];
+    if (!isFirst && this.isMerger(k)) path.fill(0, 3, 6);
     path[6] = this.time(k);
   }
 }

@@ -27,11 +27,12 @@ export class SavedSource {
     this.masses = masses;
     this.chunks = chunks;
     this.ends = chunks.map((chunk) => chunk.end);
-    let [collisions, walls] = [0, 0];
+    let [collisions, mergers, walls] = [0, 0, 0];
     for (const chunk of chunks) {
       for (let k = 0; k < chunk.contacts; ++k) {
         if (chunk.isWall(k)) ++walls;
         else if (chunk.isCollision(k)) ++collisions;
+        if (chunk.isMerger(k)) ++mergers;
       }
     }
     this.status = {
@@ -39,6 +40,7 @@ export class SavedSource {
       failed: null,
       reached: this.ends.at(-1) ?? header.begin,
       collisions,
+      mergers,
       walls,
     };
     this.replayAddress = null;

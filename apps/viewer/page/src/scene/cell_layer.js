@@ -99,7 +99,7 @@ export class CellLayer {
     const center = followed < 0 ? null : centerOf(followed, [0, 0, 0]);
     const other = [0, 0, 0];
     for (let id = 0; id < count && this.nearCount < kSpheresAround; ++id) {
-      if (id === followed) continue;
+      if (id === followed || this.radii[id] === 0) continue;
       let apart = 0;
       if (center && count > kFew) {
         centerOf(id, other);

@@ -15,6 +15,7 @@ const kSpecies = '0072b2 e69f00 009e73 cc79a7 56b4e9 d55e00 f0e442 8c8c8c';
 export const kEventColors = {
   collision: color('d55e00'),
   wall: color('cc79a7'),
+  merger: color('56b4e9'),
   enter: color('009e73'),
   leave: color('e69f00'),
 };
@@ -44,6 +45,9 @@ function colors(text) {
 function color(hexadecimal) {
   return [0, 2, 4].map((start) => parseInt(hexadecimal.slice(start, start + 2), 16) / 255);
 }
+
+/** Kinematic spheres tend to this color. */
+export const kKinematicColor = color('8a8f98');
 
 const kWallColor = color('66789a');
 const kObstacleColor = color('4a4f58');

@@ -32,6 +32,12 @@ export class EventFlashes {
     const first = chunk.first(k);
     const second = chunk.second(k);
     const isCollision = chunk.isCollision(k);
+    if (chunk.isMerger(k)) {
+      const place = chunk.firstPlace(k);
+      const center = [0, 1, 2].map((axis) => chunk.numbers[place + axis]);
+      this.rings.add(center, chunk.numbers[chunk.secondPlace(k) + 3], kEventColors.merger, age);
+      return;
+    }
     const size = isCollision ? Math.min(this.radii[first], this.radii[second]) : this.radii[first];
     const color = isCollision ? kEventColors.collision : kEventColors.wall;
     this.rings.add(this.touchPoint(chunk, k), size, color, age);
@@ -44,7 +50,9 @@ export class EventFlashes {
     const place = chunk.firstPlace(k);
     const center = [0, 1, 2].map((axis) => chunk.numbers[place + axis]);
     if (chunk.isCollision(k)) {
-      const share = radius / (radius + this.radii[second]);
+      // Of spheres that have become one since, the middle will do.
+      const reach = radius + this.radii[second];
+      const share = reach > 0 ? radius / reach : 0.5;
       const other = chunk.secondPlace(k);
       return center.map(
         (from, axis) => from + share * this.box.nearest(chunk.numbers[other + axis] - from, axis),

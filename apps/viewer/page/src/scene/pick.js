@@ -7,7 +7,7 @@ import { readCenter } from '../motion/path.js';
  * The sphere that a ray from `origin` along the unit vector `direction` meets first, itself or one of its `images`;
  * if it meets none, the one that it misses by the least, if by less than `tolerance` times the distance; or −1.
  * Spheres are at least `leastSize` times the distance large, as they are drawn. `isShown(id, center)` says which
- * count. Cost: O(spheres).
+ * count; spheres without a radius do not exist. Cost: O(spheres).
  */
 export function pick(playback, radii, box, { origin, direction }, { tolerance, leastSize, isShown, images }) {
   const { paths, time } = playback;
@@ -31,6 +31,7 @@ export function pick(playback, radii, box, { origin, direction }, { tolerance, l
     }
   };
   for (let id = 0; id < radii.length; ++id) {
+    if (radii[id] === 0) continue;
     readCenter(paths, kPathNumbers * id, time, box, center);
     test(id);
   }

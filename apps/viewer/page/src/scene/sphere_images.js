@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: MIT
 import { Vector3 } from 'three';
 import { kPathNumbers } from '../recording/chunk.js';
-import { kKindNumbers, kMotionNumbers, SphereObject } from './sphere_object.js';
+import { kKindNumbers, kMotionNumbers, kTurnNumbers, SphereObject } from './sphere_object.js';
 
 /** Periodic images of spheres, drawn as the spheres are. */
 export class SphereImages {
-  /** `kinds` and `uniforms`: those of the spheres. */
-  constructor(kinds, uniforms, parent) {
+  /** `kinds` and `uniforms`: those of the spheres, which have marks if `canTurn`. */
+  constructor(kinds, canTurn, uniforms, parent) {
     this.kinds = kinds;
+    this.canTurn = canTurn;
     this.parent = parent;
     this.capacity = 0;
     this.velocity = [0, 0, 0];
@@ -34,7 +35,7 @@ export class SphereImages {
   update(images, playback) {
     if (images.count > this.capacity) this.make(images.ids.length);
     if (!this.drawn) return;
-    const { paths, time, collisions } = playback;
+    const { paths, time, collisions, bodies } = playback;
     const { array } = this.drawn.buffer;
     const kinds = this.drawn.kinds.array;
     for (let k = 0; k < images.count; ++k) {
@@ -47,12 +48,18 @@ export class SphereImages {
       }
       array[to + 3] = paths[kPathNumbers * id + 6] - time;
       array[to + 7] = collisions[id];
+      if (this.canTurn) {
+        const turn = kTurnNumbers * k;
+        this.drawn.turns.array.set(bodies.spin(id), turn);
+        this.drawn.turns.array.set(bodies.orientation(id, time - paths[kPathNumbers * id + 6]), turn + 3);
+      }
       for (let n = 0; n < kKindNumbers; ++n) kinds[kKindNumbers * k + n] = this.kinds[kKindNumbers * id + n];
     }
     this.drawn.show(images.count);
     for (const [buffer, numbers] of [
       [this.drawn.buffer, kMotionNumbers],
       [this.drawn.kinds, kKindNumbers],
+      ...(this.canTurn ? [[this.drawn.turns, kTurnNumbers]] : []),
     ]) {
       buffer.clearUpdateRanges();
       buffer.addUpdateRange(0, numbers * images.count);
@@ -67,6 +74,7 @@ export class SphereImages {
       this.way,
       new Float32Array(kMotionNumbers * capacity),
       new Float32Array(kKindNumbers * capacity),
+      this.canTurn ? new Float32Array(kTurnNumbers * capacity) : null,
       this.uniforms,
     );
     this.parent.add(this.drawn.object);

@@ -18,15 +18,19 @@ import { kImpostorFragment, kImpostorVertex, kPointFragment, kPointVertex } from
 /** Numbers of a sphere on the graphics card: place and motion. */
 export const kMotionNumbers = 8;
 
-/** Numbers of a sphere that do not change: radius and species. */
-export const kKindNumbers = 2;
+/** Numbers of a sphere that change only as it merges: radius, species, and 1 if it is kinematic. */
+export const kKindNumbers = 3;
+
+/** Numbers of how a sphere turns: spin, and orientation. */
+export const kTurnNumbers = 7;
 
 /**
  * Spheres as the graphics card draws them: as "impostors", shaded and of true depth, or as "points", which cost
- * less. `paths` and `kinds` hold kMotionNumbers and kKindNumbers for each.
+ * less. `paths`, `kinds` and `turns` hold kMotionNumbers, kKindNumbers and kTurnNumbers for each; `turns` may be
+ * null.
  */
 export class SphereObject {
-  constructor(way, paths, kinds, uniforms) {
+  constructor(way, paths, kinds, turns, uniforms) {
     this.asPoints = way === 'points';
     const { asPoints } = this;
     this.geometry = asPoints ? new BufferGeometry() : new InstancedBufferGeometry();
@@ -39,6 +43,12 @@ export class SphereObject {
     /** Of `kinds`, for the graphics card. */
     this.kinds = new Kinds(kinds, kKindNumbers);
     this.geometry.setAttribute('kind', this.kinds);
+    /** Of `turns`, for the graphics card, or null. */
+    this.turns = turns && new Buffer(turns, kTurnNumbers);
+    if (turns) {
+      this.geometry.setAttribute('spin', new InterleavedBufferAttribute(this.turns, 3, 0));
+      this.geometry.setAttribute('turn', new InterleavedBufferAttribute(this.turns, 4, 3));
+    }
     if (asPoints) {
       this.geometry.setAttribute('position', this.geometry.getAttribute('place'));
     } else {

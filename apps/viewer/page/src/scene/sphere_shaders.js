@@ -8,7 +8,9 @@ const kMotion = /* glsl */ `
 
   in vec4 place;      // center at the reference time, and the path's start relative to it
   in vec4 motion;     // velocity at the reference time, and the collisions so far
-  in vec2 kind;       // radius, species
+  in vec3 kind;       // radius, species, and 1 for a kinematic sphere
+  in vec3 spin;
+  in vec4 turn;       // orientation at the reference time: a quaternion, the real part last
 
   uniform mat4 projectionMatrix;
   uniform mat4 modelViewMatrix;
@@ -27,8 +29,26 @@ const kMotion = /* glsl */ `
   uniform float leastPixels; // diameter of the smallest drawn, lest they vanish
   uniform float reach;       // spheres farther from the followed one are not drawn; 0: all are
 
+  uniform bool hasMarks;     // which turn with the spheres
+  uniform vec3 kinematicColor;
+
   flat out vec3 color;
   flat out float isFollowed;
+  flat out vec4 toMarks;     // from the camera's coordinates to the sphere's own: a quaternion
+
+  vec4 product(vec4 a, vec4 b) {
+    return vec4(a.w * b.xyz + b.w * a.xyz + cross(a.xyz, b.xyz), a.w * b.w - dot(a.xyz, b.xyz));
+  }
+
+  void findMarks() {
+    toMarks = vec4(0.0);
+    if (!hasMarks) return;
+    float rate = length(spin);
+    float halfAngle = 0.5 * rate * elapsed;
+    vec4 since = rate > 0.0 ? vec4(sin(halfAngle) / rate * spin, cos(halfAngle)) : vec4(0.0, 0.0, 0.0, 1.0);
+    vec4 now = product(since, turn);
+    toMarks = vec4(-now.xyz, now.w);
+  }
 
   vec3 centerNow() {
     vec3 center = place.xyz + elapsed * (motion.xyz + (0.5 * elapsed) * gravity);
@@ -36,21 +56,27 @@ const kMotion = /* glsl */ `
   }
 
   bool isHidden(vec3 center, int id) {
+    if (kind.x == 0.0) return true; // part of another
     if (reach <= 0.0 || id == followed) return false;
     vec3 apart = center - followedCenter;
     apart -= period * round(apart * inversePeriod);
     return dot(apart, apart) > reach * reach;
   }
 
-  vec3 colorNow() {
+  vec3 colorByNow() {
     if (colorBy == 2) return texelFetch(speciesColors, ivec2(int(kind.y), 0), 0).rgb;
     float value = colorBy == 0 ? length(motion.xyz + elapsed * gravity)
                 : colorBy == 1 ? kind.x
                 : colorBy == 3 ? motion.w
+                : colorBy == 5 ? length(spin)
                 : elapsed - place.w;
     float share = colorIsLogarithmic ? log(value / colorRange.x) / log(colorRange.y / colorRange.x)
                                      : (value - colorRange.x) / (colorRange.y - colorRange.x);
     return texture(colorMap, vec2((32.0 * clamp(share, 0.0, 1.0) + 0.5) / 33.0, 0.5)).rgb;
+  }
+
+  vec3 colorNow() {
+    return mix(colorByNow(), kinematicColor, 0.75 * kind.z);
   }
 `;
 
@@ -60,9 +86,30 @@ const kShading = /* glsl */ `
   uniform vec2 haze;         // distances at which the depth cue starts and is full
   flat in vec3 color;
   flat in float isFollowed;
+  flat in vec4 toMarks;
+  uniform mat3 fromCamera;   // to directions in space
+  uniform bool isFlat;       // discs: seen along z, and not shaded
   out vec4 outColor;
 
+  // How dark the mark at the sphere's side "normal" is: a cap about its own z axis, and the half circle from there
+  // over y to the other end, by which a disc turns like the hand of a clock.
+  float markAt(vec3 normal) {
+    if (toMarks == vec4(0.0)) return 0.0;
+    vec3 place = fromCamera * normal;
+    place += 2.0 * cross(toMarks.xyz, cross(toMarks.xyz, place) + toMarks.w * place);
+    float soft = max(fwidth(place.x), fwidth(place.z)) + 0.01;
+    float cap = smoothstep(0.88 - soft, 0.88 + soft, place.z);
+    float line = (1.0 - smoothstep(0.1 - soft, 0.1 + soft, abs(place.x))) * smoothstep(-soft, soft, place.y);
+    return 0.62 * max(cap, line);
+  }
+
   vec3 shade(vec3 normal, float distance) {
+    vec3 color = color * (1.0 - markAt(normal));
+    if (isFlat) {
+      float edge = smoothstep(0.3, 0.42, normal.z);
+      if (isFollowed > 0.5) return mix(vec3(1.0), color, edge);
+      return color * (0.72 + 0.28 * edge);
+    }
     float light = max(dot(normal, normalize(vec3(-0.45, 0.65, 0.75))), 0.0);
     float rim = normal.z;
     vec3 lit = color * (0.5 + 0.62 * light) * (0.7 + 0.3 * rim);
@@ -77,6 +124,7 @@ const kShading = /* glsl */ `
 export const kImpostorVertex = /* glsl */ `
   ${kMotion}
   in vec3 position;          // a corner of the square, from -1 to 1
+  uniform bool isFlat;
   flat out vec4 ball;        // center in the camera's coordinates, radius
   out vec3 ray;
 
@@ -86,9 +134,15 @@ export const kImpostorVertex = /* glsl */ `
     float distance = length(ball.xyz);
     ball.w = max(kind.x, leastPixels * distance / (projectionMatrix[1][1] * pixels));
     color = colorNow();
+    findMarks();
     isFollowed = gl_InstanceID == followed ? 1.0 : 0.0;
-    if (isHidden(center, gl_InstanceID) || distance <= 1.01 * ball.w) {
+    if (isHidden(center, gl_InstanceID) || (!isFlat && distance <= 1.01 * ball.w)) {
       gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+      return;
+    }
+    if (isFlat) {
+      ray = ball.xyz + 1.02 * ball.w * vec3(position.xy, 0.0);
+      gl_Position = projectionMatrix * vec4(ray, 1.0);
       return;
     }
     vec3 forward = ball.xyz / distance;
@@ -107,6 +161,14 @@ export const kImpostorFragment = /* glsl */ `
   in vec3 ray;
 
   void main() {
+    if (isFlat) {
+      vec2 side = (ray - ball.xyz).xy / ball.w;
+      float miss = dot(side, side);
+      if (miss > 1.0) discard;
+      gl_FragDepth = gl_FragCoord.z;
+      outColor = vec4(shade(vec3(side, sqrt(1.0 - miss)), 0.0), 1.0);
+      return;
+    }
     vec3 direction = normalize(ray);
     float along = dot(direction, ball.xyz);
     vec3 nearest = along * direction - ball.xyz;
@@ -129,6 +191,7 @@ export const kPointVertex = /* glsl */ `
     vec3 center = centerNow();
     vec4 seen = modelViewMatrix * vec4(center, 1.0);
     color = colorNow();
+    findMarks();
     isFollowed = gl_VertexID == followed ? 1.0 : 0.0;
     gl_Position = isHidden(center, gl_VertexID) ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * seen;
     gl_PointSize = max(leastPixels, kind.x * projectionMatrix[1][1] * pixels / max(-seen.z, 1e-6));

@@ -1,36 +1,38 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import { Group, Vector2, Vector3 } from 'three';
+import { Group, Matrix3, Vector2, Vector3 } from 'three';
 import { placeAfter } from '../motion/path.js';
 import { kPathNumbers } from '../recording/chunk.js';
-import { colorTexture, kMapColors, kSpeciesColors } from './colors.js';
+import { colorTexture, kKinematicColor, kMapColors, kSpeciesColors } from './colors.js';
 import { SphereImages } from './sphere_images.js';
-import { kKindNumbers, kMotionNumbers as kNumbers, SphereObject } from './sphere_object.js';
+import { kKindNumbers, kMotionNumbers as kNumbers, kTurnNumbers, SphereObject } from './sphere_object.js';
 
 const kBlock = 256; // spheres sent to the graphics card together
 
 /** What spheres can be colored by, in the order in which the shader knows them. */
-export const kColorBy = ['speed', 'size', 'species', 'collisions', 'last contact'];
+export const kColorBy = ['speed', 'size', 'species', 'collisions', 'last contact', 'spin'];
 
 /**
  * All spheres, drawn by the graphics card. It gets each path once, relative to a reference time, and moves the
  * sphere by itself; only paths changed by a contact are sent again.
  */
 export class Spheres {
-  /** `species`: for each sphere the number of its kind. */
-  constructor(radii, species, box) {
-    this.count = radii.length;
+  /** `bodies`: those of the playback; `species`: for each sphere its number; `canTurn`: whether spheres may spin. */
+  constructor(bodies, species, box, canTurn) {
+    this.bodies = bodies;
+    this.count = bodies.radii.length;
     this.paths = new Float32Array(kNumbers * this.count);
     this.kinds = new Float32Array(kKindNumbers * this.count);
+    this.turns = canTurn ? new Float32Array(kTurnNumbers * this.count) : null;
     for (let id = 0; id < this.count; ++id) {
-      this.kinds[kKindNumbers * id] = radii[id];
+      this.kinds[kKindNumbers * id] = bodies.radii[id];
       this.kinds[kKindNumbers * id + 1] = species[id] % kSpeciesColors.length;
+      this.kinds[kKindNumbers * id + 2] = bodies.isKinematic(id) ? 1 : 0;
     }
     /** The time to which all places refer [T]. */
     this.reference = NaN;
     this.referenceEnd = NaN;
     this.dirty = new Uint8Array(Math.ceil(this.count / kBlock));
-    this.ranges = Array.from(this.dirty, () => ({ start: 0, count: 0 }));
     this.box = box;
     this.longest = Math.max(...box.size);
     this.uniforms = {
@@ -43,6 +45,10 @@ export class Spheres {
       colorIsLogarithmic: { value: false },
       colorMap: { value: colorTexture(kMapColors, true) },
       speciesColors: { value: colorTexture(kSpeciesColors, false) },
+      kinematicColor: { value: new Vector3(...kKinematicColor) },
+      hasMarks: { value: canTurn },
+      fromCamera: { value: new Matrix3() },
+      isFlat: { value: box.isFlat },
       followed: { value: -1 },
       followedCenter: { value: new Vector3() },
       reach: { value: 0 },
@@ -52,14 +58,14 @@ export class Spheres {
       leastPixels: { value: 1 },
     };
     this.object = new Group();
-    this.images = new SphereImages(this.kinds, this.uniforms, this.object);
+    this.images = new SphereImages(this.kinds, canTurn, this.uniforms, this.object);
     this.drawAs('impostors');
   }
 
   /** Draws spheres as "impostors" or "points" (see SphereObject). */
   drawAs(way) {
     this.drawn?.dispose();
-    this.drawn = new SphereObject(way, this.paths, this.kinds, this.uniforms);
+    this.drawn = new SphereObject(way, this.paths, this.kinds, this.turns, this.uniforms);
     this.object.add(this.drawn.object);
     this.images.drawAs(way);
     this.way = way;
@@ -115,21 +121,36 @@ export class Spheres {
     }
     this.paths[to + 3] = -elapsed;
     this.paths[to + 7] = collisions[id];
+    if (this.turns) this.storeBody(id, elapsed);
+  }
+
+  // How the sphere turns, and what it is, which changes as spheres merge; `elapsed` on its path until the reference.
+  storeBody(id, elapsed) {
+    const { bodies } = this;
+    this.turns.set(bodies.spin(id), kTurnNumbers * id);
+    this.turns.set(bodies.orientation(id, elapsed), kTurnNumbers * id + 3);
+    const kind = kKindNumbers * id;
+    const radius = Math.fround(bodies.radii[id]);
+    const isKinematic = bodies.isKinematic(id) ? 1 : 0;
+    if (this.kinds[kind] === radius && this.kinds[kind + 2] === isKinematic) return;
+    this.kinds[kind] = radius;
+    this.kinds[kind + 2] = isKinematic;
+    this.drawn.kinds.needsUpdate = true;
   }
 
   // Marks neighboring dirty blocks as ranges to be sent with the next drawing.
   send() {
-    const { updateRanges } = this.drawn.buffer;
-    updateRanges.length = 0;
+    const buffers = [[this.drawn.buffer, kNumbers], ...(this.turns ? [[this.drawn.turns, kTurnNumbers]] : [])];
+    for (const [buffer] of buffers) buffer.clearUpdateRanges();
     for (let block = 0; block < this.dirty.length; ++block) {
       if (!this.dirty[block]) continue;
       const first = block;
       while (block < this.dirty.length && this.dirty[block]) this.dirty[block++] = 0;
-      const range = this.ranges[updateRanges.length];
-      range.start = kNumbers * kBlock * first;
-      range.count = Math.min(kNumbers * kBlock * block, this.paths.length) - range.start;
-      updateRanges.push(range);
+      const [start, end] = [kBlock * first, Math.min(kBlock * block, this.count)];
+      for (const [buffer, numbers] of buffers) {
+        buffer.addUpdateRange(numbers * start, numbers * (end - start));
+        buffer.needsUpdate = true;
+      }
     }
-    if (updateRanges.length > 0) this.drawn.buffer.needsUpdate = true;
   }
 }

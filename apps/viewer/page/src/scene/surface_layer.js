@@ -3,9 +3,11 @@
 import { Group, Vector3 } from 'three';
 import { surfaceColors } from './colors.js';
 import { Obstacles } from './obstacles.js';
-import { CylinderWall, PlaneWall, SphereWall } from './wall.js';
+import { CircleWall, CylinderWall, PlaneWall, SphereWall } from './wall.js';
 
 const kWalls = { plane: PlaneWall, cylinder: CylinderWall, sphere: SphereWall };
+const kFlatWalls = { plane: PlaneWall, cylinder: CircleWall, sphere: CircleWall };
+const kFlattened = 1e-4; // heights over the plane of two dimensions, so that only lines are seen
 
 /** The surfaces that spheres bounce off, besides the faces of the box, where they are at the time shown. */
 export class SurfaceLayer {
@@ -16,9 +18,12 @@ export class SurfaceLayer {
     this.colors = surfaceColors(surfaces);
     this.clip = { low: { value: new Vector3() }, high: { value: new Vector3() } };
     this.extent = '';
+    this.isFlat = box.isFlat;
+    if (box.isFlat) this.object.scale.z = kFlattened;
+    const walls = box.isFlat ? kFlatWalls : kWalls;
     const isObstacle = surfaces.map((surface) => surface.shape === 'obstacle');
     this.parts = surfaces.flatMap((surface, k) =>
-      isObstacle[k] ? [] : [new kWalls[surface.shape](surface, this.colors[k], this.clip)],
+      isObstacle[k] ? [] : [new walls[surface.shape](surface, this.colors[k], this.clip)],
     );
     if (isObstacle.includes(true)) {
       const tints = this.colors.filter((_, k) => isObstacle[k]);
@@ -35,8 +40,10 @@ export class SurfaceLayer {
     this.object.renderOrder = -1;
   }
 
-  /** Shows the surfaces at `time` [T] within the extent `low` to `high` [L]. */
-  update(time, [low, high]) {
+  /** Shows the surfaces at `time` [T] within an extent, from its lower to its upper corner [L]. */
+  update(time, [lower, upper]) {
+    const height = this.isFlat ? Math.max(...upper.map((end, axis) => end - lower[axis])) : 0;
+    const [low, high] = [[lower[0], lower[1], lower[2] - height], [upper[0], upper[1], upper[2] + height]];
     const extent = `${low} ${high}`;
     const hasChanged = extent !== this.extent;
     this.extent = extent;

@@ -1,10 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import { Color, PerspectiveCamera, Quaternion, Scene, Vector3, WebGLRenderer } from 'three';
+import { Color, MOUSE, PerspectiveCamera, Quaternion, Scene, TOUCH, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { BoxFrame } from './box_frame.js';
 
-/** The picture: camera, box, and what else is added to `scene`. */
+const kNoHaze = 1e30; // a distance that nothing has
+
+/**
+ * The picture: camera, box, and what else is added to `scene`. A plane is seen along z and cannot be turned, so that
+ * its picture is a true map: at right angles to the view, perspective only scales.
+ */
 export class View {
   /** `up`: the direction that is upward in the picture. */
   constructor(canvas, box, up) {
@@ -24,6 +29,12 @@ export class View {
     this.controls.dampingFactor = 0.12;
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', () => (this.isStale = true));
+    this.isFlat = box.isFlat;
+    if (this.isFlat) {
+      this.controls.enableRotate = false;
+      this.controls.mouseButtons.LEFT = MOUSE.PAN;
+      this.controls.touches = { ONE: TOUCH.PAN, TWO: TOUCH.DOLLY_PAN };
+    }
     this.frame = new BoxFrame(box.boundary);
     this.scene.add(this.frame.object);
     this.extent = 1;
@@ -52,10 +63,11 @@ export class View {
   }
 
   /**
-   * Shows the `extent`, two corners [L], from where the camera is, or from the direction `from`: to the right,
-   * upward, and to the front.
+   * Shows the `extent`, two corners [L], from where the camera is, or from the direction `begin`: to the right,
+   * upward, and to the front; a plane always from its front.
    */
-  fit([low, high], from = null) {
+  fit([low, high], begin = null) {
+    const from = this.isFlat ? [0, 0, 1] : begin;
     this.frame.span(low, high);
     const size = new Vector3(...high.map((end, axis) => end - low[axis]));
     this.extent = size.length();
@@ -137,7 +149,8 @@ export class View {
     this.camera.far = middle + 2 * this.extent;
     this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();
-    haze.set(Math.max(0, middle - 0.35 * this.extent), middle + 0.65 * this.extent);
+    if (this.isFlat) haze.set(kNoHaze, 2 * kNoHaze);
+    else haze.set(Math.max(0, middle - 0.35 * this.extent), middle + 0.65 * this.extent);
   }
 
   render() {

@@ -7,6 +7,7 @@ import {
   Float32BufferAttribute,
   GLSL3,
   Group,
+  LineLoop,
   LineSegments,
   Mesh,
   RawShaderMaterial,
@@ -46,21 +47,24 @@ function useSpots(geometry, u, v) {
   geometry.setAttribute('spot', new Float32BufferAttribute(spots, 2));
 }
 
+function lineMaterial(tint) {
+  return new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader: kLineVertex,
+    fragmentShader: kLineFragment,
+    uniforms: { tint: { value: tint } },
+    transparent: true,
+    depthWrite: false,
+  });
+}
+
 /** A plane within the box: translucent, with a grid, an outline, and ticks to the side of the spheres. */
 export class PlaneWall {
   constructor(surface, tint, shared) {
     this.surface = surface;
     this.moves = surface.moves;
     this.patch = new Mesh(new BufferGeometry(), wallMaterial(tint, shared, 1, 1));
-    const lines = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: kLineVertex,
-      fragmentShader: kLineFragment,
-      uniforms: { tint: { value: tint } },
-      transparent: true,
-      depthWrite: false,
-    });
-    this.lines = new LineSegments(new BufferGeometry(), lines);
+    this.lines = new LineSegments(new BufferGeometry(), lineMaterial(tint));
     this.object = new Group();
     this.object.add(this.patch, this.lines);
     for (const part of this.object.children) part.frustumCulled = false;
@@ -140,6 +144,25 @@ export class SphereWall {
     const geometry = new SphereGeometry(1, 4 * kLinesAround, 2 * kLinesAround);
     useSpots(geometry, kLinesAround, kLinesAround / 2);
     this.object = new Mesh(geometry, wallMaterial(tint, shared, 1, 0.3));
+    this.object.scale.setScalar(surface.radius);
+    this.object.frustumCulled = false;
+  }
+
+  /** As for a plane. */
+  update(time) {
+    this.object.position.set(...this.surface.pointAt(time));
+  }
+}
+
+/** What a cylinder along z, or a sphere, is in two dimensions: a circle, with the discs inside. */
+export class CircleWall {
+  constructor(surface, tint) {
+    this.surface = surface;
+    this.moves = surface.moves;
+    const angles = Array.from({ length: 16 * kLinesAround }, (_, k) => (k * Math.PI) / (8 * kLinesAround));
+    const points = angles.flatMap((angle) => [Math.cos(angle), Math.sin(angle), 0]);
+    const geometry = new BufferGeometry().setAttribute('position', new Float32BufferAttribute(points, 3));
+    this.object = new LineLoop(geometry, lineMaterial(tint));
     this.object.scale.setScalar(surface.radius);
     this.object.frustumCulled = false;
   }

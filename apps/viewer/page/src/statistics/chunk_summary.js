@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import { kPathNumbers } from '../recording/chunk.js';
+import { kBodyNumbers, kPathNumbers } from '../recording/chunk.js';
 
 const kMostIntervals = 8;
 const kContactsOfInterval = 200;
@@ -8,8 +8,8 @@ const kFewestContacts = 50; // a chunk that was closed early may hold too few fo
 
 /**
  * What happens in a chunk, in intervals of equal length: a list of {time, collisions, walls, energy}, the rates
- * [1/T] about `time` and the energy [M L^2 T^-2] there: the kinetic one and that of the height under `gravity`
- * [L/T²]. `begin` [T] is that of the recording.
+ * [1/T] about `time` and the energy [M L^2 T^-2] there: that of translation and rotation, and of the height under
+ * `gravity` [L/T²]; kinematic spheres have none. Spheres that pass through each other are no collision. `begin` [T] is that of the recording.
  * Cost: O(spheres + contacts).
  */
 export function summarize(chunk, masses, begin, gravity = [0, 0, 0]) {
@@ -19,15 +19,28 @@ export function summarize(chunk, masses, begin, gravity = [0, 0, 0]) {
 
   const spheres = masses.length;
   const energies = new Float64Array(spheres);
+  const { bodies } = chunk;
+  const mass = Float64Array.from(masses);
+  const inertia = new Float64Array(spheres);
+  const describe = (id, numbers, place) => {
+    const [radius, itsMass, moment] = numbers.subarray(place, place + 3);
+    mass[id] = itsMass;
+    inertia[id] = moment * itsMass * radius ** 2;
+  };
   let energy = 0;
-  for (let id = 0; id < spheres; ++id) {
-    energies[id] = energyOf(masses[id], chunk.keyframe, kPathNumbers * id, gravity);
-    energy += energies[id];
-  }
-  const change = (id, place) => {
-    const after = energyOf(masses[id], chunk.numbers, place, gravity);
+  const become = (id, after) => {
     energy += after - energies[id];
     energies[id] = after;
+  };
+  for (let id = 0; id < spheres; ++id) {
+    const start = kBodyNumbers * id;
+    if (bodies) describe(id, bodies, start + 7);
+    const turning = bodies ? rotationalEnergy(inertia[id], bodies, start) : 0;
+    become(id, energyOf(mass[id], chunk.keyframe, kPathNumbers * id, gravity) + turning);
+  }
+  const change = (id, place) => {
+    const turning = bodies ? rotationalEnergy(inertia[id], chunk.numbers, place + 6) : 0;
+    become(id, energyOf(mass[id], chunk.numbers, place, gravity) + turning);
   };
 
   const intervals = [];
@@ -40,13 +53,13 @@ export function summarize(chunk, masses, begin, gravity = [0, 0, 0]) {
     let energyThere = NaN;
     for (; k < chunk.contacts && chunk.time(k) <= end; ++k) {
       if (Number.isNaN(energyThere) && chunk.time(k) > middle) energyThere = energy;
+      if (chunk.isPass(k)) continue;
+      if (chunk.isMerger(k)) describe(chunk.first(k), chunk.numbers, chunk.secondPlace(k) + 3);
       change(chunk.first(k), chunk.firstPlace(k));
-      if (chunk.isWall(k)) {
-        ++walls;
-      } else if (chunk.isCollision(k)) {
-        change(chunk.second(k), chunk.secondPlace(k));
-        ++collisions;
-      }
+      if (chunk.isMerger(k)) become(chunk.second(k), 0);
+      else if (chunk.isCollision(k)) change(chunk.second(k), chunk.secondPlace(k));
+      if (chunk.isWall(k)) ++walls;
+      if (chunk.isCollision(k)) ++collisions;
     }
     if (Number.isNaN(energyThere)) energyThere = energy;
     intervals.push({
@@ -61,8 +74,15 @@ export function summarize(chunk, masses, begin, gravity = [0, 0, 0]) {
 
 // Between contacts it does not change. Position and velocity are in `numbers` from `start` on.
 function energyOf(mass, numbers, start, gravity) {
+  if (mass === Infinity) return 0;
   let energy = 0;
   for (let axis = 0; axis < 3; ++axis)
     energy += mass * (numbers[start + 3 + axis] ** 2 / 2 - gravity[axis] * numbers[start + axis]);
   return energy;
+}
+
+// The spin is in `numbers` from `start` on.
+function rotationalEnergy(inertia, numbers, start) {
+  if (inertia === Infinity) return 0;
+  return (inertia * (numbers[start] ** 2 + numbers[start + 1] ** 2 + numbers[start + 2] ** 2)) / 2;
 }

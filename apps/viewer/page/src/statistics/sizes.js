@@ -3,11 +3,11 @@
 
 const kWideRatio = 10; // of radii
 
-/** How different the sizes of spheres are, and how they are shown. */
+/** How different the sizes of spheres are, and how they are shown. Those without a radius do not exist. */
 export class Sizes {
   constructor(radii) {
     /** [L] */
-    this.smallest = radii.reduce((smallest, radius) => Math.min(smallest, radius), Infinity);
+    this.smallest = radii.reduce((least, radius) => (radius > 0 ? Math.min(least, radius) : least), Infinity);
     /** [L] */
     this.largest = radii.reduce((largest, radius) => Math.max(largest, radius), 0);
     /** Whether a logarithmic scale shows them best. */

@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: MIT
 import { kPathNumbers } from '../recording/chunk.js';
 
-/** Groups spheres of equal radius and mass: `of` gives the species of each sphere, `list` what they are. */
-export function findSpecies(radii, masses) {
+/**
+ * Groups spheres of equal radius and mass: `of` gives the kind of each sphere, `list` what they are. Spheres without
+ * a radius do not exist.
+ */
+export function findKinds(radii, masses) {
   const numbers = new Map();
   const of = new Uint16Array(radii.length);
   const list = [];
   for (let id = 0; id < radii.length; ++id) {
+    if (radii[id] === 0) continue;
     const key = `${radii[id]} ${masses[id]}`;
     let number = numbers.get(key);
     if (number === undefined && list.length < 0xffff) {
@@ -21,14 +25,31 @@ export function findSpecies(radii, masses) {
   return { of, list };
 }
 
+/** The species that the header of a recording names, as findKinds; null if it names none. */
+export function readSpecies({ species, spheres }) {
+  if (!species) return null;
+  const of = new Uint16Array(spheres);
+  const list = (species.names ?? []).map((name) => ({ name, count: 0 }));
+  let id = 0;
+  for (const [number, length] of species.runs ?? [[0, spheres]]) {
+    while (list.length <= number) list.push({ name: `species ${list.length}`, count: 0 });
+    of.fill(number, id, id + length);
+    list[number].count += length;
+    id += length;
+  }
+  return { of, list };
+}
+
 /**
- * The speeds of all spheres at `time` [T]: the list [L/T], into which they are written, and their total kinetic
- * energy.
+ * Writes the speeds at `time` [T] of all spheres that exist and are not kinematic into `speeds` [L/T]; returns how
+ * many there are, and their kinetic energy.
  */
 export function readSpeeds(paths, time, masses, box, speeds) {
   let energy = 0;
+  let count = 0;
   const [x, y, z] = box.gravity;
-  for (let id = 0; id < speeds.length; ++id) {
+  for (let id = 0; id < masses.length; ++id) {
+    if (masses[id] === 0 || masses[id] === Infinity) continue;
     const start = kPathNumbers * id + 3;
     const elapsed = time - paths[start + 3];
     const square =
@@ -36,9 +57,9 @@ export function readSpeeds(paths, time, masses, box, speeds) {
       (paths[start + 1] + elapsed * y) ** 2 +
       (paths[start + 2] + elapsed * z) ** 2;
     energy += (masses[id] * square) / 2;
-    speeds[id] = Math.sqrt(square);
+    speeds[count++] = Math.sqrt(square);
   }
-  return energy;
+  return { count, energy };
 }
 
 /** The share of `values` in each of `count` even intervals from 0 to `end`, divided by their length: a density. */
@@ -52,15 +73,17 @@ export function density(values, end, count) {
 }
 
 /**
- * The density of speeds in equilibrium [T/L]: 4π v² (m/2πkT)^{3/2} exp(−m v²/2kT), the mean over all species
- * at the temperature kT = 2/3 of the mean kinetic energy. Source: Maxwell, 1860.
+ * The density of speeds in equilibrium [T/L]: 4π v² (m/2πkT)^{3/2} exp(−m v²/2kT), in two dimensions
+ * 2π v (m/2πkT) exp(−m v²/2kT), the mean over all `kinds` of spheres that are not kinematic. Source: Maxwell, 1860.
  */
-export function maxwellDensity(speed, species, temperature) {
+export function maxwellDensity(speed, kinds, temperature, dimensions = 3) {
   let spheres = 0;
   let sum = 0;
-  for (const { mass, count } of species) {
+  for (const { mass, count } of kinds) {
+    if (mass === Infinity) continue;
     const a = mass / (2 * temperature);
-    sum += count * 4 * Math.PI * speed ** 2 * (a / Math.PI) ** 1.5 * Math.exp(-a * speed ** 2);
+    const shell = dimensions === 2 ? 2 * Math.PI * speed : 4 * Math.PI * speed ** 2;
+    sum += count * shell * (a / Math.PI) ** (dimensions / 2) * Math.exp(-a * speed ** 2);
     spheres += count;
   }
   return sum / spheres;
