@@ -10,6 +10,7 @@
 
 #include "apps/cli/commands.hpp"
 #include "apps/cli/interruption.hpp"
+#include "apps/cli/response_text.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
@@ -88,6 +89,12 @@ std::string describe_radii(const World& world) {
          readable(most);
 }
 
+std::size_t kinematic_count(const World& world) {
+  std::size_t count = 0;
+  for (Slot slot = 0; slot < world.size(); ++slot) count += world.is_kinematic(slot) ? 1U : 0U;
+  return count;
+}
+
 }  // namespace
 
 ExitCode check(const Options& options) {
@@ -112,8 +119,14 @@ ExitCode check(const Options& options) {
     add(wall_name(simulation.world(), kFaces + k), describe(simulation.world().surfaces()[k]));
   }
   if (simulation.thermostat()) add("thermostat", describe(simulation.thermostat()->kind()));
+  for (const ResponseText& text_of : response_texts(scenario)) add(text_of.who, text_of.what);
+  const std::string species = species_text(scenario, simulation.world());
+  if (!species.empty()) add("species", species);
+  const std::size_t kinematic = kinematic_count(simulation.world());
+  if (kinematic > 0) add("kinematic", to_text(kinematic) + (kinematic == 1 ? " sphere" : " spheres"));
   add("radius", describe_radii(simulation.world()));
-  add("packing fraction", readable(moments.packing_fraction()));
+  add(simulation.world().box().is_flat() ? "area fraction" : "packing fraction",
+      readable(moments.packing_fraction()));
   add("mean speed", readable(moments.mean_speed));
   add("mean free path", readable(mean_free_path(moments)));
   add("mean free time", readable(mean_free_time(moments)));

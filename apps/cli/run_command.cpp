@@ -104,7 +104,7 @@ ExitCode run(const Options& options) {
   const bool is_complete = run_to_end(simulation, scenario, files, measures, options.quiet);
   measures.sample_the_rest(simulation.world(), simulation.now());
   const Seconds seconds{seconds_between(begin, set_up), seconds_between(set_up, Clock::now())};
-  const Summary summary(simulation, seconds);
+  const Summary summary(scenario, simulation, seconds);
   const std::string json = summary.json();
   if (files) {
     const std::vector<Measurement> measurements = measures.results(simulation.world(), simulation.now());

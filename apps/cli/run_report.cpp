@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 
+#include "apps/cli/response_text.hpp"
 #include "apps/cli/start.hpp"
 #include "hardball/measure/fluid_theory.hpp"
 #include "hardball/measure/units.hpp"
@@ -180,11 +181,16 @@ report::Report run_report(const Options& options, const Scenario& scenario,
   report.until = *scenario.until;
   report.seed = scenario.seed;
   report.restitution = scenario.restitution();
+  for (const ResponseText& text : response_texts(scenario)) report.responses.push_back({text.who, text.what});
+  report.species = species_text(scenario, simulation.world());
 
   report.time = simulation.time();
   report.event_log_hash = simulation.event_log_hash();
   report.spheres = simulation.size();
   report.events = simulation.counters();
+  report.mergers = simulation.tally().mergers();
+  report.passes = simulation.tally().passes();
+  report.rotational_energy = summary.rotational_energy();
   report.packing_fraction = summary.packing_fraction();
   report.initial_energy = simulation.tally().initial_energy();
   report.gravity = simulation.world().motion().gravity();

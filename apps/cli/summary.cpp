@@ -10,6 +10,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "apps/cli/response_text.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/world/audit.hpp"
@@ -33,19 +34,25 @@ nlohmann::ordered_json number_or_null(double number) {
 
 }  // namespace
 
-Summary::Summary(const Simulation& simulation, const Seconds& seconds)
+Summary::Summary(const Scenario& scenario, const Simulation& simulation, const Seconds& seconds)
     : spheres_(simulation.size()),
+      is_flat_(simulation.world().box().is_flat()),
       time_(simulation.time()),
       counters_(simulation.counters()),
+      mergers_(simulation.tally().mergers()),
+      passes_(simulation.tally().passes()),
       hash_(simulation.event_log_hash()),
       initial_energy_(simulation.tally().initial_energy()),
       final_energy_(simulation.world().energy(simulation.now())),
       momentum_(simulation.world().momentum(simulation.now())),
+      rotational_energy_(simulation.world().has_spins() ? simulation.world().rotational_energy() : kNone),
       thermostat_(simulation.thermostat()),
       engine_(name_of(simulation.engine())),
       cell_edge_(simulation.cell_edge() > 0 ? simulation.cell_edge() : kNone),
       seconds_(seconds),
       bytes_per_sphere_(static_cast<double>(simulation.memory_bytes()) / static_cast<double>(spheres_)) {
+  const std::vector<std::size_t> counts = species_counts(scenario, simulation.world());
+  for (std::size_t k = 0; k < counts.size(); ++k) species_.push_back({scenario.species[k].name, counts[k]});
   const Box& box = simulation.world().box();
   const Audit found = audit(simulation.world(), simulation.now());
   max_overlap_ = std::max({simulation.tally().max_overlap(), found.max_overlap, found.max_escape});
@@ -71,9 +78,13 @@ std::string Summary::json() const {
                     {"enter", counters_.enter},
                     {"leave", counters_.leave},
                     {"stale", counters_.stale}};
+  if (mergers_ > 0) json["events"]["merger"] = mergers_;
+  if (passes_ > 0) json["events"]["pass"] = passes_;
+  for (const SpeciesCount& species : species_) json["species"][species.name] = species.spheres;
   json["predictions"] = counters_.predictions;
   json["event_log_hash"] = fmt::format("{:016x}", hash_);
   json["energy"] = {{"initial", initial_energy_}, {"final", final_energy_}};
+  if (std::isfinite(rotational_energy_)) json["energy"]["rotational"] = rotational_energy_;
   json["momentum"] = {momentum_.x, momentum_.y, momentum_.z};
   json["max_overlap"] = max_overlap_;
   json["packing_fraction"] = number_or_null(packing_fraction_);
@@ -111,17 +122,22 @@ std::string Summary::table() const {
     if (std::isfinite(value)) add(name, fmt::format("{:.6g}", value));
   };
   add("spheres", fmt::format("{}", spheres_));
+  for (const SpeciesCount& species : species_) add("  " + species.name, fmt::format("{}", species.spheres));
   add("time", fmt::format("{:.6g}", time_));
   add("collisions", fmt::format("{}", counters_.collision));
+  if (mergers_ > 0) add("  mergers", fmt::format("{}", mergers_));
+  if (passes_ > 0) add("  passes", fmt::format("{}", passes_));
   add("wall contacts", fmt::format("{}", counters_.wall));
   add("cells entered, left", fmt::format("{}, {}", counters_.enter, counters_.leave));
   add("stale events", fmt::format("{}", counters_.stale));
   add("pair predictions", fmt::format("{}", counters_.predictions));
   add("event log hash", fmt::format("{:016x}", hash_));
   add("energy", fmt::format("{:.10g} at the start, {:.10g} at the end", initial_energy_, final_energy_));
+  if (std::isfinite(rotational_energy_))
+    add("  of rotation", fmt::format("{:.10g} at the end", rotational_energy_));
   add("momentum", fmt::format("{:.3g}, {:.3g}, {:.3g}", momentum_.x, momentum_.y, momentum_.z));
   add("deepest overlap", fmt::format("{:.2g} diameters", max_overlap_));
-  add_if_meant("packing fraction", packing_fraction_);
+  add_if_meant(is_flat_ ? "area fraction" : "packing fraction", packing_fraction_);
   add_if_meant("PV/NkT", compressibility_);
   add_if_meant("pressure on walls", wall_pressure_);
   for (const WallSummary& wall : walls_) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/cli/wall_summary.hpp"
+#include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
 
 namespace hardball::cli {
@@ -20,8 +21,8 @@ struct Seconds {
 /// The summary of a run.
 class Summary {
  public:
-  /// Summarises the simulation at its current time. Cost: that of an audit.
-  Summary(const Simulation& simulation, const Seconds& seconds);
+  /// Summarises the simulation of a scenario at its current time. Cost: that of an audit.
+  Summary(const Scenario& scenario, const Simulation& simulation, const Seconds& seconds);
 
   /// One JSON object, with null for what does not apply to this run, and a line break.
   std::string json() const;
@@ -31,6 +32,7 @@ class Summary {
   /// In diameters [1].
   double max_overlap() const { return max_overlap_; }
   // NaN where it does not apply.
+  double rotational_energy() const { return rotational_energy_; }  ///< [M L^2 T^-2]
   double packing_fraction() const { return packing_fraction_; }
   double compressibility() const { return compressibility_; }
   double wall_pressure() const { return wall_pressure_; }  ///< [M L^-1 T^-2]
@@ -43,15 +45,25 @@ class Summary {
   long peak_rss_bytes() const { return peak_rss_bytes_; }
 
  private:
+  struct SpeciesCount {
+    std::string name;
+    std::size_t spheres = 0;
+  };
+
   std::size_t spheres_;
+  bool is_flat_;
   double time_;
   Counters counters_;
+  std::uint64_t mergers_;
+  std::uint64_t passes_;
+  std::vector<SpeciesCount> species_;
   std::uint64_t hash_;
   double initial_energy_;
   double final_energy_;
   Vec3 momentum_;
   double max_overlap_;
   // The following are NaN where they do not apply.
+  double rotational_energy_;
   double packing_fraction_;
   double compressibility_;
   double wall_pressure_;

@@ -201,8 +201,9 @@ std::string key_figures(const Report& report) {
   add("spheres", count_text(report.spheres));
   add("time simulated", in_unit(number_text(report.time), "T"));
   add("collisions", count_text(report.events.collision));
+  if (report.mergers > 0) add("mergers", count_text(report.mergers));
   if (std::isfinite(report.packing_fraction)) {
-    add("packing fraction", number_text(report.packing_fraction, 4));
+    add(report.is_flat ? "area fraction" : "packing fraction", number_text(report.packing_fraction, 4));
   } else {
     add("wall contacts", count_text(report.events.wall));
   }
@@ -218,6 +219,9 @@ std::string certificate(const Report& report) {
   Table conserved("facts", "State");
   conserved.add_row("energy at the start", {in_unit(number_text(report.initial_energy, 10), "M L^2 T^-2")});
   conserved.add_row("energy at the end", {in_unit(number_text(report.final_energy, 10), "M L^2 T^-2")});
+  if (std::isfinite(report.rotational_energy)) {
+    conserved.add_row("of it rotation", {in_unit(number_text(report.rotational_energy, 10), "M L^2 T^-2")});
+  }
   conserved.add_row("relative change", {typeset(number_text(energy_change(report), 2))});
   if (!report.surfaces.empty()) {
     conserved.add_row("work of the surfaces",
@@ -232,12 +236,21 @@ std::string certificate(const Report& report) {
   }
   conserved.add_row("momentum at the end", {in_unit(vector_text(report.momentum, 2), "M L T^-1")});
   conserved.add_row("deepest overlap", {typeset(number_text(report.max_overlap, 2)) + " diameters"});
-  const bool is_constant = !std::isnan(report.restitution);
-  conserved.add_row("restitution", {is_constant ? number_text(report.restitution) : "as the scenario says"});
+  if (!std::isnan(report.restitution)) {
+    conserved.add_row("restitution", {number_text(report.restitution)});
+  } else {
+    for (const ResponseReport& response : report.responses) {
+      conserved.add_row(escaped(response.who), {escaped(response.what)});
+    }
+  }
+  if (!report.species.empty()) conserved.add_row("species", {escaped(report.species)});
+  if (report.is_flat) conserved.add_row("dimensions", {"2"});
   conserved.add_row("seed", {std::to_string(report.seed)});
   Table events("facts", "Events");
   events.add_row("event log hash", {code(hash_text(report.event_log_hash))});
   events.add_row("collisions", {count_text(report.events.collision)});
+  if (report.mergers > 0) events.add_row("of them mergers", {count_text(report.mergers)});
+  if (report.passes > 0) events.add_row("of them passes", {count_text(report.passes)});
   events.add_row("wall contacts", {count_text(report.events.wall)});
   if (report.thermostat) {
     events.add_row("thermostat",

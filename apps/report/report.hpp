@@ -46,6 +46,12 @@ struct ThermostatReport {
   double energy = 0;         ///< That it gave to the spheres [M L^2 T^-2].
 };
 
+/// What becomes of spheres that touch, in words.
+struct ResponseReport {
+  std::string who;   ///< "all contacts", "mist and mist".
+  std::string what;  ///< "bounce, restitution 0.9".
+};
+
 /// All contents of the report of a run. A number without meaning for the run is NaN.
 struct Report {
   // Input.
@@ -56,8 +62,10 @@ struct Report {
   std::string date;                  ///< When the run ended, as text.
   double until = 0;                  ///< When the run should end [T].
   std::uint64_t seed = 0;
-  double restitution = 1;  ///< [1]
-  Vec3 gravity;            ///< [L T^-2]
+  double restitution = 1;  ///< [1]; NaN if it is not one constant.
+  std::vector<ResponseReport> responses;
+  std::string species;  ///< How many spheres of each there are at the end; empty if there are none.
+  Vec3 gravity;         ///< [L T^-2]
 
   // Results.
   double time = 0;  ///< When it ended [T].
@@ -65,11 +73,15 @@ struct Report {
   std::uint64_t event_log_hash = 0;
   std::size_t spheres = 0;
   Counters events;
+  std::uint64_t mergers = 0;  ///< Those of the collisions after which two spheres were one.
+  std::uint64_t passes = 0;   ///< Those in which they passed through each other.
   double packing_fraction = std::numeric_limits<double>::quiet_NaN();  ///< [1]
   double initial_energy = 0;  ///< Under gravity the potential energy is included [M L^2 T^-2].
   double final_energy = 0;    ///< Likewise.
-  Vec3 momentum;              ///< [M L T^-1]
-  double max_overlap = 0;     ///< In diameters [1].
+  /// The part of rotation at the end [M L^2 T^-2].
+  double rotational_energy = std::numeric_limits<double>::quiet_NaN();
+  Vec3 momentum;           ///< [M L T^-1]
+  double max_overlap = 0;  ///< In diameters [1].
 
   // Performance.
   std::string engine;
@@ -80,7 +92,7 @@ struct Report {
   double bytes_per_sphere = 0;
   double peak_bytes = 0;
 
-  bool is_flat = false;  ///< In two dimensions surfaces have lengths.
+  bool is_flat = false;  ///< In two dimensions spheres have areas, and surfaces lengths.
   std::vector<SurfaceReport> surfaces;
   std::optional<ThermostatReport> thermostat;
   std::vector<Quantity> rates;  ///< With the predictions of kinetic theory.

@@ -45,6 +45,8 @@ class TabulatedRestitution {
   explicit TabulatedRestitution(std::vector<Point> points);
 
   double at(double speed) const;
+  /// In the order of speeds; at least one.
+  const std::vector<Point>& points() const { return points_; }
   TabulatedRestitution scaled(double factor) const;
 
  private:

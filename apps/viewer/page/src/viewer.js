@@ -102,7 +102,7 @@ export class Viewer {
     element('walls-label').hidden = this.surfaces.length === 0;
     element('images-label').hidden = !this.surroundings.images.isPeriodic;
     element('surroundings').hidden = this.surfaces.length === 0 && !this.surroundings.images.isPeriodic;
-    showEventLegend(header.box.boundary.includes('wall') || this.surfaces.length > 0, this.canTurn);
+    this.showEvents();
   }
 
   /** Starts the animation. */
@@ -354,6 +354,15 @@ export class Viewer {
       if (bodies.exists(id)) ++this.kinds.list[this.kinds.of[id]].count;
   }
 
+  // Whether spheres merge is known as soon as some have.
+  showEvents() {
+    const hasMergers = this.source.status.mergers > 0;
+    if (hasMergers === this.hasMergers) return;
+    this.hasMergers = hasMergers;
+    const hasWalls = this.source.header.box.boundary.includes('wall') || this.surfaces.length > 0;
+    showEventLegend(hasWalls, hasMergers);
+  }
+
   showSpecies() {
     this.legend.showSpecies(this.kinds.list);
   }
@@ -387,6 +396,7 @@ export class Viewer {
       this.spherePanel.update();
       if (this.surroundings.widen(this.playback)) this.view.isStale = true;
       showRunStatus(this.source, this.isLost);
+      this.showEvents();
     }
     if (seconds - this.last.plots > kSecondsBetweenPlots) {
       this.last.plots = seconds;

@@ -87,6 +87,8 @@ export class BoxFrame {
       uniforms: this.uniforms,
       side: BackSide,
       transparent: true,
+      // What lies in the plane does not hide it.
+      depthTest: boundary[2] !== 'flat',
       depthWrite: false,
     });
     this.object = new Mesh(geometry, material);

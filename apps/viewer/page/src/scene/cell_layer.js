@@ -79,6 +79,7 @@ export class CellLayer {
       uniforms: this.uniforms,
       side: DoubleSide,
       transparent: true,
+      depthTest: !box.isFlat,
       depthWrite: false,
     });
     this.object = new Mesh(this.geometry, material);

@@ -98,9 +98,11 @@ const kShading = /* glsl */ `
     vec3 place = fromCamera * normal;
     place += 2.0 * cross(toMarks.xyz, cross(toMarks.xyz, place) + toMarks.w * place);
     float soft = max(fwidth(place.x), fwidth(place.z)) + 0.01;
-    float cap = smoothstep(0.88 - soft, 0.88 + soft, place.z);
+    float cap = isFlat ? 0.0 : smoothstep(0.88 - soft, 0.88 + soft, place.z);
     float line = (1.0 - smoothstep(0.1 - soft, 0.1 + soft, abs(place.x))) * smoothstep(-soft, soft, place.y);
-    return 0.62 * max(cap, line);
+    // On small spheres it would only be dirt.
+    float clarity = 1.0 - smoothstep(0.12, 0.3, soft);
+    return 0.62 * clarity * max(cap, line);
   }
 
   vec3 shade(vec3 normal, float distance) {

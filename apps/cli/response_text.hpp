@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hardball/scenario/scenario.hpp"
+
+namespace hardball::cli {
+
+/// What becomes of spheres that touch, in words.
+struct ResponseText {
+  std::string who;   ///< "all contacts", "drop and mist", "mist at walls".
+  std::string what;  ///< "bounce, restitution 0.9", "merge", "pass through each other".
+};
+
+/// The responses of a scenario: first that of all, then those of pairs.
+std::vector<ResponseText> response_texts(const Scenario& scenario);
+
+/// How many spheres of each species there are: "drop 120, mist 700"; empty if the scenario names none.
+std::string species_text(const Scenario& scenario, const World& world);
+
+/// How many spheres of each species of a scenario there are. Cost: O(n).
+std::vector<std::size_t> species_counts(const Scenario& scenario, const World& world);
+
+}  // namespace hardball::cli
