@@ -52,6 +52,16 @@ const kPictures = {
       await page.evaluate(() => window.hardball.setTime(8));
     },
   },
+  // Discs that fill 80% of the plane stay on the sites of their crystal.
+  viewer_discs: {
+    scenario: 'disc_crystal.toml',
+    settings: ['--until', '1', '--set', 'box.size=[20.0, 17.3205]', '--set', 'spheres.0.count=400'],
+    scheme: 'light',
+    async prepare(page) {
+      await page.evaluate(() => window.hardball.setTime(0.8));
+      await page.evaluate(() => window.hardball.follow(190));
+    },
+  },
   // The cells of the paper, as a sphere enters and leaves them.
   viewer_cells: {
     scenario: 'paper.toml',

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 #include "support/page.hpp"
@@ -225,6 +226,28 @@ TEST(Report, AccountsForTheEnergyOfTheThermostat) {
   report.restitution = 0.9;
   report.final_energy = report.initial_energy - 10;
   expect_in(verdict_of(report), "collisions took the energy 15, and the thermostat gave 5");
+}
+
+TEST(Report, TellsWhatBecomesOfSpheresThatTouch) {
+  Report report = sample_report();
+  expect_not_in(to_html(report), "mergers");
+  expect_not_in(to_html(report), "of it rotation");
+  report.restitution = std::numeric_limits<double>::quiet_NaN();
+  report.responses = {{"all contacts", "spheres merge"}, {"mist & mist", "pass through each other"}};
+  report.species = "drop 3, mist 4";
+  report.mergers = 12345;
+  report.passes = 678;
+  report.rotational_energy = 0.125;
+  report.is_flat = true;
+  const std::string html = to_html(report);
+  EXPECT_EQ(faults_of(report), "");
+  expect_in(html, "<th scope=\"row\">all contacts</th><td>spheres merge</td>");
+  expect_in(html, "<th scope=\"row\">mist &amp; mist</th><td>pass through each other</td>");
+  expect_in(html, "<td>drop 3, mist 4</td>");
+  expect_in(html, "<dt>mergers</dt><dd>12,345</dd>");
+  expect_in(html, "<th scope=\"row\">of them passes</th><td>678</td>");
+  expect_in(html, "<th scope=\"row\">of it rotation</th><td>0.125");
+  expect_in(html, "<dt>area fraction</dt>");
 }
 
 TEST(Report, SaysThatARunWasInterrupted) {

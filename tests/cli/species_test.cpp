@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// What the program tells of species that bounce, merge and pass through each other.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/program.hpp"
+#include "hardball/io/recording_reader.hpp"
+
+namespace hardball {
+namespace {
+
+using nlohmann::json;
+using support::Outcome;
+using support::run_program;
+using support::ScratchFolder;
+using support::write_text;
+
+const std::string kSpecies = R"([box]
+size = [10.0, 10.0, 10.0]
+boundary = ["wall", "periodic", "periodic"]
+[[species]]
+name = "drop"
+[[species]]
+name = "mist"
+[[spheres]]
+count = 60
+radius = 0.4
+placement = "random"
+temperature = 1.0
+species = "drop"
+[[spheres]]
+count = 100
+radius = 0.2
+placement = "random"
+temperature = 1.0
+species = "mist"
+[[spheres]]
+count = 1
+radius = 0.5
+placement = "random"
+kinematic = true
+speed = 0.0
+species = "mist"
+[response]
+kind = "merge"
+[[response.pairs]]
+kind = "pass"
+between = ["mist", "mist"]
+[[response.pairs]]
+restitution = { law = "viscoelastic", value = 0.8, speed = 1.0 }
+tangential_restitution = 0.5
+contact_duration = 1e-6
+between = ["drop", "wall"]
+[output]
+recording = true
+[run]
+until = 3.0
+)";
+
+void expect_in(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+}
+
+TEST(SpeciesInWords, AreCheckedBeforeTheRun) {
+  const ScratchFolder folder;
+  write_text(folder / "species.toml", kSpecies);
+  const Outcome checked = run_program(folder, {"check", "species.toml"});
+  ASSERT_EQ(checked.exit_code, 0) << checked.messages;
+  expect_in(checked.output, "spheres merge; at walls they bounce, elastic");
+  expect_in(checked.output, "mist and mist           pass through each other");
+  expect_in(checked.output,
+            "drop at walls           bounce, viscoelastic, restitution 0.8 at the impact speed 1, "
+            "rough with tangential restitution 0.5, elastic within 1e-06 after another contact");
+  expect_in(checked.output, "drop 60, mist 101");
+  expect_in(checked.output, "kinematic               1 sphere");
+}
+
+TEST(SpeciesInWords, AreCountedRecordedAndReportedByTheRun) {
+  const ScratchFolder folder;
+  write_text(folder / "species.toml", kSpecies);
+  const Outcome outcome = run_program(folder, {"run", "species.toml", "--out", "out", "--json", "--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
+  const json summary = json::parse(outcome.output);
+  const std::size_t mergers = summary["events"]["merger"];
+  const std::size_t passes = summary["events"]["pass"];
+  ASSERT_GT(mergers, 0U);
+  ASSERT_GT(passes, 0U);
+  EXPECT_EQ(summary["spheres"], 161 - mergers);
+  EXPECT_EQ(summary["species"]["drop"].get<std::size_t>() + summary["species"]["mist"].get<std::size_t>(),
+            161 - mergers);
+  EXPECT_GT(summary["energy"]["rotational"], 0);
+  const std::string report = support::read_text(folder / "out/report.html");
+  expect_in(report, "<dt>mergers</dt><dd>" + std::to_string(mergers) + "</dd>");
+  expect_in(report, "pass through each other");
+  RecordingReader reader(folder / "out/recording.hbr");
+  EXPECT_EQ(reader.header().species_names, (std::vector<std::string>{"drop", "mist"}));
+  EXPECT_TRUE(std::isnan(reader.header().restitution));
+  std::size_t present = 0;
+  for (const RecordedBody& body : reader.read(reader.chunks().size() - 1).bodies_at(3)) {
+    present += body.exists() ? 1U : 0U;
+  }
+  EXPECT_EQ(present, 161 - mergers);
+  EXPECT_EQ(run_program(folder, {"replay", "out", "--out", "replay.html"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace hardball
