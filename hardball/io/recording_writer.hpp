@@ -20,7 +20,7 @@ namespace hardball {
 /// The file always ends with a complete chunk. A chunk is closed when it holds as many contacts as there are
 /// spheres, or 1000 if that is more, or 64 MB of them; at flush(); and at close(). Contacts at the same time
 /// are never split between chunks. Memory: 56 bytes per sphere, and
-/// 200 per contact of the open chunk; in version 2 also 88 per sphere.
+/// 192 per contact of the open chunk; in version 2 also 80 per sphere.
 class RecordingWriter {
  public:
   /// Creates the file and records the spheres of `world`, whose number, box and species replace those of

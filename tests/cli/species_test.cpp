@@ -52,6 +52,7 @@ kind = "merge"
 kind = "pass"
 between = ["mist", "mist"]
 [[response.pairs]]
+kind = "bounce"
 restitution = { law = "viscoelastic", value = 0.8, speed = 1.0 }
 tangential_restitution = 0.5
 contact_duration = 1e-6

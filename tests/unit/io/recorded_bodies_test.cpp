@@ -44,7 +44,8 @@ World drops_and_mist(std::size_t count) {
                .velocity = gas.velocity(slot, Time(0)),
                .radius = gas.radius(slot),
                .mass = slot == 7 ? kInfinity : 1,
-               .species = species});
+               .species = species,
+               .moment = slot % 2 == 0 ? 0.4 : 0.6});
   }
   world.let_pass(1, 1);
   return world;
@@ -221,6 +222,9 @@ TEST(RecordedBodies, OfSpheresThatDoNotSpinAreUprightInVersionOne) {
   EXPECT_TRUE(std::isnan(reader.header().restitution));
   EXPECT_TRUE(nlohmann::json::parse(reader.header_text())["restitution"].is_null());
   EXPECT_FALSE(nlohmann::json::parse(reader.header_text()).contains("species"));
+  const RecordingHeader of_walls = parse_recording_header(
+      to_json({.restitution = std::nan(""), .surfaces = {{.restitution = std::nan("")}}}), "test");
+  EXPECT_TRUE(std::isnan(of_walls.surfaces.at(0).restitution));
   EXPECT_EQ(reader.read(0).bodies.at(0), (RecordedBody{.radius = 0.5, .mass = 3}));
 }
 

@@ -134,6 +134,39 @@ test('spheres turn with their spins', () => {
   assertNear(turned(turned(kUpright, [0.3, 0.4, 0], 2), [0.3, 0.4, 0], -2), kUpright);
 });
 
+// Rodrigues' formula.
+function rotated(vector, spin, duration) {
+  const rate = Math.hypot(...spin);
+  const axis = spin.map((part) => part / rate);
+  const [cosine, sine] = [Math.cos(rate * duration), Math.sin(rate * duration)];
+  const along = axis.reduce((sum, part, k) => sum + part * vector[k], 0);
+  const across = cross(axis, vector);
+  return vector.map((part, k) => cosine * part + sine * across[k] + (1 - cosine) * along * axis[k]);
+}
+
+function cross(a, b) {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+}
+
+// As the shader does it.
+function carried([x, y, z, real], vector) {
+  const inner = cross([x, y, z], vector).map((part, k) => part + real * vector[k]);
+  return cross([x, y, z], inner).map((part, k) => vector[k] + 2 * part);
+}
+
+test('one turn after another carries every direction along', () => {
+  const spins = [[0.3, -0.7, 1.1], [-1.3, 0.2, 0.4], [0.5, 0.6, -0.2]]; // prettier-ignore
+  for (const start of [[1, 0, 0], [0, 1, 0], [0, 0, 1]]) { // prettier-ignore
+    let orientation = kUpright;
+    let direction = start;
+    for (const spin of spins) {
+      orientation = turned(orientation, spin, 1.7);
+      direction = rotated(direction, spin, 1.7);
+      assertNear(carried(orientation, start), direction, 1e-14);
+    }
+  }
+});
+
 test('what does not exist is neither picked, nor has it images, a size, a speed, or a kind', () => {
   const source = new StoredSource(kBytes);
   const playback = playbackOf(source);
