@@ -32,7 +32,7 @@ async function withSpheres({ boundary, keyframe, bodies, contacts }, work) {
     cell_origin: kStill,
     name: 'bodies',
     restitution: null,
-    species: { names: ['drop', 'mist'], runs: [[0, 1], [1, 1]] }, // prettier-ignore
+    species: { names: ['drop', 'mist'], runs: [[0, 1], [1, 1]] },
   };
   const masses = [bodies[8], bodies[18]];
   const chunk = { begin: 0, end: 4, keyframe, bodies, contacts };
@@ -122,7 +122,7 @@ test('the mark of a disc turns like the hand of a clock, the other way round', a
       const { count, x, y } = middleOf(image, disc, (red, green, blue) => blue > red + 25 && blue < 100);
       return { count, x: x - center.x, y: y - center.y };
     };
-    for (const [time, x, y] of [[0, 0, -1], [1, -1, 0], [2, 0, 1], [3, 1, 0]]) { // prettier-ignore
+    for (const [time, x, y] of [[0, 0, -1], [1, -1, 0], [2, 0, 1], [3, 1, 0]]) {
       await setTime(page, time);
       const seen = await hand();
       assert.ok(seen.count > 100, `${time}: ${seen.count} pixels`);

@@ -30,7 +30,7 @@ const kHeader = {
   cell_origin: [0, 0, 0],
   name: 'bodies',
   restitution: null,
-  species: { names: ['drop', 'mist'], runs: [[0, 2], [1, 1]] }, // prettier-ignore
+  species: { names: ['drop', 'mist'], runs: [[0, 2], [1, 1]] },
 };
 const kBox = new Box(kHeader.box);
 
@@ -54,7 +54,7 @@ const kBytes = writeRecording(
         { time: 2, first: 0, second: 1, fate: 1, numbers: [6, 5, 5, 1, 0, 0, 0, 0, kQuarter, 8, 5, 5, 0, 0, 0, ...kStill] },
         { time: 3, first: 0, second: 0, fate: 0, numbers: [7, 5, 5, 1, 0, 0, 1, 0, 0, ...kStill, ...kStill, ...kStill] },
         { time: 4, first: 0, second: 1, fate: 2, numbers: [8, 5, 5, 0.5, 0, 0, 0, 0.25, 0, 8, 5, 5, 1.25, 2, 0.4, ...kStill] },
-      ], // prettier-ignore
+      ],
     },
   ],
 );
@@ -155,8 +155,8 @@ function carried([x, y, z, real], vector) {
 }
 
 test('one turn after another carries every direction along', () => {
-  const spins = [[0.3, -0.7, 1.1], [-1.3, 0.2, 0.4], [0.5, 0.6, -0.2]]; // prettier-ignore
-  for (const start of [[1, 0, 0], [0, 1, 0], [0, 0, 1]]) { // prettier-ignore
+  const spins = [[0.3, -0.7, 1.1], [-1.3, 0.2, 0.4], [0.5, 0.6, -0.2]];
+  for (const start of [[1, 0, 0], [0, 1, 0], [0, 0, 1]]) {
     let orientation = kUpright;
     let direction = start;
     for (const spin of spins) {

@@ -18,7 +18,7 @@ export function turned([i, j, k, real], [x, y, z], duration) {
   ];
 }
 
-/** What the spheres are at one time, by id, and how they turn. A sphere that has become part of another has no radius. */
+/** What the spheres are at one time, by id, and how they turn. One that has become part of another has no radius. */
 export class Bodies {
   /** Those of a recording's start: radii [L] and masses [M]. */
   constructor(radii, masses) {

@@ -3,7 +3,10 @@
 
 /** The space in which spheres move, as the header of a recording describes it: the box, and gravity. */
 export class Box {
-  /** `size`: three lengths [L]; `boundary`: three of "wall", "periodic", "open", and "flat" for z in two dimensions; `gravity`: three of [L/T²]. */
+  /**
+   * `size`: three lengths [L]; `boundary`: three of "wall", "periodic", "open", and "flat" for z in two dimensions;
+   * `gravity`: three of [L/T²].
+   */
   constructor({ size, boundary }, gravity = [0, 0, 0]) {
     this.boundary = boundary;
     /** Edge lengths [L]; along open axes they say nothing about the motion. */

@@ -19,9 +19,10 @@ export class Cells {
 
   /** Cells with edges of about `edge` [L], a whole number of which fits into the box. */
   static fitting(edge, box) {
-    const edges = box.boundary.map((boundary, axis) =>
-      boundary === 'open' || boundary === 'flat' ? edge : box.size[axis] / Math.max(1, Math.round(box.size[axis] / edge)),
-    );
+    const edges = box.boundary.map((boundary, axis) => {
+      if (boundary === 'open' || boundary === 'flat') return edge;
+      return box.size[axis] / Math.max(1, Math.round(box.size[axis] / edge));
+    });
     return new Cells(edges, [0, 0, 0], box);
   }
 
