@@ -401,10 +401,10 @@ std::vector<Vec3> Simulation::positions_at(double time) {
 void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
   check_editable("change_velocity");
   const Slot slot = world().slot_of(id);
-  const double energy_before = energy(world(), slot, now_);
+  const double energy_before = kinetic_energy(world(), slot, now_);
   const Vec3 before = world().velocity(slot, now_);
   rewrite_velocity(slot, now_, velocity);
-  tally_.note_edit(energy(world(), slot, now_) - energy_before, now_);
+  tally_.note_edit(kinetic_energy(world(), slot, now_) - energy_before, now_);
   tell_of_change({now_, id, world().mass(slot), world().path(slot).position, before, velocity});
 }
 
@@ -491,14 +491,14 @@ SphereId Simulation::add(const Sphere& sphere) {
   refuse_overlap(world(), sphere, now_);
   const SphereId id = engine_->world_to_edit().add(sphere, now_);
   edited_ = true;
-  tally_.note_edit(energy(world(), world().slot_of(id), now_), now_);
+  tally_.note_edit(kinetic_energy(world(), world().slot_of(id), now_), now_);
   if (thermostat_) thermostat_->note_added(id, now_);
   return id;
 }
 
 void Simulation::remove(SphereId id) {
   check_editable("remove");
-  const double energy = hardball::energy(world(), world().slot_of(id), now_);
+  const double energy = kinetic_energy(world(), world().slot_of(id), now_);
   engine_->world_to_edit().remove(id);
   user_data_.remove(id);
   edited_ = true;

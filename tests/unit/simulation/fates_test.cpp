@@ -218,6 +218,22 @@ TEST_P(Fates, OfRoughSpheresDependsOnTheirMoments) {
   }
 }
 
+// What a kinematic sphere absorbs is no part of the energy any more.
+TEST_P(Fates, OfMergingSpheresIsFollowedByTheEnergy) {
+  for (const double mass : {1.0, kInfinity}) {
+    World world(Box::open());
+    world.add({.position = {0, 0, 0}, .velocity = {2, 0, 0}, .radius = 1, .mass = mass});
+    world.add({.position = {4, 0, 0}, .velocity = {0, 1, 0}, .radius = 1});
+    world.add({.position = {0, 9, 0}, .velocity = {0, 3, 0}, .radius = 1});
+    Simulation simulation(world, merging_by(GetParam()));
+    simulation.run_until(3);
+    ASSERT_EQ(simulation.size(), 2U);
+    const double energy = simulation.world().kinetic_energy(simulation.now());
+    const Tally& tally = simulation.tally();
+    EXPECT_NEAR(tally.energy_integral(Time(4)) - tally.energy_integral(Time(3)), energy, 1e-12);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Engine, Fates,
                          testing::Values(EngineKind::cells, EngineKind::neighbors, EngineKind::all_pairs,
                                          EngineKind::paper));
