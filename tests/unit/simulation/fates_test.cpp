@@ -270,5 +270,24 @@ TEST(CustomResponse, MaySpinAndMergeSpheres) {
   EXPECT_THROW(simulation.run_until(50), Error);
 }
 
+TEST(CustomResponse, ThatReturnsBadSpinsChangesNothing) {
+  World world(Box::open());
+  world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 1});
+  world.add({.position = {4, 0, 0}, .radius = 1});
+  Simulation simulation(world);
+  simulation.respond_with([](const Contact& contact) {
+    Outcome outcome(contact, {contact.before.second, contact.before.first});
+    outcome.spins = {{0, 0, 1}, {0, 0, 1e300}};
+    return outcome;
+  });
+  EXPECT_THROW(simulation.run_until(5), Error);
+  EXPECT_EQ(simulation.world().path(0).time, Time(0));
+  EXPECT_EQ(simulation.world().spin(0), Vec3{});
+  simulation.respond_with(nullptr);
+  simulation.run_until(5);
+  EXPECT_EQ(simulation.counters().collision, 1U);
+  EXPECT_EQ(simulation.velocity(1), (Vec3{1, 0, 0}));
+}
+
 }  // namespace
 }  // namespace hardball
