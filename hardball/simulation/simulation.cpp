@@ -251,16 +251,16 @@ RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) 
     if (status == RunStatus::time_reached && std::isfinite(piece.until.high)) {
       now_ = later(now_, piece.until);
     }
+    if (status == RunStatus::steps_reached && left.steps == 0) {
+      // Only here may the time reached depend on the engine.
+      now_ = later(now_, engine_->now());
+    }
     if (status == RunStatus::time_reached && acts) {
       left.steps -= std::min(left.steps, act(measures));
       status = RunStatus::steps_reached;
     }
     const bool goes_on =
         status == RunStatus::observer_stopped || (status == RunStatus::steps_reached && left.steps > 0);
-    if (status == RunStatus::steps_reached && !goes_on) {
-      // Only here may the time reached depend on the engine.
-      now_ = later(now_, engine_->now());
-    }
     // Also before returning: a run may be split into pieces of any size.
     if (!edited_) retune_if_due();
     if (!goes_on) return status;
@@ -316,22 +316,22 @@ std::optional<NextContact> Simulation::next_contact(double until) {
   }
   apply_edits();
   const Time end(until);
-  std::optional<Simulation> ahead;  // where the thermostat has acted
+  std::optional<Simulation> ahead;
   Simulation* at = this;
+  const auto look_apart = [&] {
+    ahead.emplace(*this);
+    ahead->change_listener_ = nullptr;
+    at = &*ahead;
+  };
+  if (looks_ahead_apart_) look_apart();
   for (;;) {
     const Time action = at->next_action();
     const bool acts = action.high <= end.high && action < kNever;
     const Time limit = acts ? action : end;
-    const bool looks_apart = looks_ahead_apart_ && at == this;
-    const std::optional<Event> next =
-        looks_apart ? engine_->clone()->next_contact(limit) : at->engine_->next_contact(limit);
+    const std::optional<Event> next = at->engine_->next_contact(limit);
     if (next) return NextContact{next->time.value(), next->kind, next->first, next->second};
     if (!acts) return std::nullopt;
-    if (!ahead) {
-      ahead.emplace(*this);
-      ahead->change_listener_ = nullptr;
-      at = &*ahead;
-    }
+    if (!ahead) look_apart();
     at->now_ = later(at->now_, action);
     at->act(nullptr);
     at->apply_edits();
@@ -346,6 +346,7 @@ std::vector<Contact> Simulation::contacts_within(double duration, std::uint64_t 
   std::vector<Contact> contacts;
   Simulation copy(*this);
   copy.on_contact([&contacts](const Contact& contact) { contacts.push_back(contact); });
+  copy.change_listener_ = nullptr;
   copy.run({.until = until, .contacts = most});
   return contacts;
 }
