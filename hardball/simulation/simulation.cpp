@@ -111,6 +111,7 @@ Simulation::Simulation(const Simulation& other)
       response_(other.response_),
       counters_before_(other.counters_before_),
       listener_(other.listener_),
+      next_listener_(other.next_listener_),
       change_listener_(other.change_listener_),
       thermostat_(other.thermostat_),
       now_(other.now_),
@@ -123,7 +124,8 @@ Simulation::Simulation(const Simulation& other)
       looks_ahead_apart_(other.looks_ahead_apart_),
       spheres_at_choice_(other.spheres_at_choice_),
       next_review_(other.next_review_),
-      last_review_(other.last_review_) {}
+      last_review_(other.last_review_),
+      reviewed_(other.reviewed_) {}
 
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
@@ -135,6 +137,7 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   response_ = std::move(other.response_);
   counters_before_ = other.counters_before_;
   listener_ = std::move(other.listener_);
+  next_listener_ = std::move(other.next_listener_);
   change_listener_ = std::move(other.change_listener_);
   thermostat_ = std::move(other.thermostat_);
   now_ = other.now_;
@@ -148,6 +151,7 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   spheres_at_choice_ = other.spheres_at_choice_;
   next_review_ = other.next_review_;
   last_review_ = other.last_review_;
+  reviewed_ = other.reviewed_;
   return *this;
 }
 

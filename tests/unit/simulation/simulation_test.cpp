@@ -335,6 +335,28 @@ TEST(Simulation, ListenerMayReplaceItselfAndTheResponse) {
   EXPECT_EQ(calls.substr(0, 4), "abbc");
 }
 
+TEST(Simulation, IsCopiedWithTheListenerThatReplacesAnother) {
+  Simulation simulation(head_on_pair());
+  std::optional<Simulation> copy;
+  int calls = 0;
+  simulation.on_contact([&](const Contact&) {
+    simulation.on_contact([&](const Contact&) { ++calls; });
+    copy.emplace(simulation);
+  });
+  simulation.run_contacts(1);
+  copy->run_contacts(3);
+  EXPECT_EQ(calls, 3);
+  // What has not taken its place yet goes with the simulation that is assigned to.
+  simulation.on_contact([&](const Contact&) {
+    simulation.on_contact([&](const Contact&) { ++calls; });
+    throw std::runtime_error("enough");
+  });
+  EXPECT_THROW(simulation.run_contacts(1), std::runtime_error);
+  simulation = Simulation(head_on_pair());
+  simulation.run_contacts(3);
+  EXPECT_EQ(calls, 3);
+}
+
 TEST(Simulation, CountsTheEnergyOfEditsWithoutSpins) {
   for (const Box& box : {Box::open(), Box::periodic({20, 20, 20})}) {
     World world(box);
