@@ -14,6 +14,14 @@ double gain(double mass, const Vec3& before, const Vec3& after) {
   return std::isinf(mass) ? 0 : mass * dot(after - before, after + before) / 2;
 }
 
+// The kinetic energy that spheres gain which merge to one.
+double gain_of_merging(const Contact& contact) {
+  const auto energy = [](double mass, const Vec3& velocity) { return gain(mass, {}, velocity); };
+  return energy(contact.first_mass + contact.second_mass, contact.after.first) -
+         energy(contact.first_mass, contact.before.first) -
+         energy(contact.second_mass, contact.before.second);
+}
+
 // The rotational energy that the first sphere gains.
 double rotational_gain(const Contact& contact) {
   const double inertia = contact.first_moment * contact.first_radius * contact.first_radius;
@@ -43,11 +51,14 @@ void Tally::note(const Contact& contact) {
   last_ = contact.time;
   if (contact.is_collision()) {
     ++collisions_;
-    energy_ += gain(contact.first_mass, contact.before.first, contact.after.first) +
-               gain(contact.second_mass, contact.before.second, contact.after.second);
-    if (contact.fate == Fate::merge) ++mergers_;
+    if (contact.fate == Fate::merge) {
+      ++mergers_;
+      energy_ += gain_of_merging(contact);
+    }
     if (contact.fate == Fate::pass) ++passes_;
     if (contact.fate != Fate::bounce) return;
+    energy_ += gain(contact.first_mass, contact.before.first, contact.after.first) +
+               gain(contact.second_mass, contact.before.second, contact.after.second);
     max_overlap_ = std::max(max_overlap_, contact.overlap());
     virial_ -= dot(contact.impulse(), contact.separation);
     const double speed = contact.impact_speed();

@@ -24,7 +24,7 @@ class Tally {
  public:
   /// Starts counting at `now` with the energy of the world. Cost: O(n).
   void begin(const World& world, const Time& now);
-  /// Records that an edit of the world changed the energy at `now`.
+  /// Records that an edit of the world changed the kinetic energy, without that of spins, at `now`.
   void note_edit(double energy_change, const Time& now);
   void note(const Contact& contact);
 

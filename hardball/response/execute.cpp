@@ -175,6 +175,8 @@ void contact_at(const World& world, const Event& event, const Participants& part
     describe_wall(world, event.second, contact, before.second);
   }
   contact.fate = Fate::bounce;
+  // What a response returned that was refused.
+  contact.spins_after = {};
   if (world.has_traits()) [[unlikely]]
     describe_traits(world, participants, contact);
   // Twice from registers: reading back what has just been written would stall.
@@ -194,20 +196,24 @@ void keep_kinematic(Contact& contact) {
   }
 }
 
-void store_spins(World& world, const Contact& contact, const Participants& participants) {
-  const auto store = [&](Slot slot, const Vec3& spin) {
+void check_spins(const Box& box, const Contact& contact) {
+  const auto check = [&](const Vec3& spin) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       // A disc spins about z.
-      const double most = axis < 2 && world.box().is_flat() ? 0 : kLargestMagnitude;
+      const double most = axis < 2 && box.is_flat() ? 0 : kLargestMagnitude;
       if (std::fabs(spin[axis]) <= most) continue;
       refuse_response(contact, "the spin " + to_text(spin) + " is returned",
-                      world.box().is_flat() ? "return finite spins of magnitude at most 1e60 about z"
-                                            : "return finite spins of magnitude at most 1e60");
+                      box.is_flat() ? "return finite spins of magnitude at most 1e60 about z"
+                                    : "return finite spins of magnitude at most 1e60");
     }
-    world.store_spin(slot, spin);
   };
-  store(participants.first, contact.spins_after.first);
-  if (contact.is_collision()) store(participants.second, contact.spins_after.second);
+  check(contact.spins_after.first);
+  if (contact.is_collision()) check(contact.spins_after.second);
+}
+
+void store_spins(World& world, const Contact& contact, const Participants& participants) {
+  world.store_spin(participants.first, contact.spins_after.first);
+  if (contact.is_collision()) world.store_spin(participants.second, contact.spins_after.second);
 }
 
 void refuse_velocities(const Box& box, const Contact& contact) {

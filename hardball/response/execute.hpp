@@ -42,7 +42,11 @@ void contact_at(const World& world, const Event& event, const Participants& part
 /// Gives kinematic spheres back the velocities and spins that they had before.
 void keep_kinematic(Contact& contact);
 
-/// Stores the spins after a contact. Error: one is not finite or out of the operating range.
+/// Error: the response returned a spin that is NaN, infinite or out of the operating range, or not about z in
+/// two dimensions.
+void check_spins(const Box& box, const Contact& contact);
+
+/// Stores the spins after a contact.
 void store_spins(World& world, const Contact& contact, const Participants& participants);
 
 /// Throws the Error of check_velocities.
@@ -79,9 +83,9 @@ void merge(World& world, Contact& contact, const Participants& participants);
 
 /// Carries out a collision or wall event: evaluates the paths at its time, calls the response, stores the new
 /// paths. The one place, shared by all engines, where a contact changes the motion. Spheres that pass through
-/// each other keep their paths; if two have merged, slots have changed. Error: check_velocities or settle
-/// refuses what the response returned. RunFailure: inelastic collapse, see CollapseGuard. In these cases, and
-/// if the response throws, nothing has changed.
+/// each other keep their paths; if two have merged, slots have changed. Error: check_velocities, check_spins
+/// or settle refuses what the response returned. RunFailure: inelastic collapse, see CollapseGuard. In these
+/// cases, and if the response throws, nothing has changed.
 template <Response R>
 void execute(World& world, CollapseGuard& guard, const Event& event, const Participants& participants,
              const R& response, Executed& done) {
@@ -98,6 +102,9 @@ void execute(World& world, CollapseGuard& guard, const Event& event, const Parti
   if (!(contact.first_mass + contact.second_mass < std::numeric_limits<double>::infinity()))
     keep_kinematic(contact);
   check_velocities(world.box(), contact);
+  const bool turns = contact.spins_after != contact.spins_before;
+  if (turns) [[unlikely]]
+    check_spins(world.box(), contact);
   settle(world, contact);
   guard.note_contact(contact.first, done.were_idle[0], event.time);
   if (is_collision) guard.note_contact(contact.second, done.were_idle[1], event.time);
@@ -106,7 +113,7 @@ void execute(World& world, CollapseGuard& guard, const Event& event, const Parti
     world.store_path(participants.second, {contact.second_position, contact.after.second, event.time},
                      done.folded[1]);
   }
-  if (contact.spins_after != contact.spins_before) [[unlikely]]
+  if (turns) [[unlikely]]
     store_spins(world, contact, participants);
 }
 

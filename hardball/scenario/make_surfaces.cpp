@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <variant>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/world/world.hpp"
 
 namespace hardball {
 namespace {
@@ -32,18 +36,31 @@ Shape make_shape(const WallDescription& wall) {
   return Plane(normal);
 }
 
+// A surface that this box may have. Error, with the place of its description: it may not.
+Surface checked(const Box& box, const Shape& shape, const Vec3& point, const Vec3& velocity,
+                const SurfaceMaterial& material, const std::string& where) {
+  try {
+    const Surface surface(shape, point, velocity, material);
+    static_cast<void>(World(box, {}, {surface}));
+    return surface;
+  } catch (const Error& error) {
+    throw Error(error.problem(), where, error.remedy());
+  }
+}
+
 }  // namespace
 
-std::vector<Surface> make_surfaces(const Scenario& scenario) {
+std::vector<Surface> make_surfaces(const Scenario& scenario, const Box& box) {
   std::vector<Surface> surfaces;
   const auto material = [&](const auto& description) {
     return SurfaceMaterial{description.restitution, description.temperature, scenario.seed};
   };
   for (const WallDescription& wall : scenario.walls) {
-    surfaces.emplace_back(make_shape(wall), wall.point, wall.velocity, material(wall));
+    surfaces.push_back(checked(box, make_shape(wall), wall.point, wall.velocity, material(wall), wall.where));
   }
   for (const ObstacleDescription& obstacle : scenario.obstacles) {
-    surfaces.emplace_back(Obstacle(obstacle.radius), obstacle.position, Vec3{}, material(obstacle));
+    surfaces.push_back(
+        checked(box, Obstacle(obstacle.radius), obstacle.position, {}, material(obstacle), obstacle.where));
   }
   return surfaces;
 }

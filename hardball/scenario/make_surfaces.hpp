@@ -7,11 +7,13 @@
 
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/surfaces/surface.hpp"
+#include "hardball/world/box.hpp"
 
 namespace hardball {
 
-/// The walls of a scenario, then its obstacles, in the order of the file.
-std::vector<Surface> make_surfaces(const Scenario& scenario);
+/// The walls of a scenario, then its obstacles, in the order of the file. Error, with its place: one that
+/// cannot be in this box, see World.
+std::vector<Surface> make_surfaces(const Scenario& scenario, const Box& box);
 
 /// The interval along an axis to which surfaces at time zero confine spheres [L]; infinite where they do not.
 struct Interval {

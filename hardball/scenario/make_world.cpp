@@ -261,7 +261,8 @@ void add_from_file(const std::filesystem::path& file, World& world) {
 World make_world(const Scenario& scenario, const OnProgress& on_progress) {
   const Progress progress(on_progress);
   progress.note(0, 1);
-  World world(make_box(scenario), scenario.gravity, make_surfaces(scenario));
+  const Box box = make_box(scenario);
+  World world(box, scenario.gravity, make_surfaces(scenario, box));
   if (scenario.start_file) {
     add_from_file(*scenario.start_file, world);
   } else if (!scenario.spheres.empty()) {

@@ -66,6 +66,10 @@ Vec3 read_gravity(const Section& box, std::size_t dimensions) {
   if (!given) return {};
   const Vec3 gravity = given->vector(dimensions);
   if (gravity != Vec3{}) check_positive(length(gravity), "the magnitude of gravity", given->place());
+  if (dimensions == 2 && gravity.z != 0) {
+    throw Error("gravity along z is " + to_text(gravity.z) + " in a box of two dimensions", given->place(),
+                "make it zero, or give the box three dimensions");
+  }
   return gravity;
 }
 

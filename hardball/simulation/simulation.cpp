@@ -111,6 +111,7 @@ Simulation::Simulation(const Simulation& other)
       response_(other.response_),
       counters_before_(other.counters_before_),
       listener_(other.listener_),
+      next_listener_(other.next_listener_),
       change_listener_(other.change_listener_),
       thermostat_(other.thermostat_),
       now_(other.now_),
@@ -123,7 +124,8 @@ Simulation::Simulation(const Simulation& other)
       looks_ahead_apart_(other.looks_ahead_apart_),
       spheres_at_choice_(other.spheres_at_choice_),
       next_review_(other.next_review_),
-      last_review_(other.last_review_) {}
+      last_review_(other.last_review_),
+      reviewed_(other.reviewed_) {}
 
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
@@ -135,6 +137,7 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   response_ = std::move(other.response_);
   counters_before_ = other.counters_before_;
   listener_ = std::move(other.listener_);
+  next_listener_ = std::move(other.next_listener_);
   change_listener_ = std::move(other.change_listener_);
   thermostat_ = std::move(other.thermostat_);
   now_ = other.now_;
@@ -148,6 +151,7 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   spheres_at_choice_ = other.spheres_at_choice_;
   next_review_ = other.next_review_;
   last_review_ = other.last_review_;
+  reviewed_ = other.reviewed_;
   return *this;
 }
 
@@ -251,16 +255,16 @@ RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) 
     if (status == RunStatus::time_reached && std::isfinite(piece.until.high)) {
       now_ = later(now_, piece.until);
     }
+    if (status == RunStatus::steps_reached && left.steps == 0) {
+      // Only here may the time reached depend on the engine.
+      now_ = later(now_, engine_->now());
+    }
     if (status == RunStatus::time_reached && acts) {
       left.steps -= std::min(left.steps, act(measures));
       status = RunStatus::steps_reached;
     }
     const bool goes_on =
         status == RunStatus::observer_stopped || (status == RunStatus::steps_reached && left.steps > 0);
-    if (status == RunStatus::steps_reached && !goes_on) {
-      // Only here may the time reached depend on the engine.
-      now_ = later(now_, engine_->now());
-    }
     // Also before returning: a run may be split into pieces of any size.
     if (!edited_) retune_if_due();
     if (!goes_on) return status;
@@ -316,22 +320,22 @@ std::optional<NextContact> Simulation::next_contact(double until) {
   }
   apply_edits();
   const Time end(until);
-  std::optional<Simulation> ahead;  // where the thermostat has acted
+  std::optional<Simulation> ahead;
   Simulation* at = this;
+  const auto look_apart = [&] {
+    ahead.emplace(*this);
+    ahead->change_listener_ = nullptr;
+    at = &*ahead;
+  };
+  if (looks_ahead_apart_) look_apart();
   for (;;) {
     const Time action = at->next_action();
     const bool acts = action.high <= end.high && action < kNever;
     const Time limit = acts ? action : end;
-    const bool looks_apart = looks_ahead_apart_ && at == this;
-    const std::optional<Event> next =
-        looks_apart ? engine_->clone()->next_contact(limit) : at->engine_->next_contact(limit);
+    const std::optional<Event> next = at->engine_->next_contact(limit);
     if (next) return NextContact{next->time.value(), next->kind, next->first, next->second};
     if (!acts) return std::nullopt;
-    if (!ahead) {
-      ahead.emplace(*this);
-      ahead->change_listener_ = nullptr;
-      at = &*ahead;
-    }
+    if (!ahead) look_apart();
     at->now_ = later(at->now_, action);
     at->act(nullptr);
     at->apply_edits();
@@ -346,6 +350,7 @@ std::vector<Contact> Simulation::contacts_within(double duration, std::uint64_t 
   std::vector<Contact> contacts;
   Simulation copy(*this);
   copy.on_contact([&contacts](const Contact& contact) { contacts.push_back(contact); });
+  copy.change_listener_ = nullptr;
   copy.run({.until = until, .contacts = most});
   return contacts;
 }
@@ -401,10 +406,10 @@ std::vector<Vec3> Simulation::positions_at(double time) {
 void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
   check_editable("change_velocity");
   const Slot slot = world().slot_of(id);
-  const double energy_before = energy(world(), slot, now_);
+  const double energy_before = kinetic_energy(world(), slot, now_);
   const Vec3 before = world().velocity(slot, now_);
   rewrite_velocity(slot, now_, velocity);
-  tally_.note_edit(energy(world(), slot, now_) - energy_before, now_);
+  tally_.note_edit(kinetic_energy(world(), slot, now_) - energy_before, now_);
   tell_of_change({now_, id, world().mass(slot), world().path(slot).position, before, velocity});
 }
 
@@ -491,14 +496,14 @@ SphereId Simulation::add(const Sphere& sphere) {
   refuse_overlap(world(), sphere, now_);
   const SphereId id = engine_->world_to_edit().add(sphere, now_);
   edited_ = true;
-  tally_.note_edit(energy(world(), world().slot_of(id), now_), now_);
+  tally_.note_edit(kinetic_energy(world(), world().slot_of(id), now_), now_);
   if (thermostat_) thermostat_->note_added(id, now_);
   return id;
 }
 
 void Simulation::remove(SphereId id) {
   check_editable("remove");
-  const double energy = hardball::energy(world(), world().slot_of(id), now_);
+  const double energy = kinetic_energy(world(), world().slot_of(id), now_);
   engine_->world_to_edit().remove(id);
   user_data_.remove(id);
   edited_ = true;

@@ -49,7 +49,7 @@ void refuse_out_of_plane(const Vec3& vector, const std::string& what, const std:
 
 // A plane or a tube stands upright on the plane of the discs, a sphere is centred in it.
 void refuse_out_of_plane(const Surface& surface) {
-  const std::string name = "a " + std::string(surface.name());
+  const std::string name = "the " + std::string(surface.name());
   refuse_out_of_plane(surface.point(), "the position of " + name, "walls");
   refuse_out_of_plane(surface.velocity(), "the velocity of " + name, "walls");
   if (const auto* cylinder = std::get_if<Cylinder>(&surface.shape())) {
@@ -64,7 +64,7 @@ void refuse_out_of_plane(const Surface& surface) {
 // A plane or a tube must be the same in every image of the box; what encloses spheres must lie inside it.
 void refuse_in_periodic_box(const Surface& surface, const Box& box) {
   const auto refuse = [&](std::size_t axis, const char* remedy) {
-    throw Error("a " + std::string(surface.name()) + " is not periodic along " + kAxisNames[axis], "walls",
+    throw Error("the " + std::string(surface.name()) + " is not periodic along " + kAxisNames[axis], "walls",
                 remedy);
   };
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

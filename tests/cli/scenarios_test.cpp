@@ -85,6 +85,16 @@ TEST(Schema, IsPrintedByCheckWithoutAScenario) {
   EXPECT_EQ(outcome.messages, "");
 }
 
+// A drop that grows at a wall, or beside a sphere that bounces off it, reaches into that.
+TEST(Verify, AcceptsSpheresThatGrowIntoOthers) {
+  const ScratchFolder folder;
+  support::write_text(folder / "drops.toml", support::kSmallGas + "[response]\nkind = \"merge\"\n");
+  const Outcome outcome =
+      run_program(folder, {"verify", "drops.toml", "--until", "20", "--set", "spheres.0.count=100"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("all runs are the same"), std::string::npos) << outcome.output;
+}
+
 TEST(Scenario, CradleCollidesOncePerUnitOfTime) {
   EXPECT_EQ(run("newtons_cradle", {"--until", "999.5"})["events"]["collision"], 999);
   EXPECT_EQ(run("newtons_cradle", {"--until", "1000"})["events"]["collision"], 1000);

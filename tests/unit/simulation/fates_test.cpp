@@ -218,6 +218,22 @@ TEST_P(Fates, OfRoughSpheresDependsOnTheirMoments) {
   }
 }
 
+// What a kinematic sphere absorbs is no part of the energy any more.
+TEST_P(Fates, OfMergingSpheresIsFollowedByTheEnergy) {
+  for (const double mass : {1.0, kInfinity}) {
+    World world(Box::open());
+    world.add({.position = {0, 0, 0}, .velocity = {2, 0, 0}, .radius = 1, .mass = mass});
+    world.add({.position = {4, 0, 0}, .velocity = {0, 1, 0}, .radius = 1});
+    world.add({.position = {0, 9, 0}, .velocity = {0, 3, 0}, .radius = 1});
+    Simulation simulation(world, merging_by(GetParam()));
+    simulation.run_until(3);
+    ASSERT_EQ(simulation.size(), 2U);
+    const double energy = simulation.world().kinetic_energy(simulation.now());
+    const Tally& tally = simulation.tally();
+    EXPECT_NEAR(tally.energy_integral(Time(4)) - tally.energy_integral(Time(3)), energy, 1e-12);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Engine, Fates,
                          testing::Values(EngineKind::cells, EngineKind::neighbors, EngineKind::all_pairs,
                                          EngineKind::paper));
@@ -252,6 +268,25 @@ TEST(CustomResponse, MaySpinAndMergeSpheres) {
   });
   simulation.change_velocity(0, {2, 0, 0});
   EXPECT_THROW(simulation.run_until(50), Error);
+}
+
+TEST(CustomResponse, ThatReturnsBadSpinsChangesNothing) {
+  World world(Box::open());
+  world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 1});
+  world.add({.position = {4, 0, 0}, .radius = 1});
+  Simulation simulation(world);
+  simulation.respond_with([](const Contact& contact) {
+    Outcome outcome(contact, {contact.before.second, contact.before.first});
+    outcome.spins = {{0, 0, 1}, {0, 0, 1e300}};
+    return outcome;
+  });
+  EXPECT_THROW(simulation.run_until(5), Error);
+  EXPECT_EQ(simulation.world().path(0).time, Time(0));
+  EXPECT_EQ(simulation.world().spin(0), Vec3{});
+  simulation.respond_with(nullptr);
+  simulation.run_until(5);
+  EXPECT_EQ(simulation.counters().collision, 1U);
+  EXPECT_EQ(simulation.velocity(1), (Vec3{1, 0, 0}));
 }
 
 }  // namespace

@@ -335,6 +335,46 @@ TEST(Simulation, ListenerMayReplaceItselfAndTheResponse) {
   EXPECT_EQ(calls.substr(0, 4), "abbc");
 }
 
+TEST(Simulation, IsCopiedWithTheListenerThatReplacesAnother) {
+  Simulation simulation(head_on_pair());
+  std::optional<Simulation> copy;
+  int calls = 0;
+  simulation.on_contact([&](const Contact&) {
+    simulation.on_contact([&](const Contact&) { ++calls; });
+    copy.emplace(simulation);
+  });
+  simulation.run_contacts(1);
+  copy->run_contacts(3);
+  EXPECT_EQ(calls, 3);
+  // What has not taken its place yet goes with the simulation that is assigned to.
+  simulation.on_contact([&](const Contact&) {
+    simulation.on_contact([&](const Contact&) { ++calls; });
+    throw std::runtime_error("enough");
+  });
+  EXPECT_THROW(simulation.run_contacts(1), std::runtime_error);
+  simulation = Simulation(head_on_pair());
+  simulation.run_contacts(3);
+  EXPECT_EQ(calls, 3);
+}
+
+TEST(Simulation, CountsTheEnergyOfEditsWithoutSpins) {
+  for (const Box& box : {Box::open(), Box::periodic({20, 20, 20})}) {
+    World world(box);
+    world.add({.position = {5, 5, 5}, .velocity = {1, 0, 0}, .spin = {0, 0, 3}});
+    Simulation simulation(world);
+    const SphereId id = simulation.add({.position = {5, 15, 5}, .velocity = {0, 2, 0}, .spin = {5, 0, 0}});
+    const auto rate = [&] {
+      const Tally& tally = simulation.tally();
+      return tally.energy_integral(after(simulation.now(), 1)) - tally.energy_integral(simulation.now());
+    };
+    EXPECT_EQ(rate(), 2.5);
+    simulation.change_velocity(0, {2, 0, 0});
+    EXPECT_EQ(rate(), 4);
+    simulation.remove(id);
+    EXPECT_EQ(rate(), 2);
+  }
+}
+
 TEST(Simulation, ResponseMayNotEditOrRunIt) {
   Simulation simulation(head_on_pair());
   for (const std::function<void()>& misuse : std::vector<std::function<void()>>{

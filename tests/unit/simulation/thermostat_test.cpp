@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "hardball/errors/error.hpp"
@@ -137,6 +138,52 @@ TEST(SimulationWithThermostat, LooksAheadOfItsActions) {
   EXPECT_EQ(simulation.positions_at(3)[0], (Vec3{8, 5, 5}));
   EXPECT_THROW(simulation.positions_at(3.25), Error);
   EXPECT_EQ(simulation.event_log_hash(), hash);
+}
+
+// Spheres that cross many cells before they meet, so that who looks ahead has much to do.
+Simulation sparse_gas() {
+  return Simulation(support::make_gas({.count = 60, .packing_fraction = 0.005}),
+                    {.engine = EngineKind::cells, .cell_edge = 1.0});
+}
+
+// After an edit that follows a look ahead this is done on a copy, beyond crossings and actions.
+TEST(SimulationWithThermostat, LooksAheadAgainAfterAnEdit) {
+  Simulation simulation = sparse_gas();
+  simulation.set_thermostat(Thermostat(Andersen(1, 0.5), 1));
+  Random random(1);
+  for (SphereId id = 0; id < 60; ++id) {
+    simulation.next_contact(simulation.time() + 10);
+    simulation.change_velocity(id, random.direction());
+    const std::optional<NextContact> next = simulation.next_contact(simulation.time() + 10);
+    ASSERT_TRUE(next);
+    std::optional<double> first;
+    simulation.on_contact([&](const Contact& contact) { first = contact.time.value(); });
+    simulation.run_contacts(1, next->time);
+    ASSERT_EQ(first, next->time);
+  }
+}
+
+// One that is set after a look ahead acts before what was foreseen, and a run may end there.
+TEST(SimulationWithThermostat, EndsARunOfOneStepWhenItActs) {
+  Simulation simulation = sparse_gas();
+  const std::optional<NextContact> next = simulation.next_contact();
+  ASSERT_TRUE(next);
+  simulation.set_thermostat(Thermostat(Andersen(1, 1 / next->time), 1));
+  const double acts = simulation.thermostat()->next();
+  ASSERT_LT(acts, next->time / 2);
+  EXPECT_EQ(simulation.run({.until = Time(next->time), .steps = 1}), RunStatus::steps_reached);
+  EXPECT_EQ(simulation.time(), acts);
+  EXPECT_EQ(simulation.thermostat()->events(), 1U);
+}
+
+TEST(SimulationWithThermostat, TellsOfNoChangesThatAreOnlyForeseen) {
+  Simulation simulation(head_on_pair());
+  simulation.set_thermostat(speed_doubler(3));
+  int changes = 0;
+  simulation.on_velocity_change([&](const VelocityChange&) { ++changes; });
+  EXPECT_EQ(simulation.next_contact()->time, 3.5);
+  EXPECT_EQ(simulation.contacts_within(3.75).size(), 1U);
+  EXPECT_EQ(changes, 0);
 }
 
 TEST(SimulationWithThermostat, CanBeCopiedAndStopped) {
