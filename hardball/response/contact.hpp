@@ -110,7 +110,7 @@ struct Outcome {
 
   Velocities velocities;  ///< [L/T]
   Spins spins;            ///< [1/T]
-  /// Whether the spheres merge, whatever the velocities and spins.
+  /// Whether the spheres merge, whatever the velocities and spins; at a wall they never do.
   bool merges = false;
 };
 
@@ -140,7 +140,7 @@ void decide(const R& response, Contact& contact) {
     const Outcome outcome = response(std::as_const(contact));
     contact.after = outcome.velocities;
     contact.spins_after = outcome.spins;
-    contact.fate = outcome.merges ? Fate::merge : Fate::bounce;
+    contact.fate = outcome.merges && contact.is_collision() ? Fate::merge : Fate::bounce;
   }
 }
 

@@ -270,6 +270,19 @@ TEST(CustomResponse, MaySpinAndMergeSpheres) {
   EXPECT_THROW(simulation.run_until(50), Error);
 }
 
+TEST(CustomResponse, DoesNotMergeASphereWithAWall) {
+  World world(Box::walls({10, 10, 10}));
+  world.add({.position = {5, 5, 5}, .velocity = {1, 0, 0}, .radius = 1});
+  Simulation simulation(world);
+  simulation.respond_with([](const Contact& contact) {
+    Outcome outcome(contact, {-contact.before.first, {}});
+    outcome.merges = true;
+    return outcome;
+  });
+  simulation.run_until(6);
+  EXPECT_EQ(simulation.velocity(0), (Vec3{-1, 0, 0}));
+}
+
 TEST(CustomResponse, ThatReturnsBadSpinsChangesNothing) {
   World world(Box::open());
   world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 1});
