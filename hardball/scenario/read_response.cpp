@@ -72,6 +72,13 @@ PairDescription read_pair(const Section& section, const Scenario& scenario) {
   if (!pair.second && pair.fate != Fate::bounce) {
     throw Error("spheres can only bounce off walls", between.place(), "make the kind \"bounce\"");
   }
+  const auto is_same = [&pair](const PairDescription& known) {
+    return (known.first == pair.first && known.second == pair.second) ||
+           (known.second == pair.first && pair.second == known.first);
+  };
+  if (std::ranges::any_of(scenario.pairs, is_same)) {
+    throw Error("there are two rules for the same species", between.place(), "remove one of the two");
+  }
   pair.bounce = scenario.bounce;
   if (pair.fate == Fate::bounce) read_bounce(section, pair.bounce);
   return pair;

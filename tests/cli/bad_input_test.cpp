@@ -483,6 +483,10 @@ INSTANTIATE_TEST_SUITE_P(
                    {"gas.toml:15:20", "no species \"wall\""}),
         bad_tables("MergingWithWalls", kPair + "kind = 'merge'\nbetween = ['wall', 'steel']",
                    {"gas.toml:15:11", "only bounce off walls", "\"bounce\""}),
+        bad_tables("TwoRulesForAPair",
+                   kPair + "kind = 'pass'\nbetween = ['steel', 'steel']\n[[response.pairs]]\n" +
+                       "kind = 'bounce'\nbetween = ['steel', 'steel']",
+                   {"gas.toml:18:11", "two rules for the same species", "remove one"}),
         bad_tables("RestitutionOfMerging",
                    kPair + "kind = 'merge'\nbetween = ['steel', 'steel']\nrestitution = 1",
                    {"gas.toml:16:1", "'restitution' does not go with kind"}),
