@@ -290,7 +290,8 @@ TEST(SimulationWithThermostat, IsRecorded) {
       writer.note(contact, simulation.world());
       ++contacts;
     });
-    simulation.on_velocity_change([&](const VelocityChange& change) { writer.note(change, simulation.world()); });
+    simulation.on_velocity_change(
+        [&](const VelocityChange& change) { writer.note(change, simulation.world()); });
     simulation.run_until(20);
     simulation.change_velocity(4, {3, 0, 0});
     simulation.run_until(40);
