@@ -159,7 +159,7 @@ class Thermostats : public testing::TestWithParam<std::uint64_t> {
       contacts += expected->history.contacts;
     }
     EXPECT_GT(events, 3 * support::cases(kWorlds) / kParts);
-    EXPECT_GT(contacts, 20 * support::cases(kWorlds) / kParts);
+    EXPECT_GT(contacts, 10 * support::cases(kWorlds) / kParts);
   }
 };
 
