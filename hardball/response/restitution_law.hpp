@@ -15,7 +15,7 @@ struct ConstantRestitution {
 };
 
 /// The coefficient of restitution of viscoelastic spheres, which is one at zero impact speed and decreases as
-/// 1 - 1.15344 b u^(1/5) at first. Source: Mueller and Poeschel, Phys. Rev. E 84 (2011) 021302, equation 16.
+/// 1 - 1.15344 b u^(1/5) at first. Source: Mueller and Poeschel, Phys. Rev. E 84 (2011) 021302.
 class ViscoelasticRestitution {
  public:
   /// With the coefficient `value` [1] at the impact speed `speed` [L/T]. Error: `value` is not between 0 and
