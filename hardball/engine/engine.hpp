@@ -539,7 +539,7 @@ class Engine {
   }
 
   // Leaves out the candidates that the sphere is passing through, or has just begun to.
-  void leave_out_met(Candidates& candidates) const {
+  HARDBALL_NEVER_INLINE void leave_out_met(Candidates& candidates) const {
     const Slot slot = candidates.self();
     candidates.keep_if([&](std::size_t i) {
       const Slot other = candidates.slot(i);

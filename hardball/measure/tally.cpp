@@ -11,7 +11,9 @@ namespace {
 
 // The kinetic energy that a sphere gains, if it is not kinematic.
 double gain(double mass, const Vec3& before, const Vec3& after) {
-  return std::isinf(mass) ? 0 : mass * dot(after - before, after + before) / 2;
+  if (std::isinf(mass)) [[unlikely]]
+    return 0;
+  return mass * dot(after - before, after + before) / 2;
 }
 
 // The kinetic energy that spheres gain which merge to one.
@@ -51,12 +53,8 @@ void Tally::note(const Contact& contact) {
   last_ = contact.time;
   if (contact.is_collision()) {
     ++collisions_;
-    if (contact.fate == Fate::merge) {
-      ++mergers_;
-      energy_ += gain_of_merging(contact);
-    }
-    if (contact.fate == Fate::pass) ++passes_;
-    if (contact.fate != Fate::bounce) return;
+    if (contact.fate != Fate::bounce) [[unlikely]]
+      return note_fate(contact);
     energy_ += gain(contact.first_mass, contact.before.first, contact.after.first) +
                gain(contact.second_mass, contact.before.second, contact.after.second);
     max_overlap_ = std::max(max_overlap_, contact.overlap());
@@ -78,6 +76,11 @@ void Tally::note(const Contact& contact) {
     wall.work += work;
     wall.heat += gained + rotational_gain(contact) - work;
   }
+}
+
+void Tally::note_fate(const Contact& contact) {
+  ++(contact.fate == Fate::merge ? mergers_ : passes_);
+  if (contact.fate == Fate::merge) energy_ += gain_of_merging(contact);
 }
 
 double Tally::energy_integral(const Time& now) const {

@@ -66,6 +66,9 @@ class Tally {
   double wall_pressure(const Box& box, const Time& now) const;
 
  private:
+  // Two spheres have met that did not bounce.
+  void note_fate(const Contact& contact);
+
   Time begin_;
   Time last_;
   double energy_ = 0;

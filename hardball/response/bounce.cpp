@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/response/bounce.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
@@ -57,8 +56,7 @@ Bounce::Bounce(const BounceRules& rules) : rules_(rules) {
 
 double Bounce::coefficient_at(const Contact& contact) const {
   const double speed = contact.impact_speed();
-  const double flight = std::min(contact.first_flight, contact.second_flight);
-  if (speed < rules_.elastic_below || flight < rules_.contact_duration) return 1;
+  if (speed < rules_.elastic_below || contact.flight() < rules_.contact_duration) return 1;
   if (contact.wall_material.restitution && !contact.is_collision()) return *contact.wall_material.restitution;
   return std::visit([speed](const auto& law) { return law.at(speed); }, rules_.restitution);
 }

@@ -69,9 +69,9 @@ struct Contact {
   /// Moments of inertia over mass and squared radius [1].
   double first_moment = kUniformSphereMoment;
   double second_moment = kUniformSphereMoment;
-  /// How long the motion of each sphere had not changed [T]; infinite for a wall.
-  double first_flight = 0;
-  double second_flight = 0;
+  /// When the motion of each sphere had last changed; minus infinity for a wall.
+  Time first_since;
+  Time second_since;
   SpeciesId first_species = 0;
   SpeciesId second_species = 0;  ///< Zero for a wall.
   Fate fate = Fate::bounce;
@@ -92,6 +92,8 @@ struct Contact {
                ? second_mass * (before.second - after.second)
                : Vec3{};
   }
+  /// How long the motions of both bodies had not changed [T].
+  double flight() const { return duration(later(first_since, second_since), time); }
   /// The speed at which the surfaces met, along the normal [L/T]; not negative.
   double impact_speed() const {
     const double speed = dot(before.first - before.second, normal());
@@ -116,8 +118,8 @@ struct Outcome {
 
 /// What a contact does to motions: given the contact with `after` still equal to `before`, the new
 /// velocities, or the whole Outcome; or `decide` sets what comes after in the contact itself, which spares
-/// copies. What is returned for a wall or a kinematic sphere is ignored. The bodies must not approach each
-/// other afterwards.
+/// copies, and returns whether it may have changed spins. What is returned for a wall or a kinematic sphere
+/// is ignored. The bodies must not approach each other afterwards.
 template <class R>
 concept Response = requires(const R& response, const Contact& contact) {
   { response(contact) } -> std::convertible_to<Velocities>;
@@ -126,21 +128,23 @@ concept Response = requires(const R& response, const Contact& contact) {
   { response(contact) } -> std::convertible_to<Outcome>;
 }
 || requires(const R& response, Contact& contact) {
-  response.decide(contact);
+  { response.decide(contact) } -> std::same_as<bool>;
 };
 
-/// Lets a response decide what comes after a contact.
+/// Lets a response decide what comes after a contact, and returns whether it may have changed spins.
 template <Response R>
-void decide(const R& response, Contact& contact) {
+bool decide(const R& response, Contact& contact) {
   if constexpr (requires { response.decide(contact); }) {
-    response.decide(contact);
+    return response.decide(contact);
   } else if constexpr (std::convertible_to<decltype(response(std::as_const(contact))), Velocities>) {
     contact.after = response(std::as_const(contact));
+    return false;
   } else {
     const Outcome outcome = response(std::as_const(contact));
     contact.after = outcome.velocities;
     contact.spins_after = outcome.spins;
     contact.fate = outcome.merges && contact.is_collision() ? Fate::merge : Fate::bounce;
+    return true;
   }
 }
 

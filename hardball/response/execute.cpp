@@ -148,7 +148,7 @@ void contact_at(const World& world, const Event& event, const Participants& part
   contact.position = position;
   contact.first_radius = radius;
   contact.first_mass = world.mass(participants.first);
-  contact.first_flight = duration(path.time, event.time);
+  contact.first_since = path.time;
   if (event.kind == EventKind::collision) {
     const Path& second_path = world.path(participants.second);
     const double second_radius = world.radius(participants.second);
@@ -162,7 +162,7 @@ void contact_at(const World& world, const Event& event, const Participants& part
     contact.second_radius = second_radius;
     contact.reach = radius + second_radius;
     contact.second_mass = world.mass(participants.second);
-    contact.second_flight = duration(second_path.time, event.time);
+    contact.second_since = second_path.time;
     before = {velocity, second_velocity};
   } else {
     contact.image = {};
@@ -170,14 +170,13 @@ void contact_at(const World& world, const Event& event, const Participants& part
     contact.second_radius = 0;
     contact.reach = radius;
     contact.second_mass = std::numeric_limits<double>::infinity();
-    contact.second_flight = std::numeric_limits<double>::infinity();
+    contact.second_since = Time(-std::numeric_limits<double>::infinity());
     before = {velocity, {}};
     describe_wall(world, event.second, contact, before.second);
   }
   contact.fate = Fate::bounce;
-  // What a response returned that was refused.
-  contact.spins_after = {};
-  if (world.has_traits()) [[unlikely]]
+  // Without traits, spins are zero unless the last response returned others that were refused.
+  if (world.has_traits() || done.may_turn) [[unlikely]]
     describe_traits(world, participants, contact);
   // Twice from registers: reading back what has just been written would stall.
   contact.before = before;

@@ -21,6 +21,8 @@ struct Executed {
   std::array<Image, 2> folded{};
   /// Which of the spheres had stood still since their last contacts.
   std::array<bool, 2> were_idle{};
+  /// Whether the response may have changed the spins of the contact.
+  bool may_turn = false;
 };
 
 /// Where the spheres of a collision or wall event are stored; of a wall event, only the first counts.
@@ -95,15 +97,15 @@ void execute(World& world, CollapseGuard& guard, const Event& event, const Parti
     done.folded = {};
     return world.note_passage(event);
   }
-  decide(response, contact);
+  done.may_turn = true;  // until the response tells otherwise, and if it throws
+  done.may_turn = decide(response, contact);
   const bool is_collision = contact.is_collision();
   if (contact.fate == Fate::merge) [[unlikely]]
     return merge(world, contact, participants);
-  if (!(contact.first_mass + contact.second_mass < std::numeric_limits<double>::infinity()))
+  if (world.has_traits()) [[unlikely]]
     keep_kinematic(contact);
   check_velocities(world.box(), contact);
-  const bool turns = contact.spins_after != contact.spins_before;
-  if (turns) [[unlikely]]
+  if (done.may_turn) [[unlikely]]
     check_spins(world.box(), contact);
   settle(world, contact);
   guard.note_contact(contact.first, done.were_idle[0], event.time);
@@ -113,7 +115,7 @@ void execute(World& world, CollapseGuard& guard, const Event& event, const Parti
     world.store_path(participants.second, {contact.second_position, contact.after.second, event.time},
                      done.folded[1]);
   }
-  if (turns) [[unlikely]]
+  if (done.may_turn) [[unlikely]]
     store_spins(world, contact, participants);
 }
 

@@ -12,8 +12,9 @@ namespace hardball {
 /// The velocities of two smooth spheres after a collision with this coefficient of restitution [1].
 /// Precondition: at most one of them is kinematic.
 inline Velocities velocities_after_impact(const Contact& contact, double coefficient) {
-  Velocities after = contact.before;
-  if (!(approach(contact.separation, contact.before) < 0)) return after;
+  const Vec3& first = contact.before.first;
+  const Vec3& second = contact.before.second;
+  if (!(approach(contact.separation, contact.before) < 0)) return {first, second};
   // The impulse lies along the separation r, whose length is reach up to rounding: dividing by r.r instead
   // of normalising keeps exact cases exact. Energy drifts unless rounding errors have mean zero, which
   // those of a number that hardly varies from contact to contact do not have. So r, whose length cancels,
@@ -26,14 +27,11 @@ inline Velocities velocities_after_impact(const Contact& contact, double coeffic
   const double masses = square * contact.first_mass + square * contact.second_mass;
   if (!(masses < std::numeric_limits<double>::infinity())) [[unlikely]] {
     const double exchange = (1 + coefficient) * closing / square;
-    (std::isinf(contact.first_mass) ? after.second : after.first) +=
-        (std::isinf(contact.first_mass) ? -exchange : exchange) * r;
-    return after;
+    if (std::isinf(contact.first_mass)) return {first, second - exchange * r};
+    return {first + exchange * r, second};
   }
   const double exchange = (1 + coefficient) * closing / masses;
-  after.first += (exchange * contact.second_mass) * r;
-  after.second -= (exchange * contact.first_mass) * r;
-  return after;
+  return {first + (exchange * contact.second_mass) * r, second - (exchange * contact.first_mass) * r};
 }
 
 /// The velocity of a smooth sphere after a contact with a wall [L/T], which it leaves with at least

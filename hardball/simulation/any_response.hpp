@@ -27,14 +27,11 @@ class AnyResponse {
     is_plain_ = !custom_ && !table_;
   }
 
-  void decide(Contact& contact) const {
-    if (is_plain_) [[likely]] {
-      contact.after = restitution_(contact);
-    } else if (custom_) {
-      hardball::decide(custom_, contact);
-    } else {
-      hardball::decide(*table_, contact);
-    }
+  /// See Response.
+  bool decide(Contact& contact) const {
+    if (is_plain_) [[likely]]
+      return hardball::decide(restitution_, contact);
+    return custom_ ? hardball::decide(custom_, contact) : hardball::decide(*table_, contact);
   }
 
  private:

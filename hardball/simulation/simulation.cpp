@@ -276,20 +276,23 @@ void Simulation::note(const Contact& contact, Measures* measures) {
   now_ = contact.time;
   tally_.note(contact);
   hash_.note(contact);
-  if (contact.fate == Fate::merge) [[unlikely]] {
-    edited_ = true;
-    merged_.push_back(contact.first);
-    if (thermostat_) thermostat_->note_removed(contact.second);
-    user_data_.remove(contact.second);
-    if (measures && measures->is_any_wanted()) {
-      throw Error("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
-                      " have merged, and measures need all spheres",
-                  "measures", "run without measures");
-    }
-  }
+  if (contact.fate == Fate::merge) [[unlikely]]
+    note_merger(contact, measures);
   if (measures) measures->note(contact);
   if (listener_ || next_listener_)
     call_listener(contact, measures ? Activity::measuring : Activity::listening);
+}
+
+void Simulation::note_merger(const Contact& contact, const Measures* measures) {
+  edited_ = true;
+  merged_.push_back(contact.first);
+  if (thermostat_) thermostat_->note_removed(contact.second);
+  user_data_.remove(contact.second);
+  if (measures && measures->is_any_wanted()) {
+    throw Error("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
+                    " have merged, and measures need all spheres",
+                "measures", "run without measures");
+  }
 }
 
 // Spheres that have merged may overlap others: with those they merge at once, lowest ids first.

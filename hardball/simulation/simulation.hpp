@@ -206,6 +206,7 @@ class Simulation {
   void check_editable(const char* what) const;
   void check_not_past(const Time& time) const;
   void note(const Contact& contact, Measures* measures);
+  void note_merger(const Contact& contact, const Measures* measures);
   std::optional<Event> next_coalescence();
   void apply_edits();
   void retune_if_due();

@@ -27,7 +27,7 @@ Contact any_collision(Random& random) {
   contact.second_mass = 0.5 + random.uniform();
   contact.first_moment = 0.1 + 0.5 * random.uniform();
   contact.second_moment = 0.1 + 0.5 * random.uniform();
-  contact.first_flight = contact.second_flight = 1;
+  contact.time = Time(1);
   contact.before = {3 * random.uniform() * random.direction(), 3 * random.uniform() * random.direction()};
   if (approach(contact.separation, contact.before) > 0) {
     std::swap(contact.before.first, contact.before.second);
@@ -139,8 +139,8 @@ TEST(Bounce, OffARoughWallTurnsASphere) {
   contact.first_radius = contact.reach = 0.5;
   contact.first_mass = 2;
   contact.second_mass = kInfinity;
-  contact.first_flight = 1;
-  contact.second_flight = kInfinity;
+  contact.time = Time(1);
+  contact.second_since = Time(-kInfinity);
   contact.wall_normal = {0, 0, -1};
   contact.before = contact.after = {{3, 0, -1}, {1, 0, 0}};
   const Bounce sticking({.restitution = ConstantRestitution{0.5}, .tangential_restitution = 0});
@@ -177,12 +177,12 @@ TEST(Bounce, IsElasticSoonAfterAnotherContact) {
   const double before = normal_speed(contact, contact.before);
   const auto ratio = [&] { return -normal_speed(contact, bounce(contact).velocities) / before; };
   EXPECT_NEAR(ratio(), 0.5, 1e-14);
-  contact.first_flight = 0.011;
+  contact.first_since = Time(1 - 0.011);
   EXPECT_NEAR(ratio(), 0.5, 1e-14);
-  contact.first_flight = 0.009;
+  contact.first_since = Time(1 - 0.009);
   EXPECT_NEAR(ratio(), 1, 1e-14);
-  contact.first_flight = 1;
-  contact.second_flight = 0;
+  contact.first_since = Time(0);
+  contact.second_since = Time(1);
   EXPECT_NEAR(ratio(), 1, 1e-14);
 }
 
