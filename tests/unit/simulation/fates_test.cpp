@@ -297,9 +297,12 @@ TEST(CustomResponse, ThatReturnsBadSpinsChangesNothing) {
   EXPECT_EQ(simulation.world().path(0).time, Time(0));
   EXPECT_EQ(simulation.world().spin(0), Vec3{});
   simulation.respond_with(nullptr);
+  Spins spins_after{{1, 1, 1}, {}};
+  simulation.on_contact([&](const Contact& contact) { spins_after = contact.spins_after; });
   simulation.run_until(5);
   EXPECT_EQ(simulation.counters().collision, 1U);
   EXPECT_EQ(simulation.velocity(1), (Vec3{1, 0, 0}));
+  EXPECT_EQ(spins_after, Spins{});
 }
 
 }  // namespace
