@@ -16,8 +16,26 @@ constexpr std::size_t kPendingBytes = 1 << 20;
 
 }  // namespace
 
-OutputFile::OutputFile(std::filesystem::path path)
-    : path_(std::move(path)), file_(std::fopen(path_.string().c_str(), "wb")) {
+OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
+  open("wb");
+}
+
+OutputFile::OutputFile(std::filesystem::path path, std::uint64_t bytes)
+    : path_(std::move(path)), written_(bytes), complete_(bytes) {
+  open("rb+");
+  std::error_code failure;
+  const std::uintmax_t present = std::filesystem::file_size(path_, failure);
+  if (!failure && present >= bytes) std::filesystem::resize_file(path_, bytes, failure);
+  if (failure || present < bytes || std::fseek(file_.get(), 0, SEEK_END) != 0) {
+    throw Error(failure ? "cannot be cut back: " + failure.message()
+                        : "has " + std::to_string(present) + " bytes, not the " + std::to_string(bytes) +
+                              " or more that were written",
+                path_.string(), "restore the file, or start anew in another directory");
+  }
+}
+
+void OutputFile::open(const char* mode) {
+  file_.reset(std::fopen(path_.string().c_str(), mode));
   if (!file_) {
     throw Error(std::string("cannot be written: ") + std::strerror(errno), path_.string(),
                 "name a file in a directory that you may write to");

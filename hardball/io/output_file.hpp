@@ -20,8 +20,14 @@ class OutputFile {
   /// Creates the file, or empties it if there is one. Error: it cannot be opened for writing.
   explicit OutputFile(std::filesystem::path path);
 
+  /// Opens a file written before to go on after its first `bytes`; the rest is cut off. Error: it cannot be
+  /// opened for writing, or is shorter.
+  OutputFile(std::filesystem::path path, std::uint64_t bytes);
+
   const std::filesystem::path& path() const { return path_; }
   bool is_open() const { return file_ != nullptr; }
+  /// The bytes appended so far.
+  std::uint64_t size() const { return written_ + pending_.size(); }
 
   /// Appends bytes; they are buffered until there are many, or until the next flush.
   /// Error (RunFailure): they cannot be written.
@@ -48,6 +54,7 @@ class OutputFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
+  void open(const char* mode);
   void write(std::string_view bytes);
   void truncate() noexcept;
   [[noreturn]] void fail();

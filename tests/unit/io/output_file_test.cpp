@@ -53,6 +53,25 @@ TEST(OutputFile, ContainsWhatWasAppended) {
   EXPECT_FALSE(file.is_open());
 }
 
+TEST(OutputFile, GoesOnWhereItIsCutBackTo) {
+  const ScratchFolder folder;
+  write_text(folder / "file", "one two");
+  OutputFile file(folder / "file", 4);
+  EXPECT_EQ(file.size(), 4U);
+  file.append("three");
+  EXPECT_EQ(file.size(), 9U);
+  file.close();
+  EXPECT_EQ(read_text(folder / "file"), "one three");
+}
+
+TEST(OutputFile, DoesNotGoOnWhereItNeverWas) {
+  const ScratchFolder folder;
+  EXPECT_THROW(OutputFile(folder / "file", 0), Error) << "there is none";
+  write_text(folder / "file", "one");
+  EXPECT_THROW(OutputFile(folder / "file", 4), Error);
+  EXPECT_EQ(read_text(folder / "file"), "one");
+}
+
 TEST(OutputFile, EmptiesAnExistingFile) {
   const ScratchFolder folder;
   write_text(folder / "file", "something old and long");
