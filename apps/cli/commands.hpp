@@ -15,6 +15,7 @@ enum class ExitCode : int {
 
 /// Each executes a command. Error: bad input; RunFailure: the run failed.
 ExitCode run(const Options& options);
+ExitCode resume(const Options& options);
 ExitCode verify(const Options& options);
 ExitCode check(const Options& options);
 ExitCode tune(const Options& options);

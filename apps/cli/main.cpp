@@ -50,6 +50,12 @@ void add_engine_options(CLI::App& command, Options& options) {
                      "Vector instructions: auto, portable, avx2 or avx512; affects only the speed");
 }
 
+void add_output_flags(CLI::App& command, Options& options) {
+  command.add_flag("--json", options.json, "Print one JSON object instead of a table")
+      ->disable_flag_override();
+  command.add_flag("--quiet", options.quiet, "Show no progress")->disable_flag_override();
+}
+
 #if HARDBALL_VIEWER
 CLI::App* add_showing_command(CLI::App& app, Options& options, const std::string& name,
                               const std::string& description) {
@@ -95,9 +101,17 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   CLI::App* run_command = add_command(app, options, "run", "Run a scenario");
   add_engine_options(*run_command, options);
   run_command->add_option("--out", options.out, "Directory for the files of the run");
-  run_command->add_flag("--json", options.json, "Print one JSON object instead of a table")
+  add_output_flags(*run_command, options);
+  run_command
+      ->add_flag("--overwrite", options.overwrite, "Replace the files of an earlier run in the directory")
       ->disable_flag_override();
-  run_command->add_flag("--quiet", options.quiet, "Show no progress")->disable_flag_override();
+  CLI::App* resume_command = app.add_subcommand("resume", "Go on with a run from its last checkpoint");
+  resume_command->add_option("DIRECTORY", options.scenario, "Output directory of the run")->required();
+  resume_command->add_option("--until", options.until, "Time at which the run ends, instead of before");
+  resume_command->add_option("--from", options.checkpoint,
+                             "Checkpoint in the directory, instead of the last one");
+  add_output_flags(*resume_command, options);
+  resume_command->allow_extras();
   CLI::App* verify_command =
       add_command(app, options, "verify", "Run a scenario with every engine and compare bit by bit");
   CLI::App* check_command =
@@ -138,6 +152,7 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   }
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   refuse_leftovers(app, chosen.empty() ? nullptr : chosen.front());
+  if (*resume_command) return resume(options);
   if (*verify_command) return verify(options);
   if (*check_command) return check(options);
   if (*tune_command) return tune(options);

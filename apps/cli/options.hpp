@@ -20,11 +20,18 @@ struct Options {
   std::string queue = "calendar";
   std::string instructions = "auto";
   std::optional<std::string> out;
+  std::optional<std::string> checkpoint;  ///< Relative to the output directory.
   std::optional<std::string> port;
   std::optional<std::string> recording_limit;
   bool json = false;
   bool quiet = false;
   bool no_open = false;
+  bool overwrite = false;
+
+  /// What decides how a run goes on.
+  static void persist(auto& archive, auto& self) {
+    archive(self.scenario, self.overrides, self.until, self.seed);
+  }
 };
 
 }  // namespace hardball::cli

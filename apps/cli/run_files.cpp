@@ -10,6 +10,7 @@
 #include "apps/cli/directory.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/extended_xyz.hpp"
+#include "hardball/io/replace_file.hpp"
 #include "hardball/measure/csv.hpp"
 
 namespace hardball::cli {
@@ -27,12 +28,45 @@ std::filesystem::path table_of(std::string_view measure) {
   return std::string(measure) + ".csv";
 }
 
-// Removes the measures of an earlier run, and the folder if it is then empty.
+// Removes a folder if it is empty.
+void remove_empty(const std::filesystem::path& folder) {
+  std::error_code not_empty;
+  std::filesystem::remove(folder, not_empty);
+}
+
+// Removes the measures of an earlier run.
 void remove_measures(const std::filesystem::path& folder) {
   std::filesystem::remove(folder / kQuantities);
   for (const std::string_view name : measure_names()) std::filesystem::remove(folder / table_of(name));
-  std::error_code not_empty;
-  std::filesystem::remove(folder, not_empty);
+  remove_empty(folder);
+}
+
+// Removes the checkpoints that an earlier run has kept.
+void remove_checkpoints(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder)) return;
+  std::vector<std::filesystem::path> kept;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".hbc") kept.push_back(entry.path());
+  }
+  for (const std::filesystem::path& path : kept) std::filesystem::remove(path);
+  remove_empty(folder);
+}
+
+// Error: the directory holds files of a run.
+void refuse_files_of_a_run(const std::filesystem::path& directory) {
+  const auto holds = [&](const std::filesystem::path& name) {
+    return std::filesystem::is_regular_file(directory / name);
+  };
+  const std::filesystem::path quantities = std::filesystem::path(kMeasures) / kQuantities;
+  for (const std::filesystem::path& name :
+       {std::filesystem::path(kTrajectory), std::filesystem::path(kEvents), std::filesystem::path(kRecording),
+        std::filesystem::path(kSummary), std::filesystem::path(kReport), std::filesystem::path(kCheckpoint),
+        quantities}) {
+    if (!holds(name)) continue;
+    throw Error("holds " + name.string() + " of another run", directory.string(),
+                "name another directory, go on with that run by 'hardball resume', or replace its files with "
+                "--overwrite");
+  }
 }
 
 void remove_all(const std::vector<std::filesystem::path>& paths) {
@@ -42,8 +76,12 @@ void remove_all(const std::vector<std::filesystem::path>& paths) {
 
 }  // namespace
 
+bool is_finished(const std::filesystem::path& directory) {
+  return std::filesystem::exists(directory / kSummary);
+}
+
 RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario,
-                   const Simulation& simulation)
+                   const Simulation& simulation, bool overwrites)
     : directory_(directory), has_measures_(!scenario.measures.names.empty()) {
   const std::filesystem::path trajectory = directory / kTrajectory;
   std::error_code missing;
@@ -52,8 +90,14 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
                 "name another directory for the output");
   }
   std::vector<std::filesystem::path> created = make_directory(directory);
+  const auto undo = [&] {
+    lock_.reset();
+    remove_all(created);
+  };
   try {
-    for (const char* name : {kTrajectory, kEvents, kRecording, kSummary, kReport}) {
+    lock_.emplace(directory);
+    if (!overwrites) refuse_files_of_a_run(directory);
+    for (const char* name : {kTrajectory, kEvents, kRecording, kSummary, kReport, kCheckpoint}) {
       const std::filesystem::path path = directory / name;
       if (std::filesystem::is_directory(path)) {
         throw Error("is a directory", path.string(), "name another directory for the output");
@@ -74,19 +118,44 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
     begin(kEvents, scenario.event_log, [&](const Path& path) { events_.emplace(path); });
     begin(kRecording, scenario.recording,
           [&](const Path& path) { recording_.emplace(begin_recording(path, scenario, simulation)); });
-    for (const char* name : {kSummary, kReport}) std::filesystem::remove(directory / name);
+    for (const char* name : {kSummary, kReport, kCheckpoint}) std::filesystem::remove(directory / name);
     remove_measures(directory / kMeasures);
+    remove_checkpoints(directory / kKeptCheckpoints);
     if (has_measures_) {
       const std::vector<std::filesystem::path> made = make_directory(directory / kMeasures);
       created.insert(created.begin(), made.begin(), made.end());
     }
   } catch (const std::filesystem::filesystem_error& error) {
-    remove_all(created);
+    undo();
     throw Error(error.code().message(), directory.string(), "name another directory for the output");
   } catch (...) {
-    remove_all(created);
+    undo();
     throw;
   }
+}
+
+RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const FilesState& state)
+    : directory_(directory), lock_(directory), has_measures_(!scenario.measures.names.empty()) {
+  if (state.trajectory) trajectory_.emplace(directory / kTrajectory, *state.trajectory);
+  if (state.events) events_.emplace(directory / kEvents, *state.events);
+  if (state.recording) recording_.emplace(directory / kRecording, *state.recording);
+  if (has_measures_) make_directory(directory / kMeasures);
+  // Those of the end before.
+  for (const char* name : {kSummary, kReport}) std::filesystem::remove(directory / name);
+}
+
+FilesState RunFiles::save() {
+  FilesState state;
+  if (trajectory_) {
+    trajectory_->sync();
+    state.trajectory = trajectory_->size();
+  }
+  if (events_) {
+    events_->sync();
+    state.events = events_->size();
+  }
+  if (recording_) state.recording = recording_->save();
+  return state;
 }
 
 void RunFiles::write_snapshot(const Simulation& simulation) {
@@ -115,30 +184,15 @@ void RunFiles::finish(const Simulation& simulation, std::span<const Measurement>
   if (events_) events_->close();
   if (recording_) recording_->close(simulation.time());
   if (has_measures_) {
-    const std::filesystem::path folder = kMeasures;
+    const std::filesystem::path folder = directory_ / kMeasures;
     for (const Measurement& measurement : measurements) {
-      if (!measurement.columns.empty()) write(folder / table_of(measurement.name), columns_csv(measurement));
+      if (!measurement.columns.empty())
+        replace_file(folder / table_of(measurement.name), columns_csv(measurement));
     }
-    write(folder / kQuantities, quantities_csv(measurements));
+    replace_file(folder / kQuantities, quantities_csv(measurements));
   }
-  write(kSummary, summary);
-  if (!report.empty()) write(kReport, report);
-}
-
-void RunFiles::write(const std::filesystem::path& name, const std::string& text) const {
-  const std::filesystem::path path = directory_ / name;
-  const std::filesystem::path unfinished = path.string() + ".part";
-  std::error_code failure;
-  try {
-    OutputFile file(unfinished);
-    file.append(text);
-    file.close();
-  } catch (...) {
-    std::filesystem::remove(unfinished, failure);
-    throw;
-  }
-  std::filesystem::rename(unfinished, path, failure);
-  if (failure) throw RunFailure("cannot write " + path.string() + ": " + failure.message());
+  replace_file(directory_ / kSummary, summary);
+  if (!report.empty()) replace_file(directory_ / kReport, report);
 }
 
 }  // namespace hardball::cli

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
 
+#include "apps/cli/directory_lock.hpp"
 #include "hardball/io/npy_event_log.hpp"
 #include "hardball/io/output_file.hpp"
 #include "hardball/io/recording_writer.hpp"
@@ -18,14 +20,43 @@
 
 namespace hardball::cli {
 
+/// The checkpoint in an output directory.
+inline constexpr const char* kCheckpoint = "checkpoint.hbc";
+/// The folder of those that are kept.
+inline constexpr const char* kKeptCheckpoints = "checkpoints";
+
+/// Whether the run whose output directory this is has come to an end.
+bool is_finished(const std::filesystem::path& directory);
+
+/// How much of the files of a run belongs to a checkpoint.
+struct FilesState {
+  std::optional<std::uint64_t> trajectory;  ///< Bytes.
+  std::optional<std::uint64_t> events;      ///< Records.
+  std::optional<std::string> recording;     ///< See RecordingWriter::save.
+
+  static void persist(auto& archive, auto& self) { archive(self.trajectory, self.events, self.recording); }
+};
+
 /// The files of one run in its output directory: trajectory.xyz, events.npy and recording.hbr, if the
-/// scenario requests them, measures/ and report.html, unless it disables them, and summary.json.
+/// scenario requests them, measures/ and report.html, unless it disables them, and summary.json. No other run
+/// can write to the directory meanwhile.
 class RunFiles {
  public:
-  /// Creates the directory, if necessary, and the files, and removes those of an earlier run.
-  /// Error: that is impossible, or the scenario starts from a file that would be overwritten; then nothing
-  /// created remains.
-  RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const Simulation& simulation);
+  /// Creates the directory, if necessary, and the files. Files of an earlier run are removed if `overwrites`.
+  /// Error: that is impossible; there are files of an earlier run, and they are not to be removed; the
+  /// scenario starts from a file that would be; then nothing created remains.
+  RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const Simulation& simulation,
+           bool overwrites);
+
+  /// Opens the files of a run to go on where a checkpoint was written; what follows is cut off. Error: a file
+  /// is missing, shorter than it was then, or cannot be written to.
+  RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const FilesState& state);
+
+  const std::filesystem::path& directory() const { return directory_; }
+
+  /// Completes the files, waits until they are on the disk, and returns how much of them there is. Error
+  /// (RunFailure): they cannot be written.
+  FilesState save();
 
   /// Appends a frame at the current time, if there is a trajectory. Error (RunFailure): it cannot be written.
   void write_snapshot(const Simulation& simulation);
@@ -45,10 +76,8 @@ class RunFiles {
   bool has_contacts() const { return events_ || recording_; }
 
  private:
-  // Writes a file so that under its own name it is either complete or absent.
-  void write(const std::filesystem::path& name, const std::string& text) const;
-
   std::filesystem::path directory_;
+  std::optional<DirectoryLock> lock_;
   bool has_measures_;
   std::optional<OutputFile> trajectory_;
   std::optional<NpyEventLog> events_;

@@ -47,7 +47,10 @@ bool is_worth_measuring(const World& start, const Scenario& scenario) {
 }  // namespace
 
 Scenario read_scenario(const Options& options) {
-  Scenario scenario = load_scenario(options.scenario, options.overrides);
+  return changed_by(options, load_scenario(options.scenario, options.overrides));
+}
+
+Scenario changed_by(const Options& options, Scenario scenario) {
   if (options.until) {
     const double until = parse_number<double>(*options.until, "--until", "give a time such as 10");
     check_finite(until, "the time", "--until");
@@ -56,7 +59,7 @@ Scenario read_scenario(const Options& options) {
     scenario.until = until;
   }
   if (!scenario.until) {
-    throw Error("key 'until' is missing in [run]", options.scenario,
+    throw Error("key 'until' is missing in [run]", scenario.name,
                 "add it, or give --until on the command line");
   }
   if (options.seed) {

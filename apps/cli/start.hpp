@@ -14,6 +14,9 @@ namespace hardball::cli {
 /// that is not a number or out of range; neither scenario nor command line gives `until`.
 Scenario read_scenario(const Options& options);
 
+/// A scenario with the changes that `options` makes by --until and --seed. Error: likewise.
+Scenario changed_by(const Options& options, Scenario scenario);
+
 /// The options to run it with. The unit costs for choosing cells are measured if the run is expected to
 /// take long, unless the command line says otherwise. Error: an unknown engine or queue; an edge that is not
 /// a positive number; invalid unit costs.

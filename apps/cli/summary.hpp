@@ -16,6 +16,8 @@ namespace hardball::cli {
 struct Seconds {
   double setup = 0;
   double run = 0;
+
+  static void persist(auto& archive, auto& self) { archive(self.setup, self.run); }
 };
 
 /// The summary of a run.

@@ -54,6 +54,8 @@ class Engine {
   const World& world() const { return world_; }
   const Phase& phase() const { return phase_; }
   Respond& response() { return respond_; }
+  CollapseGuard& collapse_guard() { return guard_; }
+  const CollapseGuard& collapse_guard() const { return guard_; }
   /// The time of the last event handled.
   const Time& now() const { return now_; }
 

@@ -73,6 +73,10 @@ struct Counters {
     after.rebuilds -= before.rebuilds;
     return after;
   }
+  static void persist(auto& archive, auto& self) {
+    archive(self.collision, self.wall, self.enter, self.leave, self.stale, self.predictions,
+            self.contact_predictions, self.enter_predictions, self.queue_operations, self.rebuilds);
+  }
 };
 
 }  // namespace hardball

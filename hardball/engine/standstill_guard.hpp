@@ -29,6 +29,9 @@ class StandstillGuard {
   }
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) { archive(self.events_); }
+
   std::uint64_t events_ = 0;  // in a row at one time
 };
 

@@ -56,6 +56,9 @@ struct Event {
 
   friend bool operator==(const Event&, const Event&) = default;
   friend std::partial_ordering operator<=>(const Event&, const Event&) = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.time, self.kind, self.first, self.second, self.image);
+  }
 };
 
 /// The collision of spheres `a` and `b`, lower id first; `image` is the image of `b` that `a` meets.

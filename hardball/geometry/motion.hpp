@@ -44,6 +44,13 @@ class Motion {
   Vec3 velocity_at(const Path& path, const Time& moment) const { return state_at(path, moment).velocity; }
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) { archive(self.gravity_); }
+  bool restored() {
+    is_straight_ = gravity_ == Vec3{};
+    return true;
+  }
+
   HARDBALL_NEVER_INLINE State falling_state_at(const Path& path, double age) const {
     return {path.position + age * (path.velocity + (0.5 * age) * gravity_), path.velocity + age * gravity_};
   }

@@ -12,6 +12,8 @@ namespace hardball {
 /// A path is rewritten only when the motion itself changes. Along it the centre moves as Motion says, and may
 /// leave a periodic box without being folded back: Image counts the boxes.
 struct alignas(64) Path {
+  static constexpr bool kIsPlain = true;  ///< To archives.
+
   Vec3 position;  ///< Centre at `time` [L].
   Vec3 velocity;  ///< At `time` [L/T].
   Time time;      ///< Of the last change.

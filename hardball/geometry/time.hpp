@@ -16,6 +16,8 @@ namespace hardball {
 /// resolves t * 2^-106: after 1e12 units of time it is still more precise than a single double near one. The
 /// representation is unique, so times compare by their parts.
 struct Time {
+  static constexpr bool kIsPlain = true;  ///< To archives.
+
   double high = 0;
   double low = 0;
 

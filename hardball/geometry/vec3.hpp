@@ -14,6 +14,8 @@ namespace hardball {
 
 /// A vector in space; its dimension is that of the quantity it holds.
 struct Vec3 {
+  static constexpr bool kIsPlain = true;  ///< To archives.
+
   double x = 0;
   double y = 0;
   double z = 0;
@@ -58,6 +60,8 @@ inline double length(const Vec3& a) {
 /// A periodic image of a sphere: the one displaced by this many box lengths along each axis. Zero along axes
 /// that are not periodic.
 struct Image {
+  static constexpr bool kIsPlain = true;  ///< To archives.
+
   std::array<std::int32_t, kAxes> boxes{};
 
   std::int32_t& operator[](std::size_t axis) { return boxes[axis]; }

@@ -15,9 +15,10 @@ namespace {
 constexpr std::size_t kRecordBytes = 8 + 4 + 4 + 1 + 3 * 8 + 8;
 constexpr std::uint64_t kRecordsPerFlush = (std::uint64_t{4} << 20) / kRecordBytes;
 
+constexpr std::size_t kHeaderBytes = 256;
+
 // The header, of the same length for every number of records.
 std::string header(std::uint64_t records) {
-  constexpr std::size_t kHeaderBytes = 256;
   constexpr std::size_t kPrefixBytes = 10;
   std::string text =
       "{'descr': [('t', '<f8'), ('i', '<u4'), ('j', '<i4'), ('kind', '|u1'), ('impulse', '<f8', (3,)), "
@@ -35,6 +36,11 @@ std::string header(std::uint64_t records) {
 
 NpyEventLog::NpyEventLog(std::filesystem::path path) : file_(std::move(path)) {
   file_.append(header(0));
+  flush();
+}
+
+NpyEventLog::NpyEventLog(std::filesystem::path path, std::uint64_t size)
+    : file_(std::move(path), kHeaderBytes + size * kRecordBytes), size_(size) {
   flush();
 }
 
@@ -71,6 +77,11 @@ void NpyEventLog::flush() {
   file_.flush();
   file_.overwrite(0, header(size_));
   file_.flush_complete();
+}
+
+void NpyEventLog::sync() {
+  flush();
+  file_.sync();
 }
 
 void NpyEventLog::close() {

@@ -26,6 +26,9 @@ class NpyEventLog {
  public:
   /// Creates the file. Error: it cannot be opened for writing.
   explicit NpyEventLog(std::filesystem::path path);
+  /// Opens a file written before to go on after its first `size` records; the rest is cut off. Error: it
+  /// cannot be opened for writing, or is shorter.
+  NpyEventLog(std::filesystem::path path, std::uint64_t size);
 
   /// Precondition: ids are below 2^31. Error (RunFailure): the file cannot be written.
   void append(const Contact& contact);
@@ -34,12 +37,15 @@ class NpyEventLog {
   /// it more often. Error (RunFailure): as for append.
   void flush();
 
+  /// The same, and waits until all is on the disk. Error (RunFailure): as for append.
+  void sync();
+
   /// Completes and closes the file; does nothing if it is closed. Error (RunFailure): as for append.
   void close();
 
   /// Closes the file as far as possible; errors are ignored.
   ~NpyEventLog();
-  NpyEventLog(const NpyEventLog&) = delete;
+  NpyEventLog(NpyEventLog&&) noexcept = default;
 
   std::uint64_t size() const { return size_; }
 

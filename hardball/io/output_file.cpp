@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/io/output_file.hpp"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <system_error>
@@ -71,6 +73,12 @@ void OutputFile::flush() {
 void OutputFile::flush_complete() {
   flush();
   complete_ = written_;
+}
+
+void OutputFile::sync() {
+  flush_complete();
+  // Devices and pipes have nothing to wait for.
+  if (fsync(fileno(file_.get())) != 0 && errno != EINVAL && errno != EROFS) fail();
 }
 
 void OutputFile::close() {

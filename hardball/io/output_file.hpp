@@ -42,6 +42,9 @@ class OutputFile {
   /// Flushes, and marks the file as complete. Error (RunFailure): as for append.
   void flush_complete();
 
+  /// Marks the file as complete, and waits until it is on the disk. Error (RunFailure): as for append.
+  void sync();
+
   /// Flushes the file as complete and closes it; does nothing if it is closed. Error (RunFailure): as for
   /// append. Without it, destruction leaves the file as of the last flush_complete.
   void close();

@@ -70,6 +70,8 @@ RecordingHeader parse_recording_header(std::string_view json, const std::string&
 
 /// The motion of a sphere from a contact, or from the start, on.
 struct RecordedPath {
+  static constexpr bool kIsPlain = true;  ///< To archives.
+
   Vec3 position;    ///< Centre at `time`, folded into the box [L].
   Vec3 velocity;    ///< [L/T]
   double time = 0;  ///< [T]
@@ -84,6 +86,8 @@ struct RecordedPath {
 
 /// How a sphere is turned: a unit quaternion. Turned upright, a sphere is as it was at the start.
 struct Orientation {
+  static constexpr bool kIsPlain = true;  ///< To archives.
+
   Vec3 imaginary;   ///< [1]
   double real = 1;  ///< [1]
 
@@ -95,6 +99,8 @@ struct Orientation {
 
 /// What a sphere is and how it turns, from a contact, or from the start, on.
 struct RecordedBody {
+  static constexpr bool kIsPlain = true;  ///< To archives.
+
   Vec3 spin = {};                        ///< Angular velocity [1/T].
   Orientation orientation = {};          ///< When the sphere's path started.
   double radius = 0;                     ///< [L]; zero once the sphere has become part of another.
@@ -122,6 +128,8 @@ struct RecordedContact {
   Vec3 second_spin = {};  ///< Zero unless it is a collision; zero if the spheres merge.
   /// The first sphere after a merger.
   struct Merged {
+    static constexpr bool kIsPlain = true;
+
     double radius = 0;  ///< [L]
     double mass = 0;    ///< [M]
     double moment = 0;  ///< Of inertia, over mass and squared radius [1].
@@ -138,6 +146,13 @@ struct RecordedContact {
   /// The same for bodies; `paths`: those before the contact.
   void rewrite(std::vector<RecordedBody>& bodies, const std::vector<RecordedPath>& paths) const;
   friend bool operator==(const RecordedContact&, const RecordedContact&) = default;
+
+  static void persist(auto& archive, auto& self) {
+    archive(self.time, self.first, self.second, self.first_position, self.first_velocity,
+            self.second_position, self.second_velocity, self.fate, self.first_spin, self.second_spin,
+            self.merged);
+    archive.require(self.fate <= Fate::merge);
+  }
 };
 
 /// A part of a recording that can be shown by itself.

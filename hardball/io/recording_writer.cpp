@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/little_endian.hpp"
 
@@ -90,39 +91,58 @@ std::string preamble(const RecordingHeader& header) {
 }  // namespace
 
 RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader header, const World& world)
-    : file_(std::move(path)),
-      version_(world.has_spins() || world.has_passing_pairs() ? 2 : header.version),
-      most_contacts_(std::clamp(world.size(), kLeastContacts, kMostContactBytes / contact_bytes())),
-      begin_(header.begin) {
-  HARDBALL_CHECK(version_ == 1 || version_ == 2);
-  header.version = version_;
+    : file_(std::move(path)) {
+  state_.version = world.has_spins() || world.has_passing_pairs() ? 2 : header.version;
+  state_.most_contacts = std::clamp(world.size(), kLeastContacts, kMostContactBytes / contact_bytes());
+  state_.begin = header.begin;
+  HARDBALL_CHECK(state_.version == 1 || state_.version == 2);
+  header.version = state_.version;
   header.spheres = world.size();
   header.box = world.box();
   header.species = species_of(world);
   std::string bytes = preamble(header);
   std::string masses;
-  keyframe_.reserve(world.size());
+  state_.keyframe.reserve(world.size());
   world.for_each_by_id([&](Slot slot) {
-    if (world.id(slot) != keyframe_.size()) {
+    if (world.id(slot) != state_.keyframe.size()) {
       throw Error("a sphere has been removed", "recording of " + header.name,
                   "record a world whose ids count from 0 without gaps");
     }
     const Path& stored = world.path(slot);
-    keyframe_.push_back({stored.position, stored.velocity, stored.time.value()});
-    if (version_ > 1)
-      bodies_.push_back({world.spin(slot), {}, world.radius(slot), world.mass(slot), world.moment(slot)});
+    state_.keyframe.push_back({stored.position, stored.velocity, stored.time.value()});
+    if (state_.version > 1)
+      state_.bodies.push_back(
+          {world.spin(slot), {}, world.radius(slot), world.mass(slot), world.moment(slot)});
     append_little_endian(bytes, world.radius(slot));
     append_little_endian(masses, world.mass(slot));
   });
   bytes += masses;
   file_.append(bytes);
   file_.flush_complete();
-  written_ = bytes.size();
+  state_.written = bytes.size();
+}
+
+RecordingWriter::RecordingWriter(std::filesystem::path path, std::string_view saved)
+    : RecordingWriter(path, restored(saved, path.string())) {}
+
+RecordingWriter::RecordingWriter(std::filesystem::path path, State state)
+    : file_(std::move(path), state.written), state_(std::move(state)) {}
+
+RecordingWriter::State RecordingWriter::restored(std::string_view saved, const std::string& where) {
+  State state;
+  restore(saved, "the saved state of " + where, state);
+  return state;
+}
+
+std::string RecordingWriter::save() {
+  flush();
+  file_.sync();
+  return archived(state_);
 }
 
 RecordingWriter::~RecordingWriter() {
   try {
-    close(begin_);
+    close(state_.begin);
   } catch (const RunFailure&) {
     // The file keeps what was complete before.
   }
@@ -130,7 +150,8 @@ RecordingWriter::~RecordingWriter() {
 
 void RecordingWriter::note(const Contact& contact, const World& world) {
   constexpr std::uint32_t kMostIds = std::numeric_limits<std::int32_t>::max();
-  HARDBALL_CHECK(contact.first < keyframe_.size() && contact.first <= kMostIds && contact.second <= kMostIds);
+  HARDBALL_CHECK(contact.first < state_.keyframe.size() && contact.first <= kMostIds &&
+                 contact.second <= kMostIds);
   // -(k + 1) is the bitwise complement of the number k of a surface.
   const std::uint32_t second = contact.is_collision() ? contact.second : ~contact.second;
   RecordedContact recorded{contact.time.value(),
@@ -140,7 +161,7 @@ void RecordingWriter::note(const Contact& contact, const World& world) {
                            contact.after.first,
                            contact.second_position,
                            contact.is_collision() ? contact.after.second : Vec3{}};
-  if (version_ > 1) {
+  if (state_.version > 1) {
     const Slot first = world.slot_of(contact.first);
     recorded.fate = contact.fate;
     recorded.first_spin = world.spin(first);
@@ -152,70 +173,72 @@ void RecordingWriter::note(const Contact& contact, const World& world) {
       recorded.second_spin = world.spin(world.slot_of(contact.second));
     }
   }
-  HARDBALL_CHECK(version_ > 1 || contact.fate != Fate::merge);
+  HARDBALL_CHECK(state_.version > 1 || contact.fate != Fate::merge);
   add(recorded);
 }
 
 void RecordingWriter::note(const VelocityChange& change, const World& world) {
   constexpr std::uint32_t kMostIds = std::numeric_limits<std::int32_t>::max();
-  HARDBALL_CHECK(change.sphere < keyframe_.size() && change.sphere <= kMostIds);
+  HARDBALL_CHECK(change.sphere < state_.keyframe.size() && change.sphere <= kMostIds);
   RecordedContact recorded{.time = change.time.value(),
                            .first = change.sphere,
                            .second = static_cast<std::int32_t>(change.sphere),
                            .first_position = change.position,
                            .first_velocity = change.after};
-  if (version_ > 1) recorded.first_spin = world.spin(world.slot_of(change.sphere));
+  if (state_.version > 1) recorded.first_spin = world.spin(world.slot_of(change.sphere));
   add(recorded);
 }
 
 void RecordingWriter::add(const RecordedContact& contact) {
-  if (contacts_.size() >= most_contacts_ && contact.time > contacts_.back().time) {
-    write_chunk(contacts_.size(), contacts_.back().time);
+  if (state_.contacts.size() >= state_.most_contacts && contact.time > state_.contacts.back().time) {
+    write_chunk(state_.contacts.size(), state_.contacts.back().time);
   }
-  contacts_.push_back(contact);
+  state_.contacts.push_back(contact);
 }
 
 void RecordingWriter::flush() {
-  std::size_t count = contacts_.size();
-  while (count > 0 && contacts_[count - 1].time == contacts_.back().time) --count;
-  if (count == 0 || contacts_[count - 1].time == begin_) return;
-  write_chunk(count, contacts_[count - 1].time);
+  std::size_t count = state_.contacts.size();
+  while (count > 0 && state_.contacts[count - 1].time == state_.contacts.back().time) --count;
+  if (count == 0 || state_.contacts[count - 1].time == state_.begin) return;
+  write_chunk(count, state_.contacts[count - 1].time);
 }
 
 void RecordingWriter::close(double time) {
   if (!file_.is_open()) return;
-  const double end = contacts_.empty() ? std::max(time, begin_) : std::max(time, contacts_.back().time);
-  if (end > begin_ || !contacts_.empty() || !has_chunks_) write_chunk(contacts_.size(), end);
+  const double end =
+      state_.contacts.empty() ? std::max(time, state_.begin) : std::max(time, state_.contacts.back().time);
+  if (end > state_.begin || !state_.contacts.empty() || !state_.has_chunks)
+    write_chunk(state_.contacts.size(), end);
   file_.close();
 }
 
 std::uint64_t RecordingWriter::bytes() const {
-  return written_ + chunk_bytes(version_, keyframe_.size(), contacts_.size());
+  return state_.written + chunk_bytes(state_.version, state_.keyframe.size(), state_.contacts.size());
 }
 
 // Writes the first contacts of the open chunk as a chunk ending at `end`; the rest stay open.
 void RecordingWriter::write_chunk(std::size_t contacts, double end) {
-  const std::uint64_t length = chunk_bytes(version_, keyframe_.size(), contacts);
+  const std::uint64_t length = chunk_bytes(state_.version, state_.keyframe.size(), contacts);
   std::string header;
   append_little_endian(header, kChunkMagic);
   append_little_endian(header, static_cast<std::uint32_t>(contacts));
   append_little_endian(header, length);
-  append_little_endian(header, begin_);
+  append_little_endian(header, state_.begin);
   append_little_endian(header, end);
-  const auto behind = contacts_.begin() + static_cast<std::ptrdiff_t>(contacts);
+  const auto behind = state_.contacts.begin() + static_cast<std::ptrdiff_t>(contacts);
   file_.append(header);
-  append_all(file_, keyframe_.begin(), keyframe_.end());
-  append_all(file_, bodies_.begin(), bodies_.end());
-  append_all(file_, contacts_.begin(), behind, version_);
+  append_all(file_, state_.keyframe.begin(), state_.keyframe.end());
+  append_all(file_, state_.bodies.begin(), state_.bodies.end());
+  append_all(file_, state_.contacts.begin(), behind, state_.version);
   file_.flush_complete();
-  written_ += length;
-  has_chunks_ = true;
-  for (auto contact = contacts_.begin(); contact != behind; ++contact) {
-    if (version_ > 1) contact->rewrite(bodies_, keyframe_);
-    contact->rewrite(keyframe_);
+  state_.written += length;
+  state_.has_chunks = true;
+  for (auto contact = state_.contacts.begin(); contact != behind; ++contact) {
+    if (state_.version > 1) contact->rewrite(state_.bodies, state_.keyframe);
+    contact->rewrite(state_.keyframe);
   }
-  contacts_.erase(contacts_.begin(), behind);
-  begin_ = end;
+  state_.contacts.erase(state_.contacts.begin(), behind);
+  state_.begin = end;
 }
 
 }  // namespace hardball

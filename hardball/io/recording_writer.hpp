@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "hardball/io/output_file.hpp"
@@ -30,6 +32,14 @@ class RecordingWriter {
   /// Error: the file cannot be opened for writing; a sphere has been removed from the world.
   RecordingWriter(std::filesystem::path path, RecordingHeader header, const World& world);
 
+  /// Opens a file written before to go on from what `save` returned then; what follows in it is cut off.
+  /// Error: it cannot be opened for writing, or is shorter; `saved` is damaged, or of a later version.
+  RecordingWriter(std::filesystem::path path, std::string_view saved);
+
+  /// Closes the chunk as flush() does, waits until it is on the disk, and returns what is needed to go on
+  /// from here. Error (RunFailure): as for note.
+  std::string save();
+
   /// `world`: after the contact or change. Precondition: all contacts and changes are noted, in order; no
   /// sphere is added or removed but by a merger, which version 1 cannot record. Error (RunFailure): the file
   /// cannot be written.
@@ -54,24 +64,36 @@ class RecordingWriter {
   std::uint64_t bytes() const;
   /// Length of a chunk without contacts.
   std::uint64_t keyframe_bytes() const {
-    return recording_format::chunk_bytes(version_, keyframe_.size(), 0);
+    return recording_format::chunk_bytes(state_.version, state_.keyframe.size(), 0);
   }
   /// Length of a contact.
-  std::uint64_t contact_bytes() const { return recording_format::contact_bytes(version_); }
+  std::uint64_t contact_bytes() const { return recording_format::contact_bytes(state_.version); }
 
  private:
+  // All but the file.
+  struct State {
+    int version = 1;
+    std::uint64_t written = 0;
+    std::size_t most_contacts = 0;  // of a chunk, unless they are at one time
+    bool has_chunks = false;
+    double begin = 0;                       // of the open chunk
+    std::vector<RecordedPath> keyframe;     // of the open chunk
+    std::vector<RecordedBody> bodies;       // likewise; none in version 1
+    std::vector<RecordedContact> contacts;  // of the open chunk, so far
+
+    static void persist(auto& archive, auto& self) {
+      archive(self.version, self.written, self.most_contacts, self.has_chunks, self.begin, self.keyframe,
+              self.bodies, self.contacts);
+    }
+  };
+
+  RecordingWriter(std::filesystem::path path, State state);
+  static State restored(std::string_view saved, const std::string& where);
   void add(const RecordedContact& contact);
   void write_chunk(std::size_t contacts, double end);
 
   OutputFile file_;
-  int version_;
-  std::uint64_t written_ = 0;
-  std::size_t most_contacts_;  // of a chunk, unless they are at one time
-  bool has_chunks_ = false;
-  double begin_;                           // of the open chunk
-  std::vector<RecordedPath> keyframe_;     // of the open chunk
-  std::vector<RecordedBody> bodies_;       // likewise; none in version 1
-  std::vector<RecordedContact> contacts_;  // of the open chunk, so far
+  State state_;
 };
 
 }  // namespace hardball

@@ -197,4 +197,12 @@ std::vector<double> BlockAverage::middles() const {
   return values;
 }
 
+bool BlockAverage::restored() const {
+  const std::size_t bins = sums_.size() / kMostBlocks;
+  return (bins == 0 ? bins_ == 0 || groups_ == 0 : groups_ > 0 && bins / groups_ == bins_) &&
+         sums_.size() == kMostBlocks * bins_ * groups_ && weights_.size() == kMostBlocks &&
+         ends_.size() == kMostBlocks && full_blocks_ < kMostBlocks && first_ <= full_blocks_ &&
+         samples_in_block_ < samples_per_block_;
+}
+
 }  // namespace hardball

@@ -104,6 +104,13 @@ class BlockAverage {
   std::vector<double> middles() const;
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) {
+    archive(self.bins_, self.groups_, self.sums_, self.weights_, self.ends_, self.full_blocks_, self.first_,
+            self.samples_, self.samples_in_block_, self.samples_per_block_);
+  }
+  bool restored() const;
+
   double sum(std::size_t bin, std::size_t block) const;
   std::vector<double> shares_of_groups(const FunctionOfMeans& quantity, std::size_t first,
                                        std::size_t end) const;

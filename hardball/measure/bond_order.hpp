@@ -30,6 +30,12 @@ class BondOrder {
   Measurement result(const Scene& scene) const;
 
  private:
+  friend class Persistence;
+  BondOrder() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.reach_, self.is_flat_, self.sample_cost_, self.begin_, self.average_);
+  }
+
   template <class Bonds>
   void sample_bonds(const Scene& scene);
 

@@ -43,6 +43,12 @@ class Cadence {
   void advance(const Time& now, std::uint64_t contacts);
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) {
+    archive(self.begin_, self.interval_, self.next_, self.contacts_wanted_, self.contacts_before_,
+            self.samples_);
+  }
+
   static constexpr std::int64_t kNoSample = -1;
 
   double begin_ = 0;

@@ -34,6 +34,13 @@ class CollisionRate {
   Measurement result(const Scene& scene) const;
 
  private:
+  friend class Persistence;
+  CollisionRate() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.species_, self.theory_, self.motion_, self.spheres_, self.has_walls_, self.begin_,
+            self.last_, self.contacts_, self.speed_);
+  }
+
   // Bins: collisions of all, wall contacts, then collisions of each pair of species.
   static constexpr std::size_t kCollisions = 0;
   static constexpr std::size_t kWalls = 1;

@@ -21,6 +21,9 @@ class ContactExtrapolation {
 
   using Bins = std::array<double, kBins>;
 
+  /// Of no bins.
+  ContactExtrapolation() = default;
+
   /// Bins fill the space within the gap 0 to `width` [L] of a sphere at contact with a sphere of radius
   /// `radius` [L], or with a wall if that is infinite, in so many dimensions.
   ContactExtrapolation(double width, double radius, std::size_t dimensions);
@@ -37,7 +40,10 @@ class ContactExtrapolation {
   double at_contact(const Bins& density) const;
 
  private:
-  double width_;
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) { archive(self.width_, self.weight_); }
+
+  double width_ = 0;
   Bins weight_{};
 };
 

@@ -25,6 +25,12 @@ class Coordination {
   Measurement result(const Scene& scene) const;
 
  private:
+  friend class Persistence;
+  Coordination() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.reach_, self.sample_cost_, self.begin_, self.average_);
+  }
+
   double reach_;
   double sample_cost_ = 0;  // [ns]
   Time begin_;

@@ -32,6 +32,13 @@ class DensityProfiles {
   Measurement result(const Scene& scene) const;
 
  private:
+  friend class Persistence;
+  DensityProfiles() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.box_, self.begin_, self.bin_width_, self.bins_, self.most_bins_, self.contact_,
+            self.sample_cost_, self.average_);
+  }
+
   double slab_width(std::size_t axis, std::size_t bin) const;
   void add_slices(double center, double radius, std::size_t axis, std::vector<double>& filled) const;
 

@@ -26,6 +26,9 @@ class EventLogHash {
   friend bool operator==(const EventLogHash&, const EventLogHash&) = default;
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) { archive(self.hash_); }
+
   // Source: Steele, Lea and Flood, OOPSLA (2014) 453, the finaliser of SplitMix.
   void mix(std::uint64_t word) {
     hash_ = (hash_ ^ word) * 0x9e3779b97f4a7c15;

@@ -20,6 +20,9 @@ class FluidTheory {
   /// That of equal discs. Source: Bernard and Krauth, Phys. Rev. Lett. 107 (2011) 155704.
   static constexpr double kFreezingOfDiscs = 0.700;
 
+  /// Of no fluid; holds for none.
+  FluidTheory() = default;
+
   FluidTheory(const World& world, const Species& species);
 
   bool holds() const { return holds_; }
@@ -46,16 +49,22 @@ class FluidTheory {
   double diffusion(double temperature) const;
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) {
+    archive(self.species_, self.is_flat_, self.holds_, self.has_equal_radii_, self.density_,
+            self.packing_fraction_, self.surface_, self.compressibility_);
+  }
+
   Species species_;
-  bool is_flat_;
-  bool holds_;
-  bool has_equal_radii_;
-  double density_;  // [L^-3], of discs [L^-2]
+  bool is_flat_ = false;
+  bool holds_ = false;
+  bool has_equal_radii_ = false;
+  double density_ = 0;  // [L^-3], of discs [L^-2]
   double packing_fraction_ = 0;
   // pi / 6 times number density times mean square diameter; of discs the mean diameter over its mean square
   // [1/L].
   double surface_ = 0;
-  double compressibility_;
+  double compressibility_ = 0;
 };
 
 }  // namespace hardball

@@ -29,6 +29,13 @@ class ImpactSpeeds {
   Measurement result(const Scene& scene) const;
 
  private:
+  friend class Persistence;
+  ImpactSpeeds() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.species_, self.motion_, self.has_open_axis_, self.begin_, self.width_, self.bins_per_speed_,
+            self.average_);
+  }
+
   static constexpr std::size_t kBins = 120;
   // Further bins of the averages.
   static constexpr std::size_t kSpeed = kBins;             // [L/T]

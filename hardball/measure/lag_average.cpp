@@ -11,8 +11,8 @@
 
 namespace hardball {
 
-LagAverage::LagAverage(const Scene& scene, double interval, std::size_t most_spheres, Link link)
-    : species_(scene.species()), begin_(scene.now()), interval_(interval), link_(link) {
+LagAverage::LagAverage(const Scene& scene, double interval, std::size_t most_spheres)
+    : species_(scene.species()), begin_(scene.now()), interval_(interval) {
   HARDBALL_CHECK(interval > 0);
   const World& world = scene.world();
   const std::size_t count = std::min(world.size(), most_spheres);
@@ -55,7 +55,7 @@ std::size_t LagAverage::lag_of(std::size_t level, std::size_t steps) {
   return level == 0 ? steps : kLevelLags + (level - 1) * (kLevelLags - kFirstLag) + steps - kFirstLag;
 }
 
-void LagAverage::link_to_earlier() {
+void LagAverage::link_to_earlier(Link link) {
   for (std::size_t k = 0; k < kLevels; ++k) {
     const std::int64_t index = tick_ >> k;
     // Only multiples of 2^k belong to level k, and the start belongs to the first level alone.
@@ -83,7 +83,7 @@ void LagAverage::link_to_earlier() {
         const Group& group = groups_[g];
         const std::size_t size = group.end - group.begin;
         sums_[lag * groups_.size() + g] +=
-            link_(before.subspan(group.begin, size), now.subspan(group.begin, size));
+            link(before.subspan(group.begin, size), now.subspan(group.begin, size));
       }
     }
   }

@@ -34,18 +34,20 @@ class LagAverage {
   /// The sum over spheres of the product that links the earlier vectors to the later ones.
   using Link = double (*)(std::span<const Vec3> earlier, std::span<const Vec3> later);
 
+  /// Of no spheres.
+  LagAverage() = default;
   /// Starts at the time of the scene; `interval` [T] is positive. Cost: O(n).
-  LagAverage(const Scene& scene, double interval, std::size_t most_spheres, Link link);
+  LagAverage(const Scene& scene, double interval, std::size_t most_spheres);
 
   /// Adds a sample; `vector_of` gives the vector of the sphere in a slot. A time that is no multiple of the
   /// interval, or not later than the last, is ignored. Cost: some 10 links for each sphere followed.
   template <class VectorOf>
-  void sample(const Scene& scene, const VectorOf& vector_of) {
+  void sample(const Scene& scene, Link link, const VectorOf& vector_of) {
     if (!is_due(scene.now())) return;
     for (const Followed& one : followed_) {
       vectors_[one.place] = vector_of(scene.world().slot_of_rank(one.rank));
     }
-    link_to_earlier();
+    link_to_earlier(link);
   }
 
   const Species& species() const { return species_; }
@@ -61,6 +63,12 @@ class LagAverage {
   }
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) {
+    archive(self.species_, self.begin_, self.interval_, self.tick_, self.followed_, self.groups_,
+            self.vectors_, self.levels_, self.origins_, self.sums_);
+  }
+
   static constexpr std::size_t kLevelLags = 8;  // samples of a level that are kept
   static constexpr std::size_t kFirstLag =
       4;  // of all levels but the first: the level before has shorter ones
@@ -70,26 +78,28 @@ class LagAverage {
   struct Followed {
     std::size_t rank;   // among all spheres, by id
     std::size_t place;  // among those followed, which are ordered by group
+    static void persist(auto& archive, auto& self) { archive(self.rank, self.place); }
   };
   struct Group {
     std::size_t species;
     std::size_t begin;
     std::size_t end;
+    static void persist(auto& archive, auto& self) { archive(self.species, self.begin, self.end); }
   };
   // The last samples at multiples of 2^k intervals; sample i is stored as i modulo kLevelLags.
   struct Level {
     std::array<std::int64_t, kLevelLags> index;
     std::vector<Vec3> vectors;
+    static void persist(auto& archive, auto& self) { archive(self.index, self.vectors); }
   };
 
   bool is_due(const Time& now);
-  void link_to_earlier();
+  void link_to_earlier(Link link);
   static std::size_t lag_of(std::size_t level, std::size_t steps);
 
   Species species_;
   Time begin_;
-  double interval_;
-  Link link_;
+  double interval_ = 0;
   std::int64_t tick_ = -1;  // the last sample, in intervals since the start
   std::vector<Followed> followed_;
   std::vector<Group> groups_;

@@ -54,13 +54,13 @@ MeanSquareDisplacement::MeanSquareDisplacement(const Scene& scene, double interv
       is_periodic_(scene.world().box().is_all(Boundary::periodic)),
       mean_free_time_(mean_free_time(scene.moments())),
       begin_(scene.now()),
-      average_(scene, interval, most_spheres, sum_of_squares) {}
+      average_(scene, interval, most_spheres) {}
 
 void MeanSquareDisplacement::sample(const Scene& scene) {
   const World& world = scene.world();
   const Time& now = scene.now();
   const Vec3 drifted = duration(begin_, now) * motion_.drift;
-  average_.sample(scene, [&](Slot slot) {
+  average_.sample(scene, sum_of_squares, [&](Slot slot) {
     return world.position(slot, now) + world.box().shift(world.image(slot, now)) - drifted;
   });
 }

@@ -31,6 +31,13 @@ class MeanSquareDisplacement {
   Measurement result(const Scene& scene) const;
 
  private:
+  friend class Persistence;
+  MeanSquareDisplacement() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.theory_, self.motion_, self.dimensions_, self.is_periodic_, self.mean_free_time_,
+            self.begin_, self.average_);
+  }
+
   Estimate diffusion(std::size_t species) const;
 
   FluidTheory theory_;

@@ -21,6 +21,7 @@ struct MeasureSettings {
   std::optional<double> every = {};
   /// When measuring starts [T].
   double from = 0;
+  static void persist(auto& archive, auto& self) { archive(self.names, self.every, self.from); }
 };
 
 }  // namespace hardball

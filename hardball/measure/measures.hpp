@@ -66,6 +66,12 @@ class Measures {
   std::vector<Measurement> results(const World& world, const Time& now) const;
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) {
+    archive(self.settings_, self.is_any_wanted_, self.has_begun_, self.is_driven_, self.spheres_,
+            self.last_id_, self.begin_, self.contacts_, self.entries_);
+  }
+
   template <class Measure>
   struct Entry {
     using Type = Measure;
@@ -73,6 +79,9 @@ class Measures {
     std::optional<Measure> measure;  // once it has started
     bool has_sample = false;
     Cadence cadence;
+    static void persist(auto& archive, auto& self) {
+      archive(self.is_wanted, self.measure, self.has_sample, self.cadence);
+    }
   };
   using Entries =
       std::tuple<Entry<Pressure>, Entry<WallForces>, Entry<Temperature>, Entry<CollisionRate>,

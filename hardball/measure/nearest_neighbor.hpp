@@ -26,6 +26,13 @@ class NearestNeighbor {
   Measurement result(const Scene& scene) const;
 
  private:
+  friend class Persistence;
+  NearestNeighbor() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.widest_, self.diameter_, self.sample_cost_, self.dimensions_, self.packing_fraction_,
+            self.begin_, self.bins_, self.average_);
+  }
+
   std::size_t spheres_bin() const { return bins_; }
   std::size_t known_bin() const { return bins_ + 1; }
   std::size_t gaps_bin() const { return bins_ + 2; }

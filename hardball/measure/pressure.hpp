@@ -33,6 +33,14 @@ class Pressure {
   Measurement result(const Scene& scene) const;
 
  private:
+  friend class Persistence;
+  Pressure() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.box_, self.dimensions_, self.is_homogeneous_, self.theory_, self.motion_, self.spheres_,
+            self.mean_free_time_, self.begin_, self.last_, self.mass_, self.drift_, self.kinetic_,
+            self.average_);
+  }
+
   static constexpr std::size_t kComponents = 6;  // xx, yy, zz, xy, xz, yz
   // Bins of the averages.
   static constexpr std::size_t kKinetic = 0;                              // sum of m v v [M L^2 T^-2]

@@ -38,12 +38,22 @@ class RadialDistribution {
   Measurement result(const Scene& scene) const;
 
  private:
+  friend class Persistence;
+  RadialDistribution() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.box_, self.species_, self.is_by_species_, self.kinds_, self.kind_of_, self.low_,
+            self.bin_width_, self.bins_, self.sample_cost_, self.begin_, self.average_);
+  }
+
   // A pair of species, or all spheres.
   struct Kind {
     double reach;        // the sum of the radii [L]
     double theory;       // the contact value [1]; NaN if there is none
     std::string suffix;  // of names: "", or "_1_2"
     ContactExtrapolation contact;
+    static void persist(auto& archive, auto& self) {
+      archive(self.reach, self.theory, self.suffix, self.contact);
+    }
   };
 
   bool has_meaning() const { return bins_ > 0; }

@@ -18,6 +18,9 @@ class Species {
  public:
   static constexpr std::size_t kMostSpecies = 8;
 
+  /// Of no spheres.
+  Species() = default;
+
   /// Cost: O(n).
   explicit Species(const World& world);
 
@@ -36,11 +39,17 @@ class Species {
   std::string suffix(std::size_t species) const;
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) { archive(self.kinds_, self.species_, self.is_one_kind_); }
+
   struct Kind {
     double radius;
     double mass;
     SpeciesId label;
     std::size_t count;
+    static void persist(auto& archive, auto& self) {
+      archive(self.radius, self.mass, self.label, self.count);
+    }
   };
 
   std::vector<Kind> kinds_;

@@ -37,6 +37,13 @@ class StructureFactor {
   Measurement result(const Scene& scene) const;
 
  private:
+  friend class Persistence;
+  StructureFactor() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.unit_, self.longest_, self.waves_, self.shell_ends_, self.diameter_, self.packing_fraction_,
+            self.sample_cost_, self.begin_, self.shells_);
+  }
+
   // A wave vector in units of 2 pi / period.
   using Wave = std::array<int, kAxes>;
 

@@ -17,6 +17,9 @@ struct WallTally {
   double normal_impulse = 0;  ///< The part along its normal, counted positive [M L/T].
   double work = 0;            ///< Done by the wall on spheres through its motion [M L^2 T^-2].
   double heat = 0;            ///< Energy given to spheres otherwise; negative if lost [M L^2 T^-2].
+  static void persist(auto& archive, auto& self) {
+    archive(self.contacts, self.impulse, self.normal_impulse, self.work, self.heat);
+  }
 };
 
 /// Sums over the contacts of a run from which pressures and the certificate follow.
@@ -66,6 +69,14 @@ class Tally {
   double wall_pressure(const Box& box, const Time& now) const;
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) {
+    archive(self.begin_, self.last_, self.energy_, self.initial_energy_, self.energy_integral_,
+            self.collisions_, self.mergers_, self.passes_, self.wall_contacts_, self.max_overlap_,
+            self.virial_, self.impact_speed_sum_, self.impact_speed_square_sum_, self.is_straight_,
+            self.walls_);
+  }
+
   // Two spheres have met that did not bounce.
   void note_fate(const Contact& contact);
 

@@ -30,6 +30,12 @@ class Temperature {
   Measurement result(const Scene& scene) const;
 
  private:
+  friend class Persistence;
+  Temperature() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.species_, self.masses_, self.box_, self.spheres_, self.motion_, self.begin_, self.average_);
+  }
+
   double freedom(std::size_t axis, double spheres, double mass) const;
 
   Species species_;

@@ -22,6 +22,9 @@ struct ThermalMotion {
 
   /// k T: twice the energy by the degrees of freedom [M L^2 T^-2]; NaN if there are none.
   double temperature() const { return 2 * energy / degrees_of_freedom; }
+  static void persist(auto& archive, auto& self) {
+    archive(self.drift, self.energy, self.degrees_of_freedom, self.is_driven);
+  }
 };
 
 /// Cost: O(n).

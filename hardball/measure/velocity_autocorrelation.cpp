@@ -36,10 +36,10 @@ VelocityAutocorrelation::VelocityAutocorrelation(const Scene& scene, double inte
       motion_(scene.motion()),
       dimensions_(static_cast<double>(scene.world().box().dimensions())),
       mean_free_time_(mean_free_time(scene.moments())),
-      average_(scene, interval, most_spheres, sum_of_products) {}
+      average_(scene, interval, most_spheres) {}
 
 void VelocityAutocorrelation::sample(const Scene& scene) {
-  average_.sample(scene,
+  average_.sample(scene, sum_of_products,
                   [&](Slot slot) { return scene.world().velocity(slot, scene.now()) - motion_.drift; });
 }
 

@@ -31,6 +31,12 @@ class VelocityAutocorrelation {
   Measurement result(const Scene& scene) const;
 
  private:
+  friend class Persistence;
+  VelocityAutocorrelation() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.theory_, self.motion_, self.dimensions_, self.mean_free_time_, self.average_);
+  }
+
   FluidTheory theory_;
   ThermalMotion motion_;  // at the start
   double dimensions_;

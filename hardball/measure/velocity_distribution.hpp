@@ -29,6 +29,12 @@ class VelocityDistribution {
   Measurement result(const Scene& scene) const;
 
  private:
+  friend class Persistence;
+  VelocityDistribution() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.spheres_, self.dimensions_, self.motion_, self.begin_, self.average_);
+  }
+
   static constexpr std::size_t kBins = 100;  // from -5 to 5
   static constexpr double kWidth = 0.1;
   static constexpr double kEdge = kWidth * kBins / 2;

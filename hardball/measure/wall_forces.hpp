@@ -36,6 +36,12 @@ class WallForces {
   Measurement result(const Scene& scene) const;
 
  private:
+  friend class Persistence;
+  WallForces() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.walls_, self.places_, self.begin_, self.last_, self.average_);
+  }
+
   // Bins of each wall.
   static constexpr std::size_t kForce = 0;  // along the normal [M L T^-2]
   static constexpr std::size_t kWork = 1;   // on spheres, per time [M L^2 T^-3]

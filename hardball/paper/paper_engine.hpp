@@ -44,6 +44,8 @@ class PaperEngine {
 
   const World& world() const { return world_; }
   Respond& response() { return respond_; }
+  CollapseGuard& collapse_guard() { return guard_; }
+  const CollapseGuard& collapse_guard() const { return guard_; }
   /// The time of the last event.
   const Time& now() const { return now_; }
   const Counters& counters() const { return counters_; }

@@ -20,6 +20,9 @@ struct BounceRules {
   /// The tangential velocity of the surfaces after a contact over that before, reversed [1]: from -1, smooth,
   /// over 0, sticking, to 1, perfectly rough; if absent, the bodies are smooth.
   std::optional<double> tangential_restitution = {};
+  static void persist(auto& archive, auto& self) {
+    archive(self.restitution, self.elastic_below, self.contact_duration, self.tangential_restitution);
+  }
 };
 
 /// Spheres and walls that bounce off each other, smooth or rough, with any law of restitution. An impact of
@@ -37,6 +40,13 @@ class Bounce {
   Outcome operator()(const Contact& contact) const;
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) { archive(self.rules_); }
+  bool restored() {
+    *this = Bounce(rules_);
+    return true;
+  }
+
   double coefficient_at(const Contact& contact) const;
 
   BounceRules rules_;

@@ -34,6 +34,9 @@ class CollapseGuard {
   std::size_t memory_bytes() const;
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) { archive(self.idle_contacts_); }
+
   void count(SphereId id, bool was_idle, const Time& now);
 
   // Only spheres whose last contact was idle, which are few. Keyed by id, so that counts survive edits and

@@ -13,6 +13,8 @@ struct Merging {
     outcome.merges = true;
     return outcome;
   }
+
+  static void persist(auto& /*archive*/, auto& /*self*/) {}
 };
 
 static_assert(Response<Merging>);

@@ -3,6 +3,7 @@
 #include "hardball/response/response_table.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace hardball {
@@ -53,6 +54,17 @@ Outcome ResponseTable::operator()(const Contact& contact) const {
   if (!contact.is_collision()) return wall(contact.first_species)(contact);
   return std::visit([&](const auto& respond) { return respond(contact); },
                     rule(contact.first_species, contact.second_species));
+}
+
+bool ResponseTable::restored() const {
+  if (species_ > std::numeric_limits<SpeciesId>::max() + std::size_t{1}) return false;
+  const std::size_t rows = species_ + 1;
+  const auto is_rule = [this](std::uint32_t index) { return index < rules_.size(); };
+  const auto is_bounce = [this](std::uint32_t index) {
+    return index < rules_.size() && std::holds_alternative<Bounce>(rules_[index]);
+  };
+  return of_pairs_.size() == rows * rows && of_walls_.size() == rows &&
+         std::ranges::all_of(of_pairs_, is_rule) && std::ranges::all_of(of_walls_, is_bounce);
 }
 
 }  // namespace hardball

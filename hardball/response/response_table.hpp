@@ -33,6 +33,12 @@ class ResponseTable {
   Outcome operator()(const Contact& contact) const;
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) {
+    archive(self.species_, self.rules_, self.of_pairs_, self.of_walls_);
+  }
+  bool restored() const;
+
   // Species that no rule names are alike: the last row is theirs.
   std::size_t row(SpeciesId species) const { return species < species_ ? species : species_; }
   std::size_t index(SpeciesId a, SpeciesId b) const { return row(a) * (species_ + 1) + row(b); }

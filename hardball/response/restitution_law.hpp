@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -12,6 +13,7 @@ struct ConstantRestitution {
   double value = 1;
 
   double at(double) const { return value; }
+  static void persist(auto& archive, auto& self) { archive(self.value); }
 };
 
 /// The coefficient of restitution of viscoelastic spheres, which is one at zero impact speed and decreases as
@@ -28,6 +30,11 @@ class ViscoelasticRestitution {
   ViscoelasticRestitution scaled(double factor) const;
 
  private:
+  friend class Persistence;
+  ViscoelasticRestitution() = default;
+  static void persist(auto& archive, auto& self) { archive(self.speed_, self.unit_); }
+  bool restored() const { return speed_ > 0 && unit_ > 0; }
+
   double speed_;  // at which `unit_` is the reduced speed
   double unit_;
 };
@@ -39,6 +46,7 @@ class TabulatedRestitution {
   struct Point {
     double speed;  ///< Impact speed [L/T].
     double value;  ///< [1]
+    static void persist(auto& archive, auto& self) { archive(self.speed, self.value); }
   };
 
   /// Error: there are no points, speeds do not increase, or a value is not between 0 and 1.
@@ -50,6 +58,14 @@ class TabulatedRestitution {
   TabulatedRestitution scaled(double factor) const;
 
  private:
+  friend class Persistence;
+  TabulatedRestitution() = default;
+  static void persist(auto& archive, auto& self) { archive(self.points_); }
+  bool restored() {
+    *this = TabulatedRestitution(std::move(points_));
+    return true;
+  }
+
   std::vector<Point> points_;
 };
 

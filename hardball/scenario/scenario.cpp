@@ -109,6 +109,8 @@ void read_run(const Section& section, Scenario& scenario) {
 
 void read_output(const Section& section, Scenario& scenario) {
   if (const auto directory = section.find("directory")) scenario.output_directory = directory->text();
+  if (const auto every = section.find("checkpoint_every")) scenario.checkpoint_every = every->number();
+  if (const auto at = section.find("checkpoint_at")) scenario.checkpoint_at = at->numbers();
   if (const auto every = section.find("snapshots_every")) scenario.snapshots_every = every->number();
   if (const auto event_log = section.find("event_log")) scenario.event_log = event_log->truth();
   if (const auto recording = section.find("recording")) scenario.recording = recording->truth();

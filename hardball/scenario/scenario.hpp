@@ -153,8 +153,10 @@ struct Scenario {
   std::optional<double> snapshots_every;  ///< [T]
   bool event_log = false;
   bool recording = false;
-  bool report = true;        ///< Where there is an output directory.
-  MeasureSettings measures;  ///< Of all measures if the scenario has no table [measures].
+  double checkpoint_every = 60;       ///< Seconds of wall time.
+  std::vector<double> checkpoint_at;  ///< [T]
+  bool report = true;                 ///< Where there is an output directory.
+  MeasureSettings measures;           ///< Of all measures if the scenario has no table [measures].
 
   /// The constant coefficient of restitution of all contacts of smooth spheres [1]; NaN if they have none.
   double restitution() const;

@@ -8,6 +8,7 @@
 
 #include "hardball/engine/run.hpp"
 #include "hardball/kernels/instruction_set.hpp"
+#include "hardball/response/collapse_guard.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/response/response_table.hpp"
 #include "hardball/simulation/any_response.hpp"
@@ -50,6 +51,14 @@ struct EngineOptions {
   UnitCosts unit_costs = {};
   /// Used to compute contact times; if absent, the widest available. Error: not available.
   std::optional<InstructionSet> instructions = {};
+
+  /// All but `instructions`: where a saved simulation is loaded, others may be available.
+  static void persist(auto& archive, auto& self) {
+    archive(self.engine, self.queue, self.cell_edge, self.restitution, self.elastic_below, self.responses,
+            self.unit_costs);
+    archive.require(self.engine >= EngineKind::automatic && self.engine <= EngineKind::paper &&
+                    self.queue >= QueueKind::calendar && self.queue <= QueueKind::ordered);
+  }
 };
 
 /// Whether all contacts of these spheres are known to be elastic and smooth.
@@ -81,6 +90,9 @@ class AnyEngine {
   /// Rebuilds all regions and predictions, with this cell edge or slack [L] where there is one.
   virtual void rebuild(const Time& now, double length) = 0;
   virtual void replace_response(CustomResponse custom) = 0;
+  /// What guards against inelastic collapse; that of another engine may go on.
+  virtual const CollapseGuard& collapse_guard() const = 0;
+  virtual void replace_collapse_guard(const CollapseGuard& guard) = 0;
   virtual void validate() const = 0;
 };
 

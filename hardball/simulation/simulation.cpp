@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/measures.hpp"
 #include "hardball/tuning/moments.hpp"
@@ -92,16 +93,49 @@ Simulation::Simulation(World world, const EngineOptions& options, const OnProgre
   now_ = latest_change(world);
   begin_paths(world, now_);
   kind_ = choose_engine(world, options_, now_);
-  const double length = choose_length(world, kind_, options_, now_);
   put_in_order(world, kind_, now_);
   refuse_unsound(world, now_, progress.part(kOrdered, kAudited));  // faster in order
-  engine_ = make_engine(std::move(world), kind_, options_, length, now_, progress.part(kAudited, 1));
+  start_engine(std::move(world), progress.part(kAudited, 1));
+  tally_.begin(this->world(), now_);
+  progress.note_end();
+}
+
+// Precondition: the kind of engine has been chosen, and the spheres are in its order.
+void Simulation::start_engine(World world, const Progress& progress) {
+  const double length = choose_length(world, kind_, options_, now_);
+  engine_ = make_engine(std::move(world), kind_, options_, length, now_, progress);
   watch_.restart(length);
   last_review_ = now_;
   spheres_at_choice_ = size();
-  next_review_ = kEventsPerReview * size();
-  tally_.begin(this->world(), now_);
-  progress.note_end();
+  const Counters done = counters();
+  next_review_ = done.enter + done.contacts() + kEventsPerReview * size();
+}
+
+std::string Simulation::save() const {
+  if (activity_ == Activity::running) check_idle("save");
+  return archived(options_, kind_, world(), now_, hash_, tally_, thermostat_, user_data_, merged_,
+                  looks_ahead_apart_, counters(), engine_->collapse_guard());
+}
+
+Simulation Simulation::load(std::string_view bytes, const std::string& where) {
+  Simulation loaded;
+  World world(Box::open());
+  CollapseGuard guard;
+  restore(bytes, where, loaded.options_, loaded.kind_, world, loaded.now_, loaded.hash_, loaded.tally_,
+          loaded.thermostat_, loaded.user_data_, loaded.merged_, loaded.looks_ahead_apart_,
+          loaded.counters_before_, guard);
+  check(loaded.options_);
+  check_moment(loaded.now_, where);
+  if (loaded.now_ < latest_change(world) || loaded.tally_.walls().size() != kFaces + world.surfaces().size())
+    refuse_archive(where);
+  for (const SphereId merged : loaded.merged_) static_cast<void>(world.slot_of(merged));
+  ++loaded.counters_before_.rebuilds;
+  loaded.watch_ = CellEdgeWatch(loaded.options_.unit_costs);
+  loaded.kind_ = choose_engine(world, loaded.options_, loaded.now_, loaded.kind_);
+  put_in_order(world, loaded.kind_, loaded.now_);
+  loaded.start_engine(std::move(world));
+  loaded.engine_->replace_collapse_guard(guard);
+  return loaded;
 }
 
 Simulation::Simulation(const Simulation& other)
@@ -636,7 +670,9 @@ void Simulation::rebuild(const Time& moment) {
   } else {
     counters_before_ = counters();
     ++counters_before_.rebuilds;
+    const CollapseGuard guard = engine_->collapse_guard();
     engine_ = make_engine(std::move(engine_->world_to_edit()), kind, options_, length, moment);
+    engine_->replace_collapse_guard(guard);
     if (response_) engine_->replace_response(response_);
     kind_ = kind;
   }

@@ -8,6 +8,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "hardball/engine/run.hpp"
@@ -152,9 +154,20 @@ class Simulation {
   std::uint64_t user_data(SphereId id) const;
   void set_user_data(SphereId id, std::uint64_t data);
 
+  /// The whole state as bytes, from which `load` makes a simulation that goes on to the same history: paths
+  /// as they are stored, the clock, the hash, the tally, the thermostat, the numbers of the caller, the
+  /// options. Only functions are missing: the listeners, and a response of the caller's own. Error: called by
+  /// the response, or by who hears of a velocity. Cost: O(n).
+  std::string save() const;
+  /// A simulation from what `save` returned, of this version of the library or an earlier one; `where` names
+  /// the bytes in errors. Error: they are damaged, or not from `save`, or of a later version. Cost: as of a
+  /// new simulation, without its audit.
+  static Simulation load(std::string_view bytes, const std::string& where = "the saved simulation");
+
   const World& world() const;
   std::size_t size() const { return world().size(); }
 
+  const EngineOptions& options() const { return options_; }
   Counters counters() const;
   /// Hash of all contacts so far, see EventLogHash.
   std::uint64_t event_log_hash() const { return hash_.value(); }
@@ -195,6 +208,8 @@ class Simulation {
     Activity before_;
   };
 
+  Simulation() = default;
+  void start_engine(World world, const Progress& progress = {});
   RunStatus run_observed(const RunLimits& limits, Measures* measures);
   void take_next_listener();
   void call_listener(const Contact& contact, Activity activity);
@@ -213,7 +228,7 @@ class Simulation {
   void rebuild(const Time& moment);
 
   EngineOptions options_;
-  EngineKind kind_ = EngineKind::cells;  // the one in use
+  EngineKind kind_ = EngineKind::automatic;  // the one in use
   std::unique_ptr<AnyEngine> engine_;
   CustomResponse response_;   // the user's own, if there is one
   Counters counters_before_;  // of engines replaced

@@ -3,6 +3,7 @@
 #include "hardball/simulation/user_data.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace hardball {
 
@@ -25,6 +26,10 @@ void UserData::set(const World& world, SphereId id, std::uint64_t data) {
 void UserData::remove(SphereId id) {
   const auto found = std::ranges::lower_bound(entries_, id, {}, &Entry::id);
   if (found != entries_.end() && found->id == id) entries_.erase(found);
+}
+
+bool UserData::restored() const {
+  return std::ranges::is_sorted(entries_, std::ranges::less_equal(), &Entry::id);
 }
 
 }  // namespace hardball

@@ -22,9 +22,14 @@ class UserData {
   void remove(SphereId id);
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) { archive(self.entries_); }
+  bool restored() const;
+
   struct Entry {
     SphereId id;
     std::uint64_t data;
+    static void persist(auto& archive, auto& self) { archive(self.id, self.data); }
   };
 
   std::vector<Entry> entries_;  // in the order of ids

@@ -33,6 +33,10 @@ class Cylinder {
   Vec3 towards(const Vec3& place) const { return place - dot(place, axis_) * axis_; }
 
  private:
+  friend class Persistence;
+  Cylinder() = default;
+  static void persist(auto& archive, auto& self) { archive(self.axis_, self.radius_); }
+
   Vec3 axis_;
   double radius_;
 };

@@ -30,6 +30,10 @@ class HollowSphere {
   Vec3 towards(const Vec3& place) const { return place; }
 
  private:
+  friend class Persistence;
+  HollowSphere() = default;
+  static void persist(auto& archive, auto& self) { archive(self.radius_); }
+
   double radius_;
 };
 

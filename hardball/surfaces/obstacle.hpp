@@ -48,6 +48,10 @@ class Obstacle {
   Vec3 towards(const Vec3& place) const { return -place; }
 
  private:
+  friend class Persistence;
+  Obstacle() = default;
+  static void persist(auto& archive, auto& self) { archive(self.radius_); }
+
   double radius_;
 };
 

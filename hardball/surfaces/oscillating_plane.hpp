@@ -37,6 +37,10 @@ class OscillatingPlane {
   Vec3 velocity_at(const Time& moment) const;
 
  private:
+  friend class Persistence;
+  OscillatingPlane() : OscillatingPlane({}, 0, 0) {}
+  static void persist(auto& archive, auto& self) { archive(self.rest_, self.amplitude_, self.frequency_); }
+
   struct Gap {
     double width;
     double opening_speed;

@@ -30,6 +30,10 @@ class Plane {
   Vec3 towards(const Vec3&) const { return -normal_; }
 
  private:
+  friend class Persistence;
+  Plane() = default;
+  static void persist(auto& archive, auto& self) { archive(self.normal_); }
+
   Vec3 normal_;
 };
 

@@ -34,6 +34,9 @@ struct SurfaceMaterial {
   std::uint64_t seed = 0;  ///< Of a thermal wall's random numbers.
   /// Whether spheres return from a thermal wall within the plane z = 0: in a contact, as the box has it.
   bool is_flat = false;
+  static void persist(auto& archive, auto& self) {
+    archive(self.restitution, self.temperature, self.seed, self.is_flat);
+  }
 };
 
 /// A wall or an obstacle in the way of spheres: at rest, in uniform motion, or oscillating.
@@ -67,6 +70,16 @@ class Surface {
   Vec3 velocity_at(const Time& moment) const;
 
  private:
+  friend class Persistence;
+  Surface() : shape_(HollowSphere(0)) {}
+  static void persist(auto& archive, auto& self) {
+    archive(self.shape_, self.point_, self.velocity_, self.material_);
+  }
+  bool restored() {
+    *this = Surface(shape_, point_, velocity_, material_);
+    return true;
+  }
+
   Passage passage_of(const Motion& motion, const Path& path) const;
   Vec3 place_of(const Vec3& position, const Time& moment) const;
 

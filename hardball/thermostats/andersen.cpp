@@ -58,4 +58,8 @@ double Andersen::wait(Random& random) const {
   return -portable_log(1 - random.uniform()) / rate_;
 }
 
+bool Andersen::restored() const {
+  return temperature_ > 0 && rate_ > 0 && std::ranges::is_heap(due_, is_later);
+}
+
 }  // namespace hardball

@@ -41,11 +41,19 @@ class Andersen {
   void act(const World& world, const Time& moment, std::vector<NewVelocity>& changes);
 
  private:
+  friend class Persistence;
+  Andersen() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.temperature_, self.rate_, self.seed_, self.due_);
+  }
+  bool restored() const;
+
   // An event of a sphere, the `count`-th, counted from one.
   struct Due {
     double time = 0;
     SphereId sphere = 0;
     std::uint64_t count = 0;
+    static void persist(auto& archive, auto& self) { archive(self.time, self.sphere, self.count); }
   };
 
   static bool is_later(const Due& a, const Due& b) {

@@ -38,6 +38,10 @@ class Heating {
   void act(const World& world, const Time& moment, std::vector<NewVelocity>& changes);
 
  private:
+  friend class Persistence;
+  Heating() : Heating(1, 1) {}
+  static void persist(auto& archive, auto& self) { archive(self.strength_, self.times_, self.seed_); }
+
   double strength_;
   Intervals times_;
   std::uint64_t seed_ = 0;

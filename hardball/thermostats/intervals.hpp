@@ -26,6 +26,11 @@ class Intervals {
   void advance();
 
  private:
+  friend class Persistence;
+  Intervals() = default;
+  static void persist(auto& archive, auto& self) { archive(self.every_, self.start_, self.passed_); }
+  bool restored() const { return every_ > 0; }
+
   double every_;
   double start_ = 0;
   std::uint64_t passed_ = 0;

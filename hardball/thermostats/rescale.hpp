@@ -33,6 +33,10 @@ class Rescale {
   void act(const World& world, const Time& moment, std::vector<NewVelocity>& changes);
 
  private:
+  friend class Persistence;
+  Rescale() : Rescale(1, 1) {}
+  static void persist(auto& archive, auto& self) { archive(self.temperature_, self.times_); }
+
   double temperature_;
   Intervals times_;
 };

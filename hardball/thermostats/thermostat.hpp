@@ -52,6 +52,12 @@ class Thermostat {
   std::span<const NewVelocity> act(const World& world, const Time& moment);
 
  private:
+  friend class Persistence;
+  Thermostat() : Thermostat(Rescale(1, 1), 0) {}
+  static void persist(auto& archive, auto& self) {
+    archive(self.kind_, self.seed_, self.events_, self.energy_);
+  }
+
   ThermostatKind kind_;
   std::uint64_t seed_;
   std::uint64_t events_ = 0;

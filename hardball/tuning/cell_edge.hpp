@@ -18,6 +18,9 @@ struct UnitCosts {
   double prediction = 2.2;  ///< Each candidate found in a cell.
 
   friend bool operator==(const UnitCosts&, const UnitCosts&) = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.contact, self.enter, self.cell, self.prediction);
+  }
 };
 
 /// Whether a choice can be based on these costs: none is negative or infinite, and predictions and crossings

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/world/box.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
@@ -42,6 +43,15 @@ Image Box::count_boxes_beyond(Vec3 position) const {
     beyond[axis] = static_cast<std::int32_t>(boxes);
   }
   return beyond;
+}
+
+bool Box::restored() {
+  const auto is_known = [](Boundary boundary) {
+    return boundary >= Boundary::wall && boundary <= Boundary::flat;
+  };
+  if (!std::ranges::all_of(boundary_, is_known)) return false;
+  *this = Box(boundary_, size_);
+  return true;
 }
 
 }  // namespace hardball

@@ -120,6 +120,10 @@ class Box {
   }
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) { archive(self.boundary_, self.size_); }
+  bool restored();
+
   // As in the kernels: adding this number rounds the fraction away.
   static std::int32_t nearest_integer(double number) {
     constexpr double kPusher = 0x1.8p52;

@@ -55,9 +55,14 @@ class PerSphere {
   }
 
   double largest() const { return each_.empty() ? common_ : *std::max_element(each_.begin(), each_.end()); }
+  std::size_t size() const { return size_; }
   std::size_t memory_bytes() const { return each_.capacity() * sizeof(double); }
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) { archive(self.common_, self.each_, self.size_); }
+  bool restored() const { return each_.empty() || each_.size() == size_; }
+
   double common_ = 0;
   std::vector<double> each_;
   std::size_t size_ = 0;

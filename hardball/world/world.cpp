@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -251,6 +252,13 @@ void World::sort_slots_by_id() {
     slots_by_id_ = {};
     return;
   }
+  constexpr std::size_t kFew = 16;
+  if (next_id_ > kFew * size()) {
+    slots_by_id_.resize(size());
+    std::iota(slots_by_id_.begin(), slots_by_id_.end(), Slot{0});
+    std::ranges::sort(slots_by_id_, {}, [this](Slot slot) { return ids_[slot]; });
+    return;
+  }
   constexpr Slot kNone = std::numeric_limits<Slot>::max();
   slots_by_id_.assign(next_id_, kNone);
   for (Slot slot = 0; slot < size(); ++slot) slots_by_id_[ids_[slot]] = slot;
@@ -414,6 +422,43 @@ bool have_met(const World& world, Slot a, Slot b, const Image& image) {
   // A contact is recorded by whichever image the engine knows it; the spheres and the time tell which it is.
   contact.image = world.last_passage().image;
   return contact <= world.last_passage();
+}
+
+bool World::restored() {
+  const std::size_t count = ids_.size();
+  const auto fits = [count](const auto& values) { return values.empty() || values.size() == count; };
+  const bool is_complete = paths_.size() == count && folded_.size() == count && radii_.size() == count &&
+                           masses_.size() == count && moments_.size() == count && fits(spins_) &&
+                           fits(species_);
+  if (!is_complete || last_passage_.kind > EventKind::wall) return false;
+  static_cast<void>(World(box_, motion_.gravity(), surfaces_));  // which checks them
+  std::vector<SphereId> sorted(ids_.begin(), ids_.end());
+  std::ranges::sort(sorted);
+  if (std::ranges::adjacent_find(sorted) != sorted.end() || (count > 0 && sorted.back() >= next_id_))
+    return false;
+  for (Slot slot = 0; slot < count; ++slot) {
+    const Path& path = paths_[slot];
+    const std::string where = name_of(ids_[slot]);
+    check_positive(radii_[slot], "radius", where);
+    check_mass(masses_[slot], where);
+    check_positive(moments_[slot], "moment", where);
+    check_moment(path.time, where);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const double x = path.position[axis];
+      check_finite(x, kPositionNames[axis], where);
+      check_finite(path.velocity[axis], kVelocityNames[axis], where);
+      check_finite(spin(slot)[axis], kSpinNames[axis], where);
+      if (box_.is_bounded(axis)) check_fits(radii_[slot], axis, where);
+      if (box_.is_periodic(axis) && !(x >= 0 && x <= box_.size()[axis])) return false;
+    }
+    check_in_plane(path.position, "position", where);
+    check_in_plane(path.velocity, "velocity", where);
+    check_spin(spin(slot), where);
+    if (std::isinf(masses_[slot])) ++kinematic_count_;
+  }
+  sort_slots_by_id();
+  note_traits();
+  return true;
 }
 
 }  // namespace hardball

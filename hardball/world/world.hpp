@@ -193,6 +193,14 @@ class World {
   std::size_t memory_bytes() const;
 
  private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) {
+    archive(self.box_, self.motion_, self.surfaces_, self.next_id_, self.ids_, self.paths_, self.radii_,
+            self.masses_, self.moments_, self.folded_, self.spins_, self.species_, self.passing_,
+            self.last_passage_);
+  }
+  bool restored();
+
   void check_spin(const Vec3& spin, const std::string& where) const;
   void check_in_plane(const Vec3& vector, const char* what, const std::string& where) const;
   void note_traits();

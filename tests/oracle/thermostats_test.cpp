@@ -86,7 +86,8 @@ class Splitter {
 
   void query(Simulation& simulation, const RunLimits& left) {
     const double kind = random_.uniform();
-    if (kind < 0.2) simulation = Simulation(simulation);
+    if (kind < 0.1) simulation = Simulation(simulation);
+    if (kind > 0.1 && kind < 0.2) simulation = Simulation::load(simulation.save());
     if (kind < 0.4) simulation.next_contact(left.until.high);
     if (kind > 0.7) {
       const double action = std::min(simulation.thermostat()->next(), left.until.high);

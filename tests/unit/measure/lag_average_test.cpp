@@ -44,9 +44,9 @@ double value_of(SphereId id, int tick) {
 TEST(LagAverage, IsADirectSumOverItsOrigins) {
   constexpr int kTicks = 75;
   const World world = row(5);
-  LagAverage average({world, Time(2)}, 0.5, LagAverage::kMostSpheres, sum_of_products);
+  LagAverage average({world, Time(2)}, 0.5, LagAverage::kMostSpheres);
   for (int tick = 0; tick <= kTicks; ++tick) {
-    average.sample({world, Time(2 + 0.5 * tick)}, [&](Slot slot) {
+    average.sample({world, Time(2 + 0.5 * tick)}, sum_of_products, [&](Slot slot) {
       return Vec3{value_of(world.id(slot), tick), 0, 0};
     });
   }
@@ -74,18 +74,19 @@ TEST(LagAverage, IsADirectSumOverItsOrigins) {
 
 TEST(LagAverage, IgnoresTimesBetweenItsTicksAndLinksNothingAcrossAGap) {
   const World world = row(1);
-  LagAverage average({world, Time(0)}, 1, 10, sum_of_products);
+  LagAverage average({world, Time(0)}, 1, 10);
   const auto one = [](Slot) { return Vec3{1, 0, 0}; };
-  for (const double time : {0.0, 1.0, 1.5, 2.0, 2.0, 20.0, 21.0}) average.sample({world, Time(time)}, one);
+  for (const double time : {0.0, 1.0, 1.5, 2.0, 2.0, 20.0, 21.0})
+    average.sample({world, Time(time)}, sum_of_products, one);
   EXPECT_EQ(average.lags(), (std::vector<double>{0, 1, 2}));
   EXPECT_EQ(average.at(0, 1).value, 1);
 }
 
 TEST(LagAverage, FollowsSpheresChosenEvenly) {
   const World world = row(100);
-  LagAverage average({world, Time(0)}, 1, 7, sum_of_products);
+  LagAverage average({world, Time(0)}, 1, 7);
   std::vector<SphereId> followed;
-  average.sample({world, Time(0)}, [&](Slot slot) {
+  average.sample({world, Time(0)}, sum_of_products, [&](Slot slot) {
     followed.push_back(world.id(slot));
     return Vec3{};
   });
@@ -94,8 +95,10 @@ TEST(LagAverage, FollowsSpheresChosenEvenly) {
 
 TEST(LagAverage, HasTheErrorOfIndependentSpheres) {
   const World world = row(4);
-  LagAverage average({world, Time(0)}, 1, 10, sum_of_products);
-  average.sample({world, Time(0)}, [&](Slot slot) { return Vec3{std::sqrt(1.0 + slot), 0, 0}; });
+  LagAverage average({world, Time(0)}, 1, 10);
+  average.sample({world, Time(0)}, sum_of_products, [&](Slot slot) {
+    return Vec3{std::sqrt(1.0 + slot), 0, 0};
+  });
   // The mean of 1, 2, 3 and 4.
   EXPECT_NEAR(average.at(0, 0).value, 2.5, 1e-12);
   const std::array shares{-1.5 / 4, -0.5 / 4, 0.5 / 4, 1.5 / 4};

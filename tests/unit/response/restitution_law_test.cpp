@@ -60,7 +60,7 @@ TEST(RestitutionLaws, RefuseWhatIsOutOfRange) {
   EXPECT_THROW(ViscoelasticRestitution(0, 1), Error);
   EXPECT_THROW(ViscoelasticRestitution(0.5, 0), Error);
   EXPECT_THROW(ViscoelasticRestitution(nan, 1), Error);
-  EXPECT_THROW(TabulatedRestitution({}), Error);
+  EXPECT_THROW(TabulatedRestitution(std::vector<TabulatedRestitution::Point>()), Error);
   EXPECT_THROW(TabulatedRestitution({{0, 1.5}}), Error);
   EXPECT_THROW(TabulatedRestitution({{-1, 0.5}}), Error);
   EXPECT_THROW(TabulatedRestitution({{1, 0.5}, {1, 0.6}}), Error);

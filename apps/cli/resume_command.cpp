@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+
+#include "apps/cli/commands.hpp"
+#include "apps/cli/interruption.hpp"
+#include "apps/cli/started_run.hpp"
+
+namespace hardball::cli {
+
+ExitCode resume(const Options& options) {
+  catch_signals();
+  const std::filesystem::path directory = options.scenario;
+  StartedRun run = resumed_run(directory, directory / options.checkpoint.value_or(kCheckpoint), options);
+  return carry_out(run);
+}
+
+}  // namespace hardball::cli

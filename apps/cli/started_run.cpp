@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/cli/started_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "apps/cli/directory.hpp"
+#include "apps/cli/interruption.hpp"
+#include "apps/cli/progress.hpp"
+#include "apps/cli/run_report.hpp"
+#include "apps/cli/start.hpp"
+#include "apps/cli/terminal.hpp"
+#include "hardball/archive/archive.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/io/checkpoint_file.hpp"
+
+namespace hardball::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// Few enough that signals are checked and the progress line is updated several times a second.
+std::uint64_t steps_per_slice(const Simulation& simulation) {
+  constexpr std::uint64_t kSteps = 1 << 14;
+  constexpr std::uint64_t kPairs = 1 << 23;
+  if (simulation.engine() != EngineKind::all_pairs) return kSteps;
+  return std::clamp<std::uint64_t>(kPairs / std::max<std::size_t>(simulation.size(), 1), 1, kSteps);
+}
+
+// The time of snapshot k, k * interval; one that is past the end only because of rounding is at the end.
+double snapshot_time(std::uint64_t k, double interval, double until) {
+  constexpr double kRounding = 1e-14;
+  const double time = static_cast<double>(k) * interval;
+  return time > until && time <= until * (1 + kRounding) ? until : time;
+}
+
+// When the next snapshot is due [T]; infinity if none is.
+double next_snapshot_time(const StartedRun& run) {
+  if (!run.files || !run.scenario.snapshots_every) return std::numeric_limits<double>::infinity();
+  return snapshot_time(run.next_snapshot, *run.scenario.snapshots_every, *run.scenario.until);
+}
+
+// The checkpoint that is kept of a time.
+std::filesystem::path kept_checkpoint(const std::filesystem::path& directory, double time) {
+  return directory / kKeptCheckpoints / (to_text(time) + ".hbc");
+}
+
+// The work of a run from where it is to its end.
+class Course {
+ public:
+  explicit Course(StartedRun& run)
+      : run_(run), progress_(!run.options.quiet, *run.scenario.until), seconds_before_(run.seconds.run) {
+    std::ranges::sort(run_.scenario.checkpoint_at);
+  }
+
+  // False if interrupted by a signal.
+  bool complete() {
+    try {
+      const bool is_complete = run_to_end();
+      note_seconds();
+      if (run_.files) write_checkpoint(run_, run_.files->directory() / kCheckpoint);
+      return is_complete;
+    } catch (const RunFailure& failure) {
+      throw RunFailure(std::string(failure.what()) + "; the run reached time " +
+                       to_text(run_.simulation.time()));
+    }
+  }
+
+ private:
+  bool run_to_end() {
+    const double until = *run_.scenario.until;
+    for (;;) {
+      const double snapshot = next_snapshot_time(run_);
+      const double checkpoint = next_kept_checkpoint();
+      const double next = std::min({snapshot, checkpoint, until});
+      if (!run_to(next)) return false;
+      if (snapshot <= next) {
+        run_.files->write_snapshot(run_.simulation);
+        ++run_.next_snapshot;
+      }
+      if (checkpoint <= next) keep_checkpoint(next);
+      if (next == until && !(next_snapshot_time(run_) <= until)) return true;
+    }
+  }
+
+  bool run_to(double time) {
+    while (!is_interrupted()) {
+      const RunLimits slice{.until = Time(time), .steps = steps_per_slice(run_.simulation)};
+      const RunStatus status = run_.simulation.run(slice, run_.measures);
+      if (run_.files) run_.files->keep_current();
+      progress_.show(run_.simulation);
+      if (status == RunStatus::time_reached) return true;
+      if (run_.files && seconds_since(last_checkpoint_) >= run_.scenario.checkpoint_every) write_current();
+    }
+    return false;
+  }
+
+  // The first time after the present one at which a checkpoint is to be kept; infinity if there is none.
+  double next_kept_checkpoint() const {
+    const std::vector<double>& times = run_.scenario.checkpoint_at;
+    const auto next = std::ranges::upper_bound(times, kept_);
+    return run_.files && next != times.end() ? *next : std::numeric_limits<double>::infinity();
+  }
+
+  void keep_checkpoint(double time) {
+    kept_ = time;
+    note_seconds();
+    write_checkpoint(run_, kept_checkpoint(run_.files->directory(), time));
+    write_current();
+  }
+
+  void write_current() {
+    note_seconds();
+    write_checkpoint(run_, run_.files->directory() / kCheckpoint);
+    last_checkpoint_ = Clock::now();
+  }
+
+  void note_seconds() { run_.seconds.run = seconds_before_ + seconds_since(begin_); }
+
+  StartedRun& run_;
+  Progress progress_;
+  double seconds_before_;
+  double kept_ = run_.simulation.time();  // the last time at which a checkpoint was kept, or the run began
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point last_checkpoint_ = begin_;
+};
+
+}  // namespace
+
+ExitCode carry_out(StartedRun& run) {
+  Simulation& simulation = run.simulation;
+  if (run.files && run.files->has_contacts()) {
+    simulation.on_contact([&](const Contact& contact) { run.files->note(contact, run.simulation.world()); });
+    simulation.on_velocity_change(
+        [&](const VelocityChange& change) { run.files->note(change, run.simulation.world()); });
+  }
+  const bool is_complete = Course(run).complete();
+  run.measures.sample_the_rest(simulation.world(), simulation.now());
+  const Summary summary(run.scenario, simulation, run.seconds);
+  const std::string json = summary.json();
+  if (run.files) {
+    const std::vector<Measurement> measurements = run.measures.results(simulation.world(), simulation.now());
+    std::string html;
+    if (run.scenario.report) {
+      report::Report report =
+          run_report(run.options, run.scenario, simulation.options(), simulation, summary);
+      report.is_complete = is_complete;
+      report.measurements = measurements;
+      html = to_html(report);
+    }
+    run.files->finish(simulation, measurements, json, html);
+  }
+  write_output(run.options.json ? json : summary.table());
+  if (is_complete) return ExitCode::done;
+  write_message("interrupted at time " + to_text(simulation.time()) + " of " + to_text(*run.scenario.until) +
+                (run.files ? "; 'hardball resume " + run.files->directory().string() + "' goes on" : ""));
+  return ExitCode::failed;
+}
+
+void write_checkpoint(StartedRun& run, const std::filesystem::path& path) {
+  // Files first: what they lack when the machine stops, no checkpoint refers to.
+  const FilesState files = run.files->save();
+  const std::vector<CheckpointSection> sections{
+      {"run", archived(run.options, run.scenario.text, run.scenario.name, run.next_snapshot, run.seconds)},
+      {"files", archived(files)},
+      {"simulation", run.simulation.save()},
+      {"measures", archived(run.measures)}};
+  make_directory(path.parent_path());
+  write_checkpoint_file(path, sections);
+}
+
+StartedRun resumed_run(const std::filesystem::path& directory, const std::filesystem::path& checkpoint,
+                       const Options& options) {
+  if (!std::filesystem::exists(checkpoint)) {
+    throw Error("there is no checkpoint", checkpoint.string(),
+                "name the output directory of a run that has written one");
+  }
+  std::map<std::string, std::string> sections = read_checkpoint_file(checkpoint);
+  const auto restored = [&](const std::string& section, auto&... objects) {
+    restore(sections[section], checkpoint.string(), objects...);
+  };
+  Options started;
+  std::string text;
+  std::string name;
+  std::uint64_t next_snapshot = 0;
+  Seconds seconds;
+  restored("run", started, text, name, next_snapshot, seconds);
+  if (options.until) started.until = options.until;
+  started.json = options.json;
+  started.quiet = options.quiet;
+  const Scenario scenario = changed_by(started, parse_scenario(text, name, started.overrides));
+  const auto begin = Clock::now();
+  Simulation simulation = Simulation::load(sections["simulation"], checkpoint.string());
+  seconds.setup += seconds_since(begin);
+  const double time = simulation.time();
+  if (*scenario.until < time || (*scenario.until == time && is_finished(directory))) {
+    throw Error("the run has reached time " + to_text(time), directory.string(),
+                "give a later end with --until");
+  }
+  Measures measures;
+  FilesState state;
+  restored("measures", measures);
+  restored("files", state);
+  StartedRun run{std::move(started), scenario, std::move(simulation), std::move(measures), std::nullopt,
+                 next_snapshot,      seconds};
+  run.files.emplace(directory, run.scenario, state);
+  return run;
+}
+
+}  // namespace hardball::cli

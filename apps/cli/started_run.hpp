@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "apps/cli/commands.hpp"
+#include "apps/cli/options.hpp"
+#include "apps/cli/run_files.hpp"
+#include "apps/cli/summary.hpp"
+#include "hardball/measure/measures.hpp"
+#include "hardball/scenario/scenario.hpp"
+#include "hardball/simulation/simulation.hpp"
+
+namespace hardball::cli {
+
+/// A run between its start, or a checkpoint, and its end.
+struct StartedRun {
+  Options options;  ///< With which it was started.
+  Scenario scenario;
+  Simulation simulation;
+  Measures measures;
+  std::optional<RunFiles> files;
+  std::uint64_t next_snapshot = 0;  ///< Its number, see SnapshotTimes.
+  Seconds seconds;                  ///< That it has taken so far.
+};
+
+/// Carries a run out to its end, writes its files, checkpoints on the way, and the summary. Error
+/// (RunFailure): as for Simulation::run; a file cannot be written.
+ExitCode carry_out(StartedRun& run);
+
+/// Writes a checkpoint of a run that has files, under the name of the current one. Error (RunFailure): it
+/// cannot be written; the one before is kept.
+void write_checkpoint(StartedRun& run, const std::filesystem::path& path);
+
+/// The run that has written a checkpoint into a directory, with its files cut back to then. `until` [T]
+/// replaces the end of the run. Error: the checkpoint is missing or damaged, or the files are; the run has
+/// reached its end; another run is writing to the directory.
+StartedRun resumed_run(const std::filesystem::path& directory, const std::filesystem::path& checkpoint,
+                       const Options& options);
+
+}  // namespace hardball::cli

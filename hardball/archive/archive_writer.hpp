@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "hardball/archive/persistence.hpp"
+
+namespace hardball {
+
+/// Writes the state of objects as bytes, little-endian, from which ArchiveReader restores it. See Persistence
+/// for what a class must have.
+class ArchiveWriter {
+ public:
+  static_assert(std::endian::native == std::endian::little && sizeof(std::size_t) == sizeof(std::uint64_t),
+                "numbers are written as they lie in memory");
+
+  /// The version of the format written. It counts up whenever the state of any class changes; readers read
+  /// all from 1 on.
+  static constexpr std::uint32_t kVersion = 1;
+  static constexpr bool kIsReading = false;
+
+  static constexpr std::uint32_t version() { return kVersion; }
+  static void require(bool /*condition*/) {}
+
+  template <class... Values>
+  void operator()(const Values&... values) {
+    (write(values), ...);
+  }
+
+  const std::string& bytes() const { return bytes_; }
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  void write_bytes(const void* data, std::size_t count) {
+    bytes_.append(static_cast<const char*>(data), count);
+  }
+  void write_size(std::size_t size) { write(static_cast<std::uint64_t>(size)); }
+
+  template <class T>
+  void write(const T& value) {
+    if constexpr (std::is_same_v<T, bool>) {
+      write(static_cast<std::uint8_t>(value));
+    } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T> || kIsPlain<T>) {
+      static_assert(std::is_trivially_copyable_v<T>);
+      write_bytes(&value, sizeof(T));
+    } else {
+      Persistence::persist(*this, value);
+    }
+  }
+  void write(const std::string& text) {
+    write_size(text.size());
+    write_bytes(text.data(), text.size());
+  }
+  template <class T, class Allocator>
+  void write(const std::vector<T, Allocator>& values) {
+    write_size(values.size());
+    if constexpr ((std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) || kIsPlain<T>) {
+      write_bytes(values.data(), values.size() * sizeof(T));
+    } else {
+      for (const T& value : values) write(value);
+    }
+  }
+  template <class T, std::size_t N>
+  void write(const std::array<T, N>& values) {
+    for (const T& value : values) write(value);
+  }
+  template <class First, class Second>
+  void write(const std::pair<First, Second>& value) {
+    write(value.first);
+    write(value.second);
+  }
+  template <class... Values>
+  void write(const std::tuple<Values...>& values) {
+    std::apply([this](const auto&... each) { (write(each), ...); }, values);
+  }
+  template <class T>
+  void write(const std::optional<T>& value) {
+    write(value.has_value());
+    if (value) write(*value);
+  }
+  template <class... Kinds>
+  void write(const std::variant<Kinds...>& value) {
+    write(static_cast<std::uint8_t>(value.index()));
+    std::visit([this](const auto& kind) { write(kind); }, value);
+  }
+  // In the order of keys, so that equal maps are equal bytes.
+  template <class Key, class T>
+  void write(const std::unordered_map<Key, T>& values) {
+    write_size(values.size());
+    for (const auto& value : std::map<Key, T>(values.begin(), values.end())) {
+      write(value.first);
+      write(value.second);
+    }
+  }
+
+  std::string bytes_;
+};
+
+}  // namespace hardball
