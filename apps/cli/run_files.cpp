@@ -191,8 +191,9 @@ void RunFiles::finish(const Simulation& simulation, std::span<const Measurement>
     }
     replace_file(folder / kQuantities, quantities_csv(measurements));
   }
-  replace_file(directory_ / kSummary, summary);
   if (!report.empty()) replace_file(directory_ / kReport, report);
+  // Last: it tells that the run has come to its end, see is_finished.
+  replace_file(directory_ / kSummary, summary);
 }
 
 }  // namespace hardball::cli

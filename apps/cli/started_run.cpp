@@ -98,8 +98,8 @@ class Course {
       const RunStatus status = run_.simulation.run(slice, run_.measures);
       if (run_.files) run_.files->keep_current();
       progress_.show(run_.simulation);
-      if (status == RunStatus::time_reached) return true;
       if (run_.files && seconds_since(last_checkpoint_) >= run_.scenario.checkpoint_every) write_current();
+      if (status == RunStatus::time_reached) return true;
     }
     return false;
   }

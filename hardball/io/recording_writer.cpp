@@ -135,7 +135,6 @@ RecordingWriter::State RecordingWriter::restored(std::string_view saved, const s
 }
 
 std::string RecordingWriter::save() {
-  flush();
   file_.sync();
   return archived(state_);
 }

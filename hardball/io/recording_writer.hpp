@@ -36,8 +36,8 @@ class RecordingWriter {
   /// Error: it cannot be opened for writing, or is shorter; `saved` is damaged, or of a later version.
   RecordingWriter(std::filesystem::path path, std::string_view saved);
 
-  /// Closes the chunk as flush() does, waits until it is on the disk, and returns what is needed to go on
-  /// from here. Error (RunFailure): as for note.
+  /// Waits until all chunks are on the disk, and returns what is needed to go on from here, the open chunk
+  /// included. Error (RunFailure): as for note.
   std::string save();
 
   /// `world`: after the contact or change. Precondition: all contacts and changes are noted, in order; no

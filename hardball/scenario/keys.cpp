@@ -544,7 +544,7 @@ TableDescription output_keys() {
                 .example = "true"},
                {.name = "checkpoint_every",
                 .range = positive,
-                .default_value = "60",
+                .default_value = "60.0",
                 .meaning = "seconds of wall time between checkpoints, from which `hardball resume` goes on",
                 .example = "600"},
                {.name = "checkpoint_at",

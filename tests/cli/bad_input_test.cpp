@@ -703,7 +703,7 @@ TEST(RefusedCommand, IsExplainedInOneLine) {
   expect_refusal(run_program(folder, {}), {"no command", "--help"});
   expect_refusal(run_program(folder, {"rnu"}), {"'rnu'", "did you mean 'run'?"});
   expect_refusal(run_program(folder, {"sweep"}),
-                 {"'sweep'", "choose among 'run', 'verify', 'check', 'tune'"});
+                 {"'sweep'", "choose among 'run', 'resume', 'verify', 'check', 'tune'"});
   expect_refusal(run_program(folder, {"run"}), {"SCENARIO", "--help"});
   expect_refusal(run_program(folder, {"--json", "run", "gas.toml"}), {"'--json'", "after the command"});
   expect_refusal(run_program(folder, {"verify", "gas.toml", "--json"}), {"'--json'"});

@@ -27,7 +27,7 @@ class MeasuredRun : public testing::Test {
   MeasuredRun() { write_text(folder_ / "gas.toml", support::kSmallGas); }
 
   std::string hash(const Arguments& more = {}) {
-    Arguments arguments{"run", "gas.toml", "--json"};
+    Arguments arguments{"run", "gas.toml", "--json", "--overwrite"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run_program(folder_, arguments);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;

@@ -43,7 +43,7 @@ class ReportFile : public testing::Test {
   ReportFile() { write_text(folder_ / "gas.toml", kPeriodicGas); }
 
   json run(const Arguments& more, const std::string& scenario = "gas.toml") {
-    Arguments arguments{"run", scenario, "--json"};
+    Arguments arguments{"run", scenario, "--json", "--overwrite"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run_program(folder_, arguments);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
@@ -141,15 +141,19 @@ TEST_F(ReportFile, SaysThatTheRunWasInterrupted) {
 }
 
 TEST_F(ReportFile, IsCompleteOrAbsent) {
+  // The report is then the largest file.
+  write_text(folder_ / "gas.toml", support::kSmallGas + "[measures]\nnames = []\n");
   run({"--out", "out"});
   const std::uintmax_t size = std::filesystem::file_size(folder_ / "out/report.html");
   const Outcome outcome =
-      Program(folder_, {"run", "gas.toml", "--out", "out"}, HARDBALL_PROGRAM, size / 2).wait();
+      Program(folder_, {"run", "gas.toml", "--out", "out", "--overwrite"}, HARDBALL_PROGRAM, size / 2).wait();
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.messages.find("report.html"), std::string::npos) << outcome.messages;
   EXPECT_FALSE(exists("out/report.html"));
   EXPECT_FALSE(exists("out/report.html.part"));
-  EXPECT_TRUE(exists("out/summary.json"));
+  EXPECT_FALSE(exists("out/summary.json")) << "the run has not ended, and can be resumed";
+  EXPECT_EQ(run_program(folder_, {"resume", "out"}).exit_code, 0);
+  EXPECT_TRUE(exists("out/report.html"));
 }
 
 TEST_F(ReportFile, DoesNotReplaceADirectory) {

@@ -54,7 +54,7 @@ class Run : public testing::Test {
   void use(const std::string& scenario) { write_text(folder_ / "gas.toml", scenario); }
 
   Outcome run(const Arguments& more = {}) {
-    Arguments arguments{"run", "gas.toml"};
+    Arguments arguments{"run", "gas.toml", "--overwrite"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run_program(folder_, arguments);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;

@@ -82,7 +82,7 @@ class View : public testing::Test {
   }
 
   json run_json(const Arguments& more) const {
-    Arguments arguments{"run", "gas.toml", "--json"};
+    Arguments arguments{"run", "gas.toml", "--json", "--overwrite"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return json::parse(run_program(folder_, arguments).output);
   }

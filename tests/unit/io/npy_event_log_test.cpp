@@ -115,5 +115,26 @@ TEST(NpyEventLog, IsCompleteWithoutClose) {
   EXPECT_NE(read_text(folder / "events.npy").find("'shape': (1,)"), std::string::npos);
 }
 
+TEST(NpyEventLog, GoesOnAfterARecord) {
+  const ScratchFolder folder;
+  const auto append = [](NpyEventLog& log, int first, int end) {
+    for (int i = first; i < end; ++i) log.append(make_contact(i));
+  };
+  {
+    NpyEventLog log(folder / "whole.npy");
+    append(log, 0, 20);
+  }
+  {
+    NpyEventLog log(folder / "parts.npy");
+    append(log, 0, 12);
+  }
+  {
+    NpyEventLog log(folder / "parts.npy", 8);
+    EXPECT_EQ(log.size(), 8U);
+    append(log, 8, 20);
+  }
+  EXPECT_EQ(read_text(folder / "parts.npy"), read_text(folder / "whole.npy"));
+}
+
 }  // namespace
 }  // namespace hardball

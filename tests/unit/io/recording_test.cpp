@@ -173,6 +173,39 @@ TEST(Recording, PathsAreParabolasUnderGravity) {
   EXPECT_EQ(path.center_at(12, {}), (Vec3{2, 2, 11}));
 }
 
+// Cut back and continued twice, from a moment at which several contacts were waiting for others at their
+// time.
+TEST(Recording, GoesOnFromWhatWasSaved) {
+  const ScratchFolder folder;
+  const World world = make_gas({.count = 200, .packing_fraction = 0.3});
+  const Simulation whole = record(folder / "whole.hbr", world, 5);
+  Simulation simulation(world);
+  std::string state;
+  std::string saved;
+  const auto go_on = [&](RecordingWriter& writer, double until) {
+    simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
+    simulation.run_until(until);
+    simulation.on_contact({});
+  };
+  {
+    RecordingWriter writer(folder / "parts.hbr", {.until = 5, .name = "test"}, simulation.world());
+    go_on(writer, 2);
+    state = writer.save();
+    saved = simulation.save();
+    go_on(writer, 4);
+  }
+  for (int time = 0; time < 2; ++time) {
+    simulation = Simulation::load(saved);
+    RecordingWriter writer(folder / "parts.hbr", state);
+    go_on(writer, 5);
+    writer.close(5);
+  }
+  EXPECT_EQ(read_text(folder / "parts.hbr"), read_text(folder / "whole.hbr"));
+  EXPECT_EQ(simulation.event_log_hash(), whole.event_log_hash());
+  std::filesystem::resize_file(folder / "parts.hbr", 1000);
+  EXPECT_THROW(RecordingWriter(folder / "parts.hbr", state), Error) << "it is shorter";
+}
+
 TEST(Recording, ContainsEveryContactInOrder) {
   const ScratchFolder folder;
   Simulation simulation(make_mixture());

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Runs that go on from a checkpoint.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/program.hpp"
+
+namespace hardball {
+namespace {
+
+using nlohmann::json;
+using support::Arguments;
+using support::Outcome;
+using support::read_text;
+using support::run_program;
+using support::write_text;
+
+class Resume : public testing::Test {
+ protected:
+  Resume() {
+    write_text(folder_ / "gas.toml", support::kSmallGas +
+                                         "[output]\nsnapshots_every = 0.7\nevent_log = true\n"
+                                         "recording = true\ncheckpoint_at = [2.0, 1.0]\n");
+  }
+
+  json run(const Arguments& words) {
+    Arguments arguments = words;
+    arguments.insert(arguments.end(), {"--json", "--quiet"});
+    const Outcome outcome = run_program(folder_, arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+    return json::parse(outcome.output, nullptr, false);
+  }
+
+  void expect_refusal(const Arguments& arguments, const std::string& part) {
+    const Outcome outcome = run_program(folder_, arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.messages.find(part), std::string::npos) << outcome.messages;
+  }
+
+  bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+
+  // What does not depend on how often the run was resumed, nor on the machine.
+  void expect_same(const json& a, const json& b, const std::string& folder_a, const std::string& folder_b) {
+    for (const char* key :
+         {"spheres", "time", "event_log_hash", "energy", "momentum", "max_overlap", "wall_pressure"}) {
+      EXPECT_EQ(a[key], b[key]) << key;
+    }
+    for (const char* name : {"trajectory.xyz", "events.npy", "measures/quantities.csv"}) {
+      EXPECT_EQ(read_text(folder_ / folder_a / name), read_text(folder_ / folder_b / name)) << name;
+    }
+  }
+
+  support::ScratchFolder folder_;
+};
+
+TEST_F(Resume, ARunThatHasEndedGoesOn) {
+  const json whole = run({"run", "gas.toml", "--out", "whole", "--until", "9.3"});
+  run({"run", "gas.toml", "--out", "parts"});
+  run({"resume", "parts", "--until", "7"});
+  expect_same(run({"resume", "parts", "--until", "9.3"}), whole, "parts", "whole");
+}
+
+TEST_F(Resume, GoesOnFromACheckpointThatWasKept) {
+  const json whole = run({"run", "gas.toml", "--out", "out"});
+  std::filesystem::copy(folder_ / "out", folder_ / "whole", std::filesystem::copy_options::recursive);
+  for (const char* checkpoint : {"checkpoints/2.hbc", "checkpoints/1.hbc"}) {
+    std::filesystem::remove(folder_ / "out/summary.json");
+    expect_same(run({"resume", "out", "--from", checkpoint}), whole, "out", "whole");
+  }
+}
+
+TEST_F(Resume, GoesOnAfterAnInterruption) {
+  const std::string long_run = "run.until=300";
+  const json whole = run({"run", "gas.toml", "--out", "whole", "--set", long_run});
+  support::Program program(folder_, {"run", "gas.toml", "--out", "parts", "--set", long_run});
+  for (int i = 0; i < 60000 && !exists("parts/trajectory.xyz"); ++i) usleep(1000);
+  kill(program.process(), SIGTERM);
+  const Outcome outcome = program.wait();
+  if (outcome.exit_code != 0) {
+    EXPECT_NE(outcome.messages.find("'hardball resume parts' goes on"), std::string::npos)
+        << outcome.messages;
+    std::filesystem::remove(folder_ / "parts/summary.json");
+    expect_same(run({"resume", "parts"}), whole, "parts", "whole");
+  }
+}
+
+TEST_F(Resume, RefusesWhatIsNoUnfinishedRun) {
+  expect_refusal({"resume", "nowhere"}, "nowhere/checkpoint.hbc: there is no checkpoint");
+  run({"run", "gas.toml", "--out", "out"});
+  expect_refusal({"resume", "out"}, "out: the run has reached time 5; give a later end with --until");
+  expect_refusal({"resume", "out", "--until", "4"}, "the run has reached time 5");
+  expect_refusal({"resume", "out", "--until", "x"}, "--until");
+  const std::string checkpoint = read_text(folder_ / "out/checkpoint.hbc");
+  write_text(folder_ / "out/checkpoint.hbc", checkpoint.substr(0, checkpoint.size() / 2));
+  expect_refusal({"resume", "out", "--until", "6"}, "out/checkpoint.hbc: ends too early");
+  write_text(folder_ / "out/checkpoint.hbc", checkpoint);
+  std::filesystem::remove(folder_ / "out/events.npy");
+  expect_refusal({"resume", "out", "--until", "6"}, "out/events.npy: cannot be written: No such file");
+  EXPECT_FALSE(exists("out/run.lock"));
+}
+
+TEST_F(Resume, ARunDoesNotReplaceAnother) {
+  run({"run", "gas.toml", "--out", "out"});
+  const std::string summary = read_text(folder_ / "out/summary.json");
+  expect_refusal({"run", "gas.toml", "--out", "out"}, "out: holds trajectory.xyz of another run");
+  EXPECT_EQ(read_text(folder_ / "out/summary.json"), summary);
+  run({"run", "gas.toml", "--out", "out", "--overwrite", "--set", "output.checkpoint_at=[]"});
+  EXPECT_FALSE(exists("out/checkpoints"));
+}
+
+TEST_F(Resume, ADirectoryBelongsToOneRunAtATime) {
+  support::Program first(folder_, {"run", "gas.toml", "--out", "out", "--until", "1e9"});
+  for (int i = 0; i < 60000 && !exists("out/events.npy"); ++i) usleep(1000);
+  expect_refusal({"run", "gas.toml", "--out", "out", "--overwrite"}, "out: another run is writing to it");
+  kill(first.process(), SIGKILL);
+  first.wait();
+  EXPECT_TRUE(exists("out/run.lock"));
+  run({"run", "gas.toml", "--out", "out", "--overwrite"});
+  EXPECT_FALSE(exists("out/run.lock"));
+}
+
+}  // namespace
+}  // namespace hardball
