@@ -20,7 +20,7 @@ namespace {
 constexpr std::string_view kMagic = "HBCHECK1";
 constexpr std::uint32_t kStored = 0;
 constexpr std::uint32_t kZstd = 1;
-// More is not believed of a section, and not made use of.
+// More is not believed of a section: a small file must not claim all memory.
 constexpr std::uint64_t kMostCompression = 256;
 
 struct Packed {
@@ -28,14 +28,23 @@ struct Packed {
   std::string bytes;
 };
 
+// Appends a frame that readers skip, so that there are this many bytes.
+void pad(std::string& frames, std::size_t bytes) {
+  constexpr std::uint32_t kSkippable = ZSTD_MAGIC_SKIPPABLE_START;
+  constexpr std::size_t kHeader = 8;
+  const std::size_t padding = bytes > frames.size() + kHeader ? bytes - frames.size() - kHeader : 0;
+  append_little_endian(frames, kSkippable);
+  append_little_endian(frames, static_cast<std::uint32_t>(padding));
+  frames.append(padding, '\0');
+}
+
 Packed packed(const std::string& bytes) {
   // Levels above 1 take longer than the disk gains.
   std::string packed(ZSTD_compressBound(bytes.size()), '\0');
   const std::size_t length = ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), 1);
-  if (ZSTD_isError(length) != 0 || length >= bytes.size() || length * kMostCompression < bytes.size()) {
-    return {kStored, bytes};
-  }
+  if (ZSTD_isError(length) != 0 || length >= bytes.size()) return {kStored, bytes};
   packed.resize(length);
+  if (length * kMostCompression < bytes.size()) pad(packed, bytes.size() / kMostCompression + 1);
   return {kZstd, std::move(packed)};
 }
 

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+"""Runs the reader in docs/recording.md on a recording, and compares with the other files of the run.
+
+Usage: numpy_reader_test.py PROGRAM DOCS
+"""
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+SCENARIO = """
+[box]
+size = [10.0, 10.0, 10.0]
+boundary = ["wall", "periodic", "wall"]
+[[spheres]]
+count = 300
+radius = 0.5
+placement = "random"
+temperature = 1.0
+[run]
+until = 12.0
+[output]
+snapshots_every = 1.5
+event_log = true
+recording = true
+report = false
+[measures]
+names = []
+"""
+
+
+def main():
+    program, docs = sys.argv[1:]
+    text = (Path(docs) / "recording.md").read_text()
+    reader = {}
+    exec(re.search(r"```python\n(.*?)```", text, re.S).group(1), reader)
+    with tempfile.TemporaryDirectory() as folder:
+        scenario, out = Path(folder) / "gas.toml", Path(folder) / "out"
+        scenario.write_text(SCENARIO)
+        subprocess.run([program, "run", scenario, "--out", out, "--quiet"], check=True, stdout=subprocess.DEVNULL)
+        name = out / "recording.hbr"
+        chunks = list(reader["chunks"](name))
+        assert len(chunks) > 2, "one chunk would prove little"
+        contacts = np.concatenate([chunk[3] for chunk in chunks])
+        events = np.load(out / "events.npy")
+        for field in ("t", "i", "j"):
+            assert (contacts[field] == events[field]).all(), field
+        frames = 0
+        lines = (out / "trajectory.xyz").read_text().splitlines()
+        while lines:
+            time = float(re.search(r"Time=(\S+)", lines[1]).group(1))
+            count = int(lines[0])
+            frame = np.array([line.split()[1:4] for line in lines[2:2 + count]], dtype=float)
+            apart = reader["positions"](name, time) - frame
+            apart[:, 1] -= 10 * np.round(apart[:, 1] / 10)
+            assert abs(apart).max() < 1e-12, (time, abs(apart).max())
+            lines = lines[2 + count:]
+            frames += 1
+        assert frames == 9
+    print(f"{len(contacts)} contacts in {len(chunks)} chunks, {frames} frames")
+
+
+if __name__ == "__main__":
+    main()
