@@ -13,6 +13,7 @@
 #include "apps/cli/commands.hpp"
 #include "apps/cli/options.hpp"
 #include "apps/cli/terminal.hpp"
+#include "apps/cli/version.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/nearest_name.hpp"
 #include "hardball/scenario/schema.hpp"
@@ -95,7 +96,7 @@ void refuse_leftovers(const CLI::App& app, const CLI::App* command) {
 ExitCode parse_and_run(int argument_count, char** arguments) {
   Options options;
   CLI::App app("Finds every collision among moving spheres, exactly and in order.", "hardball");
-  app.set_version_flag("--version", "hardball " HARDBALL_VERSION);
+  app.set_version_flag("--version", version_text);
   app.require_subcommand(0, 1);
   app.allow_extras();
   CLI::App* run_command = add_command(app, options, "run", "Run a scenario");

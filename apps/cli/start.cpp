@@ -23,7 +23,8 @@ namespace {
 
 // In the order of EngineKind, InstructionSet and QueueKind.
 constexpr std::array<std::string_view, 5> kEngineNames{"auto", "cells", "neighbors", "all-pairs", "paper"};
-constexpr std::array<std::string_view, 4> kInstructionNames{"auto", "portable", "avx2", "avx512"};
+constexpr std::array<std::string_view, 4> kInstructionNames{"auto", kInstructionSetNames[0],
+                                                            kInstructionSetNames[1], kInstructionSetNames[2]};
 constexpr std::array<std::string_view, 2> kQueueNames{"calendar", "ordered"};
 
 std::size_t choose(const std::string& text, std::span<const std::string_view> names,

@@ -4,6 +4,14 @@
 
 namespace hardball {
 
+bool is_compiled_in([[maybe_unused]] InstructionSet instructions) {
+#if defined(__x86_64__) && defined(__GNUC__)
+  return true;
+#else
+  return instructions == InstructionSet::portable;
+#endif
+}
+
 bool is_available(InstructionSet instructions) {
   switch (instructions) {
     case InstructionSet::portable:

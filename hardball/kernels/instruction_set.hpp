@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace hardball {
 
@@ -13,8 +15,14 @@ enum class InstructionSet {
   avx512,    ///< Four numbers at a time, with twice the registers and with mask registers.
 };
 
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 3> kInstructionSetNames{"portable", "avx2", "avx512"};
+
 /// The most numbers processed at a time: arrays that kernels read are padded by as many.
 inline constexpr std::size_t kWidestVector = 8;
+
+/// Whether this program has kernels with these instructions.
+bool is_compiled_in(InstructionSet instructions);
 
 /// Whether this program and this machine support these instructions.
 bool is_available(InstructionSet instructions);
