@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "apps/cli/commands.hpp"
+#include "apps/cli/completion.hpp"
+#include "apps/cli/manual.hpp"
 #include "apps/cli/options.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/version.hpp"
@@ -25,30 +27,36 @@ CLI::App* add_command(CLI::App& app, Options& options, const std::string& name,
                       const std::string& description) {
   CLI::App* command = app.add_subcommand(name, description);
   command->add_option("SCENARIO", options.scenario, "Scenario file (TOML)")->required();
-  command->add_option("--until", options.until, "Time at which the run ends, instead of the scenario's");
+  command->add_option("--until", options.until, "Time at which the run ends, instead of the scenario's")
+      ->type_name("TIME");
   command->add_option("--set", options.overrides, "Replaces or adds a value, as in run.until=5")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command->add_option("--seed", options.seed, "Seed of the random numbers, instead of the scenario's");
+  command->add_option("--seed", options.seed, "Seed of the random numbers, instead of the scenario's")
+      ->type_name("N");
   // Remaining arguments are reported by our own messages.
   command->allow_extras();
   return command;
 }
 
+// Types such as auto|paper|LENGTH list the words that shells complete.
 void add_unit_costs_option(CLI::App& command, Options& options) {
-  command.add_option("--unit-costs", options.unit_costs,
-                     "Unit costs for choosing the cells: auto, measured, standard or all four of them");
+  command
+      .add_option("--unit-costs", options.unit_costs,
+                  "Unit costs for choosing the cells, by name or all four of them")
+      ->type_name("auto|measured|standard|COSTS");
 }
 
 void add_engine_options(CLI::App& command, Options& options) {
-  command.add_option("--engine", options.engine,
-                     "auto, cells, neighbors, all-pairs or paper; affects only the speed");
-  command.add_option("--cell-edge", options.cell_edge,
-                     "Edge of the cells, auto or paper; affects only the speed");
+  command.add_option("--engine", options.engine, "Engine; affects only the speed")
+      ->type_name("auto|cells|neighbors|all-pairs|paper");
+  command.add_option("--cell-edge", options.cell_edge, "Edge of the cells; affects only the speed")
+      ->type_name("auto|paper|LENGTH");
   add_unit_costs_option(command, options);
-  command.add_option("--queue", options.queue, "calendar or ordered; affects only the speed");
-  command.add_option("--instructions", options.instructions,
-                     "Vector instructions: auto, portable, avx2 or avx512; affects only the speed");
+  command.add_option("--queue", options.queue, "Event queue; affects only the speed")
+      ->type_name("calendar|ordered");
+  command.add_option("--instructions", options.instructions, "Vector instructions; affects only the speed")
+      ->type_name("auto|portable|avx2|avx512");
 }
 
 void add_output_flags(CLI::App& command, Options& options) {
@@ -101,16 +109,18 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   app.allow_extras();
   CLI::App* run_command = add_command(app, options, "run", "Run a scenario");
   add_engine_options(*run_command, options);
-  run_command->add_option("--out", options.out, "Directory for the files of the run");
+  run_command->add_option("--out", options.out, "Directory for the files of the run")->type_name("DIRECTORY");
   add_output_flags(*run_command, options);
   run_command
       ->add_flag("--overwrite", options.overwrite, "Replace the files of an earlier run in the directory")
       ->disable_flag_override();
   CLI::App* resume_command = app.add_subcommand("resume", "Go on with a run from its last checkpoint");
   resume_command->add_option("DIRECTORY", options.scenario, "Output directory of the run")->required();
-  resume_command->add_option("--until", options.until, "Time at which the run ends, instead of before");
-  resume_command->add_option("--from", options.checkpoint,
-                             "Checkpoint in the directory, instead of the last one");
+  resume_command->add_option("--until", options.until, "Time at which the run ends, instead of before")
+      ->type_name("TIME");
+  resume_command
+      ->add_option("--from", options.checkpoint, "Checkpoint in the directory, instead of the last one")
+      ->type_name("FILE");
   add_output_flags(*resume_command, options);
   resume_command->allow_extras();
   CLI::App* verify_command =
@@ -131,19 +141,29 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   CLI::App* tune_command =
       add_command(app, options, "tune", "Compare cell sizes: predicted and measured cost");
   add_unit_costs_option(*tune_command, options);
-  tune_command->add_option("--out", options.out, "Directory for the table and its figure");
+  tune_command->add_option("--out", options.out, "Directory for the table and its figure")
+      ->type_name("DIRECTORY");
 #if HARDBALL_VIEWER
   CLI::App* view_command =
       add_showing_command(app, options, "view", "Show a run in the browser, live or recorded");
-  view_command->add_option("--port", options.port, "Port of the server, instead of any free one");
+  view_command->add_option("--port", options.port, "Port of the server, instead of any free one")
+      ->type_name("PORT");
   view_command->add_flag("--no-open", options.no_open, "Only print the address, do not open a browser")
       ->disable_flag_override();
-  view_command->add_option("--recording-limit", options.recording_limit,
-                           "Bytes of recording at which a live run stops, instead of 4e9");
+  view_command
+      ->add_option("--recording-limit", options.recording_limit,
+                   "Bytes of recording at which a live run stops, instead of 4e9")
+      ->type_name("BYTES");
   CLI::App* replay_command =
       add_showing_command(app, options, "replay", "Write a run as a single HTML file for offline viewing");
-  replay_command->add_option("--out", options.out, "The HTML file");
+  replay_command->add_option("--out", options.out, "The HTML file")->type_name("FILE");
 #endif
+  CLI::App* manual_command = app.add_subcommand("manual", "Print the manual page, as for man -l -");
+  manual_command->allow_extras();
+  CLI::App* completion_command =
+      app.add_subcommand("completion", "Print the script by which a shell completes command lines");
+  completion_command->add_option("SHELL", options.shell, "The shell")->required()->type_name("bash|zsh|fish");
+  completion_command->allow_extras();
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {
@@ -161,6 +181,8 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   if (*view_command) return view(options);
   if (*replay_command) return replay(options);
 #endif
+  if (*manual_command) return print_manual(app);
+  if (*completion_command) return print_completion(options, app);
   return run(options);
 }
 

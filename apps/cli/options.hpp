@@ -23,6 +23,7 @@ struct Options {
   std::optional<std::string> checkpoint;  ///< Relative to the output directory.
   std::optional<std::string> port;
   std::optional<std::string> recording_limit;
+  std::string shell;
   bool json = false;
   bool quiet = false;
   bool no_open = false;

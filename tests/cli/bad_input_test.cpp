@@ -707,6 +707,9 @@ TEST(RefusedCommand, IsExplainedInOneLine) {
   expect_refusal(run_program(folder, {"run"}), {"SCENARIO", "--help"});
   expect_refusal(run_program(folder, {"--json", "run", "gas.toml"}), {"'--json'", "after the command"});
   expect_refusal(run_program(folder, {"verify", "gas.toml", "--json"}), {"'--json'"});
+  expect_refusal(run_program(folder, {"completion", "tcsh"}), {"'tcsh'", "bash, zsh, fish"});
+  expect_refusal(run_program(folder, {"completion", "bash", "zsh"}), {"'zsh'", "too many"});
+  expect_refusal(run_program(folder, {"manual", "run"}), {"'run'"});
 }
 
 TEST(RefusedScenario, IsNamed) {
