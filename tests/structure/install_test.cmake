@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
 
-# Installs the build folder BUILD under SCRATCH, then configures, builds and runs the project consumer/ with it.
-function(run)
+# Installs the build folder BUILD under SCRATCH, then configures, builds and runs the project consumer/ with it, and
+# builds and runs its only file by the flags of pkg-config.
+macro(run)
   execute_process(COMMAND ${ARGV} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
-endfunction()
+endmacro()
 
 file(REMOVE_RECURSE ${SCRATCH})
 run(${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${SCRATCH}/prefix)
@@ -13,3 +14,10 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${SCRATCH}/build -
     -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix)
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run(${SCRATCH}/build/consumer)
+
+file(GLOB_RECURSE description ${SCRATCH}/prefix/hardball.pc)
+cmake_path(GET description PARENT_PATH folder)
+run(${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder} pkg-config --cflags --libs hardball OUTPUT_VARIABLE options)
+separate_arguments(options UNIX_COMMAND "${FLAGS} ${CMAKE_CURRENT_LIST_DIR}/consumer/main.cpp ${options}")
+run(${COMPILER} ${options} -o ${SCRATCH}/built_by_pkg_config)
+run(${SCRATCH}/built_by_pkg_config)

@@ -1,0 +1,30 @@
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+
+# The target "package" makes a Debian package of what is installed. Configure with -DCMAKE_INSTALL_PREFIX=/usr.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME hardball)
+set(CPACK_PACKAGE_VENDOR "The Hardball authors")
+set(CPACK_PACKAGE_CONTACT "The Hardball authors <hardball@packages.invalid>")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian/complete.cmake)
+
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# The program opens a browser; the library is for a compiler.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "xdg-utils, g++, cmake, pkg-config")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "exact event-driven collision detection among moving spheres")
+set(CPACK_PACKAGE_DESCRIPTION
+"Hardball finds every collision among many moving spheres, exactly and in
+order, by going from event to event (Kim, Guibas and Shin 1997). It simulates
+gases, crystals, granular media and mixtures of hard spheres or discs, between
+walls of many shapes, and gives the same history, bit for bit, whatever affects
+its speed.
+.
+This package has the program with its viewer, scenarios to start from, and the
+static C++20 library with its headers.")
+include(CPack)

@@ -1,0 +1,21 @@
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+
+# CPack runs this between installing and packing: what Debian wants of a package and other installations do not need.
+set(installed ${CPACK_TEMPORARY_INSTALL_DIRECTORY}${CPACK_PACKAGING_INSTALL_PREFIX})
+set(changelog ${installed}/share/doc/hardball/changelog.Debian)
+
+# SOURCE_DATE_EPOCH, if set, is the time.
+string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+file(WRITE ${changelog}
+"hardball (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
+
+  * Version ${CPACK_PACKAGE_VERSION}.
+
+ -- ${CPACK_PACKAGE_CONTACT}  ${date}
+")
+configure_file(${CMAKE_CURRENT_LIST_DIR}/lintian-overrides ${installed}/share/lintian/overrides/hardball COPYONLY)
+file(GLOB_RECURSE binaries ${installed}/lib/*.a ${installed}/bin/*)
+execute_process(COMMAND strip --strip-debug --remove-section=.comment --enable-deterministic-archives ${binaries}
+                COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND gzip -9nf ${changelog} ${installed}/share/man/man1/hardball.1 COMMAND_ERROR_IS_FATAL ANY)

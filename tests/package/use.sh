@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+
+# Installs the package beside this file in the system where it runs, as root, uses all that is in it, and removes it.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+export DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
+examples=/usr/share/doc/hardball/examples
+
+install() {
+  apt-get -q -y --no-install-recommends install "$@" >apt.log 2>&1 || { cat apt.log && return 1; }
+}
+
+# prints TEXT COMMAND...: fails unless the command succeeds and prints the text.
+prints() {
+  local output
+  output=$("${@:2}") || { echo "failed: ${*:2}" && return 1; }
+  [[ $output == *"$1"* ]] || { echo "no '$1' in what ${*:2} prints:" && echo "$output" && return 1; }
+}
+
+echo "-- the program, with nothing but what it depends on"
+install ./hardball_*.deb
+dpkg --verify hardball
+hardball --version
+prints "event_log_hash" hardball run "$examples/newtons_cradle.toml" --json --quiet
+prints "all runs are the same" hardball verify "$examples/two_spheres.toml"
+hardball replay "$examples/two_spheres.toml" --out page.html && test -s page.html
+
+echo "-- manual and completions"
+install man-db zsh fish bash-completion
+prints "--until" man hardball
+prints "finds every collision" whatis hardball
+prints "neighbors" fish -c 'complete -C "hardball run --engine "'
+prints "--recording-limit" fish -c 'complete -C "hardball view --rec"'
+prints "_hardball" zsh -c 'autoload -U compinit && compinit -u && print $_comps[hardball]'
+zsh -n /usr/share/zsh/vendor-completions/_hardball
+prints "replay" bash -c '. /usr/share/bash-completion/bash_completion && _completion_loader hardball ||
+  COMP_WORDS=(hardball re) COMP_CWORD=1 && _hardball && echo "${COMPREPLY[@]}"'
+
+echo "-- the library"
+install g++ cmake make pkg-config
+cmake -S consumer -B built >cmake.log && cmake --build built >>cmake.log || { cat cmake.log && false; }
+built/consumer
+g++ consumer/main.cpp $(pkg-config --cflags --libs hardball) -o consumer.pkg-config
+./consumer.pkg-config
+
+echo "-- removal"
+apt-get -q -y purge hardball >apt.log
+left=$(find /usr /etc /var/lib -path '/var/lib/apt' -prune -o -name '*hardball*' -print)
+[[ -z $left ]] || { echo "left behind: $left" && false; }
