@@ -17,13 +17,21 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/hardballConfigVersion.cma
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/hardballConfigVersion.cmake DESTINATION ${package_folder})
 
-# A linker wants a library before those that it uses: rooms from the highest floor down.
+# A linker wants a library before those that it uses: rooms from the highest floor down, then those of others.
 set(libraries "")
+set(others "")
 foreach(target IN LISTS HARDBALL_LIBRARY_TARGETS)
   get_target_property(type ${target} TYPE)
   if(type STREQUAL STATIC_LIBRARY)
     string(PREPEND libraries "-l${target} ")
+    get_target_property(used ${target} LINK_LIBRARIES)
+    list(FILTER used EXCLUDE REGEX "^hardball_|NOTFOUND$")
+    list(APPEND others ${used})
   endif()
+endforeach()
+list(REMOVE_DUPLICATES others)
+foreach(other IN LISTS others)
+  string(APPEND libraries "-l${other} ")
 endforeach()
 string(STRIP "${libraries}" libraries)
 set(validation "")

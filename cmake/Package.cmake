@@ -15,6 +15,8 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# What the library links. The program's dependencies are found.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS libzstd-dev)
 # The program opens a browser; the library is for a compiler.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "xdg-utils, g++, cmake, pkg-config")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "exact event-driven collision detection among moving spheres")
