@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""Runs the reader in docs/recording.md on a recording, and compares with the other files of the run.
+"""Runs the readers shown in docs/recording.md and docs/scenarios.md on the files of a run, and compares them.
 
 Usage: numpy_reader_test.py PROGRAM DOCS
 """
+import os
 import re
 import subprocess
 import sys
@@ -35,7 +36,7 @@ names = []
 
 
 def main():
-    program, docs = sys.argv[1:]
+    program, docs = map(os.path.abspath, sys.argv[1:])
     text = (Path(docs) / "recording.md").read_text()
     reader = {}
     exec(re.search(r"```python\n(.*?)```", text, re.S).group(1), reader)
@@ -50,6 +51,12 @@ def main():
         events = np.load(out / "events.npy")
         for field in ("t", "i", "j"):
             assert (contacts[field] == events[field]).all(), field
+        shown = re.findall(r"```python\n(.*?)```", (Path(docs) / "scenarios.md").read_text(), re.S)
+        found = {}
+        os.chdir(folder)
+        exec("".join(block for block in shown if "events" in block), found)
+        within = (events["t"] >= 2.5) & (events["t"] <= 3.5)
+        assert within.any() and (events[within] == found["events"][found["first"]:found["end"]]).all()
         frames = 0
         lines = (out / "trajectory.xyz").read_text().splitlines()
         while lines:
