@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/run_files.hpp"
 
+#include <algorithm>
 #include <array>
 #include <system_error>
 #include <vector>
@@ -9,14 +10,15 @@
 #include "apps/cli/begin_recording.hpp"
 #include "apps/cli/directory.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/io/extended_xyz.hpp"
 #include "hardball/io/replace_file.hpp"
 #include "hardball/measure/csv.hpp"
 
 namespace hardball::cli {
 namespace {
 
-constexpr const char* kTrajectory = "trajectory.xyz";
+// In the order of SnapshotFormat.
+constexpr std::array<const char*, 5> kTrajectories{"trajectory.xyz", "trajectory.xyz.zst", "trajectory.gsd",
+                                                   "trajectory.lammpstrj", "trajectory.pvd"};
 constexpr const char* kEvents = "events.npy";
 constexpr const char* kRecording = "recording.hbr";
 constexpr const char* kSummary = "summary.json";
@@ -57,11 +59,10 @@ void refuse_files_of_a_run(const std::filesystem::path& directory) {
   const auto holds = [&](const std::filesystem::path& name) {
     return std::filesystem::is_regular_file(directory / name);
   };
-  const std::filesystem::path quantities = std::filesystem::path(kMeasures) / kQuantities;
-  for (const std::filesystem::path& name :
-       {std::filesystem::path(kTrajectory), std::filesystem::path(kEvents), std::filesystem::path(kRecording),
-        std::filesystem::path(kSummary), std::filesystem::path(kReport), std::filesystem::path(kCheckpoint),
-        quantities}) {
+  std::vector<std::filesystem::path> names(kTrajectories.begin(), kTrajectories.end());
+  names.insert(names.end(), {kEvents, kRecording, kSummary, kReport, kCheckpoint,
+                             std::filesystem::path(kMeasures) / kQuantities});
+  for (const std::filesystem::path& name : names) {
     if (!holds(name)) continue;
     throw Error("holds " + name.string() + " of another run", directory.string(),
                 "name another directory, go on with that run by 'hardball resume', or replace its files with "
@@ -83,11 +84,13 @@ bool is_finished(const std::filesystem::path& directory) {
 RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario,
                    const Simulation& simulation, bool overwrites)
     : directory_(directory), has_measures_(!scenario.measures.names.empty()) {
-  const std::filesystem::path trajectory = directory / kTrajectory;
-  std::error_code missing;
-  if (scenario.start_file && std::filesystem::equivalent(*scenario.start_file, trajectory, missing)) {
-    throw Error("the run would overwrite the file it starts from", trajectory.string(),
-                "name another directory for the output");
+  for (const char* name : kTrajectories) {
+    const std::filesystem::path trajectory = directory / name;
+    std::error_code missing;
+    if (scenario.start_file && std::filesystem::equivalent(*scenario.start_file, trajectory, missing)) {
+      throw Error("the run would overwrite the file it starts from", trajectory.string(),
+                  "name another directory for the output");
+    }
   }
   std::vector<std::filesystem::path> created = make_directory(directory);
   const auto undo = [&] {
@@ -97,7 +100,9 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
   try {
     lock_.emplace(directory);
     if (!overwrites) refuse_files_of_a_run(directory);
-    for (const char* name : {kTrajectory, kEvents, kRecording, kSummary, kReport, kCheckpoint}) {
+    std::vector<const char*> names(kTrajectories.begin(), kTrajectories.end());
+    names.insert(names.end(), {kEvents, kRecording, kSummary, kReport, kCheckpoint});
+    for (const char* name : names) {
       const std::filesystem::path path = directory / name;
       if (std::filesystem::is_directory(path)) {
         throw Error("is a directory", path.string(), "name another directory for the output");
@@ -113,8 +118,14 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
       }
     };
     using Path = std::filesystem::path;
-    begin(kTrajectory, scenario.snapshots_every.has_value(),
-          [&](const Path& path) { trajectory_.emplace(path); });
+    for (std::size_t i = 0; i < kTrajectories.size(); ++i) {
+      const auto format = static_cast<SnapshotFormat>(i);
+      if (std::ranges::find(scenario.trajectories, format) == scenario.trajectories.end()) {
+        Trajectory::remove(directory / kTrajectories[i]);
+      } else {
+        begin(kTrajectories[i], true, [&](const Path& path) { trajectories_.emplace_back(path); });
+      }
+    }
     begin(kEvents, scenario.event_log, [&](const Path& path) { events_.emplace(path); });
     begin(kRecording, scenario.recording,
           [&](const Path& path) { recording_.emplace(begin_recording(path, scenario, simulation)); });
@@ -136,7 +147,11 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
 
 RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const FilesState& state)
     : directory_(directory), lock_(directory), has_measures_(!scenario.measures.names.empty()) {
-  if (state.trajectory) trajectory_.emplace(directory / kTrajectory, *state.trajectory);
+  HARDBALL_CHECK(state.trajectories.size() == scenario.trajectories.size());
+  for (std::size_t i = 0; i < scenario.trajectories.size(); ++i) {
+    const char* const name = kTrajectories[static_cast<std::size_t>(scenario.trajectories[i])];
+    trajectories_.emplace_back(directory / name, state.trajectories[i]);
+  }
   if (state.events) events_.emplace(directory / kEvents, *state.events);
   if (state.recording) recording_.emplace(directory / kRecording, *state.recording);
   if (has_measures_) make_directory(directory / kMeasures);
@@ -146,10 +161,7 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
 
 FilesState RunFiles::save() {
   FilesState state;
-  if (trajectory_) {
-    trajectory_->sync();
-    state.trajectory = trajectory_->size();
-  }
+  for (Trajectory& trajectory : trajectories_) state.trajectories.push_back(trajectory.position());
   if (events_) {
     events_->sync();
     state.events = events_->size();
@@ -159,7 +171,9 @@ FilesState RunFiles::save() {
 }
 
 void RunFiles::write_snapshot(const Simulation& simulation) {
-  if (trajectory_) append_snapshot(*trajectory_, simulation.world(), simulation.now());
+  if (trajectories_.empty()) return;
+  const Snapshot snapshot = snapshot_of(simulation.world(), simulation.now());
+  for (Trajectory& trajectory : trajectories_) trajectory.append(snapshot);
 }
 
 void RunFiles::note(const Contact& contact, const World& world) {
@@ -173,14 +187,15 @@ void RunFiles::note(const VelocityChange& change, const World& world) {
 
 void RunFiles::keep_current() {
   const auto now = std::chrono::steady_clock::now();
-  if (!events_ || now < next_flush_) return;
+  if (now < next_flush_) return;
   next_flush_ = now + std::chrono::seconds(1);
-  events_->flush();
+  if (events_) events_->flush();
+  for (Trajectory& trajectory : trajectories_) trajectory.flush();
 }
 
 void RunFiles::finish(const Simulation& simulation, std::span<const Measurement> measurements,
                       const std::string& summary, const std::string& report) {
-  if (trajectory_) trajectory_->close();
+  for (Trajectory& trajectory : trajectories_) trajectory.close();
   if (events_) events_->close();
   if (recording_) recording_->close(simulation.time());
   if (has_measures_) {

@@ -8,11 +8,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "apps/cli/directory_lock.hpp"
 #include "hardball/io/npy_event_log.hpp"
-#include "hardball/io/output_file.hpp"
 #include "hardball/io/recording_writer.hpp"
+#include "hardball/io/trajectory.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/scenario/scenario.hpp"
@@ -30,14 +31,14 @@ bool is_finished(const std::filesystem::path& directory);
 
 /// How much of the files of a run belongs to a checkpoint.
 struct FilesState {
-  std::optional<std::uint64_t> trajectory;  ///< Bytes.
-  std::optional<std::uint64_t> events;      ///< Records.
-  std::optional<std::string> recording;     ///< See RecordingWriter::save.
+  std::vector<TrajectoryPosition> trajectories;  ///< In the order of Scenario::trajectories.
+  std::optional<std::uint64_t> events;           ///< Records.
+  std::optional<std::string> recording;          ///< See RecordingWriter::save.
 
-  static void persist(auto& archive, auto& self) { archive(self.trajectory, self.events, self.recording); }
+  static void persist(auto& archive, auto& self) { archive(self.trajectories, self.events, self.recording); }
 };
 
-/// The files of one run in its output directory: trajectory.xyz, events.npy and recording.hbr, if the
+/// The files of one run in its output directory: trajectories, events.npy and recording.hbr, if the
 /// scenario requests them, measures/ and report.html, unless it disables them, and summary.json. No other run
 /// can write to the directory meanwhile.
 class RunFiles {
@@ -58,14 +59,15 @@ class RunFiles {
   /// (RunFailure): they cannot be written.
   FilesState save();
 
-  /// Appends a frame at the current time, if there is a trajectory. Error (RunFailure): it cannot be written.
+  /// Appends a frame at the current time to the trajectories, if there are any. Error (RunFailure): it cannot
+  /// be written.
   void write_snapshot(const Simulation& simulation);
   /// Appends to the event log and the recording, if there are any; `world`: after the contact or change.
   /// Error (RunFailure): they cannot be written.
   void note(const Contact& contact, const World& world);
   void note(const VelocityChange& change, const World& world);
-  /// Makes the event log complete for readers, at most once a second, so that little is lost if the process
-  /// is killed. Error (RunFailure): it cannot be written.
+  /// Makes the event log and the trajectories complete for readers, at most once a second, so that little is
+  /// lost if the process is killed. Error (RunFailure): it cannot be written.
   void keep_current();
   /// Completes all files and writes the measures, the summary, and the report unless it is empty. Error
   /// (RunFailure): they cannot be written.
@@ -79,7 +81,7 @@ class RunFiles {
   std::filesystem::path directory_;
   std::optional<DirectoryLock> lock_;
   bool has_measures_;
-  std::optional<OutputFile> trajectory_;
+  std::vector<Trajectory> trajectories_;
   std::optional<NpyEventLog> events_;
   std::optional<RecordingWriter> recording_;
   std::chrono::steady_clock::time_point next_flush_ = std::chrono::steady_clock::now();

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,17 +37,16 @@ std::uint64_t steps_per_slice(const Simulation& simulation) {
   return std::clamp<std::uint64_t>(kPairs / std::max<std::size_t>(simulation.size(), 1), 1, kSteps);
 }
 
-// The time of snapshot k, k * interval; one that is past the end only because of rounding is at the end.
-double snapshot_time(std::uint64_t k, double interval, double until) {
-  constexpr double kRounding = 1e-14;
-  const double time = static_cast<double>(k) * interval;
-  return time > until && time <= until * (1 + kRounding) ? until : time;
+// When the next snapshot is due [T]; infinity if that depends on contacts, or none is.
+double next_snapshot_time(const StartedRun& run) {
+  if (!run.files) return SnapshotSchedule::kNoTime;
+  return run.scenario.snapshots.time(run.next_snapshot, *run.scenario.until);
 }
 
-// When the next snapshot is due [T]; infinity if none is.
-double next_snapshot_time(const StartedRun& run) {
-  if (!run.files || !run.scenario.snapshots_every) return std::numeric_limits<double>::infinity();
-  return snapshot_time(run.next_snapshot, *run.scenario.snapshots_every, *run.scenario.until);
+// At how many contacts it is due.
+std::uint64_t next_snapshot_contacts(const StartedRun& run) {
+  if (!run.files) return SnapshotSchedule::kNoContacts;
+  return run.scenario.snapshots.contacts(run.next_snapshot);
 }
 
 // The checkpoint that is kept of a time.
@@ -82,26 +82,32 @@ class Course {
       const double snapshot = next_snapshot_time(run_);
       const double checkpoint = next_kept_checkpoint();
       const double next = std::min({snapshot, checkpoint, until});
-      if (!run_to(next)) return false;
-      if (snapshot <= next) {
+      const std::optional<RunStatus> status = run_to(next, next_snapshot_contacts(run_));
+      if (!status) return false;
+      const bool has_counted = *status == RunStatus::contacts_reached;
+      if (snapshot <= next || has_counted) {
         run_.files->write_snapshot(run_.simulation);
         ++run_.next_snapshot;
       }
+      if (has_counted) continue;
       if (checkpoint <= next) keep_checkpoint(next);
       if (next == until && !(next_snapshot_time(run_) <= until)) return true;
     }
   }
 
-  bool run_to(double time) {
+  // Until `time`, or until there have been `contacts` in all; no status if interrupted by a signal.
+  std::optional<RunStatus> run_to(double time, std::uint64_t contacts) {
     while (!is_interrupted()) {
-      const RunLimits slice{.until = Time(time), .steps = steps_per_slice(run_.simulation)};
+      const RunLimits slice{.until = Time(time),
+                            .contacts = contacts - run_.simulation.counters().contacts(),
+                            .steps = steps_per_slice(run_.simulation)};
       const RunStatus status = run_.simulation.run(slice, run_.measures);
       if (run_.files) run_.files->keep_current();
       progress_.show(run_.simulation);
       if (run_.files && seconds_since(last_checkpoint_) >= run_.scenario.checkpoint_every) write_current();
-      if (status == RunStatus::time_reached) return true;
+      if (status != RunStatus::steps_reached) return status;
     }
-    return false;
+    return std::nullopt;
   }
 
   // The first time after the present one at which a checkpoint is to be kept; infinity if there is none.

@@ -23,7 +23,7 @@ struct StartedRun {
   Simulation simulation;
   Measures measures;
   std::optional<RunFiles> files;
-  std::uint64_t next_snapshot = 0;  ///< Its number, see SnapshotTimes.
+  std::uint64_t next_snapshot = 0;  ///< Its number, see SnapshotSchedule.
   Seconds seconds;                  ///< That it has taken so far.
 };
 

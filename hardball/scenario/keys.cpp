@@ -241,8 +241,20 @@ TableDescription start_keys() {
           {.name = "file",
            .type = text,
            .is_required = true,
-           .meaning = "an extended XYZ file, whose last frame is used; its path is relative to the scenario",
-           .example = "\"start.xyz\""}}};
+           .meaning = "a file with spheres, whose last frame is used: extended XYZ (`.xyz`, `.xyz.zst`), GSD "
+                      "(`.gsd`), LAMMPS dump (`.lammpstrj`), CSV (`.csv`), NumPy (`.npy`) or the format of "
+                      "Smallenburg's EDMD codes (`.sph`); its path is relative to the scenario",
+           .example = "\"start.xyz\""},
+          {.name = "mean_speed",
+           .range = not_negative,
+           .dimension = "L/T",
+           .meaning = "of a file without velocities, `.sph`: Maxwell velocities with this mean of |v|",
+           .example = "1.0"},
+          {.name = "temperature",
+           .range = not_negative,
+           .dimension = "M L²/T²",
+           .meaning = "or: Maxwell velocities with this kT; the masses are 1",
+           .example = "1.0"}}};
 }
 
 TableDescription restitution_keys() {
@@ -530,8 +542,35 @@ TableDescription output_keys() {
                {.name = "snapshots_every",
                 .range = positive,
                 .dimension = "T",
-                .meaning = "interval of snapshots in `trajectory.xyz`; none are written if not given",
+                .meaning = "interval of the snapshots in the trajectory; none are taken unless this, "
+                           "`snapshots_per_decade` or `snapshots_every_contacts` is given",
                 .example = "0.5"},
+               {.name = "snapshots_per_decade",
+                .type = integer,
+                .least = 1,
+                .most = 1000,
+                .meaning = "or: how many snapshots are taken while the time grows tenfold, evenly in its "
+                           "logarithm, from `first_snapshot` on",
+                .example = "10"},
+               {.name = "first_snapshot",
+                .range = positive,
+                .dimension = "T",
+                .meaning = "goes with `snapshots_per_decade`: the time of the first snapshot after that "
+                           "of the start",
+                .example = "0.001"},
+               {.name = "snapshots_every_contacts",
+                .type = integer,
+                .least = 1,
+                .most = std::numeric_limits<std::int64_t>::max(),
+                .meaning = "or: how many collisions and wall contacts lie between two snapshots",
+                .example = "10000"},
+               {.name = "trajectory",
+                .type = some,
+                .choices = {"xyz", "xyz.zst", "gsd", "lammps", "vtp"},
+                .default_value = "\"xyz\"",
+                .meaning = "the format of the trajectory: `trajectory.xyz`, `trajectory.xyz.zst`, "
+                           "`trajectory.gsd`, `trajectory.lammpstrj` or `trajectory.pvd`",
+                .example = "\"gsd\""},
                {.name = "event_log",
                 .type = truth,
                 .default_value = "false",
@@ -671,6 +710,8 @@ std::string type_of(const KeyDescription& key) {
       return listed(key.choices);
     case choices:
       return "list of " + listed(key.choices);
+    case some:
+      return listed(key.choices) + ", or a list of these";
     case vector:
       return "three numbers";
     case vectors:

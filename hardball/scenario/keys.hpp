@@ -20,6 +20,7 @@ enum class ValueType {
   texts,    ///< A list of such strings.
   choice,   ///< One of several strings.
   choices,  ///< A list of some of them.
+  some,     ///< One of several strings, or a list of some of them.
   vector,   ///< Three numbers, or two in two dimensions.
   vectors,  ///< A list of vectors.
   table,

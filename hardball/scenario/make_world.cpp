@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/io/extended_xyz.hpp"
+#include "hardball/io/snapshot_format.hpp"
 #include "hardball/scenario/make_surfaces.hpp"
 #include "hardball/scenario/radii.hpp"
 #include "hardball/scenario/velocities.hpp"
@@ -245,14 +245,40 @@ void add_groups(const Scenario& scenario, World& world, const Progress& progress
   }
 }
 
-void add_from_file(const std::filesystem::path& file, World& world) {
-  const Snapshot snapshot = read_snapshot(file);
+// Gives the spheres of a file without velocities those of the scenario.
+void complete_velocities(const Scenario& scenario, const Box& box, const std::string& name,
+                         Snapshot& snapshot) {
+  const bool are_given = scenario.start_velocity_rule.has_value();
+  if (snapshot.has_velocities && are_given) {
+    throw Error("the file has velocities, and the scenario gives others", name,
+                "remove temperature and mean_speed from [start]");
+  }
+  if (snapshot.has_velocities) return;
+  if (!are_given) {
+    throw Error("the file has no velocities", name,
+                "add temperature or mean_speed to [start], zero for rest");
+  }
+  SphereGroup group;
+  group.dimensions = box.dimensions();
+  group.count = snapshot.spheres.size();
+  group.velocity_rule = *scenario.start_velocity_rule;
+  group.velocity_scale = scenario.start_velocity_scale;
+  Random random(scenario.seed);
+  const std::vector<Vec3> velocities =
+      draw_velocities(std::span(&group, 1), box.is_all(Boundary::periodic), random);
+  for (std::size_t i = 0; i < velocities.size(); ++i) snapshot.spheres[i].velocity = velocities[i];
+}
+
+void add_from_file(const Scenario& scenario, World& world) {
+  const std::filesystem::path& file = *scenario.start_file;
+  Snapshot snapshot = read_snapshot(file);
+  complete_velocities(scenario, world.box(), file.string(), snapshot);
   if (snapshot.spheres.empty()) {
     throw Error("the last frame holds no spheres", file.string(), "give at least one sphere");
   }
   world.reserve(snapshot.spheres.size());
   for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
-    add(world, snapshot.spheres[i], file.string() + ":" + to_text(snapshot.lines[i]));
+    add(world, snapshot.spheres[i], snapshot.place(file.string(), i));
   }
 }
 
@@ -264,7 +290,7 @@ World make_world(const Scenario& scenario, const OnProgress& on_progress) {
   const Box box = make_box(scenario);
   World world(box, scenario.gravity, make_surfaces(scenario, box));
   if (scenario.start_file) {
-    add_from_file(*scenario.start_file, world);
+    add_from_file(scenario, world);
   } else if (!scenario.spheres.empty()) {
     add_groups(scenario, world, progress);
   }

@@ -73,6 +73,17 @@ Vec3 read_gravity(const Section& box, std::size_t dimensions) {
   return gravity;
 }
 
+void read_start_velocities(const Section& start, Scenario& scenario) {
+  const std::optional<Value> mean_speed = start.find("mean_speed");
+  const std::optional<Value> temperature = start.find("temperature");
+  if (mean_speed && temperature) {
+    throw Error("there are both mean_speed and temperature", temperature->place(), "remove one of the two");
+  }
+  if (!mean_speed && !temperature) return;
+  scenario.start_velocity_rule = mean_speed ? VelocityRule::mean_speed : VelocityRule::temperature;
+  scenario.start_velocity_scale = (mean_speed ? mean_speed : temperature)->number();
+}
+
 void read_start(const Section& root, Scenario& scenario) {
   const std::vector<Section> groups = root.sections("spheres");
   const std::filesystem::path folder = std::filesystem::path(scenario.name).parent_path();
@@ -81,7 +92,14 @@ void read_start(const Section& root, Scenario& scenario) {
     if (!groups.empty()) {
       throw Error("there are both [[spheres]] and [start]", start->place(), "remove one of the two");
     }
-    scenario.start_file = folder / start->need("file").text();
+    const Value file = start->need("file");
+    scenario.start_file = folder / file.text();
+    try {
+      format_of(*scenario.start_file);
+    } catch (const Error& error) {
+      throw Error("file is \"" + file.text() + "\", and " + error.problem(), file.place(), error.remedy());
+    }
+    read_start_velocities(*start, scenario);
     return;
   }
   if (groups.empty()) throw Error("there are no spheres", scenario.name, "add [[spheres]] or [start]");
@@ -107,11 +125,46 @@ void read_run(const Section& section, Scenario& scenario) {
   if (const auto seed = section.find("seed")) scenario.seed = seed->integer();
 }
 
+// When snapshots are taken, and in which formats they are written.
+void read_snapshots(const Section& section, Scenario& scenario) {
+  const std::optional<Value> every = section.find("snapshots_every");
+  const std::optional<Value> per_decade = section.find("snapshots_per_decade");
+  const std::optional<Value> every_contacts = section.find("snapshots_every_contacts");
+  const std::optional<Value> first = section.find("first_snapshot");
+  const std::optional<Value> trajectory = section.find("trajectory");
+  if ((every && per_decade) || (every_contacts && (every || per_decade))) {
+    throw Error(std::string("there are both ") + (every ? "snapshots_every" : "snapshots_per_decade") +
+                    " and " + (every_contacts ? "snapshots_every_contacts" : "snapshots_per_decade"),
+                (every_contacts ? every_contacts : per_decade)->place(), "remove one of the two");
+  }
+  if (first && !per_decade) {
+    throw Error("there is first_snapshot without snapshots_per_decade", first->place(),
+                "add snapshots_per_decade = 10, say, or remove it");
+  }
+  if (every) {
+    scenario.snapshots = SnapshotSchedule::every(every->number());
+  } else if (per_decade) {
+    scenario.snapshots =
+        SnapshotSchedule::logarithmic(section.need("first_snapshot").number(), per_decade->integer());
+  } else if (every_contacts) {
+    scenario.snapshots = SnapshotSchedule::every_contacts(every_contacts->integer());
+  } else if (trajectory) {
+    throw Error("there is trajectory, but no snapshots are taken", trajectory->place(),
+                "add snapshots_every, snapshots_per_decade or snapshots_every_contacts");
+  }
+  if (trajectory) {
+    for (const Value& format : trajectory->some())
+      scenario.trajectories.push_back(static_cast<SnapshotFormat>(format.choice()));
+  } else if (!scenario.snapshots.is_never()) {
+    scenario.trajectories = {SnapshotFormat::extended_xyz};
+  }
+}
+
 void read_output(const Section& section, Scenario& scenario) {
   if (const auto directory = section.find("directory")) scenario.output_directory = directory->text();
   if (const auto every = section.find("checkpoint_every")) scenario.checkpoint_every = every->number();
   if (const auto at = section.find("checkpoint_at")) scenario.checkpoint_at = at->numbers();
-  if (const auto every = section.find("snapshots_every")) scenario.snapshots_every = every->number();
+  read_snapshots(section, scenario);
   if (const auto event_log = section.find("event_log")) scenario.event_log = event_log->truth();
   if (const auto recording = section.find("recording")) scenario.recording = recording->truth();
   if (const auto report = section.find("report")) scenario.report = report->truth();
@@ -201,7 +254,7 @@ Scenario load_scenario(const std::filesystem::path& path, std::span<const std::s
   }
   if (text.size() > kMostBytes) {
     throw Error("the file is larger than 16 MiB", path.string(),
-                "describe many spheres in groups, or in an extended XYZ file named in [start]");
+                "describe many spheres in groups, or in a file named in [start]");
   }
   return parse_scenario(text, path.string(), overrides);
 }

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/io/snapshot_format.hpp"
+#include "hardball/io/snapshot_schedule.hpp"
 #include "hardball/measure/measure_settings.hpp"
 #include "hardball/response/bounce.hpp"
 #include "hardball/thermostats/thermostat.hpp"
@@ -141,16 +143,20 @@ struct Scenario {
   std::vector<WallDescription> walls;  ///< Besides those of the box.
   std::vector<ObstacleDescription> obstacles;
   std::vector<SphereGroup> spheres;                 ///< In the order of ids.
-  std::optional<std::filesystem::path> start_file;  ///< An extended XYZ file, instead of `spheres`.
-  std::vector<SpeciesDescription> species;          ///< Named by their index; none if all spheres are alike.
-  BounceRules bounce;                               ///< Of all contacts that `pairs` does not name.
-  bool merges = false;                              ///< Whether all spheres that `pairs` does not name merge.
+  std::optional<std::filesystem::path> start_file;  ///< A file with snapshots, instead of `spheres`.
+  /// Of the spheres of a start file that has no velocities: the mean speed or the temperature.
+  std::optional<VelocityRule> start_velocity_rule;
+  double start_velocity_scale = 0;          ///< What that rule prescribes.
+  std::vector<SpeciesDescription> species;  ///< Named by their index; none if all spheres are alike.
+  BounceRules bounce;                       ///< Of all contacts that `pairs` does not name.
+  bool merges = false;                      ///< Whether all spheres that `pairs` does not name merge.
   std::vector<PairDescription> pairs;
   std::optional<ThermostatKind> thermostat;  ///< Its seed is that of the run.
   std::optional<double> until;               ///< When the run ends [T].
   std::uint64_t seed = 1;
   std::optional<std::filesystem::path> output_directory;
-  std::optional<double> snapshots_every;  ///< [T]
+  SnapshotSchedule snapshots;                ///< Of the trajectories.
+  std::vector<SnapshotFormat> trajectories;  ///< Their formats; none if no snapshots are taken.
   bool event_log = false;
   bool recording = false;
   double checkpoint_every = 60;       ///< Seconds of wall time.

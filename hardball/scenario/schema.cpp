@@ -72,6 +72,10 @@ Json schema_of_value(const KeyDescription& key) {
       return {{"type", "string"}, {"enum", key.choices}};
     case ValueType::choices:
       return list_of({{"type", "string"}, {"enum", key.choices}});
+    case ValueType::some: {
+      const Json one{{"type", "string"}, {"enum", key.choices}};
+      return {{"anyOf", {one, list_of(one)}}};
+    }
     case ValueType::vector:
       return schema_of_vector(key.range);
     case ValueType::vectors:

@@ -106,6 +106,22 @@ std::size_t Value::choice() const {
   return static_cast<std::size_t>(found - key_->choices.begin());
 }
 
+std::vector<Value> Value::some() const {
+  if (!std::holds_alternative<Node::Array>(node_->value)) return {*this};
+  const std::string remedy = "give at least one string in brackets";
+  std::vector<Value> values = entries(remedy);
+  if (values.empty()) wrong_length(0, remedy);
+  for (auto value = values.begin(); value != values.end(); ++value) {
+    const std::string given = value->text();
+    const auto is_given = [&](const Value& earlier) { return earlier.text() == given; };
+    if (std::any_of(values.begin(), value, is_given)) {
+      throw Error(std::string(key_->name) + " has \"" + given + "\" twice", value->place(),
+                  "remove one of the two");
+    }
+  }
+  return values;
+}
+
 std::vector<double> Value::numbers() const {
   std::vector<double> numbers;
   for (const Value& entry : entries("give numbers in brackets")) numbers.push_back(entry.number());

@@ -31,6 +31,8 @@ class Value {
   std::string text() const;
   /// The index of the text among the key's choices.
   std::size_t choice() const;
+  /// The values of a list, or this one. Error: the list is empty, or has a text twice.
+  std::vector<Value> some() const;
   std::vector<double> numbers() const;
   /// The values of a list, all of which have a text.
   std::vector<Value> texts() const;

@@ -383,6 +383,56 @@ INSTANTIATE_TEST_SUITE_P(
                  "[output]\nsnapshots_every = 0.0\n[run]",
                  {},
                  {"gas.toml:12:19", "snapshots_every is 0", "positive"}},
+        BadInput{"TwoSchedules",
+                 "[run]",
+                 "[output]\nsnapshots_every = 1\nsnapshots_every_contacts = 5\n[run]",
+                 {},
+                 {"gas.toml:13:28", "both snapshots_every and snapshots_every_contacts", "remove one"}},
+        BadInput{"LinearAndLogarithmic",
+                 "[run]",
+                 "[output]\nsnapshots_every = 1\nsnapshots_per_decade = 5\n[run]",
+                 {},
+                 {"gas.toml:13:24", "both snapshots_every and snapshots_per_decade", "remove one"}},
+        BadInput{"LogarithmicByContacts",
+                 "[run]",
+                 "[output]\nsnapshots_every_contacts = 1\nsnapshots_per_decade = 5\n[run]",
+                 {},
+                 {"gas.toml:12:28", "both snapshots_per_decade and snapshots_every_contacts", "remove one"}},
+        BadInput{"LogarithmicWithoutFirst",
+                 "[run]",
+                 "[output]\nsnapshots_per_decade = 5\n[run]",
+                 {},
+                 {"gas.toml:", "'first_snapshot' is missing", "add"}},
+        BadInput{"FirstSnapshotAlone",
+                 "[run]",
+                 "[output]\nsnapshots_every = 1\nfirst_snapshot = 0.1\n[run]",
+                 {},
+                 {"gas.toml:13:18", "first_snapshot without snapshots_per_decade", "add"}},
+        BadInput{"NoContactsBetweenSnapshots",
+                 "[run]",
+                 "[output]\nsnapshots_every_contacts = 0\n[run]",
+                 {},
+                 {"gas.toml:12:28", "snapshots_every_contacts is 0", "at least 1"}},
+        BadInput{"TrajectoryWithoutSnapshots",
+                 "[run]",
+                 "[output]\ntrajectory = 'gsd'\n[run]",
+                 {},
+                 {"gas.toml:12:14", "no snapshots are taken", "add snapshots_every"}},
+        BadInput{"UnknownTrajectory",
+                 "[run]",
+                 "[output]\nsnapshots_every = 1\ntrajectory = 'gds'\n[run]",
+                 {},
+                 {"gas.toml:13:14", "trajectory is \"gds\"", "\"gsd\""}},
+        BadInput{"NoTrajectory",
+                 "[run]",
+                 "[output]\nsnapshots_every = 1\ntrajectory = []\n[run]",
+                 {},
+                 {"gas.toml:13:14", "trajectory has 0 entries", "at least one"}},
+        BadInput{"TrajectoryTwice",
+                 "[run]",
+                 "[output]\nsnapshots_every = 1\ntrajectory = ['gsd', 'xyz', 'gsd']\n[run]",
+                 {},
+                 {"gas.toml:13:29", "trajectory has \"gsd\" twice", "remove one"}},
         BadInput{
             "EmptyDirectory", "[run]", "[output]\ndirectory = ''\n[run]", {}, {"gas.toml:12:13", "is empty"}},
         BadInput{
@@ -776,7 +826,7 @@ TEST_F(RefusedStart, NamesTheLineOfTheStartFile) {
   expect_refusal(start_from(head), {"start.xyz:3: ", "ends after 1 of the 2", "incomplete"});
   expect_refusal(start_from(head + "5 5 x 0 0 0 0.5\n"), {"start.xyz:4:5: ", "'x'", "finite"});
   expect_refusal(start_from(head + "5 5 9.9 0 0 0 0.5\n"), {"start.xyz:4: sphere 1: ", "wall"});
-  expect_refusal(start_from(head + "5 5 8 0 0 0 -0.5\n"), {"start.xyz:4: sphere 1: ", "radius is -0.5"});
+  expect_refusal(start_from(head + "5 5 8 0 0 0 -0.5\n"), {"start.xyz:4: ", "radius is -0.5"});
   expect_refusal(start_from(head + "5 5 5.5 0 0 0 0.5\n"), {"gas.toml: ", "spheres 0 and 1 overlap"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
@@ -790,6 +840,27 @@ TEST_F(RefusedStart, IsNotARegularFile) {
   std::filesystem::remove(folder_ / "start.xyz");
   std::filesystem::create_directory(folder_ / "start.xyz");
   expect_refusal(run(), {"start.xyz: ", "not a regular file"});
+}
+
+TEST_F(RefusedStart, HasNoKnownName) {
+  write_text(folder_ / "gas.toml",
+             "[box]\nsize = [10, 10, 10]\nboundary = ['wall', 'wall', 'wall']\n"
+             "[start]\nfile = 'start.pdb'\n[run]\nuntil = 1\n");
+  expect_refusal(run_program(folder_, {"run", "gas.toml"}), {"gas.toml:5:8: ", "start.pdb", ".gsd"});
+}
+
+TEST_F(RefusedStart, HasNoVelocities) {
+  write_text(folder_ / "start.sph", "1\n10 10 10\na 5 5 5 0.5\n");
+  const std::string scenario =
+      "[box]\nsize = [10, 10, 10]\nboundary = ['wall', 'wall', 'wall']\n[run]\nuntil = 1\n"
+      "[start]\nfile = 'start.sph'\n";
+  write_text(folder_ / "gas.toml", scenario);
+  expect_refusal(run_program(folder_, {"run", "gas.toml"}), {"start.sph: ", "no velocities", "temperature"});
+  write_text(folder_ / "gas.toml", scenario + "temperature = 1\nmean_speed = 1\n");
+  expect_refusal(run_program(folder_, {"run", "gas.toml"}),
+                 {"gas.toml:8:15", "both mean_speed and temperature"});
+  write_text(folder_ / "gas.toml", scenario + "temperature = 1\n");
+  EXPECT_EQ(run_program(folder_, {"run", "gas.toml", "--quiet"}).exit_code, 0);
 }
 
 class RefusedDirectory : public testing::Test {

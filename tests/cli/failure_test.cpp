@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "cli/program.hpp"
-#include "hardball/io/extended_xyz.hpp"
 #include "hardball/io/recording_reader.hpp"
+#include "hardball/io/snapshot_format.hpp"
 
 namespace hardball {
 namespace {

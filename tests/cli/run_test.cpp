@@ -8,10 +8,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "cli/program.hpp"
-#include "hardball/io/extended_xyz.hpp"
+#include "hardball/io/little_endian.hpp"
+#include "hardball/io/npy_header.hpp"
 #include "hardball/io/recording_reader.hpp"
+#include "hardball/io/snapshot_format.hpp"
 
 namespace hardball {
 namespace {
@@ -244,6 +247,109 @@ TEST_F(Run, WritesASnapshotAtTheEndIfItIsAMultiple) {
   const std::string trajectory = read_text(folder_ / "out/trajectory.xyz");
   EXPECT_EQ(count(trajectory, " Time="), 4U);
   EXPECT_EQ(count(trajectory, " Time=0.3 "), 1U);
+}
+
+TEST_F(Run, WritesSnapshotsEvenlyInTheLogarithmOfTime) {
+  run({"--out", "out", "--set", "output.snapshots_per_decade=2", "--set", "output.first_snapshot=0.05"});
+  std::vector<double> times;
+  const auto reader = open_snapshots(folder_ / "out/trajectory.xyz");
+  for (std::size_t frame = 0; frame < reader->frames(); ++frame) times.push_back(*reader->read(frame).time);
+  ASSERT_EQ(times.size(), 6U);
+  EXPECT_EQ(times[0], 0);
+  EXPECT_EQ(times[1], 0.05);
+  EXPECT_NEAR(times[2], 0.05 * std::sqrt(10), 1e-15);
+  EXPECT_EQ(times[3], 0.5);
+  EXPECT_EQ(times[5], 5);
+}
+
+TEST_F(Run, WritesSnapshotsByTheNumberOfContacts) {
+  const json summary = run_json(
+      {"--out", "out", "--set", "output.snapshots_every_contacts=7", "--set", "output.event_log=true"});
+  const std::uint64_t contacts =
+      std::uint64_t{summary["events"]["collision"]} + std::uint64_t{summary["events"]["wall"]};
+  ASSERT_GT(contacts, 14U);
+  const auto reader = open_snapshots(folder_ / "out/trajectory.xyz");
+  ASSERT_EQ(reader->frames(), contacts / 7 + 1);
+  EXPECT_EQ(reader->read(0).time, 0);
+  const std::string events = read_text(folder_ / "out/events.npy");
+  const NpyHeader header = read_npy_header(folder_ / "out/events.npy");
+  for (std::size_t frame = 1; frame < reader->frames(); ++frame) {
+    const std::size_t seventh = header.offset + (7 * frame - 1) * header.item_bytes;
+    EXPECT_EQ(reader->read(frame).time, read_little_endian<double>(&events[seventh]));
+  }
+}
+
+TEST_F(Run, HasTheSameHashWhateverIsSampled) {
+  const std::string expected = hash({});
+  const std::string all = R"(output.trajectory=["xyz", "xyz.zst", "gsd", "lammps", "vtp"])";
+  EXPECT_EQ(hash({"--out", "out", "--overwrite", "--set", "output.snapshots_every=0.01", "--set", all}),
+            expected);
+  EXPECT_EQ(hash({"--out", "out", "--overwrite", "--set", "output.snapshots_every_contacts=1", "--set", all}),
+            expected);
+  EXPECT_EQ(hash({"--out", "out", "--overwrite", "--set", "output.snapshots_per_decade=50", "--set",
+                  "output.first_snapshot=1e-6", "--set", all}),
+            expected);
+}
+
+TEST_F(Run, RemovesTheTrajectoriesOfAnEarlierRun) {
+  run({"--out", "out", "--overwrite", "--set", "output.snapshots_every=1", "--set",
+       R"(output.trajectory=["xyz", "xyz.zst", "gsd", "lammps", "vtp"])"});
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/trajectory/00000005.vtp"));
+  run({"--out", "out", "--overwrite", "--set", "output.snapshots_every=1", "--set", "output.trajectory=gsd"});
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "out")) {
+    const std::string name = entry.path().filename();
+    if (name.starts_with("trajectory")) names.insert(name);
+  }
+  EXPECT_EQ(names, std::set<std::string>{"trajectory.gsd"});
+}
+
+TEST_F(Run, GoesOnWithItsTrajectories) {
+  const std::string all = R"(output.trajectory=["xyz", "xyz.zst", "gsd", "lammps", "vtp"])";
+  for (const std::string schedule : {"output.snapshots_every=0.2", "output.snapshots_every_contacts=3",
+                                     "output.snapshots_per_decade=20"}) {
+    Arguments arguments{"--set", schedule, "--set", all};
+    if (schedule.find("decade") != std::string::npos) {
+      arguments.insert(arguments.end(), {"--set", "output.first_snapshot=0.01"});
+    }
+    const auto run_in = [&](const std::string& out, const std::string& until) {
+      Arguments more = arguments;
+      more.insert(more.end(), {"--out", out, "--overwrite", "--until", until});
+      run(more);
+    };
+    run_in("whole", "5");
+    run_in("parts", "2.3");
+    const Outcome resumed = run_program(folder_, {"resume", "parts", "--until", "5"});
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.messages;
+    for (const std::string name : {"trajectory.xyz", "trajectory.xyz.zst", "trajectory.lammpstrj",
+                                   "trajectory.pvd", "trajectory/00000009.vtp"}) {
+      EXPECT_EQ(read_text(folder_ / ("parts/" + name)), read_text(folder_ / ("whole/" + name)))
+          << schedule << name;
+    }
+    for (const std::string directory : {"whole", "parts"}) {
+      const Arguments convert{"convert", directory + "/trajectory.gsd", directory + ".xyz"};
+      ASSERT_EQ(run_program(folder_, convert).exit_code, 0);
+    }
+    EXPECT_EQ(read_text(folder_ / "parts.xyz"), read_text(folder_ / "whole.xyz")) << schedule;
+    EXPECT_EQ(read_text(folder_ / "parts.xyz"), read_text(folder_ / "parts/trajectory.xyz")) << schedule;
+  }
+}
+
+TEST_F(Run, StartsAlikeFromEveryFormat) {
+  use(kPeriodicGas);
+  run({"--out", "first", "--set", "output.snapshots_every=2.5", "--set",
+       R"(output.trajectory=["xyz", "xyz.zst", "gsd", "lammps"])"});
+  for (const std::string name : {"last.csv", "last.npy"}) {
+    ASSERT_EQ(run_program(folder_, {"convert", "first/trajectory.gsd", name}).exit_code, 0);
+  }
+  std::set<std::string> hashes;
+  for (const std::string name : {"first/trajectory.xyz", "first/trajectory.xyz.zst", "first/trajectory.gsd",
+                                 "first/trajectory.lammpstrj", "last.csv", "last.npy"}) {
+    use("[box]\nsize = [10, 10, 10]\nboundary = ['periodic', 'periodic', 'periodic']\n[start]\nfile = '" +
+        name + "'\n[run]\nuntil = 2\n");
+    hashes.insert(hash({}));
+  }
+  EXPECT_EQ(hashes.size(), 1U);
 }
 
 TEST_F(Run, StartsFromASnapshotBitForBit) {

@@ -1,34 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/io/extended_xyz.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "hardball/errors/error.hpp"
-#include "support/scratch_folder.hpp"
+#include "hardball/io/extended_xyz_reader.hpp"
+#include "hardball/io/extended_xyz_writer.hpp"
 
 namespace hardball {
 namespace {
 
-using support::read_text;
-using support::ScratchFolder;
-
 std::string frame_of(const World& world, double time) {
-  const ScratchFolder folder;
-  OutputFile file(folder / "frame.xyz");
-  append_snapshot(file, world, Time(time));
-  file.close();
-  return read_text(folder / "frame.xyz");
+  std::string text;
+  append_extended_xyz(snapshot_of(world, Time(time)), 0, [&](std::string_view more) { text += more; });
+  return text;
 }
 
 Snapshot parse(const std::string& text) {
-  std::istringstream in(text);
-  return read_snapshot(in, "start.xyz");
+  TextSnapshotReader reader([&] { return std::make_unique<std::istringstream>(text); }, "start.xyz",
+                            extended_xyz_format());
+  return reader.read(reader.frames() - 1);
 }
 
 std::string second_line(const std::string& text) {
@@ -77,8 +75,8 @@ TEST(AppendSnapshot, WritesAWorldWithoutSpheres) {
 
 TEST(AppendSnapshot, CutsAnIncompleteFrameOff) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
-  OutputFile file("/dev/full");
-  EXPECT_THROW(append_snapshot(file, World(), Time(0)), RunFailure);
+  TextTrajectory file("/dev/full", append_extended_xyz, false);
+  EXPECT_THROW(file.append(snapshot_of(World(), Time(0)), 0), RunFailure);
 }
 
 TEST(ReadSnapshot, LosesNoBit) {
@@ -148,12 +146,6 @@ TEST(ReadSnapshot, UnderstandsWhatOtherProgramsWrite) {
   EXPECT_EQ(snapshot.spheres[0].position, (Vec3{1.5, 2, 3}));
 }
 
-TEST(ReadSnapshot, RefusesAFileThatIsMissing) {
-  const ScratchFolder folder;
-  EXPECT_THROW(read_snapshot(folder / "missing.xyz"), Error);
-  EXPECT_THROW(read_snapshot(folder.path()), Error);
-}
-
 struct BadFile {
   std::string name;
   std::string text;
@@ -189,6 +181,28 @@ TEST(ExtendedXyz, KeepsSpeciesSpinsMomentsAndInfiniteMasses) {
   EXPECT_EQ(snapshot.spheres[1].species, 0);
   EXPECT_EQ(snapshot.spheres[1].spin, (Vec3{0.1, -2, 1e-7}));
   EXPECT_EQ(snapshot.spheres[1].moment, 1.0 / 3);
+}
+
+TEST(ExtendedXyz, KeepsIdsImagesAndTheBox) {
+  World world(Box({Boundary::periodic, Boundary::open, Boundary::wall}, {10, 0, 30}));
+  world.add({.position = {1, -2, 3}, .velocity = {-7, 1, 0}, .radius = 0.5});
+  world.add({.position = {5, 7, 3}, .velocity = {2, 1, 0}, .radius = 1});
+  world.remove(0);
+  const Snapshot written = snapshot_of(world, Time(8));
+  const Snapshot read = parse(frame_of(world, 8));
+  EXPECT_EQ(read.ids, (std::vector<std::int64_t>{1}));
+  EXPECT_EQ(read.images, written.images);
+  EXPECT_EQ(read.image(0)[0], 2);
+  EXPECT_EQ(read.box, written.box);
+  EXPECT_TRUE(read.box->is_unbounded);
+}
+
+TEST(ExtendedXyz, SaysThatDiscsAreDiscs) {
+  World world(Box::flat_walls(5, 4));
+  world.add({.position = {1, 2, 0}, .radius = 0.5});
+  const Snapshot read = parse(frame_of(world, 0));
+  EXPECT_TRUE(read.box->is_flat);
+  EXPECT_EQ(read.box->size, (Vec3{5, 4, 1}));
 }
 
 TEST(ExtendedXyz, TakesOtherTypesForNoSpecies) {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "hardball/io/extended_xyz.hpp"
+#include "hardball/io/trajectory.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/world/audit.hpp"
@@ -80,11 +80,13 @@ TEST(FlatScenario, WritesAndReadsSnapshotsOfALayer) {
   const World world = world_of(std::string(kSquare) +
                                "[[spheres]]\nradius = 0.5\npositions = [[1, 2]]\nvelocities = [[3, 4]]\n");
   {
-    OutputFile file(folder / "discs.xyz");
-    append_snapshot(file, world, Time(0));
+    Trajectory file(folder / "discs.xyz");
+    file.append(world, Time(0));
   }
   const std::string text = support::read_text(folder / "discs.xyz");
-  EXPECT_NE(text.find("Lattice=\"20 0 0 0 30 0 0 0 1\" Origin=\"0 0 -0.5\" pbc=\"T F F\""), std::string::npos)
+  EXPECT_NE(
+      text.find("Lattice=\"20 0 0 0 30 0 0 0 1\" Origin=\"0 0 -0.5\" pbc=\"T F F\" dimensions=2 Time=0 "),
+      std::string::npos)
       << text;
   const Snapshot snapshot = read_snapshot(folder / "discs.xyz");
   EXPECT_EQ(snapshot.spheres.at(0).position, (Vec3{1, 2, 0}));

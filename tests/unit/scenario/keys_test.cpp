@@ -169,6 +169,9 @@ void read(const Value& value, ValueType type) {
     case ValueType::choices:
       for (const Value& entry : value.entries("")) entry.choice();
       return;
+    case ValueType::some:
+      for (const Value& entry : value.some()) entry.choice();
+      return;
     case ValueType::vector:
       value.vector(3);
       return;

@@ -278,6 +278,35 @@ TEST(MakeWorld, ReadsTheStartFile) {
   EXPECT_EQ(world.path(1).velocity, (Vec3{0.5, 0, 0}));
 }
 
+TEST(MakeWorld, GivesTheSpheresOfAFileWithoutVelocitiesThoseOfTheScenario) {
+  const ScratchFolder folder;
+  write_text(folder / "start.sph", "3\n10 10 10\na 1 2 3 0.5\nb 4 -5 16 0.25\nc 7 8 9 0.5\n");
+  Scenario scenario = make_scenario(Boundary::periodic, 10);
+  scenario.start_file = folder / "start.sph";
+  EXPECT_TRUE(contains(error_of(scenario), "no velocities")) << error_of(scenario);
+  scenario.start_velocity_rule = VelocityRule::temperature;
+  scenario.start_velocity_scale = 2;
+  const World world = make_world(scenario);
+  ASSERT_EQ(world.size(), 3U);
+  EXPECT_EQ(world.path(1).position, (Vec3{4, 5, 6}));
+  EXPECT_EQ(world.radius(1), 0.25);
+  EXPECT_EQ(world.species(2), 2);
+  EXPECT_NEAR(world.kinetic_energy(Time(0)), 3 * 3 * 2 / 2.0, 1e-12);
+  EXPECT_NEAR(length(world.momentum(Time(0))), 0, 1e-12);
+  scenario.start_velocity_scale = 0;
+  EXPECT_EQ(make_world(scenario).path(0).velocity, Vec3{});
+}
+
+TEST(MakeWorld, RefusesTwoSourcesOfVelocities) {
+  const ScratchFolder folder;
+  write_text(folder / "start.csv", "x,y,z,vx,vy,vz,diameter\n1,2,3,4,5,6,0.5\n");
+  Scenario scenario = make_scenario(Boundary::periodic, 10);
+  scenario.start_file = folder / "start.csv";
+  EXPECT_EQ(make_world(scenario).radius(0), 0.25);
+  scenario.start_velocity_rule = VelocityRule::mean_speed;
+  EXPECT_TRUE(contains(error_of(scenario), "has velocities")) << error_of(scenario);
+}
+
 TEST(MakeWorld, NamesTheLineOfABadSphereInTheStartFile) {
   const ScratchFolder folder;
   write_text(folder / "start.xyz",

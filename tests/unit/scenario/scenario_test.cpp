@@ -150,7 +150,8 @@ TEST(ParseScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.until, 12);
   EXPECT_EQ(scenario.seed, 7U);
   EXPECT_EQ(scenario.output_directory, "out");
-  EXPECT_EQ(scenario.snapshots_every, 0.5);
+  EXPECT_EQ(scenario.snapshots.time(3), 1.5);
+  EXPECT_EQ(scenario.trajectories, std::vector{SnapshotFormat::extended_xyz});
   EXPECT_TRUE(scenario.event_log);
   EXPECT_FALSE(scenario.report);
   EXPECT_TRUE(scenario.recording);
@@ -181,7 +182,8 @@ TEST(ParseScenario, HasDefaults) {
   EXPECT_FALSE(scenario.until);
   EXPECT_EQ(scenario.seed, 1U);
   EXPECT_FALSE(scenario.output_directory);
-  EXPECT_FALSE(scenario.snapshots_every);
+  EXPECT_TRUE(scenario.snapshots.is_never());
+  EXPECT_TRUE(scenario.trajectories.empty());
   EXPECT_FALSE(scenario.event_log);
   EXPECT_TRUE(scenario.report);
   EXPECT_FALSE(scenario.recording);
@@ -189,6 +191,20 @@ TEST(ParseScenario, HasDefaults) {
   EXPECT_FALSE(scenario.measures.every);
   EXPECT_EQ(scenario.measures.from, 0);
   EXPECT_FALSE(scenario.start_file);
+}
+
+TEST(ParseScenario, SamplesInTimeInItsLogarithmAndByContacts) {
+  const Scenario logarithmic =
+      parse(kLeast, {"output.snapshots_per_decade=2", "output.first_snapshot=0.5", "output.trajectory=gsd"});
+  EXPECT_EQ(logarithmic.snapshots.time(0), 0);
+  EXPECT_EQ(logarithmic.snapshots.time(1), 0.5);
+  EXPECT_EQ(logarithmic.snapshots.time(3), 5);
+  EXPECT_EQ(logarithmic.trajectories, std::vector{SnapshotFormat::gsd});
+  const Scenario by_contacts = parse(
+      kLeast, {"output.snapshots_every_contacts=100", R"(output.trajectory=["vtp", "xyz.zst", "lammps"])"});
+  EXPECT_EQ(by_contacts.snapshots.contacts(2), 200U);
+  EXPECT_EQ(by_contacts.trajectories,
+            (std::vector{SnapshotFormat::vtp, SnapshotFormat::extended_xyz_zst, SnapshotFormat::lammps}));
 }
 
 TEST(ParseScenario, KeepsTheTextWithoutOverrides) {

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// The part of space that a snapshot shows.
+struct SnapshotBox {
+  Vec3 low;   ///< The corner with the least coordinates [L].
+  Vec3 size;  ///< Edge lengths [L].
+  std::array<bool, kAxes> is_periodic{};
+  bool is_unbounded = false;  ///< Along some axis it only spans the spheres.
+  bool is_flat = false;       ///< It is a plane, and the spheres are discs.
+
+  friend bool operator==(const SnapshotBox&, const SnapshotBox&) = default;
+};
+
+/// The spheres at one moment: what a frame of a trajectory holds, whatever its format.
+struct Snapshot {
+  std::vector<Sphere> spheres;     ///< By ascending id, if they have ids.
+  std::vector<std::int64_t> ids;   ///< Of the spheres; none if the file has none.
+  std::vector<Image> images;       ///< By how many boxes each was folded back; none if the file has none.
+  std::vector<std::size_t> lines;  ///< Where each sphere is in a text file; none otherwise.
+  std::optional<double> time;      ///< [T]
+  std::optional<SnapshotBox> box;
+  bool has_velocities = true;
+  bool has_spins = false;
+
+  std::int64_t id(std::size_t sphere) const {
+    return ids.empty() ? static_cast<std::int64_t>(sphere) : ids[sphere];
+  }
+  Image image(std::size_t sphere) const { return images.empty() ? Image{} : images[sphere]; }
+  /// The place of a sphere in the file of this name, for messages.
+  std::string place(const std::string& name, std::size_t sphere) const;
+};
+
+/// The spheres of a world at `moment`, centres folded into a periodic box. Along open axes the box spans the
+/// spheres; in two dimensions it is as thick as they are. The world is not changed. Precondition: no contact
+/// lies between the stored paths and `moment`. Cost: O(n).
+Snapshot snapshot_of(const World& world, const Time& moment);
+
+/// The snapshot's box or, if it has none, one without bounds that spans its spheres. Cost: O(n).
+SnapshotBox box_of(const Snapshot& snapshot);
+
+/// Sorts the spheres by id. Error, at its place in the file of this name: an id occurs twice.
+void sort_by_id(Snapshot& snapshot, const std::string& name);
+
+/// Error, with its place in the file of this name: a number is NaN or infinite, but for a mass; a radius or
+/// mass is not positive.
+void check_numbers(const Snapshot& snapshot, const std::string& name);
+
+}  // namespace hardball

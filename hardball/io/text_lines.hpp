@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <istream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hardball {
+
+/// A location in the text being read, for messages.
+struct TextPlace {
+  std::string name;
+  std::size_t line = 0;  ///< From 1 on; zero stands for the file as a whole.
+
+  std::string text() const;
+  std::string text(std::size_t offset) const;
+};
+
+/// A token of a line and its offset.
+struct Token {
+  std::string_view text;
+  std::size_t offset = 0;
+};
+
+/// What separates the tokens of a line.
+inline constexpr std::string_view kBlanks = " \t\r";
+
+/// The next token from `offset` on; empty at the end of the line.
+Token next_token(std::string_view line, std::size_t offset);
+
+/// All tokens of a line.
+std::vector<Token> tokens_of(std::string_view line);
+
+/// Whether a text is a number, which it then becomes.
+template <class Number>
+bool parse(std::string_view text, Number& number) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return status == std::errc() && end == text.data() + text.size();
+}
+
+/// The token as a finite number, named in messages. Error, at its place: it is none.
+double parse_real(const Token& token, std::string_view name, const TextPlace& place);
+/// The same of an integer.
+std::int64_t parse_integer(const Token& token, std::string_view name, const TextPlace& place);
+/// The same of a mass, which may be "inf".
+double parse_mass(const Token& token, const TextPlace& place);
+/// The species of a type: types count from one; beyond what species there may be, they mean something else.
+std::uint8_t species_of_type(std::int64_t type);
+
+/// Reads a text line by line, counting lines, in bounded memory.
+class Lines {
+ public:
+  /// `name` stands for the text in messages.
+  Lines(std::unique_ptr<std::istream> in, std::string name);
+
+  /// Reads the next line; false at the end. Error: a line is longer than a megabyte.
+  bool next();
+  /// Reads on to a line that is not blank; false at the end.
+  bool next_text();
+  bool is_blank() const { return line_.find_first_not_of(kBlanks) == std::string_view::npos; }
+  std::string_view line() const { return line_; }
+  std::size_t number() const { return number_; }
+  TextPlace place() const { return {name_, number_}; }
+  const std::string& name() const { return name_; }
+
+ private:
+  std::unique_ptr<std::istream> in_;
+  std::string name_;
+  std::unique_ptr<char[]> buffer_;
+  std::string_view line_;
+  std::size_t number_ = 0;
+};
+
+/// Opens a text from its start.
+using OpenText = std::function<std::unique_ptr<std::istream>()>;
+
+}  // namespace hardball

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/io/trajectory.hpp"
+
+#include <system_error>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/io/extended_xyz_writer.hpp"
+#include "hardball/io/gsd_trajectory.hpp"
+#include "hardball/io/lammps_dump.hpp"
+#include "hardball/io/npy_snapshot.hpp"
+#include "hardball/io/sph.hpp"
+#include "hardball/io/sphere_csv.hpp"
+#include "hardball/io/text_trajectory.hpp"
+#include "hardball/io/vtp_trajectory.hpp"
+
+namespace hardball {
+namespace {
+
+std::unique_ptr<FrameWriter> make_writer(const std::filesystem::path& path, SnapshotFormat format,
+                                         const std::optional<TrajectoryPosition>& position) {
+  std::optional<std::uint64_t> frames;
+  std::optional<std::uint64_t> bytes;
+  if (position) {
+    frames = position->frames;
+    bytes = position->bytes;
+  }
+  const auto text = [&](AppendFrame append_frame, bool is_compressed = false) {
+    return std::make_unique<TextTrajectory>(path, append_frame, is_compressed, bytes);
+  };
+  switch (format) {
+    case SnapshotFormat::extended_xyz:
+      return text(append_extended_xyz);
+    case SnapshotFormat::extended_xyz_zst:
+      return text(append_extended_xyz, true);
+    case SnapshotFormat::gsd:
+      return std::make_unique<GsdTrajectory>(path, frames);
+    case SnapshotFormat::lammps:
+      return text(append_lammps_dump);
+    case SnapshotFormat::vtp:
+      return std::make_unique<VtpTrajectory>(path, frames);
+    case SnapshotFormat::csv:
+      return text(append_csv);
+    case SnapshotFormat::npy:
+      return text(append_npy);
+    case SnapshotFormat::sph:
+      return text(append_sph);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Trajectory::Trajectory(const std::filesystem::path& path)
+    : format_(format_of(path)), writer_(make_writer(path, format_, {})) {}
+
+Trajectory::Trajectory(const std::filesystem::path& path, const TrajectoryPosition& position)
+    : frames_(position.frames), format_(format_of(path)), writer_(make_writer(path, format_, position)) {}
+
+void Trajectory::append(const World& world, const Time& moment) {
+  append(snapshot_of(world, moment));
+}
+
+void Trajectory::append(const Snapshot& snapshot) {
+  HARDBALL_CHECK(frames_ == 0 || !has_single_frame(format_));
+  writer_->append(snapshot, frames_);
+  ++frames_;
+}
+
+void Trajectory::flush() {
+  writer_->flush();
+}
+
+void Trajectory::close() {
+  writer_->close();
+}
+
+TrajectoryPosition Trajectory::position() {
+  writer_->sync();
+  return {frames_, writer_->bytes()};
+}
+
+void Trajectory::remove(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (format_of(path) == SnapshotFormat::vtp) {
+    VtpTrajectory::remove(path);
+  } else {
+    std::filesystem::remove(path, ignored);
+  }
+}
+
+}  // namespace hardball

@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/io/trajectory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/io/gsd_file.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace hardball {
+namespace {
+
+using support::read_text;
+using support::ScratchFolder;
+using support::write_text;
+
+// Spheres with numbers that take all digits, in a box with all boundaries.
+World motley_world() {
+  World world(Box({Boundary::periodic, Boundary::wall, Boundary::open}, {10, 7, 0}));
+  world.add({.position = {9.1, 3.3, -1.0 / 3},
+             .velocity = {0.1 + 0.2, 1e-60, -2.0 / 3},
+             .radius = 1.0 / 7,
+             .mass = std::numeric_limits<double>::infinity(),
+             .species = 2});
+  world.add({.position = {1, 2, 3}, .radius = 0.25});
+  world.add({.position = {0.7, 5.5, 12.3}, .velocity = {-3, 0.3, 1e9 / 7}, .radius = 0.1, .mass = 1e-3});
+  world.add({.position = {5, 5, 5},
+             .velocity = {1, 0, 0},
+             .radius = 0.5,
+             .spin = {0.1, -2, 1e-7},
+             .moment = 1.0 / 3});
+  world.remove(1);
+  return world;
+}
+
+void expect_same(const Snapshot& read, const Snapshot& written, SnapshotFormat format) {
+  ASSERT_EQ(read.spheres.size(), written.spheres.size());
+  const bool is_sph = format == SnapshotFormat::sph;
+  for (std::size_t i = 0; i < read.spheres.size(); ++i) {
+    const Sphere& sphere = read.spheres[i];
+    const Sphere& expected = written.spheres[i];
+    EXPECT_EQ(sphere.radius, expected.radius);
+    EXPECT_EQ(sphere.species, expected.species);
+    // These files have nothing else, and unfolded centres.
+    if (is_sph) continue;
+    EXPECT_EQ(sphere.position, expected.position);
+    EXPECT_EQ(sphere.velocity, expected.velocity);
+    EXPECT_EQ(sphere.mass, expected.mass);
+    EXPECT_EQ(sphere.spin, expected.spin);
+    EXPECT_EQ(sphere.moment, expected.moment);
+  }
+  EXPECT_EQ(read.has_velocities, !is_sph);
+  if (is_sph) return;
+  EXPECT_EQ(read.has_spins, written.has_spins);
+  EXPECT_EQ(read.ids, written.ids);
+  EXPECT_EQ(read.images, written.images);
+  const bool has_time = format == SnapshotFormat::extended_xyz ||
+                        format == SnapshotFormat::extended_xyz_zst || format == SnapshotFormat::gsd;
+  if (has_time) {
+    EXPECT_EQ(read.time, written.time);
+    EXPECT_EQ(read.box, written.box);
+  }
+}
+
+class EveryFormat : public testing::TestWithParam<std::string> {
+ protected:
+  std::filesystem::path path() const { return folder_ / ("file" + GetParam()); }
+  SnapshotFormat format() const { return format_of(path()); }
+  bool is_read() const { return format() != SnapshotFormat::vtp; }
+
+  ScratchFolder folder_;
+};
+
+TEST_P(EveryFormat, KeepsEveryBit) {
+  if (!is_read()) GTEST_SKIP() << "only written";
+  const World world = motley_world();
+  const std::size_t frames = has_single_frame(format()) ? 1 : 40;
+  Trajectory trajectory(path());
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    trajectory.append(world, Time(0.3 * static_cast<double>(frame)));
+  }
+  // It is complete before it is closed.
+  const std::unique_ptr<SnapshotReader> reader = open_snapshots(path());
+  ASSERT_EQ(reader->frames(), frames);
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    SCOPED_TRACE(frame);
+    expect_same(reader->read(frame), snapshot_of(world, Time(0.3 * static_cast<double>(frame))), format());
+  }
+  expect_same(reader->read(0), snapshot_of(world, Time(0)), format());
+}
+
+TEST_P(EveryFormat, KeepsFramesOfChangingSpheres) {
+  if (!is_read() || has_single_frame(format())) GTEST_SKIP() << "only written, or has a single frame";
+  World world(Box::periodic({10, 10, 10}));
+  for (int i = 0; i < 5; ++i) world.add({.position = {i + 0.5, 1, 1}, .radius = 0.125});
+  std::vector<Snapshot> written;
+  Trajectory trajectory(path());
+  const auto append = [&] {
+    written.push_back(snapshot_of(world, Time(static_cast<double>(written.size()))));
+    trajectory.append(written.back());
+  };
+  append();
+  world.reshape(1, 0.25, 2, 0.4);
+  append();
+  world.remove(3);
+  append();
+  world.store_spin(0, {1, 2, 3});
+  append();
+  for (const SphereId id : {0U, 1U, 2U, 4U}) world.remove(id);
+  append();
+  trajectory.close();
+  const std::unique_ptr<SnapshotReader> reader = open_snapshots(path());
+  ASSERT_EQ(reader->frames(), written.size());
+  for (std::size_t frame = 0; frame + 1 < written.size(); ++frame) {
+    SCOPED_TRACE(frame);
+    expect_same(reader->read(frame), written[frame], format());
+  }
+  EXPECT_TRUE(reader->read(written.size() - 1).spheres.empty());
+}
+
+TEST_P(EveryFormat, GoesOnFromAPosition) {
+  if (has_single_frame(format())) GTEST_SKIP() << "has a single frame";
+  const World world = motley_world();
+  const std::size_t frames = 30;
+  const auto append = [&](Trajectory& trajectory, std::size_t frame) {
+    trajectory.append(world, Time(0.3 * static_cast<double>(frame)));
+  };
+  const std::filesystem::path undisturbed = folder_ / ("undisturbed" + GetParam());
+  Trajectory whole(undisturbed);
+  for (std::size_t frame = 0; frame < frames; ++frame) append(whole, frame);
+  whole.close();
+  for (const std::size_t cut : {0U, 1U, 7U, 29U, 30U}) {
+    SCOPED_TRACE(cut);
+    TrajectoryPosition position;
+    {
+      Trajectory first(path());
+      for (std::size_t frame = 0; frame < frames; ++frame) {
+        if (frame == cut) position = first.position();
+        append(first, frame);
+      }
+      if (cut == frames) position = first.position();
+      // Killed: not closed.
+    }
+    EXPECT_EQ(position.frames, cut);
+    Trajectory second(path(), position);
+    EXPECT_EQ(second.position(), position);
+    if (is_read() && cut > 0) EXPECT_EQ(open_snapshots(path())->frames(), cut);
+    for (std::size_t frame = cut; frame < frames; ++frame) append(second, frame);
+    second.close();
+    if (format() == SnapshotFormat::vtp) {
+      const auto text = [&](const std::string& name) {
+        return read_text(folder_ / (name + "/00000029.vtp"));
+      };
+      EXPECT_EQ(text("file"), text("undisturbed"));
+      std::string index = read_text(path());
+      for (std::size_t at = 0; (at = index.find("file/", at)) != std::string::npos;)
+        index.replace(at, 5, "undisturbed/");
+      EXPECT_EQ(index, read_text(undisturbed));
+    } else if (format() == SnapshotFormat::gsd) {
+      // Its index may lie elsewhere.
+      const std::unique_ptr<SnapshotReader> reader = open_snapshots(path());
+      ASSERT_EQ(reader->frames(), frames);
+      for (std::size_t frame = 0; frame < frames; ++frame)
+        expect_same(reader->read(frame), snapshot_of(world, Time(0.3 * static_cast<double>(frame))),
+                    format());
+      EXPECT_EQ(gsd::File(path()).entries().size(), gsd::File(undisturbed).entries().size());
+    } else {
+      EXPECT_EQ(read_text(path()), read_text(undisturbed));
+    }
+  }
+}
+
+TEST_P(EveryFormat, RefusesAPositionBeyondItsEnd) {
+  if (has_single_frame(format())) GTEST_SKIP() << "has a single frame";
+  TrajectoryPosition position;
+  {
+    Trajectory trajectory(path());
+    trajectory.append(motley_world(), Time(0));
+    position = trajectory.position();
+  }
+  EXPECT_THROW(Trajectory(path(), {position.frames + 1, position.bytes + 1}), Error);
+  Trajectory::remove(path());
+  EXPECT_FALSE(std::filesystem::exists(path()));
+  EXPECT_THROW(Trajectory(path(), position), Error);
+}
+
+TEST_P(EveryFormat, IsRemovedWhole) {
+  {
+    Trajectory trajectory(path());
+    trajectory.append(motley_world(), Time(0));
+    trajectory.close();
+  }
+  Trajectory::remove(path());
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+  Trajectory::remove(path());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryFormat,
+                         testing::Values(".xyz", ".xyz.zst", ".gsd", ".lammpstrj", ".pvd", ".csv", ".npy",
+                                         ".sph"),
+                         [](const testing::TestParamInfo<std::string>& test) {
+                           std::string name;
+                           for (const char c : test.param)
+                             if (c != '.') name += c;
+                           return name;
+                         });
+
+TEST(Trajectory, ReplacesAnEarlierOneAndLeavesOtherFilesAlone) {
+  const ScratchFolder folder;
+  for (const int frames : {3, 1}) {
+    Trajectory trajectory(folder / "run.pvd");
+    for (int i = 0; i < frames; ++i) trajectory.append(motley_world(), Time(0));
+    if (frames == 3) write_text(folder / "run/notes.txt", "mine");
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder / "run/00000000.vtp"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "run/00000001.vtp"));
+  EXPECT_EQ(read_text(folder / "run/notes.txt"), "mine");
+}
+
+TEST(Trajectory, RemovesNoFramesThatItHasNotListed) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder / "run");
+  write_text(folder / "run/00000000.vtp", "mine");
+  Trajectory::remove(folder / "run.pvd");
+  EXPECT_EQ(read_text(folder / "run/00000000.vtp"), "mine");
+}
+
+TEST(Trajectory, NeedsANameThatSaysItsFormat) {
+  EXPECT_THROW(Trajectory("trajectory.dcd"), Error);
+  EXPECT_THROW(Trajectory("trajectory"), Error);
+}
+
+TEST(Trajectory, KeepsSpheresWithinTheBoxInSinglePrecision) {
+  const ScratchFolder folder;
+  World world(Box::periodic({10, 10, 10}));
+  world.add({.position = {std::nextafter(10.0, 0.0), 0, 5}, .radius = 0.5});
+  Trajectory trajectory(folder / "run.gsd");
+  trajectory.append(world, Time(0));
+  gsd::File file(folder / "run.gsd");
+  const std::string bytes = file.read(*file.find(0, "particles/position"));
+  const auto coordinate = [&](std::size_t axis) {
+    return std::bit_cast<float>(read_little_endian<std::uint32_t>(&bytes[4 * axis]));
+  };
+  EXPECT_LT(coordinate(0), 5.0F);
+  EXPECT_GT(coordinate(0), 4.9999F);
+  EXPECT_EQ(coordinate(1), -5.0F);
+  EXPECT_EQ(coordinate(2), 0.0F);
+}
+
+TEST(Trajectory, ReadsSinglePrecisionWhereThereIsNoOther) {
+  const ScratchFolder folder;
+  World world(Box::periodic({10, 8, 6}));
+  world.add({.position = {1, 2, 3}, .velocity = {0.5, 0, -1}, .radius = 0.25, .mass = 3});
+  {
+    Trajectory trajectory(folder / "run.gsd");
+    trajectory.append(world, Time(0));
+  }
+  // Hides the exact chunks.
+  std::string bytes = read_text(folder / "run.gsd");
+  for (std::size_t at = 0; (at = bytes.find("log/", at)) != std::string::npos;) bytes.replace(at, 4, "bog/");
+  write_text(folder / "run.gsd", bytes);
+  const Snapshot snapshot = read_snapshot(folder / "run.gsd");
+  ASSERT_EQ(snapshot.spheres.size(), 1U);
+  EXPECT_EQ(snapshot.spheres[0].position, (Vec3{1, 2, 3}));
+  EXPECT_EQ(snapshot.spheres[0].velocity, (Vec3{0.5, 0, -1}));
+  EXPECT_EQ(snapshot.spheres[0].radius, 0.25);
+  EXPECT_EQ(snapshot.spheres[0].mass, 3);
+  EXPECT_FALSE(snapshot.time);
+  EXPECT_EQ(snapshot.box->size, (Vec3{10, 8, 6}));
+}
+
+}  // namespace
+}  // namespace hardball
