@@ -19,6 +19,8 @@ ExitCode resume(const Options& options);
 ExitCode verify(const Options& options);
 ExitCode check(const Options& options);
 ExitCode tune(const Options& options);
+ExitCode convert(const Options& options);
+ExitCode info(const Options& options);
 ExitCode view(const Options& options);
 ExitCode replay(const Options& options);
 

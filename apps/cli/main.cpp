@@ -143,6 +143,20 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   add_unit_costs_option(*tune_command, options);
   tune_command->add_option("--out", options.out, "Directory for the table and its figure")
       ->type_name("DIRECTORY");
+  CLI::App* convert_command = app.add_subcommand("convert", "Write the frames of a file in another format");
+  convert_command->add_option("IN", options.in, "File with frames: its name says in what format")
+      ->required()
+      ->type_name("FILE");
+  convert_command->add_option("OUT", options.out, "File to write: likewise")->required()->type_name("FILE");
+  convert_command
+      ->add_option("--frame", options.frame, "Number of the only frame to write, from 0, instead of all")
+      ->type_name("NUMBER");
+  convert_command->allow_extras();
+  CLI::App* info_command = app.add_subcommand("info", "Say what files hold");
+  info_command->add_option("FILE", options.files, "Files with frames, recordings or event logs")
+      ->required()
+      ->type_name("FILE");
+  info_command->allow_extras();
 #if HARDBALL_VIEWER
   CLI::App* view_command =
       add_showing_command(app, options, "view", "Show a run in the browser, live or recorded");
@@ -177,6 +191,8 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   if (*verify_command) return verify(options);
   if (*check_command) return check(options);
   if (*tune_command) return tune(options);
+  if (*convert_command) return convert(options);
+  if (*info_command) return info(options);
 #if HARDBALL_VIEWER
   if (*view_command) return view(options);
   if (*replay_command) return replay(options);

@@ -11,6 +11,8 @@ namespace hardball::cli {
 /// The command line as written; not every command has every option.
 struct Options {
   std::string scenario;                ///< Or the output directory of a run.
+  std::string in;                      ///< A file with frames.
+  std::vector<std::string> files;      ///< With snapshots, recordings or event logs.
   std::vector<std::string> overrides;  ///< Of the form key=value.
   std::optional<std::string> until;
   std::optional<std::string> seed;
@@ -21,6 +23,7 @@ struct Options {
   std::string instructions = "auto";
   std::optional<std::string> out;
   std::optional<std::string> checkpoint;  ///< Relative to the output directory.
+  std::optional<std::string> frame;
   std::optional<std::string> port;
   std::optional<std::string> recording_limit;
   std::string shell;

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// The commands convert and info.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "cli/program.hpp"
+
+namespace hardball {
+namespace {
+
+using support::Outcome;
+using support::read_text;
+using support::run_program;
+using support::write_text;
+
+class Convert : public testing::Test {
+ protected:
+  Convert() {
+    write_text(folder_ / "gas.toml", support::kSmallGas +
+                                         "[output]\ndirectory = 'out'\nsnapshots_every = 1\n"
+                                         "trajectory = ['xyz', 'xyz.zst', 'gsd', 'lammps', 'vtp']\n"
+                                         "event_log = true\nrecording = true\n");
+    EXPECT_EQ(run_program(folder_, {"run", "gas.toml", "--quiet"}).exit_code, 0);
+  }
+
+  Outcome convert(const std::string& in, const std::string& out, const support::Arguments& more = {}) {
+    support::Arguments arguments{"convert", in, out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(folder_, arguments);
+  }
+  std::string text(const std::string& name) { return read_text(folder_ / name); }
+
+  support::ScratchFolder folder_;
+};
+
+TEST_F(Convert, WritesWhatARunWrites) {
+  for (const std::string in : {"out/trajectory.xyz", "out/trajectory.xyz.zst", "out/trajectory.gsd"}) {
+    for (const std::string ending : {"xyz", "xyz.zst", "gsd", "lammpstrj"}) {
+      const Outcome outcome = convert(in, "a." + ending);
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+      EXPECT_NE(outcome.output.find("6 frames"), std::string::npos) << outcome.output;
+      EXPECT_EQ(text("a." + ending), text("out/trajectory." + ending)) << in << " to " << ending;
+    }
+    EXPECT_EQ(convert(in, "trajectory.pvd").exit_code, 0);
+    EXPECT_EQ(text("trajectory.pvd"), text("out/trajectory.pvd"));
+    EXPECT_EQ(text("trajectory/00000005.vtp"), text("out/trajectory/00000005.vtp"));
+  }
+}
+
+TEST_F(Convert, TakesTheLastFrameForATableAndAnyThatIsAskedFor) {
+  EXPECT_EQ(convert("out/trajectory.gsd", "last.csv").exit_code, 0);
+  EXPECT_EQ(convert("out/trajectory.gsd", "fifth.csv", {"--frame", "5"}).exit_code, 0);
+  EXPECT_EQ(convert("out/trajectory.gsd", "first.csv", {"--frame", "0"}).exit_code, 0);
+  EXPECT_EQ(text("last.csv"), text("fifth.csv"));
+  EXPECT_NE(text("last.csv"), text("first.csv"));
+  EXPECT_EQ(convert("out/trajectory.xyz", "one.xyz", {"--frame", "0"}).exit_code, 0);
+  EXPECT_TRUE(text("out/trajectory.xyz").starts_with(text("one.xyz")));
+}
+
+TEST_F(Convert, SaysThatVelocitiesAreMissing) {
+  const Outcome outcome = convert("out/trajectory.xyz", "a.sph");
+  EXPECT_EQ(outcome.messages, "");
+  const Outcome back = convert("a.sph", "b.xyz");
+  EXPECT_EQ(back.exit_code, 0);
+  EXPECT_NE(back.messages.find("no velocities"), std::string::npos) << back.messages;
+}
+
+void expect_refusal(const Outcome& outcome, const std::string& fragment) {
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.messages.find(fragment), std::string::npos) << outcome.messages;
+}
+
+TEST_F(Convert, RefusesWhatItCannotDo) {
+  const std::string before = text("out/trajectory.xyz");
+  expect_refusal(convert("out/trajectory.xyz", "out/trajectory.xyz"), "would overwrite");
+  expect_refusal(convert("out/trajectory.xyz", "a.dcd"), "a.dcd: its name does not say");
+  expect_refusal(convert("out/trajectory.pvd", "a.xyz"), "only written");
+  expect_refusal(convert("out/trajectory.xyz", "a.xyz", {"--frame", "6"}), "--frame: there is no frame 6");
+  expect_refusal(convert("out/trajectory.xyz", "a.xyz", {"--frame", "last"}), "--frame: 'last'");
+  expect_refusal(convert("missing.xyz", "a.xyz"), "missing.xyz: the file cannot be read");
+  expect_refusal(convert("out/events.npy", "a.xyz"), "out/events.npy: there is no column 'x'");
+  expect_refusal(convert("out/trajectory.xyz", "nowhere/a.xyz"), "nowhere/a.xyz: cannot be written");
+  // A frame in the middle that is damaged: nothing is left.
+  write_text(folder_ / "damaged.xyz", before + "1\nProperties=pos:R:3:velo:R:3:radius:R:1\n1 2 3 4 5 6 x\n");
+  expect_refusal(convert("damaged.xyz", "a.gsd"), "damaged.xyz:");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.gsd"));
+  EXPECT_EQ(text("out/trajectory.xyz"), before);
+}
+
+TEST_F(Convert, TellsWhatFilesHold) {
+  const Outcome outcome = run_program(folder_, {"info", "out/trajectory.gsd", "out/trajectory.lammpstrj",
+                                                "out/events.npy", "out/recording.hbr"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+  for (const char* fragment :
+       {"out/trajectory.gsd: GSD, schema hoomd, ", "  frames    6\n", "  spheres   20\n",
+        "  time      0 to 5\n", "  box       10 x 10 x 10, not periodic\n",
+        "  contents  positions, radii, velocities, ids, images\n", "out/trajectory.lammpstrj: LAMMPS dump, ",
+        "out/events.npy: event log, ", "out/recording.hbr: recording of gas, ", "  contacts  "}) {
+    EXPECT_NE(outcome.output.find(fragment), std::string::npos) << fragment << " in\n" << outcome.output;
+  }
+  expect_refusal(run_program(folder_, {"info", "gas.toml"}), "gas.toml: its name does not say");
+  expect_refusal(run_program(folder_, {"info"}), "FILE is required");
+}
+
+}  // namespace
+}  // namespace hardball
