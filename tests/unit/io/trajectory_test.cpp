@@ -152,7 +152,9 @@ TEST_P(EveryFormat, GoesOnFromAPosition) {
     EXPECT_EQ(position.frames, cut);
     Trajectory second(path(), position);
     EXPECT_EQ(second.position(), position);
-    if (is_read() && cut > 0) EXPECT_EQ(open_snapshots(path())->frames(), cut);
+    if (is_read() && cut > 0) {
+      EXPECT_EQ(open_snapshots(path())->frames(), cut);
+    }
     for (std::size_t frame = cut; frame < frames; ++frame) append(second, frame);
     second.close();
     if (format() == SnapshotFormat::vtp) {
