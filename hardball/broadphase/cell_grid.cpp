@@ -63,7 +63,8 @@ void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) 
     const double steps = cells_.edge(axis) * copies.steps_per_length()[axis];
     suits_single_precision_ &=
         largest_radius(world) <= kLargestInEdges * cells_.edge(axis) && steps >= kFewestSteps;
-    steps_of_cell_[axis] = static_cast<std::uint64_t>(std::ldexp(steps, 32));
+    // More are those of an axis without extent, which no crossing has.
+    steps_of_cell_[axis] = static_cast<std::uint64_t>(std::ldexp(std::min(steps, 0x1p31), 32));
     margin_[axis] = static_cast<float>(cells_.reach(axis, 0) / copies.length_unit());
   }
   regions_.assign(world.size(), Region{});
