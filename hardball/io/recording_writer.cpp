@@ -134,6 +134,15 @@ RecordingWriter::State RecordingWriter::restored(std::string_view saved, const s
   return state;
 }
 
+bool RecordingWriter::State::restored() const {
+  const auto is_among_them = [this](const RecordedContact& contact) {
+    return contact.first < keyframe.size() &&
+           (contact.is_wall() || static_cast<std::size_t>(contact.second) < keyframe.size());
+  };
+  return (version == 1 || version == 2) && bodies.size() == (version > 1 ? keyframe.size() : 0) &&
+         std::ranges::all_of(contacts, is_among_them);
+}
+
 std::string RecordingWriter::save() {
   file_.sync();
   return archived(state_);

@@ -85,6 +85,7 @@ class RecordingWriter {
       archive(self.version, self.written, self.most_contacts, self.has_chunks, self.begin, self.keyframe,
               self.bodies, self.contacts);
     }
+    bool restored() const;
   };
 
   RecordingWriter(std::filesystem::path path, State state);
