@@ -40,13 +40,11 @@ NpyEventLog::NpyEventLog(std::filesystem::path path) : file_(std::move(path)) {
 }
 
 NpyEventLog::NpyEventLog(std::filesystem::path path, std::uint64_t size)
-    : file_(std::move(path), kHeaderBytes + size * kRecordBytes), size_(size) {
-  flush();
-}
+    : file_(std::move(path), kHeaderBytes + size * kRecordBytes), size_(size), counted_(size) {}
 
 NpyEventLog::~NpyEventLog() {
   try {
-    close();
+    if (size_ != counted_) close();
   } catch (const RunFailure&) {
     // The file keeps what was complete before.
   }
@@ -76,6 +74,7 @@ void NpyEventLog::flush() {
   // Records first: the header never counts records that are not there.
   file_.flush();
   file_.overwrite(0, header(size_));
+  counted_ = size_;
   file_.flush_complete();
 }
 

@@ -26,8 +26,8 @@ class NpyEventLog {
  public:
   /// Creates the file. Error: it cannot be opened for writing.
   explicit NpyEventLog(std::filesystem::path path);
-  /// Opens a file written before to go on after its first `size` records; the rest is cut off. Error: it
-  /// cannot be opened for writing, or is shorter.
+  /// Opens a file written before to go on after its first `size` records; the rest is cut off as soon as
+  /// one follows. Error: it cannot be opened for writing, or is shorter.
   NpyEventLog(std::filesystem::path path, std::uint64_t size);
 
   /// Precondition: ids are below 2^31. Error (RunFailure): the file cannot be written.
@@ -52,6 +52,7 @@ class NpyEventLog {
  private:
   OutputFile file_;
   std::uint64_t size_ = 0;
+  std::uint64_t counted_ = 0;  // by the header
 };
 
 }  // namespace hardball

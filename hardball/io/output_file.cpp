@@ -27,13 +27,13 @@ OutputFile::OutputFile(std::filesystem::path path, std::uint64_t bytes)
   open("rb+");
   std::error_code failure;
   const std::uintmax_t present = std::filesystem::file_size(path_, failure);
-  if (!failure && present >= bytes) std::filesystem::resize_file(path_, bytes, failure);
-  if (failure || present < bytes || std::fseek(file_.get(), 0, SEEK_END) != 0) {
-    throw Error(failure ? "cannot be cut back: " + failure.message()
+  if (failure || present < bytes || std::fseek(file_.get(), static_cast<long>(bytes), SEEK_SET) != 0) {
+    throw Error(failure ? "cannot be gone on with: " + failure.message()
                         : "has " + std::to_string(present) + " bytes, not the " + std::to_string(bytes) +
                               " or more that were written",
                 path_.string(), "restore the file, or start anew in another directory");
   }
+  is_too_long_ = present > bytes;
 }
 
 void OutputFile::open(const char* mode) {
@@ -58,6 +58,7 @@ void OutputFile::append(std::string_view bytes) {
 
 void OutputFile::overwrite(std::uint64_t offset, std::string_view bytes) {
   HARDBALL_CHECK(is_open() && offset + bytes.size() <= written_);
+  cut_off();
   if (std::fseek(file_.get(), static_cast<long>(offset), SEEK_SET) != 0) fail();
   write(bytes);
   if (std::fseek(file_.get(), 0, SEEK_END) != 0) fail();
@@ -65,6 +66,7 @@ void OutputFile::overwrite(std::uint64_t offset, std::string_view bytes) {
 
 void OutputFile::flush() {
   HARDBALL_CHECK(is_open());
+  cut_off();
   write(pending_);
   written_ += pending_.size();
   pending_.clear();
@@ -89,6 +91,11 @@ void OutputFile::close() {
 
 void OutputFile::write(std::string_view bytes) {
   if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) fail();
+}
+
+void OutputFile::cut_off() {
+  if (is_too_long_ && ftruncate(fileno(file_.get()), static_cast<off_t>(written_)) != 0) fail();
+  is_too_long_ = false;
 }
 
 void OutputFile::truncate() noexcept {

@@ -20,7 +20,8 @@ class OutputFile {
   /// Creates the file, or empties it if there is one. Error: it cannot be opened for writing.
   explicit OutputFile(std::filesystem::path path);
 
-  /// Opens a file written before to go on after its first `bytes`; the rest is cut off. Error: it cannot be
+  /// Opens a file written before to go on after its first `bytes`; the rest is cut off as soon as something
+  /// is written, and not before: so that several files can be opened, or none is changed. Error: it cannot be
   /// opened for writing, or is shorter.
   OutputFile(std::filesystem::path path, std::uint64_t bytes);
 
@@ -58,6 +59,7 @@ class OutputFile {
   };
 
   void open(const char* mode);
+  void cut_off();
   void write(std::string_view bytes);
   void truncate() noexcept;
   [[noreturn]] void fail();
@@ -67,6 +69,7 @@ class OutputFile {
   std::string pending_;
   std::uint64_t written_ = 0;   // bytes handed to the operating system
   std::uint64_t complete_ = 0;  // bytes of the file when last complete
+  bool is_too_long_ = false;    // the file has bytes that are to be cut off
 };
 
 }  // namespace hardball
