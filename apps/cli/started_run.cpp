@@ -8,9 +8,9 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
-#include "apps/cli/directory.hpp"
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/progress.hpp"
 #include "apps/cli/run_report.hpp"
@@ -49,9 +49,13 @@ std::uint64_t next_snapshot_contacts(const StartedRun& run) {
   return run.scenario.snapshots.contacts(run.next_snapshot);
 }
 
-// The checkpoint that is kept of a time.
+// The path of the checkpoint that is kept of a time; its folder is there on return.
 std::filesystem::path kept_checkpoint(const std::filesystem::path& directory, double time) {
-  return directory / kKeptCheckpoints / (to_text(time) + ".hbc");
+  const std::filesystem::path folder = directory / kKeptCheckpoints;
+  std::error_code failure;
+  std::filesystem::create_directory(folder, failure);
+  if (failure) throw RunFailure("cannot create " + folder.string() + ": " + failure.message());
+  return folder / (to_text(time) + ".hbc");
 }
 
 // The work of a run from where it is to its end.
@@ -98,13 +102,13 @@ class Course {
   // Until `time`, or until there have been `contacts` in all; no status if interrupted by a signal.
   std::optional<RunStatus> run_to(double time, std::uint64_t contacts) {
     while (!is_interrupted()) {
+      if (run_.files && seconds_since(last_checkpoint_) >= run_.scenario.checkpoint_every) write_current();
       const RunLimits slice{.until = Time(time),
                             .contacts = contacts - run_.simulation.counters().contacts(),
                             .steps = steps_per_slice(run_.simulation)};
       const RunStatus status = run_.simulation.run(slice, run_.measures);
       if (run_.files) run_.files->keep_current();
       progress_.show(run_.simulation);
-      if (run_.files && seconds_since(last_checkpoint_) >= run_.scenario.checkpoint_every) write_current();
       if (status != RunStatus::steps_reached) return status;
     }
     return std::nullopt;
@@ -180,7 +184,6 @@ void write_checkpoint(StartedRun& run, const std::filesystem::path& path) {
       {"files", archived(files)},
       {"simulation", run.simulation.save()},
       {"measures", archived(run.measures)}};
-  make_directory(path.parent_path());
   write_checkpoint_file(path, sections);
 }
 

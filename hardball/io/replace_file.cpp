@@ -2,28 +2,38 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/io/replace_file.hpp"
 
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <string>
-#include <system_error>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/io/output_file.hpp"
 
 namespace hardball {
+namespace {
+
+// Returns when the bytes are on the disk; false, with errno, if that is impossible.
+bool write_through(const std::string& path, std::string_view bytes) {
+  std::FILE* const file = std::fopen(path.c_str(), "wb");
+  if (!file) return false;
+  const bool is_written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() &&
+                          std::fflush(file) == 0 && fsync(fileno(file)) == 0;
+  const int reason = errno;
+  const bool is_closed = std::fclose(file) == 0;
+  if (!is_written) errno = reason;
+  return is_written && is_closed;
+}
+
+}  // namespace
 
 void replace_file(const std::filesystem::path& path, std::string_view bytes) {
-  const std::filesystem::path unfinished = path.string() + ".part";
-  std::error_code failure;
-  try {
-    OutputFile file(unfinished);
-    file.append(bytes);
-    file.sync();
-    file.close();
-  } catch (...) {
-    std::filesystem::remove(unfinished, failure);
-    throw;
-  }
-  std::filesystem::rename(unfinished, path, failure);
-  if (failure) throw RunFailure("cannot write " + path.string() + ": " + failure.message());
+  const std::string unfinished = path.string() + ".part";
+  if (write_through(unfinished, bytes) && std::rename(unfinished.c_str(), path.c_str()) == 0) return;
+  const int reason = errno;
+  std::remove(unfinished.c_str());
+  throw RunFailure("cannot write " + path.string() + ": " + std::strerror(reason) + "; it is as before");
 }
 
 }  // namespace hardball
