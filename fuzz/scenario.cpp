@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/scenario/scenario.hpp"
+
+#include "fuzz/target.hpp"
+#include "hardball/scenario/make_responses.hpp"
+#include "hardball/scenario/make_world.hpp"
+
+void hardball::fuzz::read(std::string_view bytes) {
+  const Scenario scenario = parse_scenario(bytes, "scenario.toml");
+  std::size_t spheres = 0;
+  for (const SphereGroup& group : scenario.spheres) {
+    spheres += group.count;
+    // A fuzzer must not name files.
+    if (group.count > kMostSpheres || spheres > kMostSpheres) return;
+    if (group.distribution && group.distribution->kind == RadiusDistribution::Kind::file) return;
+  }
+  if (scenario.start_file) return;
+  Simulation simulation(make_world(scenario), {.responses = make_responses(scenario)});
+  if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.seed));
+  run_a_little(simulation);
+}

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Writes the seeds of the corpora of binary formats, from random worlds, into the folder given.
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hardball/io/checkpoint_file.hpp"
+#include "hardball/io/extended_xyz.hpp"
+#include "hardball/io/recording_writer.hpp"
+#include "hardball/measure/measures.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "tests/support/random_world.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace hardball {
+namespace {
+
+using support::RandomWorld;
+
+constexpr std::uint64_t kSeeds = 15;
+
+RandomWorld any_world(std::uint64_t seed) {
+  if (seed % 3 == 0) return support::make_furnished_world(seed);
+  if (seed % 3 == 1) return support::make_responsive_world(seed);
+  return support::make_responsive_flat_world(seed);
+}
+
+// At most as many contacts as keep the files small.
+RunLimits few_contacts(double until) {
+  return {.until = Time(until), .contacts = 20, .steps = 10000};
+}
+
+void write_seeds_of_world(const std::filesystem::path& corpus, const std::string& name,
+                          const RandomWorld& made, const std::optional<Thermostat>& thermostat) {
+  using support::write_text;
+  const support::ScratchFolder folder;
+  Simulation simulation(
+      made.world,
+      {.restitution = made.restitution, .elastic_below = made.elastic_below, .responses = made.responses});
+  simulation.set_thermostat(thermostat);
+  OutputFile frames(corpus / "extended_xyz" / name);
+  append_snapshot(frames, simulation.world(), simulation.now());
+  frames.close();
+  RecordingWriter recording(corpus / "recording" / name, {.version = 2, .name = name}, simulation.world());
+  simulation.on_contact([&](const Contact& contact) { recording.note(contact, simulation.world()); });
+  simulation.on_velocity_change(
+      [&](const VelocityChange& change) { recording.note(change, simulation.world()); });
+  simulation.run(few_contacts(made.until));
+  write_text(corpus / "recording_state" / name, recording.save());
+  recording.close(simulation.time());
+  const std::string state = simulation.save();
+  write_text(corpus / "simulation" / name, state);
+  write_checkpoint_file(corpus / "checkpoint" / name,
+                        std::vector<CheckpointSection>{{"simulation", state}, {"name", name}, {"none", ""}});
+}
+
+// Of each measure in each box, unchanged.
+void write_measured_seeds(const std::filesystem::path& corpus) {
+  constexpr std::size_t kBoxes = 3;
+  for (std::size_t which = 0; which < kBoxes * measure_names().size(); ++which) {
+    support::write_text(corpus / "measured_run" / std::to_string(which),
+                        std::string(1, static_cast<char>(which)));
+  }
+}
+
+}  // namespace
+}  // namespace hardball
+
+int main(int count, char** arguments) {
+  using namespace hardball;
+  if (count != 2) return 2;
+  const std::filesystem::path corpus = arguments[1];
+  for (const char* target :
+       {"checkpoint", "extended_xyz", "measured_run", "recording", "recording_state", "simulation"}) {
+    std::filesystem::create_directories(corpus / target);
+  }
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const RandomWorld made = any_world(seed);
+    std::optional<Thermostat> thermostat;
+    if (seed % 4 == 0) thermostat = Thermostat(Andersen(1, 5 / made.until), seed);
+    if (seed % 4 == 2) thermostat = Thermostat(Heating(1 / made.until, made.until / 5), seed);
+    write_seeds_of_world(corpus, "world" + std::to_string(seed), made, thermostat);
+  }
+  write_measured_seeds(corpus);
+}
