@@ -207,6 +207,7 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
 
 int main(int argument_count, char** arguments) {
   using namespace hardball;
+  cli::secure_streams();
   cli::ExitCode code = cli::ExitCode::failed;
   try {
     code = cli::parse_and_run(argument_count, arguments);
