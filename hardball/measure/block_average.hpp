@@ -45,6 +45,9 @@ class BlockAverage {
   explicit BlockAverage(std::size_t bins = 1, std::size_t groups = 1);
 
   std::size_t bins() const { return bins_; }
+  std::size_t groups() const { return groups_; }
+  /// Whether this is how many bins and groups there are.
+  bool has(std::size_t bins, std::size_t groups = 1) const { return bins_ == bins && groups_ == groups; }
   /// How many samples were added.
   std::uint64_t samples() const { return samples_; }
   /// How many blocks there are, the last of which may be shorter; those left out do not count.

@@ -252,4 +252,8 @@ Measurement BondOrder::result(const Scene& /*scene*/) const {
   return found;
 }
 
+bool BondOrder::restored() const {
+  return average_.has(kAllBins, kSphereGroups);
+}
+
 }  // namespace hardball

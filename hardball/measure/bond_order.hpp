@@ -35,6 +35,7 @@ class BondOrder {
   static void persist(auto& archive, auto& self) {
     archive(self.reach_, self.is_flat_, self.sample_cost_, self.begin_, self.average_);
   }
+  bool restored() const;
 
   template <class Bonds>
   void sample_bonds(const Scene& scene);

@@ -70,4 +70,10 @@ void Cadence::advance(const Time& now, std::uint64_t contacts) {
   samples_ = 0;
 }
 
+bool Cadence::restored() const {
+  constexpr std::int64_t kMost = std::int64_t{1} << 60;
+  return next_ == kNoSample || (next_ >= 0 && next_ < kMost && std::isfinite(begin_) && interval_ > 0 &&
+                                std::isfinite(interval_) && samples_ >= 0);
+}
+
 }  // namespace hardball

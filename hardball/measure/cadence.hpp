@@ -48,6 +48,7 @@ class Cadence {
     archive(self.begin_, self.interval_, self.next_, self.contacts_wanted_, self.contacts_before_,
             self.samples_);
   }
+  bool restored() const;
 
   static constexpr std::int64_t kNoSample = -1;
 

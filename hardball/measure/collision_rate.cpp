@@ -127,4 +127,12 @@ Measurement CollisionRate::result(const Scene& scene) const {
   return found;
 }
 
+bool CollisionRate::restored() const {
+  return contacts_.has(kPairs + species_.size() * species_.size()) && speed_.has(3, kSphereGroups);
+}
+
+bool CollisionRate::suits(const World& world) const {
+  return species_.suits(world);
+}
+
 }  // namespace hardball

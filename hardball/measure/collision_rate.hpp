@@ -33,6 +33,9 @@ class CollisionRate {
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
+  /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
+  bool suits(const World& world) const;
+
  private:
   friend class Persistence;
   CollisionRate() = default;
@@ -40,6 +43,7 @@ class CollisionRate {
     archive(self.species_, self.theory_, self.motion_, self.spheres_, self.has_walls_, self.begin_,
             self.last_, self.contacts_, self.speed_);
   }
+  bool restored() const;
 
   // Bins: collisions of all, wall contacts, then collisions of each pair of species.
   static constexpr std::size_t kCollisions = 0;

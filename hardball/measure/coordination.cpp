@@ -93,4 +93,8 @@ Measurement Coordination::result(const Scene& /*scene*/) const {
   return found;
 }
 
+bool Coordination::restored() const {
+  return average_.has(kBins, kSphereGroups);
+}
+
 }  // namespace hardball

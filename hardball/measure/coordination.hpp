@@ -30,6 +30,7 @@ class Coordination {
   static void persist(auto& archive, auto& self) {
     archive(self.reach_, self.sample_cost_, self.begin_, self.average_);
   }
+  bool restored() const;
 
   double reach_;
   double sample_cost_ = 0;  // [ns]

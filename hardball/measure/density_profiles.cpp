@@ -6,10 +6,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "hardball/measure/same_box.hpp"
 #include "hardball/measure/transient.hpp"
 #include "hardball/measure/units.hpp"
 
@@ -207,6 +209,19 @@ Measurement DensityProfiles::result(const Scene& /*scene*/) const {
   }
   transient.note_in(found);
   return found;
+}
+
+bool DensityProfiles::restored() const {
+  if (most_bins_ == 0) return true;
+  const auto is_within = [this](std::size_t bins) { return bins <= most_bins_; };
+  const std::span<const std::size_t> used = std::span(bins_).first(box_.dimensions());
+  return most_bins_ <= static_cast<std::size_t>(kMostBins) && average_.has(first_at_walls() + kAtWalls) &&
+         std::ranges::all_of(bins_, is_within) && std::ranges::find(used, 0U) == used.end() &&
+         bin_width_ * kMostBins >= std::max({box_.size().x, box_.size().y, box_.size().z});
+}
+
+bool DensityProfiles::suits(const World& world) const {
+  return is_same_box(box_, world.box());
 }
 
 }  // namespace hardball

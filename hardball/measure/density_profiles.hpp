@@ -31,6 +31,9 @@ class DensityProfiles {
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;
 
+  /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
+  bool suits(const World& world) const;
+
  private:
   friend class Persistence;
   DensityProfiles() = default;
@@ -38,6 +41,7 @@ class DensityProfiles {
     archive(self.box_, self.begin_, self.bin_width_, self.bins_, self.most_bins_, self.contact_,
             self.sample_cost_, self.average_);
   }
+  bool restored() const;
 
   double slab_width(std::size_t axis, std::size_t bin) const;
   void add_slices(double center, double radius, std::size_t axis, std::vector<double>& filled) const;

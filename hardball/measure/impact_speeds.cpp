@@ -129,4 +129,12 @@ Measurement ImpactSpeeds::result(const Scene& scene) const {
   return found;
 }
 
+bool ImpactSpeeds::restored() const {
+  return average_.has(kPairs + species_.size() * species_.size()) && !(bins_per_speed_ < 0);
+}
+
+bool ImpactSpeeds::suits(const World& world) const {
+  return species_.suits(world);
+}
+
 }  // namespace hardball

@@ -28,6 +28,9 @@ class ImpactSpeeds {
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
+  /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
+  bool suits(const World& world) const;
+
  private:
   friend class Persistence;
   ImpactSpeeds() = default;
@@ -35,6 +38,7 @@ class ImpactSpeeds {
     archive(self.species_, self.motion_, self.has_open_axis_, self.begin_, self.width_, self.bins_per_speed_,
             self.average_);
   }
+  bool restored() const;
 
   static constexpr std::size_t kBins = 120;
   // Further bins of the averages.

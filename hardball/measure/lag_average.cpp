@@ -117,4 +117,23 @@ Estimate LagAverage::estimate(std::size_t species, const FunctionOfMeans& quanti
   return {found.value, std::numbers::sqrt2 * error_of_independent(found.shares)};
 }
 
+bool LagAverage::restored() const {
+  const std::size_t spheres = vectors_.size();
+  const std::size_t lags = levels_.empty() ? 0 : lag_of(levels_.size() - 1, kLevelLags - 1) + 1;
+  const auto is_place = [&](const Followed& one) { return one.place < spheres; };
+  const auto is_group = [&](const Group& group) {
+    return group.species < species_.size() && group.begin < group.end && group.end <= spheres;
+  };
+  const auto is_level = [&](const Level& level) { return level.vectors.size() == kLevelLags * spheres; };
+  return interval_ > 0 && tick_ >= -1 && levels_.size() <= kLevels && followed_.size() == spheres &&
+         groups_.size() <= kMostGroups * Species::kMostSpecies && std::ranges::all_of(followed_, is_place) &&
+         std::ranges::all_of(groups_, is_group) && std::ranges::all_of(levels_, is_level) &&
+         origins_.size() == lags && sums_.size() == lags * groups_.size();
+}
+
+bool LagAverage::suits(const World& world) const {
+  return species_.suits(world) &&
+         std::ranges::all_of(followed_, [&](const Followed& one) { return one.rank < world.size(); });
+}
+
 }  // namespace hardball

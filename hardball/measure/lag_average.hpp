@@ -62,12 +62,16 @@ class LagAverage {
     return estimate(species, [lag](std::span<const double> means) { return means[lag]; });
   }
 
+  /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
+  bool suits(const World& world) const;
+
  private:
   friend class Persistence;
   static void persist(auto& archive, auto& self) {
     archive(self.species_, self.begin_, self.interval_, self.tick_, self.followed_, self.groups_,
             self.vectors_, self.levels_, self.origins_, self.sums_);
   }
+  bool restored() const;
 
   static constexpr std::size_t kLevelLags = 8;  // samples of a level that are kept
   static constexpr std::size_t kFirstLag =

@@ -79,7 +79,13 @@ Measures::Measures(const MeasureSettings& settings) : settings_(settings) {
 }
 
 void Measures::check_spheres(const World& world) const {
-  if (!has_begun_ || (world.size() == spheres_ && last_id_of(world) == last_id_)) return;
+  bool suits = !has_begun_ || (world.size() == spheres_ && last_id_of(world) == last_id_);
+  for_each([&](const auto& entry) {
+    if constexpr (requires { entry.measure->suits(world); }) {
+      suits = suits && (!entry.measure || entry.measure->suits(world));
+    }
+  });
+  if (suits) return;
   throw Error("spheres have been added or removed since the measures started", "measures",
               "start new measures after such an edit");
 }
@@ -177,6 +183,12 @@ std::vector<Measurement> Measures::results(const World& world, const Time& now) 
     results.back().duration = duration(begin_, now);
   });
   return results;
+}
+
+bool Measures::restored() const {
+  bool is_any_there = false;
+  for_each([&](const auto& entry) { is_any_there |= entry.measure.has_value(); });
+  return has_begun_ || !is_any_there;
 }
 
 }  // namespace hardball

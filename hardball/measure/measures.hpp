@@ -47,7 +47,7 @@ class Measures {
   /// Whether any measure is switched on.
   bool is_any_wanted() const { return is_any_wanted_; }
 
-  /// Error: the spheres of `world` are not those with which the measures started.
+  /// Error: the spheres of `world` are not those with which the measures started. Cost: O(spheres followed).
   void check_spheres(const World& world) const;
 
   void note(const Contact& contact);
@@ -71,6 +71,7 @@ class Measures {
     archive(self.settings_, self.is_any_wanted_, self.has_begun_, self.is_driven_, self.spheres_,
             self.last_id_, self.begin_, self.contacts_, self.entries_);
   }
+  bool restored() const;
 
   template <class Measure>
   struct Entry {
@@ -82,6 +83,7 @@ class Measures {
     static void persist(auto& archive, auto& self) {
       archive(self.is_wanted, self.measure, self.has_sample, self.cadence);
     }
+    bool restored() const { return measure || cadence.next() == kNever; }
   };
   using Entries =
       std::tuple<Entry<Pressure>, Entry<WallForces>, Entry<Temperature>, Entry<CollisionRate>,

@@ -110,4 +110,14 @@ Measurement NearestNeighbor::result(const Scene& /*scene*/) const {
   return result;
 }
 
+bool NearestNeighbor::restored() const {
+  return bins_ > 0 && bins_ < average_.bins() && average_.has(bins_ + 3, kSphereGroups) &&
+         (dimensions_ == 2 || dimensions_ == 3) && widest_ >= 0 && std::isfinite(widest_) && diameter_ >= 0 &&
+         std::isfinite(diameter_);
+}
+
+bool NearestNeighbor::suits(const World& world) const {
+  return dimensions_ == world.box().dimensions();
+}
+
 }  // namespace hardball

@@ -25,6 +25,9 @@ class NearestNeighbor {
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;
 
+  /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
+  bool suits(const World& world) const;
+
  private:
   friend class Persistence;
   NearestNeighbor() = default;
@@ -32,6 +35,7 @@ class NearestNeighbor {
     archive(self.widest_, self.diameter_, self.sample_cost_, self.dimensions_, self.packing_fraction_,
             self.begin_, self.bins_, self.average_);
   }
+  bool restored() const;
 
   std::size_t spheres_bin() const { return bins_; }
   std::size_t known_bin() const { return bins_ + 1; }

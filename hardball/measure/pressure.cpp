@@ -267,4 +267,8 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
   }
 }
 
+bool Pressure::restored() const {
+  return average_.has(kBins);
+}
+
 }  // namespace hardball

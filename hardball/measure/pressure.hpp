@@ -40,6 +40,7 @@ class Pressure {
             self.mean_free_time_, self.begin_, self.last_, self.mass_, self.drift_, self.kinetic_,
             self.average_);
   }
+  bool restored() const;
 
   static constexpr std::size_t kComponents = 6;  // xx, yy, zz, xy, xz, yz
   // Bins of the averages.

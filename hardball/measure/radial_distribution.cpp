@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "hardball/measure/same_box.hpp"
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/measure/transient.hpp"
 
@@ -206,6 +207,22 @@ Measurement RadialDistribution::result(const Scene& /*scene*/) const {
   }
   transient.note_in(found);
   return found;
+}
+
+bool RadialDistribution::restored() const {
+  if (!has_meaning()) return true;
+  const std::size_t species = is_by_species_ ? species_.size() : 1;
+  const auto is_kind = [this](std::size_t kind) { return kind < kinds_.size(); };
+  return species <= kMostSpecies && kinds_.size() <= kMostSpecies * kMostSpecies &&
+         kind_of_.size() == species * species && std::ranges::all_of(kind_of_, is_kind) &&
+         bins_ <= average_.bins() && average_.has(pairs_bin(kinds_.size()), kSphereGroups) && low_ > 0 &&
+         bin_width_ > 0;
+}
+
+bool RadialDistribution::suits(const World& world) const {
+  const double range = low_ + static_cast<double>(bins_) * bin_width_;
+  return !has_meaning() || (species_.suits(world) && is_same_box(box_, world.box()) &&
+                            range <= largest_range(world) * (1 + 1e-12));
 }
 
 }  // namespace hardball

@@ -37,6 +37,9 @@ class RadialDistribution {
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;
 
+  /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
+  bool suits(const World& world) const;
+
  private:
   friend class Persistence;
   RadialDistribution() = default;
@@ -44,6 +47,7 @@ class RadialDistribution {
     archive(self.box_, self.species_, self.is_by_species_, self.kinds_, self.kind_of_, self.low_,
             self.bin_width_, self.bins_, self.sample_cost_, self.begin_, self.average_);
   }
+  bool restored() const;
 
   // A pair of species, or all spheres.
   struct Kind {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/measure/species.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "hardball/errors/error.hpp"
@@ -40,6 +41,18 @@ double Species::fraction(std::size_t species) const {
 
 std::string Species::suffix(std::size_t species) const {
   return size() > 1 ? "_" + to_text(species + 1) : "";
+}
+
+bool Species::restored() const {
+  return kinds_.size() <= kMostSpecies &&
+         (kinds_.size() <= 1 ||
+          std::ranges::all_of(species_, [this](std::size_t kind) { return kind < kinds_.size(); }));
+}
+
+bool Species::suits(const World& world) const {
+  const bool is_any = world.size() > 0;
+  return !kinds_.empty() &&
+         (kinds_.size() == 1 || !is_any || species_.size() > world.id(world.slot_of_rank(world.size() - 1)));
 }
 
 }  // namespace hardball

@@ -38,9 +38,13 @@ class Species {
   /// on.
   std::string suffix(std::size_t species) const;
 
+  /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
+  bool suits(const World& world) const;
+
  private:
   friend class Persistence;
   static void persist(auto& archive, auto& self) { archive(self.kinds_, self.species_, self.is_one_kind_); }
+  bool restored() const;
 
   struct Kind {
     double radius;

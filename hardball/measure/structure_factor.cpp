@@ -19,6 +19,9 @@ namespace {
 
 constexpr std::size_t kShells = 64;
 
+// The powers of a phase are stored: so many along the longest axis.
+constexpr double kMostPeriods = 4096;
+
 // Two numbers at a time by the compilers' generic vectors, and so many pairs of spheres at once.
 using Pair = double __attribute__((vector_size(16)));
 constexpr std::size_t kPairs = 4;
@@ -84,8 +87,6 @@ StructureFactor::StructureFactor(const Scene& scene, double longest,
   constexpr std::size_t kMostInShell = 6;
   constexpr std::size_t kMostProducts = 150000;  // of spheres and vectors of a shell
   const std::size_t affordable = std::clamp<std::size_t>(kMostProducts / world.size(), 1, kMostInShell);
-  // The powers of a phase are stored: so many along the longest axis.
-  constexpr double kMostPeriods = 4096;
   double least_unit = std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (unit_[axis] > 0) least_unit = std::min(least_unit, unit_[axis]);
@@ -228,6 +229,22 @@ Measurement StructureFactor::result(const Scene& /*scene*/) const {
   if (std::isfinite(packing_fraction_)) found.columns.push_back(std::move(theory));
   transient.note_in(found);
   return found;
+}
+
+bool StructureFactor::restored() const {
+  const auto is_within = [this](const Wave& wave) {
+    bool is_short = true;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      is_short &= wave[axis] >= -longest_[axis] && wave[axis] <= longest_[axis];
+    }
+    return is_short;
+  };
+  const bool is_bounded =
+      std::ranges::all_of(longest_, [](int most) { return most >= 0 && most <= 2 * kMostPeriods; });
+  return is_bounded && std::ranges::all_of(waves_, is_within) && std::ranges::is_sorted(shell_ends_) &&
+         waves_.size() == (shell_ends_.empty() ? 0 : shell_ends_.back()) &&
+         std::ranges::adjacent_find(shell_ends_) == shell_ends_.end() &&
+         (shell_ends_.empty() || shell_ends_.front() > 0) && shells_.has(shell_ends_.size());
 }
 
 }  // namespace hardball

@@ -43,6 +43,7 @@ class StructureFactor {
     archive(self.unit_, self.longest_, self.waves_, self.shell_ends_, self.diameter_, self.packing_fraction_,
             self.sample_cost_, self.begin_, self.shells_);
   }
+  bool restored() const;
 
   // A wave vector in units of 2 pi / period.
   using Wave = std::array<int, kAxes>;

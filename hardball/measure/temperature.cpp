@@ -123,4 +123,12 @@ Measurement Temperature::result(const Scene& scene) const {
   return found;
 }
 
+bool Temperature::restored() const {
+  return average_.has(kOfSpecies + species_.size() + 1, kSphereGroups) && masses_.size() == species_.size();
+}
+
+bool Temperature::suits(const World& world) const {
+  return species_.suits(world);
+}
+
 }  // namespace hardball

@@ -29,12 +29,16 @@ class Temperature {
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
+  /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
+  bool suits(const World& world) const;
+
  private:
   friend class Persistence;
   Temperature() = default;
   static void persist(auto& archive, auto& self) {
     archive(self.species_, self.masses_, self.box_, self.spheres_, self.motion_, self.begin_, self.average_);
   }
+  bool restored() const;
 
   double freedom(std::size_t axis, double spheres, double mass) const;
 

@@ -30,6 +30,9 @@ class VelocityAutocorrelation {
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
+  /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
+  bool suits(const World& world) const { return average_.suits(world); }
+
  private:
   friend class Persistence;
   VelocityAutocorrelation() = default;

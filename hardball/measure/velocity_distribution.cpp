@@ -120,4 +120,8 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
   return found;
 }
 
+bool VelocityDistribution::restored() const {
+  return average_.has(kAllBins, kSphereGroups) && (dimensions_ == 2 || dimensions_ == 3);
+}
+
 }  // namespace hardball

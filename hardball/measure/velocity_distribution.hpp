@@ -34,6 +34,7 @@ class VelocityDistribution {
   static void persist(auto& archive, auto& self) {
     archive(self.spheres_, self.dimensions_, self.motion_, self.begin_, self.average_);
   }
+  bool restored() const;
 
   static constexpr std::size_t kBins = 100;  // from -5 to 5
   static constexpr double kWidth = 0.1;

@@ -129,4 +129,15 @@ Measurement WallForces::result(const Scene& scene) const {
   return found;
 }
 
+bool WallForces::restored() const {
+  const auto is_place = [this](std::size_t place) { return walls_.empty() || place < walls_.size(); };
+  const auto is_wall = [this](std::uint32_t wall) { return wall < places_.size(); };
+  return average_.has(kBins * walls_.size()) && std::ranges::all_of(places_, is_place) &&
+         std::ranges::all_of(walls_, is_wall);
+}
+
+bool WallForces::suits(const World& world) const {
+  return places_.size() == kFaces + world.surfaces().size();
+}
+
 }  // namespace hardball

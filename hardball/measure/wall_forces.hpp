@@ -35,12 +35,16 @@ class WallForces {
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
+  /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
+  bool suits(const World& world) const;
+
  private:
   friend class Persistence;
   WallForces() = default;
   static void persist(auto& archive, auto& self) {
     archive(self.walls_, self.places_, self.begin_, self.last_, self.average_);
   }
+  bool restored() const;
 
   // Bins of each wall.
   static constexpr std::size_t kForce = 0;  // along the normal [M L T^-2]
