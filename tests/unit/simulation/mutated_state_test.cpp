@@ -24,7 +24,7 @@
 namespace hardball {
 namespace {
 
-constexpr std::uint64_t kMutations = 3000;
+constexpr std::uint64_t kMutations = 1000;
 // Of which the first are where sizes and numbers of things are, and the last where all is zero, as a rule.
 constexpr std::size_t kNear = 600;
 
