@@ -253,7 +253,7 @@ Measurement BondOrder::result(const Scene& /*scene*/) const {
 }
 
 bool BondOrder::restored() const {
-  return average_.has(kAllBins, kSphereGroups);
+  return average_.has(kAllBins, kSphereGroups) && reach_ > 0 && std::isfinite(reach_);
 }
 
 }  // namespace hardball

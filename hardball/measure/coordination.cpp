@@ -94,7 +94,7 @@ Measurement Coordination::result(const Scene& /*scene*/) const {
 }
 
 bool Coordination::restored() const {
-  return average_.has(kBins, kSphereGroups);
+  return average_.has(kBins, kSphereGroups) && reach_ > 0 && std::isfinite(reach_);
 }
 
 }  // namespace hardball

@@ -25,7 +25,7 @@ Surroundings::Effort Surroundings::effort(const World& world, double range) {
   const auto spheres = static_cast<double>(world.size());
   const double of_each = spheres * world.box().sphere_volume(range) / world.box().volume();
   const double affordable = std::min(kMostNeighbors / of_each, static_cast<double>(kMostCenters));
-  const std::size_t chosen = std::min(world.size(), static_cast<std::size_t>(std::max(affordable, 1.0)));
+  const std::size_t chosen = std::min(world.size(), static_cast<std::size_t>(std::fmax(affordable, 1.0)));
   const auto centers = static_cast<double>(chosen);
   return {.centers = chosen,
           .neighbors = centers * of_each,

@@ -25,17 +25,26 @@ namespace hardball {
 namespace {
 
 constexpr std::uint64_t kMutations = 1000;
-// Of which the first are where sizes and numbers of things are, and the last where all is zero, as a rule.
-constexpr std::size_t kNear = 600;
+// The places in bytes that do not lie behind many zeros, of which the averages mostly consist.
+std::vector<std::size_t> places_in(const std::string& bytes) {
+  constexpr std::size_t kMany = 16;
+  std::vector<std::size_t> places;
+  std::size_t last = 0;  // that is not zero
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    if (bytes[at] != 0) last = at;
+    if (at < last + kMany) places.push_back(at);
+  }
+  return places;
+}
 
 // Changes a few bytes or a whole word, or cuts the state off.
-std::string mutated(std::string bytes, Random& random) {
+std::string mutated(std::string bytes, const std::vector<std::size_t>& places, Random& random) {
   const auto below = [&](std::size_t most) {
     return static_cast<std::size_t>(random.uniform() * static_cast<double>(most));
   };
   const double kind = random.uniform();
   if (kind < 0.1) return bytes.substr(0, below(bytes.size()));
-  const std::size_t at = below(random.uniform() < 0.5 ? std::min(bytes.size(), kNear) : bytes.size());
+  const std::size_t at = places[below(places.size())];
   if (kind < 0.6) {
     bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
   } else {
@@ -54,11 +63,12 @@ template <class Use>
 std::uint64_t accepted_of(std::uint64_t mutations, const std::string& bytes, std::uint64_t seed,
                           const Use& use) {
   Random random(seed);
+  const std::vector<std::size_t> places = places_in(bytes);
   std::uint64_t accepted = 0;
   for (std::uint64_t i = 0; i < mutations; ++i) {
     SCOPED_TRACE("mutation " + std::to_string(i));
     try {
-      use(mutated(bytes, random));
+      use(mutated(bytes, places, random));
       ++accepted;
     } catch (const Error&) {
     } catch (const RunFailure&) {
