@@ -33,7 +33,8 @@ class ViscoelasticRestitution {
   friend class Persistence;
   ViscoelasticRestitution() = default;
   static void persist(auto& archive, auto& self) { archive(self.speed_, self.unit_); }
-  bool restored() const { return speed_ > 0 && unit_ > 0; }
+  // Elastic impacts have the unit zero.
+  bool restored() const { return speed_ > 1e-200 && speed_ < 1e200 && unit_ >= 0 && unit_ <= 16; }
 
   double speed_;  // at which `unit_` is the reduced speed
   double unit_;
