@@ -143,7 +143,7 @@ class MutatedText(FaultTest):
         (self.folder / "scenario.toml").write_text(self.scenario)
 
     def test_scenario(self):
-        self.check_all(self.folder / "scenario.toml", self.scenario.encode(), 400, 3)
+        self.check_all(self.folder / "scenario.toml", self.scenario.encode(), 250, 3)
 
     def test_start_file(self):
         frame = self.last_frame((self.folder / "whole" / "trajectory.xyz").read_bytes())
@@ -151,7 +151,7 @@ class MutatedText(FaultTest):
         scenario = self.scenario[:self.scenario.index("[[spheres]]")] + '[start]\nfile = "start.xyz"\n' + \
             self.scenario[self.scenario.index("[response]"):]
         (self.folder / "scenario.toml").write_text(scenario)
-        self.check_all(self.folder / "start.xyz", frame, 400, 4)
+        self.check_all(self.folder / "start.xyz", frame, 250, 4)
 
     @staticmethod
     def last_frame(trajectory):
