@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Writes the seeds of the corpora of binary formats, from random worlds, into the folder given.
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -10,8 +11,8 @@
 #include <vector>
 
 #include "hardball/io/checkpoint_file.hpp"
-#include "hardball/io/extended_xyz.hpp"
 #include "hardball/io/recording_writer.hpp"
+#include "hardball/io/trajectory.hpp"
 #include "hardball/measure/measures.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "tests/support/random_world.hpp"
@@ -23,6 +24,15 @@ namespace {
 using support::RandomWorld;
 
 constexpr std::uint64_t kSeeds = 15;
+
+// The targets that read snapshots, and how the names of such files end.
+constexpr std::array<std::pair<const char*, const char*>, 7> kSnapshots{{{"extended_xyz", ".xyz"},
+                                                                         {"extended_xyz_zst", ".xyz.zst"},
+                                                                         {"gsd", ".gsd"},
+                                                                         {"lammps", ".lammpstrj"},
+                                                                         {"csv", ".csv"},
+                                                                         {"npy", ".npy"},
+                                                                         {"sph", ".sph"}}};
 
 RandomWorld any_world(std::uint64_t seed) {
   if (seed % 3 == 0) return support::make_furnished_world(seed);
@@ -43,9 +53,11 @@ void write_seeds_of_world(const std::filesystem::path& corpus, const std::string
       made.world,
       {.restitution = made.restitution, .elastic_below = made.elastic_below, .responses = made.responses});
   simulation.set_thermostat(thermostat);
-  OutputFile frames(corpus / "extended_xyz" / name);
-  append_snapshot(frames, simulation.world(), simulation.now());
-  frames.close();
+  for (const auto& [target, ending] : kSnapshots) {
+    Trajectory frames(corpus / target / (name + ending));
+    frames.append(simulation.world(), simulation.now());
+    frames.close();
+  }
   RecordingWriter recording(corpus / "recording" / name, {.version = 2, .name = name}, simulation.world());
   simulation.on_contact([&](const Contact& contact) { recording.note(contact, simulation.world()); });
   simulation.on_velocity_change(
@@ -75,10 +87,10 @@ int main(int count, char** arguments) {
   using namespace hardball;
   if (count != 2) return 2;
   const std::filesystem::path corpus = arguments[1];
-  for (const char* target :
-       {"checkpoint", "extended_xyz", "measured_run", "recording", "recording_state", "simulation"}) {
+  for (const char* target : {"checkpoint", "measured_run", "recording", "recording_state", "simulation"}) {
     std::filesystem::create_directories(corpus / target);
   }
+  for (const auto& [target, ending] : kSnapshots) std::filesystem::create_directories(corpus / target);
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const RandomWorld made = any_world(seed);
     std::optional<Thermostat> thermostat;
