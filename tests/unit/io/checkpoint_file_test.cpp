@@ -58,7 +58,7 @@ TEST(CheckpointFile, IsAsBeforeIfItCannotBeWritten) {
   const ScratchFolder folder;
   write_checkpoint_file(folder / "file", sections());
   std::filesystem::create_directory(folder / "file.part");
-  EXPECT_THROW(write_checkpoint_file(folder / "file", sections()), Error);
+  EXPECT_THROW(write_checkpoint_file(folder / "file", sections()), RunFailure);
   EXPECT_EQ(read_checkpoint_file(folder / "file").size(), sections().size());
 }
 
