@@ -30,7 +30,7 @@ Neighborhood::Neighborhood(const Box& box, std::size_t capacity, double largest_
 }
 
 void Neighborhood::insert(const Vec3& center, double radius) {
-  Level& level = level_for(radius);
+  Level& level = levels_[level_for(radius)];
   if (level.buckets.empty()) level.buckets.resize(std::bit_ceil(std::max<std::size_t>(capacity_, 1)));
   const Cell cell = cell_at(level, center);
   const auto folded = [&](std::size_t axis) { return fold(cell[axis], level.count[axis]).index; };
@@ -54,10 +54,10 @@ Neighborhood::Cell Neighborhood::cell_at(const Level& level, const Vec3& place) 
   return cell;
 }
 
-Neighborhood::Level& Neighborhood::level_for(double radius) {
+std::size_t Neighborhood::level_for(double radius) const {
   std::size_t level = 0;
   while (level + 1 < levels_.size() && radius <= levels_[level + 1].largest_radius) ++level;
-  return levels_[level];
+  return level;
 }
 
 }  // namespace hardball

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hardball/errors/error.hpp"
 #include "hardball/memory/huge_pages.hpp"
 #include "hardball/memory/prefetch.hpp"
 #include "hardball/world/box.hpp"
@@ -36,7 +37,8 @@ class Neighborhood {
 
   /// Calls visit(index, separation, reach) once for every sphere or periodic image that may touch the given
   /// sphere, and perhaps for others nearby; `separation` [L] points from `center` to it, `reach` [L] is the
-  /// sum of the radii. The order of visits depends only on the order of insertion.
+  /// sum of the radii. The order of visits depends only on the order of insertion. Precondition: no more than
+  /// a million images of the box are within reach. Cost: that of visiting each sphere in each image, at most.
   template <class Visit>
   void for_each_near(const Vec3& center, double radius, Visit&& visit) const {
     for (const Level& level : levels_) {
@@ -45,7 +47,12 @@ class Neighborhood {
         visit(index, separation, reach);
         return false;
       };
-      search(level, cells_near(level, center, radius), center, radius, go_on);
+      const Cells cells = cells_near(level, center, radius);
+      if (are_too_many(cells)) {
+        search_all(level, cells, center, radius, go_on);
+      } else {
+        search(level, cells, center, radius, go_on);
+      }
     }
   }
 
@@ -125,6 +132,50 @@ class Neighborhood {
     return false;
   }
 
+  // Whether it takes less time to visit all spheres than these cells, most of which must be empty.
+  bool are_too_many(const Cells& cells) const {
+    constexpr double kFew = 1e6;
+    constexpr double kEach = 64;
+    double count = 1;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      count *= static_cast<double>(cells.high[axis] - cells.low[axis]) + 1;
+    }
+    return count > kFew + kEach * static_cast<double>(spheres_.size());
+  }
+
+  // The same as search, by a visit to all spheres of the level in each box that these cells lie in.
+  template <class Predicate>
+  bool search_all(const Level& level, const Cells& cells, const Vec3& center, double radius,
+                  Predicate&& predicate) const {
+    constexpr double kMostBoxes = 8e6;
+    double boxes = 1;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (level.count[axis] == 0) continue;
+      boxes *= static_cast<double>((cells.high[axis] - cells.low[axis]) / level.count[axis]) + 2;
+    }
+    HARDBALL_CHECK(boxes <= kMostBoxes);
+    Image low;
+    Image high;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      low[axis] = fold(cells.low[axis], level.count[axis]).boxes;
+      high[axis] = fold(cells.high[axis], level.count[axis]).boxes;
+    }
+    Image image;
+    for (image[0] = low[0]; image[0] <= high[0]; ++image[0]) {
+      for (image[1] = low[1]; image[1] <= high[1]; ++image[1]) {
+        for (image[2] = low[2]; image[2] <= high[2]; ++image[2]) {
+          const Vec3 shift = box_.shift(image);
+          for (std::uint32_t i = 0; i < spheres_.size(); ++i) {
+            const Resting& sphere = spheres_[i];
+            if (&levels_[level_for(sphere.radius)] != &level) continue;
+            if (predicate(i, (sphere.center - center) + shift, radius + sphere.radius)) return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
   // Fetches the spheres in these cells of a level from memory, all at a time rather than one after another.
   void fetch(const Level& level, const Cells& cells) const {
     const std::uint64_t mask = level.buckets.size() - 1;
@@ -167,7 +218,7 @@ class Neighborhood {
     return key ^ (key >> 32);
   }
   static std::uint32_t tag(std::uint64_t key) { return std::uint32_t{1} << (key >> 59); }
-  Level& level_for(double radius);
+  std::size_t level_for(double radius) const;
 
   Box box_;
   std::size_t capacity_;

@@ -33,6 +33,7 @@ void for_each_image(const World& world, const Surface& surface, const Path& path
   const double touching = std::get<Obstacle>(surface.shape()).radius() + radius;
   const Vec3 position = world.motion().position_at(path, now);
   const Vec3 apart = position - surface.point();
+  static_cast<void>(world.box().boxes_beyond(apart));  // which refuses what is too far to count
   Image low;
   Image high;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

@@ -62,6 +62,20 @@ void refuse_out_of_plane(const Surface& surface) {
     refuse_out_of_plane(*normal, "the normal of " + name, "walls");
 }
 
+// All images of an obstacle that reach into a box are visited.
+void refuse_far_or_large(const Obstacle& obstacle, double center, double size, std::size_t axis) {
+  constexpr double kMostBoxes = 16;
+  if (!(center >= -size && center <= 2 * size)) {
+    throw Error(
+        "an obstacle at " + to_text(center) + " along " + kAxisNames[axis] + " is outside the periodic box",
+        "walls", "place it between 0 and " + to_text(size));
+  }
+  if (2 * obstacle.radius() <= kMostBoxes * size) return;
+  throw Error("the diameter " + to_text(2 * obstacle.radius()) + " of an obstacle exceeds " +
+                  to_text(kMostBoxes) + " times the period " + to_text(size) + " along " + kAxisNames[axis],
+              "walls", "enlarge the box or shrink the obstacle");
+}
+
 // A plane or a tube must be the same in every image of the box; what encloses spheres must lie inside it.
 void refuse_in_periodic_box(const Surface& surface, const Box& box) {
   const auto refuse = [&](std::size_t axis, const char* remedy) {
@@ -70,7 +84,8 @@ void refuse_in_periodic_box(const Surface& surface, const Box& box) {
   };
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!box.is_periodic(axis)) continue;
-    if (std::holds_alternative<Obstacle>(surface.shape())) {
+    if (const auto* obstacle = std::get_if<Obstacle>(&surface.shape())) {
+      refuse_far_or_large(*obstacle, surface.point()[axis], box.size()[axis], axis);
       if (surface.velocity() == Vec3{}) continue;
       // Its images would come from any distance.
       throw Error("an obstacle moves in a periodic box", "walls",

@@ -17,6 +17,42 @@ namespace {
 // The indices of the spheres found, each with its image.
 using Found = std::vector<std::tuple<std::uint32_t, long, long, long>>;
 
+// So many cells are within reach that all spheres are visited instead.
+TEST(Neighborhood, FindsSpheresOverManyEmptyCells) {
+  constexpr std::uint32_t kSpheres = 10;
+  constexpr double kSize = 10;
+  constexpr double kRadius = 0.01;
+  constexpr double kRange = 12;
+  const Box box({Boundary::periodic, Boundary::open, Boundary::wall}, {kSize, kSize, kSize});
+  Random random(52);
+  std::vector<Vec3> centers;
+  Neighborhood neighborhood(box, kSpheres, kRadius);
+  for (std::uint32_t i = 0; i < kSpheres; ++i) {
+    centers.push_back(kSize * Vec3{random.uniform(), random.uniform(), random.uniform()});
+    neighborhood.insert(centers.back(), kRadius);
+  }
+  for (const Vec3& center : centers) {
+    Found found;
+    neighborhood.for_each_near(
+        center, kRange, [&](std::uint32_t index, const Vec3& separation, double reach) {
+          EXPECT_EQ(reach, kRange + kRadius);
+          if (length(separation) > kRange) return;
+          found.emplace_back(index, std::lround((separation - (centers[index] - center)).x / kSize), 0, 0);
+        });
+    Found expected;
+    for (std::uint32_t i = 0; i < kSpheres; ++i) {
+      for (long x = -2; x <= 2; ++x) {
+        const Vec3 shift{kSize * static_cast<double>(x), 0, 0};
+        if (length(centers[i] + shift - center) <= kRange) expected.emplace_back(i, x, 0, 0);
+      }
+    }
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, expected);
+    EXPECT_GT(expected.size(), kSpheres);
+  }
+  EXPECT_THROW(neighborhood.for_each_near({}, 1e10, [](auto&&...) {}), BrokenInvariant);
+}
+
 // So few buckets that cells share them, and boxes so small that images share cells.
 TEST(Neighborhood, FindsEveryTouchingImageOnceAndNoOther) {
   constexpr std::uint32_t kSpheres = 40;

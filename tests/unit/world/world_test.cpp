@@ -386,6 +386,10 @@ TEST(World, RefusesSurfacesThatAreNotPeriodic) {
   EXPECT_NO_THROW(make(Surface(Cylinder({1, 0, 0}, 4), {0, 5, 5})));
   EXPECT_NO_THROW(make(Surface(HollowSphere(5), {5, 5, 5})));
   EXPECT_NO_THROW(make(Surface(Obstacle(2), {9.5, 5, 5})));
+  EXPECT_NO_THROW(make(Surface(Obstacle(40), {-5, 5, 15})));
+  EXPECT_THROW(make(Surface(Obstacle(2), {-11, 5, 5})), Error);
+  EXPECT_THROW(make(Surface(Obstacle(2), {21, 5, 5})), Error);
+  EXPECT_THROW(make(Surface(Obstacle(81), {5, 5, 5})), Error);
   EXPECT_THROW(make(Surface(Plane({0.6, 0, 0.8}), {})), Error);
   EXPECT_THROW(make(Surface(OscillatingPlane({1, 0, 0}, 1, 1), {})), Error);
   EXPECT_THROW(make(Surface(Cylinder({0.6, 0.8, 0}, 4), {5, 5, 5})), Error);
