@@ -52,11 +52,14 @@ std::int32_t round_down(double number) {
 double ShellGrid::cells_of_surface(double radius, std::size_t dimensions) {
   // By Steiner's formula for those that touch the sphere; those inside are missing.
   constexpr double kSphere = 4 * std::numbers::pi / 3;
+  constexpr double kDepth = 2 * kSlack + 0.75;
   const double outer = radius + kSlack;
-  const double inner = std::max(0.0, radius - kSlack - 0.75);
-  if (dimensions == 2) return 1 + 4 * outer + std::numbers::pi * (outer * outer - inner * inner);
-  return 1 + 6 * outer + 3 * std::numbers::pi * outer * outer + kSphere * outer * outer * outer -
-         kSphere * inner * inner * inner;
+  const double inner = std::max(0.0, outer - kDepth);
+  const double depth =
+      std::min(outer, kDepth);  // of the largest radii, outer - inner would be rounded to zero
+  if (dimensions == 2) return 1 + 4 * outer + std::numbers::pi * depth * (outer + inner);
+  return 1 + 6 * outer + 3 * std::numbers::pi * outer * outer +
+         kSphere * depth * (outer * outer + outer * inner + inner * inner);
 }
 
 std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const Subdivision& cells) {

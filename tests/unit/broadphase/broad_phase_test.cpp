@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <vector>
 
@@ -244,6 +245,16 @@ TEST(ShellGrid, KnowsWhoMayTouch) {
     if (HasFailure()) return;
   }
   EXPECT_GT(suited, support::cases(300) / 2);
+}
+
+TEST(ShellGrid, CountsTheCellsOfSurfacesOfAnyRadius) {
+  constexpr double kThickness = 2 * ShellGrid::kSlack + 0.75;
+  for (const double radius : {1e3, 1e6, 1e12, 1e20}) {
+    const double ring = ShellGrid::cells_of_surface(radius, 2) / radius;
+    const double shell = ShellGrid::cells_of_surface(radius, 3) / (radius * radius);
+    EXPECT_NEAR(ring, 4 + 2 * std::numbers::pi * kThickness, 0.02) << radius;
+    EXPECT_NEAR(shell, 3 * std::numbers::pi + 4 * std::numbers::pi * kThickness, 0.05) << radius;
+  }
 }
 
 TEST(ShellGrid, SuitsOnlyMixturesInLargeBoxes) {
