@@ -43,6 +43,10 @@ function(hardball_add_room)
   endif()
   add_library(hardball::${room_NAME} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${room_NAME})
+  if(sources)
+    # So that shared libraries, such as the Python module, can contain it.
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
   hardball_compile_exactly(${target} ${scope})
   target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

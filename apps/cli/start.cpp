@@ -10,7 +10,7 @@
 #include "apps/cli/progress.hpp"
 #include "apps/cli/unit_costs.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/scenario/make_responses.hpp"
+#include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/nearest_name.hpp"
 #include "hardball/tuning/cell_counts.hpp"
@@ -95,36 +95,22 @@ EngineOptions read_engine_options(const Options& options, const Scenario& scenar
   return engine_options;
 }
 
-void respond_as_described(const Scenario& scenario, EngineOptions& options) {
-  if (scenario.bounce.contact_duration > 0 || std::isnan(scenario.restitution())) {
-    options.responses = make_responses(scenario);
-  } else {
-    options.restitution = scenario.restitution();
-    options.elastic_below = scenario.bounce.elastic_below;
-  }
-}
-
-Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options,
-                           const OnProgress& on_progress) {
+Simulation start_simulation(const Scenario& scenario, World world, const EngineOptions& options,
+                 const OnProgress& on_progress) {
   try {
-    Simulation simulation(std::move(start), options, on_progress);
-    if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.seed));
-    return simulation;
+    return make_simulation(scenario, std::move(world), options, on_progress);
   } catch (const Error& error) {
-    const std::string where = options.cell_edge && error.where() == "cell edge"
-                                  ? "--cell-edge"
-                                  : scenario.name + ": " + error.where();
-    throw Error(error.problem(), where, error.remedy());
+    if (error.where() != "cell edge") throw;
+    throw Error(error.problem(), "--cell-edge", error.remedy());
   }
 }
 
 Start set_up(const Options& options, const Scenario& scenario) {
   constexpr double kWorldMade = 0.5;  // the fraction of the work that this takes
   SetUpProgress progress(!options.quiet);
-  World start = make_world(scenario, progress.part(0, kWorldMade));
-  const EngineOptions engine_options = read_engine_options(options, scenario, start);
-  return {engine_options,
-          make_simulation(scenario, std::move(start), engine_options, progress.part(kWorldMade, 1))};
+  World world = make_world(scenario, progress.part(0, kWorldMade));
+  const EngineOptions engine_options = read_engine_options(options, scenario, world);
+  return {engine_options, start_simulation(scenario, std::move(world), engine_options, progress.part(kWorldMade, 1))};
 }
 
 std::string name_of(EngineKind engine) {

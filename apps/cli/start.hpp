@@ -22,13 +22,9 @@ Scenario changed_by(const Options& options, Scenario scenario);
 /// a positive number; invalid unit costs.
 EngineOptions read_engine_options(const Options& options, const Scenario& scenario, const World& start);
 
-/// Sets the responses that a scenario describes.
-void respond_as_described(const Scenario& scenario, EngineOptions& options);
-
-/// The simulation of a scenario from its start. Error: see Simulation, located on the command line or in the
-/// scenario.
-Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options,
-                           const OnProgress& on_progress = {});
+/// As make_simulation, with errors in options located on the command line.
+Simulation start_simulation(const Scenario& scenario, World world, const EngineOptions& options,
+                 const OnProgress& on_progress = {});
 
 /// A simulation and how it is run.
 struct Start {

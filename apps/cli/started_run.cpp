@@ -19,6 +19,7 @@
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/checkpoint_file.hpp"
+#include "hardball/simulation/slice.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -27,14 +28,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-// Few enough that signals are checked and the progress line is updated several times a second.
-std::uint64_t steps_per_slice(const Simulation& simulation) {
-  constexpr std::uint64_t kSteps = 1 << 14;
-  constexpr std::uint64_t kPairs = 1 << 23;
-  if (simulation.engine() != EngineKind::all_pairs) return kSteps;
-  return std::clamp<std::uint64_t>(kPairs / std::max<std::size_t>(simulation.size(), 1), 1, kSteps);
 }
 
 // When the next snapshot is due [T]; infinity if that depends on contacts, or none is.

@@ -17,7 +17,9 @@
 #include "apps/cli/unit_costs.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/output_file.hpp"
+#include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
+#include "hardball/simulation/slice.hpp"
 #include "hardball/tuning/kinetic_theory.hpp"
 #include "hardball/tuning/moments.hpp"
 
@@ -171,12 +173,12 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
 
 // The simulation when each sphere has collided twice on average, or at its end if that is earlier.
 Simulation settle(const Scenario& scenario, const EngineOptions& options) {
-  Simulation simulation = make_simulation(scenario, make_world(scenario), options);
+  Simulation simulation = start_simulation(scenario, make_world(scenario), options);
   const std::uint64_t enough = simulation.size();
   while (simulation.tally().collisions() < enough) {
     if (is_interrupted()) throw RunFailure("interrupted");
-    constexpr std::uint64_t kSteps = 1 << 14;
-    if (simulation.run({.until = Time(*scenario.until), .steps = kSteps}) == RunStatus::time_reached) break;
+    const RunLimits slice{.until = Time(*scenario.until), .steps = steps_per_slice(simulation)};
+    if (simulation.run(slice) == RunStatus::time_reached) break;
   }
   return simulation;
 }

@@ -14,6 +14,7 @@
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/tuning/moments.hpp"
 #include "hardball/world/audit.hpp"
@@ -45,7 +46,7 @@ bool is_same(const Outcome& a, const Outcome& b) {
 
 Outcome run_with(const Scenario& scenario, const World& start, const EngineOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  Simulation simulation = make_simulation(scenario, start, options);
+  Simulation simulation = start_simulation(scenario, start, options);
   Outcome outcome;
   outcome.cell_edge = simulation.cell_edge();
   simulation.on_velocity_change([&](const VelocityChange&) { ++outcome.changes; });
