@@ -14,7 +14,8 @@ struct Circular {
 };
 
 /// The sine and cosine of `frequency` [1/T] times `time` turns, to about 2^-98, from additions,
-/// multiplications and divisions alone: the C library's may differ from one platform to the next.
+/// multiplications and divisions alone: the C library's may differ from one platform to the next. Of
+/// more than 2^100 turns, zero and one.
 Circular circular(double frequency, const Time& time);
 
 }  // namespace hardball

@@ -23,6 +23,14 @@ TEST(Circular, IsExactInTheQuadrants) {
   EXPECT_EQ(circular(1, Time(-0.25)).sine.high, -1);
 }
 
+TEST(Circular, IsDefinedForAnyNumberOfTurns) {
+  for (const double frequency : {1e40, 1e200, 1e300}) {
+    const Circular found = circular(frequency, Time(1e200));
+    EXPECT_EQ(found.sine.high, 0) << frequency;
+    EXPECT_EQ(found.cosine.high, 1) << frequency;
+  }
+}
+
 TEST(Circular, AgreesWithAHundredDigits) {
   Random random(3);
   const Wide turn = 2 * boost::math::constants::pi<Wide>();

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "python/bindings/arrays.hpp"
+
+#include <cmath>
+#include <string_view>
+
+#include "hardball/errors/error.hpp"
+
+namespace py = pybind11;
+
+namespace hardball::python {
+namespace {
+
+std::string shape_of(const py::array& array) {
+  std::string text = "(";
+  for (py::ssize_t axis = 0; axis < array.ndim(); ++axis) {
+    text += (axis > 0 ? ", " : "") + std::to_string(array.shape(axis));
+  }
+  return text + (array.ndim() == 1 ? ",)" : ")");
+}
+
+[[noreturn]] void refuse_shape(const py::array& array, const std::string& name, const std::string& remedy) {
+  throw Error("the array has the shape " + shape_of(array), name, remedy);
+}
+
+Vec3 row_of(const double* numbers, py::ssize_t columns) {
+  return {numbers[0], numbers[1], columns == 3 ? numbers[2] : 0};
+}
+
+bool is_vector(py::ssize_t columns) {
+  return columns == 2 || columns == 3;
+}
+
+std::vector<std::uint32_t> whole(const std::vector<double>& numbers, const std::string& name,
+                                 std::uint32_t most) {
+  std::vector<std::uint32_t> counts;
+  counts.reserve(numbers.size());
+  for (const double number : numbers) {
+    if (!(number >= 0 && number <= most && std::floor(number) == number)) {
+      throw Error("there is the number " + to_text(number), name,
+                  "give whole numbers from 0 to " + std::to_string(most));
+    }
+    counts.push_back(static_cast<std::uint32_t>(number));
+  }
+  return counts;
+}
+
+}  // namespace
+
+Doubles doubles(const py::handle& object, const std::string& name) {
+  constexpr std::string_view kRealNumbers = "fiub";  // as NumPy calls them
+  const py::array array = py::array::ensure(object);
+  if (!array || kRealNumbers.find(array.dtype().kind()) == std::string_view::npos) {
+    PyErr_Clear();
+    throw Error("it is not an array of numbers", name, "give real numbers, as numpy.asarray takes them");
+  }
+  return Doubles::ensure(array.attr("astype")("float64"));
+}
+
+Vec3 vector_of(const py::handle& object, const std::string& name) {
+  const Doubles array = doubles(object, name);
+  if (array.ndim() != 1 || !is_vector(array.shape(0))) {
+    refuse_shape(array, name, "give three numbers, or two in two dimensions");
+  }
+  return row_of(array.data(), array.shape(0));
+}
+
+std::vector<Vec3> vectors_of(const py::handle& object, const std::string& name) {
+  const Doubles array = doubles(object, name);
+  if (array.ndim() == 1 && array.shape(0) == 0) return {};
+  if (array.ndim() != 2 || !is_vector(array.shape(1))) {
+    refuse_shape(array, name, "give one of the shape (n, 3), or (n, 2) in two dimensions");
+  }
+  std::vector<Vec3> vectors;
+  vectors.reserve(static_cast<std::size_t>(array.shape(0)));
+  for (py::ssize_t row = 0; row < array.shape(0); ++row) {
+    vectors.push_back(row_of(array.data(row, 0), array.shape(1)));
+  }
+  return vectors;
+}
+
+std::vector<Vec3> vectors_of(const py::handle& object, const std::string& name, std::size_t count) {
+  const Doubles array = doubles(object, name);
+  if (array.ndim() == 1 && is_vector(array.shape(0))) {
+    return std::vector<Vec3>(count, row_of(array.data(), array.shape(0)));
+  }
+  std::vector<Vec3> vectors = vectors_of(array, name);
+  if (vectors.size() != count) {
+    refuse_shape(array, name, "give as many rows as there are spheres, " + std::to_string(count));
+  }
+  return vectors;
+}
+
+std::vector<double> numbers_of(const py::handle& object, const std::string& name, std::size_t count) {
+  const Doubles array = doubles(object, name);
+  if (array.ndim() == 0) return std::vector<double>(count, *array.data());
+  if (array.ndim() != 1 || static_cast<std::size_t>(array.shape(0)) != count) {
+    refuse_shape(array, name, "give one number, or as many as there are spheres, " + std::to_string(count));
+  }
+  return {array.data(), array.data() + count};
+}
+
+std::vector<std::uint32_t> counts_of(const py::handle& object, const std::string& name, std::size_t count,
+                                     std::uint32_t most) {
+  return whole(numbers_of(object, name, count), name, most);
+}
+
+std::vector<std::uint32_t> counts_of(const py::handle& object, const std::string& name, std::uint32_t most) {
+  const Doubles array = doubles(object, name);
+  if (array.ndim() > 1) refuse_shape(array, name, "give one number, or an array of the shape (n,)");
+  return whole({array.data(), array.data() + array.size()}, name, most);
+}
+
+py::array_t<double> array_of(const Vec3& vector) {
+  return py::array_t<double>(3, &vector.x);
+}
+
+py::array_t<double> array_around(std::vector<Vec3> vectors) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  auto owner = std::make_unique<std::vector<Vec3>>(std::move(vectors));
+  const auto* const data = reinterpret_cast<const double*>(owner->data());
+  const auto rows = static_cast<py::ssize_t>(owner->size());
+  const py::capsule capsule(owner.release(), [](void* all) { delete static_cast<std::vector<Vec3>*>(all); });
+  return py::array_t<double>({rows, py::ssize_t{3}}, data, capsule);
+}
+
+}  // namespace hardball::python

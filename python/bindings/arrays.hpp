@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hardball/geometry/vec3.hpp"
+
+/// Between what Python has, numbers and arrays of any kind, and what the library takes.
+namespace hardball::python {
+
+/// An array of doubles in the order of C. Error: it is not made of real numbers.
+using Doubles = pybind11::array_t<double, pybind11::array::c_style>;
+Doubles doubles(const pybind11::handle& object, const std::string& name);
+
+/// A vector of three numbers, or of two where z is zero. Error: it is neither.
+Vec3 vector_of(const pybind11::handle& object, const std::string& name);
+
+/// The rows of an array of shape (n, 3), or (n, 2) where z is zero. Error: it has another shape.
+std::vector<Vec3> vectors_of(const pybind11::handle& object, const std::string& name);
+/// The same, or the same vector for all, of which there are `count`. Error: there are not as many.
+std::vector<Vec3> vectors_of(const pybind11::handle& object, const std::string& name, std::size_t count);
+
+/// An array of shape (n), or the same number for all. Error: it has another shape or length.
+std::vector<double> numbers_of(const pybind11::handle& object, const std::string& name, std::size_t count);
+
+/// The same of whole numbers from 0 to `most`. Error: likewise; one is no such number.
+std::vector<std::uint32_t> counts_of(const pybind11::handle& object, const std::string& name,
+                                     std::size_t count, std::uint32_t most);
+/// An array of shape (n), or a single number. Error: as above.
+std::vector<std::uint32_t> counts_of(const pybind11::handle& object, const std::string& name,
+                                     std::uint32_t most);
+
+/// A new array.
+pybind11::array_t<double> array_of(const Vec3& vector);
+
+/// An array that nobody can write to.
+template <class Array>
+Array read_only(Array array) {
+  array.attr("setflags")(pybind11::arg("write") = false);
+  return array;
+}
+
+/// An array around the elements of a vector, which are not copied.
+template <class Element>
+pybind11::array_t<Element> array_around(std::vector<Element> elements) {
+  auto owner = std::make_unique<std::vector<Element>>(std::move(elements));
+  const Element* const data = owner->data();
+  const auto size = static_cast<pybind11::ssize_t>(owner->size());
+  const pybind11::capsule capsule(owner.release(),
+                                  [](void* vector) { delete static_cast<std::vector<Element>*>(vector); });
+  return pybind11::array_t<Element>(size, data, capsule);
+}
+/// The same of shape (n, 3).
+pybind11::array_t<double> array_around(std::vector<Vec3> vectors);
+
+}  // namespace hardball::python

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/world/box.hpp"
+
+#include <pybind11/stl.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "documentation.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/surfaces/surface.hpp"
+#include "python/bindings/arrays.hpp"
+#include "python/bindings/bindings.hpp"
+
+namespace py = pybind11;
+
+namespace hardball::python {
+namespace {
+
+// In the order of Boundary.
+constexpr std::array<const char*, 4> kBoundaries{"wall", "periodic", "open", "flat"};
+
+Boundary boundary_of(const std::string& name) {
+  for (std::size_t i = 0; i < kBoundaries.size(); ++i) {
+    if (name == kBoundaries[i]) return static_cast<Boundary>(i);
+  }
+  throw Error("there is no boundary '" + name + "'", "boundary",
+              "choose among 'wall', 'periodic', 'open' and, for z, 'flat'");
+}
+
+const char* name_of(Boundary boundary) {
+  return kBoundaries[static_cast<std::size_t>(boundary)];
+}
+
+// One length for all axes, or one for each; two lengths are those of a plane.
+Box box_of(Boundary boundary, const py::handle& size, bool is_flat) {
+  const Doubles lengths = doubles(size, "size");
+  const std::string remedy = is_flat ? "give one length, or two" : "give one length, or three";
+  const py::ssize_t axes = is_flat ? 2 : 3;
+  if (lengths.ndim() > 1 || (lengths.ndim() == 1 && lengths.shape(0) != axes)) {
+    throw Error("it is not one length, nor one for each axis", "size", remedy);
+  }
+  const auto length = [&](py::ssize_t axis) { return lengths.data()[lengths.ndim() == 0 ? 0 : axis]; };
+  if (is_flat) return {{boundary, boundary, Boundary::flat}, {length(0), length(1), 0}};
+  return {{boundary, boundary, boundary}, {length(0), length(1), length(2)}};
+}
+
+std::string text_of(const Box& box) {
+  std::string text = "hardball.Box(boundary=(";
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    text += std::string(axis > 0 ? ", " : "") + "'" + name_of(box.boundary(axis)) + "'";
+  }
+  text += "), size=(";
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    text += (axis > 0 ? ", " : "") + (box.is_bounded(axis) ? to_text(box.size()[axis]) : "0");
+  }
+  return text + "))";
+}
+
+Vec3 unit(const Vec3& direction) {
+  const double norm = length(direction);
+  if (!(norm > 0 && norm < std::numeric_limits<double>::infinity())) {
+    throw Error("the direction has no length", "surface", "give a vector that is not zero");
+  }
+  return (1 / norm) * direction;
+}
+
+Surface surface_of(const Shape& shape, const py::handle& point, const py::handle& velocity,
+                   std::optional<double> restitution, std::optional<double> temperature, std::uint64_t seed) {
+  return Surface(shape, vector_of(point, "point"), vector_of(velocity, "velocity"),
+                 {.restitution = restitution, .temperature = temperature, .seed = seed});
+}
+
+void bind_surface(py::module_& module) {
+  const py::tuple origin = py::make_tuple(0.0, 0.0, 0.0);
+  py::class_<Surface>(module, "Surface", doc::Surface)
+      .def_static(
+          "plane",
+          [](const py::object& normal, const py::object& point, const py::object& velocity, double amplitude,
+             double frequency, std::optional<double> restitution, std::optional<double> temperature,
+             std::uint64_t seed) {
+            const Vec3 towards_spheres = unit(vector_of(normal, "normal"));
+            const Shape shape = amplitude == 0 && frequency == 0
+                                    ? Shape(Plane(towards_spheres))
+                                    : Shape(OscillatingPlane(towards_spheres, amplitude, frequency));
+            return surface_of(shape, point, velocity, restitution, temperature, seed);
+          },
+          py::arg("normal"), py::arg("point") = origin, py::kw_only(), py::arg("velocity") = origin,
+          py::arg("amplitude") = 0.0, py::arg("frequency") = 0.0, py::arg("restitution") = py::none(),
+          py::arg("temperature") = py::none(), py::arg("seed") = 0,
+          "A plane through `point` [L]; `normal`, of any length, points towards the spheres. It may move, or "
+          "oscillate along the normal with `amplitude` [L] and `frequency` [1/T].")
+      .def_static(
+          "cylinder",
+          [](const py::object& axis, double radius, const py::object& point,
+             std::optional<double> restitution, std::optional<double> temperature, std::uint64_t seed) {
+            return surface_of(Cylinder(unit(vector_of(axis, "axis")), radius), point,
+                              py::make_tuple(0.0, 0.0, 0.0), restitution, temperature, seed);
+          },
+          py::arg("axis"), py::arg("radius"), py::arg("point") = origin, py::kw_only(),
+          py::arg("restitution") = py::none(), py::arg("temperature") = py::none(), py::arg("seed") = 0,
+          "A tube of `radius` [L], in which spheres move, around an axis of any length through `point` [L].")
+      .def_static(
+          "sphere",
+          [](double radius, const py::object& point, std::optional<double> restitution,
+             std::optional<double> temperature, std::uint64_t seed) {
+            return surface_of(HollowSphere(radius), point, py::make_tuple(0.0, 0.0, 0.0), restitution,
+                              temperature, seed);
+          },
+          py::arg("radius"), py::arg("point") = origin, py::kw_only(), py::arg("restitution") = py::none(),
+          py::arg("temperature") = py::none(), py::arg("seed") = 0,
+          "A hollow sphere of `radius` [L] around `point` [L], in which spheres move.")
+      .def_static(
+          "obstacle",
+          [](double radius, const py::object& point, const py::object& velocity,
+             std::optional<double> restitution, std::optional<double> temperature, std::uint64_t seed) {
+            return surface_of(Obstacle(radius), point, velocity, restitution, temperature, seed);
+          },
+          py::arg("radius"), py::arg("point") = origin, py::kw_only(), py::arg("velocity") = origin,
+          py::arg("restitution") = py::none(), py::arg("temperature") = py::none(), py::arg("seed") = 0,
+          "A sphere of `radius` [L] around `point` [L] that spheres bounce off, and that nothing deflects.")
+      .def_property_readonly("name", [](const Surface& self) { return std::string(self.name()); })
+      .def_property_readonly(
+          "point", [](const Surface& self) { return array_of(self.point()); }, "At time zero [L].")
+      .def_property_readonly(
+          "velocity", [](const Surface& self) { return array_of(self.velocity()); }, "[L/T]")
+      .def("__repr__",
+           [](const Surface& self) { return "<hardball.Surface: " + std::string(self.name()) + ">"; });
+}
+
+}  // namespace
+
+void bind_box(py::module_& module) {
+  py::class_<Box>(module, "Box", doc::Box)
+      .def(py::init([](const std::array<std::string, kAxes>& boundary, const py::object& size) {
+             return Box({boundary_of(boundary[0]), boundary_of(boundary[1]), boundary_of(boundary[2])},
+                        vector_of(size, "size"));
+           }),
+           py::arg("boundary"), py::arg("size"),
+           "With a boundary for each axis: 'wall', 'periodic', 'open' or, for z, 'flat'; and edge lengths "
+           "[L], which do not matter along open and flat axes.")
+      .def_static(
+          "walls", [](const py::object& size) { return box_of(Boundary::wall, size, false); },
+          py::arg("size"), "Between hard walls. `size` is the edge [L], or one length for each axis.")
+      .def_static(
+          "periodic", [](const py::object& size) { return box_of(Boundary::periodic, size, false); },
+          py::arg("size"),
+          "What leaves at one end enters at the other. `size` is the edge [L], or one length for each axis.")
+      .def_static("open", &Box::open, "Unbounded space.")
+      .def_static(
+          "flat_walls", [](const py::object& size) { return box_of(Boundary::wall, size, true); },
+          py::arg("size"), "As walls, in two dimensions: spheres are discs.")
+      .def_static(
+          "flat_periodic", [](const py::object& size) { return box_of(Boundary::periodic, size, true); },
+          py::arg("size"), "As periodic, in two dimensions: spheres are discs.")
+      .def_static("flat_open", &Box::flat_open, "The whole plane: spheres are discs.")
+      .def_property_readonly(
+          "boundary",
+          [](const Box& self) {
+            return py::make_tuple(name_of(self.boundary(0)), name_of(self.boundary(1)),
+                                  name_of(self.boundary(2)));
+          },
+          doc::Boundary)
+      .def_property_readonly(
+          "size", [](const Box& self) { return read_only(array_of(self.size())); }, doc::Box_size)
+      .def_property_readonly("dimensions", &Box::dimensions, "3, or 2 if the box is flat.")
+      .def_property_readonly("volume", &Box::volume, doc::Box_volume)
+      .def(
+          "__eq__",
+          [](const Box& self, const Box& other) {
+            return self.size() == other.size() && self.boundary(0) == other.boundary(0) &&
+                   self.boundary(1) == other.boundary(1) && self.boundary(2) == other.boundary(2);
+          },
+          py::is_operator())
+      .def("__repr__", &text_of);
+  bind_surface(module);
+}
+
+}  // namespace hardball::python

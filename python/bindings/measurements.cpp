@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+
+#include <string>
+
+#include "documentation.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/measure/measure_settings.hpp"
+#include "hardball/measure/measurement.hpp"
+#include "python/bindings/arrays.hpp"
+#include "python/bindings/bindings.hpp"
+
+namespace py = pybind11;
+
+namespace hardball::python {
+namespace {
+
+std::string text_of(const Quantity& quantity) {
+  std::string text = to_text(quantity.value);
+  if (quantity.error == quantity.error) text += " +- " + to_text(quantity.error);
+  if (quantity.unit != "1") text += " " + quantity.unit;
+  if (quantity.theory == quantity.theory) text += ", theory " + to_text(quantity.theory);
+  return text;
+}
+
+// Quantities and arrays keep the measurement alive.
+py::dict quantities_of(const py::object& self) {
+  py::dict all;
+  for (const Quantity& quantity : self.cast<const Measurement&>().quantities) {
+    all[py::str(quantity.name)] = py::cast(quantity, py::return_value_policy::reference_internal, self);
+  }
+  return all;
+}
+
+py::dict columns_of(const py::object& self) {
+  py::dict all;
+  for (const Column& column : self.cast<const Measurement&>().columns) {
+    const auto size = static_cast<py::ssize_t>(column.values.size());
+    all[py::str(column.name)] = read_only(py::array_t<double>(size, column.values.data(), self));
+  }
+  return all;
+}
+
+}  // namespace
+
+void bind_measurements(py::module_& module) {
+  py::class_<Quantity>(module, "Quantity", doc::Quantity)
+      .def_readonly("name", &Quantity::name, doc::Quantity_name)
+      .def_readonly("unit", &Quantity::unit, doc::Quantity_unit)
+      .def_readonly("value", &Quantity::value)
+      .def_readonly("error", &Quantity::error, doc::Quantity_error)
+      .def_readonly("theory", &Quantity::theory, doc::Quantity_theory)
+      .def("__float__", [](const Quantity& self) { return self.value; })
+      .def("__repr__", [](const Quantity& self) {
+        return "<hardball.Quantity " + self.name + ": " + text_of(self) + ">";
+      });
+  py::class_<Measurement>(module, "Measurement", doc::Measurement)
+      .def_readonly("name", &Measurement::name, doc::Measurement_name)
+      .def_readonly("title", &Measurement::title, doc::Measurement_title)
+      .def_readonly("formula", &Measurement::formula, doc::Measurement_formula)
+      .def_readonly("source", &Measurement::source, doc::Measurement_source)
+      .def_property_readonly("quantities", &quantities_of, "The measured numbers by their names.")
+      .def_property_readonly("columns", &columns_of,
+                             "The measured function as a table: arrays by their names, the first being the "
+                             "argument; errors and theory follow what they belong to. May be empty.")
+      .def_property_readonly(
+          "units",
+          [](const Measurement& self) {
+            py::dict all;
+            for (const Quantity& quantity : self.quantities) all[py::str(quantity.name)] = quantity.unit;
+            for (const Column& column : self.columns) all[py::str(column.name)] = column.unit;
+            return all;
+          },
+          "The units of quantities and columns: products of powers of L, T and M; '1' for pure numbers.")
+      .def(
+          "to_frame",
+          [](const py::object& self) {
+            return py::module_::import("pandas").attr("DataFrame")(columns_of(self));
+          },
+          "The columns as a data frame; needs pandas.")
+      .def(
+          "__getitem__",
+          [](const py::object& self, const std::string& name) {
+            for (const py::dict& all : {quantities_of(self), columns_of(self)}) {
+              if (all.contains(name)) return py::object(all[py::str(name)]);
+            }
+            throw py::key_error(name);
+          },
+          py::arg("name"), "The quantity or column of this name.")
+      .def_readonly("duration", &Measurement::duration, doc::Measurement_duration)
+      .def_readonly("transient", &Measurement::transient, doc::Measurement_transient)
+      .def_readonly("is_transient_over", &Measurement::is_transient_over, doc::Measurement_is_transient_over)
+      .def("__repr__", [](const Measurement& self) { return "<hardball.Measurement: " + self.title + ">"; });
+  module.def(
+      "measure_names",
+      [] {
+        py::list all;
+        for (const std::string_view name : measure_names()) all.append(std::string(name));
+        return all;
+      },
+      doc::measure_names);
+}
+
+}  // namespace hardball::python

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "python/bindings/bindings.hpp"
+
+PYBIND11_MODULE(_hardball, module) {
+  using namespace hardball::python;
+  module.doc() = "The part of the package hardball that is written in C++; import hardball instead.";
+  module.attr("__version__") = HARDBALL_VERSION;
+  bind_errors(module);
+  bind_box(module);
+  bind_responses(module);
+  bind_thermostats(module);
+  bind_measurements(module);
+  bind_simulation(module);
+}

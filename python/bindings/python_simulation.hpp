@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "hardball/measure/measures.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "python/bindings/callback.hpp"
+#include "python/bindings/event_records.hpp"
+
+namespace hardball::python {
+
+/// A simulation as Python holds it: runs without the interpreter's lock that Ctrl-C ends, the arrays of the
+/// present state, and the measures and functions that belong to it.
+///
+/// While it runs in one thread, the others are refused; a listener or response runs in the same thread and
+/// may do what the library allows.
+class PythonSimulation {
+ public:
+  explicit PythonSimulation(Simulation simulation) : simulation_(std::move(simulation)) {}
+  PythonSimulation(const PythonSimulation& other);
+  PythonSimulation(PythonSimulation&& other);
+
+  /// Error (RunFailure), of both: it is running in another thread.
+  const Simulation& simulation() const;
+  /// To be changed: arrays made before are of the past.
+  Simulation& simulation_to_edit();
+
+  /// What `make` returns, or has returned before for this name and the present state.
+  template <class Make>
+  pybind11::object of_state(std::string_view name, Make&& make) {
+    simulation();
+    pybind11::object& object = of_state_[name];
+    if (!object) object = make();
+    return object;
+  }
+
+  /// Runs until the first of the limits is met, and returns the contacts if `record`, otherwise their number.
+  /// `on_progress`, a function or None, is called several times a second with the time. Error: as for
+  /// Simulation::run; a Python exception of the functions called, or KeyboardInterrupt.
+  pybind11::object run(std::optional<double> until, std::optional<std::uint64_t> collisions,
+                       std::optional<std::uint64_t> contacts, bool record,
+                       const pybind11::object& on_progress);
+  /// Runs to the next contact up to `until` [T] and returns it; None, at `until`, if there is none.
+  pybind11::object step(double until);
+  /// The next contact up to `until` [T], without carrying it out.
+  std::optional<NextContact> next_event(double until);
+  /// See Simulation::positions_at.
+  std::vector<Vec3> positions_at(double time);
+
+  /// Replaces the function called after every contact, and the response; None for none.
+  void set_listener(const pybind11::object& listener);
+  void set_response(const pybind11::object& response);
+  const std::optional<Callback>& response() const { return response_; }
+
+  /// Measures from now on what the settings say.
+  void set_measures(const MeasureSettings& settings) { measures_ = Measures(settings); }
+  void restore_measures(std::string_view bytes, const std::string& where);
+  std::string save_measures() const;
+  std::vector<Measurement> results() const;
+
+  /// Where a run ends that is given no limit [T].
+  std::optional<double> until;
+
+ private:
+  // The time in which this thread alone has the simulation, without the interpreter's lock.
+  class Turn;
+
+  void listen();
+  RunStatus run_slice(const RunLimits& slice);
+
+  Simulation simulation_;
+  Measures measures_{{.names = {}}};
+  std::optional<Callback> listener_;
+  std::optional<Callback> response_;
+  std::optional<EventRecords> records_;  // while they are recorded
+  std::optional<Contact> last_;          // of a step
+  bool is_stepping_ = false;
+  std::optional<std::thread::id> runner_;
+  std::map<std::string_view, pybind11::object> of_state_;
+};
+
+}  // namespace hardball::python

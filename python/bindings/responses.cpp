@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "python/bindings/responses.hpp"
+
+#include <pybind11/stl.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "documentation.hpp"
+#include "hardball/errors/error.hpp"
+#include "python/bindings/arrays.hpp"
+#include "python/bindings/bindings.hpp"
+#include "python/bindings/callback.hpp"
+
+namespace py = pybind11;
+
+namespace hardball::python {
+namespace {
+
+// In the order of Fate.
+constexpr std::array<const char*, 3> kFates{"bounce", "pass", "merge"};
+
+RestitutionLaw law_of(const py::handle& object) {
+  if (py::isinstance<ViscoelasticRestitution>(object)) return object.cast<ViscoelasticRestitution>();
+  if (py::isinstance<TabulatedRestitution>(object)) return object.cast<TabulatedRestitution>();
+  const Doubles number = doubles(object, "restitution");
+  if (number.ndim() != 0) {
+    throw Error("it is not one number", "restitution",
+                "give a number from 0 to 1, a ViscoelasticRestitution or a TabulatedRestitution");
+  }
+  return ConstantRestitution{*number.data()};
+}
+
+TabulatedRestitution tabulated(const py::object& speeds, const py::object& values) {
+  const Doubles abscissae = doubles(speeds, "speeds");
+  const std::vector<double> at_speeds =
+      numbers_of(values, "values", static_cast<std::size_t>(abscissae.size()));
+  std::vector<TabulatedRestitution::Point> points;
+  for (std::size_t i = 0; i < at_speeds.size(); ++i) {
+    points.push_back({abscissae.data()[i], at_speeds[i]});
+  }
+  return TabulatedRestitution(std::move(points));
+}
+
+Rule rule_of(const py::handle& object) {
+  if (py::isinstance<Merging>(object)) return Merging();
+  if (py::isinstance<Bounce>(object)) return object.cast<Bounce>();
+  throw Error("it is neither a Bounce nor a Merging", "response", "give one of these");
+}
+
+// A table that says what a constant restitution of smooth spheres says is slower than one.
+bool is_simple(const BounceRules& rules) {
+  return std::holds_alternative<ConstantRestitution>(rules.restitution) && rules.contact_duration == 0 &&
+         !rules.tangential_restitution;
+}
+
+// Vectors by the name of a function that returns one.
+py::tuple pair_of(const Vec3& first, const Vec3& second) {
+  return py::make_tuple(array_of(first), array_of(second));
+}
+
+std::pair<Vec3, Vec3> vectors_of_both(const py::handle& object, const char* name) {
+  if (!py::isinstance<py::sequence>(object) || py::len(object) != 2) {
+    throw Error("the response has not returned two vectors", name,
+                "return the velocities of both bodies, as in contact.before, or an Outcome");
+  }
+  const auto both = py::reinterpret_borrow<py::sequence>(object);
+  return {vector_of(both[0], name), vector_of(both[1], name)};
+}
+
+Outcome outcome_of(const Contact& contact, const py::object& returned) {
+  if (py::isinstance<Outcome>(returned)) return returned.cast<Outcome>();
+  const auto [first, second] = vectors_of_both(returned, "response");
+  return {contact, {first, second}};
+}
+
+void bind_contact(py::module_& module) {
+  const auto vector = [](auto member) {
+    return [member](const Contact& self) { return array_of(self.*member); };
+  };
+  py::class_<Contact>(module, "Contact", doc::Contact)
+      .def_property_readonly(
+          "time", [](const Contact& self) { return self.time.value(); }, "[T]")
+      .def_property_readonly(
+          "kind", [](const Contact& self) { return self.is_collision() ? "collision" : "wall"; },
+          "'collision' or 'wall'.")
+      .def_readonly("first", &Contact::first, doc::Contact_first)
+      .def_readonly("second", &Contact::second, doc::Contact_second)
+      .def_property_readonly("position", vector(&Contact::position), doc::Contact_position)
+      .def_property_readonly("second_position", vector(&Contact::second_position),
+                             doc::Contact_second_position)
+      .def_property_readonly("separation", vector(&Contact::separation), doc::Contact_separation)
+      .def_readonly("reach", &Contact::reach, doc::Contact_reach)
+      .def_property_readonly(
+          "normal", [](const Contact& self) { return array_of(self.normal()); }, doc::Contact_normal)
+      .def_property_readonly(
+          "point", [](const Contact& self) { return array_of(self.point()); }, doc::Contact_point)
+      .def_property_readonly(
+          "radii", [](const Contact& self) { return py::make_tuple(self.first_radius, self.second_radius); },
+          "Of both bodies, zero for a wall [L].")
+      .def_property_readonly(
+          "masses", [](const Contact& self) { return py::make_tuple(self.first_mass, self.second_mass); },
+          "Of both bodies, infinite for a wall and a kinematic sphere [M].")
+      .def_property_readonly(
+          "species",
+          [](const Contact& self) { return py::make_tuple(self.first_species, self.second_species); },
+          "Of both bodies, zero for a wall.")
+      .def_property_readonly(
+          "before", [](const Contact& self) { return pair_of(self.before.first, self.before.second); },
+          "The velocities of both bodies before the contact [L/T]; of a wall contact the second is the "
+          "wall's.")
+      .def_property_readonly(
+          "after", [](const Contact& self) { return pair_of(self.after.first, self.after.second); },
+          "The velocities of both bodies after the contact [L/T]; equal to `before` while the response is "
+          "called.")
+      .def_property_readonly(
+          "spins_before",
+          [](const Contact& self) { return pair_of(self.spins_before.first, self.spins_before.second); },
+          "The angular velocities of both bodies before the contact [1/T]; zero for a wall.")
+      .def_property_readonly(
+          "spins_after",
+          [](const Contact& self) { return pair_of(self.spins_after.first, self.spins_after.second); },
+          doc::Contact_spins_after)
+      .def_property_readonly(
+          "fate", [](const Contact& self) { return kFates[static_cast<std::size_t>(self.fate)]; },
+          "'bounce', 'pass' or 'merge'.")
+      .def_property_readonly(
+          "impulse", [](const Contact& self) { return array_of(self.impulse()); }, doc::Contact_impulse)
+      .def_property_readonly("normal_speed", &Contact::impact_speed, doc::Contact_impact_speed)
+      .def_property_readonly("flight", &Contact::flight, doc::Contact_flight)
+      .def("__repr__", [](const Contact& self) {
+        return "<hardball.Contact at " + to_text(self.time.value()) + ": sphere " +
+               std::to_string(self.first) + (self.is_collision() ? " and sphere " : " and wall ") +
+               std::to_string(self.second) + ">";
+      });
+  py::class_<Outcome>(module, "Outcome", doc::Outcome)
+      .def(py::init([](const Contact& contact, const py::object& velocities, const py::object& spins,
+                       bool merges) {
+             const auto [first, second] = vectors_of_both(velocities, "velocities");
+             Outcome outcome(contact, {first, second});
+             if (!spins.is_none()) {
+               const auto [first_spin, second_spin] = vectors_of_both(spins, "spins");
+               outcome.spins = {first_spin, second_spin};
+             }
+             outcome.merges = merges;
+             return outcome;
+           }),
+           py::arg("contact"), py::arg("velocities"), py::arg("spins") = py::none(),
+           py::arg("merges") = false,
+           "`velocities` [L/T] and `spins` [1/T] of both bodies; the same spins as before if not given.");
+}
+
+}  // namespace
+
+bool set_response(const py::handle& object, EngineOptions& options) {
+  options.responses.reset();
+  options.restitution = 1;
+  options.elastic_below = 0;
+  if (object.is_none()) return true;
+  if (py::isinstance<ResponseTable>(object)) {
+    options.responses = object.cast<ResponseTable>();
+  } else if (py::isinstance<Merging>(object)) {
+    options.responses = ResponseTable(Merging());
+  } else if (py::isinstance<Bounce>(object)) {
+    const auto bounce = object.cast<Bounce>();
+    if (!is_simple(bounce.rules())) {
+      options.responses = ResponseTable(bounce, bounce);
+    } else {
+      options.restitution = std::get<ConstantRestitution>(bounce.rules().restitution).value;
+      options.elastic_below = bounce.rules().elastic_below;
+    }
+  } else if (PyNumber_Check(object.ptr()) != 0) {
+    options.restitution = std::get<ConstantRestitution>(law_of(object)).value;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+std::function<Outcome(const Contact&)> response_calling(py::object function) {
+  return [callback = Callback(std::move(function))](const Contact& contact) {
+    const py::gil_scoped_acquire lock;
+    return outcome_of(contact, callback(contact));
+  };
+}
+
+void bind_responses(py::module_& module) {
+  py::class_<ViscoelasticRestitution>(module, "ViscoelasticRestitution", doc::ViscoelasticRestitution)
+      .def(py::init<double, double>(), py::arg("value"), py::arg("speed"),
+           doc::ViscoelasticRestitution_ViscoelasticRestitution)
+      .def("at", &ViscoelasticRestitution::at, py::arg("speed"), doc::ViscoelasticRestitution_at);
+  py::class_<TabulatedRestitution>(module, "TabulatedRestitution", doc::TabulatedRestitution)
+      .def(py::init(&tabulated), py::arg("speeds"), py::arg("values"),
+           "`values` [1] at `speeds` [L/T], which increase.")
+      .def("at", &TabulatedRestitution::at, py::arg("speed"), "At an impact speed [L/T].");
+  py::class_<Bounce>(module, "Bounce", doc::Bounce)
+      .def(py::init([](const py::object& restitution, double elastic_below, double contact_duration,
+                       std::optional<double> tangential_restitution) {
+             return Bounce({.restitution = law_of(restitution),
+                            .elastic_below = elastic_below,
+                            .contact_duration = contact_duration,
+                            .tangential_restitution = tangential_restitution});
+           }),
+           py::arg("restitution") = 1.0, py::kw_only(), py::arg("elastic_below") = 0.0,
+           py::arg("contact_duration") = 0.0, py::arg("tangential_restitution") = py::none(),
+           "`restitution` is a number from 0 to 1 or one of the laws of restitution. Impacts slower than "
+           "`elastic_below` [L/T] are elastic, and those within `contact_duration` [T] of another: the TC "
+           "model. With `tangential_restitution`, from -1, smooth, to 1, perfectly rough, the spheres spin.");
+  py::class_<Merging>(module, "Merging", doc::Merging).def(py::init<>());
+  py::class_<ResponseTable>(module, "ResponseTable", doc::ResponseTable)
+      .def(py::init([](const py::object& spheres, const Bounce& walls) {
+             return ResponseTable(rule_of(spheres), walls);
+           }),
+           py::arg("spheres") = Bounce(), py::arg("walls") = Bounce(),
+           "The same Bounce or Merging for all spheres, and the same Bounce for all at walls.")
+      .def(
+          "set",
+          [](ResponseTable& self, SpeciesId a, SpeciesId b, const py::object& rule) {
+            self.set(a, b, rule_of(rule));
+          },
+          py::arg("first"), py::arg("second"), py::arg("rule"), "Sets the response of two species.")
+      .def("set_wall", &ResponseTable::set_wall, py::arg("species"), py::arg("bounce"),
+           doc::ResponseTable_set_wall);
+  bind_contact(module);
+}
+
+}  // namespace hardball::python

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "documentation.hpp"
+#include "hardball/thermostats/thermostat.hpp"
+#include "python/bindings/bindings.hpp"
+
+namespace py = pybind11;
+
+namespace hardball::python {
+
+void bind_thermostats(py::module_& module) {
+  py::class_<Andersen>(module, "Andersen", doc::Andersen)
+      .def(py::init<double, double>(), py::arg("temperature"), py::arg("rate"), doc::Andersen_Andersen)
+      .def_property_readonly("temperature", &Andersen::temperature, "k T [M L^2 T^-2].")
+      .def_property_readonly("rate", &Andersen::rate, "Of each sphere's events [1/T].");
+  py::class_<Rescale>(module, "Rescale", doc::Rescale)
+      .def(py::init<double, double>(), py::arg("temperature"), py::arg("every"), doc::Rescale_Rescale)
+      .def_property_readonly("temperature", &Rescale::temperature, "k T [M L^2 T^-2].")
+      .def_property_readonly("every", &Rescale::every, "The interval [T].");
+  py::class_<Heating>(module, "Heating", doc::Heating)
+      .def(py::init<double, double>(), py::arg("strength"), py::arg("every"), doc::Heating_Heating)
+      .def_property_readonly("strength", &Heating::strength, "[L^2 T^-3]")
+      .def_property_readonly("every", &Heating::every, "The interval [T].");
+}
+
+}  // namespace hardball::python

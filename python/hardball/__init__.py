@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+"""Every collision among many moving spheres, exactly and in order.
+
+    import hardball
+    simulation = hardball.Simulation(hardball.Box.periodic(10.0), positions=..., velocities=..., radius=0.5)
+    simulation.run(until=100)
+
+Lengths are in any unit [L], times in another [T], masses in a third [M]; all other units follow.
+"""
+
+from ._hardball import (
+    Andersen,
+    Bounce,
+    Box,
+    BrokenInvariant,
+    Clearance,
+    Contact,
+    Error,
+    Heating,
+    Measurement,
+    Merging,
+    NextContact,
+    Outcome,
+    Quantity,
+    RayHit,
+    Rescale,
+    ResponseTable,
+    RunFailure,
+    Surface,
+    TabulatedRestitution,
+    ViscoelasticRestitution,
+    __version__,
+    measure_names,
+)
+from ._simulation import Simulation
+
+__all__ = [
+    "Andersen",
+    "Bounce",
+    "Box",
+    "BrokenInvariant",
+    "Clearance",
+    "Contact",
+    "Error",
+    "Heating",
+    "Measurement",
+    "Merging",
+    "NextContact",
+    "Outcome",
+    "Quantity",
+    "RayHit",
+    "Rescale",
+    "ResponseTable",
+    "RunFailure",
+    "Simulation",
+    "Surface",
+    "TabulatedRestitution",
+    "ViscoelasticRestitution",
+    "measure_names",
+    "__version__",
+]
+
+for _name in __all__:
+    if isinstance(globals()[_name], type):
+        globals()[_name].__module__ = "hardball"
+del _name

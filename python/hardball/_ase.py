@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+"""What an ASE Atoms object says to a simulation."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _hardball
+
+if TYPE_CHECKING:
+    import ase
+
+
+def arguments_of(atoms: ase.Atoms, radius: ArrayLike | None) -> dict[str, Any]:
+    """The arguments of Simulation. Error: the cell has other than right angles; there are no radii."""
+    cell = np.asarray(atoms.cell)
+    size = np.diag(cell)
+    if np.any(cell != np.diag(size)) or np.any(atoms.pbc & (size <= 0)):
+        raise _hardball.Error(
+            "the cell of the atoms has other than right angles: align its edges with the axes"
+        )
+    if radius is None:
+        if "radius" not in atoms.arrays:
+            raise _hardball.Error("the atoms have no radii: give radius, or an array 'radius' of the atoms")
+        radius = atoms.arrays["radius"]
+    momenta = atoms.get_momenta()
+    masses = atoms.get_masses()
+    return {
+        "box": _hardball.Box(["periodic" if along else "open" for along in atoms.pbc], size),
+        "positions": atoms.positions,
+        "velocities": momenta / masses[:, np.newaxis],
+        "radius": radius,
+        "mass": masses,
+    }

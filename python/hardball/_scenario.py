@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+"""Scenarios as dicts."""
+
+from __future__ import annotations
+
+import json
+import os
+from numbers import Integral, Real
+from typing import Any, Mapping
+
+import numpy as np
+
+from . import _hardball
+
+
+def toml_of(value: Any) -> str:
+    """A value as TOML has it, in one line. Error: TOML has no such value."""
+    if isinstance(value, (bool, np.bool_)):
+        return "true" if value else "false"
+    if isinstance(value, Integral):
+        return str(int(value))
+    if isinstance(value, Real):
+        # 1e+30 and inf are numbers in TOML, too.
+        return repr(float(value))
+    if isinstance(value, (str, os.PathLike)):
+        return json.dumps(os.fspath(value), ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{json.dumps(str(key))} = {toml_of(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return "[" + ", ".join(toml_of(item) for item in value) + "]"
+    raise _hardball.Error(
+        f"a scenario has no value such as {value!r}: give a number, a text, a list or a dict"
+    )

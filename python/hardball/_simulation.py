@@ -1,0 +1,243 @@
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+"""The class Simulation: what the C++ part has, and what only Python needs."""
+
+from __future__ import annotations
+
+import os
+from math import inf
+from typing import TYPE_CHECKING, Any, Iterable, Iterator, Literal, Mapping, Sequence, TypeVar, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _hardball
+from ._notebook import html_of
+from ._scenario import toml_of
+
+if TYPE_CHECKING:
+    import ase
+
+    from ._typing import Response, Thermostat
+
+Self = TypeVar("Self", bound="Simulation")
+
+
+class Simulation(_hardball.Simulation):
+    __doc__ = _hardball.Simulation.__doc__
+
+    def __init__(
+        self,
+        box: _hardball.Box,
+        *,
+        positions: ArrayLike,
+        velocities: ArrayLike = (0.0, 0.0, 0.0),
+        radius: ArrayLike = 1.0,
+        mass: ArrayLike = 1.0,
+        spin: ArrayLike = (0.0, 0.0, 0.0),
+        species: ArrayLike = 0,
+        moment: ArrayLike | None = None,
+        gravity: ArrayLike = (0.0, 0.0, 0.0),
+        surfaces: Sequence[_hardball.Surface] = (),
+        passing: Sequence[tuple[int, int]] = (),
+        response: Response | None = None,
+        thermostat: Thermostat | None = None,
+        seed: int = 1,
+        engine: str = "auto",
+        cell_edge: float | None = None,
+    ) -> None:
+        """Starts at time zero.
+
+        positions: centres [L], shape (n, 3), or (n, 2) in two dimensions.
+        velocities, spin: [L/T], [1/T], of the same shape, or one vector for all.
+        radius, mass, species, moment: of shape (n,), or one number for all [L], [M], [1], [1]. A sphere of infinite
+            mass is kinematic: no collision deflects it. The moment of inertia over mass and squared radius is that
+            of uniform spheres or discs unless it is given.
+        gravity: acceleration of all spheres [L/T^2].
+        surfaces: walls inside the box, and obstacles.
+        passing: pairs of species that pass through each other.
+        response: what contacts do: a coefficient of restitution, a Bounce, a Merging, a ResponseTable, or a function
+            that is given a Contact and returns the velocities of both bodies, or an Outcome; elastic by default.
+        thermostat, seed: an Andersen, a Rescale or a Heating, and the seed of its random numbers.
+        engine, cell_edge: how collisions are found, 'auto', 'cells', 'neighbors', 'all-pairs' or 'paper', and the
+            edge of its cells [L]: both change the speed and never the history.
+
+        Error: spheres that overlap or reach through a wall; numbers that are not finite or out of range.
+        """
+        super().__init__(
+            box,
+            positions=positions,
+            velocities=velocities,
+            radius=radius,
+            mass=mass,
+            spin=spin,
+            species=species,
+            moment=moment,
+            gravity=gravity,
+            surfaces=list(surfaces),
+            passing=list(passing),
+            response=response,
+            thermostat=thermostat,
+            seed=seed,
+            engine=engine,
+            cell_edge=cell_edge,
+        )
+
+    @classmethod
+    def _of(cls: type[Self], made: _hardball.Simulation) -> Self:
+        self = cls.__new__(cls)
+        _hardball.Simulation.__init__(self, made)
+        return self
+
+    # --- other ways to make one ---
+
+    @classmethod
+    def from_scenario(
+        cls: type[Self],
+        scenario: str | os.PathLike[str] | Mapping[str, Any],
+        *,
+        overrides: Mapping[str, Any] | None = None,
+        engine: str = "auto",
+        cell_edge: float | None = None,
+    ) -> Self:
+        """The simulation of a scenario: the path of a file, or the same keys and values as a dict.
+
+        `overrides` replaces values or adds them: {'run.seed': 7, 'spheres.0.count': 100}. A run without a limit ends
+        where the scenario says. Error: as the command line has it, with its place.
+        """
+        changes = [f"{key}={toml_of(value)}" for key, value in (overrides or {}).items()]
+        if isinstance(scenario, Mapping):
+            text = "".join(f"{key} = {toml_of(value)}\n" for key, value in scenario.items())
+            return cls._of(cls._from_scenario_text(text, "scenario", changes, engine, cell_edge))
+        return cls._of(cls._from_scenario_file(os.fspath(scenario), changes, engine, cell_edge))
+
+    @classmethod
+    def from_file(
+        cls: type[Self], path: str | os.PathLike[str], *, overrides: Mapping[str, Any] | None = None
+    ) -> Self:
+        """Starts from the last frame of a file: extended XYZ, GSD, a LAMMPS dump, CSV, NumPy or .sph.
+
+        The box is that of the file: periodic where the file says so, otherwise open. `overrides` changes it or adds
+        what else a scenario may say: {'box.boundary': ['wall'] * 3, 'response.restitution': 0.9}.
+        """
+        scenario = {"box": cls._box_of_file(os.fspath(path)), "start": {"file": os.path.abspath(path)}}
+        return cls.from_scenario(scenario, overrides=overrides)
+
+    @classmethod
+    def from_ase(cls: type[Self], atoms: ase.Atoms, *, radius: ArrayLike | None = None, **options: Any) -> Self:
+        """The simulation of an ASE Atoms object: its cell, positions, masses and velocities.
+
+        Axes of the cell along which it is periodic are periodic, the others open, and the cell has right angles.
+        `radius` [L] is that of the atoms, if they have no array 'radius'. `options` are those of Simulation.
+        """
+        from ._ase import arguments_of
+
+        return cls(**arguments_of(atoms, radius), **options)
+
+    @classmethod
+    def load(cls: type[Self], saved: bytes | str | os.PathLike[str]) -> Self:
+        """A simulation from what `save` has returned or written, or from a checkpoint of the command line.
+
+        Error: it is damaged, or of a later version.
+        """
+        if isinstance(saved, bytes):
+            return cls._of(cls._loaded(saved))
+        return cls._of(cls._load_file(os.fspath(saved)))
+
+    @overload
+    def save(self, path: None = ...) -> bytes: ...
+
+    @overload
+    def save(self, path: str | os.PathLike[str]) -> None: ...
+
+    def save(self, path: str | os.PathLike[str] | None = None) -> bytes | None:
+        """The whole state as bytes, or into a file, with what has been measured.
+
+        From either, `load` makes a simulation that goes on to the same history. Functions are missing: listeners,
+        and a response written in Python. The file is either as before or complete. Cost: O(size).
+        """
+        if path is None:
+            return self._saved()
+        self._save_file(os.fspath(path))
+        return None
+
+    def __copy__(self: Self) -> Self:
+        return type(self)._of(self._copy())
+
+    def __deepcopy__(self: Self, memo: dict[int, Any]) -> Self:
+        return self.__copy__()
+
+    # --- running ---
+
+    @overload
+    def run(
+        self,
+        until: float | None = ...,
+        *,
+        collisions: int | None = ...,
+        contacts: int | None = ...,
+        record: Literal[False] = ...,
+        progress: bool = ...,
+    ) -> int: ...
+
+    @overload
+    def run(
+        self,
+        until: float | None = ...,
+        *,
+        collisions: int | None = ...,
+        contacts: int | None = ...,
+        record: Literal[True],
+        progress: bool = ...,
+    ) -> NDArray[np.void]: ...
+
+    def run(
+        self,
+        until: float | None = None,
+        *,
+        collisions: int | None = None,
+        contacts: int | None = None,
+        record: bool = False,
+        progress: bool = False,
+    ) -> int | NDArray[np.void]:
+        """Runs to the time `until` [T], events at that time included, or for so many collisions or contacts more.
+
+        The first limit that is met counts; a contact is a collision of two spheres or a contact with a wall. Returns
+        the number of contacts or, with `record`, all of them as an array with the fields time, kind (0 a collision, 1
+        a wall), first, second, normal_speed and impulse. With `progress`, shows a bar if tqdm is there. Ctrl-C ends
+        the run between two events; the simulation can be run on.
+        """
+        done: int | NDArray[np.void]
+        if not progress:
+            done = self._run(until, collisions, contacts, record, None)
+            return done
+        from ._progress import shown_progress
+
+        with shown_progress(self.time, self.until if until is None else until) as on_progress:
+            done = self._run(until, collisions, contacts, record, on_progress)
+        return done
+
+    def events(self, until: float = inf) -> Iterator[_hardball.Contact]:
+        """Runs from contact to contact up to `until` [T]: at each, the simulation is at its time and may be edited."""
+        while (contact := self._step(until)) is not None:
+            yield contact
+
+    def measure(self, names: str | Iterable[str] = "all", *, every: float | None = None, start: float = 0.0) -> None:
+        """Measures from now on in all runs: some of measure_names(), or "all".
+
+        `every` is the time between samples [T], by default each measure's own choice; `start` when measuring begins
+        [T]. What was measured before is forgotten. While measures are on, spheres cannot be added or removed. No
+        measure changes the history.
+        """
+        self._measure([names] if isinstance(names, str) else list(names), every, start)
+
+    # --- pictures ---
+
+    def __repr__(self) -> str:
+        return (
+            f"<hardball.Simulation of {len(self)} spheres at time {self.time:g}: {self.collisions} collisions, "
+            f"{self.wall_contacts} wall contacts>"
+        )
+
+    def _repr_html_(self) -> str:
+        return html_of(self)

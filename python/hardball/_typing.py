@@ -1,0 +1,14 @@
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+"""Types of arguments."""
+
+from typing import Callable, Sequence, Union
+
+from numpy.typing import ArrayLike
+
+from ._hardball import Andersen, Bounce, Contact, Heating, Merging, Outcome, Rescale, ResponseTable
+
+Response = Union[
+    float, Bounce, Merging, ResponseTable, Callable[[Contact], Union[Outcome, Sequence[ArrayLike]]]
+]
+Thermostat = Union[Andersen, Rescale, Heating]

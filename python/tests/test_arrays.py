@@ -1,0 +1,146 @@
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+"""Arrays that come and go: of every kind that NumPy has, and those that are refused."""
+
+import gc
+import unittest
+
+import numpy as np
+
+import hardball
+from support import gas, lattice
+
+
+class ArraysOfState(unittest.TestCase):
+    def test_shapes_types_and_order(self):
+        simulation = gas()
+        for name in ("positions", "unwrapped_positions", "velocities", "spins"):
+            array = getattr(simulation, name)
+            self.assertEqual((array.shape, array.dtype), ((125, 3), np.float64), name)
+        for name in ("radii", "masses"):
+            array = getattr(simulation, name)
+            self.assertEqual((array.shape, array.dtype), ((125,), np.float64), name)
+        np.testing.assert_array_equal(simulation.ids, np.arange(125))
+        np.testing.assert_array_equal(simulation.positions, lattice()[0])
+
+    def test_they_are_read_only_and_made_once_for_each_state(self):
+        simulation = gas()
+        positions = simulation.positions
+        self.assertIs(simulation.positions, positions)
+        with self.assertRaises(ValueError):
+            positions[0, 0] = 1
+        kept = positions.copy()
+        simulation.run(contacts=1)
+        self.assertIsNot(simulation.positions, positions)
+        np.testing.assert_array_equal(positions, kept, "an array is of the state in which it was made")
+        del simulation
+        gc.collect()
+        np.testing.assert_array_equal(positions, kept, "and outlives its simulation")
+
+    def test_a_listener_sees_the_state_at_its_contact(self):
+        simulation = gas()
+        seen = []
+        simulation.on_contact(lambda contact: seen.append(simulation.positions))
+        simulation.run(contacts=3)
+        self.assertEqual(len({id(array) for array in seen}), 3)
+        self.assertFalse(np.array_equal(seen[0], seen[2]))
+
+    def test_unwrapped_positions_do_not_jump(self):
+        simulation = gas()
+        before = simulation.unwrapped_positions
+        simulation.run(until=20)
+        moved = simulation.unwrapped_positions - before
+        self.assertGreater(np.abs(moved).max(), simulation.box.size[0])
+        wrapped = simulation.unwrapped_positions - simulation.positions
+        np.testing.assert_allclose(wrapped / simulation.box.size, np.round(wrapped / simulation.box.size), atol=1e-12)
+
+
+class ArraysGiven(unittest.TestCase):
+    positions, edge = lattice()
+
+    def made(self, positions, **options):
+        return hardball.Simulation(hardball.Box.periodic(self.edge), positions=positions, radius=0.5, **options)
+
+    def test_every_kind_of_numbers(self):
+        expected = self.made(self.positions, velocities=np.ones((125, 3))).velocities
+        columns = np.asfortranarray(np.ones((125, 3)))
+        spread = np.ones((250, 6))[::2, ::2]
+        frozen = np.ones((125, 3))
+        frozen.flags.writeable = False
+        swapped = np.ones((125, 3), dtype=">f8")
+        for velocities in (
+            columns,
+            spread,
+            frozen,
+            swapped,
+            np.ones((125, 3), dtype=np.float32),
+            np.ones((125, 3), dtype=np.int8),
+            np.ones((125, 3), dtype=bool),
+            [[1, 1, 1]] * 125,
+            (1, 1.0, np.float32(1)),
+            np.ones(3),
+        ):
+            np.testing.assert_array_equal(self.made(self.positions, velocities=velocities).velocities, expected)
+
+    def test_none_at_all(self):
+        simulation = hardball.Simulation(hardball.Box.open(), positions=[])
+        self.assertEqual((len(simulation), simulation.positions.shape), (0, (0, 3)))
+        self.assertEqual(simulation.run(until=1), 0)
+
+    def test_two_columns_in_two_dimensions(self):
+        simulation = hardball.Simulation(hardball.Box.flat_periodic(9), positions=[[1, 2], [5, 6]], velocities=[1, 0])
+        np.testing.assert_array_equal(simulation.positions, [[1, 2, 0], [5, 6, 0]])
+
+    def test_errors_say_what_to_write(self):
+        good = self.positions
+        nan, infinite = good.copy(), good.copy()
+        nan[3, 1] = np.nan
+        infinite[3, 1] = np.inf
+        bad = [
+            ({"positions": good.ravel()}, r"shape \(375,\).*\(n, 3\)"),
+            ({"positions": good[:, :1]}, r"shape \(125, 1\).*\(n, 3\)"),
+            ({"positions": good[np.newaxis]}, r"shape \(1, 125, 3\).*\(n, 3\)"),
+            ({"positions": 5}, r"shape \(\).*\(n, 3\)"),
+            ({"positions": "five"}, "positions.*give real numbers"),
+            ({"positions": None}, "positions.*give real numbers"),
+            ({"positions": good + 1j}, "positions.*give real numbers"),
+            ({"positions": [[1, 2, 3], [1, 2]]}, "positions.*give real numbers"),
+            ({"positions": nan}, "sphere 3.*nan"),
+            ({"positions": infinite}, "sphere 3.*inf"),
+            ({"positions": good, "velocities": good[:5]}, "velocities.*as many rows.*125"),
+            ({"positions": good, "velocities": [1, 2, 3, 4]}, "velocities.*shape"),
+            ({"positions": good, "velocities": np.full((125, 3), np.nan)}, "sphere 0.*nan"),
+            ({"positions": good, "radius": [1, 2]}, "radius.*as many as there are spheres, 125"),
+            ({"positions": good, "radius": -1}, "radius"),
+            ({"positions": good, "radius": 0.9}, "overlap"),
+            ({"positions": good, "mass": 0}, "mass"),
+            ({"positions": good, "species": 1.5}, "species.*whole numbers from 0 to 255"),
+            ({"positions": good, "species": 256}, "species.*whole numbers from 0 to 255"),
+            ({"positions": good, "species": -1}, "species.*whole numbers from 0 to 255"),
+            ({"positions": good, "response": 1.5}, "restitution.*1.5"),
+            ({"positions": good, "response": "soft"}, "give a Bounce, a Merging"),
+            ({"positions": good, "thermostat": 5}, "give an Andersen"),
+            ({"positions": good, "engine": "fast"}, "choose one of 'auto'"),
+            ({"positions": good, "cell_edge": -1}, "cell edge"),
+        ]
+        for options, message in bad:
+            with self.subTest(message), self.assertRaisesRegex(hardball.Error, f"(?s){message}"):
+                hardball.Simulation(hardball.Box.periodic(self.edge), **{"radius": 0.5, **options})
+
+    def test_boxes(self):
+        self.assertEqual(hardball.Box.periodic(5), hardball.Box(["periodic"] * 3, [5, 5, 5]))
+        self.assertEqual(hardball.Box.walls([1, 2, 3]).volume, 6)
+        self.assertEqual(hardball.Box.flat_walls([2, 3]).dimensions, 2)
+        self.assertEqual(eval(repr(hardball.Box.flat_walls([2, 3]))), hardball.Box.flat_walls([2, 3]))
+        for make, message in [
+            (lambda: hardball.Box.periodic([1, 2]), "three"),
+            (lambda: hardball.Box.flat_walls([1, 2, 3]), "two"),
+            (lambda: hardball.Box.walls(-1), "-1"),
+            (lambda: hardball.Box(["wall", "wall", "soft"], [1, 1, 1]), "soft"),
+        ]:
+            with self.assertRaisesRegex(hardball.Error, message):
+                make()
+
+
+if __name__ == "__main__":
+    unittest.main()

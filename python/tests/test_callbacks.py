@@ -1,0 +1,251 @@
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+"""Responses and listeners in Python, signals, and threads."""
+
+import gc
+import os
+import resource
+import signal
+import threading
+import unittest
+
+import numpy as np
+
+import hardball
+from support import gas
+
+
+def elastic(contact):
+    first, second = contact.masses
+    normal = contact.normal
+    closing = np.dot(contact.before[1] - contact.before[0], normal)
+    exchange = 2 * closing / (first + second)
+    return contact.before[0] + exchange * second * normal, contact.before[1] - exchange * first * normal
+
+
+class Responses(unittest.TestCase):
+    def test_a_response_in_python_does_what_a_built_in_one_does(self):
+        own, built_in = gas(response=elastic), gas()
+        for simulation in (own, built_in):
+            simulation.run(contacts=20)
+        np.testing.assert_allclose(own.positions, built_in.positions, atol=1e-9)
+
+    def test_built_in_ones(self):
+        energy = gas().kinetic_energy
+        tabulated = hardball.TabulatedRestitution([0, 1], [1, 0.5])
+        for response in (
+            0.8,
+            hardball.Bounce(0.8),
+            hardball.Bounce(hardball.ViscoelasticRestitution(0.8, speed=1.0)),
+            hardball.Bounce(tabulated, elastic_below=1e-6),
+            hardball.Bounce(0.9, contact_duration=1e-4),
+            hardball.ResponseTable(hardball.Bounce(0.7)),
+        ):
+            simulation = gas(response=response)
+            simulation.run(until=2)
+            self.assertLess(simulation.kinetic_energy, 0.9 * energy)
+            later = gas()
+            later.respond_with(response)
+            later.run(until=2)
+            self.assertEqual(later.event_log_hash, simulation.event_log_hash)
+        self.assertEqual(gas(response=0.8).run(until=2), gas(response=hardball.Bounce(0.8)).run(until=2))
+        self.assertEqual(tabulated.at(0.5), 0.75)
+
+    def test_rough_spheres_spin_and_drops_merge(self):
+        rough = gas(response=hardball.Bounce(tangential_restitution=0.5))
+        rough.run(until=1)
+        self.assertGreater(np.abs(rough.spins).max(), 0)
+        drops = gas(response=hardball.Merging())
+        drops.run(until=1)
+        self.assertLess(len(drops), 125)
+        self.assertEqual(len(drops.ids), len(drops))
+        merging = gas(response=lambda contact: hardball.Outcome(contact, contact.before, merges=True))
+        merging.run(contacts=3)
+        self.assertEqual(len(merging), 122)
+
+    def test_species_and_passing(self):
+        species = np.arange(125) % 2
+        table = hardball.ResponseTable(hardball.Bounce(1.0))
+        table.set(0, 1, hardball.Bounce(0.0))
+        simulation = gas(species=species, response=table)
+        fates = {c.species: c for c in simulation.events(until=1)}
+        self.assertIn((0, 1), {tuple(sorted(pair)) for pair in fates})
+        for contact in fates.values():
+            parting = np.dot(contact.after[1] - contact.after[0], contact.normal)
+            if sorted(contact.species) == [0, 1]:
+                self.assertAlmostEqual(parting, 0)
+            else:
+                self.assertAlmostEqual(parting, contact.normal_speed)
+        through = gas(species=species, passing=[(0, 1)])
+        self.assertIn("pass", {c.fate for c in through.events(until=1)})
+
+    def test_surfaces(self):
+        surfaces = [
+            hardball.Surface.plane([0, 0, 2], amplitude=0.05, frequency=1.0),
+            hardball.Surface.obstacle(0.2, [4, 4, 0.9]),
+            hardball.Surface.sphere(40, [4, 4, 4], temperature=1.0),
+            hardball.Surface.cylinder([0, 0, 1], 20, [4, 4, 0], restitution=0.5),
+        ]
+        simulation = hardball.Simulation(
+            hardball.Box.open(), positions=[4, 4, 2] + np.zeros((1, 3)), radius=0.5, gravity=[0, 0, -1], surfaces=surfaces
+        )
+        self.assertEqual([s.name for s in surfaces], ["oscillating plane", "obstacle", "sphere", "cylinder"])
+        walls = {c.second for c in simulation.events(until=20)}
+        self.assertIn(7, walls, "the obstacle")
+
+    def test_what_is_no_answer_is_refused(self):
+        for answer, message in [
+            (None, "two vectors"),
+            ([1, 2, 3], "two vectors"),
+            (([1, 2, 3], [1]), "three numbers"),
+            (([1, 2, 3], [np.nan, 0, 0]), "nan"),
+            (([1e99, 2, 3], [0, 0, 0]), "1e"),
+        ]:
+            simulation = gas(response=lambda contact: answer)
+            with self.subTest(message), self.assertRaisesRegex((hardball.Error, hardball.RunFailure), message):
+                simulation.run(until=1)
+            self.assertEqual(simulation.collisions, 0, "the contact has not happened")
+
+    def test_exceptions_come_back_and_leave_a_simulation_that_runs(self):
+        class Mine(Exception):
+            pass
+
+        def fail(contact):
+            raise Mine(contact.time)
+
+        simulation = gas(response=fail)
+        with self.assertRaises(Mine):
+            simulation.run(until=1)
+        simulation.respond_with(None)
+        simulation.on_contact(fail)
+        with self.assertRaises(Mine) as caught:
+            simulation.run(until=1)
+        self.assertEqual(simulation.collisions, 1)
+        self.assertEqual(caught.exception.args[0], simulation.time)
+        simulation.on_contact(None)
+        simulation.run(until=1)
+        expected = gas()
+        expected.run(until=1)
+        self.assertEqual(simulation.event_log_hash, expected.event_log_hash)
+
+
+class Listeners(unittest.TestCase):
+    def test_it_may_edit_and_replace_itself(self):
+        simulation = gas()
+        calls = []
+
+        def second(contact):
+            calls.append("second")
+
+        def first(contact):
+            calls.append("first")
+            simulation.set_velocity(contact.first, [0, 0, 0])
+            simulation.on_contact(second)
+
+        simulation.on_contact(first)
+        simulation.run(contacts=3)
+        self.assertEqual(calls, ["first", "second", "second"])
+
+    def test_it_must_not_run_its_simulation(self):
+        simulation = gas()
+        simulation.on_contact(lambda contact: simulation.run(until=9))
+        with self.assertRaisesRegex(hardball.Error, "run"):
+            simulation.run(until=1)
+
+
+class Signals(unittest.TestCase):
+    def test_control_c_ends_a_run(self):
+        for options in ({}, {"engine": "all-pairs"}, {"response": elastic}):
+            simulation = gas(**options)
+            threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+            with self.assertRaises(KeyboardInterrupt):
+                simulation.run(until=1e9)
+            stopped = simulation.time
+            self.assertGreater(simulation.collisions, 0)
+            simulation.run(contacts=5)
+            self.assertGreater(simulation.time, stopped)
+
+    def test_a_run_that_was_ended_is_that_of_an_undisturbed_one(self):
+        simulation = gas()
+        threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT)).start()
+        with self.assertRaises(KeyboardInterrupt):
+            simulation.run(until=1e9, record=True)
+        undisturbed = gas()
+        undisturbed.run(contacts=simulation.collisions)
+        self.assertEqual(simulation.event_log_hash, undisturbed.event_log_hash)
+
+
+class Threads(unittest.TestCase):
+    def test_two_simulations_run_at_once(self):
+        simulations = [gas(seed=seed) for seed in (1, 2)]
+        # Each listener waits until the other simulation has come to a contact, too.
+        barrier = threading.Barrier(2, timeout=60)
+
+        def run(simulation):
+            simulation.on_contact(lambda contact: barrier.wait())
+            simulation.run(contacts=100)
+
+        threads = [threading.Thread(target=run, args=(simulation,)) for simulation in simulations]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for seed, simulation in enumerate(simulations, 1):
+            alone = gas(seed=seed)
+            alone.run(contacts=100)
+            self.assertEqual(simulation.event_log_hash, alone.event_log_hash)
+
+    def test_the_interpreter_goes_on_while_one_runs_and_that_one_is_refused_to_others(self):
+        simulation = gas()
+        is_running, refusals = threading.Event(), []
+        stop = threading.Event()
+
+        def listen(contact):
+            is_running.set()
+            if stop.is_set():
+                raise StopIteration
+
+        def run():
+            try:
+                simulation.on_contact(listen)
+                simulation.run(until=1e9)
+            except StopIteration:
+                pass
+
+        thread = threading.Thread(target=run)
+        thread.start()
+        self.assertTrue(is_running.wait(60))
+        for use in (lambda: simulation.positions, lambda: simulation.run(until=1), lambda: simulation.save()):
+            try:
+                use()
+            except hardball.RunFailure as failure:
+                refusals.append(str(failure))
+        stop.set()
+        thread.join()
+        self.assertEqual(len(refusals), 3)
+        self.assertIn("another thread", refusals[0])
+        self.assertEqual(simulation.positions.shape, (125, 3))
+
+
+class Memory(unittest.TestCase):
+    def test_nothing_leaks(self):
+        def work(times):
+            for _ in range(times):
+                simulation = gas(response=elastic)
+                simulation.on_contact(lambda contact: simulation.time)
+                simulation.measure("temperature")
+                record = simulation.run(contacts=3, record=True)
+                self.assertEqual(len(record), 3)
+                simulation.positions, simulation.results(), simulation.save()
+                simulation.on_contact(None)
+            gc.collect()
+            return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+
+        few = work(500)
+        kilobytes = work(2000) - few
+        # Each would leave tens of kilobytes.
+        self.assertLess(kilobytes, 2000)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+"""Everything public is documented and typed."""
+
+import inspect
+import subprocess
+import sys
+import unittest
+
+import hardball
+from support import ROOT, gas
+
+
+class Documentation(unittest.TestCase):
+    def test_everything_public_has_a_docstring(self):
+        # Of what a name says, the docstring has nothing to add.
+        plain = {"Quantity.value", "Surface.name"}
+        for name in hardball.__all__:
+            entity = getattr(hardball, name)
+            if isinstance(entity, str):
+                continue
+            self.assertTrue(entity.__doc__, name)
+            if not inspect.isclass(entity):
+                continue
+            for member, value in vars(entity).items():
+                text = inspect.getdoc(value) or ""
+                if member.startswith("_") or f"{name}.{member}" in plain or issubclass(entity, Exception):
+                    continue
+                # What pybind11 itself writes is the signature.
+                said = [line for line in text.splitlines() if line and "->" not in line]
+                self.assertTrue(said, f"{name}.{member}")
+
+    def test_stubs_are_true(self):
+        command = [sys.executable, "-m", "mypy.stubtest", "hardball._hardball"]
+        options = ["--allowlist", ROOT / "python/tests/allowed_differences.txt"]
+        options += ["--ignore-unused-allowlist", "--mypy-config-file", ROOT / "pyproject.toml"]
+        done = subprocess.run(command + options, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_types_are_sound(self):
+        command = [sys.executable, "-B", "-m", "mypy", "--config-file", ROOT / "pyproject.toml", "-p", "hardball"]
+        done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT / "python")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_pictures(self):
+        simulation = gas()
+        self.assertIn("125 spheres", repr(simulation))
+        html = simulation._repr_html_()
+        self.assertEqual(html.count("<circle"), 125)
+        self.assertIn(simulation.event_log_hash, html)
+        self.assertIn("0", hardball.Simulation(hardball.Box.open(), positions=[])._repr_html_())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,332 @@
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+"""Runs, what they give, and what may be done between them."""
+
+import copy
+import json
+import math
+import pickle
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import hardball
+from support import SCENARIOS, gas, lattice, program
+
+
+class Runs(unittest.TestCase):
+    def test_a_collision_of_two_is_exact(self):
+        simulation = hardball.Simulation(
+            hardball.Box.open(), positions=[[0, 0, 0], [4, 0, 0]], velocities=[[1, 0, 0], [0, 0, 0]], mass=[1, 2]
+        )
+        coming = simulation.next_event()
+        self.assertEqual((coming.time, coming.kind, coming.first, coming.second), (2.0, "collision", 0, 1))
+        self.assertEqual(simulation.run(until=10), 1)
+        np.testing.assert_allclose(simulation.velocities, [[-1 / 3, 0, 0], [2 / 3, 0, 0]], rtol=1e-15)
+        self.assertEqual(simulation.time, 10)
+        self.assertIsNone(simulation.next_event(until=100))
+
+    def test_limits(self):
+        simulation = gas()
+        self.assertEqual(simulation.run(contacts=7), 7)
+        self.assertEqual(simulation.collisions, 7)
+        simulation.run(collisions=10)
+        self.assertEqual(simulation.collisions, 17)
+        self.assertEqual(simulation.run(contacts=0), 0)
+        simulation.run(until=1.0, collisions=10**9)
+        self.assertEqual(simulation.time, 1.0)
+
+    def test_collisions_are_counted_apart_from_contacts_with_walls(self):
+        simulation = gas(box=hardball.Box.walls(lattice()[1]))
+        contacts = simulation.run(collisions=50)
+        self.assertEqual(simulation.collisions, 50)
+        self.assertEqual(contacts, 50 + simulation.wall_contacts)
+        self.assertGreater(simulation.wall_contacts, 0)
+
+    def test_a_run_without_a_limit_is_refused(self):
+        with self.assertRaisesRegex(hardball.Error, "give until, collisions or contacts"):
+            gas().run()
+
+    def test_events_are_those_of_a_run(self):
+        whole = gas().run(until=1, record=True)
+        simulation = gas()
+        times = []
+        for contact in simulation.events(until=1):
+            self.assertEqual(simulation.time, contact.time)
+            times.append((contact.time, contact.first, contact.second, contact.normal_speed))
+        self.assertEqual(simulation.time, 1)
+        self.assertEqual(times, [(e["time"], e["first"], e["second"], e["normal_speed"]) for e in whole])
+
+    def test_an_edit_between_events_changes_what_follows(self):
+        simulation = gas()
+        for contact in simulation.events(until=0.5):
+            simulation.set_velocity(contact.first, [0, 0, 0])
+            np.testing.assert_array_equal(simulation.velocities[contact.first], 0)
+        self.assertNotEqual(simulation.event_log_hash, self.hash_after(gas(), 0.5))
+
+    def hash_after(self, simulation, until):
+        simulation.run(until=until)
+        return simulation.event_log_hash
+
+    def test_recorded_events_are_those_of_the_event_log(self):
+        with tempfile.TemporaryDirectory() as folder:
+            options = ["--set", "output.event_log=true", "--until", "2", "--quiet"]
+            program("run", SCENARIOS / "paper.toml", *options, "--out", Path(folder) / "out")
+            logged = np.load(Path(folder) / "out" / "events.npy")
+        recorded = hardball.Simulation.from_scenario(SCENARIOS / "paper.toml").run(until=2, record=True)
+        self.assertGreater(len(logged), 1000)
+        np.testing.assert_array_equal(recorded["time"], logged["t"])
+        np.testing.assert_array_equal(recorded["kind"], logged["kind"])
+        np.testing.assert_array_equal(recorded["first"], logged["i"])
+        second = np.where(logged["kind"] == 1, -logged["j"] - 1, logged["j"])
+        np.testing.assert_array_equal(recorded["second"], second)
+        np.testing.assert_array_equal(recorded["impulse"], logged["impulse"])
+        np.testing.assert_array_equal(recorded["normal_speed"], logged["normal_speed"])
+
+    def test_recording_changes_nothing(self):
+        simulation = gas()
+        simulation.run(until=1, record=True)
+        self.assertEqual(simulation.event_log_hash, self.hash_after(gas(), 1))
+        self.assertEqual(len(simulation.run(until=simulation.time, record=True)), 0)
+
+    def test_progress_is_shown(self):
+        times = []
+        gas()._run(2.0, None, None, False, times.append)
+        self.assertEqual(times[-1], 2.0)
+        self.assertEqual(gas().run(until=0.1, progress=True), gas().run(until=0.1))
+
+    def test_what_is_ahead_is_what_happens(self):
+        simulation = gas()
+        ahead = simulation.contacts_within(0.3)
+        self.assertEqual([c.time for c in simulation.contacts_within(0.3, most=3)], [c.time for c in ahead[:3]])
+        self.assertEqual([c.time for c in simulation.events(until=0.3)], [c.time for c in ahead])
+
+    def test_positions_between_events(self):
+        simulation = gas()
+        time = simulation.next_event().time / 2
+        expected = simulation.positions + time * simulation.velocities
+        ahead = simulation.positions_at(time)
+        np.testing.assert_allclose(np.mod(ahead, simulation.box.size), np.mod(expected, simulation.box.size), atol=1e-14)
+        with self.assertRaisesRegex(hardball.Error, "there is a contact"):
+            simulation.positions_at(5.0)
+
+    def test_queries(self):
+        simulation = hardball.Simulation(hardball.Box.open(), positions=[[0, 0, 0], [4, 0, 0]])
+        self.assertEqual(simulation.first_contact(0, [1, 0, 0], until=10).time, 2)
+        self.assertIsNone(simulation.first_contact(0, [-1, 0, 0], until=10))
+        hit = simulation.ray([-5, 0, 0], [1, 0, 0], most=100)
+        self.assertEqual((hit.kind, hit.body, hit.distance), ("collision", 0, 4.0))
+        self.assertEqual(simulation.clearance(0).distance, 2)
+        self.assertEqual(simulation.clearance([2, 0, 3]).body, 0)
+
+
+class Scenarios(unittest.TestCase):
+    def test_hashes_are_those_of_the_command_line(self):
+        for path in sorted(SCENARIOS.glob("*.toml")):
+            with self.subTest(path.stem):
+                simulation = hardball.Simulation.from_scenario(path)
+                simulation.run(until=min(simulation.until, 0.5))
+                with tempfile.TemporaryDirectory() as folder:
+                    options = ["--until", simulation.time, "--quiet", "--json", "--out", Path(folder) / "out"]
+                    summary = json.loads(program("run", path, *options))
+                self.assertEqual(simulation.event_log_hash, summary["event_log_hash"])
+                self.assertEqual(simulation.collisions, summary["events"]["collision"])
+
+    def test_a_dict_says_what_a_file_says(self):
+        scenario = {
+            "box": {"size": [8, 8.0, 8], "boundary": ["periodic", "wall", "periodic"]},
+            "spheres": [{"count": np.int64(50), "radius": 0.4, "temperature": 1.0, "placement": "random"}],
+            "response": {"restitution": 0.9},
+            "run": {"until": 2.0, "seed": 3},
+        }
+        text = """
+            box = {size = [8, 8, 8], boundary = ["periodic", "wall", "periodic"]}
+            run = {until = 2.0, seed = 3}
+            response = {restitution = 0.9}
+            [[spheres]]
+            count = 50
+            radius = 0.4
+            temperature = 1
+            placement = "random"
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "same.toml"
+            path.write_text(text)
+            from_file = hardball.Simulation.from_scenario(path)
+        from_dict = hardball.Simulation.from_scenario(scenario)
+        self.assertEqual(from_dict.until, 2.0)
+        from_dict.run()
+        from_file.run()
+        self.assertEqual(from_dict.time, 2.0)
+        self.assertGreater(from_dict.collisions, 0)
+        self.assertEqual(from_dict.event_log_hash, from_file.event_log_hash)
+
+    def test_overrides(self):
+        first = hardball.Simulation.from_scenario(SCENARIOS / "paper.toml", overrides={"spheres.0.count": 100})
+        self.assertEqual(len(first), 100)
+
+    def test_errors_say_where(self):
+        with self.assertRaisesRegex(hardball.Error, "scenario:1:.*unknown key 'sise'"):
+            hardball.Simulation.from_scenario({"box": {"sise": [1, 1, 1]}})
+        with self.assertRaisesRegex(hardball.Error, "no_such.toml"):
+            hardball.Simulation.from_scenario("no_such.toml")
+        with self.assertRaisesRegex(hardball.Error, "no value such as None"):
+            hardball.Simulation.from_scenario({"box": None})
+
+    def test_text_needs_no_care(self):
+        name = 'a "quoted"\n\\ name\x7f'
+        with self.assertRaises(hardball.Error) as caught:
+            hardball.Simulation.from_scenario({"box": {"size": [9] * 3, "boundary": ["open"] * 3}, "start": {"file": name}})
+        self.assertIn("quoted", str(caught.exception))
+
+
+class Files(unittest.TestCase):
+    def test_from_extended_xyz_and_ase(self):
+        import ase.io
+
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "out"
+            options = ["--set", "output.snapshots_every=1", "--until", "2", "--quiet", "--out", out]
+            program("run", SCENARIOS / "dilute_gas.toml", *options)
+            path = out / "trajectory.xyz"
+            from_file = hardball.Simulation.from_file(path)
+            atoms = ase.io.read(path)
+        velocities = from_file.velocities
+        atoms.set_velocities(velocities)
+        atoms.set_masses(from_file.masses)
+        from_atoms = hardball.Simulation.from_ase(atoms, radius=from_file.radii)
+        np.testing.assert_array_equal(from_atoms.positions, from_file.positions)
+        np.testing.assert_allclose(from_atoms.velocities, velocities, rtol=1e-15)
+        self.assertEqual(from_atoms.run(until=1), from_file.run(until=1))
+
+    def test_atoms_without_radii_or_right_angles_are_refused(self):
+        import ase
+
+        with self.assertRaisesRegex(hardball.Error, "no radii"):
+            hardball.Simulation.from_ase(ase.Atoms("Ar", cell=[9, 9, 9], pbc=True))
+        with self.assertRaisesRegex(hardball.Error, "right angles"):
+            hardball.Simulation.from_ase(ase.Atoms("Ar", cell=[9, 9, 9, 90, 80, 90], pbc=True), radius=1)
+
+
+class State(unittest.TestCase):
+    def assert_same_future(self, simulation, other):
+        self.assertIsInstance(other, hardball.Simulation)
+        self.assertEqual(other.event_log_hash, simulation.event_log_hash)
+        until = simulation.time + 1
+        for each in (simulation, other):
+            each.run(until=until)
+        self.assertEqual(other.event_log_hash, simulation.event_log_hash)
+        np.testing.assert_array_equal(other.positions, simulation.positions)
+
+    def test_copies_and_what_was_saved_go_on_to_the_same(self):
+        simulation = gas()
+        simulation.measure("pressure")
+        simulation.run(until=1)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "saved.hbc"
+            simulation.save(path)
+            from_file = hardball.Simulation.load(path)
+        others = [
+            copy.copy(simulation),
+            copy.deepcopy(simulation),
+            pickle.loads(pickle.dumps(simulation)),
+            hardball.Simulation.load(simulation.save()),
+            from_file,
+        ]
+        for other in others:
+            self.assert_same_future(copy.copy(simulation), other)
+        self.assertEqual(simulation.time, 1, "copies are independent")
+        simulation.run(until=2)
+        for other in (others[0], others[2], from_file):
+            measured = other.results()["pressure"]["compressibility"].value
+            self.assertEqual(measured, simulation.results()["pressure"]["compressibility"].value)
+
+    def test_a_checkpoint_of_the_command_line_can_be_loaded(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "out"
+            program("run", SCENARIOS / "dilute_gas.toml", "--until", "1", "--quiet", "--out", out)
+            simulation = hardball.Simulation.load(out / "checkpoint.hbc")
+        expected = hardball.Simulation.from_scenario(SCENARIOS / "dilute_gas.toml")
+        expected.run(until=1)
+        self.assert_same_future(expected, simulation)
+
+    def test_a_response_in_python_is_pickled_with_its_simulation(self):
+        simulation = gas(response=stop_at_contact)
+        other = pickle.loads(pickle.dumps(simulation))
+        self.assert_same_future(simulation, other)
+        self.assertLess(simulation.kinetic_energy, gas().kinetic_energy)
+
+    def test_damaged_bytes_are_refused(self):
+        saved = bytearray(gas().save())
+        for bad in (b"", bytes(saved[:100]), b"\xff" * 200):
+            with self.assertRaises(hardball.Error):
+                hardball.Simulation.load(bytes(bad))
+
+
+def stop_at_contact(contact):
+    """A perfectly inelastic response: both go on together."""
+    first, second = contact.masses
+    together = (first * contact.before[0] + second * contact.before[1]) / (first + second)
+    normal = contact.normal
+    slide = [v - np.dot(v - together, normal) * normal for v in contact.before]
+    return slide
+
+
+class Edits(unittest.TestCase):
+    def test_in_bulk(self):
+        simulation = gas()
+        simulation.set_velocity(simulation.ids, np.zeros((len(simulation), 3)))
+        self.assertEqual(simulation.kinetic_energy, 0)
+        simulation.set_velocity([3, 1], [[1, 0, 0], [0, 2, 0]])
+        np.testing.assert_array_equal(simulation.velocities[[1, 3]], [[0, 2, 0], [1, 0, 0]])
+        places = simulation.positions[[0, 2, 4]]
+        simulation.remove([0, 2, 4])
+        self.assertEqual(len(simulation), 122)
+        self.assertNotIn(0, simulation)
+        self.assertIn(1, simulation)
+        ids = simulation.add(places[:2], radius=[0.3, 0.4], mass=math.inf)
+        np.testing.assert_array_equal(ids, [125, 126])
+        np.testing.assert_array_equal(simulation.radii[-2:], [0.3, 0.4])
+        self.assertIsInstance(simulation.add(places[2], radius=1e-3), int)
+
+    def test_of_what_is_not_there(self):
+        simulation = gas()
+        for call in (lambda: simulation.set_velocity(125, [0, 0, 0]), lambda: simulation.remove(125)):
+            with self.assertRaisesRegex(hardball.Error, "125"):
+                call()
+        with self.assertRaisesRegex(hardball.Error, "overlap"):
+            simulation.add(simulation.positions[7])
+
+    def test_thermostats(self):
+        for thermostat in (hardball.Andersen(2.0, 1.0), hardball.Rescale(2.0, 0.1), hardball.Heating(1.0, 0.1)):
+            simulation, again = (gas(thermostat=thermostat, seed=5) for _ in range(2))
+            for each in (simulation, again):
+                each.run(until=3)
+            self.assertGreater(simulation.kinetic_energy, 1.2 * gas().kinetic_energy)
+            self.assertEqual(simulation.event_log_hash, again.event_log_hash)
+
+    def test_measures(self):
+        simulation = gas()
+        simulation.measure(["temperature", "radial_distribution"], every=0.1)
+        simulation.run(until=5)
+        results = simulation.results()
+        self.assertEqual(sorted(results), ["radial_distribution", "temperature"])
+        temperature = results["temperature"]["temperature"]
+        # In a box at rest, 3 degrees of freedom less.
+        drift = simulation.momentum @ simulation.momentum / (2 * len(simulation))
+        expected = 2 * (simulation.kinetic_energy - drift) / (3 * len(simulation) - 3)
+        self.assertAlmostEqual(float(temperature), expected, places=10)
+        frame = results["radial_distribution"].to_frame()
+        self.assertEqual(list(frame.columns), list(results["radial_distribution"].columns))
+        self.assertGreater(frame["g"].max(), 1)
+        with self.assertRaises(KeyError):
+            results["temperature"]["no_such"]
+        with self.assertRaisesRegex(hardball.Error, "no_such"):
+            simulation.measure("no_such")
+        self.assertIn("pressure", hardball.measure_names())
+
+
+if __name__ == "__main__":
+    unittest.main()
