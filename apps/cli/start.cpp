@@ -96,7 +96,7 @@ EngineOptions read_engine_options(const Options& options, const Scenario& scenar
 }
 
 Simulation start_simulation(const Scenario& scenario, World world, const EngineOptions& options,
-                 const OnProgress& on_progress) {
+                            const OnProgress& on_progress) {
   try {
     return make_simulation(scenario, std::move(world), options, on_progress);
   } catch (const Error& error) {
@@ -110,7 +110,8 @@ Start set_up(const Options& options, const Scenario& scenario) {
   SetUpProgress progress(!options.quiet);
   World world = make_world(scenario, progress.part(0, kWorldMade));
   const EngineOptions engine_options = read_engine_options(options, scenario, world);
-  return {engine_options, start_simulation(scenario, std::move(world), engine_options, progress.part(kWorldMade, 1))};
+  return {engine_options,
+          start_simulation(scenario, std::move(world), engine_options, progress.part(kWorldMade, 1))};
 }
 
 std::string name_of(EngineKind engine) {

@@ -24,7 +24,7 @@ EngineOptions read_engine_options(const Options& options, const Scenario& scenar
 
 /// As make_simulation, with errors in options located on the command line.
 Simulation start_simulation(const Scenario& scenario, World world, const EngineOptions& options,
-                 const OnProgress& on_progress = {});
+                            const OnProgress& on_progress = {});
 
 /// A simulation and how it is run.
 struct Start {
