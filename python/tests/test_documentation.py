@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: MIT
 """Everything public is documented and typed."""
 
+import contextlib
 import inspect
+import io
+import re
 import subprocess
 import sys
 import unittest
@@ -41,6 +44,17 @@ class Documentation(unittest.TestCase):
         command = [sys.executable, "-B", "-m", "mypy", "--config-file", ROOT / "pyproject.toml", "-p", "hardball"]
         done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT / "python")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_the_example_of_the_readme_runs(self):
+        examples = re.findall(r"^```python\n(.*?)^```", (ROOT / "README.md").read_text(), re.DOTALL | re.MULTILINE)
+        self.assertTrue(examples)
+        for example in examples:
+            with contextlib.redirect_stdout(io.StringIO()) as printed:
+                exec(example, {})
+            # Within five standard errors of the theory.
+            value, error, theory = map(float, re.search(r": (\S+) \+- (\S+), theory (\S+)>", printed.getvalue()).groups())
+            self.assertLess(abs(value - theory), 5 * error)
+            self.assertLess(error, 0.05)
 
     def test_pictures(self):
         simulation = gas()
