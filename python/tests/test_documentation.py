@@ -45,16 +45,25 @@ class Documentation(unittest.TestCase):
         done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT / "python")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
-    def test_the_example_of_the_readme_runs(self):
-        examples = re.findall(r"^```python\n(.*?)^```", (ROOT / "README.md").read_text(), re.DOTALL | re.MULTILINE)
+    def run_page(self, page):
+        """Runs the examples of a page, one after the other, and returns what they print."""
+        examples = re.findall(r"^```python\n(.*?)^```", (ROOT / page).read_text(), re.DOTALL | re.MULTILINE)
         self.assertTrue(examples)
-        for example in examples:
-            with contextlib.redirect_stdout(io.StringIO()) as printed:
-                exec(example, {})
-            # Within five standard errors of the theory.
-            value, error, theory = map(float, re.search(r": (\S+) \+- (\S+), theory (\S+)>", printed.getvalue()).groups())
-            self.assertLess(abs(value - theory), 5 * error)
-            self.assertLess(error, 0.05)
+        names = {}
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            for example in examples:
+                exec(compile(example, page, "exec"), names)
+        return printed.getvalue()
+
+    def test_the_example_of_the_readme_runs(self):
+        printed = self.run_page("README.md")
+        # Within five standard errors of the theory.
+        value, error, theory = map(float, re.search(r": (\S+) \+- (\S+), theory (\S+)>", printed).groups())
+        self.assertLess(abs(value - theory), 5 * error)
+        self.assertLess(error, 0.05)
+
+    def test_the_examples_of_the_documentation_run(self):
+        self.run_page("docs/python.md")
 
     def test_pictures(self):
         simulation = gas()
