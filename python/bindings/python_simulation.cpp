@@ -49,12 +49,9 @@ class PythonSimulation::Turn {
 };
 
 PythonSimulation::PythonSimulation(const PythonSimulation& other)
-    : until(other.until),
-      simulation_(other.simulation()),
-      measures_(other.measures_),
-      listener_(other.listener_),
-      response_(other.response_) {
-  listen();
+    : until(other.until), simulation_(other.simulation()), measures_(other.measures_) {
+  if (other.response_) set_response(other.response_->function());
+  set_listener(other.listener_ ? other.listener_->function() : py::none());
 }
 
 PythonSimulation::PythonSimulation(PythonSimulation&& other)
@@ -177,13 +174,24 @@ void PythonSimulation::set_response(const py::object& response) {
         {.restitution = ConstantRestitution{options.restitution}, .elastic_below = options.elastic_below});
     const ResponseTable table = options.responses.value_or(ResponseTable(simple, simple));
     simulation.respond_with(std::function<Outcome(const Contact&)>(table));
-  } else if (PyCallable_Check(response.ptr()) != 0) {
-    simulation.respond_with(response_calling(response));
-  } else {
+    response_.emplace(response);
+    return;
+  }
+  if (PyCallable_Check(response.ptr()) == 0) {
     throw Error("it is not a response", "response",
                 "give a Bounce, a Merging, a ResponseTable, a restitution or a function of a Contact");
   }
-  response_.emplace(response);
+  // One reference to the function: the garbage collector counts them.
+  const Callback function(response);
+  simulation.respond_with(response_calling(function));
+  response_ = function;
+}
+
+void PythonSimulation::drop_references() {
+  listener_.reset();
+  response_.reset();
+  simulation_.on_contact(nullptr);
+  simulation_.respond_with(nullptr);
 }
 
 void PythonSimulation::restore_measures(std::string_view bytes, const std::string& where) {

@@ -69,6 +69,19 @@ class PythonSimulation {
   std::string save_measures() const;
   std::vector<Measurement> results() const;
 
+  /// Calls visit(object) for each Python object that this refers to, for the garbage collector, until it
+  /// returns something but zero, which is returned.
+  template <class Visit>
+  int visit_references(Visit&& visit) const {
+    for (const std::optional<Callback>* callback : {&listener_, &response_}) {
+      if (!*callback) continue;
+      if (const int stop = visit((*callback)->function().ptr())) return stop;
+    }
+    return 0;
+  }
+  /// Drops what may refer back to this.
+  void drop_references();
+
   /// Where a run ends that is given no limit [T].
   std::optional<double> until;
 
@@ -81,6 +94,7 @@ class PythonSimulation {
 
   Simulation simulation_;
   Measures measures_{{.names = {}}};
+  // Not shared with copies: the garbage collector counts references.
   std::optional<Callback> listener_;
   std::optional<Callback> response_;
   std::optional<EventRecords> records_;  // while they are recorded

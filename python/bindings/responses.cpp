@@ -15,7 +15,6 @@
 #include "hardball/errors/error.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
-#include "python/bindings/callback.hpp"
 
 namespace py = pybind11;
 
@@ -182,10 +181,10 @@ bool set_response(const py::handle& object, EngineOptions& options) {
   return true;
 }
 
-std::function<Outcome(const Contact&)> response_calling(py::object function) {
-  return [callback = Callback(std::move(function))](const Contact& contact) {
+std::function<Outcome(const Contact&)> response_calling(const Callback& function) {
+  return [function](const Contact& contact) {
     const py::gil_scoped_acquire lock;
-    return outcome_of(contact, callback(contact));
+    return outcome_of(contact, function(contact));
   };
 }
 

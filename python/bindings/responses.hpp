@@ -8,6 +8,7 @@
 
 #include "hardball/response/contact.hpp"
 #include "hardball/simulation/any_engine.hpp"
+#include "python/bindings/callback.hpp"
 
 namespace hardball::python {
 
@@ -15,7 +16,7 @@ namespace hardball::python {
 /// or a ResponseTable. False if the object is none of these.
 bool set_response(const pybind11::handle& object, EngineOptions& options);
 
-/// A response that calls a Python function. It may be copied and destroyed without the interpreter's lock.
-std::function<Outcome(const Contact&)> response_calling(pybind11::object function);
+/// A response that calls a Python function.
+std::function<Outcome(const Contact&)> response_calling(const Callback& function);
 
 }  // namespace hardball::python

@@ -333,6 +333,30 @@ void bind_answers(py::module_& module) {
 
 using Class = py::class_<PythonSimulation>;
 
+// Of an object that is being made, there is no simulation.
+PythonSimulation* simulation_in(PyObject* self) {
+  auto* const instance = reinterpret_cast<py::detail::instance*>(self);
+  if (!instance->get_value_and_holder().holder_constructed()) return nullptr;
+  return py::cast<PythonSimulation*>(py::handle(self));
+}
+
+// Lets Python find listeners and responses that refer to their own simulation, and nothing else to it.
+void collect_garbage(PyHeapTypeObject* heap_type) {
+  PyTypeObject& type = heap_type->ht_type;
+  type.tp_flags |= Py_TPFLAGS_HAVE_GC;
+  type.tp_traverse = [](PyObject* self, visitproc visit, void* argument) {
+    // A class that is made at run time belongs to its objects.
+    if (const int stop = visit(reinterpret_cast<PyObject*>(Py_TYPE(self)), argument)) return stop;
+    const PythonSimulation* const simulation = simulation_in(self);
+    if (simulation == nullptr) return 0;
+    return simulation->visit_references([&](PyObject* object) { return visit(object, argument); });
+  };
+  type.tp_clear = [](PyObject* self) {
+    if (PythonSimulation* const simulation = simulation_in(self)) simulation->drop_references();
+    return 0;
+  };
+}
+
 // Properties that are arrays in the order of ids.
 void bind_arrays(Class& simulation) {
   const auto of_world = [&](const char* name, auto make, const char* documentation) {
@@ -539,7 +563,7 @@ void bind_simulation(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(EventRecord, time, kind, first, second, normal_speed, impulse);
   bind_answers(module);
   const py::tuple zero = py::make_tuple(0.0, 0.0, 0.0);
-  Class simulation(module, "Simulation", doc::Simulation);
+  Class simulation(module, "Simulation", doc::Simulation, py::custom_type_setup(&collect_garbage));
   simulation
       .def(py::init(&make), py::arg("box"), py::kw_only(), py::arg("positions"), py::arg("velocities") = zero,
            py::arg("radius") = 1.0, py::arg("mass") = 1.0, py::arg("spin") = zero, py::arg("species") = 0,

@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: MIT
 """Responses and listeners in Python, signals, and threads."""
 
+import copy
 import gc
 import os
 import resource
 import signal
 import threading
 import unittest
+import weakref
 
 import numpy as np
 
@@ -228,6 +230,25 @@ class Threads(unittest.TestCase):
 
 
 class Memory(unittest.TestCase):
+    def test_a_simulation_that_its_own_functions_refer_to_is_collected(self):
+        def started():
+            simulation = gas()
+            simulation.on_contact(lambda contact: simulation.time)
+            simulation.respond_with(lambda contact: (simulation.velocities[contact.first] * 0, [0, 0, 0]))
+            other = copy.copy(simulation)
+            other.run(contacts=1)
+            simulation.run(contacts=1)
+            return weakref.ref(simulation), weakref.ref(other), simulation
+
+        first, second, simulation = started()
+        gc.collect()
+        self.assertIs(first(), simulation)
+        self.assertIsNone(second())
+        simulation.run(contacts=1)
+        del simulation
+        gc.collect()
+        self.assertIsNone(first())
+
     def test_nothing_leaks(self):
         def work(times):
             for _ in range(times):
