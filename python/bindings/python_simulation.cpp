@@ -3,12 +3,15 @@
 #include "python/bindings/python_simulation.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/simulation/slice.hpp"
+#include "hardball/world/range.hpp"
 #include "python/bindings/responses.hpp"
 
 namespace py = pybind11;
@@ -140,9 +143,44 @@ py::object PythonSimulation::step(double end) {
 }
 
 std::optional<NextContact> PythonSimulation::next_event(double end) {
-  simulation();
+  // There may be none for ever, and much to do before each horizon, so that it comes nearer to `end` only as
+  // fast as somebody who waits can interrupt.
+  constexpr auto kPatience = std::chrono::milliseconds(20);
+  double span = usual_wait();
+  for (;;) {
+    const double next = simulation().time() + span;
+    const double horizon = next < kLargestTime ? std::min(end, next) : end;
+    const auto begin = std::chrono::steady_clock::now();
+    const std::optional<NextContact> found = next_contact(horizon);
+    if (found || !(horizon < end)) return found;
+    throw_if_interrupted();
+    if (std::chrono::steady_clock::now() - begin < kPatience) span *= 2;
+  }
+}
+
+std::optional<NextContact> PythonSimulation::next_contact(double end) {
   const Turn turn(*this);
   return simulation_.next_contact(end);
+}
+
+// A time in which there is a contact, or in which a sphere crosses some cells.
+double PythonSimulation::usual_wait() const {
+  constexpr double kMany = 100;
+  const World& world = simulation().world();
+  const auto contacts = static_cast<double>(simulation_.counters().contacts());
+  if (contacts > 0 && simulation_.time() > 0) return kMany * simulation_.time() / contacts;
+  double fastest = 0;
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    fastest = std::max(fastest, length(world.velocity(slot, simulation_.now())));
+  }
+  const double wait = world.largest_radius() / fastest;
+  return wait > 0 && std::isfinite(wait) ? wait : 1;
+}
+
+std::vector<Contact> PythonSimulation::contacts_within(double duration, std::uint64_t most) {
+  simulation();
+  const Turn turn(*this);
+  return simulation_.contacts_within(duration, most);
 }
 
 std::vector<Vec3> PythonSimulation::positions_at(double time) {

@@ -53,8 +53,10 @@ class PythonSimulation {
                        const pybind11::object& on_progress);
   /// Runs to the next contact up to `until` [T] and returns it; None, at `until`, if there is none.
   pybind11::object step(double until);
-  /// The next contact up to `until` [T], without carrying it out.
+  /// The next contact up to `until` [T], without carrying it out. Error: KeyboardInterrupt, too.
   std::optional<NextContact> next_event(double until);
+  /// See Simulation::contacts_within.
+  std::vector<Contact> contacts_within(double duration, std::uint64_t most);
   /// See Simulation::positions_at.
   std::vector<Vec3> positions_at(double time);
 
@@ -91,6 +93,8 @@ class PythonSimulation {
 
   void listen();
   RunStatus run_slice(const RunLimits& slice);
+  std::optional<NextContact> next_contact(double until);
+  double usual_wait() const;
 
   Simulation simulation_;
   Measures measures_{{.names = {}}};

@@ -473,10 +473,8 @@ void bind_queries(Class& simulation) {
           py::arg("time"), doc::Simulation_positions_at)
       .def(
           "contacts_within",
-          [](const PythonSimulation& self, double duration, std::optional<std::uint64_t> most) {
-            const Simulation& now = self.simulation();
-            const py::gil_scoped_release release;
-            return now.contacts_within(duration, most.value_or(std::numeric_limits<std::uint64_t>::max()));
+          [](PythonSimulation& self, double duration, std::optional<std::uint64_t> most) {
+            return self.contacts_within(duration, most.value_or(std::numeric_limits<std::uint64_t>::max()));
           },
           py::arg("duration"), py::arg("most") = py::none(), doc::Simulation_contacts_within)
       .def(

@@ -167,6 +167,14 @@ class Signals(unittest.TestCase):
             simulation.run(contacts=5)
             self.assertGreater(simulation.time, stopped)
 
+    def test_control_c_ends_the_search_for_an_event_that_never_comes(self):
+        box = hardball.Box.periodic(10)
+        simulation = hardball.Simulation(box, positions=[[1, 1, 1], [5, 5, 5]], velocities=[1, 0, 0])
+        threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+        with self.assertRaises(KeyboardInterrupt):
+            simulation.next_event()
+        self.assertEqual(simulation.run(until=1), 0)
+
     def test_a_run_that_was_ended_is_that_of_an_undisturbed_one(self):
         simulation = gas()
         threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT)).start()

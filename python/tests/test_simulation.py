@@ -103,6 +103,17 @@ class Runs(unittest.TestCase):
         self.assertEqual([c.time for c in simulation.contacts_within(0.3, most=3)], [c.time for c in ahead[:3]])
         self.assertEqual([c.time for c in simulation.events(until=0.3)], [c.time for c in ahead])
 
+    def test_the_next_event_is_found_on_every_scale(self):
+        for scale in (1e-20, 1.0, 1e20):
+            box = hardball.Box.periodic(10 * scale)
+            positions = scale * np.array([[1, 1, 1], [5, 1, 1]])
+            simulation = hardball.Simulation(box, positions=positions, velocities=[[1, 0, 0], [0, 0, 0]], radius=scale)
+            self.assertAlmostEqual(simulation.next_event().time / scale, 2)
+            self.assertIsNone(simulation.next_event(until=scale))
+            simulation.run(contacts=1)
+            self.assertAlmostEqual(simulation.next_event().time / scale, 8)
+        self.assertIsNone(hardball.Simulation(hardball.Box.open(), positions=[]).next_event())
+
     def test_positions_between_events(self):
         simulation = gas()
         time = simulation.next_event().time / 2
