@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Every notebook runs, and ends in a figure."""
 
+import os
+import tempfile
 import unittest
 
 import nbclient
@@ -11,6 +13,13 @@ from support import ROOT
 
 
 class Notebooks(unittest.TestCase):
+    def setUp(self):
+        # Whoever runs the tests may have no home to write to.
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        for name in ("IPYTHONDIR", "JUPYTER_RUNTIME_DIR", "MPLCONFIGDIR"):
+            os.environ[name] = folder.name
+
     def test_all(self):
         notebooks = sorted((ROOT / "notebooks").glob("*.ipynb"))
         self.assertGreaterEqual(len(notebooks), 5)
