@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Every collision among many moving spheres, exactly and in order.
 
+For example::
+
     import hardball
     simulation = hardball.Simulation(hardball.Box.periodic(10.0), positions=..., velocities=..., radius=0.5)
     simulation.run(until=100)
