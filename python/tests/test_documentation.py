@@ -8,7 +8,9 @@ import io
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
+from pathlib import Path
 
 import hardball
 from support import ROOT, gas
@@ -64,6 +66,11 @@ class Documentation(unittest.TestCase):
 
     def test_the_examples_of_the_documentation_run(self):
         self.run_page("docs/python.md")
+
+    def test_the_example_makes_its_figure(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([sys.executable, ROOT / "examples/equation_of_state.py"], check=True, cwd=folder, capture_output=True)
+            self.assertTrue((Path(folder) / "equation_of_state.png").read_bytes().startswith(b"\x89PNG"))
 
     def test_pictures(self):
         simulation = gas()
