@@ -19,7 +19,7 @@ from nbconvert import MarkdownExporter
 
 ROOT = Path(__file__).resolve().parents[2]
 SITE = ROOT / "docs" / "site"
-REPOSITORY_LINK = re.compile(r"\]\((?:\.\./)+((?:scenarios|notebooks|hardball|examples|tests|bench)\b[^)]*)\)")
+REPOSITORY_LINK = re.compile(r"\]\((?:\.\./)+((?:README|scenarios|notebooks|hardball|examples|tests|bench)\b[^)]*)\)")
 
 
 def write_page(page, target):

@@ -232,6 +232,12 @@ void PythonSimulation::drop_references() {
   simulation_.respond_with(nullptr);
 }
 
+void PythonSimulation::set_measures(const MeasureSettings& settings) {
+  simulation();
+  if (runner_) throw Error("the simulation is running", "measure", "choose the measures between runs");
+  measures_ = Measures(settings);
+}
+
 void PythonSimulation::restore_measures(std::string_view bytes, const std::string& where) {
   restore(bytes, where, measures_);
 }
@@ -241,8 +247,8 @@ std::string PythonSimulation::save_measures() const {
 }
 
 std::vector<Measurement> PythonSimulation::results() const {
-  Measures measures = measures_;
   const Simulation& simulation = this->simulation();
+  Measures measures = measures_;
   measures.sample_the_rest(simulation.world(), simulation.now());
   return measures.results(simulation.world(), simulation.now());
 }

@@ -65,8 +65,8 @@ class PythonSimulation {
   void set_response(const pybind11::object& response);
   const std::optional<Callback>& response() const { return response_; }
 
-  /// Measures from now on what the settings say.
-  void set_measures(const MeasureSettings& settings) { measures_ = Measures(settings); }
+  /// Measures from now on what the settings say. Error: it is running.
+  void set_measures(const MeasureSettings& settings);
   void restore_measures(std::string_view bytes, const std::string& where);
   std::string save_measures() const;
   std::vector<Measurement> results() const;

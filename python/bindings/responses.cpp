@@ -58,7 +58,6 @@ bool is_simple(const BounceRules& rules) {
          !rules.tangential_restitution;
 }
 
-// Vectors by the name of a function that returns one.
 py::tuple pair_of(const Vec3& first, const Vec3& second) {
   return py::make_tuple(array_of(first), array_of(second));
 }

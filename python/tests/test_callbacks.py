@@ -154,6 +154,16 @@ class Listeners(unittest.TestCase):
         with self.assertRaisesRegex(hardball.Error, "run"):
             simulation.run(until=1)
 
+    def test_it_must_not_replace_the_measures_of_its_run(self):
+        simulation = gas()
+        simulation.measure("pressure")
+        simulation.on_contact(lambda contact: simulation.measure("temperature"))
+        with self.assertRaisesRegex(hardball.Error, "between runs"):
+            simulation.run(until=1)
+        simulation.on_contact(None)
+        simulation.run(until=1)
+        self.assertEqual(list(simulation.results()), ["pressure"])
+
 
 class Signals(unittest.TestCase):
     def test_control_c_ends_a_run(self):
