@@ -23,6 +23,7 @@
 
 #include "bench/hardware_counters.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/measure/event_log_hash.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/range.hpp"
@@ -42,10 +43,12 @@ struct Named {
   Value value;
 };
 
-constexpr Named<EngineKind> kEngines[] = {
-    {"auto", EngineKind::automatic},      {"cells", EngineKind::cells}, {"neighbors", EngineKind::neighbors},
-    {"all-pairs", EngineKind::all_pairs}, {"paper", EngineKind::paper},
-};
+constexpr Named<EngineKind> named(EngineKind kind) {
+  return {kEngineNames[static_cast<std::size_t>(kind)], kind};
+}
+constexpr Named<EngineKind> kEngines[] = {named(EngineKind::automatic), named(EngineKind::cells),
+                                          named(EngineKind::neighbors), named(EngineKind::all_pairs),
+                                          named(EngineKind::paper)};
 
 constexpr Named<Placement> kPlacements[] = {
     {"fcc", Placement::fcc}, {"hexagonal", Placement::hexagonal}, {"random", Placement::random}};
@@ -226,7 +229,7 @@ void obey(Simulation& simulation) {
   HardwareCounters hardware_counters;
   for (std::string line; std::getline(std::cin, line);) {
     if (line == "finish") {
-      print(Json{{"event_log_hash", fmt::format("{:016x}", simulation.event_log_hash())}}.dump());
+      print(Json{{"event_log_hash", hash_text(simulation.event_log_hash())}}.dump());
       return;
     }
     if (!line.starts_with(kRun)) {

@@ -21,8 +21,7 @@
 namespace hardball::cli {
 namespace {
 
-// In the order of EngineKind, InstructionSet and QueueKind.
-constexpr std::array<std::string_view, 5> kEngineNames{"auto", "cells", "neighbors", "all-pairs", "paper"};
+// In the order of InstructionSet and QueueKind.
 constexpr std::array<std::string_view, 4> kInstructionNames{"auto", kInstructionSetNames[0],
                                                             kInstructionSetNames[1], kInstructionSetNames[2]};
 constexpr std::array<std::string_view, 2> kQueueNames{"calendar", "ordered"};

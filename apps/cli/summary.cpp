@@ -13,6 +13,7 @@
 #include "apps/cli/response_text.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
+#include "hardball/measure/event_log_hash.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/walls.hpp"
 
@@ -82,7 +83,7 @@ std::string Summary::json() const {
   if (passes_ > 0) json["events"]["pass"] = passes_;
   for (const SpeciesCount& species : species_) json["species"][species.name] = species.spheres;
   json["predictions"] = counters_.predictions;
-  json["event_log_hash"] = fmt::format("{:016x}", hash_);
+  json["event_log_hash"] = hash_text(hash_);
   json["energy"] = {{"initial", initial_energy_}, {"final", final_energy_}};
   if (std::isfinite(rotational_energy_)) json["energy"]["rotational"] = rotational_energy_;
   json["momentum"] = {momentum_.x, momentum_.y, momentum_.z};
@@ -131,7 +132,7 @@ std::string Summary::table() const {
   add("cells entered, left", fmt::format("{}, {}", counters_.enter, counters_.leave));
   add("stale events", fmt::format("{}", counters_.stale));
   add("pair predictions", fmt::format("{}", counters_.predictions));
-  add("event log hash", fmt::format("{:016x}", hash_));
+  add("event log hash", hash_text(hash_));
   add("energy", fmt::format("{:.10g} at the start, {:.10g} at the end", initial_energy_, final_energy_));
   if (std::isfinite(rotational_energy_))
     add("  of rotation", fmt::format("{:.10g} at the end", rotational_energy_));

@@ -12,6 +12,7 @@
 #include "apps/report/measurement_charts.hpp"
 #include "apps/report/number_text.hpp"
 #include "apps/report/page.hpp"
+#include "hardball/measure/event_log_hash.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball_report_files.hpp"
 
@@ -43,10 +44,6 @@ std::string code(std::string_view text) {
 std::string vector_text(const Vec3& vector, int digits) {
   return fmt::format("({}, {}, {})", number_text(vector.x, digits), number_text(vector.y, digits),
                      number_text(vector.z, digits));
-}
-
-std::string hash_text(std::uint64_t hash) {
-  return fmt::format("{:016x}", hash);
 }
 
 bool is_elastic(const Report& report) {

@@ -11,16 +11,10 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/measure/event_log_hash.hpp"
 
 namespace hardball::viewer {
 namespace {
-
-std::string hash_text(std::uint64_t hash) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(hash >> shift) & 0xf];
-  return text;
-}
 
 template <class Value>
 nlohmann::json or_null(const std::optional<Value>& value) {

@@ -47,7 +47,7 @@ struct RecordedSurface {
 struct RecordingHeader {
   /// Of the format: 1, or 2 where spheres may spin, merge or pass through each other.
   int version = 1;
-  std::size_t spheres = 0;  ///< How many; their ids are 0 to spheres - 1.
+  std::size_t spheres = 0;  ///< Their ids are below this; all of them exist at the start in version 1.
   Box box = {};
   double begin = 0;                  ///< [T]
   std::optional<double> until = {};  ///< When the run is to end [T], if known.
@@ -101,9 +101,10 @@ struct Orientation {
 struct RecordedBody {
   static constexpr bool kIsPlain = true;  ///< To archives.
 
-  Vec3 spin = {};                        ///< Angular velocity [1/T].
-  Orientation orientation = {};          ///< When the sphere's path started.
-  double radius = 0;                     ///< [L]; zero once the sphere has become part of another.
+  Vec3 spin = {};                ///< Angular velocity [1/T].
+  Orientation orientation = {};  ///< When the sphere's path started.
+  /// [L]; zero once the sphere has become part of another, or if it was removed before the start.
+  double radius = 0;
   double mass = 0;                       ///< [M]; infinite for a kinematic sphere.
   double moment = kUniformSphereMoment;  ///< Of inertia, over mass and squared radius [1].
 

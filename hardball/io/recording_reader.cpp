@@ -80,7 +80,7 @@ RecordingReader::RecordingReader(const std::filesystem::path& path)
   if (spheres_.length > available - spheres_.offset) refuse("ends before its spheres");
   const std::string bytes = read_bytes(spheres_);
   Numbers numbers(bytes);
-  const auto read_all = [&](std::vector<double>& values, bool (*is_valid)(double)) {
+  const auto read_all = [&](std::vector<double>& values, const auto& is_valid) {
     values.reserve(header_.spheres);
     for (std::size_t id = 0; id < header_.spheres; ++id) {
       const auto value = numbers.take<double>();
@@ -88,8 +88,10 @@ RecordingReader::RecordingReader(const std::filesystem::path& path)
       values.push_back(value);
     }
   };
-  read_all(radii_, is_positive);
-  read_all(masses_, is_mass);
+  // In version 2, zeros are those of a sphere that does not exist.
+  const bool may_lack = header_.version > 1;
+  read_all(radii_, [&](double value) { return is_positive(value) || (may_lack && value == 0); });
+  read_all(masses_, [&](double value) { return is_mass(value) || (may_lack && value == 0); });
   length_ = spheres_.offset + spheres_.length;
   refresh();
 }

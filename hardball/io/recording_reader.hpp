@@ -40,7 +40,7 @@ class RecordingReader {
   const RecordingHeader& header() const { return header_; }
   /// The header as written in the file: one JSON object.
   const std::string& header_text() const { return header_text_; }
-  /// By id [L].
+  /// By id [L]; zero if there is no such sphere at the start, as are the masses.
   const std::vector<double>& radii() const { return radii_; }
   /// By id [M].
   const std::vector<double>& masses() const { return masses_; }

@@ -70,10 +70,17 @@ void append_all(OutputFile& file, Iterator begin, Iterator end, const How&... ho
   file.append(block);
 }
 
+// As if all ids below the largest belonged to spheres.
+std::size_t count_with_gaps(const World& world) {
+  std::size_t count = 0;
+  world.for_each_by_id([&](Slot slot) { count = world.id(slot) + std::size_t{1}; });
+  return count;
+}
+
 // By id; none if all are zero.
-std::vector<SpeciesId> species_of(const World& world) {
-  std::vector<SpeciesId> species;
-  world.for_each_by_id([&](Slot slot) { species.push_back(world.species(slot)); });
+std::vector<SpeciesId> species_of(const World& world, std::size_t count) {
+  std::vector<SpeciesId> species(count, 0);
+  world.for_each_by_id([&](Slot slot) { species[world.id(slot)] = world.species(slot); });
   if (std::ranges::all_of(species, [](SpeciesId id) { return id == 0; })) species.clear();
   return species;
 }
@@ -92,31 +99,28 @@ std::string preamble(const RecordingHeader& header) {
 
 RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader header, const World& world)
     : file_(std::move(path)) {
-  state_.version = world.has_spins() || world.has_passing_pairs() ? 2 : header.version;
-  state_.most_contacts = std::clamp(world.size(), kLeastContacts, kMostContactBytes / contact_bytes());
+  const std::size_t count = count_with_gaps(world);
+  const bool needs_bodies = world.has_spins() || world.has_passing_pairs() || count > world.size();
+  state_.version = needs_bodies ? 2 : header.version;
+  state_.most_contacts = std::clamp(count, kLeastContacts, kMostContactBytes / contact_bytes());
   state_.begin = header.begin;
   HARDBALL_CHECK(state_.version == 1 || state_.version == 2);
   header.version = state_.version;
-  header.spheres = world.size();
+  header.spheres = count;
   header.box = world.box();
-  header.species = species_of(world);
-  std::string bytes = preamble(header);
-  std::string masses;
-  state_.keyframe.reserve(world.size());
+  header.species = species_of(world, count);
+  state_.keyframe.assign(count, {{}, {}, header.begin});
+  std::vector<RecordedBody> bodies(count);
   world.for_each_by_id([&](Slot slot) {
-    if (world.id(slot) != state_.keyframe.size()) {
-      throw Error("a sphere has been removed", "recording of " + header.name,
-                  "record a world whose ids count from 0 without gaps");
-    }
+    const SphereId id = world.id(slot);
     const Path& stored = world.path(slot);
-    state_.keyframe.push_back({stored.position, stored.velocity, stored.time.value()});
-    if (state_.version > 1)
-      state_.bodies.push_back(
-          {world.spin(slot), {}, world.radius(slot), world.mass(slot), world.moment(slot)});
-    append_little_endian(bytes, world.radius(slot));
-    append_little_endian(masses, world.mass(slot));
+    state_.keyframe[id] = {stored.position, stored.velocity, stored.time.value()};
+    bodies[id] = {world.spin(slot), {}, world.radius(slot), world.mass(slot), world.moment(slot)};
   });
-  bytes += masses;
+  std::string bytes = preamble(header);
+  for (const RecordedBody& body : bodies) append_little_endian(bytes, body.radius);
+  for (const RecordedBody& body : bodies) append_little_endian(bytes, body.mass);
+  if (state_.version > 1) state_.bodies = std::move(bodies);
   file_.append(bytes);
   file_.flush_complete();
   state_.written = bytes.size();

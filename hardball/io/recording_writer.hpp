@@ -27,9 +27,9 @@ class RecordingWriter {
  public:
   /// Creates the file and records the spheres of `world`, whose number, box and species replace those of
   /// `header`. Version 2 must be chosen where contacts may turn spheres or merge them; where spheres spin or
-  /// may pass through each other, it is.
+  /// may pass through each other, or one has been removed, it is.
   /// Precondition: no contact has happened since header.begin, nor lies between the stored paths and it.
-  /// Error: the file cannot be opened for writing; a sphere has been removed from the world.
+  /// Error: the file cannot be opened for writing.
   RecordingWriter(std::filesystem::path path, RecordingHeader header, const World& world);
 
   /// Opens a file written before to go on from what `save` returned then; what follows in it is cut off.

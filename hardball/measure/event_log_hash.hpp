@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <string>
 
 #include "hardball/response/contact.hpp"
 
@@ -38,5 +39,8 @@ class EventLogHash {
 
   std::uint64_t hash_ = 0x48617264'62616c6c;
 };
+
+/// A hash as it is shown: 16 hexadecimal digits.
+std::string hash_text(std::uint64_t hash);
 
 }  // namespace hardball

@@ -50,6 +50,26 @@ bool ResponseTable::has_merging() const {
   return std::ranges::any_of(rules_, [](const Rule& rule) { return std::holds_alternative<Merging>(rule); });
 }
 
+bool ResponseTable::is_rough() const {
+  return std::ranges::any_of(rules_, [](const Rule& rule) {
+    const auto* const bounce = std::get_if<Bounce>(&rule);
+    return bounce && bounce->rules().tangential_restitution;
+  });
+}
+
+std::optional<double> ResponseTable::restitution() const {
+  const auto constant_of = [this](std::uint32_t index) -> std::optional<double> {
+    const auto* const bounce = std::get_if<Bounce>(&rules_[index]);
+    if (!bounce || bounce->rules().tangential_restitution) return {};
+    const auto* const constant = std::get_if<ConstantRestitution>(&bounce->rules().restitution);
+    return constant ? std::optional(constant->value) : std::nullopt;
+  };
+  const std::optional<double> one = constant_of(of_pairs_.front());
+  const bool is_one =
+      std::ranges::all_of(of_pairs_, [&](std::uint32_t index) { return constant_of(index) == one; });
+  return is_one ? one : std::nullopt;
+}
+
 Outcome ResponseTable::operator()(const Contact& contact) const {
   if (!contact.is_collision()) return wall(contact.first_species)(contact);
   return std::visit([&](const auto& respond) { return respond(contact); },

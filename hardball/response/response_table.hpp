@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -30,6 +31,10 @@ class ResponseTable {
   const Bounce& wall(SpeciesId species) const { return std::get<Bounce>(rules_[of_walls_[row(species)]]); }
   /// Whether any spheres merge.
   bool has_merging() const;
+  /// Whether any contacts change spins.
+  bool is_rough() const;
+  /// The coefficient of restitution of all spheres that meet [1]; none if it is not one number.
+  std::optional<double> restitution() const;
   Outcome operator()(const Contact& contact) const;
 
  private:

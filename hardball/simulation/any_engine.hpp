@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "hardball/engine/run.hpp"
 #include "hardball/kernels/instruction_set.hpp"
@@ -26,6 +28,9 @@ enum class EngineKind {
   all_pairs,  ///< Every sphere against every other: slow, and obviously correct.
   paper,      ///< The algorithm of the paper to the letter.
 };
+/// By the number of the kind: what users call them.
+inline constexpr std::array<std::string_view, 5> kEngineNames{"auto", "cells", "neighbors", "all-pairs",
+                                                              "paper"};
 
 /// How events are kept in order. The choice changes the speed and never the motion.
 enum class QueueKind {

@@ -72,6 +72,8 @@ class Simulation {
   void respond_with(std::function<Outcome(const Contact&)> response);
   /// Restores the response of the options.
   void respond_with(std::nullptr_t);
+  /// Whether it is not the one of the options.
+  bool has_custom_response() const { return static_cast<bool>(response_); }
 
   /// Replaces the thermostat, which starts now; none by default. It acts at times of its own, each time after
   /// all contacts that round to the same double as that time, or an earlier one, and before all others:

@@ -14,6 +14,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/io/recording_reader.hpp"
 #include "hardball/io/recording_writer.hpp"
+#include "hardball/simulation/recording_header.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
 #include "support/scratch_folder.hpp"
@@ -138,6 +139,48 @@ TEST(RecordedBodies, AreThoseOfTheSimulationAtAnyTime) {
   RecordingReader reader(folder / "recording.hbr");
   ASSERT_GT(reader.chunks().size(), 3U);
   for (const Snapshot& snapshot : snapshots) expect_same(moment_of(reader, snapshot.time), snapshot);
+}
+
+// Ids are missing: some spheres have become part of others, one has been removed, and so has the last.
+TEST(RecordedBodies, MayHaveGapsWhereTheRecordingBeginsMidway) {
+  const ScratchFolder folder;
+  Simulation simulation(drops_and_mist(150), {.responses = every_fate()});
+  simulation.run_until(3);
+  ASSERT_GT(simulation.tally().mergers(), 0U);
+  for (const SphereId id : {60U, 149U}) simulation.remove(id);
+  std::vector<Snapshot> snapshots{{simulation.time(), simulation.world()}};
+  RecordingWriter writer(folder / "recording.hbr", recording_header(simulation), simulation.world());
+  simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
+  const std::uint64_t mergers = simulation.tally().mergers();
+  for (int k = 7; k <= 20; ++k) {
+    simulation.run_until(0.5 * k);
+    snapshots.push_back({simulation.time(), simulation.world()});
+    if (k % 5 == 0) writer.flush();
+  }
+  writer.close(simulation.time());
+  ASSERT_GT(simulation.tally().mergers(), mergers);
+  RecordingReader reader(folder / "recording.hbr");
+  ASSERT_GT(reader.chunks().size(), 1U);
+  EXPECT_EQ(reader.header().version, 2);
+  EXPECT_EQ(reader.header().spheres, 149U) << "the last id is 148";
+  EXPECT_EQ(reader.header().begin, 3);
+  EXPECT_EQ(reader.radii()[60], 0);
+  EXPECT_EQ(reader.masses()[60], 0);
+  for (const Snapshot& snapshot : snapshots) expect_same(moment_of(reader, snapshot.time), snapshot);
+}
+
+TEST(RecordedBodies, OfARemovedSphereNeedVersionTwo) {
+  const ScratchFolder folder;
+  World world = make_gas({.count = 20, .packing_fraction = 0.05});
+  world.remove(world.slot_of(3));
+  RecordingWriter(folder / "recording.hbr", {}, world).close(1);
+  const RecordingReader reader(folder / "recording.hbr");
+  EXPECT_EQ(reader.header().version, 2);
+  EXPECT_EQ(reader.header().spheres, 20U);
+  std::string bytes = read_text(folder / "recording.hbr");
+  bytes.replace(0, 8, "HBREC001");
+  write_text(folder / "recording.hbr", bytes);
+  EXPECT_THROW(RecordingReader(folder / "recording.hbr"), Error) << "version 1 has no gaps";
 }
 
 TEST(RecordedBodies, GoOnFromChunkToChunk) {

@@ -371,13 +371,6 @@ TEST(Recording, ARunWithoutContactsHasOneChunk) {
   EXPECT_THROW(reader.read(1), Error);
 }
 
-TEST(Recording, NeedsIdsWithoutGaps) {
-  const ScratchFolder folder;
-  World world = make_mixture();
-  world.remove(1);
-  EXPECT_THROW(RecordingWriter(folder / "recording.hbr", {}, world), Error);
-}
-
 // A file of three spheres in two chunks.
 std::string small_recording(const ScratchFolder& folder) {
   Simulation simulation(make_mixture());

@@ -8,6 +8,7 @@ import { Bodies, turned } from '../../../apps/viewer/page/src/motion/bodies.js';
 import { Box } from '../../../apps/viewer/page/src/motion/box.js';
 import { Cells } from '../../../apps/viewer/page/src/motion/cells.js';
 import { nextContact, recentPaths } from '../../../apps/viewer/page/src/motion/contacts_of.js';
+import { typicalScales } from '../../../apps/viewer/page/src/motion/default_speed.js';
 import { Images } from '../../../apps/viewer/page/src/motion/images.js';
 import { Playback } from '../../../apps/viewer/page/src/motion/playback.js';
 import { SavedSource } from '../../../apps/viewer/page/src/recording/saved_source.js';
@@ -67,6 +68,30 @@ function assertNear(actual, expected, tolerance = 1e-14) {
   assert.equal(actual.length, expected.length);
   actual.forEach((value, k) => assert.ok(Math.abs(value - expected[k]) <= tolerance, `${actual} ${expected}`));
 }
+
+test('spheres that are missing at the start do not count', () => {
+  const keyframe = [4, 5, 5, 3, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 2, 2, 3, 4, 0, 0];
+  const bodies = [
+    ...[...kStill, ...kUpright, 1, 1, 0.4],
+    ...[...kStill, ...kUpright, 0, 0, 0.4],
+    ...[...kStill, ...kUpright, 1, 2, 0.4],
+  ];
+  const contacts = [
+    { time: 4, first: 0, second: 2, fate: 0, numbers: [4, 5, 5, 0, 0, 0, ...kStill, 2, 2, 2, 0, 0, 0, ...kStill] },
+  ];
+  const source = new StoredSource(
+    writeRecording(kHeader, [1, 0, 1], [1, 0, 2], [{ begin: 0, end: 8, keyframe, bodies, contacts }]),
+  );
+  const playback = playbackOf(source);
+  assert.equal(playback.bodies.count, 2);
+  playback.moveTo(5, source.chunks[0], 0);
+  assert.equal(playback.bodies.count, 2);
+  assert.ok(!playback.bodies.exists(1));
+  assert.deepEqual(findKinds(source.radii, source.masses).list.map(({ count }) => count), [1, 1]);
+  const { speed, rate } = typicalScales(source.chunks[0], source.radii, kHeader);
+  assert.equal(speed, 5);
+  assert.equal(rate, 2 / (2 * 8));
+});
 
 test('spheres that merge are one from then on, at any time, in either direction', () => {
   const source = new StoredSource(kBytes);

@@ -60,6 +60,7 @@ export class Viewer {
     this.player = new Player(source, this.store);
     this.playback = this.player.playback;
     this.bodies = this.playback.bodies;
+    this.spheresAtStart = this.bodies.count;
     /** Whether spheres may spin, merge, and pass through each other. */
     this.canTurn = header.version > 1;
     /** The species that the recording names, or null. */
@@ -395,7 +396,7 @@ export class Viewer {
       this.last.panels = seconds;
       this.spherePanel.update();
       if (this.surroundings.widen(this.playback)) this.view.isStale = true;
-      showRunStatus(this.source, this.isLost);
+      showRunStatus(this.source, this.spheresAtStart, this.isLost);
       this.showEvents();
     }
     if (seconds - this.last.plots > kSecondsBetweenPlots) {

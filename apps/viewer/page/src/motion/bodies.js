@@ -18,7 +18,7 @@ export function turned([i, j, k, real], [x, y, z], duration) {
   ];
 }
 
-/** What the spheres are at one time, by id, and how they turn. One that has become part of another has no radius. */
+/** What the spheres are at one time, by id, and how they turn. One that has become part of another, or was removed, has no radius. */
 export class Bodies {
   /** Those of a recording's start: radii [L] and masses [M]. */
   constructor(radii, masses) {
@@ -34,7 +34,7 @@ export class Bodies {
     this.orientations = new Float64Array(4 * radii.length);
     for (let id = 0; id < radii.length; ++id) this.orientations[4 * id + 3] = 1;
     /** How many spheres there are. */
-    this.count = radii.length;
+    this.count = this.radii.reduce((count, radius) => count + (radius > 0 ? 1 : 0), 0);
   }
 
   exists(id) {

@@ -7,14 +7,17 @@ import { kPathNumbers } from '../recording/chunk.js';
  * and a playback speed at which they are seen to move [T per second].
  */
 export function typicalScales(chunk, radii, { begin, until, box, gravity = [0, 0, 0] }) {
-  const spheres = radii.length;
+  let spheres = 0;
   let squares = 0;
   let radius = 0;
-  for (let id = 0; id < spheres; ++id) {
+  for (let id = 0; id < radii.length; ++id) {
+    if (radii[id] === 0) continue;
+    ++spheres;
     const start = kPathNumbers * id + 3;
     squares += chunk.keyframe[start] ** 2 + chunk.keyframe[start + 1] ** 2 + chunk.keyframe[start + 2] ** 2;
-    radius += radii[id] / spheres;
+    radius += radii[id];
   }
+  radius /= spheres;
   const edges = box.size.filter((size, axis) => box.boundary[axis] !== 'open' && size > 0);
   const longest = edges.length > 0 ? Math.max(...edges) / 12 : 3 * radius;
   // Of spheres at rest under gravity, that which they soon have.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 import { show, showCount } from './numbers.js';
 
-/** The status of the run in the header of the page. */
-export function showRunStatus({ header, status, replayAddress }, isLost) {
+/** The status of the run in the header of the page. `spheres`: how many there were at the start. */
+export function showRunStatus({ header, status, replayAddress }, spheres, isLost) {
   const put = (id, text) => {
     const element = document.getElementById(id);
     if (element.textContent !== text) element.textContent = text;
@@ -11,7 +11,7 @@ export function showRunStatus({ header, status, replayAddress }, isLost) {
   const [state, words] = describe(status, replayAddress, isLost);
   document.getElementById('status').dataset.state = state;
   put('status-text', words);
-  put('count-spheres', showCount(header.spheres));
+  put('count-spheres', showCount(spheres));
   put('count-collisions', count(status.collisions));
   put('count-mergers', count(status.mergers));
   put('count-walls', count(status.walls));
