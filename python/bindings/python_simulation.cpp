@@ -10,9 +10,12 @@
 
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/io/recording_writer.hpp"
+#include "hardball/simulation/recording_header.hpp"
 #include "hardball/simulation/slice.hpp"
 #include "hardball/world/range.hpp"
 #include "python/bindings/responses.hpp"
+#include "python/bindings/thermostats.hpp"
 
 namespace py = pybind11;
 
@@ -183,6 +186,34 @@ std::vector<Contact> PythonSimulation::contacts_within(double duration, std::uin
   return simulation_.contacts_within(duration, most);
 }
 
+void PythonSimulation::record_ahead(const std::filesystem::path& path, double end, std::uint64_t contacts,
+                                    std::uint64_t most_bytes) const {
+  PythonSimulation copy(*this);
+  copy.listener_.reset();
+  copy.measures_ = Measures({.names = {}});
+  Simulation& simulation = copy.simulation_;
+  RecordingHeader header = recording_header(simulation);
+  if (std::isfinite(end)) header.until = end;
+  RecordingWriter writer(path, header, simulation.world());
+  simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
+  simulation.on_velocity_change(
+      [&](const VelocityChange& change) { writer.note(change, simulation.world()); });
+  const Counters before = simulation.counters();
+  for (;;) {
+    const std::uint64_t left = contacts - (simulation.counters() - before).contacts();
+    const RunStatus status =
+        copy.run_slice({.until = Time(end), .contacts = left, .steps = steps_per_slice(simulation)});
+    throw_if_interrupted();
+    if (writer.bytes() > most_bytes) {
+      throw Error("the recording has more than " + to_text(most_bytes) + " bytes at time " +
+                      to_text(simulation.time()),
+                  "view", "give an earlier time or fewer contacts");
+    }
+    if (status == RunStatus::time_reached || status == RunStatus::contacts_reached) break;
+  }
+  writer.close(simulation.time());
+}
+
 std::vector<Vec3> PythonSimulation::positions_at(double time) {
   simulation();
   const Turn turn(*this);
@@ -223,6 +254,11 @@ void PythonSimulation::set_response(const py::object& response) {
   const Callback function(response);
   simulation.respond_with(response_calling(function));
   response_ = function;
+}
+
+void PythonSimulation::set_thermostat(const py::object& thermostat, std::uint64_t seed) {
+  simulation_to_edit().set_thermostat(
+      thermostat.is_none() ? std::nullopt : std::optional(Thermostat(thermostat_of(thermostat), seed)));
 }
 
 void PythonSimulation::drop_references() {

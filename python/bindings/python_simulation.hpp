@@ -5,6 +5,7 @@
 #include <pybind11/pybind11.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -57,6 +58,10 @@ class PythonSimulation {
   std::optional<NextContact> next_event(double until);
   /// See Simulation::contacts_within.
   std::vector<Contact> contacts_within(double duration, std::uint64_t most);
+  /// Records in a file how the simulation would go on, up to `until` [T] or for so many contacts, if nobody
+  /// interfered: listeners are not called. Error: as for run; the recording grows beyond `most_bytes`.
+  void record_ahead(const std::filesystem::path& path, double until, std::uint64_t contacts,
+                    std::uint64_t most_bytes) const;
   /// See Simulation::positions_at.
   std::vector<Vec3> positions_at(double time);
 
@@ -64,6 +69,8 @@ class PythonSimulation {
   void set_listener(const pybind11::object& listener);
   void set_response(const pybind11::object& response);
   const std::optional<Callback>& response() const { return response_; }
+  /// None for none.
+  void set_thermostat(const pybind11::object& thermostat, std::uint64_t seed);
 
   /// Measures from now on what the settings say. Error: it is running.
   void set_measures(const MeasureSettings& settings);

@@ -1,12 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
+#include "python/bindings/thermostats.hpp"
+
 #include "documentation.hpp"
-#include "hardball/thermostats/thermostat.hpp"
+#include "hardball/errors/error.hpp"
 #include "python/bindings/bindings.hpp"
 
 namespace py = pybind11;
 
 namespace hardball::python {
+
+ThermostatKind thermostat_of(const py::handle& object) {
+  if (py::isinstance<Andersen>(object)) return object.cast<Andersen>();
+  if (py::isinstance<Rescale>(object)) return object.cast<Rescale>();
+  if (py::isinstance<Heating>(object)) return object.cast<Heating>();
+  throw Error("it is not a thermostat", "thermostat", "give an Andersen, a Rescale, a Heating or None");
+}
 
 void bind_thermostats(py::module_& module) {
   py::class_<Andersen>(module, "Andersen", doc::Andersen)

@@ -36,6 +36,7 @@ from ._hardball import (
     measure_names,
 )
 from ._simulation import Simulation
+from ._view import View
 
 __all__ = [
     "Andersen",
@@ -58,6 +59,7 @@ __all__ = [
     "Simulation",
     "Surface",
     "TabulatedRestitution",
+    "View",
     "ViscoelasticRestitution",
     "measure_names",
     "__version__",

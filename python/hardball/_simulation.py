@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _hardball
 from ._notebook import html_of
 from ._scenario import toml_of
+from ._view import View, is_notebook, view_of
 
 if TYPE_CHECKING:
     import ase
@@ -232,6 +233,18 @@ class Simulation(_hardball.Simulation):
         self._measure([names] if isinstance(names, str) else list(names), every, start)
 
     # --- pictures ---
+
+    def view(self, until: float | None = None, *, contacts: int | None = None) -> View:
+        """Shows how the simulation goes on: inline in a notebook, elsewhere in the browser.
+
+        Up to the time `until` [T], or for so many contacts; without a limit, for about ten contacts of each sphere,
+        but not beyond the end of the scenario. The simulation stays as it is: what is shown is what a run would do,
+        without listeners. The page can be saved as a file. Error: the page grows beyond what browsers open, 200 MB.
+        """
+        page = view_of(self, until, contacts)
+        if not is_notebook():
+            page.open()
+        return page
 
     def __repr__(self) -> str:
         return (

@@ -5,12 +5,14 @@
 import contextlib
 import inspect
 import io
+import os
 import re
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import hardball
 from support import ROOT, gas
@@ -52,7 +54,15 @@ class Documentation(unittest.TestCase):
         examples = re.findall(r"^```python\n(.*?)^```", (ROOT / page).read_text(), re.DOTALL | re.MULTILINE)
         self.assertTrue(examples)
         names = {}
-        with contextlib.redirect_stdout(io.StringIO()) as printed:
+        with contextlib.ExitStack() as stack:
+            folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+            (folder / "scenarios").symlink_to(ROOT / "scenarios")
+            stack.enter_context(mock.patch("tempfile.tempdir", str(folder)))
+            stack.enter_context(mock.patch("webbrowser.open"))
+            stack.callback(os.chdir, os.getcwd())
+            os.chdir(folder)
+            stack.enter_context(contextlib.redirect_stderr(io.StringIO()))
+            printed = stack.enter_context(contextlib.redirect_stdout(io.StringIO()))
             for example in examples:
                 exec(compile(example, page, "exec"), names)
         return printed.getvalue()

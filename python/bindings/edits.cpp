@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "hardball/simulation/simulation.hpp"
+#include "python/bindings/arrays.hpp"
+#include "python/bindings/simulation_class.hpp"
+#include "python/bindings/spheres.hpp"
+
+namespace py = pybind11;
+
+namespace hardball::python {
+namespace {
+
+void set_velocities(PythonSimulation& self, const py::object& ids, const py::object& velocities) {
+  const std::vector<std::uint32_t> spheres = counts_of(ids, "ids", kNoSphere);
+  const std::vector<Vec3> vectors = vectors_of(velocities, "velocities", spheres.size());
+  std::vector<VelocityEdit> edits;
+  edits.reserve(spheres.size());
+  for (std::size_t i = 0; i < spheres.size(); ++i) edits.push_back({spheres[i], vectors[i]});
+  self.simulation_to_edit().change_velocities(edits);
+}
+
+py::object add(PythonSimulation& self, const py::object& position, const py::object& velocity,
+               const py::object& radius, const py::object& mass, const py::object& spin,
+               const py::object& species, const py::object& moment) {
+  Simulation& simulation = self.simulation_to_edit();
+  const Doubles centers = doubles(position, "position");
+  const bool is_one = centers.ndim() == 1;
+  const py::object rows = is_one ? centers.attr("reshape")(1, centers.size()) : py::object(centers);
+  std::vector<SphereId> ids;
+  for (const Sphere& sphere :
+       spheres_of(rows, velocity, radius, mass, spin, species, moment, simulation.world().box().is_flat())) {
+    ids.push_back(simulation.add(sphere));
+  }
+  if (is_one) return py::int_(ids.front());
+  return array_around(std::move(ids));
+}
+
+void remove(PythonSimulation& self, const py::object& ids) {
+  Simulation& simulation = self.simulation_to_edit();
+  for (const SphereId id : counts_of(ids, "ids", kNoSphere)) simulation.remove(id);
+}
+
+}  // namespace
+
+void bind_edits(SimulationClass& simulation) {
+  const py::tuple zero = py::make_tuple(0.0, 0.0, 0.0);
+  simulation
+      .def(
+          "set_velocity", &set_velocities, py::arg("ids"), py::arg("velocities"),
+          "Changes the velocity of a sphere, or of several [L/T], now: ids of shape (n,), velocities of "
+          "shape "
+          "(n, 3), or one for all. Error: no such sphere; a sphere is given twice; then nothing has changed.")
+      .def(
+          "add", &add, py::arg("position"), py::arg("velocity") = zero, py::arg("radius") = 1.0,
+          py::arg("mass") = 1.0, py::arg("spin") = zero, py::arg("species") = 0,
+          py::arg("moment") = py::none(),
+          "Adds a sphere, now, and returns its id; or several, with positions of shape (n, 3). Cost: O(size) "
+          "each. Error: it overlaps another; the spheres before it have been added.")
+      .def("remove", &remove, py::arg("ids"),
+           "Removes the sphere with this id, now, or several. Cost: O(size) each. Error: no such sphere.")
+      .def("set_thermostat", &PythonSimulation::set_thermostat, py::arg("thermostat"), py::arg("seed") = 1,
+           "Replaces the thermostat, which starts now; None for none.")
+      .def("respond_with", &PythonSimulation::set_response, py::arg("response"),
+           "Replaces the response: a Bounce, a Merging, a ResponseTable, a coefficient of restitution, or a "
+           "function that is given a Contact and returns the velocities of both bodies, or an Outcome; None "
+           "for that of the start. A Python function costs a few microseconds for each contact.")
+      .def("on_contact", &PythonSimulation::set_listener, py::arg("listener"),
+           "Sets a function that is called with the Contact after every collision and wall contact; None for "
+           "none. It may query the simulation and edit it. If it throws, the run ends after that contact.");
+}
+
+}  // namespace hardball::python

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "hardball/errors/error.hpp"
+#include "python/bindings/simulation_class.hpp"
+#if HARDBALL_VIEWER
+#include "apps/viewer/built_page.hpp"
+#include "apps/viewer/replay.hpp"
+#endif
+
+namespace py = pybind11;
+
+namespace hardball::python {
+namespace {
+
+// How the simulation goes on, as one page of HTML; the recording is made in the file `path`.
+py::bytes replay_of(const PythonSimulation& self, const std::filesystem::path& path, double until,
+                    std::optional<std::uint64_t> contacts) {
+#if HARDBALL_VIEWER
+  self.record_ahead(path, until, contacts.value_or(std::numeric_limits<std::uint64_t>::max()),
+                    viewer::kMostReplayedBytes);
+  const viewer::SharedRecording recording(path);
+  const viewer::Replay replay(recording, viewer::built_page());
+  std::string page;
+  page.reserve(replay.length());
+  while (page.size() < replay.length()) page += replay.piece(page.size());
+  return page;
+#else
+  static_cast<void>(self), static_cast<void>(path), static_cast<void>(until), static_cast<void>(contacts);
+  throw RunFailure(
+      "this package was built without the viewer; build it with HARDBALL_VIEWER=ON in the environment");
+#endif
+}
+
+}  // namespace
+
+void bind_replay(SimulationClass& simulation) {
+  simulation.def("_replay", &replay_of, py::arg("path"), py::arg("until"), py::arg("contacts"));
+}
+
+}  // namespace hardball::python

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "documentation.hpp"
+#include "hardball/measure/event_log_hash.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "hardball/world/audit.hpp"
+#include "python/bindings/arrays.hpp"
+#include "python/bindings/simulation_class.hpp"
+
+namespace py = pybind11;
+
+namespace hardball::python {
+namespace {
+
+template <class Number, class Value>
+py::object numbers_by_id(const World& world, Value&& value) {
+  std::vector<Number> numbers;
+  numbers.reserve(world.size());
+  world.for_each_by_id([&](Slot slot) { numbers.push_back(value(slot)); });
+  return read_only(array_around(std::move(numbers)));
+}
+
+template <class Value>
+py::object vectors_by_id(const World& world, Value&& value) {
+  std::vector<Vec3> vectors;
+  vectors.reserve(world.size());
+  world.for_each_by_id([&](Slot slot) { vectors.push_back(value(slot)); });
+  return read_only(array_around(std::move(vectors)));
+}
+
+py::dict certificate(const PythonSimulation& self) {
+  const Simulation& simulation = self.simulation();
+  const World& world = simulation.world();
+  const Audit found = audit(world, simulation.now());
+  const Tally& tally = simulation.tally();
+  const Counters counters = simulation.counters();
+  py::dict all;
+  all["event_log_hash"] = hash_text(simulation.event_log_hash());
+  all["collisions"] = counters.collision;
+  all["wall_contacts"] = counters.wall;
+  all["mergers"] = tally.mergers();
+  all["initial_energy"] = tally.initial_energy();
+  all["energy"] = world.energy(simulation.now());
+  all["momentum"] = array_of(world.momentum(simulation.now()));
+  all["max_overlap"] = std::max({tally.max_overlap(), found.max_overlap, found.max_escape});
+  all["is_sound"] = found.is_sound();
+  return all;
+}
+
+// Properties that are arrays in the order of ids.
+void bind_arrays(SimulationClass& simulation) {
+  const auto of_world = [&](const char* name, auto make, const char* documentation) {
+    simulation.def_property_readonly(
+        name,
+        [name, make](PythonSimulation& self) {
+          return self.of_state(name,
+                               [&] { return make(self.simulation().world(), self.simulation().now()); });
+        },
+        documentation);
+  };
+  of_world(
+      "positions",
+      [](const World& world, const Time& now) {
+        return vectors_by_id(world, [&](Slot slot) { return world.position(slot, now); });
+      },
+      doc::Simulation_positions);
+  of_world(
+      "unwrapped_positions",
+      [](const World& world, const Time& now) {
+        return vectors_by_id(world, [&](Slot slot) { return world.unwrapped_position(slot, now); });
+      },
+      "All centres now as if they had never been folded into the box [L]. Shape (size, 3).");
+  of_world(
+      "velocities",
+      [](const World& world, const Time& now) {
+        return vectors_by_id(world, [&](Slot slot) { return world.velocity(slot, now); });
+      },
+      "All velocities now, in the order of ids [L/T]. Shape (size, 3).");
+  of_world(
+      "spins",
+      [](const World& world, const Time&) {
+        return vectors_by_id(world, [&](Slot slot) { return world.spin(slot); });
+      },
+      "All angular velocities, in the order of ids [1/T]. Shape (size, 3).");
+  of_world(
+      "radii",
+      [](const World& world, const Time&) {
+        return numbers_by_id<double>(world, [&](Slot slot) { return world.radius(slot); });
+      },
+      "In the order of ids [L].");
+  of_world(
+      "masses",
+      [](const World& world, const Time&) {
+        return numbers_by_id<double>(world, [&](Slot slot) { return world.mass(slot); });
+      },
+      "In the order of ids [M]; infinite for kinematic spheres.");
+  of_world(
+      "species",
+      [](const World& world, const Time&) {
+        return numbers_by_id<std::uint8_t>(world, [&](Slot slot) { return world.species(slot); });
+      },
+      "In the order of ids.");
+  of_world(
+      "ids",
+      [](const World& world, const Time&) {
+        return numbers_by_id<std::uint32_t>(world, [&](Slot slot) { return world.id(slot); });
+      },
+      "The ids of all spheres, ascending: 0 to size-1, until spheres are added, removed or merged.");
+}
+
+void bind_numbers(SimulationClass& simulation) {
+  const auto number = [&](const char* name, auto get, const char* documentation) {
+    simulation.def_property_readonly(
+        name, [get](const PythonSimulation& self) { return get(self.simulation()); }, documentation);
+  };
+  number(
+      "time", [](const Simulation& self) { return self.time(); }, "Now [T].");
+  number(
+      "box", [](const Simulation& self) { return self.world().box(); }, doc::Box);
+  number(
+      "gravity", [](const Simulation& self) { return array_of(self.world().motion().gravity()); },
+      "Acceleration of all spheres [L/T^2].");
+  number(
+      "event_log_hash", [](const Simulation& self) { return hash_text(self.event_log_hash()); },
+      "Hash of all contacts so far, in 16 hexadecimal digits: that of the same run by any engine, on any "
+      "machine, from the command line or from C++.");
+  number(
+      "collisions", [](const Simulation& self) { return self.counters().collision; },
+      "How many collisions of two spheres have happened.");
+  number(
+      "wall_contacts", [](const Simulation& self) { return self.counters().wall; },
+      "How many contacts with walls have happened.");
+  number(
+      "energy", [](const Simulation& self) { return self.world().energy(self.now()); }, doc::World_energy);
+  number(
+      "kinetic_energy", [](const Simulation& self) { return self.world().kinetic_energy(self.now()); },
+      "Sum of m v^2 / 2 [M L^2 T^-2]; kinematic spheres are no part. Cost: O(n).");
+  number(
+      "momentum", [](const Simulation& self) { return array_of(self.world().momentum(self.now())); },
+      "Sum of m v [M L/T]. Cost: O(n).");
+  number(
+      "compressibility", [](const Simulation& self) { return self.tally().compressibility(self.now()); },
+      doc::Tally_compressibility);
+  number(
+      "engine", [](const Simulation& self) { return kEngineNames[static_cast<std::size_t>(self.engine())]; },
+      "The engine in use: 'cells', 'neighbors', 'all-pairs' or 'paper'.");
+  number(
+      "cell_edge", [](const Simulation& self) { return self.cell_edge(); }, doc::Simulation_cell_edge);
+  number(
+      "memory_bytes", [](const Simulation& self) { return self.memory_bytes(); },
+      "Memory that the simulation takes.");
+}
+
+}  // namespace
+
+void bind_state(SimulationClass& simulation) {
+  bind_arrays(simulation);
+  bind_numbers(simulation);
+  simulation
+      .def_property_readonly("certificate", &certificate,
+                             "What shows that the run is sound: hash, conserved quantities, and the "
+                             "deepest overlap of two bodies so far, in diameters. Cost: O(n).")
+      .def(
+          "results",
+          [](const PythonSimulation& self) {
+            py::dict all;
+            for (Measurement& measurement : self.results()) {
+              const py::str name(measurement.name);
+              all[name] = std::move(measurement);
+            }
+            return all;
+          },
+          "What has been measured up to now, by the names of the measures. Cost: that of a copy of the "
+          "measures.")
+      .def_readwrite("until", &PythonSimulation::until, "Where a run ends that is given no limit [T].")
+      .def("__len__", [](const PythonSimulation& self) { return self.simulation().size(); })
+      .def("__contains__",
+           [](const PythonSimulation& self, SphereId id) { return self.simulation().contains(id); });
+}
+
+}  // namespace hardball::python
