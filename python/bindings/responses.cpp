@@ -46,10 +46,24 @@ TabulatedRestitution tabulated(const py::object& speeds, const py::object& value
   return TabulatedRestitution(std::move(points));
 }
 
+bool is_bounce(const py::handle& object) {
+  return py::isinstance<Bounce>(object) || py::isinstance<ViscoelasticRestitution>(object) ||
+         py::isinstance<TabulatedRestitution>(object) || PyNumber_Check(object.ptr()) != 0;
+}
+
+// A restitution, whether a number or a law, is a Bounce.
+Bounce bounce_of(const py::handle& object) {
+  if (!is_bounce(object)) {
+    throw Error("it is not a Bounce", "response", "give a Bounce or a coefficient of restitution");
+  }
+  return py::isinstance<Bounce>(object) ? object.cast<Bounce>() : Bounce({.restitution = law_of(object)});
+}
+
 Rule rule_of(const py::handle& object) {
   if (py::isinstance<Merging>(object)) return Merging();
-  if (py::isinstance<Bounce>(object)) return object.cast<Bounce>();
-  throw Error("it is neither a Bounce nor a Merging", "response", "give one of these");
+  if (is_bounce(object)) return bounce_of(object);
+  throw Error("it is neither a Bounce nor a Merging", "response",
+              "give one of these or a coefficient of restitution");
 }
 
 // A table that says what a constant restitution of smooth spheres says is slower than one.
@@ -164,16 +178,14 @@ bool set_response(const py::handle& object, EngineOptions& options) {
     options.responses = object.cast<ResponseTable>();
   } else if (py::isinstance<Merging>(object)) {
     options.responses = ResponseTable(Merging());
-  } else if (py::isinstance<Bounce>(object)) {
-    const auto bounce = object.cast<Bounce>();
+  } else if (is_bounce(object)) {
+    const Bounce bounce = bounce_of(object);
     if (!is_simple(bounce.rules())) {
       options.responses = ResponseTable(bounce, bounce);
     } else {
       options.restitution = std::get<ConstantRestitution>(bounce.rules().restitution).value;
       options.elastic_below = bounce.rules().elastic_below;
     }
-  } else if (PyNumber_Check(object.ptr()) != 0) {
-    options.restitution = std::get<ConstantRestitution>(law_of(object)).value;
   } else {
     return false;
   }
@@ -211,19 +223,24 @@ void bind_responses(py::module_& module) {
            "model. With `tangential_restitution`, from -1, smooth, to 1, perfectly rough, the spheres spin.");
   py::class_<Merging>(module, "Merging", doc::Merging).def(py::init<>());
   py::class_<ResponseTable>(module, "ResponseTable", doc::ResponseTable)
-      .def(py::init([](const py::object& spheres, const Bounce& walls) {
-             return ResponseTable(rule_of(spheres), walls);
+      .def(py::init([](const py::object& spheres, const py::object& walls) {
+             return ResponseTable(rule_of(spheres), bounce_of(walls));
            }),
-           py::arg("spheres") = Bounce(), py::arg("walls") = Bounce(),
-           "The same Bounce or Merging for all spheres, and the same Bounce for all at walls.")
+           py::arg("spheres") = 1.0, py::arg("walls") = 1.0,
+           "The same Bounce or Merging for all spheres, and the same Bounce for all at walls; a coefficient "
+           "of restitution is a Bounce.")
       .def(
           "set",
           [](ResponseTable& self, SpeciesId a, SpeciesId b, const py::object& rule) {
             self.set(a, b, rule_of(rule));
           },
           py::arg("first"), py::arg("second"), py::arg("rule"), "Sets the response of two species.")
-      .def("set_wall", &ResponseTable::set_wall, py::arg("species"), py::arg("bounce"),
-           doc::ResponseTable_set_wall);
+      .def(
+          "set_wall",
+          [](ResponseTable& self, SpeciesId species, const py::object& bounce) {
+            self.set_wall(species, bounce_of(bounce));
+          },
+          py::arg("species"), py::arg("bounce"), doc::ResponseTable_set_wall);
   bind_contact(module);
 }
 

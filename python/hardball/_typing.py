@@ -6,9 +6,19 @@ from typing import Callable, Sequence, Union
 
 from numpy.typing import ArrayLike
 
-from ._hardball import Andersen, Bounce, Contact, Heating, Merging, Outcome, Rescale, ResponseTable
+from ._hardball import (
+    Andersen,
+    Bounce,
+    Contact,
+    Heating,
+    Merging,
+    Outcome,
+    Rescale,
+    ResponseTable,
+    TabulatedRestitution,
+    ViscoelasticRestitution,
+)
 
-Response = Union[
-    float, Bounce, Merging, ResponseTable, Callable[[Contact], Union[Outcome, Sequence[ArrayLike]]]
-]
+AnyBounce = Union[float, ViscoelasticRestitution, TabulatedRestitution, Bounce]
+Response = Union[AnyBounce, Merging, ResponseTable, Callable[[Contact], Union[Outcome, Sequence[ArrayLike]]]]
 Thermostat = Union[Andersen, Rescale, Heating]

@@ -42,6 +42,8 @@ class Responses(unittest.TestCase):
             hardball.Bounce(tabulated, elastic_below=1e-6),
             hardball.Bounce(0.9, contact_duration=1e-4),
             hardball.ResponseTable(hardball.Bounce(0.7)),
+            tabulated,
+            hardball.ResponseTable(hardball.ViscoelasticRestitution(0.7, speed=1.0), walls=0.5),
         ):
             simulation = gas(response=response)
             simulation.run(until=2)
@@ -52,6 +54,18 @@ class Responses(unittest.TestCase):
             self.assertEqual(later.event_log_hash, simulation.event_log_hash)
         self.assertEqual(gas(response=0.8).run(until=2), gas(response=hardball.Bounce(0.8)).run(until=2))
         self.assertEqual(tabulated.at(0.5), 0.75)
+        numbers, bounces = hardball.ResponseTable(0.8, walls=0.5), hardball.ResponseTable(hardball.Bounce(0.8), hardball.Bounce(0.5))
+        numbers.set_wall(1, 0.25)
+        bounces.set_wall(1, hardball.Bounce(0.25))
+        box = hardball.Box.walls(8.0)
+        of_numbers, of_bounces = (gas(box=box, species=np.arange(125) % 2, response=table) for table in (numbers, bounces))
+        for simulation in (of_numbers, of_bounces):
+            simulation.run(until=2)
+        self.assertEqual(of_numbers.event_log_hash, of_bounces.event_log_hash)
+        with self.assertRaisesRegex(hardball.Error, "give one of these or a coefficient"):
+            numbers.set(0, 1, "soft")
+        with self.assertRaisesRegex(hardball.Error, "give a Bounce or a coefficient"):
+            numbers.set_wall(0, hardball.Merging())
 
     def test_rough_spheres_spin_and_drops_merge(self):
         rough = gas(response=hardball.Bounce(tangential_restitution=0.5))

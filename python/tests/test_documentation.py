@@ -75,7 +75,9 @@ class Documentation(unittest.TestCase):
         self.assertLess(error, 0.05)
 
     def test_the_examples_of_the_documentation_run(self):
-        self.run_page("docs/python.md")
+        for page in ("docs/python.md", "docs/python_how_to.md"):
+            with self.subTest(page):
+                self.run_page(page)
 
     def test_the_example_makes_its_figure(self):
         with tempfile.TemporaryDirectory() as folder:
