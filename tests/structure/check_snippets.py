@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""Checks that the C++ shown on a page is taken from the examples, indentation aside.
+"""Checks that the C++ and CMake shown on the pages is taken from programs that are built: the examples and the project
+of tests/structure/consumer, indentation and the names of targets aside.
 
-usage: check_snippets.py PAGE EXAMPLES_FOLDER
+usage: check_snippets.py PROJECT_FOLDER
 """
 
 import re
@@ -11,18 +12,35 @@ import sys
 from pathlib import Path
 
 
+LANGUAGES = {"cpp": "examples/*.cpp", "cmake": "tests/structure/consumer/CMakeLists.txt"}
+
+
 def normal(code):
-    return "\n".join(line.strip() for line in code.strip().splitlines())
+    code = re.sub(r"find_package\(hardball [\d.]+ ", "find_package(hardball ", code)
+    code = re.sub(r"target_link_libraries\(\w+", "target_link_libraries(program", code)
+    return [line.strip() for line in code.splitlines() if line.strip()]
+
+
+def contains(program, snippet):
+    """Whether the lines of the snippet follow each other in the program; CMake's may have others in between."""
+    if any(line.startswith("find_package") for line in snippet):
+        return all(line in program for line in snippet)
+    return any(program[k : k + len(snippet)] == snippet for k in range(len(program)))
 
 
 def main():
-    page, folder = Path(sys.argv[1]), Path(sys.argv[2])
-    examples = [normal(file.read_text()) for file in sorted(folder.glob("*.cpp"))]
-    snippets = re.findall(r"^```cpp\n(.*?)^```", page.read_text(), re.DOTALL | re.MULTILINE)
-    strange = [snippet for snippet in snippets if not any(normal(snippet) in example for example in examples)]
-    for snippet in strange:
-        print(f"{page}: not in the examples:\n{snippet}")
-    return 1 if strange or not snippets else 0
+    project = Path(sys.argv[1])
+    pages = [project / "README.md", *sorted(project.glob("docs/*.md"))]
+    count = faults = 0
+    for language, sources in LANGUAGES.items():
+        programs = [normal(file.read_text()) for file in sorted(project.glob(sources))]
+        for page in pages:
+            for snippet in re.findall(rf"^```{language}\n(.*?)^```", page.read_text(), re.DOTALL | re.MULTILINE):
+                count += 1
+                if not any(contains(program, normal(snippet)) for program in programs):
+                    faults += 1
+                    print(f"{page}: in no program that is built:\n{snippet}")
+    return 1 if faults or count < 10 else 0
 
 
 if __name__ == "__main__":
