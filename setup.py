@@ -7,6 +7,7 @@ With HARDBALL_VIEWER=ON in the environment, the viewer is built in, for which np
 
 import os
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -20,7 +21,8 @@ class BuildWithCMake(build_ext):
     def build_extension(self, extension):
         folder = Path(self.get_ext_fullpath(extension.name)).resolve().parents[1]
         build = Path(self.build_temp).resolve()
-        options = ["-DCMAKE_BUILD_TYPE=Release", "-DHARDBALL_PYTHON_PACKAGE=ON", f"-DHARDBALL_PYTHON_FOLDER={folder}"]
+        options = ["-G", "Ninja"] if shutil.which("ninja") else []
+        options += ["-DCMAKE_BUILD_TYPE=Release", "-DHARDBALL_PYTHON_PACKAGE=ON", f"-DHARDBALL_PYTHON_FOLDER={folder}"]
         options += [f"-DHARDBALL_{part}=OFF" for part in ("APPS", "EXAMPLES", "TESTS", "INSTALL", "PYTHON_LINKS")]
         options += [f"-DHARDBALL_VIEWER={os.environ.get('HARDBALL_VIEWER', 'OFF')}"]
         subprocess.run(["cmake", "-S", ROOT, "-B", build, *options], check=True)
