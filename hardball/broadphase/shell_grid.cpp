@@ -92,6 +92,10 @@ std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const S
   if (count == 0 || 2 * count > world.size() || sizes.surfaces > kMostCellsPerSphere * spheres)
     return std::nullopt;
   sizes.slack = kSlack * edge;
+  // A shell must be no thicker for the rounding of coordinates along an axis that is far longer than others.
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (cells.reach(axis, 0) > kLeastSlack * edge) return std::nullopt;
+  }
   Vec3 extent;  // of a region of the grid; it shares one cell with that of a large sphere
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double touched = most_cells_touched(2 * cells.reach(axis, sizes.largest_in_grid), cells.edge(axis));

@@ -273,6 +273,19 @@ TEST(ShellGrid, SuitsOnlyMixturesInLargeBoxes) {
   EXPECT_TRUE(suits(1, 5.2, 0.47)) << "small enough cells";
 }
 
+// A shell as thick as the rounding of coordinates along the longest axis would fill all memory.
+TEST(ShellGrid, DoesNotSuitABoxThatIsFarLongerAlongOneAxis) {
+  const auto suits = [](double length) {
+    World world(Box({Boundary::open, Boundary::wall, Boundary::open}, {0, length, 0}));
+    world.add({{10, 20, 10}, {}, 8, 1});
+    for (int i = 0; i < 9; ++i) world.add({{30, 20.0 + i, 10}, {}, 0.1, 1});
+    return ShellGrid::suits(world, 1);
+  };
+  EXPECT_TRUE(suits(50));
+  EXPECT_TRUE(suits(1e9));
+  EXPECT_FALSE(suits(1e19));
+}
+
 TEST(ShellGrid, NoticesALargeSphereThatLeftItsCellsUnseen) {
   World world(Box::periodic({20, 20, 20}));
   world.add({{5, 5, 5}, {1, 0, 0}, 2, 1});
