@@ -13,3 +13,18 @@ breathe_projects = {"hardball": "doxygen/xml"}
 breathe_default_project = "hardball"
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"
+autoclass_content = "both"
+default_role = "code"
+
+
+def with_public_names(app, what, name, entity, options, signature, returned):
+    """Signatures as users write them: classes by their public names, and without self."""
+
+    def public(text):
+        return text and text.replace("hardball._hardball.", "hardball.").replace("(self: hardball.Simulation, ", "(")
+
+    return public(signature), public(returned)
+
+
+def setup(app):
+    app.connect("autodoc-process-signature", with_public_names)

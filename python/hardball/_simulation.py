@@ -49,19 +49,23 @@ class Simulation(_hardball.Simulation):
     ) -> None:
         """Starts at time zero.
 
-        positions: centres [L], shape (n, 3), or (n, 2) in two dimensions.
-        velocities, spin: [L/T], [1/T], of the same shape, or one vector for all.
-        radius, mass, species, moment: of shape (n,), or one number for all [L], [M], [1], [1]. A sphere of infinite
-            mass is kinematic: no collision deflects it. The moment of inertia over mass and squared radius is that
-            of uniform spheres or discs unless it is given.
-        gravity: acceleration of all spheres [L/T^2].
-        surfaces: walls inside the box, and obstacles.
-        passing: pairs of species that pass through each other.
-        response: what contacts do: a coefficient of restitution, a Bounce, a Merging, a ResponseTable, or a function
-            that is given a Contact and returns the velocities of both bodies, or an Outcome; elastic by default.
-        thermostat, seed: an Andersen, a Rescale or a Heating, and the seed of its random numbers.
-        engine, cell_edge: how collisions are found, 'auto', 'cells', 'neighbors', 'all-pairs' or 'paper', and the
-            edge of its cells [L]: both change the speed and never the history.
+        :param positions: centres [L], shape (n, 3), or (n, 2) in two dimensions.
+        :param velocities: [L/T], of the same shape, or one vector for all.
+        :param radius: [L], of shape (n,), or one number for all.
+        :param mass: [M], likewise. A sphere of infinite mass is kinematic: no collision deflects it.
+        :param spin: angular velocity [1/T], as velocities.
+        :param species: a number from 0 to 255, as radius.
+        :param moment: of inertia, over mass and squared radius, as radius; by default that of uniform spheres or discs.
+        :param gravity: acceleration of all spheres [L/T^2].
+        :param surfaces: walls inside the box, and obstacles.
+        :param passing: pairs of species that pass through each other.
+        :param response: what contacts do: a coefficient of restitution, a Bounce, a Merging, a ResponseTable, or a
+            function that is given a Contact and returns the velocities of both bodies, or an Outcome; elastic by default.
+        :param thermostat: an Andersen, a Rescale or a Heating.
+        :param seed: of the thermostat's random numbers.
+        :param engine: how collisions are found: 'auto', 'cells', 'neighbors', 'all-pairs' or 'paper'. The choice changes
+            the speed and never the history.
+        :param cell_edge: of its cells [L]; likewise.
 
         Error: spheres that overlap or reach through a wall; numbers that are not finite or out of range.
         """

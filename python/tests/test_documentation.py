@@ -37,6 +37,11 @@ class Documentation(unittest.TestCase):
                 said = [line for line in text.splitlines() if line and "->" not in line]
                 self.assertTrue(said, f"{name}.{member}")
 
+    def test_everything_public_is_on_the_page_of_reference(self):
+        page = (ROOT / "docs/site/python_reference.md").read_text()
+        shown = re.findall(r"^\.\. auto\w+:: hardball\.(\w+)$", page, re.MULTILINE)
+        self.assertEqual(sorted(shown), sorted(set(hardball.__all__) - {"__version__"}))
+
     def test_stubs_are_true(self):
         command = [sys.executable, "-m", "mypy.stubtest", "hardball._hardball"]
         options = ["--allowlist", ROOT / "python/tests/allowed_differences.txt"]
