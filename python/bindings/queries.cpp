@@ -93,7 +93,7 @@ void bind_queries(SimulationClass& simulation) {
           [](const PythonSimulation& self, SphereId id, const py::object& velocity, double until) {
             return self.simulation().first_contact(id, vector_of(velocity, "velocity"), until);
           },
-          py::arg("id"), py::arg("velocity"), py::arg("until"), doc::Simulation_first_contact)
+          py::arg("id"), py::arg("velocity"), py::arg("until"), doc::first_contact)
       .def(
           "ray",
           [](const PythonSimulation& self, const py::object& origin, const py::object& direction,
@@ -101,14 +101,15 @@ void bind_queries(SimulationClass& simulation) {
             return self.simulation().ray(vector_of(origin, "origin"), vector_of(direction, "direction"),
                                          most);
           },
-          py::arg("origin"), py::arg("direction"), py::arg("most"), doc::Simulation_ray)
+          py::arg("origin"), py::arg("direction"), py::arg("most"), doc::ray)
       .def(
           "clearance",
           [](const PythonSimulation& self, const py::object& of) {
             if (PyLong_Check(of.ptr()) != 0) return self.simulation().clearance(of.cast<SphereId>());
             return self.simulation().clearance(vector_of(of, "point"));
           },
-          py::arg("of"), "The sphere or wall nearest to a point now, or to the sphere with this id.");
+          py::arg("of"),
+          (std::string("Of a point, or of the sphere with this id. ") + doc::clearance).c_str());
 }
 
 }  // namespace hardball::python
