@@ -99,7 +99,7 @@ std::string unpacked(const Entry& entry, std::string_view bytes, const std::stri
 
 }  // namespace
 
-void write_checkpoint_file(const std::filesystem::path& path, std::span<const CheckpointSection> sections) {
+std::string checkpoint_of(std::span<const CheckpointSection> sections) {
   std::string file(kMagic);
   append_little_endian(file, static_cast<std::uint32_t>(sections.size()));
   std::vector<Packed> contents;
@@ -114,7 +114,11 @@ void write_checkpoint_file(const std::filesystem::path& path, std::span<const Ch
   }
   append_little_endian(file, std::uint64_t{XXH64(file.data(), file.size(), 0)});
   for (const Packed& content : contents) file += content.bytes;
-  replace_file(path, file);
+  return file;
+}
+
+void write_checkpoint_file(const std::filesystem::path& path, std::span<const CheckpointSection> sections) {
+  replace_file(path, checkpoint_of(sections));
 }
 
 std::map<std::string, std::string> read_checkpoint(std::string_view file, const std::string& where) {

@@ -15,6 +15,10 @@ struct Quantity {
   double value = std::numeric_limits<double>::quiet_NaN();
   double error = std::numeric_limits<double>::quiet_NaN();   ///< As in Estimate; NaN if undetermined.
   double theory = std::numeric_limits<double>::quiet_NaN();  ///< Expected value; NaN if there is no theory.
+
+  static void persist(auto& archive, auto& self) {
+    archive(self.name, self.unit, self.value, self.error, self.theory);
+  }
 };
 
 /// What the numbers of a column are.
@@ -31,6 +35,11 @@ struct Column {
   std::string unit;  ///< As in Quantity.
   ColumnRole role = ColumnRole::value;
   std::vector<double> values;
+
+  static void persist(auto& archive, auto& self) {
+    archive(self.name, self.unit, self.role, self.values);
+    archive.require(self.role >= ColumnRole::argument && self.role <= ColumnRole::theory);
+  }
 };
 
 /// The result of one measure: numbers, and a function as a table.
@@ -46,6 +55,12 @@ struct Measurement {
   bool is_transient_over = true;            ///< Whether the means settled; if not, they have no errors.
   bool is_logarithmic_in_argument = false;  ///< How the function is best drawn.
   bool is_logarithmic_in_value = false;
+
+  static void persist(auto& archive, auto& self) {
+    archive(self.name, self.title, self.formula, self.source, self.quantities, self.columns, self.duration,
+            self.transient, self.is_transient_over, self.is_logarithmic_in_argument,
+            self.is_logarithmic_in_value);
+  }
 };
 
 }  // namespace hardball

@@ -52,6 +52,7 @@ class EngineModel final : public AnyEngine {
     engine_.change_velocity(slot, moment, velocity);
   }
   void replace_response(CustomResponse custom) override { engine_.response().replace(std::move(custom)); }
+  void replace_response(const ResponseTable& table) override { engine_.response().replace(table); }
   const CollapseGuard& collapse_guard() const override { return engine_.collapse_guard(); }
   void replace_collapse_guard(const CollapseGuard& guard) override { engine_.collapse_guard() = guard; }
   void validate() const override { engine_.validate(); }

@@ -95,6 +95,7 @@ class AnyEngine {
   /// Rebuilds all regions and predictions, with this cell edge or slack [L] where there is one.
   virtual void rebuild(const Time& now, double length) = 0;
   virtual void replace_response(CustomResponse custom) = 0;
+  virtual void replace_response(const ResponseTable& table) = 0;
   /// What guards against inelastic collapse; that of another engine may go on.
   virtual const CollapseGuard& collapse_guard() const = 0;
   virtual void replace_collapse_guard(const CollapseGuard& guard) = 0;

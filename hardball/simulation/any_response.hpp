@@ -21,10 +21,15 @@ class AnyResponse {
   explicit AnyResponse(const ResponseTable& table)
       : is_plain_(false), table_(std::make_shared<const ResponseTable>(table)) {}
 
-  /// Replaces the response by the caller's own, or restores it if that is empty.
+  /// Replaces the response by the caller's own, or restores the built-in one if that is empty.
   void replace(CustomResponse custom) {
     custom_ = std::move(custom);
     is_plain_ = !custom_ && !table_;
+  }
+  /// Replaces the built-in response, which is then in use.
+  void replace(const ResponseTable& table) {
+    table_ = std::make_shared<const ResponseTable>(table);
+    replace(CustomResponse());
   }
 
   /// See Response.

@@ -214,6 +214,13 @@ void Simulation::respond_with(std::function<Outcome(const Contact&)> response) {
   engine_->replace_response(response_);
 }
 
+void Simulation::respond_with(const ResponseTable& table) {
+  check_editable("respond_with");
+  options_.responses = table;
+  response_ = nullptr;
+  engine_->replace_response(table);
+}
+
 void Simulation::respond_with(std::nullptr_t) {
   respond_with(std::function<Outcome(const Contact&)>());
 }

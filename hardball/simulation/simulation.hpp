@@ -70,9 +70,11 @@ class Simulation {
   void respond_with(std::function<Velocities(const Contact&)> response);
   /// The same, for a response that changes spins, or merges spheres.
   void respond_with(std::function<Outcome(const Contact&)> response);
+  /// Replaces the response of the options, for good: unlike functions, a table is saved.
+  void respond_with(const ResponseTable& table);
   /// Restores the response of the options.
   void respond_with(std::nullptr_t);
-  /// Whether it is not the one of the options.
+  /// Whether it is a function.
   bool has_custom_response() const { return static_cast<bool>(response_); }
 
   /// Replaces the thermostat, which starts now; none by default. It acts at times of its own, each time after

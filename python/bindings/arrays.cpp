@@ -46,10 +46,21 @@ std::vector<std::uint32_t> whole(const std::vector<double>& numbers, const std::
   return counts;
 }
 
+// A mask would be taken for the numbers 0 and 1.
+void refuse_truths(const py::handle& object, const std::string& name) {
+  const py::array array = py::array::ensure(object);
+  if (!array) PyErr_Clear();
+  if (!array || array.dtype().kind() != 'b') return;
+  throw Error("it is made of truth values", name, "give numbers, such as ids[mask]");
+}
+
 }  // namespace
 
 Doubles doubles(const py::handle& object, const std::string& name) {
   constexpr std::string_view kRealNumbers = "fiub";  // as NumPy calls them
+  if (py::module_::import("numpy.ma").attr("is_masked")(object).cast<bool>()) {
+    throw Error("it has masked entries", name, "give the numbers that are meant, such as array.filled(...)");
+  }
   const py::array array = py::array::ensure(object);
   if (!array || kRealNumbers.find(array.dtype().kind()) == std::string_view::npos) {
     PyErr_Clear();
@@ -103,10 +114,12 @@ std::vector<double> numbers_of(const py::handle& object, const std::string& name
 
 std::vector<std::uint32_t> counts_of(const py::handle& object, const std::string& name, std::size_t count,
                                      std::uint32_t most) {
+  refuse_truths(object, name);
   return whole(numbers_of(object, name, count), name, most);
 }
 
 std::vector<std::uint32_t> counts_of(const py::handle& object, const std::string& name, std::uint32_t most) {
+  refuse_truths(object, name);
   const Doubles array = doubles(object, name);
   if (array.ndim() > 1) refuse_shape(array, name, "give one number, or an array of the shape (n,)");
   return whole({array.data(), array.data() + array.size()}, name, most);

@@ -15,6 +15,7 @@
 #include "hardball/surfaces/surface.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
+#include "python/bindings/pickling.hpp"
 
 namespace py = pybind11;
 
@@ -125,9 +126,9 @@ void bind_surface(py::module_& module) {
           "A sphere of `radius` [L] around `point` [L] that spheres bounce off, and that nothing deflects.")
       .def_property_readonly("name", [](const Surface& self) { return std::string(self.name()); })
       .def_property_readonly(
-          "point", [](const Surface& self) { return array_of(self.point()); }, "At time zero [L].")
+          "point", [](const Surface& self) { return read_only(array_of(self.point())); }, "At time zero [L].")
       .def_property_readonly(
-          "velocity", [](const Surface& self) { return array_of(self.velocity()); }, "[L/T]")
+          "velocity", [](const Surface& self) { return read_only(array_of(self.velocity())); }, "[L/T]")
       .def("__repr__",
            [](const Surface& self) { return "<hardball.Surface: " + std::string(self.name()) + ">"; });
 }
@@ -176,6 +177,7 @@ void bind_box(py::module_& module) {
                    self.boundary(1) == other.boundary(1) && self.boundary(2) == other.boundary(2);
           },
           py::is_operator())
+      .def(pickled<Box>())
       .def("__repr__", &text_of);
   bind_surface(module);
 }

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "hardball/errors/error.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/simulation_class.hpp"
@@ -15,6 +19,11 @@ namespace py = pybind11;
 
 namespace hardball::python {
 namespace {
+
+// Once in a while.
+void throw_if_interrupted(std::size_t count) {
+  if (count % 256 == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
 
 void set_velocities(PythonSimulation& self, const py::object& ids, const py::object& velocities) {
   const std::vector<std::uint32_t> spheres = counts_of(ids, "ids", kNoSphere);
@@ -28,22 +37,37 @@ void set_velocities(PythonSimulation& self, const py::object& ids, const py::obj
 py::object add(PythonSimulation& self, const py::object& position, const py::object& velocity,
                const py::object& radius, const py::object& mass, const py::object& spin,
                const py::object& species, const py::object& moment) {
-  Simulation& simulation = self.simulation_to_edit();
   const Doubles centers = doubles(position, "position");
   const bool is_one = centers.ndim() == 1;
   const py::object rows = is_one ? centers.attr("reshape")(1, centers.size()) : py::object(centers);
+  const bool is_flat = self.simulation().world().box().is_flat();
+  const std::vector<Sphere> spheres =
+      spheres_of(rows, velocity, radius, mass, spin, species, moment, is_flat);
+  self.check_spheres_may_change("add");
+  Simulation& simulation = self.simulation_to_edit();
   std::vector<SphereId> ids;
-  for (const Sphere& sphere :
-       spheres_of(rows, velocity, radius, mass, spin, species, moment, simulation.world().box().is_flat())) {
+  for (const Sphere& sphere : spheres) {
     ids.push_back(simulation.add(sphere));
+    throw_if_interrupted(ids.size());
   }
   if (is_one) return py::int_(ids.front());
   return array_around(std::move(ids));
 }
 
 void remove(PythonSimulation& self, const py::object& ids) {
+  const std::vector<std::uint32_t> spheres = counts_of(ids, "ids", kNoSphere);
+  self.check_spheres_may_change("remove");
   Simulation& simulation = self.simulation_to_edit();
-  for (const SphereId id : counts_of(ids, "ids", kNoSphere)) simulation.remove(id);
+  std::vector<std::uint32_t> sorted = spheres;
+  std::ranges::sort(sorted);
+  if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
+    throw Error("sphere " + std::to_string(*twice) + " is given twice", "remove", "give each once");
+  }
+  for (const SphereId id : sorted) static_cast<void>(simulation.world().slot_of(id));
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    simulation.remove(spheres[i]);
+    throw_if_interrupted(i);
+  }
 }
 
 }  // namespace
@@ -63,13 +87,16 @@ void bind_edits(SimulationClass& simulation) {
           "Adds a sphere, now, and returns its id; or several, with positions of shape (n, 3). Cost: O(size) "
           "each. Error: it overlaps another; the spheres before it have been added.")
       .def("remove", &remove, py::arg("ids"),
-           "Removes the sphere with this id, now, or several. Cost: O(size) each. Error: no such sphere.")
+           "Removes the sphere with this id, now, or several. Cost: O(size) each. Error: no such sphere; one "
+           "is "
+           "given twice; then nothing has changed.")
       .def("set_thermostat", &PythonSimulation::set_thermostat, py::arg("thermostat"), py::arg("seed") = 1,
            "Replaces the thermostat, which starts now; None for none.")
       .def("respond_with", &PythonSimulation::set_response, py::arg("response"),
            "Replaces the response: a Bounce, a Merging, a ResponseTable, a coefficient of restitution, or a "
            "function that is given a Contact and returns the velocities of both bodies, or an Outcome; None "
-           "for that of the start. A Python function costs a few microseconds for each contact.")
+           "for the last one that was no function. A Python function costs a few microseconds for each "
+           "contact.")
       .def("on_contact", &PythonSimulation::set_listener, py::arg("listener"),
            "Sets a function that is called with the Contact after every collision and wall contact; None for "
            "none. It may query the simulation and edit it. If it throws, the run ends after that contact.");

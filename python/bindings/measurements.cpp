@@ -10,6 +10,7 @@
 #include "hardball/measure/measurement.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
+#include "python/bindings/pickling.hpp"
 
 namespace py = pybind11;
 
@@ -52,6 +53,13 @@ void bind_measurements(py::module_& module) {
       .def_readonly("error", &Quantity::error, doc::Quantity_error)
       .def_readonly("theory", &Quantity::theory, doc::Quantity_theory)
       .def("__float__", [](const Quantity& self) { return self.value; })
+      .def(
+          "__format__",
+          [](const Quantity& self, const py::str& form) {
+            return py::module_::import("builtins").attr("format")(self.value, form);
+          },
+          py::arg("form"))
+      .def(pickled<Quantity>())
       .def("__repr__", [](const Quantity& self) {
         return "<hardball.Quantity " + self.name + ": " + text_of(self) + ">";
       });
@@ -88,6 +96,7 @@ void bind_measurements(py::module_& module) {
             throw py::key_error(name);
           },
           py::arg("name"), "The quantity or column of this name.")
+      .def(pickled<Measurement>())
       .def_readonly("duration", &Measurement::duration, doc::Measurement_duration)
       .def_readonly("transient", &Measurement::transient, doc::Measurement_transient)
       .def_readonly("is_transient_over", &Measurement::is_transient_over, doc::Measurement_is_transient_over)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -44,32 +45,42 @@ class Setting {
 
 }  // namespace
 
-class PythonSimulation::Turn {
+class PythonSimulation::Claim {
  public:
-  explicit Turn(PythonSimulation& owner) : runner_(owner.runner_, std::this_thread::get_id()) {}
+  explicit Claim(const PythonSimulation& owner) : runner_(owner.runner_, std::this_thread::get_id()) {}
 
  private:
-  // In this order: the lock is back before others may go on.
   Setting<std::optional<std::thread::id>> runner_;
-  py::gil_scoped_release release_;
 };
 
+void* PythonSimulation::operator new(std::size_t size) {
+  return std::memset(::operator new(size), 0, size);
+}
+
+void PythonSimulation::operator delete(void* memory) {
+  ::operator delete(memory);
+}
+
 PythonSimulation::PythonSimulation(const PythonSimulation& other)
-    : until(other.until), simulation_(other.simulation()), measures_(other.measures_) {
+    : simulation_(other.simulation()), until_(other.until_), measures_(other.measures_) {
   if (other.response_) set_response(other.response_->function());
   set_listener(other.listener_ ? other.listener_->function() : py::none());
 }
 
 PythonSimulation::PythonSimulation(PythonSimulation&& other)
-    : until(other.until),
-      simulation_(std::move(other.simulation_to_edit())),
+    : simulation_((other.check_idle("Simulation"), std::move(other.simulation_to_edit()))),
+      until_(other.until_),
       measures_(std::move(other.measures_)),
       listener_(std::move(other.listener_)),
       response_(std::move(other.response_)) {
+  other.is_made_ = false;
   listen();
 }
 
 const Simulation& PythonSimulation::simulation() const {
+  if (!is_made_) {
+    throw Error("it has not been made", "Simulation", "call super().__init__(...) before anything else");
+  }
   if (runner_ && *runner_ != std::this_thread::get_id()) {
     throw RunFailure("the simulation is running in another thread; wait until it ends");
   }
@@ -80,6 +91,22 @@ Simulation& PythonSimulation::simulation_to_edit() {
   simulation();
   of_state_.clear();
   return simulation_;
+}
+
+void PythonSimulation::check_idle(const char* what) const {
+  simulation();
+  if (!runner_) return;
+  throw Error("the simulation is running", what, "call it when the run has ended, or run a copy");
+}
+
+std::optional<double> PythonSimulation::until() const {
+  simulation();
+  return until_;
+}
+
+void PythonSimulation::set_until(std::optional<double> until) {
+  simulation_to_edit();
+  until_ = until;
 }
 
 void PythonSimulation::listen() {
@@ -96,15 +123,17 @@ void PythonSimulation::listen() {
 }
 
 RunStatus PythonSimulation::run_slice(const RunLimits& slice) {
-  const Turn turn(*this);
+  const py::gil_scoped_release release;
   return measures_.is_any_wanted() ? simulation_.run(slice, measures_) : simulation_.run(slice);
 }
 
 py::object PythonSimulation::run(std::optional<double> end, std::optional<std::uint64_t> collisions,
                                  std::optional<std::uint64_t> contacts, bool record,
                                  const py::object& on_progress) {
+  check_idle("run");
   simulation_to_edit();
-  if (!end && !collisions && !contacts) end = until;
+  const Claim claim(*this);
+  if (!end && !collisions && !contacts) end = until_;
   if (!end && !collisions && !contacts) {
     throw Error("no limit is given", "run", "give until, collisions or contacts");
   }
@@ -132,7 +161,9 @@ py::object PythonSimulation::run(std::optional<double> end, std::optional<std::u
 }
 
 py::object PythonSimulation::step(double end) {
+  check_idle("events");
   simulation_to_edit();
+  const Claim claim(*this);
   last_.reset();
   const Setting<bool> stepping(is_stepping_, true);
   listen();
@@ -146,24 +177,24 @@ py::object PythonSimulation::step(double end) {
 }
 
 std::optional<NextContact> PythonSimulation::next_event(double end) {
+  simulation();
+  const Claim claim(*this);
   // There may be none for ever, and much to do before each horizon, so that it comes nearer to `end` only as
   // fast as somebody who waits can interrupt.
   constexpr auto kPatience = std::chrono::milliseconds(20);
   double span = usual_wait();
   for (;;) {
-    const double next = simulation().time() + span;
+    const double next = simulation_.time() + span;
     const double horizon = next < kLargestTime ? std::min(end, next) : end;
     const auto begin = std::chrono::steady_clock::now();
-    const std::optional<NextContact> found = next_contact(horizon);
+    const std::optional<NextContact> found = [&] {
+      const py::gil_scoped_release release;
+      return simulation_.next_contact(horizon);
+    }();
     if (found || !(horizon < end)) return found;
     throw_if_interrupted();
     if (std::chrono::steady_clock::now() - begin < kPatience) span *= 2;
   }
-}
-
-std::optional<NextContact> PythonSimulation::next_contact(double end) {
-  const Turn turn(*this);
-  return simulation_.next_contact(end);
 }
 
 // A time in which there is a contact, or in which a sphere crosses some cells.
@@ -180,43 +211,77 @@ double PythonSimulation::usual_wait() const {
   return wait > 0 && std::isfinite(wait) ? wait : 1;
 }
 
-std::vector<Contact> PythonSimulation::contacts_within(double duration, std::uint64_t most) {
+std::optional<NextContact> PythonSimulation::first_contact(SphereId id, const Vec3& velocity,
+                                                           double end) const {
   simulation();
-  const Turn turn(*this);
-  return simulation_.contacts_within(duration, most);
+  const Claim claim(*this);
+  const py::gil_scoped_release release;
+  return simulation_.first_contact(id, velocity, end);
 }
 
-void PythonSimulation::record_ahead(const std::filesystem::path& path, double end, std::uint64_t contacts,
-                                    std::uint64_t most_bytes) const {
+std::optional<RayHit> PythonSimulation::ray(const Vec3& origin, const Vec3& direction, double most) const {
+  simulation();
+  const Claim claim(*this);
+  const py::gil_scoped_release release;
+  return simulation_.ray(origin, direction, most);
+}
+
+// Runs a copy that nobody listens to. Calls watch(simulation) before, and check(simulation) several times a
+// second.
+template <class Watch, class Check>
+void PythonSimulation::run_ahead(double end, std::uint64_t contacts, Watch&& watch, Check&& check) const {
   PythonSimulation copy(*this);
   copy.listener_.reset();
   copy.measures_ = Measures({.names = {}});
   Simulation& simulation = copy.simulation_;
-  RecordingHeader header = recording_header(simulation);
-  if (std::isfinite(end)) header.until = end;
-  RecordingWriter writer(path, header, simulation.world());
-  simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
-  simulation.on_velocity_change(
-      [&](const VelocityChange& change) { writer.note(change, simulation.world()); });
+  const Claim claim(copy);
+  watch(simulation);
   const Counters before = simulation.counters();
-  for (;;) {
+  RunStatus status = RunStatus::steps_reached;
+  while (status == RunStatus::steps_reached) {
     const std::uint64_t left = contacts - (simulation.counters() - before).contacts();
-    const RunStatus status =
-        copy.run_slice({.until = Time(end), .contacts = left, .steps = steps_per_slice(simulation)});
+    status = copy.run_slice({.until = Time(end), .contacts = left, .steps = steps_per_slice(simulation)});
     throw_if_interrupted();
-    if (writer.bytes() > most_bytes) {
-      throw Error("the recording has more than " + to_text(most_bytes) + " bytes at time " +
-                      to_text(simulation.time()),
-                  "view", "give an earlier time or fewer contacts");
-    }
-    if (status == RunStatus::time_reached || status == RunStatus::contacts_reached) break;
+    check(simulation);
   }
-  writer.close(simulation.time());
+}
+
+std::vector<Contact> PythonSimulation::contacts_within(double duration, std::uint64_t most) {
+  // What the library refuses, it refuses.
+  std::vector<Contact> found = simulation().contacts_within(duration, 0);
+  run_ahead(
+      simulation_.time() + duration, most,
+      [&](Simulation& copy) { copy.on_contact([&](const Contact& contact) { found.push_back(contact); }); },
+      [](const Simulation&) {});
+  return found;
+}
+
+void PythonSimulation::record_ahead(const std::filesystem::path& path, double end, std::uint64_t contacts,
+                                    std::uint64_t most_bytes) const {
+  std::optional<RecordingWriter> writer;
+  const auto watch = [&](Simulation& copy) {
+    RecordingHeader header = recording_header(copy);
+    if (std::isfinite(end)) header.until = end;
+    writer.emplace(path, header, copy.world());
+    copy.on_contact([&](const Contact& contact) { writer->note(contact, copy.world()); });
+    copy.on_velocity_change([&](const VelocityChange& change) { writer->note(change, copy.world()); });
+  };
+  double reached = 0;
+  run_ahead(end, contacts, watch, [&](const Simulation& copy) {
+    reached = copy.time();
+    if (writer->bytes() <= most_bytes) return;
+    throw Error("the recording has more than " + to_text(most_bytes) + " bytes at time " + to_text(reached),
+                "view", "give an earlier time or fewer contacts");
+  });
+  writer->close(reached);
 }
 
 std::vector<Vec3> PythonSimulation::positions_at(double time) {
   simulation();
-  const Turn turn(*this);
+  // If there is much to do before, this can be interrupted.
+  if (std::isfinite(time) && time > simulation_.time() && !runner_) next_event(time);
+  const Claim claim(*this);
+  const py::gil_scoped_release release;
   return simulation_.positions_at(time);
 }
 
@@ -224,6 +289,8 @@ void PythonSimulation::set_listener(const py::object& listener) {
   simulation();
   if (listener.is_none()) {
     listener_.reset();
+  } else if (PyCallable_Check(listener.ptr()) == 0) {
+    throw Error("it cannot be called", "on_contact", "give a function of a Contact, or None");
   } else {
     listener_.emplace(listener);
   }
@@ -241,12 +308,11 @@ void PythonSimulation::set_response(const py::object& response) {
   if (python::set_response(response, options)) {
     const Bounce simple(
         {.restitution = ConstantRestitution{options.restitution}, .elastic_below = options.elastic_below});
-    const ResponseTable table = options.responses.value_or(ResponseTable(simple, simple));
-    simulation.respond_with(std::function<Outcome(const Contact&)>(table));
-    response_.emplace(response);
+    simulation.respond_with(options.responses.value_or(ResponseTable(simple, simple)));
+    response_.reset();
     return;
   }
-  if (PyCallable_Check(response.ptr()) == 0) {
+  if (PyCallable_Check(response.ptr()) == 0 || PyType_Check(response.ptr()) != 0) {
     throw Error("it is not a response", "response",
                 "give a Bounce, a Merging, a ResponseTable, a restitution or a function of a Contact");
   }
@@ -278,7 +344,14 @@ void PythonSimulation::restore_measures(std::string_view bytes, const std::strin
   restore(bytes, where, measures_);
 }
 
+void PythonSimulation::check_spheres_may_change(const char* what) const {
+  if (!measures_.is_any_wanted()) return;
+  throw Error("measures are on, which need the spheres as they are", what,
+              "take the results, and end measuring by measure([])");
+}
+
 std::string PythonSimulation::save_measures() const {
+  simulation();
   return archived(measures_);
 }
 

@@ -4,6 +4,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -25,14 +26,19 @@ namespace hardball::python {
 /// present state, and the measures and functions that belong to it.
 ///
 /// While it runs in one thread, the others are refused; a listener or response runs in the same thread and
-/// may do what the library allows.
+/// may do what the library allows, but not run it again.
 class PythonSimulation {
  public:
+  /// Memory of zeros: pybind11 hands out objects whose classes in Python have not called __init__, and they
+  /// are told by that.
+  static void* operator new(std::size_t size);
+  static void operator delete(void* memory);
+
   explicit PythonSimulation(Simulation simulation) : simulation_(std::move(simulation)) {}
   PythonSimulation(const PythonSimulation& other);
   PythonSimulation(PythonSimulation&& other);
 
-  /// Error (RunFailure), of both: it is running in another thread.
+  /// Error, of both: __init__ has not been called; RunFailure: it is running in another thread.
   const Simulation& simulation() const;
   /// To be changed: arrays made before are of the past.
   Simulation& simulation_to_edit();
@@ -41,8 +47,10 @@ class PythonSimulation {
   template <class Make>
   pybind11::object of_state(std::string_view name, Make&& make) {
     simulation();
-    pybind11::object& object = of_state_[name];
-    if (!object) object = make();
+    // Whatever Python does meanwhile, a reference into the map would not outlive.
+    if (const auto found = of_state_.find(name); found != of_state_.end()) return found->second;
+    pybind11::object object = make();
+    of_state_[name] = object;
     return object;
   }
 
@@ -56,7 +64,10 @@ class PythonSimulation {
   pybind11::object step(double until);
   /// The next contact up to `until` [T], without carrying it out. Error: KeyboardInterrupt, too.
   std::optional<NextContact> next_event(double until);
-  /// See Simulation::contacts_within.
+  /// See Simulation::first_contact, and Simulation::ray.
+  std::optional<NextContact> first_contact(SphereId id, const Vec3& velocity, double until) const;
+  std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double most) const;
+  /// See Simulation::contacts_within. Error: KeyboardInterrupt, too, here and below.
   std::vector<Contact> contacts_within(double duration, std::uint64_t most);
   /// Records in a file how the simulation would go on, up to `until` [T] or for so many contacts, if nobody
   /// interfered: listeners are not called. Error: as for run; the recording grows beyond `most_bytes`.
@@ -74,6 +85,8 @@ class PythonSimulation {
 
   /// Measures from now on what the settings say. Error: it is running.
   void set_measures(const MeasureSettings& settings);
+  /// Error: measures are on, which need the spheres as they are.
+  void check_spheres_may_change(const char* what) const;
   void restore_measures(std::string_view bytes, const std::string& where);
   std::string save_measures() const;
   std::vector<Measurement> results() const;
@@ -92,18 +105,23 @@ class PythonSimulation {
   void drop_references();
 
   /// Where a run ends that is given no limit [T].
-  std::optional<double> until;
+  std::optional<double> until() const;
+  void set_until(std::optional<double> until);
 
  private:
-  // The time in which this thread alone has the simulation, without the interpreter's lock.
-  class Turn;
+  // The time in which this thread alone has the simulation.
+  class Claim;
 
+  void check_idle(const char* what) const;
   void listen();
   RunStatus run_slice(const RunLimits& slice);
-  std::optional<NextContact> next_contact(double until);
   double usual_wait() const;
+  template <class Watch, class Check>
+  void run_ahead(double until, std::uint64_t contacts, Watch&& watch, Check&& check) const;
 
+  bool is_made_ = true;
   Simulation simulation_;
+  std::optional<double> until_;
   Measures measures_{{.names = {}}};
   // Not shared with copies: the garbage collector counts references.
   std::optional<Callback> listener_;
@@ -111,7 +129,7 @@ class PythonSimulation {
   std::optional<EventRecords> records_;  // while they are recorded
   std::optional<Contact> last_;          // of a step
   bool is_stepping_ = false;
-  std::optional<std::thread::id> runner_;
+  mutable std::optional<std::thread::id> runner_;
   std::map<std::string_view, pybind11::object> of_state_;
 };
 

@@ -91,21 +91,22 @@ void bind_queries(SimulationClass& simulation) {
       .def(
           "first_contact",
           [](const PythonSimulation& self, SphereId id, const py::object& velocity, double until) {
-            return self.simulation().first_contact(id, vector_of(velocity, "velocity"), until);
+            return self.first_contact(id, vector_of(velocity, "velocity"), until);
           },
           py::arg("id"), py::arg("velocity"), py::arg("until"), doc::first_contact)
       .def(
           "ray",
           [](const PythonSimulation& self, const py::object& origin, const py::object& direction,
              double most) {
-            return self.simulation().ray(vector_of(origin, "origin"), vector_of(direction, "direction"),
-                                         most);
+            return self.ray(vector_of(origin, "origin"), vector_of(direction, "direction"), most);
           },
           py::arg("origin"), py::arg("direction"), py::arg("most"), doc::ray)
       .def(
           "clearance",
           [](const PythonSimulation& self, const py::object& of) {
-            if (PyLong_Check(of.ptr()) != 0) return self.simulation().clearance(of.cast<SphereId>());
+            if (PyIndex_Check(of.ptr()) != 0 && !py::hasattr(of, "__len__")) {
+              return self.simulation().clearance(counts_of(of, "of", kNoSphere).front());
+            }
             return self.simulation().clearance(vector_of(of, "point"));
           },
           py::arg("of"),

@@ -15,6 +15,7 @@
 #include "hardball/errors/error.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
+#include "python/bindings/pickling.hpp"
 
 namespace py = pybind11;
 
@@ -220,8 +221,9 @@ void bind_responses(py::module_& module) {
            py::arg("contact_duration") = 0.0, py::arg("tangential_restitution") = py::none(),
            "`restitution` is a number from 0 to 1 or one of the laws of restitution. Impacts slower than "
            "`elastic_below` [L/T] are elastic, and those within `contact_duration` [T] of another: the TC "
-           "model. With `tangential_restitution`, from -1, smooth, to 1, perfectly rough, the spheres spin.");
-  py::class_<Merging>(module, "Merging", doc::Merging).def(py::init<>());
+           "model. With `tangential_restitution`, from -1, smooth, to 1, perfectly rough, the spheres spin.")
+      .def(pickled<Bounce>());
+  py::class_<Merging>(module, "Merging", doc::Merging).def(py::init<>()).def(pickled<Merging>());
   py::class_<ResponseTable>(module, "ResponseTable", doc::ResponseTable)
       .def(py::init([](const py::object& spheres, const py::object& walls) {
              return ResponseTable(rule_of(spheres), bounce_of(walls));
@@ -240,7 +242,8 @@ void bind_responses(py::module_& module) {
           [](ResponseTable& self, SpeciesId species, const py::object& bounce) {
             self.set_wall(species, bounce_of(bounce));
           },
-          py::arg("species"), py::arg("bounce"), doc::ResponseTable_set_wall);
+          py::arg("species"), py::arg("bounce"), doc::ResponseTable_set_wall)
+      .def(pickled<ResponseTable>());
   bind_contact(module);
 }
 

@@ -10,8 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/checkpoint_file.hpp"
+#include "hardball/io/replace_file.hpp"
 #include "python/bindings/simulation_class.hpp"
 
 namespace py = pybind11;
@@ -21,46 +23,30 @@ namespace {
 
 constexpr const char* kSimulationSection = "simulation";
 constexpr const char* kMeasuresSection = "measures";
+constexpr const char* kUntilSection = "until";
 
 std::string saved(const PythonSimulation& self) {
-  return self.simulation().save();
+  const std::vector<CheckpointSection> sections{{kSimulationSection, self.simulation().save()},
+                                                {kMeasuresSection, self.save_measures()},
+                                                {kUntilSection, archived(self.until())}};
+  return checkpoint_of(sections);
 }
 
-std::unique_ptr<PythonSimulation> loaded(std::string_view simulation, const std::string* measures,
+std::unique_ptr<PythonSimulation> loaded(const std::map<std::string, std::string>& sections,
                                          const std::string& where) {
-  std::unique_ptr<PythonSimulation> made =
-      std::make_unique<PythonSimulation>(Simulation::load(simulation, where));
-  if (measures != nullptr) made->restore_measures(*measures, where);
-  return made;
-}
-
-void save_file(const PythonSimulation& self, const std::filesystem::path& path) {
-  const std::vector<CheckpointSection> sections{{kSimulationSection, saved(self)},
-                                                {kMeasuresSection, self.save_measures()}};
-  write_checkpoint_file(path, sections);
-}
-
-std::unique_ptr<PythonSimulation> load_file(const std::filesystem::path& path) {
-  const std::map<std::string, std::string> sections = read_checkpoint_file(path);
   const auto simulation = sections.find(kSimulationSection);
   if (simulation == sections.end()) {
-    throw Error("there is no simulation in it", path.string(), "give a file that save has written");
+    throw Error("there is no simulation in it", where, "give what save has returned or written");
   }
-  const auto measures = sections.find(kMeasuresSection);
-  return loaded(simulation->second, measures == sections.end() ? nullptr : &measures->second, path.string());
-}
-
-py::tuple state_of(const PythonSimulation& self) {
-  return py::make_tuple(py::bytes(saved(self)), py::bytes(self.save_measures()),
-                        self.response() ? self.response()->function() : py::none(), py::cast(self.until));
-}
-
-std::unique_ptr<PythonSimulation> with_state(const py::tuple& state) {
-  const std::string where = "the pickled simulation";
-  const auto measures = state[1].cast<std::string>();
-  std::unique_ptr<PythonSimulation> made = loaded(state[0].cast<std::string>(), &measures, where);
-  made->set_response(state[2]);
-  made->until = state[3].cast<std::optional<double>>();
+  auto made = std::make_unique<PythonSimulation>(Simulation::load(simulation->second, where));
+  if (const auto measures = sections.find(kMeasuresSection); measures != sections.end()) {
+    made->restore_measures(measures->second, where);
+  }
+  if (const auto saved_until = sections.find(kUntilSection); saved_until != sections.end()) {
+    std::optional<double> until;
+    restore(saved_until->second, where, until);
+    made->set_until(until);
+  }
   return made;
 }
 
@@ -68,14 +54,21 @@ std::unique_ptr<PythonSimulation> with_state(const py::tuple& state) {
 
 void bind_saving(SimulationClass& simulation) {
   simulation.def("_saved", [](const PythonSimulation& self) { return py::bytes(saved(self)); })
-      .def("_save_file", &save_file)
+      .def("_save_file", [](const PythonSimulation& self,
+                            const std::filesystem::path& path) { replace_file(path, saved(self)); })
       .def_static("_loaded",
                   [](const py::bytes& bytes) {
-                    return loaded(std::string_view(bytes), nullptr, "the saved simulation");
+                    const std::string where = "the saved simulation";
+                    return loaded(read_checkpoint(std::string_view(bytes), where), where);
                   })
-      .def_static("_load_file", &load_file)
+      .def_static(
+          "_load_file",
+          [](const std::filesystem::path& path) { return loaded(read_checkpoint_file(path), path.string()); })
       .def("_copy", [](const PythonSimulation& self) { return PythonSimulation(self); })
-      .def(py::pickle(&state_of, &with_state));
+      .def_property_readonly("_response", [](const PythonSimulation& self) -> py::object {
+        self.simulation();
+        return self.response() ? self.response()->function() : py::none();
+      });
 }
 
 }  // namespace hardball::python

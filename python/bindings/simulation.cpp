@@ -87,7 +87,7 @@ std::unique_ptr<PythonSimulation> from_scenario(const Scenario& scenario, const 
     return make_simulation(scenario, make_world(scenario, interruptible()), options, interruptible());
   };
   std::unique_ptr<PythonSimulation> made = owned(simulation());
-  made->until = scenario.until;
+  made->set_until(scenario.until);
   return made;
 }
 

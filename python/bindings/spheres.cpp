@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "hardball/errors/error.hpp"
 #include "python/bindings/arrays.hpp"
 
 namespace py = pybind11;
@@ -14,7 +15,12 @@ namespace hardball::python {
 std::vector<Sphere> spheres_of(const py::object& positions, const py::object& velocities,
                                const py::object& radius, const py::object& mass, const py::object& spin,
                                const py::object& species, const py::object& moment, bool is_flat) {
-  const std::vector<Vec3> centers = vectors_of(positions, "positions");
+  const Doubles places = doubles(positions, "positions");
+  if (!is_flat && places.ndim() == 2 && places.shape(1) == 2) {
+    throw Error("they have two coordinates, and the box has three dimensions", "positions",
+                "give an array of the shape (n, 3), or a flat box");
+  }
+  const std::vector<Vec3> centers = vectors_of(places, "positions");
   const std::size_t count = centers.size();
   const std::vector<Vec3> all_velocities = vectors_of(velocities, "velocities", count);
   const std::vector<double> radii = numbers_of(radius, "radius", count);

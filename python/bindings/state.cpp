@@ -126,7 +126,7 @@ void bind_numbers(SimulationClass& simulation) {
   number(
       "box", [](const Simulation& self) { return self.world().box(); }, doc::Box);
   number(
-      "gravity", [](const Simulation& self) { return array_of(self.world().motion().gravity()); },
+      "gravity", [](const Simulation& self) { return read_only(array_of(self.world().motion().gravity())); },
       "Acceleration of all spheres [L/T^2].");
   number(
       "event_log_hash", [](const Simulation& self) { return hash_text(self.event_log_hash()); },
@@ -144,7 +144,8 @@ void bind_numbers(SimulationClass& simulation) {
       "kinetic_energy", [](const Simulation& self) { return self.world().kinetic_energy(self.now()); },
       "Sum of m v^2 / 2 [M L^2 T^-2]; kinematic spheres are no part. Cost: O(n).");
   number(
-      "momentum", [](const Simulation& self) { return array_of(self.world().momentum(self.now())); },
+      "momentum",
+      [](const Simulation& self) { return read_only(array_of(self.world().momentum(self.now()))); },
       "Sum of m v [M L/T]. Cost: O(n).");
   number(
       "compressibility", [](const Simulation& self) { return self.tally().compressibility(self.now()); },
@@ -180,7 +181,8 @@ void bind_state(SimulationClass& simulation) {
           },
           "What has been measured up to now, by the names of the measures. Cost: that of a copy of the "
           "measures.")
-      .def_readwrite("until", &PythonSimulation::until, "Where a run ends that is given no limit [T].")
+      .def_property("until", &PythonSimulation::until, &PythonSimulation::set_until,
+                    "Where a run ends that is given no limit [T].")
       .def("__len__", [](const PythonSimulation& self) { return self.simulation().size(); })
       .def("__contains__",
            [](const PythonSimulation& self, SphereId id) { return self.simulation().contains(id); });

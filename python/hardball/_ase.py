@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 def arguments_of(atoms: ase.Atoms, radius: ArrayLike | None) -> dict[str, Any]:
     """The arguments of Simulation. Error: the cell has other than right angles; there are no radii."""
+    if not hasattr(atoms, "get_momenta"):
+        raise _hardball.Error(f"it is {type(atoms).__name__}: give an Atoms object of ASE")
     cell = np.asarray(atoms.cell)
     size = np.diag(cell)
     if np.any(cell != np.diag(size)) or np.any(atoms.pbc & (size <= 0)):

@@ -17,7 +17,7 @@ def shown_progress(begin: float, until: float | None) -> Iterator[Callable[[floa
     except ImportError:
         yield None
         return
-    total = until - begin if until is not None and isfinite(until) else None
+    total = until - begin if until is not None and isfinite(until) and until > begin else None
     form = "{desc}{percentage:3.0f}%|{bar}| {n:.4g}/{total:.4g} [{elapsed}<{remaining}]" if total else None
     with tqdm(total=total, unit=" time units", bar_format=form) as bar:
         yield lambda time: bar.update(time - begin - bar.n)

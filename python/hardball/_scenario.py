@@ -27,6 +27,8 @@ def toml_of(value: Any) -> str:
         return json.dumps(os.fspath(value), ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, Mapping):
         return "{" + ", ".join(f"{json.dumps(str(key))} = {toml_of(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        return toml_of(value.item())
     if isinstance(value, (list, tuple, np.ndarray)):
         return "[" + ", ".join(toml_of(item) for item in value) + "]"
     raise _hardball.Error(

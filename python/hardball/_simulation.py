@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import os
+from copy import deepcopy
 from math import inf
 from typing import TYPE_CHECKING, Any, Iterable, Iterator, Literal, Mapping, Sequence, TypeVar, overload
 
@@ -12,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _hardball
+from ._arguments import real_number, whole_number
 from ._notebook import html_of
 from ._scenario import toml_of
 from ._view import View, is_notebook, view_of
@@ -69,6 +71,8 @@ class Simulation(_hardball.Simulation):
 
         Error: spheres that overlap or reach through a wall; numbers that are not finite or out of range.
         """
+        if not isinstance(box, _hardball.Box):
+            raise _hardball.Error(f"box: it is {box!r}; give one such as hardball.Box.periodic(10.0)")
         super().__init__(
             box,
             positions=positions,
@@ -83,7 +87,7 @@ class Simulation(_hardball.Simulation):
             passing=list(passing),
             response=response,
             thermostat=thermostat,
-            seed=seed,
+            seed=whole_number(seed, "seed"),
             engine=engine,
             cell_edge=cell_edge,
         )
@@ -110,6 +114,8 @@ class Simulation(_hardball.Simulation):
         `overrides` replaces values or adds them: {'run.seed': 7, 'spheres.0.count': 100}. A run without a limit ends
         where the scenario says. Error: as the command line has it, with its place.
         """
+        if overrides is not None and not isinstance(overrides, Mapping):
+            raise _hardball.Error("overrides: it is no dict; give one such as {'run.seed': 7}")
         changes = [f"{key}={toml_of(value)}" for key, value in (overrides or {}).items()]
         if isinstance(scenario, Mapping):
             text = "".join(f"{key} = {toml_of(value)}\n" for key, value in scenario.items())
@@ -140,13 +146,13 @@ class Simulation(_hardball.Simulation):
         return cls(**arguments_of(atoms, radius), **options)
 
     @classmethod
-    def load(cls: type[Self], saved: bytes | str | os.PathLike[str]) -> Self:
+    def load(cls: type[Self], saved: bytes | bytearray | memoryview | str | os.PathLike[str]) -> Self:
         """A simulation from what `save` has returned or written, or from a checkpoint of the command line.
 
         Error: it is damaged, or of a later version.
         """
-        if isinstance(saved, bytes):
-            return cls._of(cls._loaded(saved))
+        if isinstance(saved, (bytes, bytearray, memoryview)):
+            return cls._of(cls._loaded(bytes(saved)))
         return cls._of(cls._load_file(os.fspath(saved)))
 
     @overload
@@ -158,8 +164,9 @@ class Simulation(_hardball.Simulation):
     def save(self, path: str | os.PathLike[str] | None = None) -> bytes | None:
         """The whole state as bytes, or into a file, with what has been measured.
 
-        From either, `load` makes a simulation that goes on to the same history. Functions are missing: listeners,
-        and a response written in Python. The file is either as before or complete. Cost: O(size).
+        From either, `load` makes a simulation that goes on to the same history. Missing are functions, listeners and a
+        response written in Python, and attributes of your own; `pickle` and `copy` have these, but for listeners
+        that pickle leaves out. The file is either as before or complete. Cost: O(size).
         """
         if path is None:
             return self._saved()
@@ -167,10 +174,18 @@ class Simulation(_hardball.Simulation):
         return None
 
     def __copy__(self: Self) -> Self:
-        return type(self)._of(self._copy())
+        other = type(self)._of(self._copy())
+        other.__dict__.update(self.__dict__)
+        return other
 
     def __deepcopy__(self: Self, memo: dict[int, Any]) -> Self:
-        return self.__copy__()
+        other = type(self)._of(self._copy())
+        memo[id(self)] = other
+        other.__dict__.update(deepcopy(self.__dict__, memo))
+        return other
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (type(self), self._saved(), self._response), self.__dict__ or None
 
     # --- running ---
 
@@ -207,24 +222,33 @@ class Simulation(_hardball.Simulation):
     ) -> int | NDArray[np.void]:
         """Runs to the time `until` [T], events at that time included, or for so many collisions or contacts more.
 
-        The first limit that is met counts; a contact is a collision of two spheres or a contact with a wall. Returns
-        the number of contacts or, with `record`, all of them as an array with the fields time, kind (0 a collision, 1
-        a wall), first, second, normal_speed and impulse. With `progress`, shows a bar if tqdm is there. Ctrl-C ends
-        the run between two events; the simulation can be run on.
+        The first limit that is met counts; a contact is a collision of two spheres or a contact with a wall. Where
+        spheres may never meet again, in open space or a periodic box, give a finite time. Returns the number of
+        contacts or, with `record`, all of them as an array with the fields time, kind (0 a collision, 1 a wall), first,
+        second, normal_speed and impulse. With `progress`, shows a bar if tqdm is there. Ctrl-C ends the run between
+        two events; the simulation can be run on.
         """
+        if until is not None:
+            until = real_number(until, "until")
+        if collisions is not None:
+            collisions = whole_number(collisions, "collisions")
+        if contacts is not None:
+            contacts = whole_number(contacts, "contacts")
         done: int | NDArray[np.void]
         if not progress:
             done = self._run(until, collisions, contacts, record, None)
             return done
         from ._progress import shown_progress
 
-        with shown_progress(self.time, self.until if until is None else until) as on_progress:
+        end = self.until if until is None and collisions is None and contacts is None else until
+        with shown_progress(self.time, end) as on_progress:
             done = self._run(until, collisions, contacts, record, on_progress)
         return done
 
-    def events(self, until: float = inf) -> Iterator[_hardball.Contact]:
+    def events(self, until: float | None = None) -> Iterator[_hardball.Contact]:
         """Runs from contact to contact up to `until` [T]: at each, the simulation is at its time and may be edited."""
-        while (contact := self._step(until)) is not None:
+        end = inf if until is None else real_number(until, "until")
+        while (contact := self._step(end)) is not None:
             yield contact
 
     def measure(self, names: str | Iterable[str] = "all", *, every: float | None = None, start: float = 0.0) -> None:
@@ -245,7 +269,8 @@ class Simulation(_hardball.Simulation):
         but not beyond the end of the scenario. The simulation stays as it is: what is shown is what a run would do,
         without listeners. The page can be saved as a file. Error: the page grows beyond what browsers open, 200 MB.
         """
-        page = view_of(self, until, contacts)
+        end = None if until is None else real_number(until, "until")
+        page = view_of(self, end, None if contacts is None else whole_number(contacts, "contacts"))
         if not is_notebook():
             page.open()
         return page
@@ -258,3 +283,10 @@ class Simulation(_hardball.Simulation):
 
     def _repr_html_(self) -> str:
         return html_of(self)
+
+
+def _restored(kind: type[Simulation], saved: bytes, response: Any) -> Simulation:
+    simulation = kind.load(saved)
+    if response is not None:
+        simulation.respond_with(response)
+    return simulation

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Arrays that come and go: of every kind that NumPy has, and those that are refused."""
 
+import contextlib
+import io
 import gc
 import unittest
 
@@ -117,6 +119,10 @@ class ArraysGiven(unittest.TestCase):
             ({"positions": good, "species": 1.5}, "species.*whole numbers from 0 to 255"),
             ({"positions": good, "species": 256}, "species.*whole numbers from 0 to 255"),
             ({"positions": good, "species": -1}, "species.*whole numbers from 0 to 255"),
+            ({"positions": good[:, :2]}, "two coordinates.*three dimensions"),
+            ({"positions": np.ma.masked_less(good, 1)}, "masked entries"),
+            ({"positions": good, "species": good[:, 0] > 1}, "species.*truth values"),
+            ({"positions": good, "seed": 1.5}, "seed.*whole number"),
             ({"positions": good, "response": 1.5}, "restitution.*1.5"),
             ({"positions": good, "response": "soft"}, "give a Bounce, a Merging"),
             ({"positions": good, "thermostat": 5}, "give an Andersen"),
@@ -140,6 +146,48 @@ class ArraysGiven(unittest.TestCase):
         ]:
             with self.assertRaisesRegex(hardball.Error, message):
                 make()
+
+
+class Numbers(unittest.TestCase):
+    def test_of_contacts_may_be_written_as_floats(self):
+        simulation = gas()
+        self.assertEqual(simulation.run(contacts=1e2), 100)
+        self.assertEqual(simulation.run(contacts=np.int32(5)), 5)
+        for limits in ({"collisions": 2.5}, {"collisions": -1}, {"contacts": "many"}, {"until": "5"}, {"until": [1]}):
+            with self.assertRaisesRegex(hardball.Error, "give a (whole )?number"):
+                simulation.run(**limits)
+
+    def test_of_spheres_may_be_those_of_numpy(self):
+        simulation = gas()
+        self.assertEqual(simulation.clearance(simulation.ids[3]).distance, simulation.clearance(3).distance)
+        with self.assertRaisesRegex(hardball.Error, "whole numbers from 0"):
+            simulation.clearance(-1)
+
+    def test_progress_of_a_run_that_is_past_its_end(self):
+        simulation = gas()
+        simulation.until = 0.5
+        simulation.run(until=1)
+        with contextlib.redirect_stderr(io.StringIO()):
+            self.assertEqual(simulation.run(contacts=100, progress=True), 100)
+
+    def test_file_names_may_be_any_bytes(self):
+        for read in (hardball.Simulation.from_file, hardball.Simulation.from_scenario, hardball.Simulation.load):
+            with self.assertRaisesRegex(hardball.Error, "cannot be read"):
+                read("a\udcff.xyz")
+
+    def test_what_is_no_box_no_dict_or_no_atoms(self):
+        with self.assertRaisesRegex(hardball.Error, "box.*hardball.Box.periodic"):
+            hardball.Simulation(8.0, positions=[[1, 1, 1]])
+        with self.assertRaisesRegex(hardball.Error, "give one such as"):
+            hardball.Simulation.from_scenario({}, overrides="run.seed=7")
+        with self.assertRaisesRegex(hardball.Error, "give an Atoms"):
+            hardball.Simulation.from_ase(np.zeros((3, 3)))
+
+    def test_vectors_are_read_only(self):
+        simulation = gas()
+        for vector in (simulation.gravity, simulation.momentum, simulation.positions, hardball.Surface.plane([0, 0, 1]).point):
+            with self.assertRaises(ValueError):
+                vector[0] = 1
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
 import copy
 import gc
 import os
+import pickle
 import resource
 import signal
 import threading
@@ -66,6 +67,77 @@ class Responses(unittest.TestCase):
             numbers.set(0, 1, "soft")
         with self.assertRaisesRegex(hardball.Error, "give a Bounce or a coefficient"):
             numbers.set_wall(0, hardball.Merging())
+
+    def test_built_in_ones_are_saved_whenever_they_are_set(self):
+        for response in (0.5, hardball.Bounce(0.9), hardball.ResponseTable(0.8, walls=0.5), hardball.Merging()):
+            simulation = gas()
+            simulation.run(collisions=10)
+            simulation.respond_with(response)
+            others = [
+                hardball.Simulation.load(simulation.save()),
+                pickle.loads(pickle.dumps(simulation)),
+                copy.copy(simulation),
+            ]
+            for each in (simulation, *others):
+                each.run(collisions=50)
+                self.assertEqual(each.event_log_hash, simulation.event_log_hash)
+                self.assertEqual(each.kinetic_energy, simulation.kinetic_energy)
+        simulation = gas(response=elastic)
+        simulation.respond_with(0.5)
+        simulation.respond_with(elastic)
+        simulation.respond_with(None)
+        energy = simulation.kinetic_energy
+        simulation.run(collisions=10)
+        self.assertLess(simulation.kinetic_energy, energy)
+
+    def test_drops_that_merge_merge_with_whom_they_overlap_then(self):
+        drops = {
+            "positions": [[0, 0, 0], [2.2, 0, 0], [1.1, 1.05, 0], [1.1, -1.05, 0]],
+            "velocities": [[1, 0, 0], [-1, 0, 0], [0, 0, 0], [0, 0, 0]],
+            "radius": 0.5,
+        }
+        from_the_start = hardball.Simulation(hardball.Box.open(), **drops, response=hardball.Merging())
+        later = hardball.Simulation(hardball.Box.open(), **drops)
+        later.respond_with(hardball.Merging())
+        for simulation in (from_the_start, later):
+            simulation.run(until=5)
+            self.assertEqual(len(simulation), 2)
+            self.assertTrue(simulation.certificate["is_sound"])
+
+    def test_who_is_no_function_is_refused_at_once(self):
+        simulation = gas()
+        for thing in (hardball.Bounce, hardball.Merging, "soft", [0.5, 0.6]):
+            with self.assertRaises(hardball.Error):
+                simulation.respond_with(thing)
+        with self.assertRaisesRegex(hardball.Error, "give a function"):
+            simulation.on_contact(5)
+        simulation.run(collisions=10)
+
+    def test_runs_within_a_run_are_refused_and_harm_nothing(self):
+        def interfering(action):
+            def listener(contact):
+                with self.assertRaises(hardball.Error):
+                    action()
+
+            return listener
+
+        for action in (
+            lambda simulation: simulation.run(contacts=1),
+            lambda simulation: simulation.run(contacts=1, record=True),
+            lambda simulation: next(simulation.events()),
+        ):
+            simulation = gas()
+            simulation.on_contact(interfering(lambda: action(simulation)))
+            self.assertEqual(len(simulation.run(contacts=100, record=True)), 100)
+            self.assertEqual(sum(1 for _, __ in zip(simulation.events(), range(10))), 10)
+
+            def response(contact):
+                with self.assertRaises(hardball.Error):
+                    action(simulation)
+                return elastic(contact)
+
+            simulation.respond_with(response)
+            self.assertEqual(len(simulation.run(contacts=100, record=True)), 100)
 
     def test_rough_spheres_spin_and_drops_merge(self):
         rough = gas(response=hardball.Bounce(tangential_restitution=0.5))
@@ -259,6 +331,38 @@ class Threads(unittest.TestCase):
         self.assertEqual(len(refusals), 3)
         self.assertIn("another thread", refusals[0])
         self.assertEqual(simulation.positions.shape, (125, 3))
+
+
+    def test_nobody_comes_in_between_while_the_run_calls_functions_of_its_own(self):
+        simulation, outcomes = gas(), []
+
+        def intrude():
+            for use in (lambda: simulation.run(until=1e9), lambda: next(simulation.events()), lambda: len(simulation)):
+                try:
+                    use()
+                except hardball.RunFailure:
+                    outcomes.append("refused")
+
+        def on_progress(time):
+            if not outcomes:
+                thread = threading.Thread(target=intrude)
+                thread.start()
+                thread.join()
+
+        self.assertEqual(len(simulation._run(None, None, 50_000, True, on_progress)), 50_000)
+        self.assertEqual(outcomes, ["refused"] * 3)
+
+    def test_queries_end_at_control_c(self):
+        lone = hardball.Simulation(
+            hardball.Box.periodic(10), positions=[[5, 5, 5], [5, 7, 5]], velocities=[[1, 0, 0], [1.3, 0, 0]], radius=0.5
+        )
+        for query in (lambda: lone.contacts_within(1e12), lambda: lone.positions_at(1e12), lambda: gas().contacts_within(1e12)):
+            timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+            timer.start()
+            with self.assertRaises(KeyboardInterrupt):
+                query()
+            timer.join()
+        lone.run(until=1)
 
 
 class Memory(unittest.TestCase):

@@ -158,6 +158,36 @@ TEST_P(Fates, OfMergingSpheresIsToMergeWithAllThatTheMergedOneOverlaps) {
   EXPECT_EQ(copy.event_log_hash(), simulation.event_log_hash());
 }
 
+TEST_P(Fates, OfATableThatReplacesTheResponseAreThoseOfOneFromTheStart) {
+  World world(Box::walls({20, 20, 20}));
+  Random random(3);
+  for (int i = 0; i < 27; ++i) {
+    world.add({.position = {3.0 + 6 * (i % 3), 3.0 + 6 * (i / 3 % 3), 3.0 + 6 * (i / 9)},
+               .velocity = random.direction(),
+               .radius = 1 + random.uniform()});
+  }
+  Simulation from_start(world, merging_by(GetParam()));
+  Simulation later(world, {.engine = GetParam()});
+  later.respond_with([](const Contact& contact) { return contact.before; });
+  later.respond_with(ResponseTable(Merging()));
+  EXPECT_FALSE(later.has_custom_response());
+  const auto expect_same = [](const Simulation& a, const Simulation& b) {
+    EXPECT_EQ(a.event_log_hash(), b.event_log_hash());
+    EXPECT_EQ(a.tally().mergers(), b.tally().mergers());
+    EXPECT_EQ(a.size(), b.size());
+  };
+  for (Simulation* simulation : {&from_start, &later}) simulation->run_until(5);
+  expect_same(from_start, later);
+  Simulation loaded = Simulation::load(later.save());
+  Simulation copied = later;
+  // A function comes before the table, which stays for afterwards.
+  later.respond_with([](const Contact& contact) { return contact.before; });
+  later.respond_with(nullptr);
+  for (Simulation* simulation : {&from_start, &later, &loaded, &copied}) simulation->run_until(30);
+  EXPECT_GT(from_start.tally().mergers(), 5U);
+  for (const Simulation* simulation : {&later, &loaded, &copied}) expect_same(from_start, *simulation);
+}
+
 TEST_P(Fates, OfMergingSpheresEndsARunWithMeasures) {
   World world(Box::open());
   world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 1});
