@@ -21,7 +21,9 @@ def arguments_of(atoms: ase.Atoms, radius: ArrayLike | None) -> dict[str, Any]:
         raise _hardball.Error(f"it is {type(atoms).__name__}: give an Atoms object of ASE")
     cell = np.asarray(atoms.cell)
     size = np.diag(cell)
-    if np.any(cell != np.diag(size)) or np.any(atoms.pbc & (size <= 0)):
+    # Programs that turn cells leave rounding errors.
+    slanted = np.abs(cell - np.diag(size)) > 1e-12 * np.max(np.abs(cell))
+    if np.any(slanted[atoms.pbc]) or np.any(slanted[:, atoms.pbc]) or np.any(atoms.pbc & (size <= 0)):
         raise _hardball.Error(
             "the cell of the atoms has other than right angles: align its edges with the axes"
         )
@@ -32,7 +34,7 @@ def arguments_of(atoms: ase.Atoms, radius: ArrayLike | None) -> dict[str, Any]:
     momenta = atoms.get_momenta()
     masses = atoms.get_masses()
     return {
-        "box": _hardball.Box(["periodic" if along else "open" for along in atoms.pbc], size),
+        "box": _hardball.Box(["periodic" if along else "open" for along in atoms.pbc], np.where(atoms.pbc, size, 0)),
         "positions": atoms.positions,
         "velocities": momenta / masses[:, np.newaxis],
         "radius": radius,

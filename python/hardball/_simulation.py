@@ -124,7 +124,12 @@ class Simulation(_hardball.Simulation):
 
     @classmethod
     def from_file(
-        cls: type[Self], path: str | os.PathLike[str], *, overrides: Mapping[str, Any] | None = None
+        cls: type[Self],
+        path: str | os.PathLike[str],
+        *,
+        overrides: Mapping[str, Any] | None = None,
+        engine: str = "auto",
+        cell_edge: float | None = None,
     ) -> Self:
         """Starts from the last frame of a file: extended XYZ, GSD, a LAMMPS dump, CSV, NumPy or .sph.
 
@@ -132,18 +137,19 @@ class Simulation(_hardball.Simulation):
         what else a scenario may say: {'box.boundary': ['wall'] * 3, 'response.restitution': 0.9}.
         """
         scenario = {"box": cls._box_of_file(os.fspath(path)), "start": {"file": os.path.abspath(path)}}
-        return cls.from_scenario(scenario, overrides=overrides)
+        return cls.from_scenario(scenario, overrides=overrides, engine=engine, cell_edge=cell_edge)
 
     @classmethod
     def from_ase(cls: type[Self], atoms: ase.Atoms, *, radius: ArrayLike | None = None, **options: Any) -> Self:
         """The simulation of an ASE Atoms object: its cell, positions, masses and velocities.
 
         Axes of the cell along which it is periodic are periodic, the others open, and the cell has right angles.
-        `radius` [L] is that of the atoms, if they have no array 'radius'. `options` are those of Simulation.
+        `radius` [L] is that of the atoms, if they have no array 'radius'. `options` are those of Simulation, and come
+        before what the atoms say.
         """
         from ._ase import arguments_of
 
-        return cls(**arguments_of(atoms, radius), **options)
+        return cls(**{**arguments_of(atoms, radius), **options})
 
     @classmethod
     def load(cls: type[Self], saved: bytes | bytearray | memoryview | str | os.PathLike[str]) -> Self:

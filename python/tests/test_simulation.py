@@ -219,6 +219,13 @@ class Files(unittest.TestCase):
             hardball.Simulation.from_ase(ase.Atoms("Ar", cell=[9, 9, 9], pbc=True))
         with self.assertRaisesRegex(hardball.Error, "right angles"):
             hardball.Simulation.from_ase(ase.Atoms("Ar", cell=[9, 9, 9, 90, 80, 90], pbc=True), radius=1)
+        # Of a cell that nothing repeats, the angles do not matter; nor do rounding errors.
+        for cell, pbc in (([9, 9, 9, 90, 80, 90], False), ([[9, 1e-16, 0], [0, 9, 0], [0, 1e-15, 9]], True)):
+            simulation = hardball.Simulation.from_ase(ase.Atoms("Ar", cell=cell, pbc=pbc), radius=1)
+            self.assertEqual(simulation.box.boundary[0], "periodic" if pbc else "open")
+        walls = hardball.Box.walls(9.0)
+        simulation = hardball.Simulation.from_ase(ase.Atoms("Ar", positions=[[4, 4, 4]]), radius=1, box=walls, mass=2.0)
+        self.assertEqual((simulation.box, list(simulation.masses)), (walls, [2.0]))
 
 
 class State(unittest.TestCase):
