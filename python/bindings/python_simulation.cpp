@@ -211,19 +211,37 @@ double PythonSimulation::usual_wait() const {
   return wait > 0 && std::isfinite(wait) ? wait : 1;
 }
 
-std::optional<NextContact> PythonSimulation::first_contact(SphereId id, const Vec3& velocity,
-                                                           double end) const {
+// What query(horizon) finds up to the horizon `end`, with horizons that double from `begin` on where a search
+// may take long, through many images of a periodic box; whoever interrupts waits no longer than before.
+template <class Query>
+auto PythonSimulation::search(double begin, double span, double end, Query&& query) const {
   simulation();
   const Claim claim(*this);
-  const py::gil_scoped_release release;
-  return simulation_.first_contact(id, velocity, end);
+  const Box& box = simulation_.world().box();
+  const bool is_long = std::isfinite(end) && (box.is_periodic(0) || box.is_periodic(1) || box.is_periodic(2));
+  for (;; span *= 2) {
+    const double horizon = is_long && begin + span < end ? begin + span : end;
+    auto found = [&] {
+      const py::gil_scoped_release release;
+      return query(horizon);
+    }();
+    if (found || horizon == end || std::isnan(end)) return found;
+    throw_if_interrupted();
+  }
+}
+
+std::optional<NextContact> PythonSimulation::first_contact(SphereId id, const Vec3& velocity,
+                                                           double end) const {
+  constexpr double kUsualWaits = 1000;
+  return search(simulation().time(), kUsualWaits * usual_wait(), end,
+                [&](double horizon) { return simulation_.first_contact(id, velocity, horizon); });
 }
 
 std::optional<RayHit> PythonSimulation::ray(const Vec3& origin, const Vec3& direction, double most) const {
-  simulation();
-  const Claim claim(*this);
-  const py::gil_scoped_release release;
-  return simulation_.ray(origin, direction, most);
+  constexpr double kLargestRadii = 1000;
+  const double largest = simulation().world().largest_radius();
+  return search(0, largest > 0 ? kLargestRadii * largest : 1, most,
+                [&](double horizon) { return simulation_.ray(origin, direction, horizon); });
 }
 
 // Runs a copy that nobody listens to. Calls watch(simulation) before, and check(simulation) several times a

@@ -116,6 +116,8 @@ class PythonSimulation {
   void listen();
   RunStatus run_slice(const RunLimits& slice);
   double usual_wait() const;
+  template <class Query>
+  auto search(double begin, double span, double end, Query&& query) const;
   template <class Watch, class Check>
   void run_ahead(double until, std::uint64_t contacts, Watch&& watch, Check&& check) const;
 

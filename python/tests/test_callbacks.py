@@ -356,7 +356,14 @@ class Threads(unittest.TestCase):
         lone = hardball.Simulation(
             hardball.Box.periodic(10), positions=[[5, 5, 5], [5, 7, 5]], velocities=[[1, 0, 0], [1.3, 0, 0]], radius=0.5
         )
-        for query in (lambda: lone.contacts_within(1e12), lambda: lone.positions_at(1e12), lambda: gas().contacts_within(1e12)):
+        queries = (
+            lambda: lone.contacts_within(1e12),
+            lambda: lone.positions_at(1e12),
+            lambda: lone.ray([5, 6, 5], [1, 0, 0], 1e9),
+            lambda: lone.first_contact(0, [2, 0, 0], 1e9),
+            lambda: gas().contacts_within(1e12),
+        )
+        for query in queries:
             timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
             timer.start()
             with self.assertRaises(KeyboardInterrupt):
