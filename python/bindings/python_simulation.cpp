@@ -265,7 +265,7 @@ void PythonSimulation::run_ahead(double end, std::uint64_t contacts, Watch&& wat
 }
 
 std::vector<Contact> PythonSimulation::contacts_within(double duration, std::uint64_t most) {
-  // What the library refuses, it refuses.
+  // Throws what the library would, and finds nothing.
   std::vector<Contact> found = simulation().contacts_within(duration, 0);
   run_ahead(
       simulation_.time() + duration, most,
