@@ -177,10 +177,22 @@ TEST(RecordedBodies, OfARemovedSphereNeedVersionTwo) {
   const RecordingReader reader(folder / "recording.hbr");
   EXPECT_EQ(reader.header().version, 2);
   EXPECT_EQ(reader.header().spheres, 20U);
-  std::string bytes = read_text(folder / "recording.hbr");
-  bytes.replace(0, 8, "HBREC001");
-  write_text(folder / "recording.hbr", bytes);
-  EXPECT_THROW(RecordingReader(folder / "recording.hbr"), Error) << "version 1 has no gaps";
+  EXPECT_EQ(reader.radii()[3], 0);
+}
+
+TEST(RecordedBodies, OfVersionOneAllExist) {
+  const ScratchFolder folder;
+  const World world = make_gas({.count = 20, .packing_fraction = 0.05});
+  RecordingWriter(folder / "recording.hbr", {}, world).close(1);
+  const RecordingReader reader(folder / "recording.hbr");
+  ASSERT_EQ(reader.header().version, 1);
+  const std::string whole = read_text(folder / "recording.hbr");
+  for (const std::uint64_t number : {3U, 20U + 3U}) {  // a radius, a mass
+    std::string bytes = whole;
+    bytes.replace(reader.spheres().offset + 8 * number, 8, 8, '\0');
+    write_text(folder / "recording.hbr", bytes);
+    EXPECT_THROW(RecordingReader(folder / "recording.hbr"), Error) << number;
+  }
 }
 
 TEST(RecordedBodies, GoOnFromChunkToChunk) {
