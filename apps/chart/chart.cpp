@@ -63,6 +63,18 @@ constexpr Palette kOfPage = {"currentColor",
                              {"var(--series-1)", "var(--series-2)", "var(--series-3)", "var(--series-4)",
                               "var(--series-5)", "var(--series-6)", "var(--series-7)", "var(--series-8)"}};
 
+// How wide a text is set, roughly.
+double width_of(std::string_view text) {
+  const auto begins_character = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; };
+  return kCharacter * static_cast<double>(std::count_if(text.begin(), text.end(), begins_character));
+}
+
+// The attributes that squeeze a text into its room, if it needs that.
+std::string squeezed(std::string_view text, double room) {
+  if (width_of(text) <= room) return {};
+  return fmt::format(" textLength=\"{:.0f}\" lengthAdjust=\"spacingAndGlyphs\"", room);
+}
+
 // Outlines around the origin: disc, square, triangle, diamond, triangle on its tip, cross, plus.
 constexpr std::array<std::string_view, 7> kShapes = {
     "M-3.8 0A3.8 3.8 0 1 1 3.8 0A3.8 3.8 0 1 1 -3.8 0Z",
@@ -219,10 +231,12 @@ void add_axes(std::string& svg, const Chart& chart, const Palette& palette, cons
                        kFrameLeft - 7, at + 4.5, tick.label);
   }
   svg += fmt::format("<path d=\"{}\" stroke=\"{}\" fill=\"none\"/>\n", paths, palette.ink);
-  svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
-                     kFrameLeft + kFrameWidth / 2, kFloor + 40, escaped(chart.x.label));
-  svg += fmt::format("<text transform=\"translate(18 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
-                     kFrameTop + kFrameHeight / 2, escaped(chart.y.label));
+  svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\"{}>{}</text>\n",
+                     kFrameLeft + kFrameWidth / 2, kFloor + 40, squeezed(chart.x.label, kFrameWidth),
+                     escaped(chart.x.label));
+  svg += fmt::format("<text transform=\"translate(18 {}) rotate(-90)\" text-anchor=\"middle\"{}>{}</text>\n",
+                     kFrameTop + kFrameHeight / 2, squeezed(chart.y.label, kFrameHeight),
+                     escaped(chart.y.label));
 }
 
 void add_title(std::string& svg, const Chart& chart) {
@@ -234,7 +248,7 @@ void add_title(std::string& svg, const Chart& chart) {
 std::string_view anchor_of(const Chart& chart, const Marker& marker, const Scale& x) {
   for (const Marker& other : chart.markers) {
     if (other.x == marker.x || !is_drawable(chart.x, other.x)) continue;
-    const double width = kCharacter * (static_cast<double>(marker.name.size() + other.name.size()) / 2 + 1);
+    const double width = (width_of(marker.name) + width_of(other.name)) / 2 + kCharacter;
     if (std::abs(x.pixel(other.x) - x.pixel(marker.x)) < width) return marker.x < other.x ? "end" : "start";
   }
   return "middle";
@@ -375,9 +389,9 @@ void add_series(std::string& svg, const Chart& chart, std::size_t index, const P
 }
 
 double legend_width(const Chart& chart) {
-  std::size_t longest = 0;
-  for (const Series& series : chart.series) longest = std::max(longest, series.name.size());
-  return kLegendKey + kCharacter * static_cast<double>(longest);
+  double widest = 0;
+  for (const Series& series : chart.series) widest = std::max(widest, width_of(series.name));
+  return kLegendKey + widest;
 }
 
 std::size_t legend_columns(const Chart& chart) {
@@ -417,8 +431,9 @@ void add_legend(std::string& svg, const Chart& chart, const Palette& palette) {
       svg += fmt::format("<path transform=\"translate({:.2f} {:.2f})\"{}/>\n", left + 13, middle,
                          attributes.mark);
     }
-    svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\">{}</text>\n", left + kLegendKey,
-                       middle + 4.5, kSmallFontSize, escaped(series.name));
+    const double room = kFrameWidth / static_cast<double>(columns) - kLegendKey;
+    svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\"{}>{}</text>\n", left + kLegendKey,
+                       middle + 4.5, kSmallFontSize, squeezed(series.name, room), escaped(series.name));
   }
 }
 

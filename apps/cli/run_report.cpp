@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/run_report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -13,6 +15,7 @@
 #include "apps/cli/response_text.hpp"
 #include "apps/cli/start.hpp"
 #include "hardball/measure/fluid_theory.hpp"
+#include "hardball/measure/species.hpp"
 #include "hardball/measure/units.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/kinetic_theory.hpp"
@@ -155,6 +158,33 @@ report::CostCurve choice(const Simulation& simulation, const Moments& moments, c
   return {};
 }
 
+// Tells measured species of one name apart.
+void make_names_unique(std::vector<report::SpeciesReport>& species) {
+  const std::vector<report::SpeciesReport> before = species;
+  for (report::SpeciesReport& each : species) {
+    if (each.name.empty() || std::ranges::count(before, each.name, &report::SpeciesReport::name) == 1)
+      continue;
+    each.name += fmt::format(" (radius {:.4g}, mass {:.4g})", each.radius, each.mass);
+  }
+}
+
+// Those that measures distinguish; otherwise those of the scenario.
+std::vector<report::SpeciesReport> species(const Scenario& scenario, const World& world) {
+  std::vector<report::SpeciesReport> all;
+  const Species measured(world);
+  if (measured.size() > 1) {
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+      const std::string name = scenario.species.empty() ? "" : scenario.species[measured.label(k)].name;
+      all.push_back({name, measured.count(k), measured.radius(k), measured.mass(k)});
+    }
+    make_names_unique(all);
+    return all;
+  }
+  const std::vector<std::size_t> counts = species_counts(scenario, world);
+  for (std::size_t k = 0; k < counts.size(); ++k) all.push_back({scenario.species[k].name, counts[k]});
+  return all;
+}
+
 report::SurfaceReport surface_report(const WallSummary& wall) {
   report::SurfaceReport report;
   report.name = wall.name;
@@ -182,7 +212,7 @@ report::Report run_report(const Options& options, const Scenario& scenario,
   report.seed = scenario.seed;
   report.restitution = scenario.restitution();
   for (const ResponseText& text : response_texts(scenario)) report.responses.push_back({text.who, text.what});
-  report.species = species_text(scenario, simulation.world());
+  report.species = species(scenario, simulation.world());
 
   report.time = simulation.time();
   report.event_log_hash = simulation.event_log_hash();

@@ -11,11 +11,16 @@ namespace hardball::report {
 namespace {
 
 constexpr std::size_t kMostMarks = 60;
-constexpr std::size_t kLongestLabel = 44;
+constexpr std::size_t kLongestLabel = 38;  // with its unit; longer ones are not joined of names
 
 std::string label_of(const std::string& name, const std::string& unit) {
   const std::string text = unit_text(unit);
   return text.empty() ? name : name + "  [" + text + "]";
+}
+
+std::size_t characters_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
 }
 
 // A chart under construction.
@@ -46,14 +51,21 @@ bool has_points(const chart::Chart& chart, const chart::Series& series) {
   return false;
 }
 
-}  // namespace
-
-std::string readable(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
+// What the curves of a chart are of, each name once.
+std::string quantities_of(const std::vector<const Column*>& values, const SpeciesNames& species) {
+  std::vector<std::string> names;
+  for (const Column* value : values) {
+    const std::string name = species.quantity(value->name);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  std::string joined;
+  for (const std::string& name : names) joined += (joined.empty() ? "" : ", ") + name;
+  return joined;
 }
 
-std::vector<chart::Chart> charts_of(const Measurement& measurement) {
+}  // namespace
+
+std::vector<chart::Chart> charts_of(const Measurement& measurement, const SpeciesNames& species) {
   std::vector<Group> groups;
   const Column* argument = nullptr;
   Group* group = nullptr;    // that of the value column before
@@ -70,7 +82,7 @@ std::vector<chart::Chart> charts_of(const Measurement& measurement) {
         group->values.push_back(&column);
         const bool is_sparse = column.values.size() <= kMostMarks;
         measured = group->chart.series.size();
-        group->chart.series.push_back({.name = readable(column.name),
+        group->chart.series.push_back({.name = species.readable(column.name),
                                        .x = argument->values,
                                        .y = column.values,
                                        .line = !is_sparse,
@@ -83,7 +95,7 @@ std::vector<chart::Chart> charts_of(const Measurement& measurement) {
         break;
       case ColumnRole::theory:
         if (!group) break;
-        group->chart.series.push_back({.name = readable(column.name),
+        group->chart.series.push_back({.name = species.readable(column.name),
                                        .x = argument->values,
                                        .y = column.values,
                                        .marks = false,
@@ -94,14 +106,14 @@ std::vector<chart::Chart> charts_of(const Measurement& measurement) {
   }
   std::vector<chart::Chart> charts;
   for (Group& each : groups) {
-    std::string names;
-    for (const Column* value : each.values) names += (names.empty() ? "" : ", ") + readable(value->name);
+    const std::string names = quantities_of(each.values, species);
     const bool is_only = groups.size() == 1;
     each.chart.title = is_only ? measurement.title : measurement.title + ": " + names;
-    if (names.size() > kLongestLabel) names = measurement.title;
-    each.chart.x = {.label = label_of(readable(each.argument->name), each.argument->unit),
+    std::string label = label_of(names, each.unit);
+    if (characters_of(label) > kLongestLabel) label = label_of(measurement.title, each.unit);
+    each.chart.x = {.label = label_of(species.quantity(each.argument->name), each.argument->unit),
                     .logarithmic = measurement.is_logarithmic_in_argument};
-    each.chart.y = {.label = label_of(names, each.unit), .logarithmic = measurement.is_logarithmic_in_value};
+    each.chart.y = {.label = label, .logarithmic = measurement.is_logarithmic_in_value};
     std::erase_if(each.chart.series,
                   [&](const chart::Series& series) { return !has_points(each.chart, series); });
     if (each.chart.series.empty()) continue;

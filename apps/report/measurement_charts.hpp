@@ -2,19 +2,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "apps/chart/chart.hpp"
+#include "apps/report/species_names.hpp"
 #include "hardball/measure/measurement.hpp"
 
 namespace hardball::report {
 
-/// A readable name of a column or quantity: "mean free time" for "mean_free_time".
-std::string readable(std::string name);
-
 /// Charts of a measured table: one for each argument and unit of values, with their errors and theories. Many
-/// points are drawn as a line, and their errors as a band. Charts without points are omitted.
-std::vector<chart::Chart> charts_of(const Measurement& measurement);
+/// points are drawn as a line, and their errors as a band. Charts without points are omitted. Curves are
+/// named by `species`, those of the measured spheres.
+std::vector<chart::Chart> charts_of(const Measurement& measurement,
+                                    const SpeciesNames& species = SpeciesNames());
 
 }  // namespace hardball::report

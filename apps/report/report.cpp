@@ -9,9 +9,11 @@
 #include <string_view>
 
 #include "apps/chart/escaped.hpp"
+#include "apps/report/formula.hpp"
 #include "apps/report/measurement_charts.hpp"
 #include "apps/report/number_text.hpp"
 #include "apps/report/page.hpp"
+#include "apps/report/species_names.hpp"
 #include "hardball/measure/event_log_hash.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball_report_files.hpp"
@@ -212,6 +214,19 @@ std::string key_figures(const Report& report) {
 
 // --- sections ---
 
+std::string species_text(const SpeciesReport& species) {
+  std::string text = count_text(species.spheres) + " spheres";
+  if (std::isfinite(species.radius)) text += ", radius " + in_unit(number_text(species.radius), "L");
+  if (std::isfinite(species.mass)) text += ", mass " + in_unit(number_text(species.mass), "M");
+  return text;
+}
+
+SpeciesNames names_of(const std::vector<SpeciesReport>& species) {
+  std::vector<std::string> names;
+  for (const SpeciesReport& each : species) names.push_back(each.name);
+  return SpeciesNames(std::move(names));
+}
+
 std::string certificate(const Report& report) {
   Table conserved("facts", "State");
   conserved.add_row("energy at the start", {in_unit(number_text(report.initial_energy, 10), "M L^2 T^-2")});
@@ -240,7 +255,11 @@ std::string certificate(const Report& report) {
       conserved.add_row(escaped(response.who), {escaped(response.what)});
     }
   }
-  if (!report.species.empty()) conserved.add_row("species", {escaped(report.species)});
+  for (std::size_t k = 0; k < report.species.size(); ++k) {
+    const std::string& name = report.species[k].name;
+    conserved.add_row("species " + (name.empty() ? std::to_string(k + 1) : escaped(name)),
+                      {species_text(report.species[k])});
+  }
   if (report.is_flat) conserved.add_row("dimensions", {"2"});
   conserved.add_row("seed", {std::to_string(report.seed)});
   Table events("facts", "Events");
@@ -302,9 +321,10 @@ std::string gravity_and_surfaces(const Report& report) {
   if (has_gravity(report)) {
     Table table("facts", "");
     table.add_row("gravity", {in_unit(vector_text(report.gravity, 6), "L T^-2")});
-    html += table.html() + paragraph("note",
-                                     "The energies in this report include the potential energy "
-                                     "−m g·x, which is zero at the origin.");
+    html += table.html() +
+            paragraph("note", with_formulas("The energies in this report include the potential energy "
+                                            "$-m \\mathbf{g} \\cdot \\mathbf{x}$, which is zero at the "
+                                            "origin."));
   }
   if (report.surfaces.empty()) return html;
   html +=
@@ -319,11 +339,11 @@ std::string gravity_and_surfaces(const Report& report) {
   return html;
 }
 
-std::string quantities_table(const std::vector<Quantity>& quantities) {
+std::string quantities_table(const std::vector<Quantity>& quantities, const SpeciesNames& species) {
   Table table("numbers", "", {"quantity", "measured", "theory", "deviation"});
   for (const Quantity& quantity : quantities) {
     const std::string unit = unit_text(quantity.unit);
-    const std::string name = escaped(readable(quantity.name)) +
+    const std::string name = escaped(species.readable(quantity.name)) +
                              (unit.empty() ? "" : " <span class=\"unit\">[" + typeset(unit) + "]</span>");
     const std::string deviation = deviation_text(quantity.value, quantity.error, quantity.theory);
     table.add_row(
@@ -345,10 +365,11 @@ std::string reading() {
 }
 
 std::string rates(const Report& report) {
-  return quantities_table(report.rates) + paragraph("note",
-                                                    "Means over the whole run, including the approach to "
-                                                    "equilibrium; the theory is that of "
-                                                    "equilibrium.");
+  return quantities_table(report.rates, SpeciesNames()) +
+         paragraph("note",
+                   "Means over the whole run, including the approach to "
+                   "equilibrium; the theory is that of "
+                   "equilibrium.");
 }
 
 // Which part of the run the means are over.
@@ -364,30 +385,43 @@ std::string transient_note(const Measurement& measurement) {
                                number_text(measurement.transient, 3), number_text(measurement.duration, 3)));
 }
 
-std::string article(const Measurement& measurement) {
+// The numbers that the run has determined.
+std::vector<Quantity> known(std::vector<Quantity> quantities) {
+  std::erase_if(quantities, [](const Quantity& quantity) { return std::isnan(quantity.value); });
+  return quantities;
+}
+
+// What there is to show of a measure; empty without results.
+std::string article(const Measurement& measurement, const SpeciesNames& species) {
+  const std::vector<chart::Chart> charts = charts_of(measurement, species);
+  const std::vector<Quantity> quantities = known(measurement.quantities);
+  if (charts.empty() && quantities.empty()) return {};
   std::string html = "<article>\n<h3 id=\"measure-" + escaped(measurement.name) + "\">" +
                      escaped(measurement.title) + "</h3>\n";
-  if (!measurement.formula.empty()) html += paragraph("formula", escaped(measurement.formula));
-  std::string figures;
-  const std::vector<chart::Chart> charts = charts_of(measurement);
+  if (!measurement.formula.empty()) html += paragraph("formula", with_formulas(measurement.formula));
+  html += "<div class=\"pair\">\n";
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const std::string id = fmt::format("plot-{}-{}", measurement.name, i + 1);
-    figures += figure(chart::to_inline_svg(charts[i], id));
+    html += figure(chart::to_inline_svg(charts[i], id));
   }
-  html += "<div class=\"pair\">\n" + figures;
-  if (!measurement.quantities.empty()) html += quantities_table(measurement.quantities);
-  html += "</div>\n";
-  html += transient_note(measurement);
-  if (figures.empty() && measurement.quantities.empty())
-    html += paragraph("note", "The run gave no results.");
+  if (!quantities.empty()) html += quantities_table(quantities, species);
+  html += "</div>\n" + transient_note(measurement);
   if (!measurement.source.empty()) html += paragraph("source", escaped(measurement.source));
   return html + "</article>\n";
 }
 
-std::string articles(const Report& report) {
-  std::string html;
-  for (const Measurement& measurement : report.measurements) html += article(measurement);
-  return html;
+// All measures with results, and the names of the others.
+std::string measures(const Report& report) {
+  const SpeciesNames species = names_of(report.species);
+  std::string articles;
+  std::string others;
+  for (const Measurement& measurement : report.measurements) {
+    const std::string html = article(measurement, species);
+    articles += html;
+    if (html.empty()) others += (others.empty() ? "" : ", ") + escaped(measurement.title);
+  }
+  if (!others.empty()) others = paragraph("note", "Without results in this run: " + others + ".");
+  return articles.empty() ? others : reading() + articles + others;
 }
 
 std::string choice(const CostCurve& curve) {
@@ -480,7 +514,7 @@ std::string to_html(const Report& report) {
         gravity_and_surfaces(report));
   }
   if (!report.rates.empty()) add("rates", "Rates and kinetic theory", rates(report));
-  if (!report.measurements.empty()) add("measures", "Measures", reading() + articles(report));
+  if (!report.measurements.empty()) add("measures", "Measures", measures(report));
   if (!report.choice.length.empty()) add("choice", report.choice.title, choice(report.choice));
   add("speed", "Speed and memory", speed(report));
   add("scenario", "Scenario", scenario(report));

@@ -46,6 +46,14 @@ struct ThermostatReport {
   double energy = 0;         ///< That it gave to the spheres [M L^2 T^-2].
 };
 
+/// One of several species. A number that differs between its spheres is NaN.
+struct SpeciesReport {
+  std::string name;                                          ///< As in the scenario; empty if it has none.
+  std::size_t spheres = 0;                                   ///< At the end of the run.
+  double radius = std::numeric_limits<double>::quiet_NaN();  ///< [L]
+  double mass = std::numeric_limits<double>::quiet_NaN();    ///< [M]
+};
+
 /// What becomes of spheres that touch, in words.
 struct ResponseReport {
   std::string who;   ///< "all contacts", "mist and mist".
@@ -64,8 +72,9 @@ struct Report {
   std::uint64_t seed = 0;
   double restitution = 1;  ///< [1]; NaN if it is not one constant.
   std::vector<ResponseReport> responses;
-  std::string species;  ///< How many spheres of each there are at the end; empty if there are none.
-  Vec3 gravity;         ///< [L T^-2]
+  /// If measures distinguish species, those, in the order of their numbers; otherwise those of the scenario.
+  std::vector<SpeciesReport> species;
+  Vec3 gravity;  ///< [L T^-2]
 
   // Results.
   double time = 0;  ///< When it ended [T].

@@ -204,13 +204,13 @@ Measurement BondOrder::result(const Scene& /*scene*/) const {
   Measurement found{.name = std::string(kName),
                     .title = "Bond-orientational order",
                     .formula =
-                        "Q_l = sqrt(4 pi / (2 l + 1) * sum over m of |mean of Y_lm over bonds|^2), over all "
-                        "bonds; q_l the same over the bonds of one sphere",
+                        R"($Q_l = \sqrt{\frac{4 \pi}{2 l + 1} \sum_m |\langle Y_{lm} \rangle|^2}$ over all )"
+                        R"(bonds; $q_l$: the same over the bonds of one sphere)",
                     .source = "Steinhardt, Nelson and Ronchetti, Phys. Rev. B 28 (1983) 784"};
   if (is_flat_) {
     found.formula =
-        "Psi_l = |mean of exp(i l theta) over bonds|, over all bonds; psi_l the same over the bonds of one "
-        "disc";
+        R"($\Psi_l = \left| \langle e^{i l \theta} \rangle \right|$ over all bonds; $\psi_l$: the same over )"
+        R"(the bonds of one disc)";
     found.source = "Halperin and Nelson, Phys. Rev. Lett. 41 (1978) 121";
   }
   const std::string of_all = is_flat_ ? "Psi" : "Q";

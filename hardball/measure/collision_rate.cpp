@@ -66,8 +66,9 @@ Measurement CollisionRate::result(const Scene& scene) const {
   Measurement found{.name = std::string(kName),
                     .title = "Collision rate",
                     .formula =
-                        "w = 2 collisions / (N t); mean free time 1 / w, path <|v|> / w; theory: "
-                        "w = (2 d / sqrt(pi)) (Z - 1) sqrt(kT / m) / diameter in d dimensions",
+                        R"($\omega = 2 c / (N t)$ of $c$ collisions; mean free time $1 / \omega$, path )"
+                        R"($\langle v \rangle / \omega$; theory: $\omega = \frac{2 d}{\sqrt{\pi}} (Z - 1) )"
+                        R"(\frac{1}{\sigma} \sqrt{\frac{kT}{m}}$ for diameters $\sigma$ in $d$ dimensions)",
                     .source =
                         "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, sections 5.2 "
                         "and 16.2"};

@@ -63,7 +63,7 @@ Measurement Coordination::result(const Scene& /*scene*/) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Numbers of neighbours",
-      .formula = "fraction of the spheres with k neighbours closer than a multiple of the sum of the radii",
+      .formula = "fraction of the spheres with $k$ neighbours closer than a multiple of the sum of the radii",
       .source = "Bernal and Mason, Nature 188 (1960) 910"};
   const FunctionOfMeans neighbors_of = [](std::span<const double> means) {
     return means[kNeighbors] / means[kSpheres];

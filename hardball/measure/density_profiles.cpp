@@ -160,8 +160,8 @@ Measurement DensityProfiles::result(const Scene& /*scene*/) const {
       .name = std::string(kName),
       .title = "Density profiles",
       .formula =
-          "number density = centres in a slab / its volume; packing fraction = volume of spheres in a slab / "
-          "its volume; pressure = kT * density of centres that touch a wall",
+          "number density: centres in a slab over its volume; packing fraction: volume of spheres in a slab "
+          "over its volume; pressure: $kT$ times the density of centres that touch a wall",
       .source = "Henderson, Blum and Lebowitz, J. Electroanal. Chem. 102 (1979) 315 (contact theorem)"};
   if (most_bins_ == 0) return found;
   Transient transient;

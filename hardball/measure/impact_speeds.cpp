@@ -82,9 +82,9 @@ Measurement ImpactSpeeds::result(const Scene& scene) const {
   Measurement found{.name = std::string(kName),
                     .title = "Impact speeds",
                     .formula =
-                        "p(u) of the speed u at which two surfaces meet; theory: Rayleigh's distribution, "
-                        "(m / 2kT) u exp(-m u^2 / 4kT) for equal masses, mean sqrt(pi kT / m), mean "
-                        "square 4 kT / m; exact for a fixed energy",
+                        R"($p(u)$ of the speed $u$ at which two surfaces meet; theory: Rayleigh's )"
+                        R"(distribution, $\frac{m}{2kT} \, u \, e^{-m u^2 / 4kT}$ for equal masses, mean )"
+                        R"($\sqrt{\pi kT / m}$, mean square $4kT / m$; exact for a fixed energy)",
                     .source =
                         "Kinetic theory: pairs meet in proportion to their normal relative speed; "
                         "docs/measures.md"};

@@ -94,17 +94,18 @@ Estimate MeanSquareDisplacement::diffusion(std::size_t species) const {
 }
 
 Measurement MeanSquareDisplacement::result(const Scene& scene) const {
-  Measurement found{.name = std::string(kName),
-                    .title = "Mean square displacement",
-                    .formula =
-                        "<|x(s + t) - x(s)|^2> over spheres and times s; D: the slope of its linear part "
-                        "over 2 d in d dimensions; theory: 2 d D (t - T (1 - exp(-t / T))), T = m D / kT, "
-                        "with D of Enskog's theory",
-                    .source =
-                        "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; D: Speedy, Mol. "
-                        "Phys. 62 (1987) 509; Enskog: Chapman and Cowling, section 16.3",
-                    .is_logarithmic_in_argument = true,
-                    .is_logarithmic_in_value = true};
+  Measurement found{
+      .name = std::string(kName),
+      .title = "Mean square displacement",
+      .formula = R"($\langle |\mathbf{x}(s + t) - \mathbf{x}(s)|^2 \rangle$ over spheres and times )"
+                 R"($s$; $D$: the slope of its linear part over $2 d$ in $d$ dimensions; theory: $2 d )"
+                 R"(D \left( t - \tau (1 - e^{-t / \tau}) \right)$, $\tau = m D / kT$, with $D$ of )"
+                 R"(Enskog's theory)",
+      .source =
+          "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; D: Speedy, Mol. "
+          "Phys. 62 (1987) 509; Enskog: Chapman and Cowling, section 16.3",
+      .is_logarithmic_in_argument = true,
+      .is_logarithmic_in_value = true};
   const double temperature = is_energy_conserved(motion_, scene.motion()) ? motion_.temperature() : kNone;
   const double enskog = theory_.enskog_diffusion(temperature);
   const double expected = theory_.diffusion(temperature);

@@ -46,7 +46,7 @@ struct Column {
 struct Measurement {
   std::string name;                       ///< As in scenarios and file names: "radial_distribution".
   std::string title;                      ///< For people: "Radial distribution function".
-  std::string formula;                    ///< How the numbers are defined, in plain text.
+  std::string formula;                    ///< How the numbers are defined; LaTeX between dollar signs.
   std::string source;                     ///< Where the definition or the theory is from.
   std::vector<Quantity> quantities = {};  ///< May be empty.
   std::vector<Column> columns = {};       ///< May be empty; all of one length, the first an argument.

@@ -119,7 +119,9 @@ Measurement Pressure::result(const Scene& scene) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Pressure",
-      .formula = "P = (sum m v v + sum over collisions r dp / t) / V, Z = d P V / sum m v^2 in d dimensions",
+      .formula =
+          R"($P_{ab} = \frac{1}{V} \left( \sum m v_a v_b + \frac{1}{t} \sum_{\text{collisions}} r_a \Delta p_b \right)$; )"
+          R"($P$: the mean of $P_{aa}$; $Z = d P V / \sum m v^2$ in $d$ dimensions)",
       .source =
           "Allen and Tildesley, Computer Simulation of Liquids, section 2.4; theory of "
           "equal spheres: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) "

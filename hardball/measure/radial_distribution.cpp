@@ -159,7 +159,7 @@ void RadialDistribution::sample(const Scene& scene) {
 Measurement RadialDistribution::result(const Scene& /*scene*/) const {
   Measurement found{.name = std::string(kName),
                     .title = "Radial distribution function",
-                    .formula = "g(r) = pairs at the distance r / those of an ideal gas in the same box",
+                    .formula = "$g(r)$: pairs at the distance $r$ over those of an ideal gas in the same box",
                     .source =
                         "Allen and Tildesley, Computer Simulation of Liquids, section 2.6; contact value of "
                         "equal spheres: Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6 (2004) "

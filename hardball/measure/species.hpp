@@ -27,6 +27,7 @@ class Species {
   std::size_t size() const { return kinds_.size(); }
   /// The species of a sphere. Precondition: the sphere was there at the start.
   std::size_t of(SphereId id) const { return kinds_.size() == 1 ? 0 : species_[id]; }
+  SpeciesId label(std::size_t species) const { return kinds_[species].label; }
   std::size_t count(std::size_t species) const { return kinds_[species].count; }
   /// The fraction of the spheres that belong to it [1].
   double fraction(std::size_t species) const;

@@ -189,7 +189,8 @@ Measurement StructureFactor::result(const Scene& /*scene*/) const {
   Measurement found{
       .name = std::string(kName),
       .title = "Static structure factor",
-      .formula = "S(k) = |sum over spheres of exp(i k.x)|^2 / n",
+      .formula =
+          R"($S(k) = \frac{1}{n} \left| \sum e^{i \mathbf{k} \cdot \mathbf{x}} \right|^2$ over $n$ spheres)",
       .source = "Hansen and McDonald, Theory of Simple Liquids, sections 4.1 and 4.4 (Percus and Yevick)"};
   if (waves_.empty()) return found;
   const FunctionOfMeans mean_of_shells = [](std::span<const double> means) {

@@ -67,8 +67,8 @@ Measurement Temperature::result(const Scene& scene) const {
       .name = std::string(kName),
       .title = "Temperature",
       .formula =
-          "kT = sum m v^2 / degrees of freedom, one for each sphere and dimension less one for each "
-          "axis without walls",
+          R"($kT = \frac{1}{f} \sum m v^2$ with $f$ degrees of freedom, one for each sphere and dimension )"
+          R"(less one for each axis without walls)",
       .source = "Equipartition; Allen and Tildesley, Computer Simulation of Liquids, section 2.4"};
   using Means = std::span<const double>;
   // A part of the energy, and its degrees of freedom.

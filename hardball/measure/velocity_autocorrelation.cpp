@@ -46,15 +46,17 @@ void VelocityAutocorrelation::sample(const Scene& scene) {
 Measurement VelocityAutocorrelation::result(const Scene& scene) const {
   // Beyond, there is little but noise; the rest of the slow decay is a few per cent of D in a dense fluid.
   constexpr double kFreeTimes = 50;
-  Measurement found{.name = std::string(kName),
-                    .title = "Velocity autocorrelation",
-                    .formula =
-                        "C(t) = <v(s).v(s + t)> over spheres and times s; D(t): its integral up to t over d "
-                        "dimensions, D at 50 mean free times; theory: d (kT / m) exp(-t / T), T = m D / kT, "
-                        "with D of Enskog's theory",
-                    .source =
-                        "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; D: Speedy, Mol. "
-                        "Phys. 62 (1987) 509; Enskog: Chapman and Cowling, section 16.3"};
+  Measurement found{
+      .name = std::string(kName),
+      .title = "Velocity autocorrelation",
+      .formula =
+          R"($C(t) = \langle \mathbf{v}(s) \cdot \mathbf{v}(s + t) \rangle$ over spheres and )"
+          R"(times $s$; $D(t) = \frac{1}{d} \int_0^t C(s) \, \mathrm{d}s$ in $d$ dimensions, $D$ at 50 mean free )"
+          R"(times; theory: $d \frac{kT}{m} e^{-t / \tau}$, $\tau = m D / kT$, with $D$ of )"
+          R"(Enskog's theory)",
+      .source =
+          "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; D: Speedy, Mol. "
+          "Phys. 62 (1987) 509; Enskog: Chapman and Cowling, section 16.3"};
   const double temperature = is_energy_conserved(motion_, scene.motion()) ? motion_.temperature() : kNone;
   const double enskog = theory_.enskog_diffusion(temperature);
   const double expected = theory_.diffusion(temperature);

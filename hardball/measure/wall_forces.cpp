@@ -106,8 +106,9 @@ Measurement WallForces::result(const Scene& scene) const {
   Measurement found{.name = std::string(kName),
                     .title = "Forces on walls",
                     .formula =
-                        "F = sum of normal impulses / t, P = F / area, power = sum of impulse times "
-                        "velocity of the wall / t, heat = other energy given to spheres / t",
+                        R"($F = \frac{1}{t} \sum p$ of the normal impulses $p$; pressure $F / A$ on an area )"
+                        R"($A$; power $\frac{1}{t} \sum p u$ at velocities $u$ of the wall; heat: other )"
+                        R"(energy given to spheres, over $t$)",
                     .source = "momentum and energy of each contact"};
   if (walls_.empty()) return found;
   WallForces up_to_now = *this;

@@ -68,6 +68,27 @@ TEST(MeasurementCharts, GiveEachUnitAndArgumentAChart) {
   EXPECT_EQ(charts[2].series[0].y, (std::vector<double>{7, 8}));
 }
 
+TEST(MeasurementCharts, NameTheQuantityAtTheAxisAndTheSpeciesInTheLegend) {
+  Measurement measurement;
+  measurement.title = "Velocity autocorrelation";
+  measurement.columns = {column("lag", "T", ColumnRole::argument, {1, 2}),
+                         column("diffusion_integral_1", "L^2 T^-1", ColumnRole::value, {1, 2}),
+                         column("diffusion_integral_2", "L^2 T^-1", ColumnRole::value, {3, 4})};
+  const chart::Chart chart = charts_of(measurement, SpeciesNames({"helium", "krypton"})).at(0);
+  EXPECT_EQ(chart.y.label, "diffusion integral  [L² T⁻¹]");
+  EXPECT_EQ(chart.series[0].name, "diffusion integral, helium");
+  EXPECT_EQ(chart.series[1].name, "diffusion integral, krypton");
+}
+
+TEST(MeasurementCharts, HaveLabelsThatFitWithTheirUnits) {
+  Measurement measurement;
+  measurement.title = "Profiles";
+  measurement.columns = {column("z", "L", ColumnRole::argument, {1, 2}),
+                         column("pressure_along_walls", "M L^-1 T^-2", ColumnRole::value, {1, 2}),
+                         column("across_walls", "M L^-1 T^-2", ColumnRole::value, {3, 4})};
+  EXPECT_EQ(charts_of(measurement).at(0).y.label, "Profiles  [M L⁻¹ T⁻²]");
+}
+
 TEST(MeasurementCharts, ManyPointsAreALineInABand) {
   Measurement measurement;
   const std::vector<double> many(200, 1.0);

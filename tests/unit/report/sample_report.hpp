@@ -59,7 +59,7 @@ inline Report sample_report() {
   Measurement radial;
   radial.name = "radial_distribution";
   radial.title = "Radial distribution function";
-  radial.formula = "g(r) = density of centres at distance r from a centre, over the mean density";
+  radial.formula = "$g(r)$: the density of centres at the distance $r$ from a centre, over the mean density";
   radial.source = "Percus and Yevick, Phys. Rev. 110 (1958) 1";
   Column r{"r", "L", ColumnRole::argument, {}};
   Column g{"g", "1", ColumnRole::value, {}};
@@ -80,7 +80,7 @@ inline Report sample_report() {
   Measurement displacement;
   displacement.name = "mean_square_displacement";
   displacement.title = "Mean square displacement & diffusion";
-  displacement.formula = "<|x(t) - x(0)|^2> of all spheres";
+  displacement.formula = R"($\langle |\mathbf{x}(t) - \mathbf{x}(0)|^2 \rangle$ of all spheres < 4001)";
   Column t{"time", "T", ColumnRole::argument, {}};
   Column d{"mean_square_displacement", "L^2", ColumnRole::value, {}};
   Column d_error{"error", "L^2", ColumnRole::error, {}};
@@ -105,7 +105,7 @@ inline Report sample_report() {
   Measurement pressure;
   pressure.name = "pressure";
   pressure.title = "Pressure";
-  pressure.formula = "Z = P V / N k T from the virial of the collisions";
+  pressure.formula = R"($Z = \frac{P V}{N kT}$ from the virial of the collisions)";
   pressure.source = "Carnahan and Starling, J. Chem. Phys. 51 (1969) 635";
   pressure.quantities = {{"compressibility", "1", 12.47, 0.03, 12.25}};
 

@@ -38,8 +38,8 @@ export class Browser {
     return this.browser.close();
   }
 
-  /** Opens `url`, and returns the page once it shows the first frame. Errors are listed in `page.errors`. */
-  async open(url, { width = 1000, height = 700, scheme = 'light', pixelRatio = 1 } = {}) {
+  /** Opens `url`, and returns the page. Errors are listed in `page.errors`. */
+  async openPage(url, { width = 1000, height = 700, scheme = 'light', pixelRatio = 1 } = {}) {
     const context = await this.browser.newContext({
       viewport: { width, height },
       colorScheme: scheme,
@@ -52,6 +52,12 @@ export class Browser {
     page.on('pageerror', (error) => page.errors.push(error.message));
     page.on('console', (message) => message.type() === 'error' && page.errors.push(message.text()));
     await page.goto(url);
+    return page;
+  }
+
+  /** Opens the viewer at `url`, and returns its page once it shows the first frame; `options`: as for openPage. */
+  async open(url, options) {
+    const page = await this.openPage(url, options);
     await page.waitForFunction(() => window.hardball?.state().isReady);
     // Tests use the best quality, however slow the machine.
     await page.evaluate(() => window.hardball.setQuality('full'));
