@@ -123,10 +123,10 @@ test('a finished run can be played, paused, scrubbed and stepped through, withou
     await page.waitForFunction(() => window.hardball.time === 8);
     await page.keyboard.press('Home');
     await page.waitForFunction(() => window.hardball.time === 0);
-    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('n');
     await page.waitForFunction((time) => window.hardball.time === time, times[0]);
     const { speed } = await state(page);
-    await page.keyboard.press('-');
+    await page.keyboard.press('PageDown');
     assert.ok((await state(page)).speed < speed);
     await page.keyboard.press(' ');
     await page.waitForFunction(

@@ -178,7 +178,7 @@ test('contacts with surfaces are named', async () => {
     await page.waitForFunction(() =>
       /^wall [01]: (plane|cylinder) in/.test(document.getElementById('sphere-next').textContent),
     );
-    await page.keyboard.press('Shift+ArrowRight');
+    await page.keyboard.press('Shift+N');
     await page.waitForFunction(() =>
       /Sphere 1 meets wall [01]: (plane|cylinder)/.test(document.getElementById('notices').textContent),
     );
@@ -201,7 +201,7 @@ test('a sphere of a hundredth of the radius of others is seen, and can be picked
     await page.selectOption('#color-by', 'size');
     // Both ends and the geometric mean.
     const numbers = await page.locator('#legend-numbers span').allTextContents();
-    assert.deepEqual(numbers, ['0.0200', '0.200', '2.00']);
+    assert.deepEqual(numbers, ['0.0200 L', '0.200 L', '2.00 L']);
     await page.evaluate(() => window.hardball.setTime(0));
     const { x, y } = await page.evaluate(() => window.hardball.screenPosition(1));
     const around = { x: x - 4, y: y - 4, width: 8, height: 8 };

@@ -35,6 +35,8 @@ export function createApi(viewer) {
     radius: (id) => viewer.bodies.radii[id],
     /** The orientation of sphere `id` now: a quaternion, its real part last. */
     orientation: (id) => viewer.orientation(id),
+    /** How long a CSS pixel is in space, at the distance of the middle of the picture [L]. */
+    lengthOfPixel: () => view.lengthOfPixel,
     /** Follows sphere `id`, or none if it is null. */
     follow: (id) => viewer.follow(id),
     /** Draws in quality `name`: "full", "reduced", "points" or "coarse". */
@@ -53,6 +55,7 @@ export function createApi(viewer) {
       next: viewer.next ?? null,
       spheres: source.header.spheres,
       surfaces: viewer.surfaces.map((surface) => surface.name),
+      flashes: viewer.flashes.total,
       images: viewer.surroundings.images.count,
       chunks: source.ends.length,
       chunksInMemory: store.chunks.size,

@@ -11,9 +11,11 @@ import { ChunkStore } from './recording/chunk_store.js';
 import { kPathNumbers } from './recording/chunk.js';
 import { ColorLegend, showEventLegend, showSurfaceLegend } from './panel/legend.js';
 import { show, showCount } from './panel/numbers.js';
+import { Help } from './panel/help.js';
 import { Notices } from './panel/notices.js';
 import { Plots } from './panel/plots.js';
 import { showRunStatus } from './panel/run_status.js';
+import { ScaleBar } from './panel/scale_bar.js';
 import { SpherePanel } from './panel/sphere_panel.js';
 import { Transport } from './panel/transport.js';
 import { CellLayer, kFew } from './scene/cell_layer.js';
@@ -34,8 +36,11 @@ const kManyForSoftware = 2000; // spheres; with more, an emulated graphics card 
 const kContactsOfTrail = 24;
 const kSecondsBetweenPanels = 0.1;
 const kSecondsBetweenPlots = 0.5;
+const kFirstDirection = [0.62, 0.42, 1]; // of the camera: to the right, upward, to the front
 const kPollSeconds = 0.7;
 const kRetrySeconds = 2;
+
+const kUnits = { speed: 'L T⁻¹', size: 'L', spin: 'T⁻¹', collisions: '', 'last contact': 'T' }; // of colorings
 
 const element = (id) => document.getElementById(id);
 
@@ -84,6 +89,8 @@ export class Viewer {
     this.legend = new ColorLegend();
     this.transport = new Transport(this);
     this.spherePanel = new SpherePanel(this);
+    this.scaleBar = new ScaleBar();
+    this.help = new Help(this);
     this.quality = new Quality(window.devicePixelRatio, (way) => this.draw(way));
 
     /** The id of the followed sphere, or null. */
@@ -183,6 +190,12 @@ export class Viewer {
     if (this.playback.chunk) this.view.fit(this.surroundings.measure(this.playback));
   }
 
+  /** Shows everything as at the start. */
+  resetView() {
+    this.fit();
+    if (this.playback.chunk) this.view.fit(this.surroundings.measure(this.playback), kFirstDirection);
+  }
+
   /** Colors the spheres by one of kColorBy. */
   setColorBy(name) {
     element('color-by').value = name;
@@ -263,7 +276,7 @@ export class Viewer {
     this.plots.update(this.playback);
     this.view.resize();
     if (this.view.isSoftware && this.source.header.spheres > kManyForSoftware) this.quality.begin('points');
-    this.view.fit(this.surroundings.measure(this.playback), [0.62, 0.42, 1]);
+    this.view.fit(this.surroundings.measure(this.playback), kFirstDirection);
     element('show-events').checked = this.source.header.spheres <= kFewEnoughForFlashes;
     this.showCellEdge();
     this.updateColors();
@@ -295,6 +308,7 @@ export class Viewer {
     this.view.prepare(uniforms.haze.value);
     uniforms.fromCamera.value.setFromMatrix4(this.view.camera.matrixWorld);
     this.view.render();
+    this.scaleBar.update(this.view.lengthOfPixel);
   }
 
   updateTrail(center) {
@@ -340,7 +354,7 @@ export class Viewer {
       range.set(0, Math.max(4, roundUp(quantile(this.playback.collisions, 0.99))));
     if (this.colorBy === 'last contact')
       range.set(roundUp(this.scales.rate > 0 ? 1 / this.scales.rate : this.player.speed), 0);
-    this.legend.showRange(range.x, range.y, isLogarithmic);
+    this.legend.showRange(range.x, range.y, kUnits[this.colorBy], isLogarithmic);
     this.view.isStale = true;
   }
 

@@ -1,38 +1,90 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
+const kTurn = Math.PI / 36; // radians by a key
+const kPan = 0.06; // of the height of the picture
+const kZoom = 1.12;
+const kFaster = 1.25;
+
+/**
+ * All keys, by what they act on: a list of {name, bindings}. Of a binding, `shown` names the
+ * keys, `does` says what they do, and `run` has a function for each.
+ */
+export function keyGroups(viewer) {
+  const { view } = viewer;
+  const click = (id) => () => document.getElementById(id).click();
+  const isSpatial = !viewer.box.isFlat;
+  const pan = (aside, upward) => view.pan(kPan * aside, kPan * upward);
+  const arrow = (aside, upward) => (event) =>
+    event.shiftKey || !isSpatial ? pan(aside, upward) : view.turn(kTurn * aside, kTurn * upward);
+  const move = { ArrowLeft: arrow(-1, 0), ArrowRight: arrow(1, 0), ArrowUp: arrow(0, 1), ArrowDown: arrow(0, -1) };
+  const alongAxes = Object.fromEntries(['x', 'y', 'z'].map((key, axis) => [key, () => view.lookAlongAxis(axis)]));
+  const binding = (shown, does, run) => ({ shown, does, run });
+  return [
+    {
+      name: 'Playback',
+      bindings: [
+        binding('Space', 'play, pause', { ' ': () => viewer.togglePlay() }),
+        binding('N P', 'next, previous contact; with Shift, of the followed sphere', {
+          n: (event) => viewer.step(1, event.shiftKey),
+          p: (event) => viewer.step(-1, event.shiftKey),
+        }),
+        binding('Home End', 'to the start, to the latest time', {
+          Home: () => viewer.goToBegin(),
+          End: () => viewer.goToEnd(),
+        }),
+        binding('PgUp PgDn', 'faster, slower', {
+          PageUp: () => viewer.setSpeed(viewer.player.speed * kFaster),
+          PageDown: () => viewer.setSpeed(viewer.player.speed / kFaster),
+        }),
+      ],
+    },
+    {
+      name: 'Camera',
+      bindings: [
+        binding('← → ↑ ↓', isSpatial ? 'turn; with Shift, move' : 'move', move),
+        binding('+ −', 'closer, farther', {
+          '+': () => view.zoom(kZoom),
+          '=': () => view.zoom(kZoom),
+          '-': () => view.zoom(1 / kZoom),
+        }),
+        ...(isSpatial ? [binding('X Y Z', 'look along an axis; again, from its other side', alongAxes)] : []),
+        binding('F', 'show everything', { f: () => viewer.fit() }),
+        binding('0', 'back to the view at the start', { 0: () => viewer.resetView() }),
+        binding('G', 'go to the followed sphere', { g: () => viewer.approach() }),
+      ],
+    },
+    {
+      name: 'Shown',
+      bindings: [
+        binding('C E', 'cells, contacts', { c: click('show-cells'), e: click('show-events') }),
+        binding('W I', 'walls, periodic images', { w: click('show-walls'), i: click('show-images') }),
+        binding('S', 'marks that turn with the spheres', { s: click('show-spin') }),
+        binding('Esc', 'stop following', { Escape: () => viewer.follow(null) }),
+        binding('?', 'these keys', { '?': () => viewer.help.toggle() }),
+      ],
+    },
+  ];
+}
+
 /** Keyboard shortcuts. Fields and buttons keep the keys that they use themselves. */
 export function listenToKeys(viewer) {
-  const actions = {
-    ' ': () => viewer.togglePlay(),
-    ArrowRight: (event) => viewer.step(1, event.shiftKey),
-    ArrowLeft: (event) => viewer.step(-1, event.shiftKey),
-    Home: () => viewer.goToBegin(),
-    End: () => viewer.goToEnd(),
-    '+': () => viewer.setSpeed(viewer.player.speed * 1.25),
-    '=': () => viewer.setSpeed(viewer.player.speed * 1.25),
-    '-': () => viewer.setSpeed(viewer.player.speed / 1.25),
-    Escape: () => viewer.follow(null),
-    f: () => viewer.fit(),
-    g: () => viewer.approach(),
-    c: () => document.getElementById('show-cells').click(),
-    e: () => document.getElementById('show-events').click(),
-    w: () => document.getElementById('show-walls').click(),
-    i: () => document.getElementById('show-images').click(),
-    s: () => document.getElementById('show-spin').click(),
-  };
+  const bindings = keyGroups(viewer).flatMap((group) => group.bindings);
+  const actions = Object.assign({}, ...bindings.map(({ run }) => run));
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
-    if (!action || isUsed(event)) return;
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    if (!actions[key] || isUsed(event)) return;
+    // Esc closes the help, as the browser sees to.
+    if (viewer.help.isOpen && key !== '?') return;
     event.preventDefault();
-    action(event);
+    actions[key](event);
   });
 }
 
 function isUsed({ target, key }) {
   if (target.matches('select, input[type="number"]')) return true;
   if (target.matches('input[type="range"]'))
-    return key.startsWith('Arrow') || key === 'Home' || key === 'End';
+    return key.startsWith('Arrow') || key.startsWith('Page') || key === 'Home' || key === 'End';
   return key === ' ' && target.matches('button, a, input');
 }

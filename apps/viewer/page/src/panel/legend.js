@@ -14,12 +14,12 @@ export class ColorLegend {
     this.bar.style.background = `linear-gradient(to right, ${kMapColors.map(toCss).join(', ')})`;
   }
 
-  /** A bar from `low` to `high`. */
-  showRange(low, high, isLogarithmic = false) {
+  /** A bar from `low` to `high`, in `unit`. */
+  showRange(low, high, unit, isLogarithmic = false) {
     this.choose('range');
     const middle = isLogarithmic ? Math.sqrt(low * high) : (low + high) / 2;
     [low, middle, high].forEach((value, k) => {
-      const text = show(value, 3);
+      const text = `${show(value, 3)} ${unit}`.trim();
       if (this.numbers.children[k].textContent !== text) this.numbers.children[k].textContent = text;
     });
   }
@@ -28,7 +28,7 @@ export class ColorLegend {
   showSpecies(list) {
     this.choose('species');
     const texts = list.map(({ name, radius, mass, count }) =>
-      name ? `${name}: ${showCount(count)}` : `${showCount(count)} × radius ${show(radius, 3)}, mass ${show(mass, 3)}`,
+      name ? `${name}: ${showCount(count)}` : `${showCount(count)} × radius ${show(radius, 3)} L, mass ${show(mass, 3)} M`,
     );
     if (this.texts === texts.join('\n')) return;
     this.texts = texts.join('\n');
@@ -79,7 +79,7 @@ export function showSurfaceLegend(surfaces, colors) {
 
 function describe(surface) {
   const parts = [surface.name];
-  if (surface.temperature !== null) parts.push(`kT = ${show(surface.temperature, 3)}`);
+  if (surface.temperature !== null) parts.push(`kT = ${show(surface.temperature, 3)} M L² T⁻²`);
   if (surface.oscillates) parts.push('oscillates');
   if (surface.velocity.some((part) => part !== 0)) parts.push('moves');
   return parts.join(', ');

@@ -26,8 +26,8 @@ function describe(status, replayAddress, isLost) {
   if (isLost) return ['lost', 'Connection lost'];
   if (status.failed) return ['failed', 'Run failed'];
   if (replayAddress === null) return ['saved', 'Saved replay'];
-  if (status.finished) return ['finished', `Finished at ${show(status.reached)}`];
-  return ['running', `Running, at ${show(status.reached)}`];
+  if (status.finished) return ['finished', `Finished at ${show(status.reached)} T`];
+  return ['running', `Running, at ${show(status.reached)} T`];
 }
 
 function count(value) {

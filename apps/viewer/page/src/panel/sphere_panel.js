@@ -47,11 +47,11 @@ export class SpherePanel {
     const isWhole = playback.countedFrom <= source.header.begin;
     text(
       'sphere-collisions-label',
-      isWhole ? 'Collisions' : `Collisions since ${show(playback.countedFrom)}`,
+      isWhole ? 'Collisions' : `Collisions since ${show(playback.countedFrom)} T`,
     );
     text(
       'sphere-next',
-      next ? `${partner(next, followed, surfaces)} in ${show(next.time - time, 3)}` : 'unknown',
+      next ? `${partner(next, followed, surfaces)} in ${show(next.time - time, 3)} T` : 'unknown',
     );
     text('sphere-crossing', this.crossing());
   }
@@ -63,7 +63,7 @@ export class SpherePanel {
     const { time, kind, axis } = cells.nextCrossing(path, playback.bodies.radii[followed], playback.time);
     if (!Number.isFinite(time)) return 'none: at rest';
     if (next && time > next.time) return 'after the contact';
-    return `${kind} along ${kAxes[axis]} in ${show(time - playback.time, 3)}`;
+    return `${kind} along ${kAxes[axis]} in ${show(time - playback.time, 3)} T`;
   }
 }
 

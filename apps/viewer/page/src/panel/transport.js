@@ -56,7 +56,7 @@ export class Transport {
     const length = this.last - begin;
     const share = (time) => (length > 0 ? (time - begin) / length : 0);
     const text = showTime(player.time, Math.max(Math.min(length / 1e4, player.speed / 100), 1e-12));
-    if (this.time.value !== text) this.time.value = text;
+    if (this.time.value !== `${text} T`) this.time.value = `${text} T`;
     if (!this.isScrubbing) {
       const value = String(Math.round(kScrubSteps * share(player.time)));
       if (this.scrub.value !== value) this.scrub.value = value;
@@ -71,8 +71,8 @@ export class Transport {
     if (this.shownSpeed !== player.speed) {
       this.shownSpeed = player.speed;
       this.speed.value = Math.log10(player.speed);
-      this.speedText.value = `${show(player.speed, 2)} per s`;
-      set(this.speed, 'aria-valuetext', `${show(player.speed, 2)} per second`);
+      this.speedText.value = `${show(player.speed, 2)} T per s`;
+      set(this.speed, 'aria-valuetext', `${show(player.speed, 2)} T per second`);
       property(
         this.speed,
         '--at',

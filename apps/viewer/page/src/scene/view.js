@@ -1,6 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import { Color, MOUSE, PerspectiveCamera, Quaternion, Scene, TOUCH, Vector3, WebGLRenderer } from 'three';
+import {
+  Color,
+  MOUSE,
+  PerspectiveCamera,
+  Quaternion,
+  Scene,
+  Spherical,
+  TOUCH,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { BoxFrame } from './box_frame.js';
 
@@ -130,6 +140,51 @@ export class View {
     this.isStale = true;
   }
 
+  /** Turns the camera about what it is directed at, by two angles: to the right and upward. */
+  turn(aside, upward) {
+    const toVertical = new Quaternion().setFromUnitVectors(this.camera.up, new Vector3(0, 1, 0));
+    const offset = this.camera.position.clone().sub(this.controls.target).applyQuaternion(toVertical);
+    const angles = new Spherical().setFromVector3(offset);
+    angles.theta += aside;
+    angles.phi = Math.min(Math.PI, Math.max(0, angles.phi - upward));
+    offset.setFromSpherical(angles.makeSafe()).applyQuaternion(toVertical.invert());
+    this.camera.position.copy(this.controls.target).add(offset);
+    this.moved();
+  }
+
+  /** Moves the camera to the right and upward, by so many heights of the picture. */
+  pan(aside, upward) {
+    const height = this.lengthOfPixel * this.canvas.clientHeight;
+    const shift = new Vector3(height * aside, height * upward, 0).applyQuaternion(this.camera.quaternion);
+    this.controls.target.add(shift);
+    this.camera.position.add(shift);
+    this.moved();
+  }
+
+  /** Moves the camera so that what it is directed at looks larger by `factor`. */
+  zoom(factor) {
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const { minDistance, maxDistance } = this.controls;
+    offset.multiplyScalar(1 / factor).clampLength(minDistance, maxDistance);
+    this.camera.position.copy(this.controls.target).add(offset);
+    this.moved();
+  }
+
+  /** Directs the camera along an axis: from its upper end, or if it is there, from its lower end. */
+  lookAlongAxis(axis) {
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const distance = offset.length();
+    const isThere = offset.getComponent(axis) > 0.9999 * distance;
+    offset.set(0, 0, 0).setComponent(axis, isThere ? -distance : distance);
+    this.camera.position.copy(this.controls.target).add(offset);
+    this.moved();
+  }
+
+  moved() {
+    this.controls.update();
+    this.isStale = true;
+  }
+
   /** Pixels of the drawing in a CSS pixel. */
   get pixelRatio() {
     return this.renderer.getPixelRatio();
@@ -180,6 +235,11 @@ export class View {
     );
     const direction = end.unproject(this.camera).sub(this.camera.position).normalize();
     return { origin: this.camera.position.clone(), direction };
+  }
+
+  /** Length in space [L] of one CSS pixel at the distance of what the camera is directed at. */
+  get lengthOfPixel() {
+    return this.pixelTangent * this.camera.position.distanceTo(this.controls.target);
   }
 
   /** Length in space [L] of one CSS pixel at unit distance. */
