@@ -15,10 +15,13 @@ from pathlib import Path
 
 import nbclient
 import nbformat
+from checks import faults_of_site, missing_from_reference
+from conf import KATEX
 from nbconvert import MarkdownExporter
 
 ROOT = Path(__file__).resolve().parents[2]
 SITE = ROOT / "docs" / "site"
+NORMALIZE = "/javascript/normalize.css/normalize.css"
 REPOSITORY_LINK = re.compile(r"\]\((?:\.\./)+((?:README|scenarios|notebooks|hardball|examples|tests|bench)\b[^)]*)\)")
 
 
@@ -57,7 +60,10 @@ def main():
     shutil.copytree(ROOT / "docs" / "figures", source / "figures")
     for page in SITE.glob("*.md"):
         shutil.copy(page, source)
-    shutil.copy(SITE / "conf.py", source)
+    for name in ("conf.py", "katex.js"):
+        shutil.copy(SITE / name, source)
+    shutil.copytree(KATEX / "fonts", source / "_static" / "katex" / "fonts")
+    shutil.copy(KATEX / "katex.min.css", source / "_static" / "katex")
     decisions = sorted(page.stem for page in (ROOT / "docs" / "decisions").glob("*.md"))
     listed = "\n".join(["# Decisions", "", "```{toctree}", ":maxdepth: 1", "", *decisions, "```", ""])
     (source / "decisions" / "index.md").write_text(listed)
@@ -72,14 +78,27 @@ def main():
         "GENERATE_XML=YES",
         "GENERATE_HTML=NO",
         "GENERATE_LATEX=NO",
+        "MACRO_EXPANSION=YES",
+        "EXPAND_ONLY_PREDEF=YES",
+        "PREDEFINED=HARDBALL_ALWAYS_INLINE=",
         "QUIET=YES",
         "WARN_IF_UNDOCUMENTED=NO",
         "WARNINGS=NO",
     ]
     (source / "doxygen").mkdir()
     subprocess.run(["doxygen", "-"], input="\n".join(settings), text=True, check=True)
+    reference = SITE / "cpp_reference.md"
+    if missing := missing_from_reference(source / "doxygen" / "xml", "hardball::Simulation", reference.read_text()):
+        sys.exit(f"{reference}: lacks {', '.join(missing)}, which users of Simulation meet")
     command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", source, folder / "html"]
     subprocess.run(command, check=True, env={**os.environ, "LC_ALL": "C.UTF-8"})
+    # Debian's theme expects this at the root of a web server.
+    theme = folder / "html" / "_static" / "styles" / "furo.css"
+    if NORMALIZE in theme.read_text():
+        shutil.copy(Path("/usr/share") / NORMALIZE[1:], theme.parent)
+        theme.write_text(theme.read_text().replace(NORMALIZE, Path(NORMALIZE).name))
+    if faults := faults_of_site(folder / "html"):
+        sys.exit("\n".join(faults))
     print(f"the site begins at {folder / 'html' / 'index.html'}")
 
 

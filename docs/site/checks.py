@@ -1,0 +1,91 @@
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+"""Checks of the documentation site: that it needs no network, and that the C++ reference is complete."""
+
+import re
+import xml.etree.ElementTree
+from html.parser import HTMLParser
+
+NETWORK = re.compile(r"(?:[a-z]+:)?//", re.IGNORECASE)
+STYLE_REQUEST = re.compile(r"""(?:url\(\s*|@import\s+)["']?(?!url\()([^"')\s]+)""")
+REFERENCE_ENTRY = re.compile(r"^\.\. doxygen(?:class|struct|enum|typedef):: (\S+)", re.MULTILINE)
+
+
+class Requests(HTMLParser):
+    """What a browser fetches to show a page; links that its reader may follow are not among it."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.addresses = []
+        self.in_style = False
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        for name in ("src", "data", "poster"):
+            self.addresses.append(attributes.get(name))
+        if tag == "link" and attributes.get("rel") not in ("canonical", "next", "prev"):
+            self.addresses.append(attributes.get("href"))
+        self.addresses += [each.split()[0] for each in (attributes.get("srcset") or "").split(",") if each.strip()]
+        self.addresses += STYLE_REQUEST.findall(attributes.get("style") or "")
+        self.in_style = tag == "style"
+
+    def handle_data(self, data):
+        if self.in_style:
+            self.addresses += STYLE_REQUEST.findall(data)
+
+
+def faults_of_site(folder):
+    """What is wrong with the built pages in `folder`, as a list of texts: addresses that are fetched from the network
+    or are not there."""
+    faults = []
+    for page in sorted([*folder.rglob("*.html"), *folder.rglob("*.css")]):
+        text = page.read_text(encoding="utf-8")
+        addresses = STYLE_REQUEST.findall(text) if page.suffix == ".css" else Requests(text).addresses
+        for address in sorted({address for address in addresses if address}):
+            if address.startswith(("data:", "#")):
+                continue
+            if NETWORK.match(address):
+                faults.append(f"{page.relative_to(folder)} fetches {address}")
+            elif not (page.parent / re.split(r"[?#]", address)[0]).exists():
+                faults.append(f"{page.relative_to(folder)} needs {address}, which is not there")
+    return faults
+
+
+def types_reachable(doxygen, begin):
+    """The qualified names of the types that a user of the class `begin` meets: those that its public signatures name,
+    and those that the signatures of these name. `doxygen`: the folder of Doxygen's XML."""
+    members = {
+        member.get("id"): member
+        for page in doxygen.glob("namespace*.xml")
+        for member in xml.etree.ElementTree.parse(page).iter("memberdef")
+        if member.get("kind") in ("enum", "typedef")
+    }
+    index = xml.etree.ElementTree.parse(doxygen / "index.xml")
+    names = {compound.get("refid"): compound.findtext("name") for compound in index.iter("compound")}
+    found = {}
+    waiting = [(next(identity for identity, name in names.items() if name == begin), 0)]
+    while waiting:
+        identity, level = waiting.pop(0)
+        if identity in found:
+            continue
+        if identity in members:
+            found[identity] = members[identity].findtext("qualifiedname")
+            # An alias is no more than what it stands for.
+            signatures = [members[identity]]
+        elif identity in names:
+            found[identity] = names[identity]
+            definitions = xml.etree.ElementTree.parse(doxygen / f"{identity}.xml").iter("memberdef")
+            signatures = [member for member in definitions if member.get("prot") == "public"] if level < 2 else []
+            level += 1
+        else:
+            continue  # a member of a type, which belongs to it
+        for member in signatures:
+            for part in [*member.findall("type"), *member.findall("param/type")]:
+                waiting += [(reference.get("refid"), level) for reference in part.iter("ref")]
+    return set(found.values())
+
+
+def missing_from_reference(doxygen, begin, reference):
+    """The types that types_reachable() finds and the page `reference` does not list."""
+    return sorted(types_reachable(doxygen, begin) - set(REFERENCE_ENTRY.findall(reference)))
