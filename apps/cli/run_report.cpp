@@ -188,6 +188,7 @@ std::vector<report::SpeciesReport> species(const Scenario& scenario, const World
 report::SurfaceReport surface_report(const WallSummary& wall) {
   report::SurfaceReport report;
   report.name = wall.name;
+  std::ranges::replace(report.name, '_', ' ');
   report.shape = wall.shape;
   report.contacts = wall.tally.contacts;
   report.area = wall.area;

@@ -61,7 +61,7 @@ std::string row(const std::string& markup) {
 
 // Delimiters grow with what they enclose only where the formula says so.
 std::string delimiter(std::string_view text, bool grows) {
-  return fmt::format("<mo stretchy=\"{}\">{}</mo>", grows, escaped(text));
+  return fmt::format("<mo stretchy=\"{}\" lspace=\"0\" rspace=\"0\">{}</mo>", grows, escaped(text));
 }
 
 // Reads one formula from its beginning to its end.
@@ -127,6 +127,7 @@ class Formula {
       return "<mn>" + escaped(take_while([](char c) { return is_digit(c) || c == '.'; })) + "</mn>";
     if (is_letter(first)) return "<mi>" + escaped(take(1)) + "</mi>";
     if (first == '-') return take(1), "<mo>−</mo>";
+    if (first == '/') return take(1), "<mo lspace=\"0\" rspace=\"0\">/</mo>";
     if (first == '^' || first == '_') return take(1), std::string();
     if (first == '(' || first == ')' || first == '[' || first == ']' || first == '|')
       return delimiter(take(1), false);

@@ -201,12 +201,13 @@ void BondOrder::sample_bonds(const Scene& scene) {
 }
 
 Measurement BondOrder::result(const Scene& /*scene*/) const {
-  Measurement found{.name = std::string(kName),
-                    .title = "Bond-orientational order",
-                    .formula =
-                        R"($Q_l = \sqrt{\frac{4 \pi}{2 l + 1} \sum_m |\langle Y_{lm} \rangle|^2}$ over all )"
-                        R"(bonds; $q_l$: the same over the bonds of one sphere)",
-                    .source = "Steinhardt, Nelson and Ronchetti, Phys. Rev. B 28 (1983) 784"};
+  Measurement found{
+      .name = std::string(kName),
+      .title = "Bond-orientational order",
+      .formula =
+          R"($Q_l = \left( \frac{4 \pi}{2 l + 1} \sum_m |\langle Y_{lm} \rangle|^2 \right)^{1/2}$ over all )"
+          R"(bonds; $q_l$: the same over the bonds of one sphere)",
+      .source = "Steinhardt, Nelson and Ronchetti, Phys. Rev. B 28 (1983) 784"};
   if (is_flat_) {
     found.formula =
         R"($\Psi_l = \left| \langle e^{i l \theta} \rangle \right|$ over all bonds; $\psi_l$: the same over )"

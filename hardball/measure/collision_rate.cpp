@@ -68,7 +68,7 @@ Measurement CollisionRate::result(const Scene& scene) const {
                     .formula =
                         R"($\omega = 2 c / (N t)$ of $c$ collisions; mean free time $1 / \omega$, path )"
                         R"($\langle v \rangle / \omega$; theory: $\omega = \frac{2 d}{\sqrt{\pi}} (Z - 1) )"
-                        R"(\frac{1}{\sigma} \sqrt{\frac{kT}{m}}$ for diameters $\sigma$ in $d$ dimensions)",
+                        R"(\frac{1}{\sigma} \sqrt{kT / m}$ for diameters $\sigma$ in $d$ dimensions)",
                     .source =
                         "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, sections 5.2 "
                         "and 16.2"};

@@ -67,7 +67,7 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
       .title = "Velocity distribution",
       .formula =
           R"(densities of the components and the magnitude of $\mathbf{c} = \mathbf{v} / \sqrt{kT / m}$; )"
-          R"(theory: Maxwell's, $\frac{1}{\sqrt{2\pi}} \, e^{-c^2 / 2}$ and $\sqrt{\frac{2}{\pi}} \, c^2 )"
+          R"(theory: Maxwell's, $\frac{1}{\sqrt{2\pi}} \, e^{-c^2 / 2}$ and $\sqrt{2 / \pi} \, c^2 )"
           R"(e^{-c^2 / 2}$, in two dimensions $c \, e^{-c^2 / 2}$)",
       .source = "Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, section 4.1"};
   using Means = std::span<const double>;

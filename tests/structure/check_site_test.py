@@ -51,7 +51,8 @@ class Site(unittest.TestCase):
         return faults_of_site(self.folder)
 
     def test_a_page_may_link_to_the_network_and_need_its_own_files(self):
-        (self.folder / "style.css").write_text("@import url(other.css); a { background: url(data:image/png;base64,AA) }")
+        style = "@import url(other.css); a { background: url(data:image/png;base64,AA) }"
+        (self.folder / "style.css").write_text(style)
         (self.folder / "other.css").write_text("")
         head = '<link rel="stylesheet" href="style.css?digest=1"><link rel="canonical" href="https://a.b/">'
         self.assertEqual(self.faults(head, '<a href="https://a.b/">there</a><img src="style.css">'), [])
@@ -70,7 +71,8 @@ class Site(unittest.TestCase):
         self.assertEqual(self.faults(""), ["style.css fetches https://a.b/c.woff2"])
 
     def test_what_is_not_there_is_found(self):
-        self.assertEqual(self.faults('<script src="lost.js"></script>'), ["page.html needs lost.js, which is not there"])
+        faults = self.faults('<script src="lost.js"></script>')
+        self.assertEqual(faults, ["page.html needs lost.js, which is not there"])
 
 
 class Reference(unittest.TestCase):
@@ -79,7 +81,9 @@ class Reference(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
         (self.folder / "namespacehard.xml").write_text(NAMESPACE)
-        compounds = "".join(f'<compound refid="{name}"><name>hard::{name.title()}</name></compound>' for name in CLASSES)
+        compounds = "".join(
+            f'<compound refid="{name}"><name>hard::{name.title()}</name></compound>' for name in CLASSES
+        )
         (self.folder / "index.xml").write_text(f"<doxygenindex>{compounds}</doxygenindex>")
         for name, members in CLASSES.items():
             (self.folder / f"{name}.xml").write_text(f"<doxygen>{members}</doxygen>")
@@ -92,7 +96,8 @@ class Reference(unittest.TestCase):
 
     def test_what_it_lacks_is_found(self):
         for name in ("World", "Status", "Rule", "Bounce"):
-            self.assertEqual(self.missing(COMPLETE.replace(f":: hard::{name}\n", ":: hard::Other\n")), [f"hard::{name}"])
+            reference = COMPLETE.replace(f":: hard::{name}\n", ":: hard::Other\n")
+            self.assertEqual(self.missing(reference), [f"hard::{name}"])
 
 
 if __name__ == "__main__":

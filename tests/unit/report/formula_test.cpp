@@ -54,9 +54,12 @@ TEST(Formula, HasFractionsRootsAndWords) {
 }
 
 TEST(Formula, HasDelimitersThatGrowWhereItSaysSo) {
-  EXPECT_EQ(math("(x)"), "<mo stretchy=\"false\">(</mo><mi>x</mi><mo stretchy=\"false\">)</mo>");
+  EXPECT_EQ(math("(x)"),
+            "<mo stretchy=\"false\" lspace=\"0\" rspace=\"0\">(</mo><mi>x</mi><mo stretchy=\"false\" "
+            "lspace=\"0\" rspace=\"0\">)</mo>");
   EXPECT_EQ(math(R"(\left( x \right))"),
-            "<mrow><mo stretchy=\"true\">(</mo><mi>x</mi><mo stretchy=\"true\">)</mo></mrow>");
+            "<mrow><mo stretchy=\"true\" lspace=\"0\" rspace=\"0\">(</mo><mi>x</mi><mo stretchy=\"true\" "
+            "lspace=\"0\" rspace=\"0\">)</mo></mrow>");
 }
 
 TEST(Formula, ShowsUnknownCommandsByName) {
