@@ -230,7 +230,7 @@ test('rings do not bury a heap at rest, and show where spheres fall on it', asyn
     // However fast it is played, most spheres stay uncovered.
     await page.evaluate(() => (document.getElementById('speed').value = document.getElementById('speed').max));
     await page.locator('#speed').dispatchEvent('input');
-    assert.ok((await ringsAt(3)) <= 150 / 3 + 1e-3);
+    assert.ok((await ringsAt(3)) <= 150 / 5 + 1e-3);
   });
 });
 

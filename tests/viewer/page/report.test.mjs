@@ -126,7 +126,7 @@ test('on paper nothing is split that belongs together', async () => {
           [...document.querySelectorAll(selector)].map((element) => getComputedStyle(element)[property]),
         [selector, property],
       );
-    for (const selector of ['article', 'figure', 'tr', '.pair', '.formula', '.note'])
+    for (const selector of ['article', 'figure', 'table', 'tr', '.pair', '.formula', '.note'])
       for (const value of await styles(selector, 'breakInside')) assert.equal(value, 'avoid', selector);
     for (const selector of ['h2', 'h3', '.formula'])
       for (const value of await styles(selector, 'breakAfter')) assert.equal(value, 'avoid', selector);

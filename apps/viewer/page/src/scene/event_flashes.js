@@ -7,7 +7,7 @@ import { Rings } from './rings.js';
 
 const kMost = 512;
 const kMostLookedAt = 20_000; // contacts for a picture
-const kRingsPerSphere = 1 / 3; // with more, rings fade: spheres are to be seen
+const kRingsPerSphere = 1 / 5; // with more, rings fade: spheres are to be seen
 const kFewRings = 12;
 const kFaintest = 0.05;
 
