@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <utility>
 
 #include "apps/chart/escaped.hpp"
 
@@ -31,14 +30,17 @@ constexpr std::array kLetters = {
     Symbol{"omega", "ω"}, Symbol{"Delta", "Δ"},  Symbol{"Psi", "Ψ"},    Symbol{"Omega", "Ω"},
     Symbol{"ell", "ℓ"},   Symbol{"infty", "∞"},  Symbol{"partial", "∂"}};
 
-constexpr std::array kOperators = {
-    Symbol{"cdot", "⋅"},   Symbol{"times", "×"},  Symbol{"le", "≤"},    Symbol{"ge", "≥"},
-    Symbol{"ne", "≠"},     Symbol{"approx", "≈"}, Symbol{"in", "∈"},    Symbol{"to", "→"},
-    Symbol{"pm", "±"},     Symbol{"sum", "∑"},    Symbol{"int", "∫"},   Symbol{"langle", "⟨"},
-    Symbol{"rangle", "⟩"}, Symbol{"lvert", "|"},  Symbol{"rvert", "|"}, Symbol{"dots", "…"}};
+constexpr std::array kOperators = {Symbol{"cdot", "⋅"},   Symbol{"times", "×"}, Symbol{"le", "≤"},
+                                   Symbol{"ge", "≥"},     Symbol{"ne", "≠"},    Symbol{"in", "∈"},
+                                   Symbol{"approx", "≈"}, Symbol{"to", "→"},    Symbol{"pm", "±"},
+                                   Symbol{"sum", "∑"},    Symbol{"int", "∫"},   Symbol{"dots", "…"}};
 
-constexpr std::array kFunctions = {Symbol{"exp", "exp"}, Symbol{"ln", "ln"},   Symbol{"sin", "sin"},
-                                   Symbol{"cos", "cos"}, Symbol{"min", "min"}, Symbol{"max", "max"}};
+constexpr std::array kBrackets = {Symbol{"langle", "⟨"}, Symbol{"rangle", "⟩"}};
+
+constexpr std::array<std::string_view, 6> kFunctions = {"exp", "ln", "sin", "cos", "min", "max"};
+
+constexpr std::string_view kDelimiters = "()[]|";
+constexpr std::string_view kRight = "\\right";
 
 // The text of a command; empty if it is not among `symbols`.
 template <std::size_t Size>
@@ -70,138 +72,127 @@ class Formula {
   explicit Formula(std::string_view rest) : rest_(rest) {}
 
   std::string markup() {
-    std::string all;
-    while (!rest_.empty()) {
-      all += terms();
-      // Whatever closes here was never opened.
-      if (!rest_.empty()) take_closing();
-    }
-    return all;
+    std::string all = terms();
+    // Whatever closes here was never opened.
+    while (take_if("}") || take_if(kRight)) all += terms();
+    return row(all);
   }
 
  private:
   // Terms up to the end of the group, or of the formula.
   std::string terms() {
     std::string all;
-    for (skip_spaces(); !rest_.empty() && !is_at_closing(); skip_spaces()) all += term();
+    for (skip_spaces(); !is_at_end(); skip_spaces()) all += term();
     return all;
   }
 
-  bool is_at_closing() const { return rest_.front() == '}' || rest_.starts_with("\\right"); }
-
-  void take_closing() { rest_.remove_prefix(rest_.front() == '}' ? 1 : std::string_view("\\right").size()); }
+  bool is_at_end() const { return rest_.empty() || rest_.front() == '}' || rest_.starts_with(kRight); }
 
   void skip_spaces() {
-    while (rest_.starts_with(' ')) rest_.remove_prefix(1);
+    while (take_if(" ")) {
+    }
   }
 
   // A part with its scripts.
   std::string term() {
-    const std::string base = part();
+    std::string base = part();
     std::string lower;
     std::string upper;
     for (skip_spaces(); rest_.starts_with('_') || rest_.starts_with('^'); skip_spaces()) {
-      std::string& script = rest_.front() == '_' ? lower : upper;
-      rest_.remove_prefix(1);
-      script = row(part());
+      std::string& script = take(1) == "_" ? lower : upper;
+      script = group();
     }
-    if (!lower.empty() && !upper.empty()) return "<msubsup>" + row(base) + lower + upper + "</msubsup>";
-    if (!lower.empty()) return "<msub>" + row(base) + lower + "</msub>";
-    if (!upper.empty()) return "<msup>" + row(base) + upper + "</msup>";
-    return base;
+    if (lower.empty() && upper.empty()) return base;
+    const char* const element = lower.empty() ? "msup" : upper.empty() ? "msub" : "msubsup";
+    return fmt::format("<{0}>{1}{2}{3}</{0}>", element, row(base), lower, upper);
   }
 
-  // A letter, number, operator, command or group; empty at the end of the formula.
+  // A letter, number, operator, command or group; nothing at the end, and where a script has nothing to
+  // belong to.
   std::string part() {
     skip_spaces();
-    if (rest_.empty() || is_at_closing()) return {};
-    const char first = rest_.front();
-    if (first == '{' || first == '\\') {
-      if (depth_ == kDeepest) return rest_ = {}, std::string();
-      ++depth_;
-      const std::string markup = first == '{' ? group() : command();
-      --depth_;
-      return markup;
-    }
-    if (is_digit(first))
+    if (is_at_end() || rest_.front() == '^' || rest_.front() == '_') return {};
+    if (rest_.front() == '{') return group();
+    if (take_if("\\")) return command();
+    if (is_digit(rest_.front())) {
       return "<mn>" + escaped(take_while([](char c) { return is_digit(c) || c == '.'; })) + "</mn>";
-    if (is_letter(first)) return "<mi>" + escaped(take(1)) + "</mi>";
-    if (first == '-') return take(1), "<mo>−</mo>";
-    if (first == '/') return take(1), "<mo lspace=\"0\" rspace=\"0\">/</mo>";
-    if (first == '^' || first == '_') return take(1), std::string();
-    if (first == '(' || first == ')' || first == '[' || first == ']' || first == '|')
-      return delimiter(take(1), false);
-    // A character of several bytes is one part.
-    return "<mo>" + escaped(take(1 + continuation_bytes())) + "</mo>";
+    }
+    if (is_letter(rest_.front())) return "<mi>" + escaped(take(1)) + "</mi>";
+    const std::string_view character = take_character();
+    if (character == "-") return "<mo>−</mo>";
+    if (character == "/") return "<mo lspace=\"0\" rspace=\"0\">/</mo>";
+    if (kDelimiters.find(character) != std::string_view::npos) return delimiter(character, false);
+    return "<mo>" + escaped(character) + "</mo>";
   }
 
-  std::size_t continuation_bytes() const {
-    std::size_t count = 0;
-    while (1 + count < rest_.size() && (static_cast<unsigned char>(rest_[1 + count]) & 0xc0U) == 0x80U)
-      ++count;
-    return count;
-  }
-
-  // The terms in braces; one part if there are none.
+  // The terms in braces, or a single part without, as one element.
   std::string group() {
-    skip_spaces();
-    if (!rest_.starts_with('{')) return part();
-    rest_.remove_prefix(1);
-    const std::string inside = terms();
-    if (rest_.starts_with('}')) rest_.remove_prefix(1);
-    return row(inside);
+    return nested([this] {
+      skip_spaces();
+      if (!take_if("{")) return row(part());
+      const std::string inside = terms();
+      take_if("}");
+      return row(inside);
+    });
   }
 
+  // A command after its backslash.
   std::string command() {
-    rest_.remove_prefix(1);
-    if (rest_.starts_with(',')) return take(1), "<mspace width=\"0.17em\"></mspace>";
+    if (take_if(",")) return "<mspace width=\"0.17em\"></mspace>";
     const std::string_view name = take_while(is_letter);
     if (name == "frac") {
-      const std::string above = row(group());
-      return "<mfrac>" + above + row(group()) + "</mfrac>";
+      const std::string above = group();
+      return "<mfrac>" + above + group() + "</mfrac>";
     }
     if (name == "sqrt") return "<msqrt>" + group() + "</msqrt>";
-    if (name == "overline") return "<mover accent=\"true\">" + row(group()) + "<mo>¯</mo></mover>";
     if (name == "text") return "<mtext>" + escaped(verbatim()) + "</mtext>";
     if (name == "mathrm") return "<mi mathvariant=\"normal\">" + escaped(verbatim()) + "</mi>";
     if (name == "mathbf")
       return "<mi mathvariant=\"normal\" class=\"vector\">" + escaped(verbatim()) + "</mi>";
     if (name == "left") return enclosed();
     if (const auto text = text_of(kLetters, name); !text.empty()) return fmt::format("<mi>{}</mi>", text);
-    if (const auto text = text_of(kFunctions, name); !text.empty())
-      return fmt::format("<mi>{}</mi><mo>&#x2061;</mo>", text);
-    if (name == "langle" || name == "rangle" || name == "lvert" || name == "rvert")
-      return delimiter(text_of(kOperators, name), false);
     if (const auto text = text_of(kOperators, name); !text.empty()) return fmt::format("<mo>{}</mo>", text);
+    if (const auto text = text_of(kBrackets, name); !text.empty()) return delimiter(text, false);
+    if (std::ranges::find(kFunctions, name) != kFunctions.end()) {
+      return fmt::format("<mi>{}</mi><mo>&#x2061;</mo>", name);
+    }
     return "<mtext>\\" + escaped(name) + "</mtext>";
   }
 
   // From \left to its \right, with delimiters as high as what is between them.
   std::string enclosed() {
-    const std::string opening = bracket();
-    const std::string inside = terms();
-    std::string closing;
-    if (rest_.starts_with("\\right")) {
-      take_closing();
-      closing = bracket();
-    }
-    return row(opening + inside + closing);
+    return nested([this] {
+      std::string all = growing_delimiter();
+      all += terms();
+      if (take_if(kRight)) all += growing_delimiter();
+      return row(all);
+    });
   }
 
-  std::string bracket() {
+  std::string growing_delimiter() {
     skip_spaces();
-    if (rest_.empty() || is_at_closing()) return {};
-    if (rest_.front() != '\\') return delimiter(take(1 + continuation_bytes()), true);
-    rest_.remove_prefix(1);
-    return delimiter(text_of(kOperators, take_while(is_letter)), true);
+    if (is_at_end()) return {};
+    return delimiter(take_if("\\") ? text_of(kBrackets, take_while(is_letter)) : take_character(), true);
   }
 
-  // What is in braces, as it is.
+  // What `read` returns, one level deeper; nothing, and the end of the formula, where that is too deep.
+  template <class Read>
+  std::string nested(Read read) {
+    if (depth_ == kDeepest) {
+      rest_ = {};
+      return row({});
+    }
+    ++depth_;
+    std::string markup = read();
+    --depth_;
+    return markup;
+  }
+
+  // What is in braces, or the next byte without, as it is.
   std::string_view verbatim() {
-    if (!rest_.starts_with('{')) return take(std::min<std::size_t>(1, rest_.size()));
-    const std::size_t end = std::min(rest_.find('}'), rest_.size());
-    const std::string_view inside = rest_.substr(1, end - 1);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    if (!take_if("{")) return take(1);
+    const std::string_view inside = take(std::min(rest_.find('}'), rest_.size()));
+    take_if("}");
     return inside;
   }
 
@@ -211,9 +202,23 @@ class Formula {
     return taken;
   }
 
+  bool take_if(std::string_view text) {
+    const bool is_next = rest_.starts_with(text);
+    if (is_next) take(text.size());
+    return is_next;
+  }
+
   template <class Is>
   std::string_view take_while(Is is) {
     return take(static_cast<std::size_t>(std::ranges::find_if_not(rest_, is) - rest_.begin()));
+  }
+
+  // A character of one or more bytes.
+  std::string_view take_character() {
+    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U; };
+    std::size_t bytes = 1;
+    while (bytes < rest_.size() && continues(rest_[bytes])) ++bytes;
+    return take(bytes);
   }
 
   std::string_view rest_;
@@ -229,7 +234,7 @@ std::string with_formulas(std::string_view text) {
     const std::size_t end = begin == std::string_view::npos ? begin : text.find('$', begin + 1);
     if (end == std::string_view::npos) return html + escaped(text);
     html += escaped(text.substr(0, begin));
-    html += "<math>" + row(Formula(text.substr(begin + 1, end - begin - 1)).markup()) + "</math>";
+    html += "<math>" + Formula(text.substr(begin + 1, end - begin - 1)).markup() + "</math>";
     text.remove_prefix(end + 1);
   }
 }

@@ -222,8 +222,8 @@ std::string species_text(const SpeciesReport& species) {
 }
 
 SpeciesNames names_of(const std::vector<SpeciesReport>& species) {
-  std::vector<std::string> names;
-  for (const SpeciesReport& each : species) names.push_back(each.name);
+  std::vector<std::string> names(species.size());
+  std::ranges::transform(species, names.begin(), &SpeciesReport::name);
   return SpeciesNames(std::move(names));
 }
 

@@ -39,15 +39,13 @@ TEST(Formula, HasLettersNumbersAndOperators) {
 
 TEST(Formula, HasScripts) {
   EXPECT_EQ(math("v^2"), "<msup><mrow><mi>v</mi></mrow><mrow><mn>2</mn></mrow></msup>");
-  EXPECT_EQ(math("Q_{lm}"),
-            "<msub><mrow><mi>Q</mi></mrow><mrow><mrow><mi>l</mi><mi>m</mi></mrow></mrow></msub>");
+  EXPECT_EQ(math("Q_{lm}"), "<msub><mrow><mi>Q</mi></mrow><mrow><mi>l</mi><mi>m</mi></mrow></msub>");
   EXPECT_EQ(math("C_a^b"), math("C^b_a"));
   EXPECT_NE(math("C_a^b").find("<msubsup>"), std::string::npos);
 }
 
 TEST(Formula, HasFractionsRootsAndWords) {
-  EXPECT_EQ(math(R"(\frac{1}{2})"),
-            "<mfrac><mrow><mrow><mn>1</mn></mrow></mrow><mrow><mrow><mn>2</mn></mrow></mrow></mfrac>");
+  EXPECT_EQ(math(R"(\frac{1}{2})"), "<mfrac><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></mfrac>");
   EXPECT_EQ(math(R"(\sqrt{x})"), "<msqrt><mrow><mi>x</mi></mrow></msqrt>");
   EXPECT_EQ(math(R"(\text{if } x)"), "<mtext>if </mtext><mi>x</mi>");
   EXPECT_EQ(math(R"(\mathbf{v})"), "<mi mathvariant=\"normal\" class=\"vector\">v</mi>");
@@ -96,7 +94,7 @@ std::string faults_with(const std::string& html) {
 TEST(Formula, IsWellFormedWhateverTheText) {
   const std::string pieces[] = {"\\frac", "\\left", "\\right", "\\sqrt", "{",    "}",
                                 "^",      "_",      "(",       "\\",     " ",    "\\text",
-                                "x",      "<",      "&",       "\\sum",  "\xff", "\\overline"};
+                                "x",      "<",      "&",       "\\sum",  "\xff", "\\mathbf"};
   std::string all;
   std::uint64_t state = 1;
   for (int k = 0; k < 300; ++k) {
