@@ -234,8 +234,14 @@ std::string with_formulas(std::string_view text) {
     const std::size_t end = begin == std::string_view::npos ? begin : text.find('$', begin + 1);
     if (end == std::string_view::npos) return html + escaped(text);
     html += escaped(text.substr(0, begin));
-    html += "<math>" + Formula(text.substr(begin + 1, end - begin - 1)).markup() + "</math>";
+    const std::string math = "<math>" + Formula(text.substr(begin + 1, end - begin - 1)).markup() + "</math>";
     text.remove_prefix(end + 1);
+    // No line begins with a comma.
+    const std::size_t punctuation = std::min(text.find_first_not_of(",.;:"), text.size());
+    html += punctuation == 0
+                ? math
+                : fmt::format("<span class=\"unbroken\">{}{}</span>", math, text.substr(0, punctuation));
+    text.remove_prefix(punctuation);
   }
 }
 

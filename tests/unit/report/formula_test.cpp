@@ -30,6 +30,12 @@ TEST(Formula, LeavesOtherTextAsItIs) {
   EXPECT_EQ(with_formulas("over $d$ dimensions"), "over <math><mrow><mi>d</mi></mrow></math> dimensions");
 }
 
+TEST(Formula, KeepsPunctuationOnItsLine) {
+  EXPECT_EQ(with_formulas("$d$, $e$"),
+            "<span class=\"unbroken\"><math><mrow><mi>d</mi></mrow></math>,</span> "
+            "<math><mrow><mi>e</mi></mrow></math>");
+}
+
 TEST(Formula, HasLettersNumbersAndOperators) {
   EXPECT_EQ(math("x = -12.5 + y"), "<mi>x</mi><mo>=</mo><mo>−</mo><mn>12.5</mn><mo>+</mo><mi>y</mi>");
   EXPECT_EQ(math("a < b"), "<mi>a</mi><mo>&lt;</mo><mi>b</mi>");
