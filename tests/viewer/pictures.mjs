@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Makes the pictures of the viewer in docs/figures: HARDBALL_PROGRAM=build/release/hardball node pictures.mjs [NAME...]
-// Needs pngquant in addition to what the tests need.
+// Needs pngquant and img2webp (Debian's webp) in addition to what the tests need.
 import { execFileSync } from 'node:child_process';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -20,6 +20,7 @@ const kPictures = {
     async prepare(page) {
       await page.evaluate(() => window.hardball.setTime(3));
     },
+    movie: { frames: 40, from: 1, step: 0.02, milliseconds: 60 },
   },
   // Spheres that fill 54.5% of a periodic box stay on the sites of their crystal.
   viewer_crystal: {
@@ -75,9 +76,28 @@ const kPictures = {
   },
 };
 
+const settled = (page) =>
+  page.waitForFunction(() => {
+    const { chunks, chunksInMemory, isBuffering } = window.hardball.state();
+    return !isBuffering && chunksInMemory === chunks;
+  });
+
+// Writes an animated WebP of frames that are half as large as the picture.
+async function makeMovie(page, { frames, from, step, milliseconds }, folder, file) {
+  const images = [];
+  for (let k = 0; k < frames; ++k) {
+    await page.evaluate((time) => window.hardball.setTime(time), from + k * step);
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    images.push(join(folder, `frame${k}.png`));
+    await page.screenshot({ path: images.at(-1) });
+  }
+  const looks = ['-lossy', '-q', '40', '-m', '6', '-d', String(milliseconds)];
+  execFileSync('img2webp', ['-loop', '0', ...images.flatMap((image) => [...looks, image]), '-o', file]);
+}
+
 const wanted = process.argv.slice(2);
 const browser = await Browser.launch();
-for (const [name, { scenario, settings, scheme, prepare }] of Object.entries(kPictures)) {
+for (const [name, { scenario, settings, scheme, prepare, movie }] of Object.entries(kPictures)) {
   if (wanted.length > 0 && !wanted.includes(name)) continue;
   await withFolder(async (folder) => {
     const path = join(kRoot, 'scenarios', scenario);
@@ -85,15 +105,17 @@ for (const [name, { scenario, settings, scheme, prepare }] of Object.entries(kPi
     const program = await view(folder);
     const page = await browser.open(program.url, { width: 1280, height: 780, scheme });
     await prepare(page);
-    await page.waitForFunction(() => {
-      const { chunks, chunksInMemory, isBuffering } = window.hardball.state();
-      return !isBuffering && chunksInMemory === chunks;
-    });
+    await settled(page);
     // Plots are updated less often.
     await page.waitForTimeout(1500);
     const file = join(kRoot, 'docs', 'figures', `${name}.png`);
     await page.screenshot({ path: file });
     execFileSync('pngquant', ['--force', '--strip', '--ext', '.png', '200', file]);
+    if (movie) {
+      const small = await browser.open(program.url, { width: 1280, height: 780, scheme, pixelRatio: 0.5 });
+      await settled(small);
+      await makeMovie(small, movie, folder, join(kRoot, 'docs', 'figures', `${name}.webp`));
+    }
     await program.stop();
   });
 }
