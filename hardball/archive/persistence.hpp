@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "hardball/errors/language.hpp"
+
 namespace hardball {
 
 /// What a class befriends so that archives can restore it.

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "hardball/errors/language.hpp"
+
 namespace hardball {
 
 /// The one exception for bad input: what is wrong, where, and the remedy, in one line.

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "hardball/errors/language.hpp"
+
 namespace hardball {
 
 /// A point in time [T], held as the unevaluated sum of two doubles; `high` is the double nearest to the sum.

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "hardball/errors/language.hpp"
 #include "hardball/geometry/inlining.hpp"
 
 namespace hardball {

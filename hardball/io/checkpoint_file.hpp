@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "hardball/errors/language.hpp"
+
 namespace hardball {
 
 /// Part of a checkpoint: whatever bytes its owner needs to go on.

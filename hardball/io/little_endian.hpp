@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <string>
 
+#include "hardball/errors/language.hpp"
+
 namespace hardball {
 
 /// Appends a number to `bytes`, least significant byte first.

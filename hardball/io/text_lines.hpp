@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/errors/language.hpp"
+
 namespace hardball {
 
 /// A location in the text being read, for messages.

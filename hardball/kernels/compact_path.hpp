@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "hardball/errors/language.hpp"
+
 namespace hardball {
 
 /// A copy of a path from a recent moment on, of half its size, from which contact times are bounded: see

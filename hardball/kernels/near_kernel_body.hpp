@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "hardball/errors/language.hpp"
 #include "hardball/kernels/near_kernel.hpp"
 
 namespace hardball {

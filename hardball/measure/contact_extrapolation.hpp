@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "hardball/errors/language.hpp"
+
 namespace hardball {
 
 /// Extrapolates a density to contact, from its means in bins of the gap near it: fits a cubic in the gap,

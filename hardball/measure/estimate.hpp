@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "hardball/errors/language.hpp"
+
 namespace hardball {
 
 /// A number with its statistical error.

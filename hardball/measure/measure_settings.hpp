@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/errors/language.hpp"
+
 namespace hardball {
 
 /// The names of all measures, in the order of their results.

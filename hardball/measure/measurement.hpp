@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "hardball/errors/language.hpp"
+
 namespace hardball {
 
 /// A measured number.

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "hardball/errors/language.hpp"
+
 namespace hardball {
 
 /// The same coefficient of restitution at any impact speed [1].
@@ -26,6 +28,8 @@ class ViscoelasticRestitution {
 
   /// At an impact speed [L/T].
   double at(double speed) const;
+  /// The impact speed at which the coefficient was given [L/T].
+  double speed() const { return speed_; }
   /// The same law where all speeds are this many times as large.
   ViscoelasticRestitution scaled(double factor) const;
 

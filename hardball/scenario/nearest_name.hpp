@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "hardball/errors/language.hpp"
+
 namespace hardball {
 
 /// What to write instead of `word`: the nearest of `names` if so few edits away that `word` may be a

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "hardball/errors/language.hpp"
+
 namespace hardball {
 
 /// Times at equal intervals: start + k * every, for k = 1, 2, ...
