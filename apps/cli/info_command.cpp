@@ -10,6 +10,7 @@
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/little_endian.hpp"
+#include "hardball/io/npy_event_log.hpp"
 #include "hardball/io/npy_header.hpp"
 #include "hardball/io/recording_reader.hpp"
 #include "hardball/io/snapshot_format.hpp"
@@ -77,16 +78,10 @@ std::string about_recording(const std::filesystem::path& path) {
 // The time of a contact in the event log.
 double contact_time(std::ifstream& file, const NpyHeader& header, std::uint64_t contact) {
   std::array<char, 8> bytes{};
-  file.seekg(
-      static_cast<std::streamoff>(header.offset + contact * header.item_bytes + header.find("t")->offset));
+  const std::uint64_t offset = time_in_event_log(header)->offset;
+  file.seekg(static_cast<std::streamoff>(header.offset + contact * header.item_bytes + offset));
   file.read(bytes.data(), bytes.size());
   return read_little_endian<double>(bytes.data());
-}
-
-bool is_event_log(const NpyHeader& header) {
-  const NpyField* const time = header.find("t");
-  return time && time->kind == 'f' && time->bytes == 8 && header.find("i") && header.find("j") &&
-         header.find("kind") && header.shape.size() == 1;
 }
 
 std::string about_event_log(const std::filesystem::path& path, const NpyHeader& header) {
@@ -103,7 +98,7 @@ std::string about(const std::filesystem::path& path) {
   if (path.extension() == ".hbr") return about_recording(path);
   if (format_of(path) == SnapshotFormat::npy) {
     const NpyHeader header = read_npy_header(path);
-    if (is_event_log(header)) return about_event_log(path, header);
+    if (time_in_event_log(header)) return about_event_log(path, header);
   }
   return about_snapshots(path);
 }

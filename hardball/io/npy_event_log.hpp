@@ -5,20 +5,27 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "hardball/io/npy_header.hpp"
 #include "hardball/io/output_file.hpp"
 #include "hardball/response/contact.hpp"
 
 namespace hardball {
 
+/// The field that holds the times, if the array of a NumPy file is an event log; otherwise null.
+const NpyField* time_in_event_log(const NpyHeader& header);
+
 /// Writes every collision and wall contact to a NumPy file: one structured array, for numpy.load.
 ///
-/// The fields, packed and little-endian:
-/// - `t` f8: when [T];
-/// - `i` u4: the sphere; for a collision, the one with the lower id;
-/// - `j` i4: the other sphere, or -(number + 1) for a wall (see Face);
+/// The fields, packed and little-endian, have the names and values that they have in Contact:
+/// - `time` f8: when [T];
+/// - `first` u4: the sphere; for a collision, the one with the lower id;
+/// - `second` u4: the other sphere or, for a wall, its number (see Face);
 /// - `kind` u1: 0 a collision, 1 a wall;
-/// - `impulse` 3 f8: the momentum that `i` gained [M L/T];
+/// - `impulse` 3 f8: the momentum that `first` gained [M L/T];
 /// - `normal_speed` f8: the speed at which the surfaces met [L/T].
+///
+/// Files of earlier versions have `t`, `i` and `j`, an i4 that is -(number + 1) for a wall, and are continued
+/// with these.
 ///
 /// The file can be read while it grows, and after a run that failed: every flush updates the record count in
 /// the header, which has 256 bytes. Source: NumPy enhancement proposal 1, format version 1.0.
@@ -27,8 +34,8 @@ class NpyEventLog {
   /// Creates the file. Error: it cannot be opened for writing.
   explicit NpyEventLog(std::filesystem::path path);
   /// Opens a file written before to go on after its first `size` records; the rest is cut off as soon as
-  /// one follows. Error: it cannot be opened for writing, or is shorter.
-  NpyEventLog(std::filesystem::path path, std::uint64_t size);
+  /// one follows. Error: it cannot be opened for writing, is shorter, or no NumPy file.
+  NpyEventLog(const std::filesystem::path& path, std::uint64_t size);
 
   /// Precondition: ids are below 2^31. Error (RunFailure): the file cannot be written.
   void append(const Contact& contact);
@@ -50,6 +57,7 @@ class NpyEventLog {
   std::uint64_t size() const { return size_; }
 
  private:
+  bool is_of_earlier_version_ = false;
   OutputFile file_;
   std::uint64_t size_ = 0;
   std::uint64_t counted_ = 0;  // by the header

@@ -155,7 +155,7 @@ TEST_F(Failure, OfAProcessKilledOutrightLosesLittleOfTheEventLog) {
              "import numpy\n"
              "header = numpy.lib.format.open_memmap('out/events.npy', mode='r')\n"
              "events = numpy.fromfile('out/events.npy', header.dtype, offset=256)\n"
-             "print(len(header), len(events), bool(numpy.all(numpy.diff(events['t']) >= 0)))\n");
+             "print(len(header), len(events), bool(numpy.all(numpy.diff(events['time']) >= 0)))\n");
   const Outcome outcome = Program(folder_, {"read.py"}, HARDBALL_PYTHON).wait();
   EXPECT_EQ(outcome.output, std::to_string(counted) + " " + std::to_string((bytes - 256) / 49) + " True\n")
       << outcome.messages;

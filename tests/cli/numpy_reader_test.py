@@ -49,14 +49,21 @@ def main():
         assert len(chunks) > 2, "one chunk would prove little"
         contacts = np.concatenate([chunk[3] for chunk in chunks])
         events = np.load(out / "events.npy")
-        for field in ("t", "i", "j"):
-            assert (contacts[field] == events[field]).all(), field
+        walls = events["kind"] == 1
+        assert walls.any() and not walls.all()
+        assert (contacts["t"] == events["time"]).all() and (contacts["i"] == events["first"]).all()
+        assert (np.where(walls, -1 - contacts["j"], contacts["j"]) == events["second"]).all()
         shown = re.findall(r"```python\n(.*?)```", (Path(docs) / "scenarios.md").read_text(), re.S)
         found = {}
         os.chdir(folder)
         exec("".join(block for block in shown if "events" in block), found)
-        within = (events["t"] >= 2.5) & (events["t"] <= 3.5)
+        within = (events["time"] >= 2.5) & (events["time"] <= 3.5)
         assert within.any() and (events[within] == found["events"][found["first"]:found["end"]]).all()
+        earlier = events.astype([("t", "<f8"), ("i", "<u4"), ("j", "<i4"), *events.dtype.descr[3:]])
+        earlier["j"][walls] = -1 - earlier["j"][walls]
+        np.save(Path(folder) / "earlier.npy", earlier)
+        assert (found["read_events"](Path(folder) / "earlier.npy") == events).all()
+        assert (found["read_events"](out / "events.npy") == events).all()
         frames = 0
         lines = (out / "trajectory.xyz").read_text().splitlines()
         while lines:

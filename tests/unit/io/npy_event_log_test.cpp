@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cstdint>
 #include <cstring>
 #include <string>
+#include <vector>
 
+#include "hardball/io/little_endian.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball {
@@ -15,6 +18,7 @@ namespace {
 
 using support::read_text;
 using support::ScratchFolder;
+using support::write_text;
 
 constexpr std::size_t kRecordBytes = 49;
 constexpr std::size_t kHeaderBytes = 256;
@@ -28,6 +32,14 @@ Contact make_contact(double time) {
   contact.first_mass = 2;
   contact.before = {{1, 0, 0}, {-1, 0, 0}};
   contact.after = {{-1, 0.25, 0}, {1, 0, 0}};
+  return contact;
+}
+
+Contact make_wall_contact(Face face, double time = 1) {
+  Contact contact = make_contact(time);
+  contact.kind = EventKind::wall;
+  contact.second = face;
+  contact.wall_normal = {1, 0, 0};
   return contact;
 }
 
@@ -68,22 +80,61 @@ TEST(NpyEventLog, WritesCollisionsFieldByField) {
   EXPECT_EQ(value_at<double>(bytes, kHeaderBytes + 41), 2);
 }
 
-TEST(NpyEventLog, WritesWallsAsNegativeNumbers) {
+TEST(NpyEventLog, NumbersWallsAsContactsDo) {
   const ScratchFolder folder;
   NpyEventLog log(folder / "events.npy");
-  for (Face face = 0; face < 6; ++face) {
-    Contact contact = make_contact(1);
-    contact.kind = EventKind::wall;
-    contact.second = face;
-    log.append(contact);
-  }
+  for (Face face = 0; face < 6; ++face) log.append(make_wall_contact(face));
   log.close();
   const std::string bytes = read_text(folder / "events.npy");
-  for (std::size_t face = 0; face < 6; ++face) {
+  for (std::uint32_t face = 0; face < 6; ++face) {
     const std::size_t record = kHeaderBytes + face * kRecordBytes;
-    EXPECT_EQ(value_at<std::int32_t>(bytes, record + 12), -static_cast<std::int32_t>(face) - 1);
+    EXPECT_EQ(value_at<std::uint32_t>(bytes, record + 12), face);
     EXPECT_EQ(bytes[record + 16], 1);
   }
+}
+
+TEST(NpyEventLog, HasTheNamesOfContacts) {
+  const ScratchFolder folder;
+  NpyEventLog(folder / "events.npy").append(make_contact(0.5));
+  const NpyHeader header = read_npy_header(folder / "events.npy");
+  std::vector<std::string> names;
+  for (const NpyField& field : header.fields) names.push_back(field.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"time", "first", "second", "kind", "impulse", "normal_speed"}));
+  ASSERT_TRUE(time_in_event_log(header));
+  EXPECT_EQ(time_in_event_log(header)->name, "time");
+}
+
+// What an earlier version wrote: one collision, and a wall contact if there are two records.
+std::string earlier_log(int records) {
+  std::string header =
+      "{'descr': [('t', '<f8'), ('i', '<u4'), ('j', '<i4'), ('kind', '|u1'), ('impulse', '<f8', (3,)), "
+      "('normal_speed', '<f8')], 'fortran_order': False, 'shape': (" +
+      std::to_string(records) + ",)}";
+  header.resize(kHeaderBytes - 11, ' ');
+  std::string bytes = std::string("\x93NUMPY\x01\x00\xf6\x00", 10) + header + "\n";
+  append_little_endian(bytes, 1.0);
+  append_little_endian(bytes, std::uint32_t{3});
+  append_little_endian(bytes, std::uint32_t{7});
+  bytes += '\0';
+  for (const double number : {-4.0, 0.5, 0.0, 2.0}) append_little_endian(bytes, number);
+  if (records == 1) return bytes;
+  append_little_endian(bytes, 2.0);
+  append_little_endian(bytes, std::uint32_t{3});
+  append_little_endian(bytes, ~std::uint32_t{1});  // -2
+  bytes += '\x01';
+  for (const double number : {-4.0, 0.5, 0.0, 2.0}) append_little_endian(bytes, number);
+  return bytes;
+}
+
+TEST(NpyEventLog, ContinuesAFileOfAnEarlierVersionAsItBegan) {
+  const ScratchFolder folder;
+  write_text(folder / "events.npy", earlier_log(1));
+  ASSERT_TRUE(time_in_event_log(read_npy_header(folder / "events.npy")));
+  EXPECT_EQ(time_in_event_log(read_npy_header(folder / "events.npy"))->name, "t");
+  NpyEventLog log(folder / "events.npy", 1);
+  log.append(make_wall_contact(1, 2));
+  log.close();
+  EXPECT_EQ(read_text(folder / "events.npy"), earlier_log(2));
 }
 
 TEST(NpyEventLog, CanBeReadWhileItGrows) {
