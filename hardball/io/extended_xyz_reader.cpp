@@ -53,6 +53,8 @@ struct Columns {
   std::optional<std::size_t> velocity;
   std::optional<std::size_t> radius;
   std::optional<std::size_t> mass;
+  std::optional<std::size_t> momenta;  // of ASE, as masses
+  std::optional<std::size_t> masses;
   std::optional<std::size_t> id;
   std::optional<std::size_t> type;
   std::optional<std::size_t> spin;
@@ -69,11 +71,13 @@ struct KnownColumn {
   std::optional<std::size_t> Columns::*column;
 };
 
-constexpr std::array<KnownColumn, 9> kKnownColumns{{
+constexpr std::array<KnownColumn, 11> kKnownColumns{{
     {"pos", "R", 3, true, &Columns::position},
-    {"velo", "R", 3, true, &Columns::velocity},
+    {"velo", "R", 3, false, &Columns::velocity},
     {"radius", "R", 1, true, &Columns::radius},
     {"mass", "R", 1, false, &Columns::mass},
+    {"momenta", "R", 3, false, &Columns::momenta},
+    {"masses", "R", 1, false, &Columns::masses},
     {"id", "I", 1, false, &Columns::id},
     {"type", "I", 1, false, &Columns::type},
     {"angular_velocity", "R", 3, false, &Columns::spin},
@@ -124,6 +128,13 @@ Columns parse_properties(const Token& properties, const TextPlace& place) {
     if (!known.needed || columns.*known.column) continue;
     throw Error("Properties has no column '" + std::string(known.name) + "'", place.text(properties.offset),
                 "add " + description(known));
+  }
+  if (!columns.velocity && !columns.momenta) {
+    throw Error("Properties has no column 'velo'", place.text(properties.offset), "add velo:R:3");
+  }
+  if (!columns.velocity && !columns.mass && !columns.masses) {
+    throw Error("Properties has momenta, but no masses", place.text(properties.offset),
+                "add masses:R:1, or velo:R:3");
   }
   return columns;
 }
@@ -254,9 +265,15 @@ Snapshot read_frame(Lines& lines) {
     const Row row(lines, columns.count);
     Sphere& sphere = snapshot.spheres.emplace_back();
     sphere.position = row.vector(*columns.position, "pos");
-    sphere.velocity = row.vector(*columns.velocity, "velo");
     sphere.radius = row.real(*columns.radius, "radius");
-    if (columns.mass) sphere.mass = row.mass(*columns.mass);
+    if (const auto mass = columns.mass ? columns.mass : columns.masses) sphere.mass = row.mass(*mass);
+    if (columns.velocity) {
+      sphere.velocity = row.vector(*columns.velocity, "velo");
+    } else {
+      const double mass = columns.masses ? row.real(*columns.masses, "masses") : sphere.mass;
+      const Vec3 momentum = row.vector(*columns.momenta, "momenta");
+      sphere.velocity = {momentum.x / mass, momentum.y / mass, momentum.z / mass};
+    }
     if (columns.type) sphere.species = species_of_type(row.integer(*columns.type, "type"));
     if (columns.spin) sphere.spin = row.vector(*columns.spin, "angular_velocity");
     if (columns.moment) sphere.moment = row.real(*columns.moment, "moment");

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/io/extended_xyz_writer.hpp"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
 #include "hardball/io/append_text.hpp"
+#include "hardball/world/range.hpp"
 
 namespace hardball {
 namespace {
@@ -13,6 +15,8 @@ namespace {
 constexpr std::string_view kProperties = "type:I:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1:map_shift:I:3";
 // Only where spheres spin.
 constexpr std::string_view kSpinProperties = ":angular_velocity:R:3:moment:R:1";
+// From which ASE takes velocities and masses.
+constexpr std::string_view kAseProperties = ":momenta:R:3:masses:R:1";
 
 std::string comment_line(const Snapshot& snapshot) {
   const SnapshotBox box = box_of(snapshot);
@@ -39,6 +43,7 @@ std::string comment_line(const Snapshot& snapshot) {
   line += "Properties=";
   line += kProperties;
   if (snapshot.has_spins) line += kSpinProperties;
+  line += kAseProperties;
   line += '\n';
   return line;
 }
@@ -62,6 +67,10 @@ void append_extended_xyz(const Snapshot& snapshot, std::uint64_t /*frame*/, cons
       append_text(line, sphere.spin);
       append_text(line, sphere.moment);
     }
+    // With an infinite mass there would be no momentum.
+    const double mass = std::min(sphere.mass, kLargestMagnitude);
+    append_text(line, mass * sphere.velocity);
+    append_text(line, mass);
     line.back() = '\n';
     append(line);
   }

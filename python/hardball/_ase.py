@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     import ase
 
 
+_KINEMATIC = 1e60  # in files, for ASE, the mass of spheres that no collision deflects [M]
+
+
 def arguments_of(atoms: ase.Atoms, radius: ArrayLike | None) -> dict[str, Any]:
     """The arguments of Simulation. Error: the cell has other than right angles; there are no radii."""
     if not hasattr(atoms, "get_momenta"):
@@ -31,12 +34,12 @@ def arguments_of(atoms: ase.Atoms, radius: ArrayLike | None) -> dict[str, Any]:
         if "radius" not in atoms.arrays:
             raise _hardball.Error("the atoms have no radii: give radius, or an array 'radius' of the atoms")
         radius = atoms.arrays["radius"]
-    momenta = atoms.get_momenta()
     masses = atoms.get_masses()
+    velocities = atoms.get_momenta() / masses[:, np.newaxis]
     return {
         "box": _hardball.Box(["periodic" if along else "open" for along in atoms.pbc], np.where(atoms.pbc, size, 0)),
         "positions": atoms.positions,
-        "velocities": momenta / masses[:, np.newaxis],
+        "velocities": velocities,
         "radius": radius,
-        "mass": masses,
+        "mass": np.where(masses < _KINEMATIC, masses, np.inf),
     }

@@ -174,10 +174,14 @@ def check_ase_xyz(path, frames):
         for name in ["angular_velocity", "moment"]:
             if frame.has(name):
                 same(atoms.arrays[name], frame[name], "ASE xyz " + name)
+        same(atoms.get_masses(), numpy.minimum(frame["mass"], 1e60), "ASE xyz masses")
+        # Rounded twice: as momenta, and by ASE.
+        if not numpy.allclose(atoms.get_velocities(), frame["velo"], rtol=2**-52, atol=0):
+            raise SystemExit("FAILED: ASE xyz velocities")
         same(atoms.cell.lengths(), frame.size, "ASE xyz cell")
         assert atoms.pbc.tolist() == frame.pbc
         assert float(atoms.info["Time"]) == frame.time
-    return "positions, velo, radius, mass, id, type, map_shift, angular_velocity, moment, cell, pbc, Time"
+    return "positions, velocities, masses, cell, pbc, Time, and all columns as arrays"
 
 
 def check_ase_lammps(path, frames):
@@ -238,14 +242,20 @@ def check_mdanalysis(folder, frames):
     universe = MDAnalysis.Universe(dump, format="LAMMPSDUMP", topology_format="LAMMPSDUMP")
     same(universe.atoms.ids, frames[0]["id"], "MDAnalysis dump ids")
     assert len(universe.trajectory) == len(frames)
-    for step, frame in zip(universe.trajectory, frames):
+    both = MDAnalysis.Universe(str(folder / "trajectory.gsd"), dump, format="LAMMPSDUMP")
+    single(both.atoms.masses, frames[0]["mass"], "MDAnalysis gsd and dump masses")
+    for step, step_of_both, frame in zip(universe.trajectory, both.trajectory, frames):
         near(step.positions, frame["pos"] - frame.origin, "MDAnalysis dump positions")
         near(step.velocities, frame["velo"], "MDAnalysis dump velocities")
+        near(step.dimensions[:3], frame.size, "MDAnalysis dump dimensions")
+        same(step_of_both.positions, step.positions, "MDAnalysis gsd and dump positions")
+        same(step_of_both.velocities, step.velocities, "MDAnalysis gsd and dump velocities")
     universe = MDAnalysis.Universe(str(folder / "trajectory.xyz"))
     assert len(universe.trajectory) == len(frames)
     for step, frame in zip(universe.trajectory, frames):
         near(step.positions, frame["pos"], "MDAnalysis xyz positions")
-    return "gsd: positions, masses, radii, dimensions; dump: positions, velocities, ids; xyz: positions"
+    return ("gsd: positions, masses, radii, dimensions; dump: positions, velocities, dimensions, ids; "
+            "gsd and dump together: all of these; xyz: positions")
 
 
 def check_vtk(path, frames):
@@ -331,8 +341,12 @@ def check_start(program, folder):
     ase_atoms.arrays["velo"] = numpy.array([[1.0, 0, 0], [0, 0, 0]])
     ase_atoms.arrays["radius"] = numpy.array([0.5, 0.25])
     ase.io.write(folder / "start.xyz", ase_atoms, format="extxyz")
+    del ase_atoms.arrays["velo"]
+    ase_atoms.set_masses([1, 1])
+    ase_atoms.set_velocities([[1.0, 0, 0], [0, 0, 0]])
+    ase.io.write(folder / "momenta.xyz", ase_atoms, format="extxyz")
     expected = None
-    for name in ["start.gsd", "start.npy", "fields.npy", "start.xyz"]:
+    for name in ["start.gsd", "start.npy", "fields.npy", "start.xyz", "momenta.xyz"]:
         out = folder / (name + ".csv")
         subprocess.run([program, "convert", folder / name, out], check=True, stdout=subprocess.DEVNULL)
         read = numpy.genfromtxt(out, delimiter=",", names=True)
@@ -342,6 +356,18 @@ def check_start(program, folder):
         print(f"start states: {name}: positions, velocities, radii, masses")
 
 
+def check_kinematic(program, folder):
+    """ASE, which knows no infinite mass, has the velocities of spheres that no collision deflects, too."""
+    (folder / "kinematic.csv").write_text("x,y,z,vx,vy,vz,radius,mass\n1,2,3,0.1,-0.2,0,0.5,inf\n4,5,6,0.3,0,0,0.5,2\n")
+    subprocess.run([program, "convert", folder / "kinematic.csv", folder / "kinematic.xyz"], check=True,
+                   stdout=subprocess.DEVNULL)
+    atoms = ase.io.read(folder / "kinematic.xyz")
+    same(atoms.arrays["mass"], [numpy.inf, 2], "ASE xyz mass")
+    same(atoms.get_masses(), [1e60, 2], "ASE xyz masses")
+    near(atoms.get_velocities(), [[0.1, -0.2, 0], [0.3, 0, 0]], "ASE xyz velocities")
+    print("kinematic: ASE, xyz: velocities, masses")
+
+
 def main():
     program = pathlib.Path(sys.argv[1]).resolve()
     with tempfile.TemporaryDirectory() as folder:
@@ -349,6 +375,7 @@ def main():
             (pathlib.Path(folder) / name).mkdir()
             check(program, name, scenario, pathlib.Path(folder) / name)
         check_start(program, pathlib.Path(folder))
+        check_kinematic(program, pathlib.Path(folder))
 
 
 main()

@@ -36,12 +36,13 @@ std::string second_line(const std::string& text) {
 
 TEST(AppendSnapshot, WritesTheLineThatOvitoAndAseRead) {
   World world(Box({Boundary::periodic, Boundary::wall, Boundary::periodic}, {10, 20, 30}));
-  world.add({.position = {1, 2, 3}, .velocity = {0.1, 0, -2}, .radius = 0.5, .mass = 3});
-  EXPECT_EQ(frame_of(world, 0),
-            "1\n"
-            "Lattice=\"10 0 0 0 20 0 0 0 30\" pbc=\"T F T\" Time=0 "
-            "Properties=type:I:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1:map_shift:I:3\n"
-            "1 1 2 3 0.1 0 -2 0.5 3 0 0 0 0\n");
+  world.add({.position = {1, 2, 3}, .velocity = {0.25, 0, -2}, .radius = 0.5, .mass = 3});
+  EXPECT_EQ(
+      frame_of(world, 0),
+      "1\n"
+      "Lattice=\"10 0 0 0 20 0 0 0 30\" pbc=\"T F T\" Time=0 "
+      "Properties=type:I:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1:map_shift:I:3:momenta:R:3:masses:R:1\n"
+      "1 1 2 3 0.25 0 -2 0.5 3 0 0 0 0 0.75 0 -6 3\n");
 }
 
 TEST(AppendSnapshot, ShowsSpheresWhereTheyAreAtTheTime) {
@@ -56,16 +57,17 @@ TEST(AppendSnapshot, FoldsIntoAPeriodicBoxAndCountsTheBoxes) {
   World world(Box::periodic({10, 10, 10}));
   world.add({.position = {1, 2, 3}, .velocity = {2, -1, 0}, .radius = 0.5});
   const std::string frame = frame_of(world, 15);
-  EXPECT_NE(frame.find("\n1 1 7 3 2 -1 0 0.5 1 0 3 -2 0\n"), std::string::npos) << frame;
+  EXPECT_NE(frame.find("\n1 1 7 3 2 -1 0 0.5 1 0 3 -2 0 2 -1 0 1\n"), std::string::npos) << frame;
 }
 
 TEST(AppendSnapshot, SpansTheSpheresAlongOpenAxes) {
   World world(Box({Boundary::open, Boundary::wall, Boundary::periodic}, {0, 20, 30}));
   world.add({.position = {-4, 2, 3}, .radius = 1});
   world.add({.position = {6, 2, 3}, .radius = 0.5});
-  EXPECT_EQ(second_line(frame_of(world, 0)),
-            "Lattice=\"11.5 0 0 0 20 0 0 0 30\" Origin=\"-5 0 0\" pbc=\"F F T\" unbounded=T Time=0 "
-            "Properties=type:I:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1:map_shift:I:3");
+  EXPECT_EQ(
+      second_line(frame_of(world, 0)),
+      "Lattice=\"11.5 0 0 0 20 0 0 0 30\" Origin=\"-5 0 0\" pbc=\"F F T\" unbounded=T Time=0 "
+      "Properties=type:I:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1:map_shift:I:3:momenta:R:3:masses:R:1");
 }
 
 TEST(AppendSnapshot, WritesAWorldWithoutSpheres) {
@@ -96,6 +98,30 @@ TEST(ReadSnapshot, LosesNoBit) {
     EXPECT_EQ(snapshot.spheres[slot].mass, world.mass(slot));
   }
   EXPECT_EQ(snapshot.time, 0.3);
+}
+
+TEST(ReadSnapshot, TakesVelocitiesFromMomentaIfThereAreNoOthers) {
+  const std::string frame = "1\nProperties=pos:R:3:radius:R:1:";
+  const auto sphere = [&](const std::string& more) { return parse(frame + more).spheres.at(0); };
+  const Sphere of_ase = sphere("momenta:R:3:masses:R:1\n1 2 3 0.5 2 -4 6 4\n");
+  EXPECT_EQ(of_ase.velocity, (Vec3{0.5, -1, 1.5}));
+  EXPECT_EQ(of_ase.mass, 4);
+  EXPECT_EQ(sphere("momenta:R:3:mass:R:1\n1 2 3 0.5 2 -4 6 4\n").velocity, (Vec3{0.5, -1, 1.5}));
+  // Whoever edits velo and mass need not know the others.
+  const Sphere of_both = sphere("momenta:R:3:masses:R:1:velo:R:3:mass:R:1\n1 2 3 0.5 2 -4 6 4 7 8 9 2\n");
+  EXPECT_EQ(of_both.velocity, (Vec3{7, 8, 9}));
+  EXPECT_EQ(of_both.mass, 2);
+  const Sphere kinematic = sphere("momenta:R:3:masses:R:1:mass:R:1\n1 2 3 0.5 2e60 0 0 1e60 inf\n");
+  EXPECT_EQ(kinematic.velocity, (Vec3{2, 0, 0}));
+  EXPECT_EQ(kinematic.mass, std::numeric_limits<double>::infinity());
+}
+
+TEST(AppendSnapshot, HasMomentaOfKinematicSpheres) {
+  World world;
+  world.add({.position = {1, 2, 3}, .velocity = {2, -3, 0}, .mass = std::numeric_limits<double>::infinity()});
+  const std::string frame = frame_of(world, 0);
+  EXPECT_TRUE(frame.ends_with(" inf 0 0 0 0 2e+60 -3e+60 0 1e+60\n")) << frame;
+  EXPECT_EQ(parse(frame).spheres.at(0).velocity, (Vec3{2, -3, 0}));
 }
 
 TEST(ReadSnapshot, FindsColumnsByName) {
@@ -229,6 +255,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"OpenQuote", "1\nLattice=\"1 0\n1\n", "start.xyz:2:9", "never closed"},
         BadFile{"NoPosition", "1\nProperties=velo:R:3:radius:R:1\n0 0 0 1\n", "start.xyz:2:12", "'pos'"},
         BadFile{"NoVelocity", "1\nProperties=pos:R:3:radius:R:1\n0 0 0 1\n", "start.xyz:2:12", "'velo'"},
+        BadFile{"NoMasses", "1\nProperties=pos:R:3:momenta:R:3:radius:R:1\n0 0 0 0 0 0 1\n", "start.xyz:2:12",
+                "no masses"},
         BadFile{"NoRadius", "1\nProperties=pos:R:3:velo:R:3\n0 0 0 0 0 0\n", "start.xyz:2:12", "'radius'"},
         BadFile{"WrongType", "1\nProperties=pos:I:3:velo:R:3:radius:R:1\n0 0 0 0 0 0 1\n", "start.xyz:2:12",
                 "another type"},
