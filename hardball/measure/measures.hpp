@@ -37,8 +37,9 @@ namespace hardball {
 ///
 /// They receive every contact, and the world at times of their choice; Simulation provides both. They see the
 /// world as const and compute where spheres are without storing it, so that no contact changes. The spheres
-/// must stay those of the start, and only contacts and thermostats may change velocities. Results depend only
-/// on the scenario: they are the same bits for every engine.
+/// must stay those of the start, and only contacts, thermostats and Simulation::change_velocities with these
+/// measures may change velocities: of other changes nobody tells them, and they would be wrong. Results
+/// depend only on the scenario: they are the same bits for every engine.
 class Measures {
  public:
   /// Error: no measure has this name; `every` is not positive, or `from` not finite.
@@ -47,11 +48,15 @@ class Measures {
   /// Whether any measure is switched on.
   bool is_any_wanted() const { return is_any_wanted_; }
 
+  /// Whether they have started to measure.
+  bool has_begun() const { return has_begun_; }
+
   /// Error: the spheres of `world` are not those with which the measures started. Cost: O(spheres followed).
   void check_spheres(const World& world) const;
 
   void note(const Contact& contact);
-  /// Of the thermostat.
+  /// Of the thermostat or of an edit: from then on the system counts as driven, and the theory of isolated
+  /// ones is left out.
   void note(const VelocityChange& change);
   /// When the next sample is due; kNever if none is.
   Time next_sample() const;

@@ -449,12 +449,17 @@ std::vector<Vec3> Simulation::positions_at(double time) {
 
 void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
   check_editable("change_velocity");
-  const Slot slot = world().slot_of(id);
+  edit_velocity({id, velocity}, nullptr);
+}
+
+void Simulation::edit_velocity(const VelocityEdit& edit, Measures* measures) {
+  const Slot slot = world().slot_of(edit.id);
   const double energy_before = kinetic_energy(world(), slot, now_);
   const Vec3 before = world().velocity(slot, now_);
-  rewrite_velocity(slot, now_, velocity);
+  rewrite_velocity(slot, now_, edit.velocity);
   tally_.note_edit(kinetic_energy(world(), slot, now_) - energy_before, now_);
-  tell_of_change({now_, id, world().mass(slot), world().path(slot).position, before, velocity});
+  tell_of_change({now_, edit.id, world().mass(slot), world().path(slot).position, before, edit.velocity},
+                 measures);
 }
 
 // Precondition: all events before `moment` have been handled, and no contact after it.
@@ -469,7 +474,8 @@ void Simulation::rewrite_velocity(Slot slot, const Time& moment, const Vec3& vel
   }
 }
 
-void Simulation::tell_of_change(const VelocityChange& change) {
+void Simulation::tell_of_change(const VelocityChange& change, Measures* measures) {
+  if (measures) measures->note(change);
   if (!change_listener_) return;
   const During running(activity_, Activity::running);
   change_listener_(change);
@@ -508,13 +514,21 @@ std::uint64_t Simulation::act(Measures* measures) {
     const VelocityChange done{
         moment,        world().id(slot), world().mass(slot), world().path(slot).position,
         change.before, change.after};
-    if (measures) measures->note(done);
-    tell_of_change(done);
+    tell_of_change(done, measures);
   }
   return std::max<std::uint64_t>(1, changes.size());
 }
 
 void Simulation::change_velocities(std::span<const VelocityEdit> edits) {
+  edit_velocities(edits, nullptr);
+}
+
+void Simulation::change_velocities(std::span<const VelocityEdit> edits, Measures& measures) {
+  measures.check_spheres(world());
+  edit_velocities(edits, &measures);
+}
+
+void Simulation::edit_velocities(std::span<const VelocityEdit> edits, Measures* measures) {
   check_editable("change_velocities");
   std::vector<VelocityEdit> sorted(edits.begin(), edits.end());
   std::ranges::sort(sorted, {}, &VelocityEdit::id);
@@ -531,7 +545,7 @@ void Simulation::change_velocities(std::span<const VelocityEdit> edits) {
   // So many edits one by one would cost more than a rebuild.
   constexpr std::size_t kShare = 2;
   if (sorted.size() > size() / kShare) edited_ = true;
-  for (const VelocityEdit& edit : sorted) change_velocity(edit.id, edit.velocity);
+  for (const VelocityEdit& edit : sorted) edit_velocity(edit, measures);
 }
 
 SphereId Simulation::add(const Sphere& sphere) {

@@ -144,6 +144,8 @@ class Simulation {
   /// The same for many, in the order of ids, whatever their order here: all of them, or on an Error none.
   /// Error: as for one; a sphere is given twice. Cost: that of as many collisions, or O(n) if that is less.
   void change_velocities(std::span<const VelocityEdit> edits);
+  /// The same between runs with `measures`, which see it as the action of a thermostat; see Measures.
+  void change_velocities(std::span<const VelocityEdit> edits, Measures& measures);
   /// Adds a sphere, now. Cost: O(n). Error: see World::add; it overlaps another sphere.
   SphereId add(const Sphere& sphere);
   /// Removes a sphere, now. Cost: O(n). Error: no sphere has this id.
@@ -220,7 +222,9 @@ class Simulation {
   Time next_action() const;
   std::uint64_t act(Measures* measures);
   void rewrite_velocity(Slot slot, const Time& moment, const Vec3& velocity);
-  void tell_of_change(const VelocityChange& change);
+  void edit_velocities(std::span<const VelocityEdit> edits, Measures* measures);
+  void edit_velocity(const VelocityEdit& edit, Measures* measures);
+  void tell_of_change(const VelocityChange& change, Measures* measures);
   void check_idle(const char* what) const;
   void check_editable(const char* what) const;
   void check_not_past(const Time& time) const;

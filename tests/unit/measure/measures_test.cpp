@@ -105,6 +105,40 @@ TEST(Measures, TakeTheRestAtTheEndOfAShortRun) {
 }
 
 // Laws 1 and 4: the contacts are the same with measures and without.
+TEST(Measures, TakeEditsOfVelocitiesIntoAccount) {
+  // They pass by each other.
+  World world(Box::periodic({10, 10, 10}));
+  world.add({.position = {1, 2, 5}, .velocity = {1, 0, 0}, .radius = 0.5});
+  world.add({.position = {1, 8, 5}, .velocity = {-1, 0, 0}, .radius = 0.5});
+  Simulation simulation(std::move(world));
+  Measures measures({.names = {"pressure"}});
+  simulation.run_until(1, measures);
+  EXPECT_TRUE(measures.has_begun());
+  const auto pressure = [&](const char* name) {
+    const std::vector<Measurement> results = measures.results(simulation.world(), simulation.now());
+    return Quantity(quantity(results.at(0), name));
+  };
+  const double before = pressure("pressure_xx").value;
+  EXPECT_TRUE(std::isfinite(pressure("pressure").theory));
+  const std::vector<VelocityEdit> twice{{0, {2, 0, 0}}, {1, {-2, 0, 0}}};
+  simulation.change_velocities(twice, measures);
+  simulation.run_until(3, measures);
+  // For two thirds of the time it was four times as high.
+  EXPECT_NEAR(pressure("pressure_xx").value, 3 * before, 1e-12);
+  EXPECT_TRUE(std::isnan(pressure("pressure").theory));
+}
+
+TEST(Measures, RefuseEditsOfASimulationThatIsNotTheirs) {
+  Simulation simulation(support::make_gas({.count = 20}));
+  Measures measures({.names = {"pressure"}});
+  simulation.run_until(0.1, measures);
+  simulation.remove(3);
+  const std::vector<VelocityEdit> edits{{0, {1, 0, 0}}};
+  const Vec3 velocity = simulation.velocity(0);
+  EXPECT_THROW(simulation.change_velocities(edits, measures), Error);
+  EXPECT_EQ(simulation.velocity(0), velocity);
+}
+
 TEST(Measures, ChangeNoContact) {
   for (const Boundary boundary : {Boundary::periodic, Boundary::wall, Boundary::open}) {
     const World world = support::make_gas({.count = 300, .packing_fraction = 0.2, .boundary = boundary});
