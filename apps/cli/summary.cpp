@@ -47,6 +47,7 @@ Summary::Summary(const Scenario& scenario, const Simulation& simulation, const S
       final_energy_(simulation.world().energy(simulation.now())),
       momentum_(simulation.world().momentum(simulation.now())),
       rotational_energy_(simulation.world().has_spins() ? simulation.world().rotational_energy() : kNone),
+      packing_fraction_(hardball::packing_fraction(simulation.world())),
       thermostat_(simulation.thermostat()),
       engine_(name_of(simulation.engine())),
       cell_edge_(simulation.cell_edge() > 0 ? simulation.cell_edge() : kNone),
@@ -58,8 +59,6 @@ Summary::Summary(const Scenario& scenario, const Simulation& simulation, const S
   const Audit found = audit(simulation.world(), simulation.now());
   max_overlap_ = std::max({simulation.tally().max_overlap(), found.max_overlap, found.max_escape});
   const bool is_bounded = !box.is_any(Boundary::open);
-  const double packing = simulation.world().sphere_volume() / accessible_volume(simulation.world());
-  packing_fraction_ = packing > 0 ? packing : kNone;
   compressibility_ = box.is_all(Boundary::periodic) && simulation.world().surfaces().empty()
                          ? simulation.tally().compressibility(simulation.now())
                          : kNone;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 namespace hardball {
@@ -20,6 +21,7 @@ void report_broken_invariant(const char* condition, const char* file, int line) 
 }
 
 std::string to_text(double number) {
+  if (std::isnan(number)) return "nan";  // whose sign says nothing
   std::array<char, 32> buffer;
   const auto [end, status] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
   HARDBALL_CHECK(status == std::errc());

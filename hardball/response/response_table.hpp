@@ -29,6 +29,8 @@ class ResponseTable {
 
   const Rule& rule(SpeciesId a, SpeciesId b) const { return rules_[of_pairs_[index(a, b)]]; }
   const Bounce& wall(SpeciesId species) const { return std::get<Bounce>(rules_[of_walls_[row(species)]]); }
+  /// Species from this number on are alike: no rule names them.
+  std::size_t species() const { return species_; }
   /// Whether any spheres merge.
   bool has_merging() const;
   /// Whether any contacts change spins.

@@ -165,6 +165,11 @@ double accessible_volume(const World& world) {
   return volume - obstacles;
 }
 
+double packing_fraction(const World& world) {
+  const double fraction = world.sphere_volume() / accessible_volume(world);
+  return fraction > 0 ? fraction : std::numeric_limits<double>::quiet_NaN();
+}
+
 Vec3 nearest_image_of(const World& world, const Surface& surface, const Vec3& position) {
   if (!has_images(world, surface)) return {};
   return world.box().shift(world.box().nearest_image(position - surface.point()));

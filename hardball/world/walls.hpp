@@ -56,6 +56,9 @@ double distance_to_surfaces(const World& world, const Vec3& position, const Time
 /// along an axis that encloses them [L^3]; infinite in open space, NaN between other surfaces.
 double accessible_volume(const World& world);
 
+/// The volume of the spheres over the accessible volume [1]; NaN in unbounded space, and without spheres.
+double packing_fraction(const World& world);
+
 /// The displacement of the image of a surface nearest to `position`, in a periodic box [L]; zero if the
 /// surface has none.
 Vec3 nearest_image_of(const World& world, const Surface& surface, const Vec3& position);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace hardball {
@@ -34,6 +35,7 @@ TEST(ToText, IsTheShortestThatReadsBackAsTheSameNumber) {
   EXPECT_EQ(to_text(-2.0), "-2");
   EXPECT_EQ(to_text(7), "7");
   EXPECT_EQ(to_text(std::numeric_limits<double>::infinity()), "inf");
+  EXPECT_EQ(to_text(std::copysign(std::nan(""), -1)), "nan");
   for (const double number :
        {1.0 / 3, 2.2250738585072014e-308, 1.7976931348623157e308, 123456789.123456789}) {
     EXPECT_EQ(std::stod(to_text(number)), number);
