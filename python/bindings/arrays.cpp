@@ -28,7 +28,15 @@ Vec3 row_of(const double* numbers, py::ssize_t columns) {
   return {numbers[0], numbers[1], columns == 3 ? numbers[2] : 0};
 }
 
-bool is_vector(py::ssize_t columns) {
+// Whether these are the components of a vector. Error: they are those of a plane, and there are three
+// dimensions.
+bool is_vector(const py::array& array, const std::string& name, bool is_flat) {
+  const py::ssize_t columns = array.shape(array.ndim() - 1);
+  if (columns == 2 && !is_flat) {
+    throw Error("the array has the shape " + shape_of(array) +
+                    ": vectors of two coordinates, and the box has three dimensions",
+                name, "give three coordinates, or take a flat box");
+  }
   return columns == 2 || columns == 3;
 }
 
@@ -69,19 +77,19 @@ Doubles doubles(const py::handle& object, const std::string& name) {
   return Doubles::ensure(array.attr("astype")("float64"));
 }
 
-Vec3 vector_of(const py::handle& object, const std::string& name) {
+Vec3 vector_of(const py::handle& object, const std::string& name, bool is_flat) {
   const Doubles array = doubles(object, name);
-  if (array.ndim() != 1 || !is_vector(array.shape(0))) {
-    refuse_shape(array, name, "give three numbers, or two in two dimensions");
+  if (array.ndim() != 1 || !is_vector(array, name, is_flat)) {
+    refuse_shape(array, name, std::string("give three numbers") + (is_flat ? ", or two" : ""));
   }
   return row_of(array.data(), array.shape(0));
 }
 
-std::vector<Vec3> vectors_of(const py::handle& object, const std::string& name) {
+std::vector<Vec3> vectors_of(const py::handle& object, const std::string& name, bool is_flat) {
   const Doubles array = doubles(object, name);
   if (array.ndim() == 1 && array.shape(0) == 0) return {};
-  if (array.ndim() != 2 || !is_vector(array.shape(1))) {
-    refuse_shape(array, name, "give one of the shape (n, 3), or (n, 2) in two dimensions");
+  if (array.ndim() != 2 || !is_vector(array, name, is_flat)) {
+    refuse_shape(array, name, std::string("give one of the shape (n, 3)") + (is_flat ? ", or (n, 2)" : ""));
   }
   std::vector<Vec3> vectors;
   vectors.reserve(static_cast<std::size_t>(array.shape(0)));
@@ -91,12 +99,13 @@ std::vector<Vec3> vectors_of(const py::handle& object, const std::string& name) 
   return vectors;
 }
 
-std::vector<Vec3> vectors_of(const py::handle& object, const std::string& name, std::size_t count) {
+std::vector<Vec3> vectors_of(const py::handle& object, const std::string& name, bool is_flat,
+                             std::size_t count) {
   const Doubles array = doubles(object, name);
-  if (array.ndim() == 1 && is_vector(array.shape(0))) {
+  if (array.ndim() == 1 && is_vector(array, name, is_flat)) {
     return std::vector<Vec3>(count, row_of(array.data(), array.shape(0)));
   }
-  std::vector<Vec3> vectors = vectors_of(array, name);
+  std::vector<Vec3> vectors = vectors_of(array, name, is_flat);
   if (vectors.size() != count) {
     refuse_shape(array, name, "give as many rows as there are spheres, " + std::to_string(count));
   }

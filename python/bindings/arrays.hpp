@@ -20,13 +20,15 @@ namespace hardball::python {
 using Doubles = pybind11::array_t<double, pybind11::array::c_style>;
 Doubles doubles(const pybind11::handle& object, const std::string& name);
 
-/// A vector of three numbers, or of two where z is zero. Error: it is neither.
-Vec3 vector_of(const pybind11::handle& object, const std::string& name);
+/// A vector of three numbers or, if `is_flat`, also of two: z is zero. Error: it is neither.
+Vec3 vector_of(const pybind11::handle& object, const std::string& name, bool is_flat);
 
-/// The rows of an array of shape (n, 3), or (n, 2) where z is zero. Error: it has another shape.
-std::vector<Vec3> vectors_of(const pybind11::handle& object, const std::string& name);
+/// The rows of an array of shape (n, 3) or, if `is_flat`, also of (n, 2): z is zero. Error: it has another
+/// shape.
+std::vector<Vec3> vectors_of(const pybind11::handle& object, const std::string& name, bool is_flat);
 /// The same, or the same vector for all, of which there are `count`. Error: there are not as many.
-std::vector<Vec3> vectors_of(const pybind11::handle& object, const std::string& name, std::size_t count);
+std::vector<Vec3> vectors_of(const pybind11::handle& object, const std::string& name, bool is_flat,
+                             std::size_t count);
 
 /// An array of shape (n), or the same number for all. Error: it has another shape or length.
 std::vector<double> numbers_of(const pybind11::handle& object, const std::string& name, std::size_t count);

@@ -15,6 +15,7 @@
 #include "hardball/surfaces/surface.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
+#include "python/bindings/call_text.hpp"
 #include "python/bindings/pickling.hpp"
 
 namespace py = pybind11;
@@ -22,15 +23,27 @@ namespace py = pybind11;
 namespace hardball::python {
 namespace {
 
+// A surface does not know of which box it will be.
+constexpr bool kMayBeFlat = true;
+
 // In the order of Boundary.
 constexpr std::array<const char*, 4> kBoundaries{"wall", "periodic", "open", "flat"};
 
-Boundary boundary_of(const std::string& name) {
+Boundary boundary_of(const py::handle& name) {
   for (std::size_t i = 0; i < kBoundaries.size(); ++i) {
-    if (name == kBoundaries[i]) return static_cast<Boundary>(i);
+    if (name.equal(py::str(kBoundaries[i]))) return static_cast<Boundary>(i);
   }
-  throw Error("there is no boundary '" + name + "'", "boundary",
+  throw Error("there is no boundary " + py::repr(name).cast<std::string>(), "boundary",
               "choose among 'wall', 'periodic', 'open' and, for z, 'flat'");
+}
+
+std::array<Boundary, kAxes> boundaries_of(const py::handle& names) {
+  if (py::isinstance<py::str>(names) || !py::isinstance<py::sequence>(names) || py::len(names) != kAxes) {
+    throw Error("it is " + py::repr(names).cast<std::string>(), "boundary",
+                "give three names, as in ('wall', 'periodic', 'open')");
+  }
+  const auto each = py::reinterpret_borrow<py::sequence>(names);
+  return {boundary_of(each[0]), boundary_of(each[1]), boundary_of(each[2])};
 }
 
 const char* name_of(Boundary boundary) {
@@ -51,15 +64,44 @@ Box box_of(Boundary boundary, const py::handle& size, bool is_flat) {
 }
 
 std::string text_of(const Box& box) {
-  std::string text = "hardball.Box(boundary=(";
+  std::string boundaries;
+  Vec3 size;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    text += std::string(axis > 0 ? ", " : "") + "'" + name_of(box.boundary(axis)) + "'";
+    boundaries += std::string(axis > 0 ? ", '" : "'") + name_of(box.boundary(axis)) + "'";
+    if (box.is_bounded(axis)) size[axis] = box.size()[axis];
   }
-  text += "), size=(";
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    text += (axis > 0 ? ", " : "") + (box.is_bounded(axis) ? to_text(box.size()[axis]) : "0");
+  return CallText("Box").add("(" + boundaries + ")").add(size).text();
+}
+
+// The function that makes it, and its arguments.
+CallText text_of(const Plane& plane) {
+  return CallText("Surface.plane").add(plane.normal());
+}
+CallText text_of(const OscillatingPlane& plane) {
+  return CallText("Surface.plane").add(plane.normal());
+}
+CallText text_of(const Cylinder& cylinder) {
+  return CallText("Surface.cylinder").add(cylinder.axis()).add(cylinder.radius());
+}
+CallText text_of(const HollowSphere& sphere) {
+  return CallText("Surface.sphere").add(sphere.radius());
+}
+CallText text_of(const Obstacle& obstacle) {
+  return CallText("Surface.obstacle").add(obstacle.radius());
+}
+
+std::string text_of(const Surface& surface) {
+  CallText call = std::visit([](const auto& shape) { return text_of(shape); }, surface.shape());
+  if (surface.point() != Vec3{}) call.add("point", surface.point());
+  if (surface.velocity() != Vec3{}) call.add("velocity", surface.velocity());
+  if (const auto* const plane = std::get_if<OscillatingPlane>(&surface.shape())) {
+    call.add("amplitude", plane->amplitude()).add("frequency", plane->frequency());
   }
-  return text + "))";
+  const SurfaceMaterial& material = surface.material();
+  if (material.restitution) call.add("restitution", *material.restitution);
+  if (material.temperature) call.add("temperature", *material.temperature);
+  if (material.seed != 0) call.add("seed", to_text(material.seed));
+  return call.text();
 }
 
 Vec3 unit(const Vec3& direction) {
@@ -72,7 +114,7 @@ Vec3 unit(const Vec3& direction) {
 
 Surface surface_of(const Shape& shape, const py::handle& point, const py::handle& velocity,
                    std::optional<double> restitution, std::optional<double> temperature, std::uint64_t seed) {
-  return Surface(shape, vector_of(point, "point"), vector_of(velocity, "velocity"),
+  return Surface(shape, vector_of(point, "point", kMayBeFlat), vector_of(velocity, "velocity", kMayBeFlat),
                  {.restitution = restitution, .temperature = temperature, .seed = seed});
 }
 
@@ -84,7 +126,7 @@ void bind_surface(py::module_& module) {
           [](const py::object& normal, const py::object& point, const py::object& velocity, double amplitude,
              double frequency, std::optional<double> restitution, std::optional<double> temperature,
              std::uint64_t seed) {
-            const Vec3 towards_spheres = unit(vector_of(normal, "normal"));
+            const Vec3 towards_spheres = unit(vector_of(normal, "normal", kMayBeFlat));
             const Shape shape = amplitude == 0 && frequency == 0
                                     ? Shape(Plane(towards_spheres))
                                     : Shape(OscillatingPlane(towards_spheres, amplitude, frequency));
@@ -99,7 +141,7 @@ void bind_surface(py::module_& module) {
           "cylinder",
           [](const py::object& axis, double radius, const py::object& point,
              std::optional<double> restitution, std::optional<double> temperature, std::uint64_t seed) {
-            return surface_of(Cylinder(unit(vector_of(axis, "axis")), radius), point,
+            return surface_of(Cylinder(unit(vector_of(axis, "axis", kMayBeFlat)), radius), point,
                               py::make_tuple(0.0, 0.0, 0.0), restitution, temperature, seed);
           },
           py::arg("axis"), py::arg("radius"), py::arg("point") = origin, py::kw_only(),
@@ -129,17 +171,16 @@ void bind_surface(py::module_& module) {
           "point", [](const Surface& self) { return read_only(array_of(self.point())); }, "At time zero [L].")
       .def_property_readonly(
           "velocity", [](const Surface& self) { return read_only(array_of(self.velocity())); }, "[L/T]")
-      .def("__repr__",
-           [](const Surface& self) { return "<hardball.Surface: " + std::string(self.name()) + ">"; });
+      .def("__repr__", [](const Surface& self) { return text_of(self); });
 }
 
 }  // namespace
 
 void bind_box(py::module_& module) {
   py::class_<Box>(module, "Box", doc::Box)
-      .def(py::init([](const std::array<std::string, kAxes>& boundary, const py::object& size) {
-             return Box({boundary_of(boundary[0]), boundary_of(boundary[1]), boundary_of(boundary[2])},
-                        vector_of(size, "size"));
+      .def(py::init([](const py::object& boundary, const py::object& size) {
+             const std::array<Boundary, kAxes> boundaries = boundaries_of(boundary);
+             return Box(boundaries, vector_of(size, "size", kMayBeFlat));
            }),
            py::arg("boundary"), py::arg("size"),
            "With a boundary for each axis: 'wall', 'periodic', 'open' or, for z, 'flat'; and edge lengths "
@@ -178,7 +219,7 @@ void bind_box(py::module_& module) {
           },
           py::is_operator())
       .def(pickled<Box>())
-      .def("__repr__", &text_of);
+      .def("__repr__", [](const Box& self) { return text_of(self); });
   bind_surface(module);
 }
 

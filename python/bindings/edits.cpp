@@ -27,11 +27,23 @@ void throw_if_interrupted(std::size_t count) {
 
 void set_velocities(PythonSimulation& self, const py::object& ids, const py::object& velocities) {
   const std::vector<std::uint32_t> spheres = counts_of(ids, "ids", kNoSphere);
-  const std::vector<Vec3> vectors = vectors_of(velocities, "velocities", spheres.size());
+  const bool is_flat = self.simulation().world().box().is_flat();
+  const std::vector<Vec3> vectors = vectors_of(velocities, "velocities", is_flat, spheres.size());
   std::vector<VelocityEdit> edits;
   edits.reserve(spheres.size());
   for (std::size_t i = 0; i < spheres.size(); ++i) edits.push_back({spheres[i], vectors[i]});
-  self.simulation_to_edit().change_velocities(edits);
+  self.warn_of_edit("set_velocity");
+  self.change_velocities(edits);
+}
+
+void set_thermostat(PythonSimulation& self, const py::object& thermostat, std::uint64_t seed) {
+  self.warn_of_edit("set_thermostat");
+  self.set_thermostat(thermostat, seed);
+}
+
+void respond_with(PythonSimulation& self, const py::object& response) {
+  self.warn_of_edit("respond_with");
+  self.set_response(response);
 }
 
 py::object add(PythonSimulation& self, const py::object& position, const py::object& velocity,
@@ -75,28 +87,32 @@ void remove(PythonSimulation& self, const py::object& ids) {
 void bind_edits(SimulationClass& simulation) {
   const py::tuple zero = py::make_tuple(0.0, 0.0, 0.0);
   simulation
+      .def("set_velocity", &set_velocities, py::arg("ids"), py::arg("velocities"),
+           "Changes the velocity of a sphere, or of several [L/T], now: ids of shape (n,), velocities of "
+           "shape (n, 3), or one for all; in two dimensions also (n, 2). Ids are not rows of arrays once "
+           "spheres have been removed or have merged: see index_of. Measures that have begun take it for the "
+           "action of a thermostat, and a UserWarning says once that their results average over the states "
+           "before and after. Error: no such sphere; a sphere is given twice; velocities have another shape; "
+           "then nothing has changed.")
+      .def("add", &add, py::arg("position"), py::arg("velocity") = zero, py::arg("radius") = 1.0,
+           py::arg("mass") = 1.0, py::arg("spin") = zero, py::arg("species") = 0,
+           py::arg("moment") = py::none(),
+           "Adds a sphere, now, and returns its id; or several, with positions of shape (n, 3), or in two "
+           "dimensions (n, 2). Cost: O(size) each. Error: it overlaps another; the spheres before it have "
+           "been added; measures are on.")
       .def(
-          "set_velocity", &set_velocities, py::arg("ids"), py::arg("velocities"),
-          "Changes the velocity of a sphere, or of several [L/T], now: ids of shape (n,), velocities of "
-          "shape "
-          "(n, 3), or one for all. Error: no such sphere; a sphere is given twice; then nothing has changed.")
-      .def(
-          "add", &add, py::arg("position"), py::arg("velocity") = zero, py::arg("radius") = 1.0,
-          py::arg("mass") = 1.0, py::arg("spin") = zero, py::arg("species") = 0,
-          py::arg("moment") = py::none(),
-          "Adds a sphere, now, and returns its id; or several, with positions of shape (n, 3). Cost: O(size) "
-          "each. Error: it overlaps another; the spheres before it have been added.")
-      .def("remove", &remove, py::arg("ids"),
-           "Removes the sphere with this id, now, or several. Cost: O(size) each. Error: no such sphere; one "
-           "is "
-           "given twice; then nothing has changed.")
-      .def("set_thermostat", &PythonSimulation::set_thermostat, py::arg("thermostat"), py::arg("seed") = 1,
-           "Replaces the thermostat, which starts now; None for none.")
-      .def("respond_with", &PythonSimulation::set_response, py::arg("response"),
+          "remove", &remove, py::arg("ids"),
+          "Removes the sphere with this id, now, or several. The others keep their ids, but in arrays those "
+          "above move up a row: see index_of. Cost: O(size) each. Error: no such sphere; one is given twice; "
+          "measures are on; then nothing has changed.")
+      .def("set_thermostat", &set_thermostat, py::arg("thermostat"), py::arg("seed") = 1,
+           "Replaces the thermostat, which starts now; None for none. Warns as set_velocity does.")
+      .def("respond_with", &respond_with, py::arg("response"),
            "Replaces the response: a Bounce, a Merging, a ResponseTable, a coefficient of restitution, or a "
            "function that is given a Contact and returns the velocities of both bodies, or an Outcome; None "
            "for the last one that was no function. A Python function costs a few microseconds for each "
-           "contact.")
+           "contact. Warns as set_velocity does.")
+      .def("_set_response", &PythonSimulation::set_response)
       .def("on_contact", &PythonSimulation::set_listener, py::arg("listener"),
            "Sets a function that is called with the Contact after every collision and wall contact; None for "
            "none. It may query the simulation and edit it. If it throws, the run ends after that contact.");

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <string>
 
 #include "documentation.hpp"
@@ -17,12 +21,44 @@ namespace py = pybind11;
 namespace hardball::python {
 namespace {
 
+constexpr int kUsualDigits = 6;
+constexpr int kDigitsOfErrors = 2;
+
+std::string rounded(double number, int digits) {
+  if (std::isnan(number)) return "nan";
+  std::array<char, 40> text;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, digits);
+  return std::string(text.data(), end.ptr);
+}
+
+// How many digits there are down to those of the error.
+int digits_of(const Quantity& quantity) {
+  const double digits = std::log10(std::fabs(quantity.value) / quantity.error) + kDigitsOfErrors;
+  return std::isfinite(digits) ? static_cast<int>(std::clamp(std::ceil(digits), 1.0, 17.0)) : kUsualDigits;
+}
+
+// Rounded as far as the error tells.
 std::string text_of(const Quantity& quantity) {
-  std::string text = to_text(quantity.value);
-  if (quantity.error == quantity.error) text += " +- " + to_text(quantity.error);
+  std::string text = rounded(quantity.value, digits_of(quantity));
+  if (!std::isnan(quantity.error)) text += " +- " + rounded(quantity.error, kDigitsOfErrors);
   if (quantity.unit != "1") text += " " + quantity.unit;
-  if (quantity.theory == quantity.theory) text += ", theory " + to_text(quantity.theory);
+  if (!std::isnan(quantity.theory)) text += ", theory " + rounded(quantity.theory, kUsualDigits);
   return text;
+}
+
+std::string text_of(const Measurement& measurement) {
+  std::string text = "<hardball.Measurement: " + measurement.title;
+  for (const Quantity& quantity : measurement.quantities) {
+    text += "\n  " + quantity.name + ": " + text_of(quantity);
+  }
+  if (!measurement.columns.empty()) {
+    text += "\n  " + to_text(measurement.columns.front().values.size()) + " rows of ";
+    for (const Column& column : measurement.columns) {
+      text += (&column == &measurement.columns.front() ? "" : ", ") + column.name;
+    }
+  }
+  return text + ">";
 }
 
 // Quantities and arrays keep the measurement alive.
@@ -100,7 +136,7 @@ void bind_measurements(py::module_& module) {
       .def_readonly("duration", &Measurement::duration, doc::Measurement_duration)
       .def_readonly("transient", &Measurement::transient, doc::Measurement_transient)
       .def_readonly("is_transient_over", &Measurement::is_transient_over, doc::Measurement_is_transient_over)
-      .def("__repr__", [](const Measurement& self) { return "<hardball.Measurement: " + self.title + ">"; });
+      .def("__repr__", [](const Measurement& self) { return text_of(self); });
   module.def(
       "measure_names",
       [] {

@@ -62,7 +62,10 @@ void PythonSimulation::operator delete(void* memory) {
 }
 
 PythonSimulation::PythonSimulation(const PythonSimulation& other)
-    : simulation_(other.simulation()), until_(other.until_), measures_(other.measures_) {
+    : simulation_(other.simulation()),
+      until_(other.until_),
+      measures_(other.measures_),
+      has_warned_(other.has_warned_) {
   if (other.response_) set_response(other.response_->function());
   set_listener(other.listener_ ? other.listener_->function() : py::none());
 }
@@ -71,6 +74,7 @@ PythonSimulation::PythonSimulation(PythonSimulation&& other)
     : simulation_((other.check_idle("Simulation"), std::move(other.simulation_to_edit()))),
       until_(other.until_),
       measures_(std::move(other.measures_)),
+      has_warned_(other.has_warned_),
       listener_(std::move(other.listener_)),
       response_(std::move(other.response_)) {
   other.is_made_ = false;
@@ -303,6 +307,10 @@ std::vector<Vec3> PythonSimulation::positions_at(double time) {
   return simulation_.positions_at(time);
 }
 
+void PythonSimulation::change_velocities(std::span<const VelocityEdit> edits) {
+  simulation_to_edit().change_velocities(edits, measures_);
+}
+
 void PythonSimulation::set_listener(const py::object& listener) {
   simulation();
   if (listener.is_none()) {
@@ -356,10 +364,24 @@ void PythonSimulation::set_measures(const MeasureSettings& settings) {
   simulation();
   if (runner_) throw Error("the simulation is running", "measure", "choose the measures between runs");
   measures_ = Measures(settings);
+  has_warned_ = false;
 }
 
 void PythonSimulation::restore_measures(std::string_view bytes, const std::string& where) {
   restore(bytes, where, measures_);
+}
+
+void PythonSimulation::warn_of_edit(const char* what) {
+  simulation();
+  // In a run the library refuses edits that measures do not bear.
+  if (runner_ || has_warned_ || !measures_.has_begun()) return;
+  has_warned_ = true;
+  const std::string message = std::string(what) +
+                              " while measures are on: their results average over the states before and "
+                              "after; measure(...) starts them again";
+  // The caller is beyond a function of Python.
+  constexpr py::ssize_t kLevel = 2;
+  if (PyErr_WarnEx(PyExc_UserWarning, message.c_str(), kLevel) != 0) throw py::error_already_set();
 }
 
 void PythonSimulation::check_spheres_may_change(const char* what) const {

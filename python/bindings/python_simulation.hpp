@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -76,6 +77,9 @@ class PythonSimulation {
   /// See Simulation::positions_at.
   std::vector<Vec3> positions_at(double time);
 
+  /// See Simulation::change_velocities; the measures are told.
+  void change_velocities(std::span<const VelocityEdit> edits);
+
   /// Replaces the function called after every contact, and the response; None for none.
   void set_listener(const pybind11::object& listener);
   void set_response(const pybind11::object& response);
@@ -85,6 +89,8 @@ class PythonSimulation {
 
   /// Measures from now on what the settings say. Error: it is running.
   void set_measures(const MeasureSettings& settings);
+  /// Warns of an edit (UserWarning) if the measures have begun, and have not been warned of before.
+  void warn_of_edit(const char* what);
   /// Error: measures are on, which need the spheres as they are.
   void check_spheres_may_change(const char* what) const;
   void restore_measures(std::string_view bytes, const std::string& where);
@@ -125,6 +131,7 @@ class PythonSimulation {
   Simulation simulation_;
   std::optional<double> until_;
   Measures measures_{{.names = {}}};
+  bool has_warned_ = false;  // of an edit while these measure
   // Not shared with copies: the garbage collector counts references.
   std::optional<Callback> listener_;
   std::optional<Callback> response_;

@@ -28,6 +28,10 @@ const char* kind_name(EventKind kind) {
   return kind == EventKind::collision ? "collision" : "wall";
 }
 
+bool is_flat(const PythonSimulation& self) {
+  return self.simulation().world().box().is_flat();
+}
+
 }  // namespace
 
 void bind_answers(py::module_& module) {
@@ -91,14 +95,15 @@ void bind_queries(SimulationClass& simulation) {
       .def(
           "first_contact",
           [](const PythonSimulation& self, SphereId id, const py::object& velocity, double until) {
-            return self.first_contact(id, vector_of(velocity, "velocity"), until);
+            return self.first_contact(id, vector_of(velocity, "velocity", is_flat(self)), until);
           },
           py::arg("id"), py::arg("velocity"), py::arg("until"), doc::first_contact)
       .def(
           "ray",
           [](const PythonSimulation& self, const py::object& origin, const py::object& direction,
              double most) {
-            return self.ray(vector_of(origin, "origin"), vector_of(direction, "direction"), most);
+            return self.ray(vector_of(origin, "origin", is_flat(self)),
+                            vector_of(direction, "direction", is_flat(self)), most);
           },
           py::arg("origin"), py::arg("direction"), py::arg("most"), doc::ray)
       .def(
@@ -107,7 +112,7 @@ void bind_queries(SimulationClass& simulation) {
             if (PyIndex_Check(of.ptr()) != 0 && !py::hasattr(of, "__len__")) {
               return self.simulation().clearance(counts_of(of, "of", kNoSphere).front());
             }
-            return self.simulation().clearance(vector_of(of, "point"));
+            return self.simulation().clearance(vector_of(of, "point", is_flat(self)));
           },
           py::arg("of"),
           (std::string("Of a point, or of the sphere with this id. ") + doc::clearance).c_str());

@@ -15,6 +15,7 @@
 #include "hardball/errors/error.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
+#include "python/bindings/call_text.hpp"
 #include "python/bindings/pickling.hpp"
 
 namespace py = pybind11;
@@ -77,18 +78,74 @@ py::tuple pair_of(const Vec3& first, const Vec3& second) {
   return py::make_tuple(array_of(first), array_of(second));
 }
 
-std::pair<Vec3, Vec3> vectors_of_both(const py::handle& object, const char* name) {
+// Only in a flat box, as a rule, is nothing along z.
+bool is_in_plane(const Contact& contact) {
+  return contact.position.z == 0 && contact.separation.z == 0 && contact.before.first.z == 0 &&
+         contact.before.second.z == 0;
+}
+
+std::pair<Vec3, Vec3> vectors_of_both(const Contact& contact, const py::handle& object, const char* name) {
   if (!py::isinstance<py::sequence>(object) || py::len(object) != 2) {
     throw Error("the response has not returned two vectors", name,
                 "return the velocities of both bodies, as in contact.before, or an Outcome");
   }
   const auto both = py::reinterpret_borrow<py::sequence>(object);
-  return {vector_of(both[0], name), vector_of(both[1], name)};
+  return {vector_of(both[0], name, is_in_plane(contact)), vector_of(both[1], name, is_in_plane(contact))};
+}
+
+std::string text_of(const ConstantRestitution& law) {
+  return to_text(law.value);
+}
+std::string text_of(const ViscoelasticRestitution& law) {
+  return CallText("ViscoelasticRestitution").add(law.at(law.speed())).add("speed", law.speed()).text();
+}
+std::string text_of(const TabulatedRestitution& law) {
+  std::vector<double> speeds;
+  std::vector<double> values;
+  for (const TabulatedRestitution::Point& point : law.points()) {
+    speeds.push_back(point.speed);
+    values.push_back(point.value);
+  }
+  return CallText("TabulatedRestitution").add(speeds).add(values).text();
+}
+
+std::string text_of(const Bounce& bounce) {
+  const BounceRules& rules = bounce.rules();
+  CallText call("Bounce");
+  call.add(std::visit([](const auto& law) { return text_of(law); }, rules.restitution));
+  if (rules.elastic_below != 0) call.add("elastic_below", rules.elastic_below);
+  if (rules.contact_duration != 0) call.add("contact_duration", rules.contact_duration);
+  if (rules.tangential_restitution) call.add("tangential_restitution", *rules.tangential_restitution);
+  return call.text();
+}
+std::string text_of(const Merging&) {
+  return CallText("Merging").text();
+}
+std::string text_of(const Rule& rule) {
+  return std::visit([](const auto& each) { return text_of(each); }, rule);
+}
+
+// Of the species, those whose rule differs from that of all others are named.
+std::string text_of(const ResponseTable& table) {
+  const std::size_t named = table.species();
+  const auto others = static_cast<SpeciesId>(named);
+  const std::string usual = text_of(table.rule(others, others));
+  const std::string usual_wall = text_of(table.wall(others));
+  std::string text = "<" + CallText("ResponseTable").add(usual).add(usual_wall).text();
+  for (std::size_t a = 0; a < named; ++a) {
+    for (std::size_t b = a; b < named; ++b) {
+      const std::string rule = text_of(table.rule(static_cast<SpeciesId>(a), static_cast<SpeciesId>(b)));
+      if (rule != usual) text += "; species " + to_text(a) + " and " + to_text(b) + ": " + rule;
+    }
+    const std::string wall = text_of(table.wall(static_cast<SpeciesId>(a)));
+    if (wall != usual_wall) text += "; species " + to_text(a) + " and walls: " + wall;
+  }
+  return text + ">";
 }
 
 Outcome outcome_of(const Contact& contact, const py::object& returned) {
   if (py::isinstance<Outcome>(returned)) return returned.cast<Outcome>();
-  const auto [first, second] = vectors_of_both(returned, "response");
+  const auto [first, second] = vectors_of_both(contact, returned, "response");
   return {contact, {first, second}};
 }
 
@@ -154,10 +211,10 @@ void bind_contact(py::module_& module) {
   py::class_<Outcome>(module, "Outcome", doc::Outcome)
       .def(py::init([](const Contact& contact, const py::object& velocities, const py::object& spins,
                        bool merges) {
-             const auto [first, second] = vectors_of_both(velocities, "velocities");
+             const auto [first, second] = vectors_of_both(contact, velocities, "velocities");
              Outcome outcome(contact, {first, second});
              if (!spins.is_none()) {
-               const auto [first_spin, second_spin] = vectors_of_both(spins, "spins");
+               const auto [first_spin, second_spin] = vectors_of_both(contact, spins, "spins");
                outcome.spins = {first_spin, second_spin};
              }
              outcome.merges = merges;
@@ -165,7 +222,14 @@ void bind_contact(py::module_& module) {
            }),
            py::arg("contact"), py::arg("velocities"), py::arg("spins") = py::none(),
            py::arg("merges") = false,
-           "`velocities` [L/T] and `spins` [1/T] of both bodies; the same spins as before if not given.");
+           "`velocities` [L/T] and `spins` [1/T] of both bodies; the same spins as before if not given.")
+      .def("__repr__", [](const Outcome& self) {
+        CallText call("Outcome");
+        call.add("velocities", std::vector{self.velocities.first, self.velocities.second});
+        call.add("spins", std::vector{self.spins.first, self.spins.second});
+        if (self.merges) call.add("merges", std::string("True"));
+        return "<" + call.text() + ">";
+      });
 }
 
 }  // namespace
@@ -204,11 +268,13 @@ void bind_responses(py::module_& module) {
   py::class_<ViscoelasticRestitution>(module, "ViscoelasticRestitution", doc::ViscoelasticRestitution)
       .def(py::init<double, double>(), py::arg("value"), py::arg("speed"),
            doc::ViscoelasticRestitution_ViscoelasticRestitution)
-      .def("at", &ViscoelasticRestitution::at, py::arg("speed"), doc::ViscoelasticRestitution_at);
+      .def("at", &ViscoelasticRestitution::at, py::arg("speed"), doc::ViscoelasticRestitution_at)
+      .def("__repr__", [](const ViscoelasticRestitution& self) { return text_of(self); });
   py::class_<TabulatedRestitution>(module, "TabulatedRestitution", doc::TabulatedRestitution)
       .def(py::init(&tabulated), py::arg("speeds"), py::arg("values"),
            "`values` [1] at `speeds` [L/T], which increase.")
-      .def("at", &TabulatedRestitution::at, py::arg("speed"), "At an impact speed [L/T].");
+      .def("at", &TabulatedRestitution::at, py::arg("speed"), "At an impact speed [L/T].")
+      .def("__repr__", [](const TabulatedRestitution& self) { return text_of(self); });
   py::class_<Bounce>(module, "Bounce", doc::Bounce)
       .def(py::init([](const py::object& restitution, double elastic_below, double contact_duration,
                        std::optional<double> tangential_restitution) {
@@ -222,8 +288,12 @@ void bind_responses(py::module_& module) {
            "`restitution` is a number from 0 to 1 or one of the laws of restitution. Impacts slower than "
            "`elastic_below` [L/T] are elastic, and those within `contact_duration` [T] of another: the TC "
            "model. With `tangential_restitution`, from -1, smooth, to 1, perfectly rough, the spheres spin.")
-      .def(pickled<Bounce>());
-  py::class_<Merging>(module, "Merging", doc::Merging).def(py::init<>()).def(pickled<Merging>());
+      .def(pickled<Bounce>())
+      .def("__repr__", [](const Bounce& self) { return text_of(self); });
+  py::class_<Merging>(module, "Merging", doc::Merging)
+      .def(py::init<>())
+      .def(pickled<Merging>())
+      .def("__repr__", [](const Merging& self) { return text_of(self); });
   py::class_<ResponseTable>(module, "ResponseTable", doc::ResponseTable)
       .def(py::init([](const py::object& spheres, const py::object& walls) {
              return ResponseTable(rule_of(spheres), bounce_of(walls));
@@ -243,7 +313,8 @@ void bind_responses(py::module_& module) {
             self.set_wall(species, bounce_of(bounce));
           },
           py::arg("species"), py::arg("bounce"), doc::ResponseTable_set_wall)
-      .def(pickled<ResponseTable>());
+      .def(pickled<ResponseTable>())
+      .def("__repr__", [](const ResponseTable& self) { return text_of(self); });
   bind_contact(module);
 }
 

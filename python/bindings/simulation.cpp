@@ -64,7 +64,7 @@ std::unique_ptr<PythonSimulation> make(const Box& box, const py::object& positio
                                        const py::object& response, const py::object& thermostat,
                                        std::uint64_t seed, const std::string& engine,
                                        std::optional<double> cell_edge) {
-  World world(box, vector_of(gravity, "gravity"), std::move(surfaces));
+  World world(box, vector_of(gravity, "gravity", box.is_flat()), std::move(surfaces));
   const std::vector<Sphere> spheres =
       spheres_of(positions, velocities, radius, mass, spin, species, moment, box.is_flat());
   world.reserve(spheres.size());

@@ -15,17 +15,12 @@ namespace hardball::python {
 std::vector<Sphere> spheres_of(const py::object& positions, const py::object& velocities,
                                const py::object& radius, const py::object& mass, const py::object& spin,
                                const py::object& species, const py::object& moment, bool is_flat) {
-  const Doubles places = doubles(positions, "positions");
-  if (!is_flat && places.ndim() == 2 && places.shape(1) == 2) {
-    throw Error("they have two coordinates, and the box has three dimensions", "positions",
-                "give an array of the shape (n, 3), or a flat box");
-  }
-  const std::vector<Vec3> centers = vectors_of(places, "positions");
+  const std::vector<Vec3> centers = vectors_of(positions, "positions", is_flat);
   const std::size_t count = centers.size();
-  const std::vector<Vec3> all_velocities = vectors_of(velocities, "velocities", count);
+  const std::vector<Vec3> all_velocities = vectors_of(velocities, "velocities", is_flat, count);
   const std::vector<double> radii = numbers_of(radius, "radius", count);
   const std::vector<double> masses = numbers_of(mass, "mass", count);
-  const std::vector<Vec3> spins = vectors_of(spin, "spin", count);
+  const std::vector<Vec3> spins = vectors_of(spin, "spin", is_flat, count);
   const std::vector<std::uint32_t> kinds =
       counts_of(species, "species", count, std::numeric_limits<SpeciesId>::max());
   const std::vector<double> moments =

@@ -4,14 +4,20 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "documentation.hpp"
+#include "hardball/errors/error.hpp"
 #include "hardball/measure/event_log_hash.hpp"
+#include "hardball/measure/thermal_motion.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/audit.hpp"
+#include "hardball/world/walls.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/simulation_class.hpp"
 
@@ -34,6 +40,32 @@ py::object vectors_by_id(const World& world, Value&& value) {
   vectors.reserve(world.size());
   world.for_each_by_id([&](Slot slot) { vectors.push_back(value(slot)); });
   return read_only(array_around(std::move(vectors)));
+}
+
+// The row of a sphere in all arrays. Error: there is no such sphere.
+std::size_t index_of(const World& world, SphereId id) {
+  static_cast<void>(world.slot_of(id));
+  const auto ranks = std::views::iota(std::size_t{0}, world.size());
+  const auto id_of = [&](std::size_t rank) { return world.id(world.slot_of_rank(rank)); };
+  return *std::ranges::lower_bound(ranks, id, {}, id_of);
+}
+
+py::object indices_of(const PythonSimulation& self, const py::object& ids) {
+  const std::vector<std::uint32_t> spheres = counts_of(ids, "ids", kNoSphere);
+  const bool is_one = doubles(ids, "ids").ndim() == 0;
+  const World& world = self.simulation().world();
+  std::vector<std::int64_t> indices;
+  indices.reserve(spheres.size());
+  for (const SphereId id : spheres) indices.push_back(static_cast<std::int64_t>(index_of(world, id)));
+  if (is_one) return py::int_(indices.front());
+  return array_around(std::move(indices));
+}
+
+std::optional<double> time_or_none(const py::object& time) {
+  if (time.is_none()) return std::nullopt;
+  const Doubles number = doubles(time, "until");
+  if (number.ndim() != 0) throw Error("it is not one number", "until", "give a time, or None");
+  return *number.data();
 }
 
 py::dict certificate(const PythonSimulation& self) {
@@ -71,7 +103,7 @@ void bind_arrays(SimulationClass& simulation) {
       [](const World& world, const Time& now) {
         return vectors_by_id(world, [&](Slot slot) { return world.position(slot, now); });
       },
-      doc::Simulation_positions);
+      (std::string(doc::Simulation_positions) + " Row index_of(id) is the sphere with this id.").c_str());
   of_world(
       "unwrapped_positions",
       [](const World& world, const Time& now) {
@@ -103,6 +135,12 @@ void bind_arrays(SimulationClass& simulation) {
       },
       "In the order of ids [M]; infinite for kinematic spheres.");
   of_world(
+      "moments",
+      [](const World& world, const Time&) {
+        return numbers_by_id<double>(world, [&](Slot slot) { return world.moment(slot); });
+      },
+      "Of inertia, over mass and squared radius, in the order of ids [1].");
+  of_world(
       "species",
       [](const World& world, const Time&) {
         return numbers_by_id<std::uint8_t>(world, [&](Slot slot) { return world.species(slot); });
@@ -113,7 +151,8 @@ void bind_arrays(SimulationClass& simulation) {
       [](const World& world, const Time&) {
         return numbers_by_id<std::uint32_t>(world, [&](Slot slot) { return world.id(slot); });
       },
-      "The ids of all spheres, ascending: 0 to size-1, until spheres are added, removed or merged.");
+      "The ids of all spheres, ascending: 0 to size-1, until spheres are removed or merge. Row k of every "
+      "array is the sphere ids[k]; index_of is the inverse.");
 }
 
 void bind_numbers(SimulationClass& simulation) {
@@ -143,6 +182,14 @@ void bind_numbers(SimulationClass& simulation) {
   number(
       "kinetic_energy", [](const Simulation& self) { return self.world().kinetic_energy(self.now()); },
       "Sum of m v^2 / 2 [M L^2 T^-2]; kinematic spheres are no part. Cost: O(n).");
+  number(
+      "temperature",
+      [](const Simulation& self) { return thermal_motion(self.world(), self.now()).temperature(); },
+      "k T [M L^2 T^-2]: twice the kinetic energy relative to a common drift along axes without walls, by "
+      "the degrees of freedom, as of the measure of this name; NaN if there are none. Cost: O(n).");
+  number(
+      "packing_fraction", [](const Simulation& self) { return packing_fraction(self.world()); },
+      doc::packing_fraction);
   number(
       "momentum",
       [](const Simulation& self) { return read_only(array_of(self.world().momentum(self.now()))); },
@@ -181,8 +228,22 @@ void bind_state(SimulationClass& simulation) {
           },
           "What has been measured up to now, by the names of the measures. Cost: that of a copy of the "
           "measures.")
-      .def_property("until", &PythonSimulation::until, &PythonSimulation::set_until,
-                    "Where a run ends that is given no limit [T].")
+      .def("index_of", &indices_of, py::arg("ids"),
+           "The row in positions, velocities and all other arrays of the sphere with this id, or of several: "
+           "velocities[index_of(7)] is that of sphere 7. Rows are ids until spheres are removed or merge; "
+           "then only this is right. Cost: O(log size) each. Error: no such sphere.")
+      .def_property_readonly(
+          "thermostat",
+          [](const PythonSimulation& self) {
+            const std::optional<Thermostat>& thermostat = self.simulation().thermostat();
+            if (!thermostat) return py::object(py::none());
+            return std::visit([](const auto& kind) { return py::cast(kind); }, thermostat->kind());
+          },
+          "The Andersen, Rescale or Heating at work; None without one.")
+      .def_property(
+          "until", &PythonSimulation::until,
+          [](PythonSimulation& self, const py::object& time) { self.set_until(time_or_none(time)); },
+          "Where a run ends that is given no limit [T].")
       .def("__len__", [](const PythonSimulation& self) { return self.simulation().size(); })
       .def("__contains__",
            [](const PythonSimulation& self, SphereId id) { return self.simulation().contains(id); });

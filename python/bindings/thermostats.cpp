@@ -5,6 +5,7 @@
 #include "documentation.hpp"
 #include "hardball/errors/error.hpp"
 #include "python/bindings/bindings.hpp"
+#include "python/bindings/call_text.hpp"
 
 namespace py = pybind11;
 
@@ -21,15 +22,24 @@ void bind_thermostats(py::module_& module) {
   py::class_<Andersen>(module, "Andersen", doc::Andersen)
       .def(py::init<double, double>(), py::arg("temperature"), py::arg("rate"), doc::Andersen_Andersen)
       .def_property_readonly("temperature", &Andersen::temperature, "k T [M L^2 T^-2].")
-      .def_property_readonly("rate", &Andersen::rate, "Of each sphere's events [1/T].");
+      .def_property_readonly("rate", &Andersen::rate, "Of each sphere's events [1/T].")
+      .def("__repr__", [](const Andersen& self) {
+        return CallText("Andersen").add("temperature", self.temperature()).add("rate", self.rate()).text();
+      });
   py::class_<Rescale>(module, "Rescale", doc::Rescale)
       .def(py::init<double, double>(), py::arg("temperature"), py::arg("every"), doc::Rescale_Rescale)
       .def_property_readonly("temperature", &Rescale::temperature, "k T [M L^2 T^-2].")
-      .def_property_readonly("every", &Rescale::every, "The interval [T].");
+      .def_property_readonly("every", &Rescale::every, "The interval [T].")
+      .def("__repr__", [](const Rescale& self) {
+        return CallText("Rescale").add("temperature", self.temperature()).add("every", self.every()).text();
+      });
   py::class_<Heating>(module, "Heating", doc::Heating)
       .def(py::init<double, double>(), py::arg("strength"), py::arg("every"), doc::Heating_Heating)
       .def_property_readonly("strength", &Heating::strength, "[L^2 T^-3]")
-      .def_property_readonly("every", &Heating::every, "The interval [T].");
+      .def_property_readonly("every", &Heating::every, "The interval [T].")
+      .def("__repr__", [](const Heating& self) {
+        return CallText("Heating").add("strength", self.strength()).add("every", self.every()).text();
+      });
 }
 
 }  // namespace hardball::python

@@ -35,11 +35,13 @@ from ._hardball import (
     __version__,
     measure_names,
 )
+from ._calls import ArgumentError, explain_calls
 from ._simulation import Simulation
 from ._view import View
 
 __all__ = [
     "Andersen",
+    "ArgumentError",
     "Bounce",
     "Box",
     "BrokenInvariant",
@@ -65,7 +67,9 @@ __all__ = [
     "__version__",
 ]
 
+explain_calls(Simulation.__mro__[1])
 for _name in __all__:
     if isinstance(globals()[_name], type):
         globals()[_name].__module__ = "hardball"
-del _name
+        explain_calls(globals()[_name])
+del _name, explain_calls

@@ -1,14 +1,16 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""Arguments that are single numbers."""
+"""Arguments that are checked in Python."""
 
 from __future__ import annotations
 
 import operator
 from numbers import Real
-from typing import Any
+from typing import Any, Iterable, TypeVar
 
 from . import _hardball
+
+Item = TypeVar("Item")
 
 
 def whole_number(value: Any, name: str) -> int:
@@ -32,3 +34,29 @@ def real_number(value: Any, name: str) -> float:
     except TypeError:
         pass
     raise _hardball.Error(f"{name}: it is {value!r}; give a number")
+
+
+def list_of(kind: type[Item], values: Any, name: str) -> list[Item]:
+    """Error: it is not a list of objects of this class."""
+    found = list(values) if isinstance(values, Iterable) and not isinstance(values, str) else None
+    if found is None or not all(isinstance(item, kind) for item in found):
+        raise _hardball.Error(f"{name}: it is {values!r}; give a list of {kind.__name__}")
+    return found
+
+
+def species_pairs(values: Any, name: str) -> list[tuple[int, int]]:
+    """Error: it is not a list of pairs of species."""
+    try:
+        pairs = [(operator.index(first), operator.index(second)) for first, second in values]
+    except (TypeError, ValueError):
+        pairs = [(-1, -1)]
+    if any(not 0 <= species < 256 for pair in pairs for species in pair):
+        raise _hardball.Error(f"{name}: it is {values!r}; give pairs of numbers from 0 to 255, as in [(0, 1)]")
+    return pairs
+
+
+def engine_name(value: Any) -> str:
+    """Error: it is no text."""
+    if not isinstance(value, str):
+        raise _hardball.Error(f"engine: it is {value!r}; give a name such as 'auto'")
+    return value

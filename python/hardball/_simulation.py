@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _hardball
-from ._arguments import real_number, whole_number
+from ._arguments import engine_name, list_of, real_number, species_pairs, whole_number
 from ._notebook import html_of
 from ._scenario import toml_of
 from ._view import View, is_notebook, view_of
@@ -52,7 +52,8 @@ class Simulation(_hardball.Simulation):
         """Starts at time zero.
 
         :param positions: centres [L], shape (n, 3), or (n, 2) in two dimensions.
-        :param velocities: [L/T], of the same shape, or one vector for all.
+        :param velocities: [L/T], of the same shape, or one vector for all. Vectors have three numbers, in two
+            dimensions also two.
         :param radius: [L], of shape (n,), or one number for all.
         :param mass: [M], likewise. A sphere of infinite mass is kinematic: no collision deflects it.
         :param spin: angular velocity [1/T], as velocities.
@@ -83,13 +84,13 @@ class Simulation(_hardball.Simulation):
             species=species,
             moment=moment,
             gravity=gravity,
-            surfaces=list(surfaces),
-            passing=list(passing),
+            surfaces=list_of(_hardball.Surface, surfaces, "surfaces"),
+            passing=species_pairs(passing, "passing"),
             response=response,
             thermostat=thermostat,
             seed=whole_number(seed, "seed"),
-            engine=engine,
-            cell_edge=cell_edge,
+            engine=engine_name(engine),
+            cell_edge=None if cell_edge is None else real_number(cell_edge, "cell_edge"),
         )
 
     @classmethod
@@ -117,6 +118,8 @@ class Simulation(_hardball.Simulation):
         if overrides is not None and not isinstance(overrides, Mapping):
             raise _hardball.Error("overrides: it is no dict; give one such as {'run.seed': 7}")
         changes = [f"{key}={toml_of(value)}" for key, value in (overrides or {}).items()]
+        engine = engine_name(engine)
+        cell_edge = None if cell_edge is None else real_number(cell_edge, "cell_edge")
         if isinstance(scenario, Mapping):
             text = "".join(f"{key} = {toml_of(value)}\n" for key, value in scenario.items())
             return cls._of(cls._from_scenario_text(text, "scenario", changes, engine, cell_edge))
@@ -231,7 +234,7 @@ class Simulation(_hardball.Simulation):
         The first limit that is met counts; a contact is a collision of two spheres or a contact with a wall. Where
         spheres may never meet again, in open space or a periodic box, give a finite time. Returns the number of
         contacts or, with `record`, all of them as an array with the fields time, kind (0 a collision, 1 a wall), first,
-        second, normal_speed and impulse. With `progress`, shows a bar if tqdm is there. Ctrl-C ends the run between
+        second, normal_speed and impulse, which are those of events.npy. With `progress`, shows a bar if tqdm is there. Ctrl-C ends the run between
         two events; the simulation can be run on.
         """
         if until is not None:
@@ -261,10 +264,13 @@ class Simulation(_hardball.Simulation):
         """Measures from now on in all runs: some of measure_names(), or "all".
 
         `every` is the time between samples [T], by default each measure's own choice; `start` when measuring begins
-        [T]. What was measured before is forgotten. While measures are on, spheres cannot be added or removed. No
+        [T]. What was measured before is forgotten. While measures are on, spheres cannot be added or removed; other
+        edits are taken into account, with a warning, as results then average over the states before and after. No
         measure changes the history.
         """
-        self._measure([names] if isinstance(names, str) else list(names), every, start)
+        chosen = [names] if isinstance(names, str) else list_of(str, names, "names")
+        interval = None if every is None else real_number(every, "every")
+        self._measure(chosen, interval, real_number(start, "start"))
 
     # --- pictures ---
 
@@ -294,5 +300,5 @@ class Simulation(_hardball.Simulation):
 def _restored(kind: type[Simulation], saved: bytes, response: Any) -> Simulation:
     simulation = kind.load(saved)
     if response is not None:
-        simulation.respond_with(response)
+        simulation._set_response(response)
     return simulation

@@ -93,6 +93,39 @@ class ArraysGiven(unittest.TestCase):
         simulation = hardball.Simulation(hardball.Box.flat_periodic(9), positions=[[1, 2], [5, 6]], velocities=[1, 0])
         np.testing.assert_array_equal(simulation.positions, [[1, 2, 0], [5, 6, 0]])
 
+    def test_two_numbers_are_no_vector_in_three_dimensions(self):
+        simulation = hardball.Simulation(hardball.Box.periodic(9), positions=[[1, 1, 1], [5, 5, 5]])
+        contact = hardball.Simulation(hardball.Box.open(), positions=[[0, 0, 0], [4, 1, 1]], velocities=[[1, 0, 0], [0, 0, 0]])
+        for call in (
+            lambda: simulation.set_velocity(1, [0, 0]),
+            lambda: simulation.set_velocity([0, 1], [[0, 0], [1, 1]]),
+            lambda: simulation.add([3, 3]),
+            lambda: simulation.add([3, 3, 3], velocity=[1, 0]),
+            lambda: simulation.first_contact(0, [1, 0], until=1),
+            lambda: simulation.ray([0, 0], [1, 0, 0], most=1),
+            lambda: simulation.ray([0, 0, 0], [1, 0], most=1),
+            lambda: simulation.clearance([0, 0]),
+            lambda: self.made(self.positions, velocities=[1, 0]),
+            lambda: self.made(self.positions, velocities=np.ones((125, 2))),
+            lambda: self.made(self.positions, gravity=[0, -1]),
+            lambda: self.made(self.positions, response=lambda contact: [[0, 0], [0, 0]]).set_velocity(0, [0, 0]),
+        ):
+            with self.assertRaisesRegex(hardball.Error, "shape.*three dimensions"):
+                call()
+        contact.respond_with(lambda contact: [[0, 0], [0, 0]])
+        with self.assertRaisesRegex(hardball.Error, "shape.*three dimensions"):
+            contact.run(until=10)
+        np.testing.assert_array_equal(simulation.velocities, 0)
+        flat = hardball.Simulation(hardball.Box.flat_periodic(9), positions=[[1, 1], [5, 5, ]], gravity=[0, -1])
+        for velocity in ([1, 2], [1, 2, 0]):
+            flat.set_velocity(1, velocity)
+            np.testing.assert_array_equal(flat.velocities[1], [1, 2, 0])
+        flat.respond_with(lambda contact: [[0, 0], [0, 0]])
+        flat.set_velocity([0, 1], [[1, 1], [0, 0]])
+        self.assertEqual(flat.run(contacts=1), 1)
+        with self.assertRaisesRegex(hardball.Error, r"shape \(4,\); give three numbers, or two"):
+            flat.ray([1, 2, 3, 4], [1, 0], most=1)
+
     def test_errors_say_what_to_write(self):
         good = self.positions
         nan, infinite = good.copy(), good.copy()
@@ -128,6 +161,12 @@ class ArraysGiven(unittest.TestCase):
             ({"positions": good, "thermostat": 5}, "give an Andersen"),
             ({"positions": good, "engine": "fast"}, "choose one of 'auto'"),
             ({"positions": good, "cell_edge": -1}, "cell edge"),
+            ({"positions": good, "cell_edge": "x"}, "cell_edge.*give a number"),
+            ({"positions": good, "engine": 5}, "engine.*give a name"),
+            ({"positions": good, "surfaces": [1]}, "surfaces.*give a list of Surface"),
+            ({"positions": good, "surfaces": 1}, "surfaces.*give a list of Surface"),
+            ({"positions": good, "passing": [0, 1]}, r"passing.*as in \[\(0, 1\)\]"),
+            ({"positions": good, "passing": [(0, 256)]}, "passing.*from 0 to 255"),
         ]
         for options, message in bad:
             with self.subTest(message), self.assertRaisesRegex(hardball.Error, f"(?s){message}"):
@@ -143,9 +182,66 @@ class ArraysGiven(unittest.TestCase):
             (lambda: hardball.Box.flat_walls([1, 2, 3]), "two"),
             (lambda: hardball.Box.walls(-1), "-1"),
             (lambda: hardball.Box(["wall", "wall", "soft"], [1, 1, 1]), "soft"),
+            (lambda: hardball.Box(5, 5), "boundary: it is 5; give three names"),
+            (lambda: hardball.Box("open", 5), "boundary: it is 'open'; give three names"),
+            (lambda: hardball.Box(["wall", "wall"], [1, 1]), "give three names"),
+            (lambda: hardball.Box([1, 2, 3], [1, 1, 1]), "there is no boundary 1"),
+            (lambda: hardball.Box(["wall"] * 3, None), "size.*give real numbers"),
         ]:
             with self.assertRaisesRegex(hardball.Error, message):
                 make()
+
+
+class Calls(unittest.TestCase):
+    def test_names_of_arguments_that_there_are_not(self):
+        simulation = gas()
+        contact = simulation.contacts_within(1, most=1)[0]
+        for call, message in [
+            (lambda: gas(radii=0.5), "Simulation: there is no argument radii=; did you mean radius=?"),
+            (lambda: gas(masses=1), "Simulation: there is no argument masses=; did you mean mass=?"),
+            (lambda: gas(temperature=1), "Simulation: there is no argument temperature=; it takes box, positions, "),
+            (lambda: simulation.run(untill=1), "Simulation.run: there is no argument untill=; did you mean until=?"),
+            (lambda: simulation.set_velocity(1, velocity=[0, 0, 0]), "did you mean velocities=?"),
+            (lambda: simulation.add([1, 1, 1], radii=1), "did you mean radius=?"),
+            (lambda: hardball.Box.periodic(sise=1), "Box.periodic: there is no argument sise=; did you mean size=?"),
+            (lambda: hardball.Box(boundaries=5, size=5), "did you mean boundary=?"),
+            (lambda: hardball.Bounce(restitutions=0.5), "did you mean restitution=?"),
+            (lambda: hardball.Surface.plane([0, 0, 1], amplitud=1), "did you mean amplitude=?"),
+            (lambda: hardball.Outcome(contact, contact.before, spin=None), "did you mean spins=?"),
+        ]:
+            with self.assertRaises(hardball.Error) as caught:
+                call()
+            self.assertIsInstance(caught.exception, TypeError)
+            self.assertIn(message, str(caught.exception))
+
+    def test_arguments_that_do_not_fit(self):
+        simulation = gas()
+        for call, message in [
+            (lambda: hardball.Andersen("hot", 1), "it takes (temperature: float, rate: float)"),
+            (lambda: hardball.Box.walls(), "Box.walls: these arguments do not fit; it takes (size: object)"),
+            (lambda: simulation.contacts_within("long"), "it takes (duration: float, most: Optional[int] = None)"),
+            (lambda: simulation.first_contact(0.5, [0, 0, 0], 1), "it takes (id: int, velocity: object, until: float)"),
+        ]:
+            with self.assertRaises(hardball.ArgumentError) as caught:
+                call()
+            self.assertIn(message, str(caught.exception))
+            self.assertNotIn("Invoked with", str(caught.exception))
+        with self.assertRaisesRegex(hardball.Error, "until.*give"):
+            simulation.until = "late"
+        with self.assertRaisesRegex(hardball.Error, "names.*give a list of str"):
+            simulation.measure([1])
+        with self.assertRaisesRegex(hardball.Error, "every.*give a number"):
+            simulation.measure("pressure", every="often")
+
+    def test_errors_of_functions_called_stay_as_they_are(self):
+        simulation = gas()
+
+        def listener(contact):
+            raise TypeError("mine")
+
+        simulation.on_contact(listener)
+        with self.assertRaisesRegex(TypeError, "^mine$"):
+            simulation.run(contacts=1)
 
 
 class Numbers(unittest.TestCase):

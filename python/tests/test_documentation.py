@@ -89,6 +89,57 @@ class Documentation(unittest.TestCase):
             subprocess.run([sys.executable, ROOT / "examples/equation_of_state.py"], check=True, cwd=folder, capture_output=True)
             self.assertTrue((Path(folder) / "equation_of_state.png").read_bytes().startswith(b"\x89PNG"))
 
+    def test_texts_show_what_objects_are_made_of(self):
+        for text in (
+            "hardball.Bounce(0.9)",
+            "hardball.Bounce(0.9, elastic_below=0.01, contact_duration=0.001, tangential_restitution=-0.5)",
+            "hardball.Bounce(hardball.TabulatedRestitution([1, 2], [0.9, 0.8]))",
+            "hardball.Merging()",
+            "hardball.TabulatedRestitution([1], [0.5])",
+            "hardball.Andersen(temperature=2, rate=0.5)",
+            "hardball.Rescale(temperature=2, every=0.5)",
+            "hardball.Heating(strength=2, every=0.5)",
+            "hardball.Box(('wall', 'periodic', 'open'), [3, 4, 0])",
+            "hardball.Surface.plane([0, 0, 1])",
+            "hardball.Surface.plane([1, 0, 0], point=[1, 2, 3], velocity=[0, 0, -1], restitution=0.5)",
+            "hardball.Surface.plane([0, 0, 1], amplitude=0.5, frequency=2, temperature=1.5, seed=7)",
+            "hardball.Surface.cylinder([0, 0, 1], 2, point=[1, 1, 0])",
+            "hardball.Surface.sphere(5.5)",
+            "hardball.Surface.obstacle(0.5, velocity=[1, 0, 0])",
+        ):
+            self.assertEqual(repr(eval(text)), text)
+        law = hardball.ViscoelasticRestitution(0.7, speed=2.5)
+        self.assertAlmostEqual(eval(repr(law)).at(1.0), law.at(1.0), places=14)
+        table = hardball.ResponseTable(0.9, hardball.Bounce(0.8))
+        self.assertEqual(repr(table), "<hardball.ResponseTable(hardball.Bounce(0.9), hardball.Bounce(0.8))>")
+        table.set(0, 2, hardball.Merging())
+        table.set_wall(1, 0.5)
+        self.assertIn("; species 0 and 2: hardball.Merging(); species 1 and walls: hardball.Bounce(0.5)>", repr(table))
+        contact = gas().contacts_within(1, most=1)[0]
+        self.assertRegex(repr(hardball.Outcome(contact, contact.before, merges=True)), r"velocities=\[\[.*merges=True")
+
+    def test_texts_of_measurements_show_values_with_errors(self):
+        simulation = gas()
+        simulation.measure(["pressure", "temperature"])
+        simulation.run(until=20)
+        results = simulation.results()
+        compressibility = results["pressure"]["compressibility"]
+        text = repr(results["pressure"])
+        self.assertTrue(text.startswith("<hardball.Measurement: Pressure\n  compressibility: "))
+        value, error = re.search(r"compressibility: (\S+) \+- (\S+), theory \S+\n", text).groups()
+        self.assertLess(abs(float(value) - compressibility.value), 0.1 * compressibility.error)
+        self.assertLess(abs(float(error) - compressibility.error), 0.05 * compressibility.error)
+        self.assertIn(" M L^-1 T^-2", text)
+        self.assertRegex(text, r"\d+ rows of time, compressibility, pressure>$")
+        # Without any result at all, numbers are nan, of no sign.
+        empty = gas()
+        empty.measure("all")
+        empty.run(until=1e-9)
+        for result in empty.results().values():
+            self.assertNotIn("-nan", repr(result))
+            for quantity in result.quantities.values():
+                self.assertNotIn("-nan", repr(quantity))
+
     def test_pictures(self):
         simulation = gas()
         self.assertIn("125 spheres", repr(simulation))
