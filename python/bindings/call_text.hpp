@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -9,6 +12,15 @@
 #include "hardball/geometry/vec3.hpp"
 
 namespace hardball::python {
+
+/// A number with at most so many digits; "nan" of any sign.
+inline std::string rounded_text(double number, int digits) {
+  if (std::isnan(number)) return "nan";
+  std::array<char, 40> text;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, digits);
+  return std::string(text.data(), end.ptr);
+}
 
 /// An argument as Python writes it.
 inline std::string argument_text(const std::string& written) {

@@ -3,8 +3,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -14,6 +12,7 @@
 #include "hardball/measure/measurement.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
+#include "python/bindings/call_text.hpp"
 #include "python/bindings/pickling.hpp"
 
 namespace py = pybind11;
@@ -24,26 +23,19 @@ namespace {
 constexpr int kUsualDigits = 6;
 constexpr int kDigitsOfErrors = 2;
 
-std::string rounded(double number, int digits) {
-  if (std::isnan(number)) return "nan";
-  std::array<char, 40> text;
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, digits);
-  return std::string(text.data(), end.ptr);
-}
-
 // How many digits there are down to those of the error.
 int digits_of(const Quantity& quantity) {
-  const double digits = std::log10(std::fabs(quantity.value) / quantity.error) + kDigitsOfErrors;
-  return std::isfinite(digits) ? static_cast<int>(std::clamp(std::ceil(digits), 1.0, 17.0)) : kUsualDigits;
+  const double digits = std::floor(std::log10(std::fabs(quantity.value))) -
+                        std::floor(std::log10(quantity.error)) + kDigitsOfErrors;
+  return std::isfinite(digits) ? static_cast<int>(std::clamp(digits, 1.0, 17.0)) : kUsualDigits;
 }
 
 // Rounded as far as the error tells.
 std::string text_of(const Quantity& quantity) {
-  std::string text = rounded(quantity.value, digits_of(quantity));
-  if (!std::isnan(quantity.error)) text += " +- " + rounded(quantity.error, kDigitsOfErrors);
+  std::string text = rounded_text(quantity.value, digits_of(quantity));
+  if (!std::isnan(quantity.error)) text += " +- " + rounded_text(quantity.error, kDigitsOfErrors);
   if (quantity.unit != "1") text += " " + quantity.unit;
-  if (!std::isnan(quantity.theory)) text += ", theory " + rounded(quantity.theory, kUsualDigits);
+  if (!std::isnan(quantity.theory)) text += ", theory " + rounded_text(quantity.theory, kUsualDigits);
   return text;
 }
 
@@ -52,11 +44,11 @@ std::string text_of(const Measurement& measurement) {
   for (const Quantity& quantity : measurement.quantities) {
     text += "\n  " + quantity.name + ": " + text_of(quantity);
   }
-  if (!measurement.columns.empty()) {
-    text += "\n  " + to_text(measurement.columns.front().values.size()) + " rows of ";
-    for (const Column& column : measurement.columns) {
-      text += (&column == &measurement.columns.front() ? "" : ", ") + column.name;
-    }
+  if (measurement.columns.empty()) return text + ">";
+  const std::size_t rows = measurement.columns.front().values.size();
+  text += "\n  " + to_text(rows) + (rows == 1 ? " row of " : " rows of ");
+  for (const Column& column : measurement.columns) {
+    text += (&column == &measurement.columns.front() ? "" : ", ") + column.name;
   }
   return text + ">";
 }

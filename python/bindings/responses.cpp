@@ -97,7 +97,10 @@ std::string text_of(const ConstantRestitution& law) {
   return to_text(law.value);
 }
 std::string text_of(const ViscoelasticRestitution& law) {
-  return CallText("ViscoelasticRestitution").add(law.at(law.speed())).add("speed", law.speed()).text();
+  // It is computed, and may differ from the number given in the last digit.
+  constexpr int kDigits = 15;
+  const std::string value = rounded_text(law.at(law.speed()), kDigits);
+  return CallText("ViscoelasticRestitution").add(value).add("speed", law.speed()).text();
 }
 std::string text_of(const TabulatedRestitution& law) {
   std::vector<double> speeds;

@@ -245,8 +245,10 @@ void bind_state(SimulationClass& simulation) {
           [](PythonSimulation& self, const py::object& time) { self.set_until(time_or_none(time)); },
           "Where a run ends that is given no limit [T].")
       .def("__len__", [](const PythonSimulation& self) { return self.simulation().size(); })
-      .def("__contains__",
-           [](const PythonSimulation& self, SphereId id) { return self.simulation().contains(id); });
+      .def(
+          "__contains__",
+          [](const PythonSimulation& self, SphereId id) { return self.simulation().contains(id); },
+          py::arg("id"));
 }
 
 }  // namespace hardball::python

@@ -12,6 +12,7 @@ from typing import Any, Callable, Optional
 
 from . import _hardball
 
+_OPERATORS = ("__init__", "__contains__", "__getitem__")  # that take arguments of any type
 _UNFIT = re.compile(r"incompatible (function|constructor) arguments")
 
 
@@ -22,7 +23,7 @@ class ArgumentError(_hardball.Error, TypeError):
 def explain_calls(kind: type) -> None:
     """Lets the functions of a class, in Python or C++, say what they would take instead of unfit arguments."""
     for name, value in list(vars(kind).items()):
-        if name.startswith("_") and name != "__init__":
+        if name.startswith("_") and name not in _OPERATORS:
             continue
         title = kind.__name__ if name == "__init__" else f"{kind.__name__}.{name}"
         if isinstance(value, (staticmethod, classmethod)):

@@ -109,6 +109,7 @@ class Documentation(unittest.TestCase):
         ):
             self.assertEqual(repr(eval(text)), text)
         law = hardball.ViscoelasticRestitution(0.7, speed=2.5)
+        self.assertEqual(repr(law), "hardball.ViscoelasticRestitution(0.7, speed=2.5)")
         self.assertAlmostEqual(eval(repr(law)).at(1.0), law.at(1.0), places=14)
         table = hardball.ResponseTable(0.9, hardball.Bounce(0.8))
         self.assertEqual(repr(table), "<hardball.ResponseTable(hardball.Bounce(0.9), hardball.Bounce(0.8))>")
@@ -129,6 +130,8 @@ class Documentation(unittest.TestCase):
         value, error = re.search(r"compressibility: (\S+) \+- (\S+), theory \S+\n", text).groups()
         self.assertLess(abs(float(value) - compressibility.value), 0.1 * compressibility.error)
         self.assertLess(abs(float(error) - compressibility.error), 0.05 * compressibility.error)
+        # Both end at the same digit, where neither ends in a zero.
+        self.assertEqual(f"{float(value):.{len(error.partition('.')[2])}f}".rstrip("0"), value.rstrip("0"))
         self.assertIn(" M L^-1 T^-2", text)
         self.assertRegex(text, r"\d+ rows of time, compressibility, pressure>$")
         # Without any result at all, numbers are nan, of no sign.
