@@ -73,7 +73,6 @@ EngineOptions read_engine_options(const Options& options, const Scenario& scenar
   EngineOptions engine_options;
   engine_options.engine = static_cast<EngineKind>(choose(options.engine, kEngineNames, "--engine"));
   engine_options.queue = static_cast<QueueKind>(choose(options.queue, kQueueNames, "--queue"));
-  respond_as_described(scenario, engine_options);
   const std::size_t instructions = choose(options.instructions, kInstructionNames, "--instructions");
   if (instructions > 0) engine_options.instructions = static_cast<InstructionSet>(instructions - 1);
   const bool has_cells = engine_options.engine != EngineKind::all_pairs;

@@ -189,13 +189,12 @@ ExitCode tune(const Options& options) {
   const Scenario scenario = read_scenario(options);
   EngineOptions engine_options;
   engine_options.engine = EngineKind::cells;
-  respond_as_described(scenario, engine_options);
   engine_options.unit_costs = read_unit_costs(options.unit_costs == "auto" ? "measured" : options.unit_costs);
   catch_signals();
   if (options.out) make_directory(*options.out);
   const Simulation settled = settle(scenario, engine_options);
   const Moments moments = moments_of(settled.world(), settled.now());
-  const Sweep sweep = sweep_cell_edges(settled, engine_options);
+  const Sweep sweep = sweep_cell_edges(settled, settled.options());
   if (options.out) {
     const std::filesystem::path directory = *options.out;
     write_file(directory / "tune.csv", csv(sweep, moments.spheres));

@@ -157,7 +157,6 @@ double all_pairs_work(const Comparison& comparison, double until) {
 ExitCode verify(const Options& options) {
   const Scenario scenario = read_scenario(options);
   EngineOptions engine_options;
-  respond_as_described(scenario, engine_options);
   Comparison comparison(scenario);
 
   engine_options.engine = EngineKind::cells;

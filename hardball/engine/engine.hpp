@@ -97,9 +97,10 @@ class Engine {
     }
   }
 
-  /// Carries out a collision now that is no event of the engine; `rebuild` must follow. Error: as for `run`.
-  const Contact& carry_out_besides(const Event& collision) {
-    execute(world_, guard_, collision, participants_of(world_, collision), respond_, done_);
+  /// Merges two spheres that overlap now, which is no event of the engine, if the response does so; then
+  /// `rebuild` must follow. Error: as for `run`.
+  std::optional<Contact> merge_besides(const Event& overlap) {
+    if (!merge_if_decided(world_, overlap, respond_, done_)) return std::nullopt;
     ++counters_.collision;
     return done_.contact;
   }

@@ -82,10 +82,10 @@ class PaperEngine {
     }
   }
 
-  /// As Engine::carry_out_besides.
-  Contact carry_out_besides(const Event& collision) {
+  /// As Engine::merge_besides.
+  std::optional<Contact> merge_besides(const Event& overlap) {
     Executed done;
-    execute(world_, guard_, collision, participants_of(world_, collision), respond_, done);
+    if (!merge_if_decided(world_, overlap, respond_, done)) return std::nullopt;
     ++counters_.collision;
     return done.contact;
   }

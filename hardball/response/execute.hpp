@@ -119,4 +119,17 @@ void execute(World& world, CollapseGuard& guard, const Event& event, const Parti
     store_spins(world, contact, participants);
 }
 
+/// Merges the two spheres of a collision if the response does so, whether or not they approach each other;
+/// returns false if it does not, and then nothing has happened. Error: what the response throws, or `merge`.
+template <Response R>
+bool merge_if_decided(World& world, const Event& collision, const R& response, Executed& done) {
+  const Participants participants = participants_of(world, collision);
+  contact_at(world, collision, participants, done);
+  done.may_turn = true;  // until the response tells otherwise, and if it throws
+  done.may_turn = decide(response, done.contact);
+  if (done.contact.fate != Fate::merge) return false;
+  merge(world, done.contact, participants);
+  return true;
+}
+
 }  // namespace hardball

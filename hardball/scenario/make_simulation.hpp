@@ -7,12 +7,10 @@
 
 namespace hardball {
 
-/// Sets the responses that a scenario describes.
-void respond_as_described(const Scenario& scenario, EngineOptions& options);
-
-/// The simulation of a scenario from its start, which make_world has made, with its thermostat. Error: see
-/// Simulation; its place is in the scenario, but that of options stays.
-Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options,
+/// The simulation of a scenario from its start, which make_world has made, with its response and thermostat.
+/// Options that have a response replace that of the scenario as a whole. Error: see Simulation; its place is
+/// in the scenario, but that of options stays.
+Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options = {},
                            const OnProgress& on_progress = {});
 
 }  // namespace hardball

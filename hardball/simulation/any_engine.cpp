@@ -46,7 +46,9 @@ class EngineModel final : public AnyEngine {
   RunStatus run(const RunLimits& limits, const Observe& observe) override {
     return engine_.run(limits, observe);
   }
-  Contact carry_out_besides(const Event& collision) override { return engine_.carry_out_besides(collision); }
+  std::optional<Contact> merge_besides(const Event& overlap) override {
+    return engine_.merge_besides(overlap);
+  }
   std::optional<Event> next_contact(const Time& until) override { return engine_.next_contact(until); }
   void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) override {
     engine_.change_velocity(slot, moment, velocity);
@@ -104,8 +106,7 @@ std::unique_ptr<AnyEngine> make_model(Arguments&&... arguments) {
 }
 
 AnyResponse response_of(const EngineOptions& options) {
-  const Restitution restitution(options.restitution, options.elastic_below);
-  return options.responses ? AnyResponse(*options.responses) : AnyResponse(restitution);
+  return options.responses ? AnyResponse(*options.responses) : AnyResponse(options.plain_response());
 }
 
 template <EventQueue Queue>
@@ -172,7 +173,7 @@ void check(const EngineOptions& options) {
                 "give those of measure_unit_costs, or leave them out");
   }
   if (options.cell_edge) check_positive(*options.cell_edge, "the cell edge", "cell edge");
-  static_cast<void>(Restitution(options.restitution, options.elastic_below));
+  static_cast<void>(options.plain_response());
 }
 
 EngineKind choose_engine(const World& world, const EngineOptions& options, const Time& moment,

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 
 #include "hardball/engine/run.hpp"
 #include "hardball/kernels/instruction_set.hpp"
@@ -45,10 +46,10 @@ struct EngineOptions {
   /// Error: not positive, or so small that a sphere would lie in hundreds of cells; for the paper's engine,
   /// less than the largest diameter.
   std::optional<double> cell_edge = {};
-  /// Coefficient of restitution [1]. Error: not between 0 and 1.
-  double restitution = 1;
-  /// Slower impacts are elastic, see Restitution [L/T]. Error: negative or not finite.
-  double elastic_below = 0;
+  /// Coefficient of restitution [1]; one if absent. Error: not between 0 and 1.
+  std::optional<double> restitution = {};
+  /// Slower impacts are elastic, see Restitution [L/T]; none if absent. Error: negative or not finite.
+  std::optional<double> elastic_below = {};
   /// Responses that depend on species, or on more than these two numbers, which they then replace.
   std::optional<ResponseTable> responses = {};
   /// From which the cell edge is chosen; measure_unit_costs gives those of this machine. Error: not
@@ -57,10 +58,22 @@ struct EngineOptions {
   /// Used to compute contact times; if absent, the widest available. Error: not available.
   std::optional<InstructionSet> instructions = {};
 
+  /// Whether any of the three that make up the response are given.
+  bool have_response() const { return restitution || elastic_below || responses; }
+  /// The response without `responses`.
+  Restitution plain_response() const {
+    return Restitution(restitution.value_or(1), elastic_below.value_or(0));
+  }
+
   /// All but `instructions`: where a saved simulation is loaded, others may be available.
   static void persist(auto& archive, auto& self) {
-    archive(self.engine, self.queue, self.cell_edge, self.restitution, self.elastic_below, self.responses,
-            self.unit_costs);
+    double coefficient = self.restitution.value_or(1);
+    double elastic = self.elastic_below.value_or(0);
+    archive(self.engine, self.queue, self.cell_edge, coefficient, elastic, self.responses, self.unit_costs);
+    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
+      self.restitution = coefficient;
+      self.elastic_below = elastic;
+    }
     archive.require(self.engine >= EngineKind::automatic && self.engine <= EngineKind::paper &&
                     self.queue >= QueueKind::calendar && self.queue <= QueueKind::ordered);
   }
@@ -68,7 +81,7 @@ struct EngineOptions {
 
 /// Whether all contacts of these spheres are known to be elastic and smooth.
 inline bool is_elastic(const EngineOptions& options) {
-  return options.restitution == 1 && !options.responses;
+  return options.restitution.value_or(1) == 1 && !options.responses;
 }
 
 /// The interface that all engines share; see Engine for what its members do.
@@ -87,7 +100,7 @@ class AnyEngine {
   virtual Vec3 cell_edges() const = 0;
   virtual double slack() const = 0;
   virtual RunStatus run(const RunLimits& limits, const Observe& observe) = 0;
-  virtual Contact carry_out_besides(const Event& collision) = 0;
+  virtual std::optional<Contact> merge_besides(const Event& overlap) = 0;
   virtual std::optional<Event> next_contact(const Time& until) = 0;
   virtual void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) = 0;
   /// Whether `rebuild` with this length would make what make_engine makes for the world as it is.

@@ -42,7 +42,7 @@ RecordedSurface recorded(const Surface& surface, double restitution) {
 std::optional<double> restitution_of(const Simulation& simulation) {
   if (simulation.has_custom_response()) return {};
   const EngineOptions& options = simulation.options();
-  return options.responses ? options.responses->restitution() : options.restitution;
+  return options.responses ? options.responses->restitution() : options.restitution.value_or(1);
 }
 
 // Whether contacts may turn spheres or merge them.

@@ -63,24 +63,22 @@ std::vector<Vec3> centers_at(const World& world, const Time& moment) {
   return centers;
 }
 
-// The collision of a sphere, now, with the one of lowest id that it overlaps and merges with.
-std::optional<Event> first_overlap(const World& world, SphereId id, const Time& now,
-                                   const ResponseTable& responses) {
+// The collisions of a sphere, now, with those that it overlaps, in order.
+std::vector<Event> overlaps_of(const World& world, SphereId id, const Time& now) {
   const Slot self = world.slot_of(id);
-  std::optional<Event> first;
+  std::vector<Event> overlaps;
   for (Slot other = 0; other < world.size(); ++other) {
     if (other == self || world.pass(self, other)) continue;
-    if (!std::holds_alternative<Merging>(responses.rule(world.species(self), world.species(other)))) continue;
     const Image image =
         world.box().nearest_image(world.unfolded_position(self, now) - world.unfolded_position(other, now));
     const Vec3 separation =
         separation_at(world.motion(), world.path(self), world.path(other), world.box().shift(image), now);
     const double reach = world.radius(self) + world.radius(other);
     if (!(dot(separation, separation) < reach * reach)) continue;
-    const Event overlap = make_collision(now, id, world.id(other), image);
-    if (!first || overlap < *first) first = overlap;
+    overlaps.push_back(make_collision(now, id, world.id(other), image));
   }
-  return first;
+  std::ranges::sort(overlaps);
+  return overlaps;
 }
 
 }  // namespace
@@ -276,10 +274,12 @@ RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) 
   };
   RunLimits left = limits;
   for (;;) {
-    while (const std::optional<Event> coalescence = next_coalescence()) {
+    while (!merged_.empty()) {
       if (left.contacts == 0) return RunStatus::contacts_reached;
       if (left.steps == 0) return RunStatus::steps_reached;
-      note(engine_->carry_out_besides(*coalescence), measures);
+      const std::optional<Contact> merger = coalesce();
+      if (!merger) break;
+      note(*merger, measures);
       --left.contacts;
       --left.steps;
     }
@@ -336,13 +336,15 @@ void Simulation::note_merger(const Contact& contact, const Measures* measures) {
   }
 }
 
-// Spheres that have merged may overlap others: with those they merge at once, lowest ids first.
-std::optional<Event> Simulation::next_coalescence() {
+// Spheres that have merged may overlap others: with those that the response merges them with, they do so at
+// once, lowest ids first. Carries out the first such merger, if there is one.
+std::optional<Contact> Simulation::coalesce() {
   while (!merged_.empty()) {
     const SphereId id = *std::ranges::min_element(merged_);
-    if (options_.responses && !response_ && contains(id)) {
-      if (const std::optional<Event> found = first_overlap(world(), id, now_, *options_.responses))
-        return found;
+    if (contains(id)) {
+      for (const Event& overlap : overlaps_of(world(), id, now_)) {
+        if (std::optional<Contact> merger = engine_->merge_besides(overlap)) return merger;
+      }
     }
     std::erase(merged_, id);
   }
@@ -359,8 +361,13 @@ void Simulation::call_listener(const Contact& contact, Activity activity) {
 std::optional<NextContact> Simulation::next_contact(double until) {
   check_idle("next_contact");
   check_not_past(Time(until));
-  if (const std::optional<Event> coalescence = next_coalescence()) {
-    return NextContact{coalescence->time.value(), coalescence->kind, coalescence->first, coalescence->second};
+  if (!merged_.empty()) {
+    const During running(activity_, Activity::running);  // the response is asked
+    Simulation apart(*this);
+    if (const std::optional<Contact> merger = apart.coalesce()) {
+      return NextContact{merger->time.value(), merger->kind, merger->first, merger->second};
+    }
+    merged_.clear();
   }
   apply_edits();
   const Time end(until);

@@ -68,7 +68,8 @@ class Simulation {
   /// the bodies still approach with the velocities returned; a velocity is not finite or exceeds 1e60; the
   /// response runs or edits the simulation. The contact has then not happened.
   void respond_with(std::function<Velocities(const Contact&)> response);
-  /// The same, for a response that changes spins, or merges spheres.
+  /// The same, for a response that changes spins, or merges spheres. It is also asked whether a sphere that
+  /// has merged merges with those that it overlaps, which may recede; if not, what it returns then is unused.
   void respond_with(std::function<Outcome(const Contact&)> response);
   /// Replaces the response of the options, for good: unlike functions, a table is saved.
   void respond_with(const ResponseTable& table);
@@ -230,7 +231,7 @@ class Simulation {
   void check_not_past(const Time& time) const;
   void note(const Contact& contact, Measures* measures);
   void note_merger(const Contact& contact, const Measures* measures);
-  std::optional<Event> next_coalescence();
+  std::optional<Contact> coalesce();
   void apply_edits();
   void retune_if_due();
   void rebuild(const Time& moment);

@@ -332,8 +332,9 @@ void PythonSimulation::set_response(const py::object& response) {
   }
   EngineOptions options;
   if (python::set_response(response, options)) {
+    const Restitution plain = options.plain_response();
     const Bounce simple(
-        {.restitution = ConstantRestitution{options.restitution}, .elastic_below = options.elastic_below});
+        {.restitution = ConstantRestitution{plain.coefficient()}, .elastic_below = plain.elastic_below()});
     simulation.respond_with(options.responses.value_or(ResponseTable(simple, simple)));
     response_.reset();
     return;

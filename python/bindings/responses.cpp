@@ -239,8 +239,8 @@ void bind_contact(py::module_& module) {
 
 bool set_response(const py::handle& object, EngineOptions& options) {
   options.responses.reset();
-  options.restitution = 1;
-  options.elastic_below = 0;
+  options.restitution.reset();
+  options.elastic_below.reset();
   if (object.is_none()) return true;
   if (py::isinstance<ResponseTable>(object)) {
     options.responses = object.cast<ResponseTable>();

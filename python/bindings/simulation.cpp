@@ -80,8 +80,7 @@ std::unique_ptr<PythonSimulation> make(const Box& box, const py::object& positio
 
 std::unique_ptr<PythonSimulation> from_scenario(const Scenario& scenario, const std::string& engine,
                                                 std::optional<double> cell_edge) {
-  EngineOptions options{.engine = engine_of(engine), .cell_edge = cell_edge};
-  respond_as_described(scenario, options);
+  const EngineOptions options{.engine = engine_of(engine), .cell_edge = cell_edge};
   const auto simulation = [&] {
     const py::gil_scoped_release release;
     return make_simulation(scenario, make_world(scenario, interruptible()), options, interruptible());

@@ -158,6 +158,54 @@ TEST_P(Fates, OfMergingSpheresIsToMergeWithAllThatTheMergedOneOverlaps) {
   EXPECT_EQ(copy.event_log_hash(), simulation.event_log_hash());
 }
 
+// Two spheres merge beside a third, which recedes and is overlapped by a fourteenth of the reach.
+World world_of_a_drop_beside_another(SpeciesId species) {
+  World world(Box::open());
+  world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}});
+  world.add({.position = {3, 0, 0}});
+  world.add({.position = {1.5, 1.9, 0}, .velocity = {0.5, 0.2, 0}, .species = species});
+  return world;
+}
+
+TEST_P(Fates, OfMergingSpheresAreAlikeWhetherATableOrAFunctionMergesThem) {
+  Simulation by_table(world_of_a_drop_beside_another(0), merging_by(GetParam()));
+  by_table.run_until(2);
+  EXPECT_EQ(by_table.size(), 1U);
+  Simulation by_function(world_of_a_drop_beside_another(0), {.engine = GetParam()});
+  std::vector<std::uint32_t> asked;
+  by_function.respond_with([&](const Contact& contact) {
+    asked.push_back(contact.second);
+    return Merging()(contact);
+  });
+  EXPECT_EQ(by_function.run_contacts(1), 1U);
+  ASSERT_TRUE(by_function.next_contact(2));
+  EXPECT_EQ(*by_function.next_contact(2), (NextContact{1, EventKind::collision, 0, 2}));
+  asked.clear();
+  by_function.run_until(2);
+  EXPECT_EQ(asked, (std::vector<std::uint32_t>{2})) << "a response that counts is asked once";
+  EXPECT_EQ(by_function.size(), 1U);
+  EXPECT_EQ(by_function.event_log_hash(), by_table.event_log_hash());
+  EXPECT_EQ(by_function.counters().collision, 2U);
+  EXPECT_EQ(by_function.velocity(0), by_table.velocity(0));
+}
+
+// Of the pairs that a function does not merge, only those that approach meet.
+TEST_P(Fates, OfSpheresThatAMergedOneOverlapsAreToPartUnlessAFunctionMergesThem) {
+  for (const double approach : {0.0, 0.4}) {
+    Simulation simulation(world_of_a_drop_beside_another(1), {.engine = GetParam()});
+    simulation.respond_with([](const Contact& contact) {
+      if (contact.second_species == 0) return Merging()(contact);
+      return Bounce()(contact);
+    });
+    simulation.run_contacts(1);
+    if (approach > 0) simulation.change_velocity(2, {0.5, -approach, 0});
+    simulation.run_until(2);
+    EXPECT_EQ(simulation.size(), 2U);
+    EXPECT_EQ(simulation.counters().collision, approach > 0 ? 2U : 1U);
+    EXPECT_GT(simulation.velocity(2).y, 0);
+  }
+}
+
 TEST_P(Fates, OfATableThatReplacesTheResponseAreThoseOfOneFromTheStart) {
   World world(Box::walls({20, 20, 20}));
   Random random(3);
