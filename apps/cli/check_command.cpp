@@ -41,6 +41,32 @@ std::string describe(const Vec3& vector) {
   return "(" + readable(vector.x) + ", " + readable(vector.y) + ", " + readable(vector.z) + ")";
 }
 
+std::string describe(const SurfaceMaterial& material) {
+  std::string text;
+  if (material.restitution) text += ", restitution " + readable(*material.restitution);
+  if (material.temperature) text += ", thermal at kT = " + readable(*material.temperature);
+  return text;
+}
+
+// Whether walls change the spins of spheres.
+bool are_walls_rough(const Scenario& scenario) {
+  constexpr double kSmooth = -1;
+  const auto is_rough = [](const BounceRules& rules) {
+    return rules.tangential_restitution && *rules.tangential_restitution != kSmooth;
+  };
+  return is_rough(scenario.bounce) || std::ranges::any_of(scenario.pairs, [&](const PairDescription& pair) {
+           return !pair.second && is_rough(pair.bounce);
+         });
+}
+
+std::string describe(const FaceProperties& face, const Scenario& scenario) {
+  std::string text = "face" + describe(face.material);
+  if (face.velocity == Vec3{}) return text;
+  text += ", moving with " + describe(face.velocity);
+  const bool drags = face.material.temperature || are_walls_rough(scenario);
+  return text + (drags ? "" : ", which does nothing: it is not thermal, and the spheres are smooth");
+}
+
 std::string describe(const Surface& surface) {
   std::string text = "at " + describe(surface.point());
   std::visit(
@@ -54,10 +80,7 @@ std::string describe(const Surface& surface) {
       },
       surface.shape());
   if (surface.velocity() != Vec3{}) text += ", moving with " + describe(surface.velocity());
-  const SurfaceMaterial& material = surface.material();
-  if (material.restitution) text += ", restitution " + readable(*material.restitution);
-  if (material.temperature) text += ", thermal at kT = " + readable(*material.temperature);
-  return text;
+  return text + describe(surface.material());
 }
 
 std::string describe(const ThermostatKind& kind) {
@@ -114,6 +137,10 @@ ExitCode check(const Options& options) {
   const Vec3& gravity = simulation.world().motion().gravity();
   if (gravity != Vec3{}) {
     add("gravity", to_text(gravity.x) + ", " + to_text(gravity.y) + ", " + to_text(gravity.z));
+  }
+  for (Face face = 0; face < kFaces; ++face) {
+    const Box& box = simulation.world().box();
+    if (box.has_own_properties(face)) add(kFaceNames[face], describe(box.face(face), scenario));
   }
   for (std::uint32_t k = 0; k < simulation.world().surfaces().size(); ++k) {
     add(wall_name(simulation.world(), kFaces + k), describe(simulation.world().surfaces()[k]));

@@ -21,6 +21,7 @@
 #include "hardball/tuning/kinetic_theory.hpp"
 #include "hardball/tuning/moments.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
+#include "hardball/world/walls.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -79,8 +80,7 @@ std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments
                             const EngineOptions& options, const Summary& summary) {
   std::vector<Quantity> all;
   const World& world = simulation.world();
-  const bool is_uniform = world.motion().is_straight() && world.surfaces().empty();
-  const bool theory = is_uniform && !simulation.thermostat() && has_theory(moments, options);
+  const bool theory = is_uniform(world) && !simulation.thermostat() && has_theory(moments, options);
   const auto add = [&](const std::string& name, const std::string& unit, double value, double expected) {
     if (std::isfinite(value)) all.push_back({name, unit, value, kNone, theory ? expected : kNone});
   };

@@ -19,8 +19,7 @@ struct WallSummary {
   double pressure = 0;  ///< [M L^-1 T^-2]
 };
 
-/// The walls of a world with gravity, or with surfaces besides the box: its faces that are walls, then the
-/// surfaces. Empty for other worlds.
+/// Those of measured_walls.
 std::vector<WallSummary> summarize_walls(const Simulation& simulation);
 
 }  // namespace hardball::cli

@@ -55,6 +55,20 @@ Json json_surface(const RecordedSurface& surface) {
   return json;
 }
 
+// Of the faces that have some; a restitution of null is that of the response.
+Json json_faces(const Box& box) {
+  Json faces = Json::object();
+  for (Face face = 0; face < kFaces; ++face) {
+    if (!box.has_own_properties(face)) continue;
+    const auto& [material, velocity] = box.face(face);
+    Json& json = faces[std::string(kFaceNames[face])];
+    json["velocity"] = json_vector(velocity);
+    json["temperature"] = material.temperature ? Json(*material.temperature) : Json(nullptr);
+    json["restitution"] = material.restitution ? Json(*material.restitution) : Json(nullptr);
+  }
+  return faces;
+}
+
 // Reads the values of a header from its JSON.
 class HeaderReader {
  public:
@@ -115,6 +129,28 @@ class HeaderReader {
   void read(const Json& object, const char* key, const Take& take) const {
     const auto found = object.find(key);
     if (found != object.end()) take(*found);
+  }
+
+  // Gives a box the properties of its faces.
+  void faces(const Json& value, Box& box) const {
+    for (Face face = 0; face < kFaces; ++face) {
+      read(value, std::string(kFaceNames[face]).c_str(), [&](const Json& entry) {
+        FaceProperties properties;
+        const auto number_in = [&](const char* key, std::optional<double>& number) {
+          read(entry, key, [&](const Json& given) {
+            if (!given.is_null()) number = this->number(given);
+          });
+        };
+        number_in("temperature", properties.material.temperature);
+        number_in("restitution", properties.material.restitution);
+        read(entry, "velocity", [&](const Json& given) { properties.velocity = vector(given); });
+        try {
+          box.set_face(face, properties);
+        } catch (const Error& error) {
+          fail(error.where() + ": " + error.problem());
+        }
+      });
+    }
   }
 
   RecordedSurface surface(const Json& value) const {
@@ -210,6 +246,7 @@ std::string to_json(const RecordingHeader& header) {
   json["spheres"] = header.spheres;
   json["box"]["size"] = json_vector(size);
   json["box"]["boundary"] = boundary;
+  if (!header.box.has_plain_faces()) json["box"]["faces"] = json_faces(header.box);
   json["begin"] = header.begin;
   json["until"] = header.until ? Json(*header.until) : Json(nullptr);
   json["cell_edge"] = json_vector(header.cell_edge);
@@ -236,6 +273,7 @@ RecordingHeader parse_recording_header(std::string_view json, const std::string&
       in.count(in.member(object, "spheres"), "number of spheres", std::numeric_limits<SphereId>::max() - 1.0);
   const Json& box = in.member(object, "box");
   header.box = Box(in.boundary(in.member(box, "boundary")), in.vector(in.member(box, "size")));
+  in.read(box, "faces", [&](const Json& value) { in.faces(value, header.box); });
   in.read(object, "begin", [&](const Json& value) { header.begin = in.number(value); });
   in.read(object, "until", [&](const Json& value) {
     if (!value.is_null()) header.until = in.number(value);

@@ -172,11 +172,12 @@ Measurement DensityProfiles::result(const Scene& /*scene*/) const {
   const BlockAverage average = transient.left_out_of(average_);
   if (walled_axes(box_) > 0) {
     const Estimate density = average.ratio(first_at_walls());
+    found.quantities = {{"density_at_walls", number_density_unit(box_), density.value, density.error}};
+  }
+  // Between other faces the spheres at a wall may have another temperature than the rest.
+  if (walled_axes(box_) > 0 && box_.has_plain_faces()) {
     const Estimate pressure = average.ratio(first_at_walls() + 1);
-    found.quantities = {
-        {"density_at_walls", number_density_unit(box_), density.value, density.error},
-        {"pressure_at_walls", pressure_unit(box_), pressure.value, pressure.error},
-    };
+    found.quantities.push_back({"pressure_at_walls", pressure_unit(box_), pressure.value, pressure.error});
   }
   Column position{"position", "L", ColumnRole::argument, {}};
   for (std::size_t bin = 0; bin < most_bins_; ++bin) {

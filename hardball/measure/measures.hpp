@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "hardball/measure/bond_order.hpp"
@@ -14,6 +15,7 @@
 #include "hardball/measure/collision_rate.hpp"
 #include "hardball/measure/coordination.hpp"
 #include "hardball/measure/density_profiles.hpp"
+#include "hardball/measure/flow_profiles.hpp"
 #include "hardball/measure/impact_speeds.hpp"
 #include "hardball/measure/mean_square_displacement.hpp"
 #include "hardball/measure/measure_settings.hpp"
@@ -74,7 +76,16 @@ class Measures {
   friend class Persistence;
   static void persist(auto& archive, auto& self) {
     archive(self.settings_, self.is_any_wanted_, self.has_begun_, self.is_driven_, self.spheres_,
-            self.last_id_, self.begin_, self.contacts_, self.entries_);
+            self.last_id_, self.begin_, self.contacts_);
+    std::apply([&](auto&... entries) { (persist_entry(archive, entries), ...); }, self.entries_);
+  }
+  // A measure that the archive is too old to have is not wanted.
+  static void persist_entry(auto& archive, auto& entry) {
+    using Measure = typename std::remove_cvref_t<decltype(entry)>::Type;
+    if constexpr (requires { Measure::kSinceVersion; }) {
+      if (archive.version() < Measure::kSinceVersion) return;
+    }
+    archive(entry);
   }
   bool restored() const;
 
@@ -90,11 +101,11 @@ class Measures {
     }
     bool restored() const { return measure || cadence.next() == kNever; }
   };
-  using Entries =
-      std::tuple<Entry<Pressure>, Entry<WallForces>, Entry<Temperature>, Entry<CollisionRate>,
-                 Entry<ImpactSpeeds>, Entry<VelocityDistribution>, Entry<MeanSquareDisplacement>,
-                 Entry<VelocityAutocorrelation>, Entry<RadialDistribution>, Entry<StructureFactor>,
-                 Entry<DensityProfiles>, Entry<Coordination>, Entry<NearestNeighbor>, Entry<BondOrder>>;
+  using Entries = std::tuple<Entry<Pressure>, Entry<WallForces>, Entry<Temperature>, Entry<CollisionRate>,
+                             Entry<ImpactSpeeds>, Entry<VelocityDistribution>, Entry<MeanSquareDisplacement>,
+                             Entry<VelocityAutocorrelation>, Entry<RadialDistribution>,
+                             Entry<StructureFactor>, Entry<DensityProfiles>, Entry<FlowProfiles>,
+                             Entry<Coordination>, Entry<NearestNeighbor>, Entry<BondOrder>>;
   friend std::span<const std::string_view> measure_names();
 
   // Calls visit(entry) for every entry.

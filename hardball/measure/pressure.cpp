@@ -10,6 +10,7 @@
 #include "hardball/measure/transient.hpp"
 #include "hardball/measure/units.hpp"
 #include "hardball/tuning/kinetic_theory.hpp"
+#include "hardball/world/walls.hpp"
 
 namespace hardball {
 namespace {
@@ -23,9 +24,6 @@ struct Component {
 };
 constexpr std::array<Component, 6> kTensor{
     {{0, 0, "xx"}, {1, 1, "yy"}, {2, 2, "zz"}, {0, 1, "xy"}, {0, 2, "xz"}, {1, 2, "yz"}}};
-
-constexpr std::array<const char*, 2 * kAxes> kFaceNames{"x_lower", "x_upper", "y_lower",
-                                                        "y_upper", "z_lower", "z_upper"};
 
 // Adds the mean of a b and b a to six sums in the order of kTensor.
 void add_symmetric_product(double* sums, Vec3 a, Vec3 b) {
@@ -47,8 +45,7 @@ bool is_along_z(const Component& component) {
 Pressure::Pressure(const Scene& scene)
     : box_(scene.world().box()),
       dimensions_(static_cast<double>(box_.dimensions())),
-      is_homogeneous_(!box_.is_any(Boundary::open) && scene.world().motion().is_straight() &&
-                      scene.world().surfaces().empty()),
+      is_homogeneous_(!box_.is_any(Boundary::open) && is_uniform(scene.world())),
       theory_(scene.fluid()),
       motion_(scene.motion()),
       spheres_(static_cast<double>(scene.world().size())),
@@ -260,7 +257,7 @@ void Pressure::add_walls(Measurement& found, const BlockAverage& average) const 
     const std::size_t axis = axis_of(face);
     if (!box_.is_wall(axis)) continue;
     add(
-        std::string("wall_pressure_") + kFaceNames[face], pressure_unit(box_),
+        "wall_pressure_" + std::string(kFaceNames[face]), pressure_unit(box_),
         [&](Means means) { return means[kFaceForces + face] / area(axis); },
         [&](Means means) { return inside(means, axis) / (open_length(means, axis) * area(axis)); });
     // One more hit is allowed for: see BlockAverage::histogram.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/measure/temperature.hpp"
 
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -57,9 +58,11 @@ void Temperature::sample(const Scene& scene) {
 }
 
 // The degrees of freedom of so many spheres with so much mass: along an axis without walls the motion of the
-// centre of mass is theirs in proportion to their mass.
+// centre of mass is theirs in proportion to their mass, unless other walls may drag them along.
 double Temperature::freedom(std::size_t axis, double spheres, double mass) const {
-  return spheres - (box_.is_wall(axis) ? 0 : mass / std::accumulate(masses_.begin(), masses_.end(), 0.0));
+  return spheres - (box_.is_wall(axis) || !box_.has_plain_faces()
+                        ? 0
+                        : mass / std::accumulate(masses_.begin(), masses_.end(), 0.0));
 }
 
 Measurement Temperature::result(const Scene& scene) const {
@@ -109,6 +112,8 @@ Measurement Temperature::result(const Scene& scene) const {
                            average_.history([&](Means means) { return begin_.value() + means[kTime]; })});
   found.columns.push_back({"temperature", kEnergyUnit, ColumnRole::value,
                            average_.history([](Means means) { return means[kAll]; })});
+  // Faces that heat or drag the spheres keep them out of equilibrium.
+  const double expected = box_.has_plain_faces() ? all.value : std::numeric_limits<double>::quiet_NaN();
   const double square = average.mean(kSquare);
   for (const Part& part : parts) {
     const FunctionOfMeans of_sum = [&](Means means) { return means[part.bin] / part.freedom; };
@@ -116,7 +121,7 @@ Measurement Temperature::result(const Scene& scene) const {
     const FunctionOfMeans of_share = [&](Means means) { return of_sum(means) / means[kSquare] * square; };
     const Estimate value = is_conserved ? average.estimate(of_share, BlockAverage::Groups::exchanging)
                                         : average.estimate(of_sum);
-    found.quantities.push_back({part.name, kEnergyUnit, value.value, value.error, all.value});
+    found.quantities.push_back({part.name, kEnergyUnit, value.value, value.error, expected});
     found.columns.push_back({part.name, kEnergyUnit, ColumnRole::value, average_.history(of_sum)});
   }
   transient.note_in(found);

@@ -21,7 +21,7 @@ ThermalMotion thermal_motion(const World& world, const Time& moment) {
   motion.degrees_of_freedom = static_cast<double>(world.box().dimensions() * deflected);
   for (std::size_t axis = 0; axis < world.box().dimensions(); ++axis) {
     if (deflected < world.size() || world.box().is_wall(axis) || !world.surfaces().empty() ||
-        world.motion().gravity()[axis] != 0)
+        !world.box().has_plain_faces() || world.motion().gravity()[axis] != 0)
       continue;
     motion.drift[axis] = momentum[axis] / mass;
     --motion.degrees_of_freedom;

@@ -11,13 +11,13 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/units.hpp"
+#include "hardball/world/walls.hpp"
 
 namespace hardball {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<const char*, kFaces> kFaceNames{"x_lower", "x_upper", "y_lower",
-                                                     "y_upper", "z_lower", "z_upper"};
+constexpr std::array<const char*, kAxes> kAxisNames{"x", "y", "z"};
 
 // The axis along which a unit vector lies, or kAxes if there is none.
 std::size_t axis_along(const Vec3& direction) {
@@ -46,8 +46,13 @@ double area_of(const Box& box, const auto& sphere) {
   return box.sphere_surface(sphere.radius());
 }
 
-bool has_only_faces(const World& world) {
-  return world.motion().is_straight() && world.surfaces().empty();
+// The part of the momentum that a contact gives to its wall along the wall [M L/T]; zero if it is no more
+// than rounding, as of smooth spheres on a plane that is not along the axes.
+Vec3 tangential_impulse(const Contact& contact) {
+  constexpr double kRounding = 1e-12;
+  const Vec3 impulse = contact.impulse();
+  const Vec3 along = dot(impulse, contact.wall_normal) * contact.wall_normal - impulse;
+  return dot(along, along) <= kRounding * kRounding * dot(impulse, impulse) ? Vec3{} : along;
 }
 
 }  // namespace
@@ -59,7 +64,7 @@ double wall_area(const World& world, std::uint32_t wall) {
 }
 
 std::string wall_name(const World& world, std::uint32_t wall) {
-  if (wall < kFaces) return kFaceNames[wall];
+  if (wall < kFaces) return std::string(kFaceNames[wall]);
   std::string name(world.surface(wall).name());
   std::replace(name.begin(), name.end(), ' ', '_');
   return name + "_" + to_text(wall - kFaces);
@@ -67,7 +72,7 @@ std::string wall_name(const World& world, std::uint32_t wall) {
 
 std::vector<std::uint32_t> measured_walls(const World& world) {
   std::vector<std::uint32_t> walls;
-  if (has_only_faces(world)) return walls;
+  if (is_uniform(world)) return walls;
   for (std::uint32_t wall = 0; wall < kFaces + world.surfaces().size(); ++wall) {
     if (wall >= kFaces || world.box().is_wall(axis_of(wall))) walls.push_back(wall);
   }
@@ -78,13 +83,15 @@ WallForces::WallForces(const Scene& scene)
     : walls_(measured_walls(scene.world())),
       begin_(scene.now()),
       last_(scene.now()),
-      average_(kBins * walls_.size()) {
+      average_(kBins * walls_.size()),
+      along_(kAxes * walls_.size()) {
   places_.resize(kFaces + scene.world().surfaces().size());
   for (std::size_t i = 0; i < walls_.size(); ++i) places_[walls_[i]] = i;
 }
 
 void WallForces::advance(const Time& now) {
   average_.close_sample(duration(begin_, now), duration(last_, now));
+  along_.close_sample(duration(begin_, now), duration(last_, now));
   last_ = now;
 }
 
@@ -100,32 +107,42 @@ void WallForces::note(const Contact& contact) {
   bins[kForce] -= dot(impulse, contact.wall_normal);
   bins[kWork] += work;
   bins[kHeat] += gained - work;
+  if (along_.bins() == 0) return;
+  const Vec3 tangential = tangential_impulse(contact);
+  double* const along = along_.open_bins(kAxes * places_[contact.second]);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) along[axis] += tangential[axis];
 }
 
 Measurement WallForces::result(const Scene& scene) const {
-  Measurement found{.name = std::string(kName),
-                    .title = "Forces on walls",
-                    .formula =
-                        R"($F = \frac{1}{t} \sum p$ of the normal impulses $p$; pressure $F / A$ on an area )"
-                        R"($A$; power $\frac{1}{t} \sum p u$ at velocities $u$ of the wall; heat: other )"
-                        R"(energy given to spheres, over $t$)",
-                    .source = "momentum and energy of each contact"};
-  if (walls_.empty()) return found;
+  R"($F = \frac{1}{t} \sum p$ of the normal impulses $p$; pressure $F / A$ on an area )"
+  R"($A$; tangential force and shear stress: the same of the other components; power )"
+  R"($\frac{1}{t} \sum \mathbf{p} \cdot \mathbf{u}$ at velocities $\mathbf{u}$ of the wall; )"
+  R"(heat: other energy given to spheres, over $t$)",
+      if (walls_.empty()) return found;
   WallForces up_to_now = *this;
   up_to_now.advance(scene.now());
-  BlockAverage& average = up_to_now.average_;
+  const BlockAverage& average = up_to_now.average_;
+  const BlockAverage& along = up_to_now.along_;
+  const Box& box = scene.world().box();
   for (std::size_t i = 0; i < walls_.size(); ++i) {
     const std::string name = wall_name(scene.world(), walls_[i]);
-    const auto add = [&](const char* what, const char* unit, std::size_t bin, double per) {
-      const Estimate estimate = average.ratio(kBins * i + bin);
+    const auto add = [&](const std::string& what, const char* unit, const Estimate& estimate, double per) {
       found.quantities.push_back({name + "_" + what, unit, estimate.value / per, estimate.error / per});
     };
-    add("force", "M L T^-2", kForce, 1);
+    const Estimate force = average.ratio(kBins * i + kForce);
     const double area = wall_area(scene.world(), walls_[i]);
-    if (std::isfinite(area)) add("pressure", pressure_unit(scene.world().box()), kForce, area);
-    if (walls_[i] < kFaces) continue;
-    add("power", "M L^2 T^-3", kWork, 1);
-    add("heat", "M L^2 T^-3", kHeat, 1);
+    add("force", "M L T^-2", force, 1);
+    if (std::isfinite(area)) add("pressure", pressure_unit(box), force, area);
+    for (std::size_t axis = 0; axis < kAxes && along.bins() > 0; ++axis) {
+      const Estimate tangential = along.ratio(kAxes * i + axis);
+      if (tangential.value == 0) continue;  // smooth
+      const std::string suffix = std::string("_") + kAxisNames[axis];
+      add("tangential_force" + suffix, "M L T^-2", tangential, 1);
+      if (std::isfinite(area)) add("shear_stress" + suffix, pressure_unit(box), tangential, area);
+    }
+    if (walls_[i] < kFaces && !box.has_own_properties(walls_[i])) continue;
+    add("power", "M L^2 T^-3", average.ratio(kBins * i + kWork), 1);
+    add("heat", "M L^2 T^-3", average.ratio(kBins * i + kHeat), 1);
   }
   return found;
 }
@@ -133,8 +150,8 @@ Measurement WallForces::result(const Scene& scene) const {
 bool WallForces::restored() const {
   const auto is_place = [this](std::size_t place) { return walls_.empty() || place < walls_.size(); };
   const auto is_wall = [this](std::uint32_t wall) { return wall < places_.size(); };
-  return average_.has(kBins * walls_.size()) && std::ranges::all_of(places_, is_place) &&
-         std::ranges::all_of(walls_, is_wall);
+  return average_.has(kBins * walls_.size()) && (along_.has(kAxes * walls_.size()) || along_.has(0)) &&
+         std::ranges::all_of(places_, is_place) && std::ranges::all_of(walls_, is_wall);
 }
 
 bool WallForces::suits(const World& world) const {

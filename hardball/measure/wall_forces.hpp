@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,14 +18,14 @@ namespace hardball {
 /// cut by the box in ways not computed here: a plane or a tube that is not along the axes.
 double wall_area(const World& world, std::uint32_t wall);
 
-/// "z_lower" for a face of the box, "plane_0" or "obstacle_2" for the first or third surface.
+/// "z_min" for a face of the box, "plane_0" or "obstacle_2" for the first or third surface.
 std::string wall_name(const World& world, std::uint32_t wall);
 
-/// The walls of a world with gravity, or with any surface besides the box: the faces that are walls, and the
-/// surfaces. None in other worlds, where Pressure says more.
+/// The walls of a world with gravity, with any surface besides the box, or with faces that have properties of
+/// their own: the faces that are walls, and the surfaces. None in other worlds, where Pressure says more.
 std::vector<std::uint32_t> measured_walls(const World& world);
 
-/// Force, pressure, power and heat at each wall, where there is gravity or any surface besides the box.
+/// Force, pressure, tangential force, power and heat at each of the measured_walls.
 class WallForces {
  public:
   static constexpr std::string_view kName = "wall_forces";
@@ -43,6 +44,7 @@ class WallForces {
   WallForces() = default;
   static void persist(auto& archive, auto& self) {
     archive(self.walls_, self.places_, self.begin_, self.last_, self.average_);
+    if (archive.version() >= kVersionOfTangentialForces) archive(self.along_);
   }
   bool restored() const;
 
@@ -52,6 +54,8 @@ class WallForces {
   static constexpr std::size_t kHeat = 2;   // likewise
   static constexpr std::size_t kBins = 3;
 
+  static constexpr std::uint32_t kVersionOfTangentialForces = 2;  // of archives
+
   void advance(const Time& now);
 
   std::vector<std::uint32_t> walls_;  // their numbers
@@ -59,6 +63,7 @@ class WallForces {
   Time begin_;
   Time last_;
   BlockAverage average_;
+  BlockAverage along_{0};  // tangential forces [M L T^-2], by wall and axis; none if a former version began
 };
 
 }  // namespace hardball

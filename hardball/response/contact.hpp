@@ -77,7 +77,7 @@ struct Contact {
   Fate fate = Fate::bounce;
   Vec3 wall_normal;               ///< Wall: the unit vector from the centre towards it [1].
   double pressing = 0;            ///< Wall: the acceleration of the sphere towards it [L/T^2].
-  SurfaceMaterial wall_material;  ///< Wall: what it does; of a face of the box, what the response does.
+  SurfaceMaterial wall_material;  ///< Wall: what it does.
 
   bool is_collision() const { return kind == EventKind::collision; }
   /// Unit vector along `separation`, or towards the wall [1].

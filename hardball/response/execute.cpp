@@ -112,16 +112,18 @@ void describe_wall(const World& world, std::uint32_t wall, Contact& contact, Vec
     contact.wall_normal[axis] = is_upper(wall) ? 1 : -1;
     contact.separation = {};
     contact.separation[axis] = (is_upper(wall) ? world.box().size()[axis] : 0) - contact.position[axis];
-    contact.wall_material = {};
+    const FaceProperties& face = world.box().face(wall);
+    contact.wall_material = face.material;
+    velocity = face.velocity;
   } else {
     const Surface& surface = world.surface(wall);
     const Vec3 position = contact.position - nearest_image_of(world, surface, contact.position);
     contact.wall_normal = surface.direction(position, contact.time);
     contact.separation = surface.distance(position, contact.time) * contact.wall_normal;
     contact.wall_material = surface.material();
-    contact.wall_material.is_flat = world.box().is_flat();
     velocity = surface.velocity_at(contact.time);
   }
+  contact.wall_material.is_flat = world.box().is_flat();
   contact.pressing = dot(world.motion().gravity(), contact.wall_normal);
 }
 

@@ -21,6 +21,43 @@ std::shared_ptr<const TableDescription> make(TableDescription table) {
   return std::make_shared<const TableDescription>(std::move(table));
 }
 
+// How a fixed surface reflects spheres.
+std::vector<KeyDescription> surface_keys() {
+  return {
+      {.name = "restitution",
+       .range = fraction,
+       .meaning = "of contacts with it; that of `[response]` if not given",
+       .example = "0.8"},
+      {.name = "temperature",
+       .range = not_negative,
+       .dimension = "M L²/T²",
+       .meaning = "instead of `restitution`: a thermal wall, which spheres leave with velocities of this kT",
+       .example = "1.0"}};
+}
+
+TableDescription faces_keys() {
+  std::vector<KeyDescription> keys = surface_keys();
+  keys.push_back({.name = "velocity",
+                  .type = vector,
+                  .dimension = "L/T",
+                  .default_value = "[0.0, 0.0, 0.0]",
+                  .meaning =
+                      "its constant velocity, along the face: it drags spheres along if it is thermal, or if "
+                      "they are rough",
+                  .example = "[1.0, 0.0, 0.0]"});
+  const std::shared_ptr<const TableDescription> face = make({.title = "face", .keys = std::move(keys)});
+  constexpr std::array<std::string_view, kFaces> kMeanings{
+      "the face at x = 0", "the face at the size along x",
+      "the face at y = 0", "the face at the size along y",
+      "the face at z = 0", "the face at the size along z"};
+  TableDescription faces{.title = "[box.faces]", .keys = {}};
+  for (Face number = 0; number < kFaces; ++number) {
+    faces.keys.push_back(
+        {.name = kFaceNames[number], .type = table, .meaning = kMeanings[number], .table = face});
+  }
+  return faces;
+}
+
 TableDescription box_keys() {
   return {
       .title = "[box]",
@@ -53,6 +90,10 @@ TableDescription box_keys() {
            .default_value = "[0.0, 0.0, 0.0]",
            .meaning = "the acceleration of every sphere",
            .example = "[0.0, 0.0, -9.81]"},
+          {.name = "faces",
+           .type = table,
+           .meaning = "properties of its faces that are walls",
+           .table = make(faces_keys())},
       }};
 }
 
@@ -379,20 +420,6 @@ TableDescription species_keys() {
                     .meaning = "the moment of inertia of its spheres over mass and squared radius: 2/5 for "
                                "uniform spheres and 1/2 for uniform discs, if not given; 2/3 for shells",
                     .example = "0.4"}}};
-}
-
-// How a fixed surface reflects spheres.
-std::vector<KeyDescription> surface_keys() {
-  return {
-      {.name = "restitution",
-       .range = fraction,
-       .meaning = "of contacts with it; that of `[response]` if not given",
-       .example = "0.8"},
-      {.name = "temperature",
-       .range = not_negative,
-       .dimension = "M L²/T²",
-       .meaning = "instead of `restitution`: a thermal wall, which spheres leave with velocities of this kT",
-       .example = "1.0"}};
 }
 
 TableDescription walls_keys() {

@@ -34,7 +34,16 @@ Box make_box(const Scenario& scenario) {
     boundary[axis] = scenario.box[axis].boundary;
     size[axis] = scenario.box[axis].size.value_or(0);
   }
-  return {boundary, size};
+  Box box(boundary, size);
+  for (const FaceDescription& face : scenario.faces) {
+    const SurfaceMaterial material{face.restitution, face.temperature, scenario.seed};
+    try {
+      box.set_face(face.face, {material, face.velocity});
+    } catch (const Error& error) {
+      throw Error(error.problem(), face.where, error.remedy());
+    }
+  }
+  return box;
 }
 
 double disc_area(Groups groups) {

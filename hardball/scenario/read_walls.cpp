@@ -18,7 +18,7 @@ Vec3 read_direction(const Section& section, const std::string& key, std::size_t 
   return direction;
 }
 
-// Restitution and temperature of a wall or an obstacle.
+// Restitution and temperature of a face, a wall or an obstacle.
 template <class Description>
 void read_surface(const Section& section, Description& surface) {
   if (const auto restitution = section.find("restitution")) surface.restitution = restitution->number();
@@ -73,6 +73,22 @@ std::vector<Vec3> read_positions(const Section& section, std::size_t dimensions)
 }
 
 }  // namespace
+
+std::vector<FaceDescription> read_faces(const Section& box, std::size_t dimensions) {
+  std::vector<FaceDescription> faces;
+  const std::optional<Section> table = box.section("faces");
+  for (Face face = 0; table && face < kFaces; ++face) {
+    const std::optional<Section> section = table->section(kFaceNames[face]);
+    if (!section) continue;
+    FaceDescription description;
+    description.face = face;
+    description.where = section->place();
+    read_surface(*section, description);
+    if (const auto velocity = section->find("velocity")) description.velocity = velocity->vector(dimensions);
+    faces.push_back(description);
+  }
+  return faces;
+}
 
 std::vector<WallDescription> read_walls(const Section& root, std::size_t dimensions) {
   std::vector<WallDescription> walls;

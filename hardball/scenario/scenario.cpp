@@ -208,6 +208,7 @@ Scenario read_scenario(const Document& document) {
   scenario.gravity = read_gravity(*box, scenario.dimensions());
   scenario.species = read_species(root);
   read_start(root, scenario);
+  scenario.faces = read_faces(*box, scenario.dimensions());
   scenario.walls = read_walls(root, scenario.dimensions());
   scenario.obstacles = read_obstacles(root, scenario.dimensions());
   read_response(root, scenario);

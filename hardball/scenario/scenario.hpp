@@ -84,6 +84,15 @@ struct SphereGroup {
   double mass_of(std::size_t index) const;
 };
 
+/// Properties of a face of the box: a key of the table [box.faces] of a scenario.
+struct FaceDescription {
+  Face face = 0;
+  std::optional<double> restitution;  ///< Instead of Scenario::restitution [1].
+  std::optional<double> temperature;  ///< k T of a thermal face [M L^2 T^-2].
+  Vec3 velocity;                      ///< Along the face [L/T].
+  std::string where;                  ///< Its place in the scenario, for messages.
+};
+
 /// A wall inside the box or around it: a table [[walls]] of a scenario.
 struct WallDescription {
   enum class Shape { plane, cylinder, sphere };
@@ -140,6 +149,7 @@ struct Scenario {
   /// 2 if the box is flat.
   std::size_t dimensions() const { return box[2].boundary == Boundary::flat ? 2 : 3; }
   Vec3 gravity;                        ///< [L/T^2]
+  std::vector<FaceDescription> faces;  ///< Of the box, those with properties of their own.
   std::vector<WallDescription> walls;  ///< Besides those of the box.
   std::vector<ObstacleDescription> obstacles;
   std::vector<SphereGroup> spheres;                 ///< In the order of ids.

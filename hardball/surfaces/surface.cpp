@@ -61,14 +61,7 @@ Surface::Surface(const Shape& shape, const Vec3& point, const Vec3& velocity, co
   if (!std::isfinite(dot(point, point)) || !std::isfinite(dot(velocity, velocity))) {
     throw Error("a point or a velocity of a surface is not finite", "surface", "give finite numbers");
   }
-  if (material.restitution && !(*material.restitution >= 0 && *material.restitution <= 1)) {
-    throw Error("the restitution of a surface is " + to_text(*material.restitution), "surface",
-                "give a number between 0 and 1");
-  }
-  if (material.temperature && !(*material.temperature >= 0 && std::isfinite(*material.temperature))) {
-    throw Error("the temperature of a surface is " + to_text(*material.temperature), "surface",
-                "give zero or a positive number");
-  }
+  check_material(material, "surface");
 }
 
 std::string_view Surface::name() const {

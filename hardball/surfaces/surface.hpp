@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -14,6 +12,7 @@
 #include "hardball/surfaces/obstacle.hpp"
 #include "hardball/surfaces/oscillating_plane.hpp"
 #include "hardball/surfaces/plane.hpp"
+#include "hardball/surfaces/surface_material.hpp"
 
 namespace hardball {
 
@@ -24,20 +23,6 @@ namespace hardball {
 /// `towards(place)`; and if it moves by itself, `displacement_at(moment)` and `velocity_at(moment)`. Places
 /// are relative to the surface's point.
 using Shape = std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle>;
-
-/// What a surface does to spheres that touch it.
-struct SurfaceMaterial {
-  std::optional<double> restitution = {};  ///< [1]; that of the response if absent.
-  /// k T of a thermal wall [M L^2 T^-2], from which spheres return with random velocities; if absent, the
-  /// surface reflects.
-  std::optional<double> temperature = {};
-  std::uint64_t seed = 0;  ///< Of a thermal wall's random numbers.
-  /// Whether spheres return from a thermal wall within the plane z = 0: in a contact, as the box has it.
-  bool is_flat = false;
-  static void persist(auto& archive, auto& self) {
-    archive(self.restitution, self.temperature, self.seed, self.is_flat);
-  }
-};
 
 /// A wall or an obstacle in the way of spheres: at rest, in uniform motion, or oscillating.
 class Surface {

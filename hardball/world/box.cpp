@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/world/range.hpp"
@@ -31,6 +32,43 @@ Box::Box(const std::array<Boundary, kAxes>& boundary, const Vec3& size) : bounda
   }
 }
 
+void Box::set_face(Face face, const FaceProperties& properties) {
+  if (face >= kFaces) throw Error("there is no face " + to_text(face), "face", "give one that face_of names");
+  constexpr std::array<const char*, kAxes> kAxisNames{"x", "y", "z"};
+  const std::string where = "face " + std::string(kFaceNames[face]);
+  const std::size_t across = axis_of(face);
+  if (!is_wall(across)) {
+    throw Error("the box has no wall there", where,
+                std::string("make the boundary along ") + kAxisNames[across] + " a wall");
+  }
+  check_material(properties.material, where);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const double velocity = properties.velocity[axis];
+    check_finite(velocity, "velocity", where);
+    if (velocity == 0) continue;
+    if (axis == across) {
+      throw Error(
+          "the velocity along " + std::string(kAxisNames[axis]) + " is " + to_text(velocity) +
+              ", and a face of the box moves only along itself",
+          where,
+          "make it zero; for a wall that moves so, open the axis and use a plane, in scenarios [[walls]]");
+    }
+    if (axis >= dimensions()) {
+      throw Error("the velocity along z is " + to_text(velocity) + " in a box of two dimensions", where,
+                  "make it zero, or give the box three dimensions");
+    }
+    if (std::fabs(velocity) < kSmallestMagnitude) {
+      throw Error("the velocity is " + to_text(velocity), where,
+                  "give zero, or a magnitude of at least 1e-60");
+    }
+  }
+  faces_[face] = properties;
+}
+
+bool Box::has_plain_faces() const {
+  return std::ranges::all_of(faces_, [](const FaceProperties& face) { return face == FaceProperties(); });
+}
+
 Image Box::count_boxes_beyond(Vec3 position) const {
   Image beyond;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -50,7 +88,11 @@ bool Box::restored() {
     return boundary >= Boundary::wall && boundary <= Boundary::flat;
   };
   if (!std::ranges::all_of(boundary_, is_known)) return false;
+  const std::array<FaceProperties, kFaces> faces = faces_;
   *this = Box(boundary_, size_);
+  for (Face face = 0; face < kFaces; ++face) {
+    if (!(faces[face] == FaceProperties())) set_face(face, faces[face]);
+  }
   return true;
 }
 

@@ -4,10 +4,14 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <string_view>
 
+#include "hardball/events/event.hpp"
 #include "hardball/geometry/vec3.hpp"
+#include "hardball/surfaces/surface_material.hpp"
 
 namespace hardball {
 
@@ -17,6 +21,20 @@ enum class Boundary {
   periodic,  ///< What leaves at one end enters at the other.
   open,      ///< Nothing: space is unbounded.
   flat,      ///< There is no such axis, and everything lies at 0: z in two dimensions.
+};
+
+/// By the number of the face: what users call the faces of the box.
+inline constexpr std::array<std::string_view, kFaces> kFaceNames{"x_min", "x_max", "y_min",
+                                                                 "y_max", "z_min", "z_max"};
+
+/// What a face of the box that is a wall does to spheres that touch it; by default, what the response does.
+struct FaceProperties {
+  SurfaceMaterial material = {};
+  /// Along the face [L/T]; it matters where the face is thermal, or rubs against rough spheres.
+  Vec3 velocity = {};
+
+  friend bool operator==(const FaceProperties&, const FaceProperties&) = default;
+  static void persist(auto& archive, auto& self) { archive(self.material, self.velocity); }
 };
 
 /// The space in which spheres move: along each axis from 0 to a size, or unbounded; or the plane z = 0, in
@@ -58,6 +76,16 @@ class Box {
     return boundary_[0] == boundary || boundary_[1] == boundary || boundary_[2] == boundary;
   }
 
+  /// Gives a face properties of its own. Error, with its place: it is no wall; a restitution or temperature
+  /// that Surface would refuse; a velocity that is out of range, leads out of the face, or out of the plane
+  /// in two dimensions.
+  void set_face(Face face, const FaceProperties& properties);
+  const FaceProperties& face(Face face) const { return faces_[face]; }
+  /// Whether a face is a wall with properties of its own.
+  bool has_own_properties(Face face) const { return !(faces_[face] == FaceProperties()); }
+  /// Whether all faces that are walls do what the response does.
+  bool has_plain_faces() const;
+
   /// Whether this is a plane: everything has z = 0.
   bool is_flat() const { return boundary_[2] == Boundary::flat; }
   /// 3, or 2 if the box is flat: axes from this number on do not exist.
@@ -83,6 +111,8 @@ class Box {
   double sphere_surface(double radius) const {
     return is_flat() ? 2 * std::numbers::pi * radius : 4 * std::numbers::pi * radius * radius;
   }
+
+  friend bool operator==(const Box&, const Box&) = default;
 
   /// The displacement [L] of `image`.
   Vec3 shift(const Image& image) const {
@@ -121,8 +151,13 @@ class Box {
 
  private:
   friend class Persistence;
-  static void persist(auto& archive, auto& self) { archive(self.boundary_, self.size_); }
+  static void persist(auto& archive, auto& self) {
+    archive(self.boundary_, self.size_);
+    if (archive.version() >= kVersionOfFaces) archive(self.faces_);
+  }
   bool restored();
+
+  static constexpr std::uint32_t kVersionOfFaces = 2;  // of archives
 
   // As in the kernels: adding this number rounds the fraction away.
   static std::int32_t nearest_integer(double number) {
@@ -146,6 +181,7 @@ class Box {
   // Positions between these need no folding; infinite along axes that are not periodic.
   Vec3 lower_end_;
   Vec3 upper_end_;
+  std::array<FaceProperties, kFaces> faces_{};
 };
 
 }  // namespace hardball

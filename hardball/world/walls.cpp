@@ -71,6 +71,10 @@ bool has_walls(const World& world) {
   return box.is_wall(0) || box.is_wall(1) || box.is_wall(2) || !world.surfaces().empty();
 }
 
+bool is_uniform(const World& world) {
+  return world.motion().is_straight() && world.surfaces().empty() && world.box().has_plain_faces();
+}
+
 bool has_images_of_obstacles(const World& world) {
   return std::ranges::any_of(world.surfaces(),
                              [&](const Surface& surface) { return has_images(world, surface); });

@@ -11,6 +11,10 @@ namespace hardball {
 /// Whether there is anything but spheres to be met: faces of the box, or surfaces.
 bool has_walls(const World& world);
 
+/// Whether nothing but contacts of spheres and plain faces of the box, which all reflect alike, changes
+/// motions: no gravity, no surface, no face with properties of its own. Then a fluid is the same everywhere.
+bool is_uniform(const World& world);
+
 /// Whether obstacles have images in a periodic box: then a sphere's contact with them must be predicted again
 /// at each of its crossings.
 bool has_images_of_obstacles(const World& world);

@@ -15,6 +15,9 @@
 namespace hardball {
 namespace {
 
+// How much closer to a wall than its radius a centre may lie through rounding alone, relative to the box.
+constexpr double kWallTolerance = 1e-12;
+
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 constexpr const char* kPositionNames[] = {"position along x", "position along y", "position along z"};
 constexpr const char* kVelocityNames[] = {"velocity along x", "velocity along y", "velocity along z"};
@@ -108,6 +111,27 @@ void refuse_in_periodic_box(const Surface& surface, const Box& box) {
   }
 }
 
+// A plane that recedes, or is at rest, is not met if no corner of the box lies beyond it.
+void refuse_behind_faces(const Surface& surface, const Box& box) {
+  const Vec3* const normal = normal_of(surface);
+  if (normal == nullptr || dot(surface.velocity(), *normal) > 0) return;
+  double gap = 0;  // of the corner that comes closest
+  double scale = 0;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const double n = (*normal)[axis];
+    if (n == 0) continue;
+    if (!box.is_wall(axis)) return;
+    const double place = surface.point()[axis];
+    gap += n * ((n > 0 ? 0 : box.size()[axis]) - place);
+    scale += std::fabs(n) * (box.size()[axis] + std::fabs(place));
+  }
+  if (const auto* plane = std::get_if<OscillatingPlane>(&surface.shape())) gap -= plane->amplitude();
+  if (gap < -kWallTolerance * scale) return;
+  throw Error("no sphere can reach the " + std::string(surface.name()) +
+                  ": faces of the box that are walls are in front of it, or where it is",
+              "walls", "give the face properties of its own, in scenarios in [box.faces], or open the axis");
+}
+
 std::string name_of(SphereId id) {
   return "sphere " + to_text(id);
 }
@@ -117,13 +141,17 @@ void check_queried(const Time& moment, std::string_view where) {
   if (!std::isfinite(moment.high)) refuse_moment(moment, where);
 }
 
-// How much closer to a wall than its radius a centre may lie through rounding alone, relative to the box.
-constexpr double kWallTolerance = 1e-12;
-
 }  // namespace
 
 World::World(const Box& box, const Vec3& gravity, std::vector<Surface> surfaces)
     : box_(box), motion_(gravity), surfaces_(std::move(surfaces)) {
+  check_setting();
+  // A state that an earlier version has saved may have such a plane.
+  for (const Surface& surface : surfaces_) refuse_behind_faces(surface, box_);
+}
+
+void World::check_setting() const {
+  const Vec3& gravity = motion_.gravity();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double g = gravity[axis];
     check_finite(g, "gravity", "gravity");
@@ -446,7 +474,7 @@ bool World::restored() {
                            masses_.size() == count && moments_.size() == count && fits(spins_) &&
                            fits(species_);
   if (!is_complete || last_passage_.kind > EventKind::wall) return false;
-  static_cast<void>(World(box_, motion_.gravity(), surfaces_));  // which checks them
+  check_setting();
   std::vector<SphereId> sorted(ids_.begin(), ids_.end());
   std::ranges::sort(sorted);
   if (std::ranges::adjacent_find(sorted) != sorted.end() || (count > 0 && sorted.back() >= next_id_))

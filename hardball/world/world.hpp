@@ -47,7 +47,8 @@ class World {
   explicit World(const Box& box = Box::open()) : box_(box) {}
   /// With an acceleration that acts on all spheres [L/T^2], and walls and obstacles, which are numbered from
   /// kFaces on. Error: gravity is not finite or out of range; a surface that is not the same in every
-  /// periodic image of the box, and is no obstacle; in two dimensions, gravity or a surface out of the plane.
+  /// periodic image of the box, and is no obstacle; a plane that no sphere can reach, as faces of the box are
+  /// in front of it; in two dimensions, gravity or a surface out of the plane.
   World(const Box& box, const Vec3& gravity, std::vector<Surface> surfaces = {});
 
   const Box& box() const { return box_; }
@@ -201,6 +202,8 @@ class World {
   }
   bool restored();
 
+  // Of box, gravity and surfaces.
+  void check_setting() const;
   void check_spin(const Vec3& spin, const std::string& where) const;
   void check_in_plane(const Vec3& vector, const char* what, const std::string& where) const;
   void note_traits();

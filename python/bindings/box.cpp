@@ -50,6 +50,74 @@ const char* name_of(Boundary boundary) {
   return kBoundaries[static_cast<std::size_t>(boundary)];
 }
 
+Face face_named(const std::string& name) {
+  std::string names;
+  for (Face face = 0; face < kFaces; ++face) {
+    if (name == kFaceNames[face]) return face;
+    names += (face > 0 ? ", '" : "'") + std::string(kFaceNames[face]) + "'";
+  }
+  throw Error("there is no face '" + name + "'", "faces", "choose among " + names);
+}
+
+double number_of(const py::handle& given, const std::string& name) {
+  const Doubles number = doubles(given, name);
+  if (number.ndim() == 0) return *number.data();
+  throw Error("it is not one number", name, "give a number");
+}
+
+// Of a face, by their names in scenarios, and the seed of its random numbers.
+FaceProperties properties_of(const py::handle& given, const std::string& face) {
+  const std::string where = "face " + face;
+  if (!py::isinstance<py::dict>(given)) {
+    throw Error("it is no dict", where, "give one such as {'temperature': 2.0}");
+  }
+  FaceProperties properties;
+  for (const auto& [key, value] : given.cast<py::dict>()) {
+    const std::string name = py::str(key);
+    if (name == "restitution") {
+      properties.material.restitution = number_of(value, where + ": restitution");
+    } else if (name == "temperature") {
+      properties.material.temperature = number_of(value, where + ": temperature");
+    } else if (name == "seed") {
+      properties.material.seed = static_cast<std::uint64_t>(number_of(value, where + ": seed"));
+    } else if (name == "velocity") {
+      properties.velocity = vector_of(value, where + ": velocity", kMayBeFlat);
+    } else {
+      throw Error("there is no property '" + name + "'", where,
+                  "choose among 'restitution', 'temperature', 'velocity' and 'seed'");
+    }
+  }
+  return properties;
+}
+
+Box with_faces(Box box, const py::object& faces) {
+  if (faces.is_none()) return box;
+  if (!py::isinstance<py::dict>(faces)) {
+    throw Error("it is no dict", "faces", "give one such as {'z_min': {'temperature': 2.0}}");
+  }
+  for (const auto& [key, value] : faces.cast<py::dict>()) {
+    const std::string name = py::str(key);
+    box.set_face(face_named(name), properties_of(value, name));
+  }
+  return box;
+}
+
+// What with_faces takes.
+py::dict faces_of(const Box& box) {
+  py::dict faces;
+  for (Face face = 0; face < kFaces; ++face) {
+    if (!box.has_own_properties(face)) continue;
+    const auto& [material, velocity] = box.face(face);
+    py::dict properties;
+    if (material.restitution) properties["restitution"] = *material.restitution;
+    if (material.temperature) properties["temperature"] = *material.temperature;
+    if (velocity != Vec3{}) properties["velocity"] = py::make_tuple(velocity.x, velocity.y, velocity.z);
+    if (material.seed != 0) properties["seed"] = material.seed;
+    faces[py::str(std::string(kFaceNames[face]))] = properties;
+  }
+  return faces;
+}
+
 // One length for all axes, or one for each; two lengths are those of a plane.
 Box box_of(Boundary boundary, const py::handle& size, bool is_flat) {
   const Doubles lengths = doubles(size, "size");
@@ -70,7 +138,9 @@ std::string text_of(const Box& box) {
     boundaries += std::string(axis > 0 ? ", '" : "'") + name_of(box.boundary(axis)) + "'";
     if (box.is_bounded(axis)) size[axis] = box.size()[axis];
   }
-  return CallText("Box").add("(" + boundaries + ")").add(size).text();
+  CallText call = CallText("Box").add("(" + boundaries + ")").add(size);
+  if (!box.has_plain_faces()) call.add("faces", py::repr(faces_of(box)).cast<std::string>());
+  return call.text();
 }
 
 // The function that makes it, and its arguments.
@@ -178,24 +248,33 @@ void bind_surface(py::module_& module) {
 
 void bind_box(py::module_& module) {
   py::class_<Box>(module, "Box", doc::Box)
-      .def(py::init([](const py::object& boundary, const py::object& size) {
+      .def(py::init([](const py::object& boundary, const py::object& size, const py::object& faces) {
              const std::array<Boundary, kAxes> boundaries = boundaries_of(boundary);
-             return Box(boundaries, vector_of(size, "size", kMayBeFlat));
+             return with_faces({boundaries, vector_of(size, "size", kMayBeFlat)}, faces);
            }),
-           py::arg("boundary"), py::arg("size"),
+           py::arg("boundary"), py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
            "With a boundary for each axis: 'wall', 'periodic', 'open' or, for z, 'flat'; and edge lengths "
-           "[L], which do not matter along open and flat axes.")
+           "[L], which do not matter along open and flat axes. `faces` gives walls properties of their own: "
+           "{'z_min': {'temperature': 2.0, 'velocity': [1, 0, 0]}, 'z_max': {'restitution': 0.8}}.")
       .def_static(
-          "walls", [](const py::object& size) { return box_of(Boundary::wall, size, false); },
-          py::arg("size"), "Between hard walls. `size` is the edge [L], or one length for each axis.")
+          "walls",
+          [](const py::object& size, const py::object& faces) {
+            return with_faces(box_of(Boundary::wall, size, false), faces);
+          },
+          py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
+          "Between hard walls. `size` is the edge [L], or one length for each axis; `faces` as in Box.")
       .def_static(
           "periodic", [](const py::object& size) { return box_of(Boundary::periodic, size, false); },
           py::arg("size"),
           "What leaves at one end enters at the other. `size` is the edge [L], or one length for each axis.")
       .def_static("open", &Box::open, "Unbounded space.")
       .def_static(
-          "flat_walls", [](const py::object& size) { return box_of(Boundary::wall, size, true); },
-          py::arg("size"), "As walls, in two dimensions: spheres are discs.")
+          "flat_walls",
+          [](const py::object& size, const py::object& faces) {
+            return with_faces(box_of(Boundary::wall, size, true), faces);
+          },
+          py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
+          "As walls, in two dimensions: spheres are discs.")
       .def_static(
           "flat_periodic", [](const py::object& size) { return box_of(Boundary::periodic, size, true); },
           py::arg("size"), "As periodic, in two dimensions: spheres are discs.")
@@ -209,15 +288,11 @@ void bind_box(py::module_& module) {
           doc::Boundary)
       .def_property_readonly(
           "size", [](const Box& self) { return read_only(array_of(self.size())); }, doc::Box_size)
+      .def_property_readonly("faces", &faces_of, "Their properties, of those that have some of their own.")
       .def_property_readonly("dimensions", &Box::dimensions, "3, or 2 if the box is flat.")
       .def_property_readonly("volume", &Box::volume, doc::Box_volume)
       .def(
-          "__eq__",
-          [](const Box& self, const Box& other) {
-            return self.size() == other.size() && self.boundary(0) == other.boundary(0) &&
-                   self.boundary(1) == other.boundary(1) && self.boundary(2) == other.boundary(2);
-          },
-          py::is_operator())
+          "__eq__", [](const Box& self, const Box& other) { return self == other; }, py::is_operator())
       .def(pickled<Box>())
       .def("__repr__", [](const Box& self) { return text_of(self); });
   bind_surface(module);

@@ -5,6 +5,7 @@
 import contextlib
 import io
 import gc
+import pickle
 import unittest
 
 import numpy as np
@@ -190,6 +191,35 @@ class ArraysGiven(unittest.TestCase):
         ]:
             with self.assertRaisesRegex(hardball.Error, message):
                 make()
+
+    def test_faces_of_boxes(self):
+        faces = {"z_min": {"temperature": 2.0, "velocity": (1.0, 0.0, 0.0), "seed": 3}, "x_max": {"restitution": 0.5}}
+        box = hardball.Box.walls(8, faces=faces)
+        self.assertEqual(box.faces, faces)
+        self.assertEqual(hardball.Box.walls(8).faces, {})
+        self.assertNotEqual(box, hardball.Box.walls(8))
+        by_boundary = hardball.Box(["wall"] * 3, [8] * 3, faces=faces)
+        for copy in (eval(repr(box)), pickle.loads(pickle.dumps(box)), by_boundary):
+            self.assertEqual(copy, box)
+        for wrong, message in [
+            ({"floor": {}}, "z_min"),
+            ({"z_min": 2.0}, "z_min: it is no dict"),
+            ({"z_min": {"temprature": 2.0}}, "'temprature'"),
+            ({"z_min": {"temperature": "hot"}}, "temperature"),
+            ({"z_min": {"velocity": [0, 0, 1]}}, "along z"),
+            ([1], "faces"),
+        ]:
+            with self.subTest(message), self.assertRaisesRegex(hardball.Error, message):
+                hardball.Box.walls(8, faces=wrong)
+        with self.assertRaisesRegex(hardball.Error, "z_min"):
+            hardball.Box(["wall", "wall", "periodic"], [8, 8, 8], faces={"z_min": {"temperature": 1.0}})
+
+    def test_a_thermal_face_heats(self):
+        hot = hardball.Box.walls(8.0, faces={"z_min": {"temperature": 100.0}})
+        simulation = hardball.Simulation(hot, positions=[[4, 4, 2]], velocities=[[0, 0, -1]], radius=0.5)
+        simulation.run(until=3)
+        self.assertGreater(simulation.velocities[0, 2], 0)
+        self.assertNotEqual(simulation.velocities[0, 0], 0)
 
 
 class Calls(unittest.TestCase):

@@ -45,7 +45,7 @@ TEST_F(MeasuredRun, WritesAllMeasuresIntoItsDirectoryAndChangesNothing) {
   // There are no wave vectors between walls, and no walls but those of the box.
   EXPECT_FALSE(exists("measures/structure_factor.csv"));
   for (const std::string_view name : measure_names()) {
-    if (name == "structure_factor" || name == "wall_forces") continue;
+    if (name == "structure_factor" || name == "wall_forces" || name == "flow_profiles") continue;
     const std::string table = read_text(folder_ / "out" / "measures" / (std::string(name) + ".csv"));
     EXPECT_NE(table.find("]"), std::string::npos) << name;
     EXPECT_LT(table.find("["), table.find("\n")) << name;

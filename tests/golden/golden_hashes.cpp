@@ -180,6 +180,15 @@ ResponseTable motley_responses() {
   return table;
 }
 
+// Between a thermal face and a lossy one, which slide in different directions; two faces more are lossy.
+World sheared_gas() {
+  Box box({Boundary::wall, Boundary::periodic, Boundary::wall}, {20, 20, 20});
+  box.set_face(face_of(2, false), {.material = {.temperature = 2, .seed = 14}, .velocity = {-1, 0.5, 0}});
+  box.set_face(face_of(2, true), {.material = {.restitution = 0.75}, .velocity = {1, 0, 0}});
+  box.set_face(face_of(0, true), {.material = {.restitution = 0.5}});
+  return random_gas(box, {{0, 0, 0}, {20, 20, 20}}, 500, 0.4, 1.5, 15);
+}
+
 // A granular gas with each kind of thermostat in turn.
 void print_thermostats() {
   Simulation simulation(random_gas(Box::periodic({20, 20, 20}), {{0, 0, 0}, {20, 20, 20}}, 500, 0.5, 1.5, 11),
@@ -246,4 +255,6 @@ int main() {
   print("drops", random_gas(Box::periodic({20, 20, 20}), cube, 500, 0.3, 2, 13), 450,
         ResponseTable(Merging()));
   print_thermostats();
+  print("sheared_gas", sheared_gas(), 20000);
+  print("rough_sheared_gas", sheared_gas(), 20000, motley_responses());
 }

@@ -168,7 +168,7 @@ TEST(MeasuredWalls, BearThePressureOfTheInterior) {
   // counts by half the length of the box.
   support::record("sum_rule_error", z.value - z.theory);
   EXPECT_NEAR(z.value, z.theory, 2 * bound);
-  for (const char* face : {"x_lower", "x_upper", "y_lower", "y_upper", "z_lower", "z_upper"}) {
+  for (const char* face : {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"}) {
     const Quantity& pressure = quantity(found, std::string("wall_pressure_") + face);
     EXPECT_LT(std::fabs(pressure.value - pressure.theory), 5 * pressure.error) << face;
     EXPECT_LT(pressure.error, 0.02 * pressure.theory) << face;

@@ -162,7 +162,8 @@ class RandomWorldMaker {
     made_.world = is_furnished_ ? furnished(box) : World(box);
   }
 
-  World furnished(const Box& box) {
+  World furnished(Box box) {
+    furnish_faces(box);
     Vec3 gravity;
     const double extent = std::max({size_.x, size_.y, size_.z});
     if (chance(0.6)) {
@@ -180,8 +181,7 @@ class RandomWorldMaker {
     return {box, gravity, std::move(surfaces)};
   }
 
-  // A surface that is the same in all images of the box, and leaves some room.
-  void add_surface(const Box& box, std::vector<Surface>& surfaces) {
+  SurfaceMaterial random_material() {
     SurfaceMaterial material;
     material.seed = seed_;
     if (chance(0.3)) material.restitution = between(0.2, 1);
@@ -189,6 +189,23 @@ class RandomWorldMaker {
       material.restitution = std::nullopt;
       material.temperature = speed_ * speed_ * between(0.1, 2);
     }
+    return material;
+  }
+
+  // Some faces have properties of their own, or slide.
+  void furnish_faces(Box& box) {
+    for (Face face = 0; face < kFaces; ++face) {
+      if (!box.is_wall(axis_of(face)) || chance(0.7)) continue;
+      FaceProperties properties{.material = random_material()};
+      if (chance(0.5)) properties.velocity = 0.5 * random_velocity();
+      properties.velocity[axis_of(face)] = 0;
+      box.set_face(face, properties);
+    }
+  }
+
+  // A surface that is the same in all images of the box, and leaves some room.
+  void add_surface(const Box& box, std::vector<Surface>& surfaces) {
+    const SurfaceMaterial material = random_material();
     const Vec3 center = 0.5 * size_;
     std::vector<std::size_t> walled;
     for (std::size_t axis = 0; axis < dimensions_; ++axis) {
@@ -488,7 +505,8 @@ inline RandomWorld make_random_world(std::uint64_t seed) {
 }
 
 /// The same with gravity in any direction, planes at rest, in motion and oscillating, tubes, hollow spheres
-/// and obstacles, some of them with their own restitution or thermal.
+/// and obstacles, some of them with their own restitution or thermal, and faces of the box that are so, too,
+/// or slide.
 inline RandomWorld make_furnished_world(std::uint64_t seed) {
   return RandomWorldMaker(seed).make_furnished();
 }

@@ -82,11 +82,11 @@ TEST(Pressure, OfOneSphereOnWallsIsItsImpulse) {
   simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });
   simulation.run_until(60);
   const Measurement found = pressure.result({simulation.world(), simulation.now()});
-  for (const char* name : {"wall_pressure_x_lower", "wall_pressure_x_upper"}) {
+  for (const char* name : {"wall_pressure_x_min", "wall_pressure_x_max"}) {
     EXPECT_NEAR(quantity(found, name).value, 1.0 / 400, 1e-15) << name;
     EXPECT_NEAR(quantity(found, name).theory, 1.0 / 400, 1e-15) << name;
   }
-  EXPECT_EQ(quantity(found, "wall_pressure_y_lower").value, 0);
+  EXPECT_EQ(quantity(found, "wall_pressure_y_min").value, 0);
   EXPECT_NEAR(quantity(found, "wall_pressure").value, 1.0 / (400 + 200 + 200), 1e-15);
   EXPECT_NEAR(quantity(found, "compressibility_from_walls").value, 1, 1e-12);
   EXPECT_NEAR(quantity(found, "compressibility").value, 1, 1e-12);

@@ -136,10 +136,23 @@ TEST(PageOfScenarios, HasExamplesThatAreScenarios) {
   }
 }
 
+// All faces of the box have the same keys: those of one are enough.
+std::set<std::string> of_any_face(const std::set<std::string>& names) {
+  std::set<std::string> common;
+  for (std::string name : names) {
+    for (const std::string_view face : kFaceNames) {
+      const std::string prefix = "box.faces." + std::string(face) + ".";
+      if (name.starts_with(prefix)) name = "face." + name.substr(prefix.size());
+    }
+    common.insert(name);
+  }
+  return common;
+}
+
 TEST(PageOfScenarios, HasAnExampleOfEveryKey) {
   std::set<std::string> shown;
   for (const std::string& example : examples()) collect(Document("example", example).root(), "", shown);
-  EXPECT_EQ(shown, all_names(scenario_keys()));
+  EXPECT_EQ(of_any_face(shown), of_any_face(all_names(scenario_keys())));
 }
 
 // Reads a value as the type that its key has.

@@ -382,7 +382,7 @@ TEST(World, RefusesObstaclesThatMoveInAPeriodicBox) {
 TEST(World, RefusesSurfacesThatAreNotPeriodic) {
   const Box box({Boundary::periodic, Boundary::wall, Boundary::wall}, {10, 10, 10});
   const auto make = [&](const Surface& surface) { return World(box, {}, {surface}); };
-  EXPECT_NO_THROW(make(Surface(Plane({0, 0, 1}), {})));
+  EXPECT_NO_THROW(make(Surface(Plane({0, 0, 1}), {0, 0, 1})));
   EXPECT_NO_THROW(make(Surface(Cylinder({1, 0, 0}, 4), {0, 5, 5})));
   EXPECT_NO_THROW(make(Surface(HollowSphere(5), {5, 5, 5})));
   EXPECT_NO_THROW(make(Surface(Obstacle(2), {9.5, 5, 5})));

@@ -32,7 +32,9 @@ export class Plots {
     );
     this.hasWalls = hasWalls;
     document.getElementById('rate-key').hidden = !hasWalls;
-    const changes = header.restitution !== 1 || surfaces.some((surface) => surface.changesEnergy);
+    const hasOwnFaces = header.box.faces !== undefined; // thermal, inelastic or sliding
+    const changes =
+      header.restitution !== 1 || hasOwnFaces || surfaces.some((surface) => surface.changesEnergy);
     // Along periodic axes there is no height.
     const hasHeight = box.gravity.every((part, axis) => part === 0 || box.period[axis] === 0);
     this.energy =

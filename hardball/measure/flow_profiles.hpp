@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "hardball/measure/block_average.hpp"
+#include "hardball/measure/measurement.hpp"
+#include "hardball/measure/scene.hpp"
+
+namespace hardball {
+
+/// How density, temperature and flow change from one face of the box to the opposite one, along each axis at
+/// whose ends a face is thermal or moves. Where there is no such axis the measurement is empty.
+///
+/// The room between the places that the smallest spheres can reach is divided into slabs. The temperature is
+/// that of the motion relative to the flow in each.
+class FlowProfiles {
+ public:
+  static constexpr std::string_view kName = "flow_profiles";
+  /// Of archives, the first that may have it.
+  static constexpr std::uint32_t kSinceVersion = 2;
+
+  /// In slabs of one mean radius, or wider so that there are no more than 100 along an axis.
+  explicit FlowProfiles(const Scene& scene);
+
+  /// What a sample costs [ns].
+  double sample_cost() const { return sample_cost_; }
+  void sample(const Scene& scene);
+  Measurement result(const Scene& scene) const;
+
+  /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
+  bool suits(const World& world) const;
+
+ private:
+  friend class Persistence;
+  FlowProfiles() = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.box_, self.begin_, self.least_radius_, self.slabs_, self.sample_cost_, self.average_);
+  }
+  bool restored() const;
+
+  // Sums over the spheres in a slab.
+  static constexpr std::size_t kCount = 0;
+  static constexpr std::size_t kMass = 1;      // [M]
+  static constexpr std::size_t kMomentum = 2;  // along each axis [M L/T]
+  static constexpr std::size_t kSquare = 5;    // m v^2 [M L^2 T^-2]
+  static constexpr std::size_t kSums = 6;
+
+  // The first sum of a slab across an axis.
+  std::size_t bin(std::size_t axis, std::size_t slab) const;
+  std::size_t bins() const { return bin(kAxes, 0); }
+  double slab_width(std::size_t axis) const {
+    return (box_.size()[axis] - 2 * least_radius_) / static_cast<double>(slabs_[axis]);
+  }
+  void add_profiles(Measurement& found, const BlockAverage& average, std::size_t axis) const;
+
+  Box box_;
+  Time begin_;
+  double least_radius_ = 0;                 // [L]
+  std::array<std::size_t, kAxes> slabs_{};  // none along axes that are not measured
+  double sample_cost_ = 0;                  // [ns]
+  BlockAverage average_{0};
+};
+
+}  // namespace hardball
