@@ -137,8 +137,9 @@ Measurement FlowProfiles::result(const Scene& /*scene*/) const {
       .name = std::string(kName),
       .title = "Profiles between driven faces",
       .formula =
-          "number density = centres in a slab / its volume; flow velocity u = sum m v / sum m in "
-          "a slab; kT = sum m (v - u)^2 / (d N) in d dimensions",
+          R"(number density: centres in a slab over its volume; flow velocity $\mathbf{u} = \sum m )"
+          R"(\mathbf{v} / \sum m$ in a slab; $kT = \frac{1}{d N} \sum m (\mathbf{v} - \mathbf{u})^2$ of $N$ )"
+          R"(spheres in $d$ dimensions)",
       .source = "sums over the spheres in each slab"};
   if (average_.bins() == 0) return found;
   // The energy of each half of the box, and its momentum along moving faces, settle last.

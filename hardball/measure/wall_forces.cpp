@@ -114,11 +114,15 @@ void WallForces::note(const Contact& contact) {
 }
 
 Measurement WallForces::result(const Scene& scene) const {
-  R"($F = \frac{1}{t} \sum p$ of the normal impulses $p$; pressure $F / A$ on an area )"
-  R"($A$; tangential force and shear stress: the same of the other components; power )"
-  R"($\frac{1}{t} \sum \mathbf{p} \cdot \mathbf{u}$ at velocities $\mathbf{u}$ of the wall; )"
-  R"(heat: other energy given to spheres, over $t$)",
-      if (walls_.empty()) return found;
+  Measurement found{
+      .name = std::string(kName),
+      .title = "Forces on walls",
+      .formula = R"($F = \frac{1}{t} \sum p$ of the normal impulses $p$; pressure $F / A$ on an area )"
+                 R"($A$; tangential force and shear stress: the same of the other components; power )"
+                 R"($\frac{1}{t} \sum \mathbf{p} \cdot \mathbf{u}$ at velocities $\mathbf{u}$ of the wall; )"
+                 R"(heat: other energy given to spheres, over $t$)",
+      .source = "momentum and energy of each contact"};
+  if (walls_.empty()) return found;
   WallForces up_to_now = *this;
   up_to_now.advance(scene.now());
   const BlockAverage& average = up_to_now.average_;

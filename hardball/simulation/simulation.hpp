@@ -106,8 +106,8 @@ class Simulation {
 
   /// The next collision or wall contact up to `until` [T], without carrying it out. In a periodic box spheres
   /// may never meet: then give a finite time. Error: `until`, as for run_until. Cost: that of the events that
-  /// a run would handle up to then, which need not be handled again; where edits follow, or the thermostat
-  /// acts before, a copy besides, O(n).
+  /// a run would handle up to then, which need not be handled again; where edits follow, spheres have merged,
+  /// or the thermostat acts before, a copy besides, O(n).
   std::optional<NextContact> next_contact(double until = std::numeric_limits<double>::infinity());
   /// The contacts of the next `duration` [T], in order, up to `most`, if nobody interferes: what run() would
   /// tell the listener. Error: `duration` is negative, NaN, infinite or beyond 1e120; it is called by the
