@@ -90,14 +90,28 @@ double BlockAverage::total(std::size_t bin) const {
   return total;
 }
 
+// By how much each block moves a ratio.
+std::vector<double> BlockAverage::shares_of_blocks(std::size_t bin, std::size_t over) const {
+  const double below = total(over);
+  const double value = total(bin) / below;
+  std::vector<double> shares;
+  for (std::size_t block = first_; block < end(); ++block) {
+    shares.push_back((sum(bin, block) - value * weight_of(over, block)) / below);
+  }
+  return shares;
+}
+
+Estimate BlockAverage::exchange(std::size_t bin, std::size_t changes) const {
+  if (total(kWeight) == 0) return {};
+  return {total(bin) / total(kWeight),
+          error_of_exchange(shares_of_blocks(bin, kWeight), shares_of_blocks(changes, kWeight))};
+}
+
 Estimate BlockAverage::ratio(std::size_t bin, std::size_t over) const {
   const double below = total(over);
   if (below == 0) return {};
   const double value = total(bin) / below;
-  std::vector<double> of_blocks;
-  for (std::size_t block = first_; block < end(); ++block) {
-    of_blocks.push_back((sum(bin, block) - value * weight_of(over, block)) / below);
-  }
+  const std::vector<double> of_blocks = shares_of_blocks(bin, over);
   std::vector<double> of_groups;
   for (std::size_t group = 0; over != kWeight && group < groups_; ++group) {
     double share = 0;

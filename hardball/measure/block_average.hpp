@@ -87,6 +87,9 @@ class BlockAverage {
   /// Sum of all amounts over the sum of all weights; NaN if there is no weight.
   double mean(std::size_t bin = 0) const { return ratio(bin).value; }
   double error(std::size_t bin = 0) const { return ratio(bin).error; }
+  /// The mean of a bin whose amounts are exchanged with a store, the changes of which are in another bin: see
+  /// error_of_exchange.
+  Estimate exchange(std::size_t bin, std::size_t changes) const;
   /// The ratios of `count` bins that hold counts, from `first` on: a histogram.
   ///
   /// In a bin with k counts, the true mean has the variance k + 1 if all means are equally likely a priori:
@@ -115,6 +118,7 @@ class BlockAverage {
   bool restored() const;
 
   double sum(std::size_t bin, std::size_t block) const;
+  std::vector<double> shares_of_blocks(std::size_t bin, std::size_t over) const;
   std::vector<double> shares_of_groups(const FunctionOfMeans& quantity, std::size_t first,
                                        std::size_t end) const;
   double weight_of(std::size_t over, std::size_t block) const;

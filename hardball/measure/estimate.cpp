@@ -4,11 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace hardball {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// Of a series whose error can be estimated.
+constexpr std::size_t kFewestParts = 16;
+constexpr double kFewestIndependent = 8;
 
 // The factor for a standard deviation estimated with so many degrees of freedom, so that two of them cover as
 // much as two exact ones would. Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 26.7.5.
@@ -91,12 +96,37 @@ double independent_parts(std::span<const double> shares) {
 }
 
 double error_of_series(std::span<const double> shares) {
-  constexpr std::size_t kFewestParts = 16;
-  constexpr double kFewest = 8;
   if (shares.size() < kFewestParts) return kNone;
   const double independent = independent_parts(shares);
-  if (!(independent >= kFewest)) return kNone;
+  if (!(independent >= kFewestIndependent)) return kNone;
   return error_of(autocovariance(shares, 0), static_cast<double>(shares.size()), independent);
+}
+
+double error_of_exchange(std::span<const double> shares, std::span<const double> changes) {
+  constexpr double kRounding = 1e-20;
+  constexpr double kFewestContents = 3;
+  const double of_series = error_of_series(shares);
+  const std::size_t parts = shares.size();
+  if (parts < kFewestParts) return of_series;
+  // What the store holds after each part, relative to its mean.
+  std::vector<double> content(parts);
+  std::partial_sum(changes.begin(), changes.end(), content.begin());
+  const double mean = std::accumulate(content.begin(), content.end(), 0.0) / static_cast<double>(parts);
+  for (double& held : content) held -= mean;
+  const double independent = independent_parts(content);
+  const double squares = autocovariance(changes, 0);
+  if (squares == 0 || !(independent >= kFewestContents)) return of_series;
+  // How much of a change of the store is in the shares: by least squares.
+  const double part_of_change =
+      std::inner_product(shares.begin(), shares.end(), changes.begin(), 0.0) / squares;
+  std::vector<double> others(shares.begin(), shares.end());
+  for (std::size_t i = 0; i < parts; ++i) others[i] -= part_of_change * changes[i];
+  const bool is_any_other = autocovariance(others, 0) > kRounding * autocovariance(shares, 0);
+  const double variance_of_content = autocovariance(content, 0) / static_cast<double>(parts);
+  const double of_ends = part_of_change *
+                         std::sqrt(2 * variance_of_content * independent / (independent - 1)) *
+                         student_factor(std::min(independent, static_cast<double>(parts)) - 1);
+  return std::fmin(of_series, std::hypot(is_any_other ? error_of_series(others) : 0, of_ends));
 }
 
 }  // namespace hardball

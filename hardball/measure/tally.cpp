@@ -6,28 +6,17 @@
 #include <cmath>
 #include <limits>
 
+#include "hardball/measure/energy_gain.hpp"
+
 namespace hardball {
 namespace {
 
-// The kinetic energy that a sphere gains, if it is not kinematic.
-double gain(double mass, const Vec3& before, const Vec3& after) {
-  if (std::isinf(mass)) [[unlikely]]
-    return 0;
-  return mass * dot(after - before, after + before) / 2;
-}
-
 // The kinetic energy that spheres gain which merge to one.
 double gain_of_merging(const Contact& contact) {
-  const auto energy = [](double mass, const Vec3& velocity) { return gain(mass, {}, velocity); };
+  const auto energy = [](double mass, const Vec3& velocity) { return energy_gain(mass, {}, velocity); };
   return energy(contact.first_mass + contact.second_mass, contact.after.first) -
          energy(contact.first_mass, contact.before.first) -
          energy(contact.second_mass, contact.before.second);
-}
-
-// The rotational energy that the first sphere gains.
-double rotational_gain(const Contact& contact) {
-  const double inertia = contact.first_moment * contact.first_radius * contact.first_radius;
-  return inertia * gain(contact.first_mass, contact.spins_before.first, contact.spins_after.first);
 }
 
 }  // namespace
@@ -55,8 +44,8 @@ void Tally::note(const Contact& contact) {
     ++collisions_;
     if (contact.fate != Fate::bounce) [[unlikely]]
       return note_fate(contact);
-    energy_ += gain(contact.first_mass, contact.before.first, contact.after.first) +
-               gain(contact.second_mass, contact.before.second, contact.after.second);
+    energy_ += energy_gain(contact.first_mass, contact.before.first, contact.after.first) +
+               energy_gain(contact.second_mass, contact.before.second, contact.after.second);
     max_overlap_ = std::max(max_overlap_, contact.overlap());
     virial_ -= dot(contact.impulse(), contact.separation);
     const double speed = contact.impact_speed();
@@ -64,8 +53,7 @@ void Tally::note(const Contact& contact) {
     impact_speed_square_sum_ += speed * speed;
   } else {
     ++wall_contacts_;
-    const double gained = gain(contact.first_mass, contact.before.first, contact.after.first);
-    energy_ += gained;
+    energy_ += energy_gain(contact.first_mass, contact.before.first, contact.after.first);
     max_overlap_ = std::max(max_overlap_, contact.overlap());
     WallTally& wall = walls_[contact.second];
     const Vec3 impulse = contact.impulse();
@@ -74,7 +62,7 @@ void Tally::note(const Contact& contact) {
     wall.impulse -= impulse;
     wall.normal_impulse -= dot(impulse, contact.wall_normal);
     wall.work += work;
-    wall.heat += gained + rotational_gain(contact) - work;
+    wall.heat += energy_gain_of_first(contact) - work;
   }
 }
 

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/measure/energy_gain.hpp"
 #include "hardball/measure/units.hpp"
 #include "hardball/world/walls.hpp"
 
@@ -83,7 +84,7 @@ WallForces::WallForces(const Scene& scene)
     : walls_(measured_walls(scene.world())),
       begin_(scene.now()),
       last_(scene.now()),
-      average_(kBins * walls_.size()),
+      average_(kBins * walls_.size() + 1),
       along_(kAxes * walls_.size()) {
   places_.resize(kFaces + scene.world().surfaces().size());
   for (std::size_t i = 0; i < walls_.size(); ++i) places_[walls_[i]] = i;
@@ -95,13 +96,20 @@ void WallForces::advance(const Time& now) {
   last_ = now;
 }
 
+void WallForces::note(const VelocityChange& change) {
+  if (!walls_.empty()) average_.put(stored_bin(), energy_gain(change.mass, change.before, change.after));
+}
+
 void WallForces::note(const Contact& contact) {
-  if (contact.is_collision() || walls_.empty()) return;
+  if (walls_.empty()) return;
+  if (contact.is_collision()) {
+    average_.put(stored_bin(), energy_gain_of_both(contact));
+    return;
+  }
   advance(contact.time);
+  const double gained = energy_gain_of_first(contact);
+  average_.put(stored_bin(), gained);
   const Vec3 impulse = contact.impulse();
-  const Vec3& before = contact.before.first;
-  const Vec3& after = contact.after.first;
-  const double gained = contact.first_mass * dot(after - before, after + before) / 2;
   const double work = dot(impulse, contact.before.second);
   double* const bins = average_.open_bins(kBins * places_[contact.second]);
   bins[kForce] -= dot(impulse, contact.wall_normal);
@@ -145,8 +153,8 @@ Measurement WallForces::result(const Scene& scene) const {
       if (std::isfinite(area)) add("shear_stress" + suffix, pressure_unit(box), tangential, area);
     }
     if (walls_[i] < kFaces && !box.has_own_properties(walls_[i])) continue;
-    add("power", "M L^2 T^-3", average.ratio(kBins * i + kWork), 1);
-    add("heat", "M L^2 T^-3", average.ratio(kBins * i + kHeat), 1);
+    add("power", "M L^2 T^-3", average.exchange(kBins * i + kWork, stored_bin()), 1);
+    add("heat", "M L^2 T^-3", average.exchange(kBins * i + kHeat, stored_bin()), 1);
   }
   return found;
 }
@@ -154,7 +162,7 @@ Measurement WallForces::result(const Scene& scene) const {
 bool WallForces::restored() const {
   const auto is_place = [this](std::size_t place) { return walls_.empty() || place < walls_.size(); };
   const auto is_wall = [this](std::uint32_t wall) { return wall < places_.size(); };
-  return average_.has(kBins * walls_.size()) && (along_.has(kAxes * walls_.size()) || along_.has(0)) &&
+  return average_.has(kBins * walls_.size() + 1) && (along_.has(kAxes * walls_.size()) || along_.has(0)) &&
          std::ranges::all_of(places_, is_place) && std::ranges::all_of(walls_, is_wall);
 }
 

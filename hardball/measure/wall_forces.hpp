@@ -11,6 +11,7 @@
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
 #include "hardball/response/contact.hpp"
+#include "hardball/world/velocity_change.hpp"
 
 namespace hardball {
 
@@ -33,6 +34,8 @@ class WallForces {
   explicit WallForces(const Scene& scene);
 
   void note(const Contact& contact);
+  /// Of the thermostat.
+  void note(const VelocityChange& change);
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
@@ -53,6 +56,9 @@ class WallForces {
   static constexpr std::size_t kWork = 1;   // on spheres, per time [M L^2 T^-3]
   static constexpr std::size_t kHeat = 2;   // likewise
   static constexpr std::size_t kBins = 3;
+  // After them, the energy that the spheres store, per time: what work and heat change besides what impacts
+  // and the thermostat take [M L^2 T^-3].
+  std::size_t stored_bin() const { return kBins * walls_.size(); }
 
   static constexpr std::uint32_t kVersionOfTangentialForces = 2;  // of archives
 
