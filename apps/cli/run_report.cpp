@@ -16,6 +16,7 @@
 #include "apps/cli/start.hpp"
 #include "hardball/measure/fluid_theory.hpp"
 #include "hardball/measure/species.hpp"
+#include "hardball/measure/thermal_motion.hpp"
 #include "hardball/measure/units.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/kinetic_theory.hpp"
@@ -56,12 +57,6 @@ bool has_theory(const Moments& moments, const EngineOptions& options) {
          !box.is_any(Boundary::open);
 }
 
-bool are_equal_spheres(const Moments& moments) {
-  constexpr double kRounding = 1e-9;
-  const double square = moments.radius_power[1] * moments.radius_power[1];
-  return moments.radius_power[2] <= square * (1 + kRounding);
-}
-
 // The mean pressure on the walls [M L^-1 T^-2]: each contact transfers 4 k T / v on average, in two
 // dimensions pi k T / v.
 double expected_wall_pressure(const Moments& moments, double kinetic_energy) {
@@ -88,13 +83,19 @@ std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments
   const double span = static_cast<double>(simulation.size()) * simulation.time();
   const auto rate = [&](std::uint64_t count) { return static_cast<double>(count) / span; };
   const double collision_rate = 2 * rate(counters.collision);
-  add("collisions per sphere and time", "T^-1", collision_rate, 1 / mean_free_time(moments));
-  add("mean free time", "T", 1 / collision_rate, mean_free_time(moments));
+  // Between walls there is no theory of a homogeneous fluid, and the one that chooses cells must do.
+  const FluidTheory fluid(world, Species(world));
+  const double temperature = thermal_motion(world, simulation.now()).temperature();
+  const double expected_rate =
+      fluid.holds() ? fluid.collision_rate(temperature) : 1 / mean_free_time(moments);
+  const double expected_path =
+      fluid.holds() ? fluid.mean_speed(temperature) / expected_rate : mean_free_path(moments);
+  add("collisions per sphere and time", "T^-1", collision_rate, expected_rate);
+  add("mean free time", "T", 1 / collision_rate, 1 / expected_rate);
   if (is_elastic(options)) {
-    add("mean free path", "L", moments.mean_speed / collision_rate, mean_free_path(moments));
+    add("mean free path", "L", moments.mean_speed / collision_rate, expected_path);
   }
-  add("compressibility", "1", summary.compressibility(),
-      are_equal_spheres(moments) ? compressibility(moments) : kNone);
+  add("compressibility", "1", summary.compressibility(), fluid.compressibility());
   if (std::isfinite(summary.wall_pressure())) {
     add("wall contacts per sphere and time", "T^-1", rate(counters.wall), wall_rate(moments));
     add("pressure on the walls", pressure_unit(moments.box), summary.wall_pressure(),

@@ -14,6 +14,7 @@
 #include "apps/report/number_text.hpp"
 #include "apps/report/page.hpp"
 #include "apps/report/species_names.hpp"
+#include "hardball/measure/agreement.hpp"
 #include "hardball/measure/event_log_hash.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball_report_files.hpp"
@@ -25,7 +26,6 @@ using chart::escaped;
 
 // Rounding changes the energy of elastic spheres by less, however long the run.
 constexpr double kEnergyTolerance = 1e-10;
-constexpr double kFarInErrors = 3;
 constexpr double kManyTimes = 4;  // beyond this costs are best compared on a logarithmic axis
 constexpr std::size_t kMostSurfaceArticles = 12;
 constexpr std::size_t kMostScenarioBytes = 20'000;
@@ -95,33 +95,16 @@ double energy_drift(const Report& report) {
 
 // --- agreement with theory ---
 
-bool is_far(const Quantity& quantity) {
-  return is_known_error(quantity.value, quantity.error) &&
-         std::abs(quantity.value - quantity.theory) > kFarInErrors * quantity.error;
-}
-
-struct Agreement {
-  int compared = 0;
-  int near = 0;
-
-  void note(const std::vector<Quantity>& quantities) {
-    for (const Quantity& quantity : quantities) {
-      if (!is_known_error(quantity.value, quantity.error) || std::isnan(quantity.value - quantity.theory))
-        continue;
-      ++compared;
-      if (!is_far(quantity)) ++near;
-    }
-  }
-};
-
-std::string agreement_sentence(const Report& report) {
-  Agreement agreement;
-  for (const Measurement& measurement : report.measurements) agreement.note(measurement.quantities);
-  if (agreement.compared == 0) return {};
-  return fmt::format(
-      " Of {} measured numbers with a standard error and a theory, {} lie within three standard errors of "
-      "theory.",
-      agreement.compared, agreement.near == agreement.compared ? "all" : std::to_string(agreement.near));
+std::string agreement_sentence(const Agreement& agreement) {
+  if (agreement.compared() == 0) return {};
+  std::string text =
+      fmt::format(" Of {} measured numbers with a standard error and a theory, ", agreement.compared());
+  const std::vector<std::string>& far = agreement.far();
+  if (far.empty()) return text + "none deviates from theory by more than chance allows.";
+  text += fmt::format("{} from theory by more than chance allows: ",
+                      far.size() == 1 ? "one deviates" : std::to_string(far.size()) + " deviate");
+  for (std::size_t i = 0; i < far.size(); ++i) text += (i > 0 ? ", " : "") + escaped(readable(far[i]));
+  return text + ". Theory is that of equilibrium: measure from a later time if the run starts far from it.";
 }
 
 std::string transient_sentence(const Report& report) {
@@ -154,7 +137,7 @@ std::string description_of(std::string_view scenario) {
   return text;
 }
 
-std::string verdict(const Report& report) {
+std::string verdict(const Report& report, const Agreement& agreement) {
   const bool overlaps = !(report.max_overlap <= kOverlapTolerance);
   const bool drifts = is_elastic(report) && !(std::abs(energy_drift(report)) <= kEnergyTolerance);
   const bool is_sound = !overlaps && !drifts;
@@ -185,10 +168,13 @@ std::string verdict(const Report& report) {
   } else {
     text += by.empty() ? "; the energy is conserved" : "; the energy changed by " + gift + " alone";
   }
-  const std::string_view word = !is_sound ? "Not sound" : report.is_complete ? "Sound" : "Interrupted";
+  const std::string_view word = !is_sound                  ? "Not sound"
+                                : !report.is_complete      ? "Interrupted"
+                                : !agreement.far().empty() ? "Deviates from theory"
+                                                           : "Sound";
   return fmt::format("<p class=\"verdict {}\"><strong>{}.</strong> <span>{}.{}{}</span></p>\n",
-                     is_sound && report.is_complete ? "good" : "bad", word, typeset(text),
-                     agreement_sentence(report), transient_sentence(report));
+                     word == "Sound" ? "good" : "bad", word, typeset(text), agreement_sentence(agreement),
+                     transient_sentence(report));
 }
 
 std::string key_figures(const Report& report) {
@@ -339,16 +325,24 @@ std::string gravity_and_surfaces(const Report& report) {
   return html;
 }
 
-std::string quantities_table(const std::vector<Quantity>& quantities, const SpeciesNames& species) {
+// A theory, and by how much it may be off if that matters.
+std::string theory_text(const Quantity& quantity) {
+  const std::string text = number_text(quantity.theory);
+  const bool matters = std::isfinite(quantity.tolerance) && quantity.tolerance > quantity.error / 2;
+  return matters ? text + " ± " + number_text(quantity.tolerance, 1) : text;
+}
+
+std::string quantities_table(const std::vector<Quantity>& quantities, const SpeciesNames& species,
+                             const Agreement& agreement) {
   Table table("numbers", "", {"quantity", "measured", "theory", "deviation"});
   for (const Quantity& quantity : quantities) {
     const std::string unit = unit_text(quantity.unit);
     const std::string name = escaped(species.readable(quantity.name)) +
                              (unit.empty() ? "" : " <span class=\"unit\">[" + typeset(unit) + "]</span>");
     const std::string deviation = deviation_text(quantity.value, quantity.error, quantity.theory);
-    table.add_row(
-        name, {typeset(measured_text(quantity.value, quantity.error)), typeset(number_text(quantity.theory)),
-               is_far(quantity) ? "<span class=\"far\">" + deviation + "</span>" : deviation});
+    table.add_row(name,
+                  {typeset(measured_text(quantity.value, quantity.error)), typeset(theory_text(quantity)),
+                   agreement.is_far(quantity) ? "<span class=\"far\">" + deviation + "</span>" : deviation});
   }
   return table.html();
 }
@@ -361,11 +355,12 @@ std::string reading() {
       "The true value is within two of them in 95% of runs; there is none where the run is too short to "
       "determine it. "
       "Deviations from theory are in standard errors, σ, or in percent where no error is known; those "
-      "of more than three σ are bold. Many theories are approximations.");
+      "of which chance allows none in a hundred runs are bold. ± after a theory is by how much it may be off "
+      "itself.");
 }
 
-std::string rates(const Report& report) {
-  return quantities_table(report.rates, SpeciesNames()) +
+std::string rates(const Report& report, const Agreement& agreement) {
+  return quantities_table(report.rates, SpeciesNames(), agreement) +
          paragraph("note",
                    "Means over the whole run, including the approach to "
                    "equilibrium; the theory is that of "
@@ -385,6 +380,17 @@ std::string transient_note(const Measurement& measurement) {
                                number_text(measurement.transient, 3), number_text(measurement.duration, 3)));
 }
 
+// What is missing, and why.
+std::string reasons(const Measurement& measurement, const SpeciesNames& species) {
+  std::string html;
+  for (const Quantity& quantity : measurement.quantities) {
+    if (quantity.reason.empty()) continue;
+    html +=
+        paragraph("note", escaped("No " + species.readable(quantity.name) + ": " + quantity.reason + "."));
+  }
+  return html;
+}
+
 // The numbers that the run has determined.
 std::vector<Quantity> known(std::vector<Quantity> quantities) {
   std::erase_if(quantities, [](const Quantity& quantity) { return std::isnan(quantity.value); });
@@ -392,7 +398,7 @@ std::vector<Quantity> known(std::vector<Quantity> quantities) {
 }
 
 // What there is to show of a measure; empty without results.
-std::string article(const Measurement& measurement, const SpeciesNames& species) {
+std::string article(const Measurement& measurement, const SpeciesNames& species, const Agreement& agreement) {
   const std::vector<chart::Chart> charts = charts_of(measurement, species);
   const std::vector<Quantity> quantities = known(measurement.quantities);
   if (charts.empty() && quantities.empty()) return {};
@@ -404,19 +410,19 @@ std::string article(const Measurement& measurement, const SpeciesNames& species)
     const std::string id = fmt::format("plot-{}-{}", measurement.name, i + 1);
     html += figure(chart::to_inline_svg(charts[i], id));
   }
-  if (!quantities.empty()) html += quantities_table(quantities, species);
-  html += "</div>\n" + transient_note(measurement);
+  if (!quantities.empty()) html += quantities_table(quantities, species, agreement);
+  html += "</div>\n" + transient_note(measurement) + reasons(measurement, species);
   if (!measurement.source.empty()) html += paragraph("source", escaped(measurement.source));
   return html + "</article>\n";
 }
 
 // All measures with results, and the names of the others.
-std::string measures(const Report& report) {
+std::string measures(const Report& report, const Agreement& agreement) {
   const SpeciesNames species = names_of(report.species);
   std::string articles;
   std::string others;
   for (const Measurement& measurement : report.measurements) {
-    const std::string html = article(measurement, species);
+    const std::string html = article(measurement, species, agreement);
     articles += html;
     if (html.empty()) others += (others.empty() ? "" : ", ") + escaped(measurement.title);
   }
@@ -499,6 +505,7 @@ std::string scenario(const Report& report) {
 }  // namespace
 
 std::string to_html(const Report& report) {
+  const Agreement agreement(report.measurements);
   std::string contents;
   std::string sections;
   const auto add = [&](std::string_view id, std::string_view heading, const std::string& html) {
@@ -513,8 +520,8 @@ std::string to_html(const Report& report) {
                                   : "Gravity and surfaces",
         gravity_and_surfaces(report));
   }
-  if (!report.rates.empty()) add("rates", "Rates and kinetic theory", rates(report));
-  if (!report.measurements.empty()) add("measures", "Measures", measures(report));
+  if (!report.rates.empty()) add("rates", "Rates and kinetic theory", rates(report, agreement));
+  if (!report.measurements.empty()) add("measures", "Measures", measures(report, agreement));
   if (!report.choice.length.empty()) add("choice", report.choice.title, choice(report.choice));
   add("speed", "Speed and memory", speed(report));
   add("scenario", "Scenario", scenario(report));
@@ -525,7 +532,7 @@ std::string to_html(const Report& report) {
                {"date", report.date.empty() ? "" : ", " + escaped(report.date)},
                {"style", std::string(without_license(report_css()))},
                {"description", description.empty() ? "" : paragraph("lead", escaped(description))},
-               {"summary", verdict(report) + key_figures(report)},
+               {"summary", verdict(report, agreement) + key_figures(report)},
                {"contents", contents},
                {"sections", sections}});
 }

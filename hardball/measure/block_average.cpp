@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "hardball/errors/error.hpp"
 
@@ -48,6 +49,17 @@ void BlockAverage::add(std::span<const double> values, double time, double weigh
   HARDBALL_CHECK(values.size() == bins_ && groups_ == 1);
   for (std::size_t bin = 0; bin < bins_; ++bin) put(bin, values[bin] * weight);
   close_sample(time, weight);
+}
+
+void BlockAverage::add_bin() {
+  std::vector<double> sums;
+  for (std::size_t begin = 0; begin < sums_.size(); begin += bins_) {
+    const auto first = sums_.begin() + static_cast<std::ptrdiff_t>(begin);
+    sums.insert(sums.end(), first, first + static_cast<std::ptrdiff_t>(bins_));
+    sums.push_back(0);
+  }
+  sums_ = std::move(sums);
+  ++bins_;
 }
 
 void BlockAverage::close_block() {

@@ -53,6 +53,9 @@ class BlockAverage {
   /// How many blocks there are, the last of which may be shorter; those left out do not count.
   std::size_t blocks() const { return full_blocks_ - first_ + (samples_in_block_ > 0 ? 1 : 0); }
 
+  /// Adds a bin, empty so far.
+  void add_bin();
+
   /// Adds a sample: `values` with their `weight`, such as the time for which they held, up to `time`, which
   /// never decreases. Precondition: one value for each bin; the weight is not negative; there are no groups.
   /// Cost: O(bins).

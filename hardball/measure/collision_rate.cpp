@@ -86,7 +86,8 @@ Measurement CollisionRate::result(const Scene& scene) const {
   const double expected = theory_.collision_rate(temperature);
   const auto add = [&](std::string name, const char* unit, const Estimate& estimate, double theory) {
     const double expectation = std::isfinite(theory) ? theory : kNone;
-    found.quantities.push_back({std::move(name), unit, estimate.value, estimate.error, expectation});
+    found.quantities.push_back({std::move(name), unit, estimate.value, estimate.error, expectation,
+                                theory_.tolerance() * expectation});
   };
   const auto add_rate = [&](std::string name, std::size_t bin, double per_sphere, double theory) {
     const Estimate count = contacts.histogram(bin, 1).front();

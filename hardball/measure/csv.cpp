@@ -29,12 +29,13 @@ std::string columns_csv(const Measurement& measurement) {
 }
 
 std::string quantities_csv(std::span<const Measurement> measurements) {
-  std::string text = "measure,name,value,error,theory,unit,transient [T]\n";
+  std::string text = "measure,name,value,error,theory,unit,transient [T],tolerance,reason\n";
   for (const Measurement& measurement : measurements) {
     for (const Quantity& quantity : measurement.quantities) {
       text += measurement.name + "," + quantity.name + "," + field(quantity.value) + "," +
               field(quantity.error) + "," + field(quantity.theory) + "," + quantity.unit + "," +
-              field(measurement.is_transient_over ? measurement.transient : measurement.duration) + "\n";
+              field(measurement.is_transient_over ? measurement.transient : measurement.duration) + "," +
+              field(quantity.tolerance) + "," + quantity.reason + "\n";
     }
   }
   return text;

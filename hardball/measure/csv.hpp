@@ -13,8 +13,9 @@ namespace hardball {
 /// in "radius [L]"; numbers read back to the same bits, and "nan" where there is none.
 std::string columns_csv(const Measurement& measurement);
 
-/// The quantities of all measurements, a line for each: measure, name, value, error, theory, unit, and the
-/// length of the transient left out, which is that of the whole run if the transient is not over.
+/// The quantities of all measurements, a line for each: measure, name, value, error, theory, unit, the
+/// length of the transient left out, which is that of the whole run if the transient is not over, the
+/// tolerance of the theory, and why there is no value.
 std::string quantities_csv(std::span<const Measurement> measurements);
 
 }  // namespace hardball

@@ -11,8 +11,8 @@
 
 namespace hardball {
 
-LagAverage::LagAverage(const Scene& scene, double interval, std::size_t most_spheres)
-    : species_(scene.species()), begin_(scene.now()), interval_(interval) {
+LagAverage::LagAverage(const Scene& scene, double interval, std::size_t most_spheres, const Shape& shape)
+    : species_(scene.species()), begin_(scene.now()), interval_(interval), shape_(shape) {
   HARDBALL_CHECK(interval > 0);
   const World& world = scene.world();
   const std::size_t count = std::min(world.size(), most_spheres);
@@ -39,11 +39,12 @@ LagAverage::LagAverage(const Scene& scene, double interval, std::size_t most_sph
       groups_.push_back({kind, begin + g * spheres / groups, begin + (g + 1) * spheres / groups});
     }
   }
-  vectors_.resize(count);
+  vectors_.resize(count * shape_.vectors);
 }
 
 bool LagAverage::is_due(const Time& now) {
   constexpr double kRounding = 1e-6;
+  if (followed_.empty()) return false;
   const double ticks = duration(begin_, now) / interval_;
   const std::int64_t tick = std::llround(ticks);
   if (std::fabs(ticks - static_cast<double>(tick)) > kRounding || tick <= tick_) return false;
@@ -65,7 +66,7 @@ void LagAverage::link_to_earlier(Link link) {
       levels_.back().index.fill(std::numeric_limits<std::int64_t>::min());
       levels_.back().vectors.resize(kLevelLags * vectors_.size());
       origins_.resize(lag_of(k, kLevelLags - 1) + 1);
-      sums_.resize(origins_.size() * groups_.size());
+      sums_.resize(origins_.size() * groups_.size() * shape_.products);
     }
     Level& level = levels_[k];
     const std::size_t newest = static_cast<std::size_t>(index) % kLevelLags;
@@ -80,10 +81,10 @@ void LagAverage::link_to_earlier(Link link) {
       const std::span<const Vec3> before(&level.vectors[earlier * vectors_.size()], vectors_.size());
       const std::span<const Vec3> now(vectors_);
       for (std::size_t g = 0; g < groups_.size(); ++g) {
-        const Group& group = groups_[g];
-        const std::size_t size = group.end - group.begin;
-        sums_[lag * groups_.size() + g] +=
-            link(before.subspan(group.begin, size), now.subspan(group.begin, size));
+        const std::size_t begin = groups_[g].begin * shape_.vectors;
+        const std::size_t size = groups_[g].end * shape_.vectors - begin;
+        link(before.subspan(begin, size), now.subspan(begin, size),
+             &sums_[(lag * groups_.size() + g) * shape_.products]);
       }
     }
   }
@@ -108,7 +109,10 @@ Estimate LagAverage::estimate(std::size_t species, const FunctionOfMeans& quanti
     spheres.push_back(static_cast<double>(groups_[g].end - groups_[g].begin));
     for (std::size_t lag = 0; lag < origins_.size(); ++lag) {
       if (origins_[lag] == 0) continue;
-      sums.push_back(sums_[lag * groups_.size() + g] / static_cast<double>(origins_[lag]));
+      for (std::size_t product = 0; product < shape_.products; ++product) {
+        const double sum = sums_[(lag * groups_.size() + g) * shape_.products + product];
+        sums.push_back(sum / static_cast<double>(origins_[lag]));
+      }
     }
   }
   const Parts found = jackknife(sums, spheres, quantity);
@@ -118,20 +122,24 @@ Estimate LagAverage::estimate(std::size_t species, const FunctionOfMeans& quanti
 }
 
 bool LagAverage::restored() const {
-  const std::size_t spheres = vectors_.size();
+  const std::size_t spheres = followed_.size();
   const std::size_t lags = levels_.empty() ? 0 : lag_of(levels_.size() - 1, kLevelLags - 1) + 1;
   const auto is_place = [&](const Followed& one) { return one.place < spheres; };
   const auto is_group = [&](const Group& group) {
     return group.species < species_.size() && group.begin < group.end && group.end <= spheres;
   };
-  const auto is_level = [&](const Level& level) { return level.vectors.size() == kLevelLags * spheres; };
-  return interval_ > 0 && tick_ >= -1 && levels_.size() <= kLevels && followed_.size() == spheres &&
+  const auto is_level = [&](const Level& level) {
+    return level.vectors.size() == kLevelLags * vectors_.size();
+  };
+  return (interval_ > 0 || spheres == 0) && tick_ >= -1 && levels_.size() <= kLevels && shape_.products > 0 &&
+         shape_.products <= kMostProducts && vectors_.size() == spheres * shape_.vectors &&
          groups_.size() <= kMostGroups * Species::kMostSpecies && std::ranges::all_of(followed_, is_place) &&
          std::ranges::all_of(groups_, is_group) && std::ranges::all_of(levels_, is_level) &&
-         origins_.size() == lags && sums_.size() == lags * groups_.size();
+         origins_.size() == lags && sums_.size() == lags * groups_.size() * shape_.products;
 }
 
 bool LagAverage::suits(const World& world) const {
+  if (followed_.empty()) return true;
   return species_.suits(world) &&
          std::ranges::all_of(followed_, [&](const Followed& one) { return one.rank < world.size(); });
 }

@@ -14,14 +14,15 @@
 
 namespace hardball {
 
-/// Means over spheres and times of a product that links a vector of a sphere to the same vector a lag later:
+/// Means over spheres and times of products that link vectors of a sphere to the same vectors a lag later:
 /// the square of a displacement, or the product of two velocities.
 ///
-/// Samples are taken at multiples of an interval. Lags are 0 to 7 intervals, then 8, 10, 12, 14, then 16, 20,
+/// Samples are taken at multiples of an interval, and may be missing at some: then so are their lags. Lags
+/// are 0 to 7 intervals, then 8, 10, 12, 14, then 16, 20,
 /// 24, 28 and so on, four for each doubling; those of the k-th doubling start at every 2^k-th sample. So the
 /// work for each sample and sphere is bounded, and memory grows with the logarithm of the run: 192 bytes for
-/// a sphere and doubling. Source: Frenkel and Smit, Understanding Molecular Simulation, 2nd edition, section
-/// 4.4.2.
+/// a vector of a sphere and doubling. Source: Frenkel and Smit, Understanding Molecular Simulation, 2nd
+/// edition, section 4.4.2.
 ///
 /// Errors are from the scatter among up to 32 groups of spheres of a species, see error_of_independent: the
 /// values of a sphere at different times are not independent, nor are lags that overlap. Their square is
@@ -30,36 +31,52 @@ class LagAverage {
  public:
   /// The most spheres that are followed; of more, some are chosen evenly by id.
   static constexpr std::size_t kMostSpheres = 10000;
+  /// A product starts at a sample that is a multiple of the k-th power of two up to this many times that
+  /// power later: windows of so many samples have lags of nearly their length.
+  static constexpr std::size_t kLevelLags = 8;
 
-  /// The sum over spheres of the product that links the earlier vectors to the later ones.
-  using Link = double (*)(std::span<const Vec3> earlier, std::span<const Vec3> later);
+  /// The vectors of each sphere, and the products of each lag.
+  struct Shape {
+    std::uint64_t vectors = 1;
+    std::uint64_t products = 1;
+    friend bool operator==(const Shape&, const Shape&) = default;
+    static void persist(auto& archive, auto& self) { archive(self.vectors, self.products); }
+  };
+
+  /// Adds, over all spheres, the products that link the earlier vectors to the later ones to `sums`, one for
+  /// each product.
+  using Link = void (*)(std::span<const Vec3> earlier, std::span<const Vec3> later, double* sums);
 
   /// Of no spheres.
   LagAverage() = default;
   /// Starts at the time of the scene; `interval` [T] is positive. Cost: O(n).
-  LagAverage(const Scene& scene, double interval, std::size_t most_spheres);
+  LagAverage(const Scene& scene, double interval, std::size_t most_spheres, const Shape& shape);
 
-  /// Adds a sample; `vector_of` gives the vector of the sphere in a slot. A time that is no multiple of the
-  /// interval, or not later than the last, is ignored. Cost: some 10 links for each sphere followed.
-  template <class VectorOf>
-  void sample(const Scene& scene, Link link, const VectorOf& vector_of) {
+  /// Adds a sample; `note` writes the vectors of the sphere in a slot to where it is told. A time that is no
+  /// multiple of the interval, or not later than the last, is ignored. Cost: some 10 links for each sphere
+  /// followed.
+  template <class Note>
+  void sample(const Scene& scene, Link link, const Note& note) {
     if (!is_due(scene.now())) return;
     for (const Followed& one : followed_) {
-      vectors_[one.place] = vector_of(scene.world().slot_of_rank(one.rank));
+      note(scene.world().slot_of_rank(one.rank), &vectors_[one.place * shape_.vectors]);
     }
     link_to_earlier(link);
   }
 
   const Species& species() const { return species_; }
+  bool has(const Shape& shape) const { return shape_ == shape; }
   /// The lags for which there are samples, in ascending order, zero first [T].
   std::vector<double> lags() const;
   /// How many spheres are followed.
   std::size_t followed() const { return followed_.size(); }
-  /// A function of the means at these lags of one species.
+  /// A function of the means of one species: shape (lags, products).
   Estimate estimate(std::size_t species, const FunctionOfMeans& quantity) const;
-  /// The mean at one of these lags.
-  Estimate at(std::size_t species, std::size_t lag) const {
-    return estimate(species, [lag](std::span<const double> means) { return means[lag]; });
+  /// The mean of a product at one of these lags.
+  Estimate at(std::size_t species, std::size_t lag, std::size_t product = 0) const {
+    return estimate(species, [place = lag * shape_.products + product](std::span<const double> means) {
+      return means[place];
+    });
   }
 
   /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
@@ -70,14 +87,15 @@ class LagAverage {
   static void persist(auto& archive, auto& self) {
     archive(self.species_, self.begin_, self.interval_, self.tick_, self.followed_, self.groups_,
             self.vectors_, self.levels_, self.origins_, self.sums_);
+    if (archive.version() >= 2) archive(self.shape_);
   }
   bool restored() const;
 
-  static constexpr std::size_t kLevelLags = 8;  // samples of a level that are kept
   static constexpr std::size_t kFirstLag =
       4;  // of all levels but the first: the level before has shorter ones
   static constexpr std::size_t kLevels = 32;
   static constexpr std::size_t kMostGroups = 32;
+  static constexpr std::size_t kMostProducts = 8;
 
   struct Followed {
     std::size_t rank;   // among all spheres, by id
@@ -90,7 +108,7 @@ class LagAverage {
     std::size_t end;
     static void persist(auto& archive, auto& self) { archive(self.species, self.begin, self.end); }
   };
-  // The last samples at multiples of 2^k intervals; sample i is stored as i modulo kLevelLags.
+  // The last kLevelLags samples at multiples of 2^k intervals; sample i is stored as i modulo kLevelLags.
   struct Level {
     std::array<std::int64_t, kLevelLags> index;
     std::vector<Vec3> vectors;
@@ -107,10 +125,11 @@ class LagAverage {
   std::int64_t tick_ = -1;  // the last sample, in intervals since the start
   std::vector<Followed> followed_;
   std::vector<Group> groups_;
-  std::vector<Vec3> vectors_;  // of the last sample
+  Shape shape_;
+  std::vector<Vec3> vectors_;  // of the last sample, shape (spheres, vectors)
   std::vector<Level> levels_;
   std::vector<std::uint64_t> origins_;  // of each lag
-  std::vector<double> sums_;            // shape (lags, groups)
+  std::vector<double> sums_;            // shape (lags, groups, products)
 };
 
 }  // namespace hardball

@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "hardball/measure/diffusion.hpp"
 #include "hardball/measure/fluid_theory.hpp"
 #include "hardball/measure/lag_average.hpp"
 #include "hardball/measure/measurement.hpp"
@@ -41,7 +42,7 @@ class MeanSquareDisplacement {
             self.begin_, self.average_);
   }
 
-  Estimate diffusion(std::size_t species) const;
+  Diffusion diffusion(std::size_t species) const;
 
   FluidTheory theory_;
   ThermalMotion motion_;  // at the start

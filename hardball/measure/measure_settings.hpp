@@ -19,7 +19,7 @@ std::span<const std::string_view> measure_names();
 struct MeasureSettings {
   /// Some of measure_names(); "all" means all of them.
   std::vector<std::string> names = {"all"};
-  /// The time between samples [T]; if absent, each measure has its own, see Cadence.
+  /// The time between samples [T]; if absent, each measure has its own, see SamplingSchedule.
   std::optional<double> every = {};
   /// When measuring starts [T].
   double from = 0;

@@ -10,6 +10,9 @@
 
 namespace hardball {
 
+/// The tolerance of a theory that is given for comparison only, where it need not hold.
+inline constexpr double kForComparison = std::numeric_limits<double>::infinity();
+
 /// A measured number.
 struct Quantity {
   std::string name;  ///< As in "compressibility".
@@ -17,9 +20,12 @@ struct Quantity {
   double value = std::numeric_limits<double>::quiet_NaN();
   double error = std::numeric_limits<double>::quiet_NaN();   ///< As in Estimate; NaN if undetermined.
   double theory = std::numeric_limits<double>::quiet_NaN();  ///< Expected value; NaN if there is no theory.
+  double tolerance = 0;     ///< By how much the theory itself may be off; see kForComparison.
+  std::string reason = {};  ///< Why there is no value, without a comma; empty if there is one.
 
   static void persist(auto& archive, auto& self) {
     archive(self.name, self.unit, self.value, self.error, self.theory);
+    if (archive.version() >= 2) archive(self.tolerance, self.reason);
   }
 };
 

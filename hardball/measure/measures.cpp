@@ -40,15 +40,6 @@ SphereId last_id_of(const World& world) {
   return world.size() > 0 ? world.id(world.slot_of_rank(world.size() - 1)) : 0;
 }
 
-// How many spheres a measure may follow at samples an interval apart. With fewer the errors would be too
-// large.
-std::size_t affordable_spheres(double cost_per_sphere, double interval, const Pace& pace) {
-  constexpr double kFewest = 250;
-  const double affordable = (Cadence::kShare * pace.cost * interval - kFixedCost) / cost_per_sphere;
-  return static_cast<std::size_t>(
-      std::clamp(affordable, kFewest, static_cast<double>(LagAverage::kMostSpheres)));
-}
-
 }  // namespace
 
 std::span<const std::string_view> measure_names() {
@@ -114,29 +105,32 @@ Time Measures::next_sample() const {
   if (!is_any_wanted_) return kNever;
   if (!has_begun_) return Time(settings_.from);
   Time next = kNever;
-  for_each([&](const auto& entry) { next = earlier(next, entry.cadence.next()); });
+  for_each([&](const auto& entry) { next = earlier(next, entry.schedule.next()); });
   return next;
 }
 
 template <class Measure>
 void Measures::begin(Entry<Measure>& entry, const Scene& scene, const Pace& pace) const {
   const Time& now = scene.now();
-  // So many samples in a mean free time resolve the decay of velocities.
-  constexpr double kSamplesPerFreeTime = 4;
   if constexpr (FollowsSpheres<Measure>) {
-    const double finest = power_of_two_from(pace.free_time / kSamplesPerFreeTime);
-    const std::size_t affordable = affordable_spheres(Measure::kCostPerSphereFollowed, finest, pace);
-    const std::size_t spheres =
-        std::min(scene.world().size(), settings_.every ? LagAverage::kMostSpheres : affordable);
+    // So many samples in a mean free time resolve the decay of velocities; windows of so many have lags that
+    // are long enough for diffusion; and following so many spheres leaves enough windows.
+    constexpr double kSamplesPerFreeTime = 4;
+    constexpr std::int64_t kWindow = 256;
+    constexpr std::size_t kMostFollowed = 1000;
+    const std::size_t most = settings_.every ? LagAverage::kMostSpheres : kMostFollowed;
+    const std::size_t spheres = std::min(scene.world().size(), most);
     const double cost = kFixedCost + Measure::kCostPerSphereFollowed * static_cast<double>(spheres);
-    entry.cadence = settings_.every ? Cadence(now, *settings_.every) : Cadence(now, finest, cost, pace);
-    entry.measure.emplace(scene, entry.cadence.interval(), spheres);
+    const double finest = pace.free_time / kSamplesPerFreeTime;
+    entry.schedule = settings_.every ? SamplingSchedule(now, *settings_.every)
+                                     : SamplingSchedule(now, finest, kWindow, cost, pace);
+    entry.measure.emplace(scene, entry.schedule.interval(), spheres);
   } else {
     entry.measure.emplace(scene);
     if constexpr (Samples<Measure>) {
       const double cost = kFixedCost + entry.measure->sample_cost();
-      entry.cadence =
-          settings_.every ? Cadence(now, *settings_.every) : Cadence(now, pace.free_time, cost, pace);
+      entry.schedule = settings_.every ? SamplingSchedule(now, *settings_.every)
+                                       : SamplingSchedule(now, pace.free_time, 1, cost, pace);
     }
   }
 }
@@ -155,9 +149,9 @@ void Measures::sample(const World& world, const Time& now) {
     begin_ = now;
   }
   for_each([&](auto& entry) {
-    if (entry.cadence.next() > now) return;
+    if (entry.schedule.next() > now) return;
     take_sample(entry, scene);
-    entry.cadence.advance(now, contacts_);
+    entry.schedule.advance(now, contacts_);
   });
 }
 

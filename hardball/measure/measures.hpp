@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "hardball/measure/bond_order.hpp"
-#include "hardball/measure/cadence.hpp"
 #include "hardball/measure/collision_rate.hpp"
 #include "hardball/measure/coordination.hpp"
 #include "hardball/measure/density_profiles.hpp"
@@ -23,6 +22,7 @@
 #include "hardball/measure/nearest_neighbor.hpp"
 #include "hardball/measure/pressure.hpp"
 #include "hardball/measure/radial_distribution.hpp"
+#include "hardball/measure/sampling_schedule.hpp"
 #include "hardball/measure/scene.hpp"
 #include "hardball/measure/structure_factor.hpp"
 #include "hardball/measure/temperature.hpp"
@@ -95,11 +95,11 @@ class Measures {
     bool is_wanted = false;
     std::optional<Measure> measure;  // once it has started
     bool has_sample = false;
-    Cadence cadence;
+    SamplingSchedule schedule;
     static void persist(auto& archive, auto& self) {
-      archive(self.is_wanted, self.measure, self.has_sample, self.cadence);
+      archive(self.is_wanted, self.measure, self.has_sample, self.schedule);
     }
-    bool restored() const { return measure || cadence.next() == kNever; }
+    bool restored() const { return measure || schedule.next() == kNever; }
   };
   using Entries = std::tuple<Entry<Pressure>, Entry<WallForces>, Entry<Temperature>, Entry<CollisionRate>,
                              Entry<ImpactSpeeds>, Entry<VelocityDistribution>, Entry<MeanSquareDisplacement>,

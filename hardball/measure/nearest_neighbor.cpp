@@ -103,7 +103,8 @@ Measurement NearestNeighbor::result(const Scene& /*scene*/) const {
     // The mean is the integral of the probability that the gap is wider; by Simpson's rule.
     mean_by_theory += (none_within(low) + 4 * none_within(middle) + none_within(high)) * width / 6;
   }
-  result.quantities = {{"mean_gap", "L", mean.value, mean.error, mean_by_theory}};
+  result.quantities = {
+      {"mean_gap", "L", mean.value, mean.error, mean_by_theory, kGapTolerance * mean_by_theory}};
   result.columns = {std::move(gap), std::move(value), std::move(error)};
   if (std::isfinite(packing_fraction_)) result.columns.push_back(std::move(theory));
   transient.note_in(result);

@@ -147,17 +147,16 @@ Measurement Pressure::result(const Scene& scene) const {
   };
   const Transient transient = find_transient(whole, std::array{compressibility});
   const BlockAverage average = transient.left_out_of(whole);
-  // With the total momentum fixed n spheres have the degrees of freedom of n - 1, and meet a little faster
-  // than their mean energy suggests.
-  const double excess = (theory_.compressibility() - 1) * spheres_ / (spheres_ - 1);
-  const double expected = is_energy_conserved(motion_, scene.motion()) ? 1 + excess : kNone;
+  const double expected = is_energy_conserved(motion_, scene.motion()) ? theory_.compressibility() : kNone;
+  const double tolerance = theory_.tolerance() * (expected - 1);
   const double kinetic_pressure = 2 * motion_.energy / (dimensions_ * volume);
-  const auto add = [&](std::string name, const char* unit, const FunctionOfMeans& quantity, double theory) {
+  const auto add = [&](std::string name, const char* unit, const FunctionOfMeans& quantity, double scale) {
     const Estimate estimate = average.estimate(quantity);
-    found.quantities.push_back({std::move(name), unit, estimate.value, estimate.error, theory});
+    found.quantities.push_back(
+        {std::move(name), unit, estimate.value, estimate.error, scale * expected, scale * tolerance});
   };
-  add("compressibility", "1", compressibility, expected);
-  add("pressure", unit_of_pressure, pressure, expected * kinetic_pressure);
+  add("compressibility", "1", compressibility, 1);
+  add("pressure", unit_of_pressure, pressure, kinetic_pressure);
   for (std::size_t k = 0; k < kComponents; ++k) {
     if (box_.is_flat() && is_along_z(kTensor[k])) continue;
     const bool is_diagonal = kTensor[k].first == kTensor[k].second;
@@ -169,8 +168,9 @@ Measurement Pressure::result(const Scene& scene) const {
     const double elapsed = average.total(BlockAverage::kWeight);
     estimate.error =
         std::fmax(estimate.error, std::hypot(collisional.error, kinetic_error(k, elapsed) / volume));
+    const double scale = is_diagonal ? kinetic_pressure : 0;
     found.quantities.push_back({std::string("pressure_") + kTensor[k].name, unit_of_pressure, estimate.value,
-                                estimate.error, is_diagonal ? expected * kinetic_pressure : expected * 0});
+                                estimate.error, scale * expected, scale * tolerance});
   }
   add_walls(found, average);
 

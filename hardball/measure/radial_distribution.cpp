@@ -55,6 +55,9 @@ RadialDistribution::RadialDistribution(const Scene& scene, double range, double 
           {reach, is_by_species_ ? scene.fluid().contact_value(a, b) : 0,
            species == 1 ? "" : "_" + std::to_string(a + 1) + "_" + std::to_string(b + 1),
            ContactExtrapolation(ContactExtrapolation::kReach * reach, reach, box_.dimensions())});
+      // The fit of a cubic adds its own.
+      constexpr double kOfFit = 1e-3;
+      kinds_.back().tolerance = (scene.fluid().tolerance() + kOfFit) * kinds_.back().theory;
     }
   }
   bin_width_ = mean_diameter * bin_width;
@@ -191,7 +194,7 @@ Measurement RadialDistribution::result(const Scene& /*scene*/) const {
       if (average.total(near_bin(index)) < kFewestNear)
         contact.error = std::numeric_limits<double>::quiet_NaN();
       found.quantities.push_back(
-          {"contact_value" + kind.suffix, "1", contact.value, contact.error, kind.theory});
+          {"contact_value" + kind.suffix, "1", contact.value, contact.error, kind.theory, kind.tolerance});
     }
     Column value{"g" + kind.suffix, "1", ColumnRole::value, {}};
     Column error{value.name + "_error", "1", ColumnRole::error, {}};

@@ -55,8 +55,10 @@ class RadialDistribution {
     double theory;       // the contact value [1]; NaN if there is none
     std::string suffix;  // of names: "", or "_1_2"
     ContactExtrapolation contact;
+    double tolerance = 0;  // of the theory [1]
     static void persist(auto& archive, auto& self) {
       archive(self.reach, self.theory, self.suffix, self.contact);
+      if (archive.version() >= 2) archive(self.tolerance);
     }
   };
 

@@ -47,4 +47,8 @@ const Surroundings& Scene::surroundings() const {
   return once(surroundings_, [&] { return Surroundings(world_, centers(), moments().volume()); });
 }
 
+Vec3 Scene::unfolded_center(Slot slot) const {
+  return world_.position(slot, now_) + world_.box().shift(world_.image(slot, now_));
+}
+
 }  // namespace hardball

@@ -36,6 +36,8 @@ class Scene {
   /// All centres in the order of ids, folded into a periodic box [L].
   const std::vector<Vec3>& centers() const;
   const Surroundings& surroundings() const;
+  /// The centre of a sphere, followed through periodic boundaries [L].
+  Vec3 unfolded_center(Slot slot) const;
 
  private:
   const World& world_;

@@ -8,6 +8,18 @@
 #include "hardball/errors/error.hpp"
 
 namespace hardball {
+namespace {
+
+// What all spheres have; NaN if they differ, or there are none.
+double common(const auto& of, std::size_t spheres) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  for (Slot slot = 1; slot < spheres; ++slot) {
+    if (of(slot) != of(0)) return kNone;
+  }
+  return spheres > 0 ? of(0) : kNone;
+}
+
+}  // namespace
 
 Species::Species(const World& world) {
   world.for_each_by_id([&](Slot slot) {
@@ -27,8 +39,8 @@ Species::Species(const World& world) {
   });
   is_one_kind_ = kinds_.size() <= 1;
   if (kinds_.empty() || kinds_.size() > kMostSpecies) {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    kinds_ = {{kNone, kNone, 0, world.size()}};
+    kinds_ = {{common([&](Slot slot) { return world.radius(slot); }, world.size()),
+               common([&](Slot slot) { return world.mass(slot); }, world.size()), 0, world.size()}};
   }
   if (kinds_.size() == 1) species_ = {};
 }

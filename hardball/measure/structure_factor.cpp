@@ -221,10 +221,23 @@ Measurement StructureFactor::result(const Scene& /*scene*/) const {
   if (shells_.samples() > 0) {
     const auto peak = static_cast<std::size_t>(std::max_element(value.values.begin(), value.values.end()) -
                                                value.values.begin());
-    found.quantities = {
-        {"highest_peak", "1", value.values[peak], error.values[peak], theory.values[peak]},
-        {"highest_peak_wave_number", "L^-1", wave_number.values[peak]},
+    // Without structure the largest of many values is one, within errors; and where these are not known, the
+    // intensity of a single vector is distributed exponentially.
+    constexpr double kErrors = 4;
+    constexpr double kIntensity = 10;
+    const bool is_known = !std::isnan(error.values[peak]);
+    const double by_chance = is_known ? 1 + kErrors * error.values[peak] : kIntensity;
+    const bool is_peak = value.values[peak] > by_chance;
+    const auto add = [&](const char* name, const char* unit, double number, double deviation) {
+      found.quantities.push_back({.name = name, .unit = unit});
+      Quantity& quantity = found.quantities.back();
+      if (!is_peak) quantity.reason = "no peak is beyond chance";
+      if (is_peak) quantity.value = number;
+      if (is_peak) quantity.error = deviation;
     };
+    add("highest_peak", "1", value.values[peak], error.values[peak]);
+    add("highest_peak_wave_number", "L^-1", wave_number.values[peak],
+        std::numeric_limits<double>::quiet_NaN());
   }
   found.columns = {std::move(wave_number), std::move(value), std::move(error)};
   if (std::isfinite(packing_fraction_)) found.columns.push_back(std::move(theory));

@@ -121,7 +121,8 @@ Measurement Temperature::result(const Scene& scene) const {
     const FunctionOfMeans of_share = [&](Means means) { return of_sum(means) / means[kSquare] * square; };
     const Estimate value = is_conserved ? average.estimate(of_share, BlockAverage::Groups::exchanging)
                                         : average.estimate(of_sum);
-    found.quantities.push_back({part.name, kEnergyUnit, value.value, value.error, expected});
+    found.quantities.push_back(
+        {part.name, kEnergyUnit, value.value, value.error, expected, is_conserved ? 0 : kForComparison});
     found.columns.push_back({part.name, kEnergyUnit, ColumnRole::value, average_.history(of_sum)});
   }
   transient.note_in(found);

@@ -6,6 +6,11 @@
 
 namespace hardball {
 
+double mean_over_normal(double degrees_of_freedom) {
+  const double f = degrees_of_freedom;
+  return std::sqrt(f / 2) * std::exp(std::lgamma(f / 2) - std::lgamma((f + 1) / 2));
+}
+
 ThermalMotion thermal_motion(const World& world, const Time& moment) {
   ThermalMotion motion;
   if (world.size() == 0) return motion;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "hardball/measure/diffusion.hpp"
 #include "hardball/tuning/kinetic_theory.hpp"
 
 namespace hardball {
@@ -15,17 +16,18 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-double sum_of_products(std::span<const Vec3> earlier, std::span<const Vec3> later) {
-  double sum = 0;
-  for (std::size_t i = 0; i < later.size(); ++i) sum += dot(earlier[i], later[i]);
-  return sum;
-}
+constexpr const char* kBegunEarlier = "the run was begun by a version that did not follow places";
 
-// The integral up to one of the lags, by the trapezoidal rule.
-double integral(std::span<const double> lags, std::span<const double> means, std::size_t last) {
-  double sum = 0;
-  for (std::size_t i = 1; i <= last; ++i) sum += (means[i - 1] + means[i]) / 2 * (lags[i] - lags[i - 1]);
-  return sum;
+// Of each sphere: velocity and place. Of each lag: the product of the velocities; and the displacement times
+// the mean of both velocities, which is the integral of the former up to the lag.
+constexpr LagAverage::Shape kShape{.vectors = 2, .products = 2};
+constexpr std::size_t kIntegral = 1;
+
+void add_products(std::span<const Vec3> earlier, std::span<const Vec3> later, double* sums) {
+  for (std::size_t i = 0; i < later.size(); i += kShape.vectors) {
+    sums[0] += dot(earlier[i], later[i]);
+    sums[kIntegral] += dot(earlier[i] + later[i], later[i + 1] - earlier[i + 1]) / 2;
+  }
 }
 
 }  // namespace
@@ -35,59 +37,55 @@ VelocityAutocorrelation::VelocityAutocorrelation(const Scene& scene, double inte
     : theory_(scene.fluid()),
       motion_(scene.motion()),
       dimensions_(static_cast<double>(scene.world().box().dimensions())),
+      is_periodic_(scene.world().box().is_all(Boundary::periodic)),
       mean_free_time_(mean_free_time(scene.moments())),
-      average_(scene, interval, most_spheres) {}
+      begin_(scene.now()),
+      average_(scene, interval, most_spheres, kShape) {}
 
 void VelocityAutocorrelation::sample(const Scene& scene) {
-  average_.sample(scene, sum_of_products,
-                  [&](Slot slot) { return scene.world().velocity(slot, scene.now()) - motion_.drift; });
+  const Vec3 drifted = duration(begin_, scene.now()) * motion_.drift;
+  average_.sample(scene, add_products, [&](Slot slot, Vec3* vectors) {
+    vectors[0] = scene.world().velocity(slot, scene.now()) - motion_.drift;
+    vectors[1] = scene.unfolded_center(slot) - drifted;
+  });
 }
 
 Measurement VelocityAutocorrelation::result(const Scene& scene) const {
-  // Beyond, there is little but noise; the rest of the slow decay is a few per cent of D in a dense fluid.
-  constexpr double kFreeTimes = 50;
   Measurement found{
       .name = std::string(kName),
       .title = "Velocity autocorrelation",
       .formula =
           R"($C(t) = \langle \mathbf{v}(s) \cdot \mathbf{v}(s + t) \rangle$ over spheres and )"
-          R"(times $s$; $D(t) = \frac{1}{d} \int_0^t C(s) \, \mathrm{d}s$ in $d$ dimensions, $D$ at 50 mean free )"
-          R"(times; theory: $d \frac{kT}{m} e^{-t / \tau}$, $\tau = m D / kT$, with $D$ of )"
+          R"(times $s$; $D(t) = \frac{1}{d} \int_0^t C(s) \, \mathrm{d}s$ in $d$ dimensions, $D$: that at the )"
+          R"(lag $t$ with the least error; theory: $d \frac{kT}{m} e^{-t / \tau}$, $\tau = m D / kT$, with $D$ of )"
           R"(Enskog's theory)",
       .source =
           "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; D: Speedy, Mol. "
           "Phys. 62 (1987) 509; Enskog: Chapman and Cowling, section 16.3"};
-  const double temperature = is_energy_conserved(motion_, scene.motion()) ? motion_.temperature() : kNone;
+  const bool is_conserved = is_energy_conserved(motion_, scene.motion());
+  const double temperature = is_conserved ? motion_.temperature() : kNone;
   const double enskog = theory_.enskog_diffusion(temperature);
-  const double expected = theory_.diffusion(temperature);
   const Species& species = average_.species();
   const std::vector<double> lags = average_.lags();
-  std::size_t last = 0;
-  while (last + 1 < lags.size() && lags[last + 1] <= kFreeTimes * mean_free_time_) ++last;
   found.columns.push_back({"lag", "T", ColumnRole::argument, lags});
+  if (species.size() == 0) {
+    found.quantities.push_back({.name = "diffusion_constant", .unit = "L^2 T^-1", .reason = kBegunEarlier});
+  }
   // As in mean_speed.
-  const bool is_all_energy = average_.followed() == scene.world().size() && species.is_one_kind() &&
-                             is_energy_conserved(motion_, scene.motion());
+  const bool is_all_energy =
+      average_.followed() == scene.world().size() && species.is_one_kind() && is_conserved;
   for (std::size_t s = 0; s < species.size(); ++s) {
     const double square = lags.empty() ? kNone : average_.at(s, 0).value;
-    const auto estimate = [&](const FunctionOfMeans& quantity) {
-      return average_.estimate(s, [&](std::span<const double> means) {
-        return quantity(means) * (is_all_energy ? square / means[0] : 1);
-      });
+    const auto product = [&](std::size_t lag, std::size_t which) -> FunctionOfMeans {
+      return [=, this, place = lag * kShape.products + which](std::span<const double> means) {
+        return means[place] / (which == kIntegral ? dimensions_ : 1) *
+               (is_all_energy ? square / means[0] : 1);
+      };
     };
-    const auto integral_to = [&](std::size_t lag) {
-      return estimate(
-          [&](std::span<const double> means) { return integral(lags, means, lag) / dimensions_; });
-    };
-    if (last > 0) {
-      const Estimate constant = integral_to(last);
-      found.quantities.push_back(
-          {"diffusion_constant" + species.suffix(s), "L^2 T^-1", constant.value, constant.error, expected});
-      if (species.is_one_kind()) {
-        found.quantities.push_back({"diffusion_constant_over_enskog", "1", constant.value / enskog,
-                                    constant.error / enskog, expected / enskog});
-      }
-    }
+    const auto up_to = [&](std::size_t lag) { return product(lag, kIntegral); };
+    const Diffusion diffusion =
+        is_periodic_ ? read_diffusion(average_, s, mean_free_time_, up_to) : Diffusion{{}, 0, kBounded};
+    add_diffusion(found, diffusion, species, s, theory_, temperature);
     const std::string name = "velocity_autocorrelation" + species.suffix(s);
     const std::string integral_name = "diffusion_integral" + species.suffix(s);
     Column value{name, "L^2 T^-2", ColumnRole::value, {}};
@@ -97,13 +95,13 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
     Column up_to_lag_error{integral_name + "_error", "L^2 T^-1", ColumnRole::error, {}};
     const double square_speed = dimensions_ * temperature / species.mass(s);
     for (std::size_t lag = 0; lag < lags.size(); ++lag) {
-      const Estimate product = estimate([lag](std::span<const double> means) { return means[lag]; });
-      const Estimate up_to = integral_to(lag);
-      value.values.push_back(product.value);
-      error.values.push_back(product.error);
+      const Estimate correlation = average_.estimate(s, product(lag, 0));
+      const Estimate integral = average_.estimate(s, up_to(lag));
+      value.values.push_back(correlation.value);
+      error.values.push_back(correlation.error);
       theory.values.push_back(square_speed * std::exp(-lags[lag] * square_speed / (dimensions_ * enskog)));
-      up_to_lag.values.push_back(up_to.value);
-      up_to_lag_error.values.push_back(up_to.error);
+      up_to_lag.values.push_back(integral.value);
+      up_to_lag_error.values.push_back(integral.error);
     }
     found.columns.push_back(std::move(value));
     found.columns.push_back(std::move(error));
@@ -112,6 +110,12 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
     found.columns.push_back(std::move(up_to_lag_error));
   }
   return found;
+}
+
+// Earlier versions did not follow where spheres are: nothing is left of what they have averaged.
+bool VelocityAutocorrelation::restored() {
+  if (!average_.has(kShape)) average_ = {};
+  return true;
 }
 
 }  // namespace hardball

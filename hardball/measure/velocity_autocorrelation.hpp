@@ -38,12 +38,16 @@ class VelocityAutocorrelation {
   VelocityAutocorrelation() = default;
   static void persist(auto& archive, auto& self) {
     archive(self.theory_, self.motion_, self.dimensions_, self.mean_free_time_, self.average_);
+    if (archive.version() >= 2) archive(self.is_periodic_, self.begin_);
   }
+  bool restored();
 
   FluidTheory theory_;
   ThermalMotion motion_;  // at the start
   double dimensions_;
+  bool is_periodic_ = false;
   double mean_free_time_;  // expected [T]
+  Time begin_;
   LagAverage average_;
 };
 

@@ -159,11 +159,14 @@ Measurement WallForces::result(const Scene& scene) const {
   return found;
 }
 
-bool WallForces::restored() const {
+bool WallForces::restored() {
+  // Earlier versions had no bin of the energy stored.
+  if (!walls_.empty() && average_.has(kBins * walls_.size())) average_.add_bin();
   const auto is_place = [this](std::size_t place) { return walls_.empty() || place < walls_.size(); };
   const auto is_wall = [this](std::uint32_t wall) { return wall < places_.size(); };
-  return average_.has(kBins * walls_.size() + 1) && (along_.has(kAxes * walls_.size()) || along_.has(0)) &&
-         std::ranges::all_of(places_, is_place) && std::ranges::all_of(walls_, is_wall);
+  return (average_.has(kBins * walls_.size() + 1) || walls_.empty()) &&
+         (along_.has(kAxes * walls_.size()) || along_.has(0)) && std::ranges::all_of(places_, is_place) &&
+         std::ranges::all_of(walls_, is_wall);
 }
 
 bool WallForces::suits(const World& world) const {

@@ -49,7 +49,7 @@ class WallForces {
     archive(self.walls_, self.places_, self.begin_, self.last_, self.average_);
     if (archive.version() >= kVersionOfTangentialForces) archive(self.along_);
   }
-  bool restored() const;
+  bool restored();
 
   // Bins of each wall.
   static constexpr std::size_t kForce = 0;  // along the normal [M L T^-2]

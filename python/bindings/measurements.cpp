@@ -80,6 +80,8 @@ void bind_measurements(py::module_& module) {
       .def_readonly("value", &Quantity::value)
       .def_readonly("error", &Quantity::error, doc::Quantity_error)
       .def_readonly("theory", &Quantity::theory, doc::Quantity_theory)
+      .def_readonly("tolerance", &Quantity::tolerance, doc::Quantity_tolerance)
+      .def_readonly("reason", &Quantity::reason, doc::Quantity_reason)
       .def("__float__", [](const Quantity& self) { return self.value; })
       .def(
           "__format__",

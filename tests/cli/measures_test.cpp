@@ -52,7 +52,7 @@ TEST_F(MeasuredRun, WritesAllMeasuresIntoItsDirectoryAndChangesNothing) {
   }
   const std::string quantities = read_text(folder_ / "out" / "measures" / "quantities.csv");
   EXPECT_TRUE(quantities.starts_with(
-      "measure,name,value,error,theory,unit,transient [T]\npressure,compressibility,"));
+      "measure,name,value,error,theory,unit,transient [T],tolerance,reason\npressure,compressibility,"));
 }
 
 TEST_F(MeasuredRun, FindsTheSameWithEveryEngineAndWithSnapshots) {

@@ -22,10 +22,8 @@ using support::column;
 using support::has_quantity;
 using support::quantity;
 
-double sum_of_products(std::span<const Vec3> earlier, std::span<const Vec3> later) {
-  double sum = 0;
-  for (std::size_t i = 0; i < later.size(); ++i) sum += dot(earlier[i], later[i]);
-  return sum;
+void add_products(std::span<const Vec3> earlier, std::span<const Vec3> later, double* sum) {
+  for (std::size_t i = 0; i < later.size(); ++i) *sum += dot(earlier[i], later[i]);
 }
 
 // Spheres on a line that never meet.
@@ -44,10 +42,10 @@ double value_of(SphereId id, int tick) {
 TEST(LagAverage, IsADirectSumOverItsOrigins) {
   constexpr int kTicks = 75;
   const World world = row(5);
-  LagAverage average({world, Time(2)}, 0.5, LagAverage::kMostSpheres);
+  LagAverage average({world, Time(2)}, 0.5, LagAverage::kMostSpheres, {});
   for (int tick = 0; tick <= kTicks; ++tick) {
-    average.sample({world, Time(2 + 0.5 * tick)}, sum_of_products, [&](Slot slot) {
-      return Vec3{value_of(world.id(slot), tick), 0, 0};
+    average.sample({world, Time(2 + 0.5 * tick)}, add_products, [&](Slot slot, Vec3* vector) {
+      *vector = {value_of(world.id(slot), tick), 0, 0};
     });
   }
   const std::vector<double> lags = average.lags();
@@ -74,35 +72,44 @@ TEST(LagAverage, IsADirectSumOverItsOrigins) {
 
 TEST(LagAverage, IgnoresTimesBetweenItsTicksAndLinksNothingAcrossAGap) {
   const World world = row(1);
-  LagAverage average({world, Time(0)}, 1, 10);
-  const auto one = [](Slot) { return Vec3{1, 0, 0}; };
+  LagAverage average({world, Time(0)}, 1, 10, {});
+  const auto one = [](Slot, Vec3* vector) { *vector = {1, 0, 0}; };
   for (const double time : {0.0, 1.0, 1.5, 2.0, 2.0, 20.0, 21.0})
-    average.sample({world, Time(time)}, sum_of_products, one);
+    average.sample({world, Time(time)}, add_products, one);
   EXPECT_EQ(average.lags(), (std::vector<double>{0, 1, 2}));
   EXPECT_EQ(average.at(0, 1).value, 1);
 }
 
 TEST(LagAverage, FollowsSpheresChosenEvenly) {
   const World world = row(100);
-  LagAverage average({world, Time(0)}, 1, 7);
+  LagAverage average({world, Time(0)}, 1, 7, {});
   std::vector<SphereId> followed;
-  average.sample({world, Time(0)}, sum_of_products, [&](Slot slot) {
-    followed.push_back(world.id(slot));
-    return Vec3{};
-  });
+  average.sample({world, Time(0)}, add_products,
+                 [&](Slot slot, Vec3* /*vector*/) { followed.push_back(world.id(slot)); });
   EXPECT_EQ(followed, (std::vector<SphereId>{0, 15, 29, 43, 58, 72, 86}));
 }
 
 TEST(LagAverage, HasTheErrorOfIndependentSpheres) {
   const World world = row(4);
-  LagAverage average({world, Time(0)}, 1, 10);
-  average.sample({world, Time(0)}, sum_of_products, [&](Slot slot) {
-    return Vec3{std::sqrt(1.0 + slot), 0, 0};
+  LagAverage average({world, Time(0)}, 1, 10, {});
+  average.sample({world, Time(0)}, add_products, [&](Slot slot, Vec3* vector) {
+    *vector = {std::sqrt(1.0 + slot), 0, 0};
   });
   // The mean of 1, 2, 3 and 4.
   EXPECT_NEAR(average.at(0, 0).value, 2.5, 1e-12);
   const std::array shares{-1.5 / 4, -0.5 / 4, 0.5 / 4, 1.5 / 4};
   EXPECT_NEAR(average.at(0, 0).error, std::sqrt(2) * error_of_independent(shares), 1e-12);
+}
+
+TEST(LagAverage, HasTheShortLagsOfWindowsAndTheLongOnesBetweenThem) {
+  const World world = row(1);
+  LagAverage average({world, Time(0)}, 1, 10, {});
+  const auto one = [](Slot, Vec3* vector) { *vector = {1, 0, 0}; };
+  for (int window = 0; window < 5; ++window) {
+    for (int tick = 0; tick < 16; ++tick)
+      average.sample({world, Time(64 * window + tick)}, add_products, one);
+  }
+  EXPECT_EQ(average.lags(), (std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 56, 64, 128, 192}));
 }
 
 // Two kinds fly freely in opposite directions, through the periodic boundaries many times.
@@ -152,6 +159,36 @@ TEST(VelocityAutocorrelation, OfFreeFlightStaysAndItsIntegralGrows) {
     EXPECT_NEAR(column(found, "velocity_autocorrelation_1").values[i], 9, 1e-12);
     EXPECT_NEAR(column(found, "diffusion_integral_2").values[i], 3 * lags.values[i], 1e-12);
   }
+}
+
+// Velocities that decay as exp(-t) and places that follow them: the integral is exact at every lag, however
+// far apart the samples are.
+TEST(VelocityAutocorrelation, IntegratesExactlyBetweenSamples) {
+  constexpr double kInterval = 4;
+  const auto at = [](double time) {
+    World world(Box::periodic({1000, 1000, 1000}));
+    for (int i = 0; i < 4; ++i) {
+      const Vec3 velocity = (i % 2 == 0 ? 1 : -1) * Vec3{std::exp(-time), 0, 0};
+      const Vec3 place{500 + (i % 2 == 0 ? 1 : -1) * -std::expm1(-time), 200.0 * i + 100, 500};
+      world.add({place, velocity, 0.5});
+    }
+    return world;
+  };
+  const World begin = at(0);
+  VelocityAutocorrelation velocities({begin, Time(0)}, kInterval);
+  for (const double time : {0.0, kInterval}) {
+    const World world = at(time);
+    World moved(world.box());
+    // Paths that lead to these places at that time.
+    for (Slot slot = 0; slot < world.size(); ++slot) {
+      const Path& path = world.path(slot);
+      moved.add({path.position - time * path.velocity, path.velocity, 0.5});
+    }
+    velocities.sample({moved, Time(time)});
+  }
+  const Measurement found = velocities.result({begin, Time(kInterval)});
+  const double expected = (1 + std::exp(-kInterval)) / 2 * -std::expm1(-kInterval) / 3;
+  EXPECT_NEAR(column(found, "diffusion_integral").values[1], expected, 1e-12);
 }
 
 }  // namespace

@@ -88,20 +88,24 @@ TEST(Measures, TakeAMissedSampleAtOnce) {
             (std::vector<double>{2.5, 3.5}));
 }
 
+// In a box so long that a sample of its structure costs more than is free.
 TEST(Measures, TakeTheRestAtTheEndOfAShortRun) {
-  Simulation simulation(support::make_gas({.count = 500, .packing_fraction = 0.2}));
-  Measures measures({.names = {"bond_order", "temperature"}});
+  World world(Box::periodic({1e5, 10, 10}));
+  for (int i = 0; i < 20000; ++i) world.add({{5.0 * i, 5, 5}, {0, i % 2 == 0 ? 1.0 : -1.0, 0}, 0.5});
+  Simulation simulation(world);
+  Measures measures({.names = {"structure_factor", "temperature"}});
   simulation.run_until(0.01, measures);
-  const auto bonds = [&] {
-    return quantity(measures.results(simulation.world(), simulation.now()).back(), "mean_bonds").value;
+  const auto factor = [&] {
+    const std::vector<Measurement> found = measures.results(simulation.world(), simulation.now());
+    return column(found.back(), "structure_factor").values.front();
   };
-  EXPECT_TRUE(std::isnan(bonds()));
+  EXPECT_TRUE(std::isnan(factor()));
   measures.sample_the_rest(simulation.world(), simulation.now());
-  EXPECT_GT(bonds(), 0);
-  const double once = bonds();
+  EXPECT_FALSE(std::isnan(factor()));
+  const double once = factor();
   simulation.run_until(0.02);
   measures.sample_the_rest(simulation.world(), simulation.now());
-  EXPECT_EQ(bonds(), once) << "it has a sample";
+  EXPECT_EQ(factor(), once) << "it has a sample";
 }
 
 // Laws 1 and 4: the contacts are the same with measures and without.
@@ -204,37 +208,77 @@ TEST(Measures, SampleSpheresAtRestOccasionally) {
   EXPECT_LE(column(measures.results(simulation.world(), simulation.now())[2], "time").values.size(), 64U);
 }
 
-TEST(Cadence, IsAPowerOfTwoThatTheRunCanAfford) {
-  const Pace pace{.free_time = 0.3, .cost = 1e6, .contact_cost = 1000};
-  const Cadence cheap(Time(0), 0.3, 1, pace);
-  EXPECT_EQ(cheap.interval(), 0.5) << "no more often than the finest interval";
+constexpr Pace kPace{.free_time = 0.3, .cost = 1e6, .contact_cost = 1000};
+
+TEST(SamplingSchedule, IsAsFineAsItMayBeIfTheRunCanAffordIt) {
+  const SamplingSchedule cheap(Time(0), 0.3, 1, 1, kPace);
+  EXPECT_EQ(cheap.interval(), 0.5);
+  EXPECT_EQ(cheap.period(), 0.5);
   EXPECT_EQ(cheap.next(), Time(0));
-  // At a cost of 1e5 a sample may be taken for each 1e5 / (0.0025 * 1e6) = 40 units of time.
-  const Cadence dear(Time(0), 0.3, 1e5, pace);
-  EXPECT_EQ(dear.interval(), 64);
-  EXPECT_EQ(dear.next(), Time(64)) << "not before the run can afford it";
   EXPECT_EQ(power_of_two_from(0.25), 0.25);
   EXPECT_EQ(power_of_two_from(0.26), 0.5);
 }
 
-TEST(Cadence, DoublesWhereContactsBecomeRare) {
-  const Pace pace{.free_time = 1, .cost = 1e6, .contact_cost = 1000};
-  Cadence cadence(Time(1), 1, 1e5, pace);
-  // A sample is worth 1e5 / (0.0025 * 1000) = 40000 contacts.
-  std::uint64_t contacts = 0;
-  for (int i = 0; i < 8; ++i) cadence.advance(cadence.next(), contacts += 40000);
-  EXPECT_EQ(cadence.interval(), 64);
-  EXPECT_EQ(cadence.next(), Time(1 + 64 * 9));
-  for (int i = 0; i < 8; ++i) cadence.advance(cadence.next(), contacts += 18000);
-  EXPECT_EQ(cadence.interval(), 128);
-  EXPECT_EQ(cadence.next(), Time(1 + 128 * 9));
+// At a cost of 1e6 the run pays for a sample every 1e6 / (0.0025 * 1e6) = 400 units of time: ten doublings of
+// half a unit. Free are 250 samples, 25 for each doubling. A sample is worth 1e6 / (0.0025 * 1000) = 400,000
+// contacts, a thousand for each unit of time.
+TEST(SamplingSchedule, SpreadsWhatIsFreeOverTheDoublingsOfItsPeriod) {
+  SamplingSchedule schedule(Time(0), 0.3, 1, 1e6, kPace);
+  double previous = 0;
+  int samples = 0;
+  for (double period = 0.5; period < 256; period *= 2) {
+    for (int i = 0; i < 25; ++i, ++samples) {
+      EXPECT_EQ(schedule.period(), period);
+      EXPECT_LE(schedule.next().value() - previous, period);
+      previous = schedule.next().value();
+      schedule.advance(schedule.next(), static_cast<std::uint64_t>(1000 * previous));
+    }
+  }
+  for (int i = 0; i < 200; ++i, ++samples) {
+    previous = schedule.next().value();
+    schedule.advance(schedule.next(), static_cast<std::uint64_t>(1000 * previous));
+  }
+  EXPECT_EQ(schedule.period(), 256) << "which the run pays for within the tolerance";
+  EXPECT_LE(1e6 * samples, SamplingSchedule::kAllowance + 2 * SamplingSchedule::kShare * 1e6 * previous);
 }
 
-TEST(Cadence, OfTheUserDoesNotChange) {
-  Cadence cadence(Time(0), 0.1);
-  for (int i = 0; i < 100; ++i) cadence.advance(cadence.next(), 0);
-  EXPECT_EQ(cadence.next(), Time(100 * 0.1));
-  EXPECT_EQ(Cadence().next(), kNever);
+TEST(SamplingSchedule, WaitsOnlyForSamplesThatAreNotFree) {
+  EXPECT_EQ(SamplingSchedule(Time(0), 0.3, 1, 0.9 * SamplingSchedule::kAllowance, kPace).next(), Time(0));
+  const SamplingSchedule dear(Time(0), 0.3, 1, 1.1 * SamplingSchedule::kAllowance, kPace);
+  EXPECT_GT(dear.next(), Time(100000));
+}
+
+// Windows stay dense; what grows are the pauses.
+TEST(SamplingSchedule, KeepsTheIntervalOfItsWindows) {
+  SamplingSchedule schedule(Time(0), 0.25, 4, 1e8 / 4, kPace);
+  const std::vector<double> expected{0, 0.25, 0.5, 0.75};
+  ASSERT_GT(schedule.period(), 4 * 0.25);
+  for (int window = 0; window < 10; ++window) {
+    const double begin = schedule.next().value();
+    EXPECT_EQ(std::fmod(begin, schedule.period()), 0);
+    for (const double time : expected) {
+      EXPECT_EQ(schedule.next(), Time(begin + time));
+      schedule.advance(schedule.next(), 0);
+    }
+  }
+}
+
+TEST(SamplingSchedule, DoublesItsPeriodWhereContactsBecomeRare) {
+  SamplingSchedule schedule(Time(1), 512, 1, 1e6, kPace);
+  std::uint64_t contacts = 0;
+  for (int i = 0; i < 8; ++i) schedule.advance(schedule.next(), contacts += 400000);
+  EXPECT_EQ(schedule.period(), 512);
+  EXPECT_EQ(schedule.next(), Time(1 + 512 * 8));
+  for (int i = 0; i < 8; ++i) schedule.advance(schedule.next(), contacts += 180000);
+  EXPECT_EQ(schedule.period(), 1024);
+  EXPECT_EQ(schedule.next(), Time(1 + 1024 * 8));
+}
+
+TEST(SamplingSchedule, OfTheUserDoesNotChange) {
+  SamplingSchedule schedule(Time(0), 0.1);
+  for (int i = 0; i < 100; ++i) schedule.advance(schedule.next(), 0);
+  EXPECT_EQ(schedule.next(), Time(100 * 0.1));
+  EXPECT_EQ(SamplingSchedule().next(), kNever);
 }
 
 TEST(Csv, NamesColumnsWithTheirUnitsAndRoundTrips) {
@@ -249,15 +293,19 @@ TEST(Csv, NamesColumnsWithTheirUnitsAndRoundTrips) {
                   {"count", "1", ColumnRole::value, {third, -std::nan("")}}},
   };
   EXPECT_EQ(columns_csv(measurement), "radius [L],count [1]\n1,0.3333333333333333\n2,nan\n");
-  EXPECT_EQ(
-      quantities_csv(std::vector{measurement}),
-      "measure,name,value,error,theory,unit,transient [T]\nthings,size,0.3333333333333333,0.5,nan,L,0\n");
+  EXPECT_EQ(quantities_csv(std::vector{measurement}),
+            "measure,name,value,error,theory,unit,transient [T],tolerance,reason\n"
+            "things,size,0.3333333333333333,0.5,nan,L,0,0,\n");
   Measurement changing = measurement;
   changing.duration = 8;
   changing.transient = 1.5;
-  EXPECT_NE(quantities_csv(std::vector{changing}).find(",L,1.5\n"), std::string::npos);
+  EXPECT_NE(quantities_csv(std::vector{changing}).find(",L,1.5,0,\n"), std::string::npos);
   changing.is_transient_over = false;
-  EXPECT_NE(quantities_csv(std::vector{changing}).find(",L,8\n"), std::string::npos);
+  EXPECT_NE(quantities_csv(std::vector{changing}).find(",L,8,0,\n"), std::string::npos);
+  Measurement without = measurement;
+  without.quantities = {{.name = "size", .unit = "L", .tolerance = 0.25, .reason = "the run is too short"}};
+  EXPECT_NE(quantities_csv(std::vector{without}).find("size,nan,nan,nan,L,0,0.25,the run is too short\n"),
+            std::string::npos);
   EXPECT_EQ(columns_csv({.name = "none", .title = "", .formula = "", .source = ""}), "");
 }
 

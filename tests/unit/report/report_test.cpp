@@ -89,7 +89,16 @@ TEST(Report, HasEveryMeasurementWithItsNumbers) {
       "self diffusion <span class=\"unit\">[L<sup>2</sup> T<sup>−1</sup>]</span></th><td>0.010230(80)</td>");
   expect_in(html, "<td><span class=\"far\">+5.4 σ</span></td>");
   EXPECT_EQ(count(html, "<svg "), 4U) << "one plot of one measure, two of another, and that of the cells";
-  expect_in(html, "Of 3 measured numbers with a standard error and a theory, 1 lie");
+  expect_in(html, "Of 3 measured numbers with a standard error and a theory, 2 deviate from theory");
+}
+
+TEST(Report, SaysWhatIsLeftOutAndWhy) {
+  Report report = sample_report();
+  report.measurements[2].quantities = {{.name = "self_diffusion", .unit = "1", .reason = "t < 5"}};
+  expect_in(to_html(report), "No self diffusion: t &lt; 5.");
+  report.measurements[2].quantities = {{"pressure", "1", 1.5, 0.01, 1.25, 0.2}};
+  expect_in(to_html(report), "<td>1.25 ± 0.2</td>");
+  EXPECT_EQ(faults_of(report), "");
 }
 
 TEST(Report, HasNoSectionOfAMeasureWithoutResults) {
@@ -178,6 +187,15 @@ TEST(Report, EscapesAllThatComesFromOutside) {
   EXPECT_EQ(faults_of(report), "");
 }
 
+// The same with theories that may be so far off that all agrees.
+Report agreeing_report() {
+  Report report = sample_report();
+  for (Measurement& measurement : report.measurements) {
+    for (Quantity& quantity : measurement.quantities) quantity.tolerance = 0.25;
+  }
+  return report;
+}
+
 std::string verdict_of(const Report& report) {
   const std::string html = to_html(report);
   const std::size_t begin = html.find("<p class=\"verdict");
@@ -185,14 +203,19 @@ std::string verdict_of(const Report& report) {
 }
 
 TEST(Report, JudgesTheRun) {
-  const std::string sound = verdict_of(sample_report());
+  const std::string deviating = verdict_of(sample_report());
+  expect_in(deviating, "verdict bad\"><strong>Deviates from theory.</strong>");
+  expect_in(
+      deviating,
+      "by more than chance allows: self diffusion of mean square displacement, compressibility of pressure.");
+  const std::string sound = verdict_of(agreeing_report());
   expect_in(sound, "verdict good\"><strong>Sound.</strong>");
   expect_in(sound, "the energy is conserved");
 }
 
 // A run in a shaken box under gravity.
 Report shaken_report() {
-  Report report = sample_report();
+  Report report = agreeing_report();
   report.gravity = {0, 0, -9.81};
   report.surfaces = {{.name = "floor",
                       .shape = "plane",
@@ -343,7 +366,7 @@ TEST(Report, SaysThatARunIsNotSound) {
 }
 
 TEST(Report, ExpectsInelasticSpheresToLoseEnergy) {
-  Report report = sample_report();
+  Report report = agreeing_report();
   report.restitution = 0.9;
   report.final_energy = report.initial_energy / 4;
   expect_in(verdict_of(report), "<strong>Sound.</strong>");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/cadence.hpp"
+#include "hardball/measure/sampling_schedule.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,20 +31,41 @@ double power_of_two_from(double length) {
   return std::ldexp(fraction == 0.5 ? 0.5 : 1, exponent);
 }
 
-Cadence::Cadence(const Time& begin, double finest, double sample_cost, const Pace& pace)
-    : Cadence(begin, finest) {
-  const double affordable = pace.cost > 0 ? sample_cost / (kShare * pace.cost) : finest;
-  interval_ = power_of_two_from(std::max(finest, affordable));
-  if (affordable > finest) next_ = 1;
-  contacts_wanted_ = sample_cost / (kShare * pace.contact_cost);
+SamplingSchedule::SamplingSchedule(const Time& begin, double finest, std::int64_t window, double sample_cost,
+                                   const Pace& pace)
+    : SamplingSchedule(begin, power_of_two_from(finest)) {
+  const double window_cost = sample_cost * static_cast<double>(window);
+  window_ = period_ = window;
+  contacts_wanted_ = window_cost / (kShare * pace.contact_cost);
+  // How often the period must double until the run pays for windows, and how many are free.
+  const double ratio = window_cost / (kShare * pace.cost * period());
+  auto doublings = static_cast<std::int64_t>(std::ceil(std::log2(std::clamp(ratio, 1.0, 0x1p40))));
+  const double free_windows = kAllowance / window_cost;
+  for (; doublings > 0 && free_windows < static_cast<double>(doublings); --doublings) period_ *= 2;
+  if (doublings > 0) {
+    windows_per_count_ = static_cast<std::int64_t>(free_windows / static_cast<double>(doublings));
+  }
+  if (free_windows < 1) next_ = period_;
 }
 
-Time Cadence::next() const {
+Time SamplingSchedule::next() const {
   return next_ == kNoSample ? kNever : Time(begin_ + static_cast<double>(next_) * interval_);
 }
 
-void Cadence::advance(const Time& now, std::uint64_t contacts) {
-  constexpr int kSamplesPerCount = 8;
+// To the next sample of this window, or the first of the next.
+void SamplingSchedule::step() {
+  ++next_;
+  const std::int64_t left = next_ % period_;
+  if (left >= window_) next_ += period_ - left;
+}
+
+void SamplingSchedule::double_period() {
+  period_ *= 2;
+  const std::int64_t left = next_ % period_;
+  if (left >= window_) next_ += period_ - left;
+}
+
+void SamplingSchedule::advance(const Time& now, std::uint64_t contacts) {
   constexpr double kTolerance = 0.5;
   // Moments are doubles: beyond this many intervals from zero they no longer resolve one.
   constexpr double kMostIntervals = 0x1p50;
@@ -58,22 +79,23 @@ void Cadence::advance(const Time& now, std::uint64_t contacts) {
     interval_ *= 2;
     next_ = (next_ + 1) / 2;
   }
+  const std::int64_t before = next_ / period_;
   next_ = std::max(next_, static_cast<std::int64_t>((now.value() - begin_) / interval_));
-  while (next() <= now) ++next_;
-  if (++samples_ < kSamplesPerCount) return;
+  do step();
+  while (next() <= now);
+  if (next_ / period_ == before || contacts_wanted_ == 0) return;
+  if (++windows_ < windows_per_count_) return;
   const auto seen = static_cast<double>(contacts - contacts_before_);
-  if (seen < kTolerance * kSamplesPerCount * contacts_wanted_) {
-    interval_ *= 2;
-    next_ = (next_ + 1) / 2;
-  }
+  if (seen < kTolerance * static_cast<double>(windows_) * contacts_wanted_) double_period();
   contacts_before_ = contacts;
-  samples_ = 0;
+  windows_ = 0;
 }
 
-bool Cadence::restored() const {
+bool SamplingSchedule::restored() const {
   constexpr std::int64_t kMost = std::int64_t{1} << 60;
-  return next_ == kNoSample || (next_ >= 0 && next_ < kMost && std::isfinite(begin_) && interval_ > 0 &&
-                                std::isfinite(interval_) && samples_ >= 0);
+  return next_ == kNoSample ||
+         (next_ >= 0 && next_ < kMost && std::isfinite(begin_) && interval_ > 0 && std::isfinite(interval_) &&
+          window_ > 0 && period_ >= window_ && period_ < kMost && windows_ >= 0);
 }
 
 }  // namespace hardball

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/measure/diffusion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace hardball {
+namespace {
+
+// By how much D(t) may still change, from the change since half the lag.
+double remainder(const Estimate& change) {
+  const double beyond_chance = std::fabs(change.value) - change.error;
+  return beyond_chance > 0 ? (1 + std::numbers::sqrt2) * beyond_chance : 0;
+}
+
+}  // namespace
+
+std::optional<std::size_t> half_lag(std::span<const double> lags, std::size_t lag) {
+  const auto half = std::ranges::lower_bound(lags, lags[lag] / 2);
+  if (half == lags.end() || *half != lags[lag] / 2 || *half == 0) return std::nullopt;
+  return static_cast<std::size_t>(half - lags.begin());
+}
+
+Diffusion read_diffusion(const LagAverage& average, std::size_t species, double mean_free_time,
+                         const std::function<std::optional<FunctionOfMeans>(std::size_t lag)>& up_to) {
+  constexpr double kFreeTimes = 10;
+  const std::vector<double> lags = average.lags();
+  Diffusion best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t lag = 1; lag < lags.size(); ++lag) {
+    const std::optional<std::size_t> half = half_lag(lags, lag);
+    if (!half || !(lags[*half] >= kFreeTimes * mean_free_time)) continue;
+    const std::optional<FunctionOfMeans> later = up_to(lag);
+    const std::optional<FunctionOfMeans> earlier = up_to(*half);
+    if (!later || !earlier) continue;
+    Estimate constant = average.estimate(species, *later);
+    constant.error =
+        std::hypot(constant.error, remainder(average.estimate(species, [&](std::span<const double> means) {
+                     return (*later)(means) - (*earlier)(means);
+                   })));
+    const bool is_first = best.lag == 0;
+    if (!is_first && !(constant.error < least)) continue;
+    if (!std::isnan(constant.error)) least = constant.error;
+    best = {constant, lags[lag], {}};
+  }
+  if (best.lag == 0) best.reason = "no lag is long enough for velocities to be forgotten";
+  return best;
+}
+
+void add_diffusion(Measurement& found, const Diffusion& diffusion, const Species& species, std::size_t which,
+                   const FluidTheory& theory, double temperature) {
+  const Estimate& constant = diffusion.constant;
+  const double expected = theory.diffusion(temperature);
+  const double tolerance = FluidTheory::kDiffusionTolerance * expected;
+  const std::string suffix = species.suffix(which);
+  found.quantities.push_back({"diffusion_constant" + suffix, "L^2 T^-1", constant.value, constant.error,
+                              expected, tolerance, diffusion.reason});
+  if (species.is_one_kind()) {
+    const double enskog = theory.enskog_diffusion(temperature);
+    found.quantities.push_back({"diffusion_constant_over_enskog", "1", constant.value / enskog,
+                                constant.error / enskog, expected / enskog, tolerance / enskog,
+                                diffusion.reason});
+  }
+  if (diffusion.lag > 0) found.quantities.push_back({"diffusion_lag" + suffix, "T", diffusion.lag});
+}
+
+}  // namespace hardball

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "hardball/measure/fluid_theory.hpp"
+#include "hardball/measure/lag_average.hpp"
+#include "hardball/measure/measurement.hpp"
+
+namespace hardball {
+
+/// The lag that is half as long as another; none if it is not among them.
+std::optional<std::size_t> half_lag(std::span<const double> lags, std::size_t lag);
+
+/// The diffusion constant read from means over lags, and where.
+struct Diffusion {
+  Estimate constant = {};   ///< [L^2 T^-1]
+  double lag = 0;           ///< [T]
+  std::string reason = {};  ///< Why there is no value; empty if there is one.
+};
+
+/// The reason where an axis is not periodic.
+inline constexpr const char* kBounded = "diffusion is measured where all axes are periodic";
+
+/// Reads the diffusion constant as D(t) at one of the lags: the one at which the error is least.
+///
+/// The error consists of that of the mean and of what may be missing beyond the lag: as velocities are
+/// forgotten as t^(-3/2) in the end, D(t) still has to change by 1 + sqrt(2) times as much as since half the
+/// lag, as far as that is more than chance. Half the lag must be at least ten mean free times, in which the
+/// rest is forgotten. Source of the decay: Alder and Wainwright, Phys. Rev. A 1 (1970) 18.
+///
+/// `up_to(lag)`: D(t) as a function of the means, none if it is not known at that lag.
+Diffusion read_diffusion(const LagAverage& average, std::size_t species, double mean_free_time,
+                         const std::function<std::optional<FunctionOfMeans>(std::size_t lag)>& up_to);
+
+/// Adds the constant, the constant over that of Enskog's theory, and the lag, of one species.
+void add_diffusion(Measurement& found, const Diffusion& diffusion, const Species& species, std::size_t which,
+                   const FluidTheory& theory, double temperature);
+
+}  // namespace hardball

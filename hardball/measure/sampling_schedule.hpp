@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "hardball/tuning/moments.hpp"
+
+namespace hardball {
+
+/// What a run is expected to cost, and how fast it evolves, by kinetic theory. Costs are those of one core at
+/// 2.8 GHz; nothing is timed, so that a scenario is measured identically everywhere.
+struct Pace {
+  double free_time;     ///< Mean time between the collisions of a sphere, or in which it crosses the box [T].
+  double cost;          ///< Of the run for each unit of time [ns/T].
+  double contact_cost;  ///< Of the run for each contact [ns].
+};
+
+Pace expected_pace(const Moments& moments);
+
+/// The times at which a measure is given the world: windows of samples at multiples of an interval.
+///
+/// The interval never grows, since it is what resolves the motion; what grows is the period, from the start
+/// of one window to that of the next. A schedule of the measure's own choice starts with one window after the
+/// other. Work that takes kAllowance is free; it is spread over the doublings of the period after which
+/// sampling takes no more than kShare of the run. If contacts become rarer than expected, as when a gas cools
+/// or disperses, the period is doubled again. Intervals are powers of two, so that multiples are exact and
+/// samples of several measures coincide.
+class SamplingSchedule {
+ public:
+  /// The fraction of a run that one measure's samples may take [1].
+  static constexpr double kShare = 0.0025;
+  /// What they may take besides [ns]: of all measures together, some two seconds.
+  static constexpr double kAllowance = 0.25e9;
+
+  /// Never.
+  SamplingSchedule() = default;
+  /// Every `interval` [T] from `begin` on, as the user asked.
+  SamplingSchedule(const Time& begin, double interval)
+      : begin_(begin.value()), interval_(interval), next_(0) {}
+  /// Of its own choice: windows of `window` samples, a power of two, no more often than every `finest` [T]. A
+  /// sample costs `sample_cost` [ns]. The first window begins at once unless it costs more than kAllowance.
+  SamplingSchedule(const Time& begin, double finest, std::int64_t window, double sample_cost,
+                   const Pace& pace);
+
+  /// Between the samples of a window [T].
+  double interval() const { return interval_; }
+  /// Between the beginnings of windows [T].
+  double period() const { return static_cast<double>(period_) * interval_; }
+  /// The next sampling time; kNever for one that never samples.
+  Time next() const;
+  /// Advances to the first sampling time after `now`; `contacts` is how many there were since the start.
+  void advance(const Time& now, std::uint64_t contacts);
+
+ private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) {
+    archive(self.begin_, self.interval_, self.next_, self.contacts_wanted_, self.contacts_before_);
+    if (archive.version() < 2) {
+      std::int32_t samples = 0;
+      archive(samples);
+    } else {
+      archive(self.windows_, self.window_, self.period_, self.windows_per_count_);
+    }
+  }
+  bool restored() const;
+
+  static constexpr std::int64_t kNoSample = -1;
+  static constexpr std::int64_t kFewestWindowsPerCount = 8;
+
+  void step();
+  void double_period();
+
+  double begin_ = 0;
+  double interval_ = 0;
+  std::int64_t next_ = kNoSample;  // in intervals since the start
+  std::int64_t window_ = 1;        // in intervals
+  std::int64_t period_ = 1;        // in intervals
+  double contacts_wanted_ = 0;     // for each window; zero if the period is not to change
+  std::uint64_t contacts_before_ = 0;
+  std::int64_t windows_ = 0;  // since the contacts were last counted
+  std::int64_t windows_per_count_ = kFewestWindowsPerCount;
+};
+
+/// The least power of two that is at least `length`. Precondition: it is positive and finite.
+double power_of_two_from(double length);
+
+}  // namespace hardball
