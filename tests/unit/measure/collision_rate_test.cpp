@@ -84,9 +84,9 @@ TEST(CollisionRate, HasTheTheoryOfADiluteGas) {
   const auto expected = [&](double reduced_mass) {
     return few * area * 4 / 1000 * std::sqrt(8 * temperature / (std::numbers::pi * reduced_mass));
   };
-  EXPECT_NEAR(quantity(found, "collision_rate_1_1").theory / expected(0.5), 1, 1e-6);
-  EXPECT_NEAR(quantity(found, "collision_rate_1_2").theory / expected(0.8), 1, 1e-6);
-  EXPECT_NEAR(quantity(found, "collision_rate_2_2").theory / expected(2), 1, 1e-6);
+  EXPECT_NEAR(quantity(found, "collision_rate_1_1").theory / expected(0.5), 1, 1e-4);
+  EXPECT_NEAR(quantity(found, "collision_rate_1_2").theory / expected(0.8), 1, 1e-4);
+  EXPECT_NEAR(quantity(found, "collision_rate_2_2").theory / expected(2), 1, 1e-4);
 }
 
 }  // namespace
