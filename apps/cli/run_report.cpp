@@ -57,6 +57,13 @@ bool has_theory(const Moments& moments, const EngineOptions& options) {
          !box.is_any(Boundary::open);
 }
 
+bool has_one_mass(const Species& species) {
+  for (std::size_t s = 0; s < species.size(); ++s) {
+    if (species.mass(s) != species.mass(0)) return false;  // or it is NaN
+  }
+  return true;
+}
+
 // The mean pressure on the walls [M L^-1 T^-2]: each contact transfers 4 k T / v on average, in two
 // dimensions pi k T / v.
 double expected_wall_pressure(const Moments& moments, double kinetic_energy) {
@@ -75,7 +82,10 @@ std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments
                             const EngineOptions& options, const Summary& summary) {
   std::vector<Quantity> all;
   const World& world = simulation.world();
-  const bool theory = is_uniform(world) && !simulation.thermostat() && has_theory(moments, options);
+  const Species species(world);
+  const FluidTheory fluid(world, species);
+  const bool theory = is_uniform(world) && !simulation.thermostat() && has_theory(moments, options) &&
+                      (fluid.holds() || has_one_mass(species));
   const auto add = [&](const std::string& name, const std::string& unit, double value, double expected) {
     if (std::isfinite(value)) all.push_back({name, unit, value, kNone, theory ? expected : kNone});
   };
@@ -83,8 +93,8 @@ std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments
   const double span = static_cast<double>(simulation.size()) * simulation.time();
   const auto rate = [&](std::uint64_t count) { return static_cast<double>(count) / span; };
   const double collision_rate = 2 * rate(counters.collision);
-  // Between walls there is no theory of a homogeneous fluid, and the one that chooses cells must do.
-  const FluidTheory fluid(world, Species(world));
+  // Between walls the fluid is not homogeneous: there the theory that chooses cells, of equal masses, must
+  // do.
   const double temperature = thermal_motion(world, simulation.now()).temperature();
   const double expected_rate =
       fluid.holds() ? fluid.collision_rate(temperature) : 1 / mean_free_time(moments);

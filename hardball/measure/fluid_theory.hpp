@@ -48,7 +48,7 @@ class FluidTheory {
   /// How much likelier than in a dilute gas spheres of two species touch [1]. Source: as for compressibility.
   double contact_value(std::size_t a, std::size_t b) const;
   /// How often a sphere of species `a` collides with spheres of species `b` [1/T]. Source: Chapman and
-  /// Cowling, The Mathematical Theory of Non-Uniform Gases, section 16.2; docs/theory.md for fixed energy.
+  /// Cowling, The Mathematical Theory of Non-Uniform Gases, section 16.2.
   double collision_rate(std::size_t a, std::size_t b, double temperature) const;
   /// How often a sphere collides, averaged over all spheres [1/T]. If there are too many kinds for species,
   /// masses must be equal; otherwise NaN.

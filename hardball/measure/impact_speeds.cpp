@@ -61,7 +61,6 @@ double histogram_width(const World& world, const ThermalMotion& motion) {
 ImpactSpeeds::ImpactSpeeds(const Scene& scene)
     : species_(scene.species()),
       motion_(scene.motion()),
-      has_open_axis_(!std::isfinite(scene.world().box().volume())),
       begin_(scene.now()),
       width_(histogram_width(scene.world(), motion_) / kBins),
       bins_per_speed_(1 / width_),
@@ -93,7 +92,7 @@ Measurement ImpactSpeeds::result(const Scene& scene) const {
   const Transient transient = find_transient(average_, std::array{speed_of});
   const BlockAverage average = transient.left_out_of(average_);
   // The sum over pairs of species, weighted by their collisions, of a function of their reduced mass.
-  const bool is_equilibrium = is_energy_conserved(motion_, scene.motion()) && !has_open_axis_;
+  const bool is_equilibrium = scene.has_equilibrium(motion_);
   const auto over_pairs = [&](const auto& of_mass) {
     double sum = 0;
     for (std::size_t a = 0; a < species_.size(); ++a) {

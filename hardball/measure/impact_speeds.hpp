@@ -35,8 +35,12 @@ class ImpactSpeeds {
   friend class Persistence;
   ImpactSpeeds() = default;
   static void persist(auto& archive, auto& self) {
-    archive(self.species_, self.motion_, self.has_open_axis_, self.begin_, self.width_, self.bins_per_speed_,
-            self.average_);
+    archive(self.species_, self.motion_);
+    if (archive.version() < 2) {
+      bool has_open_axis = false;
+      archive(has_open_axis);
+    }
+    archive(self.begin_, self.width_, self.bins_per_speed_, self.average_);
   }
   bool restored() const;
 
@@ -48,7 +52,6 @@ class ImpactSpeeds {
 
   Species species_;
   ThermalMotion motion_;  // at the start
-  bool has_open_axis_;
   Time begin_;
   double width_;           // of a bin [L/T]
   double bins_per_speed_;  // its inverse

@@ -23,7 +23,8 @@ constexpr double kWidestInOpenSpace = 10;
 }  // namespace
 
 NearestNeighbor::NearestNeighbor(const Scene& scene, std::size_t bins)
-    : diameter_(2 * scene.world().largest_radius()),
+    : motion_(scene.motion()),
+      diameter_(2 * scene.world().largest_radius()),
       dimensions_(scene.world().box().dimensions()),
       packing_fraction_(fluid_packing_fraction(scene)),
       begin_(scene.now()),
@@ -69,7 +70,7 @@ void NearestNeighbor::sample(const Scene& scene) {
   average_.close_sample(duration(begin_, scene.now()));
 }
 
-Measurement NearestNeighbor::result(const Scene& /*scene*/) const {
+Measurement NearestNeighbor::result(const Scene& scene) const {
   Measurement result{
       .name = std::string(kName),
       .title = "Gaps between nearest neighbours",
@@ -103,8 +104,8 @@ Measurement NearestNeighbor::result(const Scene& /*scene*/) const {
     // The mean is the integral of the probability that the gap is wider; by Simpson's rule.
     mean_by_theory += (none_within(low) + 4 * none_within(middle) + none_within(high)) * width / 6;
   }
-  result.quantities = {
-      {"mean_gap", "L", mean.value, mean.error, mean_by_theory, kGapTolerance * mean_by_theory}};
+  const double tolerance = scene.has_equilibrium(motion_) ? kGapTolerance * mean_by_theory : kForComparison;
+  result.quantities = {{"mean_gap", "L", mean.value, mean.error, mean_by_theory, tolerance}};
   result.columns = {std::move(gap), std::move(value), std::move(error)};
   if (std::isfinite(packing_fraction_)) result.columns.push_back(std::move(theory));
   transient.note_in(result);

@@ -7,6 +7,7 @@
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/measure/thermal_motion.hpp"
 
 namespace hardball {
 
@@ -34,6 +35,7 @@ class NearestNeighbor {
   static void persist(auto& archive, auto& self) {
     archive(self.widest_, self.diameter_, self.sample_cost_, self.dimensions_, self.packing_fraction_,
             self.begin_, self.bins_, self.average_);
+    if (archive.version() >= 2) archive(self.motion_);
   }
   bool restored() const;
 
@@ -41,6 +43,7 @@ class NearestNeighbor {
   std::size_t known_bin() const { return bins_ + 1; }
   std::size_t gaps_bin() const { return bins_ + 2; }
 
+  ThermalMotion motion_;    // at the start
   double widest_ = 0;       // the widest gap that is known [L]
   double diameter_ = 0;     // the largest [L]
   double sample_cost_ = 0;  // [ns]

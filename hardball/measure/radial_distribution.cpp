@@ -33,7 +33,8 @@ double largest_range(const World& world) {
 }  // namespace
 
 RadialDistribution::RadialDistribution(const Scene& scene, double range, double bin_width)
-    : box_(scene.world().box()),
+    : motion_(scene.motion()),
+      box_(scene.world().box()),
       species_(scene.species()),
       is_by_species_(species_.size() <= kMostSpecies && !std::isnan(species_.radius(0))),
       begin_(scene.now()) {
@@ -159,7 +160,7 @@ void RadialDistribution::sample(const Scene& scene) {
   average_.close_sample(duration(begin_, scene.now()));
 }
 
-Measurement RadialDistribution::result(const Scene& /*scene*/) const {
+Measurement RadialDistribution::result(const Scene& scene) const {
   Measurement found{.name = std::string(kName),
                     .title = "Radial distribution function",
                     .formula = "$g(r)$: pairs at the distance $r$ over those of an ideal gas in the same box",
@@ -180,6 +181,7 @@ Measurement RadialDistribution::result(const Scene& /*scene*/) const {
   const Transient transient =
       find_transient(average_, std::array{contact_of}, BlockAverage::Groups::separate);
   const BlockAverage average = transient.left_out_of(average_);
+  const bool is_equilibrium = scene.has_equilibrium(motion_);
   Column distance{"distance", "L", ColumnRole::argument, {}};
   for (std::size_t bin = 0; bin < bins_; ++bin) {
     distance.values.push_back(low_ + (static_cast<double>(bin) + 0.5) * bin_width_);
@@ -193,8 +195,8 @@ Measurement RadialDistribution::result(const Scene& /*scene*/) const {
       constexpr double kFewestNear = 100;
       if (average.total(near_bin(index)) < kFewestNear)
         contact.error = std::numeric_limits<double>::quiet_NaN();
-      found.quantities.push_back(
-          {"contact_value" + kind.suffix, "1", contact.value, contact.error, kind.theory, kind.tolerance});
+      found.quantities.push_back({"contact_value" + kind.suffix, "1", contact.value, contact.error,
+                                  kind.theory, is_equilibrium ? kind.tolerance : kForComparison});
     }
     Column value{"g" + kind.suffix, "1", ColumnRole::value, {}};
     Column error{value.name + "_error", "1", ColumnRole::error, {}};

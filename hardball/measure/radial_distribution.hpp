@@ -11,6 +11,7 @@
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
 #include "hardball/measure/species.hpp"
+#include "hardball/measure/thermal_motion.hpp"
 
 namespace hardball {
 
@@ -46,6 +47,7 @@ class RadialDistribution {
   static void persist(auto& archive, auto& self) {
     archive(self.box_, self.species_, self.is_by_species_, self.kinds_, self.kind_of_, self.low_,
             self.bin_width_, self.bins_, self.sample_cost_, self.begin_, self.average_);
+    if (archive.version() >= 2) archive(self.motion_);
   }
   bool restored() const;
 
@@ -70,6 +72,7 @@ class RadialDistribution {
   std::size_t near_bin(std::size_t kind) const { return contact_bin(kind) + kinds_.size(); }
   std::size_t pairs_bin(std::size_t kind) const { return near_bin(kind) + kinds_.size(); }
 
+  ThermalMotion motion_;  // at the start
   Box box_;
   Species species_;
   bool is_by_species_;

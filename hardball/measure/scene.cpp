@@ -47,6 +47,11 @@ const Surroundings& Scene::surroundings() const {
   return once(surroundings_, [&] { return Surroundings(world_, centers(), moments().volume()); });
 }
 
+bool Scene::has_equilibrium(const ThermalMotion& begin) const {
+  return is_energy_conserved(begin, motion()) && !world_.box().is_any(Boundary::open) &&
+         world_.box().has_plain_faces();
+}
+
 Vec3 Scene::unfolded_center(Slot slot) const {
   return world_.position(slot, now_) + world_.box().shift(world_.image(slot, now_));
 }

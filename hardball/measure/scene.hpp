@@ -36,6 +36,9 @@ class Scene {
   /// All centres in the order of ids, folded into a periodic box [L].
   const std::vector<Vec3>& centers() const;
   const Surroundings& surroundings() const;
+  /// Whether there can be the equilibrium of an isolated system: the energy is that at the start, `begin`,
+  /// and no axis is open.
+  bool has_equilibrium(const ThermalMotion& begin) const;
   /// The centre of a sphere, followed through periodic boundaries [L].
   Vec3 unfolded_center(Slot slot) const;
 

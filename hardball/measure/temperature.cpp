@@ -112,17 +112,15 @@ Measurement Temperature::result(const Scene& scene) const {
                            average_.history([&](Means means) { return begin_.value() + means[kTime]; })});
   found.columns.push_back({"temperature", kEnergyUnit, ColumnRole::value,
                            average_.history([](Means means) { return means[kAll]; })});
-  // Faces that heat or drag the spheres keep them out of equilibrium.
-  const double expected = box_.has_plain_faces() ? all.value : std::numeric_limits<double>::quiet_NaN();
   const double square = average.mean(kSquare);
+  const double tolerance = scene.has_equilibrium(motion_) ? 0 : kForComparison;
   for (const Part& part : parts) {
     const FunctionOfMeans of_sum = [&](Means means) { return means[part.bin] / part.freedom; };
     // As in mean_speed.
     const FunctionOfMeans of_share = [&](Means means) { return of_sum(means) / means[kSquare] * square; };
     const Estimate value = is_conserved ? average.estimate(of_share, BlockAverage::Groups::exchanging)
                                         : average.estimate(of_sum);
-    found.quantities.push_back(
-        {part.name, kEnergyUnit, value.value, value.error, expected, is_conserved ? 0 : kForComparison});
+    found.quantities.push_back({part.name, kEnergyUnit, value.value, value.error, all.value, tolerance});
     found.columns.push_back({part.name, kEnergyUnit, ColumnRole::value, average_.history(of_sum)});
   }
   transient.note_in(found);

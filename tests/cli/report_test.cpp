@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "cli/program.hpp"
 #include "support/page.hpp"
@@ -73,6 +74,52 @@ TEST_F(ReportFile, IsWrittenBesideTheOthers) {
   expect_in_report("compressibility");
   expect_in_report("<h2 id=\"choice\">");
   EXPECT_FALSE(exists("out/report.html.part"));
+}
+
+// The theory of a quantity is the same wherever the report has it, for unequal masses, too.
+TEST_F(ReportFile, HasOneTheoryForOneQuantity) {
+  write_text(folder_ / "mixture.toml", R"([box]
+size = [12.0, 12.0, 12.0]
+boundary = ["periodic", "periodic", "periodic"]
+[[spheres]]
+count = 300
+radius = 0.5
+placement = "random"
+temperature = 1.0
+[[spheres]]
+count = 20
+radius = 1.0
+mass = 8.0
+placement = "random"
+temperature = 1.0
+[run]
+until = 20.0
+)");
+  run({"--out", "out"}, "mixture.toml");
+  const std::string html = read_text(folder_ / "out/report.html");
+  // The third cell of each row with this heading.
+  const auto theories = [&](const std::string& heading) {
+    std::vector<std::string> found;
+    const std::string row = "<th scope=\"row\">" + heading;
+    for (std::size_t at = html.find(row); at != std::string::npos; at = html.find(row, at + 1)) {
+      // Not the beginning of a longer name.
+      if (html.compare(at + row.size(), 2, "</") != 0 && html.compare(at + row.size(), 2, " <") != 0)
+        continue;
+      const std::size_t theory = html.find("<td>", html.find("</td>", at)) + 4;
+      const std::string cell = html.substr(theory, html.find("</td>", theory) - theory);
+      found.push_back(cell.substr(0, cell.find(" ±")));
+    }
+    return found;
+  };
+  const std::vector<std::string> of_rates = theories("collisions per sphere and time");
+  ASSERT_EQ(of_rates.size(), 1U);
+  EXPECT_NE(of_rates.front(), "–");
+  EXPECT_EQ(of_rates.front(), theories("collision rate").front());
+  for (const char* quantity : {"compressibility", "mean free time", "mean free path"}) {
+    const std::vector<std::string> found = theories(quantity);
+    ASSERT_EQ(found.size(), 2U) << quantity;
+    EXPECT_EQ(found[0], found[1]) << quantity;
+  }
 }
 
 TEST_F(ReportFile, ChangesNoContact) {

@@ -74,7 +74,7 @@ TEST_P(FluidOfDiscs, HasPressureRateAndImpactSpeedsOfTheory) {
 
   const std::vector<Measurement> found = measures.results(simulation.world(), simulation.now());
   const Quantity& z = quantity(named(found, "pressure"), "compressibility");
-  EXPECT_NEAR((z.theory - 1) / excess, 1, 5e-5);
+  EXPECT_NEAR((z.theory - 1) / excess, 1, 1 / n);
   EXPECT_NEAR(z.value - 1, measured, 1e-9);
   const Measurement rates = named(found, "collision_rate");
   EXPECT_NEAR(quantity(rates, "collision_rate").theory / rate, 1, statistical + 1e-3);
