@@ -13,8 +13,8 @@ namespace {
 
 // By how much D(t) may still change, from the change since half the lag.
 double remainder(const Estimate& change) {
-  const double beyond_chance = std::fabs(change.value) - change.error;
-  return beyond_chance > 0 ? (1 + std::numbers::sqrt2) * beyond_chance : 0;
+  const double beyond_chance = change.value * change.value - change.error * change.error;
+  return beyond_chance > 0 ? (1 + std::numbers::sqrt2) * std::sqrt(beyond_chance) : 0;
 }
 
 }  // namespace
