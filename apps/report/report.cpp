@@ -93,17 +93,26 @@ double energy_drift(const Report& report) {
   return scale > 0 ? drift / scale : drift;
 }
 
+SpeciesNames names_of(const std::vector<SpeciesReport>& species) {
+  std::vector<std::string> names(species.size());
+  std::ranges::transform(species, names.begin(), &SpeciesReport::name);
+  return SpeciesNames(std::move(names));
+}
+
 // --- agreement with theory ---
 
-std::string agreement_sentence(const Agreement& agreement) {
+std::string agreement_sentence(const Agreement& agreement, const SpeciesNames& species) {
   if (agreement.compared() == 0) return {};
   std::string text =
       fmt::format(" Of {} measured numbers with a standard error and a theory, ", agreement.compared());
-  const std::vector<std::string>& far = agreement.far();
+  const std::vector<FarNumber>& far = agreement.far();
   if (far.empty()) return text + "none deviates from theory by more than chance allows.";
   text += fmt::format("{} from theory by more than chance allows: ",
                       far.size() == 1 ? "one deviates" : std::to_string(far.size()) + " deviate");
-  for (std::size_t i = 0; i < far.size(); ++i) text += (i > 0 ? ", " : "") + escaped(readable(far[i]));
+  for (std::size_t i = 0; i < far.size(); ++i) {
+    const std::string name = species.readable(far[i].quantity) + " (" + far[i].title + ")";
+    text += (i > 0 ? ", " : "") + escaped(name);
+  }
   return text + ". Theory is that of equilibrium: measure from a later time if the run starts far from it.";
 }
 
@@ -173,8 +182,8 @@ std::string verdict(const Report& report, const Agreement& agreement) {
                                 : !agreement.far().empty() ? "Deviates from theory"
                                                            : "Sound";
   return fmt::format("<p class=\"verdict {}\"><strong>{}.</strong> <span>{}.{}{}</span></p>\n",
-                     word == "Sound" ? "good" : "bad", word, typeset(text), agreement_sentence(agreement),
-                     transient_sentence(report));
+                     word == "Sound" ? "good" : "bad", word, typeset(text),
+                     agreement_sentence(agreement, names_of(report.species)), transient_sentence(report));
 }
 
 std::string key_figures(const Report& report) {
@@ -205,12 +214,6 @@ std::string species_text(const SpeciesReport& species) {
   if (std::isfinite(species.radius)) text += ", radius " + in_unit(number_text(species.radius), "L");
   if (std::isfinite(species.mass)) text += ", mass " + in_unit(number_text(species.mass), "M");
   return text;
-}
-
-SpeciesNames names_of(const std::vector<SpeciesReport>& species) {
-  std::vector<std::string> names(species.size());
-  std::ranges::transform(species, names.begin(), &SpeciesReport::name);
-  return SpeciesNames(std::move(names));
 }
 
 std::string certificate(const Report& report) {
@@ -401,7 +404,8 @@ std::vector<Quantity> known(std::vector<Quantity> quantities) {
 std::string article(const Measurement& measurement, const SpeciesNames& species, const Agreement& agreement) {
   const std::vector<chart::Chart> charts = charts_of(measurement, species);
   const std::vector<Quantity> quantities = known(measurement.quantities);
-  if (charts.empty() && quantities.empty()) return {};
+  const std::string why = reasons(measurement, species);
+  if (charts.empty() && quantities.empty() && why.empty()) return {};
   std::string html = "<article>\n<h3 id=\"measure-" + escaped(measurement.name) + "\">" +
                      escaped(measurement.title) + "</h3>\n";
   if (!measurement.formula.empty()) html += paragraph("formula", with_formulas(measurement.formula));
@@ -411,7 +415,7 @@ std::string article(const Measurement& measurement, const SpeciesNames& species,
     html += figure(chart::to_inline_svg(charts[i], id));
   }
   if (!quantities.empty()) html += quantities_table(quantities, species, agreement);
-  html += "</div>\n" + transient_note(measurement) + reasons(measurement, species);
+  html += "</div>\n" + transient_note(measurement) + why;
   if (!measurement.source.empty()) html += paragraph("source", escaped(measurement.source));
   return html + "</article>\n";
 }

@@ -54,7 +54,7 @@ Agreement::Agreement(std::span<const Measurement> measurements) {
   });
   allowed_ = largest_by_chance(compared_);
   for_each([&](const Measurement& measurement, const Quantity& quantity) {
-    if (is_far(quantity)) far_.push_back(quantity.name + " of " + measurement.name);
+    if (is_far(quantity)) far_.push_back({quantity.name, measurement.title});
   });
 }
 

@@ -21,6 +21,12 @@ double largest_by_chance(std::size_t compared);
 /// compared: without an error beyond rounding, without theory, or with one that is for comparison only.
 double deviation(const Quantity& quantity);
 
+/// A number that is farther from its theory than chance allows.
+struct FarNumber {
+  std::string quantity;  ///< Its name.
+  std::string title;     ///< Of its measurement.
+};
+
 /// Whether the numbers of a run agree with theory.
 class Agreement {
  public:
@@ -30,13 +36,13 @@ class Agreement {
   std::size_t compared() const { return compared_; }
   /// Whether a number is farther from its theory than chance allows.
   bool is_far(const Quantity& quantity) const { return deviation(quantity) > allowed_; }
-  /// Those that are, as "compressibility of pressure"; names as in Quantity and Measurement.
-  const std::vector<std::string>& far() const { return far_; }
+  /// Those that are.
+  const std::vector<FarNumber>& far() const { return far_; }
 
  private:
   std::size_t compared_ = 0;
   double allowed_ = 0;
-  std::vector<std::string> far_;
+  std::vector<FarNumber> far_;
 };
 
 }  // namespace hardball

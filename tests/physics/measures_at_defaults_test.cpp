@@ -58,7 +58,9 @@ std::string text_of(const Fluid& fluid, double length) {
 // The farthest of all numbers from theory [errors].
 double expect_agreement(const std::vector<Measurement>& found, const std::string& which) {
   const Agreement agreement(found);
-  for (const std::string& far : agreement.far()) ADD_FAILURE() << which << ": " << far;
+  for (const FarNumber& far : agreement.far()) {
+    ADD_FAILURE() << which << ": " << far.quantity << " (" << far.title << ")";
+  }
   double farthest = 0;
   for (const Measurement& measurement : found) {
     for (const Quantity& quantity : measurement.quantities) {

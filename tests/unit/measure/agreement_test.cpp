@@ -11,7 +11,8 @@ namespace hardball {
 namespace {
 
 Measurement with(std::vector<Quantity> quantities) {
-  return {.name = "things", .title = "", .formula = "", .source = "", .quantities = std::move(quantities)};
+  return {
+      .name = "things", .title = "Things", .formula = "", .source = "", .quantities = std::move(quantities)};
 }
 
 // Student's t with seven degrees of freedom is beyond 3.499 with a probability of 1%, and beyond 5.408 with
@@ -37,13 +38,17 @@ TEST(Agreement, NamesWhatIsTooFar) {
       with({{"size", "1", 3.3, 0.1, 3}, {"mass", "1", 4, 0.1, 3}, {"age", "1", 3}})};
   const Agreement few(found);
   EXPECT_EQ(few.compared(), 2U);
-  EXPECT_EQ(few.far(), std::vector<std::string>{"mass of things"});
+  ASSERT_EQ(few.far().size(), 1U);
+  EXPECT_EQ(few.far()[0].quantity, "mass");
+  EXPECT_EQ(few.far()[0].title, "Things");
   EXPECT_TRUE(few.is_far(found[0].quantities[1]));
   EXPECT_FALSE(few.is_far(found[0].quantities[0]));
   // Four errors are much for one number, and not for many.
   found.push_back(with({{"length", "1", 3.4, 0.1, 3}}));
   for (int i = 0; i < 50; ++i) found.push_back(with({{"width", "1", 3, 0.1, 3}}));
-  EXPECT_EQ(Agreement(found).far(), std::vector<std::string>{"mass of things"});
+  const Agreement many(found);
+  ASSERT_EQ(many.far().size(), 1U);
+  EXPECT_EQ(many.far()[0].quantity, "mass");
   EXPECT_TRUE(Agreement({}).far().empty());
 }
 

@@ -205,9 +205,9 @@ std::string verdict_of(const Report& report) {
 TEST(Report, JudgesTheRun) {
   const std::string deviating = verdict_of(sample_report());
   expect_in(deviating, "verdict bad\"><strong>Deviates from theory.</strong>");
-  expect_in(
-      deviating,
-      "by more than chance allows: self diffusion of mean square displacement, compressibility of pressure.");
+  expect_in(deviating,
+            "by more than chance allows: self diffusion (Mean square displacement &amp; diffusion), "
+            "compressibility (Pressure).");
   const std::string sound = verdict_of(agreeing_report());
   expect_in(sound, "verdict good\"><strong>Sound.</strong>");
   expect_in(sound, "the energy is conserved");
