@@ -20,7 +20,7 @@ struct Quantity {
   double value = std::numeric_limits<double>::quiet_NaN();
   double error = std::numeric_limits<double>::quiet_NaN();   ///< As in Estimate; NaN if undetermined.
   double theory = std::numeric_limits<double>::quiet_NaN();  ///< Expected value; NaN if there is no theory.
-  double tolerance = 0;     ///< By how much the theory itself may be off; see kForComparison.
+  double tolerance = 0;     ///< How far off the theory itself may be; infinite if for comparison only.
   std::string reason = {};  ///< Why there is no value, without a comma; empty if there is one.
 
   static void persist(auto& archive, auto& self) {
