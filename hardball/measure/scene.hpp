@@ -37,7 +37,7 @@ class Scene {
   const std::vector<Vec3>& centers() const;
   const Surroundings& surroundings() const;
   /// Whether there can be the equilibrium of an isolated system: the energy is that at the start, `begin`,
-  /// and no axis is open.
+  /// no axis is open, and no face of the box heats or drags.
   bool has_equilibrium(const ThermalMotion& begin) const;
   /// The centre of a sphere, followed through periodic boundaries [L].
   Vec3 unfolded_center(Slot slot) const;
