@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/surfaces/oscillating_plane.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "hardball/errors/error.hpp"
 #include "hardball/surfaces/sine.hpp"
 
 namespace hardball {
 namespace {
 
+constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr double kTurn = 0x1.921fb54442d18p+2;  // 2 pi
 
 // As seen from `t` on.
@@ -26,52 +27,98 @@ Polynomial from(const Polynomial& p, double t) {
   return shifted;
 }
 
-// The longest step in which a gap cannot close that opens with `speed` and whose curvature is no less than
-// -`curvature`.
-double safe_step(double gap, double speed, double curvature) {
-  constexpr double kRoundedDown = 1 - 0x1p-40;
-  if (gap <= 0) return kRoundedDown * speed / curvature;  // closed, but it opens: until that may change
-  const double root = std::sqrt(speed * speed + 2 * curvature * gap);
-  return kRoundedDown * (speed < 0 ? 2 * gap / (root - speed) : (root + speed) / curvature);
+// A time in which a gap of this width, which opens with `speed`, cannot close while its curvature is no less
+// than -`curvature`.
+double time_to_close(double width, double speed, double curvature) {
+  if (width <= 0) return curvature > 0 ? speed / curvature : kForever;  // closed, but it opens until then
+  if (!(curvature > 0)) return speed < 0 ? width / -speed : kForever;
+  const double root = std::sqrt(speed * speed + 2 * curvature * width);
+  return speed < 0 ? 2 * width / (root - speed) : (root + speed) / curvature;
 }
 
 }  // namespace
 
-OscillatingPlane::Gap OscillatingPlane::gap_at(const Polynomial& rest, const Time& start, double t) const {
-  const Circular phase = circular(frequency_, after(start, t));
+OscillatingPlane::Gap OscillatingPlane::gap_at(const Flight& flight, double t) const {
+  const Circular phase = circular(frequency_, after(flight.start, t));
   const DoubleDouble<> amplitude{amplitude_, 0};
   const DoubleDouble<> greatest_speed = DoubleDouble<>{kTurn * amplitude_, 0} * DoubleDouble<>{frequency_, 0};
-  return {(rest(t) - amplitude * phase.sine).high,
-          (rest.derivative()(t) - greatest_speed * phase.cosine).high};
+  const double turning = kTurn * frequency_;
+  return {(flight.rest(t) - amplitude * phase.sine).high,
+          (flight.rest.derivative()(t) - greatest_speed * phase.cosine).high,
+          2 * flight.rest.coefficients[2].high + amplitude_ * turning * turning * phase.sine.high};
 }
 
-double OscillatingPlane::time_to_touch(const Passage& passage, double radius) const {
-  const Polynomial rest = rest_.gap(passage, radius);
-  Polynomial outermost = rest;
-  outermost.coefficients[0] = rest.coefficients[0] - DoubleDouble<>{amplitude_, 0};
+double OscillatingPlane::safe_step(const Flight& flight, const Gap& gap) const {
+  constexpr double kRoundedUp = 1 + 0x1p-40;
+  constexpr double kRoundedDown = 1 - 0x1p-40;
   const double turning = kTurn * frequency_;
-  const double curvature =
-      std::fabs(2 * rest.coefficients[2].high) + amplitude_ * turning * turning * (1 + 0x1p-40);
+  const double acceleration = amplitude_ * turning * turning * kRoundedUp;
+  const double curvature = std::fabs(2 * flight.rest.coefficients[2].high) + acceleration;
+  double step = time_to_close(gap.width, gap.opening_speed, curvature);
+  // The curvature does not change at once, and where it is small or positive, longer steps are safe.
+  while (step < 1 / frequency_) {
+    const double window = 2 * step;
+    const double least = gap.curvature - acceleration * turning * window - (kRoundedUp - 1) * curvature;
+    const double longer = time_to_close(gap.width, gap.opening_speed, -least);
+    if (!(longer > window)) return kRoundedDown * std::max(step, longer);
+    step = window;
+  }
+  return kRoundedDown * step;
+}
+
+bool OscillatingPlane::is_met(const Flight& flight, const Polynomial& room, double& t) const {
+  const double end = t + 2 / frequency_;
+  // Shorter steps would not change the time.
+  const double shortest = 0x1p-105 * std::fabs(flight.start.high);
+  do {
+    const Gap gap = gap_at(flight, t);
+    if (gap.width <= 0 && !(gap.opening_speed > 0)) return true;
+    const double next = t + std::max(shortest, safe_step(flight, gap));
+    t = next > t ? next : std::nextafter(t, kForever);
+  } while (t < end && !(room(t).high > 0));
+  return false;
+}
+
+// A sphere that stays within the plane's reach is met within a turn. If it is not, one double counts too
+// coarsely from the start of the flight, or the plane passes by the sphere so closely that no number tells.
+Time OscillatingPlane::contact_time(const Passage& passage, double radius) const {
+  constexpr double kManyTurns = 64;  // of which one double knows the phase less well than the place
+  Flight flight{rest_.gap(passage, radius), passage.start};
+  double passed_by = 0;  // as a fraction of the amplitude
   double t = 0;
-  constexpr int kMostSteps = 1 << 20;
-  for (int step = 0; step < kMostSteps; ++step) {
-    // Nothing happens beyond the plane's reach.
-    if (outermost(t).high > 0) {
-      const double wait = earliest_descent(from(outermost, t));
-      if (!std::isfinite(wait)) return wait;
+  const auto count_from = [&](double moment) {
+    flight = {from(flight.rest, moment), after(flight.start, moment)};
+    t = 0;
+  };
+  while (t < kForever) {
+    Polynomial room = flight.rest;
+    room.coefficients[0] =
+        room.coefficients[0] - (DoubleDouble<>{amplitude_, 0} - DoubleDouble<>{passed_by * amplitude_, 0});
+    if (room(t).high > 0) {
+      const double wait = earliest_descent(from(room, t));
+      if (!std::isfinite(wait)) return kNever;
       t += wait;
     }
-    const Gap gap = gap_at(rest, passage.start, t);
-    if (gap.width <= 0 && !(gap.opening_speed > 0)) return t;
-    const double next = t + safe_step(gap.width, gap.opening_speed, curvature);
-    t = next > t ? next : std::nextafter(t, std::numeric_limits<double>::infinity());
+    const double entry = t;
+    if (entry * frequency_ > kManyTurns) {
+      count_from(entry);
+    } else if (is_met(flight, room, t)) {
+      return after(flight.start, t);
+    } else if (room(t).high > 0) {
+      continue;
+    } else if (entry > 0) {
+      count_from(entry);
+    } else {
+      constexpr double kLeast = 0x1p-90;
+      constexpr double kNext = 0x1p10;
+      passed_by = passed_by > 0 ? std::min(2.0, passed_by * kNext) : kLeast;
+    }
   }
-  throw RunFailure("a sphere stays so close to an oscillating wall that its contacts cannot be told apart");
+  return kNever;
 }
 
 DoubleDouble<> OscillatingPlane::opening_speed(const Passage& passage) const {
-  const Gap gap = gap_at(rest_.gap(passage, 0), passage.start, 0);
-  return {gap.opening_speed, 0};
+  return {gap_at({rest_.gap(passage, 0), passage.start}, 0).opening_speed, 0};
 }
 
 Vec3 OscillatingPlane::displacement_at(const Time& moment) const {

@@ -23,10 +23,11 @@ class OscillatingPlane {
   double amplitude() const { return amplitude_; }
   double frequency() const { return frequency_; }
 
-  /// The time after the start of a passage at which a sphere of this radius first touches the plane while
-  /// they approach; infinity if never. The gap, a parabola less a sine, is evaluated in twice the precision,
-  /// and advanced by steps in which a bound of its curvature excludes a contact, to the last bit.
-  double time_to_touch(const Passage& passage, double radius) const;
+  /// When a sphere of this radius first touches the plane while they approach, at the start of a passage or
+  /// later; kNever if it never does. The gap, a parabola less a sine, is evaluated in twice the precision,
+  /// and advanced by steps in which a bound of its curvature excludes a contact, to the last bit. Cost: that
+  /// of a few turns, however long the passage.
+  Time contact_time(const Passage& passage, double radius) const;
   /// How fast the gap opens at the start of a passage [L/T]; negative if it closes.
   DoubleDouble<> opening_speed(const Passage& passage) const;
 
@@ -41,11 +42,23 @@ class OscillatingPlane {
   OscillatingPlane() : OscillatingPlane({}, 0, 0) {}
   static void persist(auto& archive, auto& self) { archive(self.rest_, self.amplitude_, self.frequency_); }
 
+  // The gap of a sphere to the plane at rest, as a function of the time after the start.
+  struct Flight {
+    Polynomial rest;
+    Time start;
+  };
+  // The gap to the plane, and its derivatives.
   struct Gap {
     double width;
     double opening_speed;
+    double curvature;
   };
-  Gap gap_at(const Polynomial& rest, const Time& start, double t) const;
+  Gap gap_at(const Flight& flight, double t) const;
+  // A time in which a gap does not close.
+  double safe_step(const Flight& flight, const Gap& gap) const;
+  // Whether the sphere is met within the next turn, or before there is `room` between it and the plane's
+  // reach; moves `t` to the time when it is, or to the end of what was searched.
+  bool is_met(const Flight& flight, const Polynomial& room, double& t) const;
 
   Plane rest_;
   double amplitude_;

@@ -3,7 +3,6 @@
 #include "hardball/surfaces/surface.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "hardball/errors/error.hpp"
 
@@ -81,19 +80,18 @@ Passage Surface::passage_of(const Motion& motion, const Path& path) const {
 
 Time Surface::contact_time(const Motion& motion, const Path& path, double radius) const {
   const Passage passage = passage_of(motion, path);
-  const double wait = std::visit(
+  return std::visit(
       [&](const auto& shape) {
-        if constexpr (requires { shape.time_to_touch(passage, radius); }) {
-          return shape.time_to_touch(passage, radius);
+        if constexpr (requires { shape.contact_time(passage, radius); }) {
+          return shape.contact_time(passage, radius);
         } else {
           if constexpr (requires { shape.is_missed(passage, radius); }) {
-            if (shape.is_missed(passage, radius)) return std::numeric_limits<double>::infinity();
+            if (shape.is_missed(passage, radius)) return kNever;
           }
-          return earliest_descent(shape.gap(passage, radius));
+          return after(path.time, earliest_descent(shape.gap(passage, radius)));
         }
       },
       shape_);
-  return after(path.time, wait);
 }
 
 bool Surface::is_approached(const Motion& motion, const Path& path) const {

@@ -19,7 +19,7 @@ namespace hardball {
 /// The shapes of surfaces, each in a file of its own: where a sphere touches it, and which way it lies.
 ///
 /// A shape has `kName`; `gap(passage, radius)`, a polynomial that is positive while a sphere does not touch
-/// it, or `time_to_touch(passage, radius)` and `opening_speed(passage)`; `distance(place)` and
+/// it, or `contact_time(passage, radius)` and `opening_speed(passage)`; `distance(place)` and
 /// `towards(place)`; and if it moves by itself, `displacement_at(moment)` and `velocity_at(moment)`. Places
 /// are relative to the surface's point.
 using Shape = std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle>;

@@ -158,6 +158,21 @@ TEST(MovingWall, DoesTheWorkThatSpheresGain) {
   }
 }
 
+// A sphere whose motion towards the floor has nearly died away.
+TEST(MovingWall, MayMeetASphereInAges) {
+  World world(Box::open(), {}, {Surface(OscillatingPlane({0, 0, 1}, 0.1, 0.3), {})});
+  world.add({{0, 0, 3}, {0, 0, -1e-14}, 0.5, 1});
+  Simulation simulation(world);
+  simulation.run_until(1000);
+  EXPECT_EQ(simulation.tally().walls()[kFaces].contacts, 0U);
+  simulation.run_until(2.3e14);
+  EXPECT_EQ(simulation.tally().walls()[kFaces].contacts, 0U);
+  simulation.run_until(2.5e14);
+  EXPECT_EQ(simulation.tally().walls()[kFaces].contacts, 1U);
+  EXPECT_GT(simulation.velocity(0).z, 0);
+  EXPECT_LT(simulation.tally().max_overlap(), 1e-12);
+}
+
 TEST(Gravity, KeepsTheEnergyOfAGasBetweenWalls) {
   World world(Box::walls({12, 12, 12}), {0.5, 0, -2}, {Surface(Obstacle(2), {6, 6, 6})});
   Random random(11);
