@@ -5,30 +5,36 @@
 #include <cstdint>
 #include <unordered_map>
 
-#include "hardball/world/world.hpp"
+#include "hardball/response/contact.hpp"
 
 namespace hardball {
 
-/// Whether a sphere on this path has not moved until `now`, to within rounding of its position.
-inline bool is_idle(const Motion& motion, const Path& path, double radius, const Time& now) {
-  constexpr double kHardlyMoved = 1e-15;
-  const double time = duration(path.time, now);
-  const double least = kHardlyMoved * radius;
-  if (dot(path.velocity, path.velocity) * time * time > least * least) return false;
-  return motion.is_straight() || !(0.5 * length(motion.gravity()) * time * time > least);
-}
+/// A way that does not count as motion, as a fraction of a radius [1].
+inline constexpr double kHardlyMoved = 1e-4;
 
-/// Detects inelastic collapse: spheres that lose energy may collide at an ever higher rate, infinitely often
-/// in a finite time. A sphere that keeps being hit without moving ends the run with a message instead of a
-/// hang. Source: McNamara and Young, Phys. Fluids A 4 (1992) 496.
+/// Whether the bodies of a contact have not parted since the motion of one of them last changed: they have
+/// hardly moved, what opened between them, and is closed again, is no more than places are rounded by, and
+/// the impact takes from its speed, or has none.
+bool have_not_parted(const Contact& contact);
+
+/// Detects inelastic collapse: bodies that lose energy may collide at an ever higher rate, infinitely often
+/// in a finite time. The rounding of places bounds the rate, so that spheres would creep along for ever. A
+/// sphere that is hit again and again by what it does not part from ends the run with a message instead. What
+/// happens depends on the contacts alone, and so is the same for every engine.
+/// Source: McNamara and Young, Phys. Fluids A 4 (1992) 496.
 class CollapseGuard {
  public:
-  /// To be called at every contact of a sphere, with whether it has been idle since its last one. Error
-  /// (RunFailure): too many idle contacts in a row.
-  void note_contact(SphereId id, bool was_idle, const Time& now) {
-    if (was_idle || !idle_contacts_.empty()) [[unlikely]] {
-      count(id, was_idle, now);
-    }
+  /// To be called at every contact, after the response. Error (RunFailure): a sphere has had 10,000 contacts
+  /// with bodies that it has not parted from, less 100 for every other contact.
+  void note_contact(const Contact& contact) {
+    // Most bodies have moved on, which is soon seen.
+    const double flight = contact.flight();
+    const double least = kHardlyMoved * contact.first_radius;
+    const Vec3& velocity = contact.before.first;
+    const bool has_moved = dot(velocity, velocity) * flight * flight > least * least;
+    if (has_moved && idle_contacts_.empty()) [[likely]]
+      return;
+    count(contact);
   }
 
   std::size_t memory_bytes() const;
@@ -37,10 +43,11 @@ class CollapseGuard {
   friend class Persistence;
   static void persist(auto& archive, auto& self) { archive(self.idle_contacts_); }
 
-  void count(SphereId id, bool was_idle, const Time& now);
+  void count(const Contact& contact);
+  void count(SphereId id, bool is_idle, const Time& now);
 
-  // Only spheres whose last contact was idle, which are few. Keyed by id, so that counts survive edits and
-  // rebuilds.
+  // Only of spheres that have not parted from something of late, which are few. Keyed by id, so that counts
+  // survive edits and rebuilds.
   std::unordered_map<SphereId, std::uint32_t> idle_contacts_;
 };
 

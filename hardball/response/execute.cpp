@@ -139,7 +139,6 @@ void contact_at(const World& world, const Event& event, const Participants& part
   const Path& path = world.path(participants.first);
   const double radius = world.radius(participants.first);
   auto [position, velocity] = world.motion().state_at(path, event.time);
-  done.were_idle[0] = is_idle(world.motion(), path, radius, event.time);
   done.folded[0] = box.fold(position);
   Velocities before;
   Contact& contact = done.contact;
@@ -155,7 +154,6 @@ void contact_at(const World& world, const Event& event, const Participants& part
     const Path& second_path = world.path(participants.second);
     const double second_radius = world.radius(participants.second);
     auto [second_position, second_velocity] = world.motion().state_at(second_path, event.time);
-    done.were_idle[1] = is_idle(world.motion(), second_path, second_radius, event.time);
     done.folded[1] = box.fold(second_position);
     contact.image = participants.nearest ? box.nearest_image(position - second_position)
                                          : event.image + done.folded[1] - done.folded[0];

@@ -19,8 +19,6 @@ struct Executed {
   Contact contact;
   /// By how many boxes the centres were folded back into a periodic box.
   std::array<Image, 2> folded{};
-  /// Which of the spheres had stood still since their last contacts.
-  std::array<bool, 2> were_idle{};
   /// Whether the response may have changed the spins of the contact.
   bool may_turn = false;
 };
@@ -37,8 +35,7 @@ struct Participants {
 Participants participants_of(const World& world, const Event& event);
 
 /// Describes the contact of a collision or wall event in the world before it: centres and velocities from the
-/// stored paths at the event's time, by how many boxes the centres lie outside the box, and which spheres
-/// were idle.
+/// stored paths at the event's time, and by how many boxes the centres lie outside the box.
 void contact_at(const World& world, const Event& event, const Participants& participants, Executed& done);
 
 /// Gives kinematic spheres back the velocities and spins that they had before.
@@ -108,8 +105,7 @@ void execute(World& world, CollapseGuard& guard, const Event& event, const Parti
   if (done.may_turn) [[unlikely]]
     check_spins(world.box(), contact);
   settle(world, contact);
-  guard.note_contact(contact.first, done.were_idle[0], event.time);
-  if (is_collision) guard.note_contact(contact.second, done.were_idle[1], event.time);
+  guard.note_contact(contact);
   world.store_path(participants.first, {contact.position, contact.after.first, event.time}, done.folded[0]);
   if (is_collision) {
     world.store_path(participants.second, {contact.second_position, contact.after.second, event.time},

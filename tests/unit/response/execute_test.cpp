@@ -22,10 +22,6 @@ double approach_after(const Contact& contact) {
   return approach(contact.separation, contact.after);
 }
 
-void note_contact(CollapseGuard& guard, const World& world, Slot slot, const Time& now) {
-  guard.note_contact(world.id(slot), is_idle(world.motion(), world.path(slot), world.radius(slot), now), now);
-}
-
 TEST(ContactAt, DescribesACollisionThroughTheEdgeOfAPeriodicBox) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{5, 5, 5}, {}, 1, 1});
@@ -111,16 +107,6 @@ TEST(ContactAt, FindsTheNearestImageByItself) {
   contact_at(world, make_collision(Time(1.5), 0, 1, {}), {1, 0, true}, found);
   EXPECT_EQ(found.contact.image, -given.contact.image);
   EXPECT_EQ(found.contact.separation, -given.contact.separation);
-}
-
-TEST(ContactAt, ShowsWhichSpheresWereIdle) {
-  World world;
-  world.add({{0, 0, 0}, {1, 0, 0}, 1, 1});
-  world.add({{2, 0, 0}, {0, 0, 0}, 1, 1}, Time(1));
-  Executed done;
-  contact_at(world, make_collision(Time(1), 0, 1, {}), {0, 1}, done);
-  EXPECT_FALSE(done.were_idle[0]);
-  EXPECT_TRUE(done.were_idle[1]);
 }
 
 TEST(ContactAt, DescribesAWall) {
@@ -270,45 +256,6 @@ TEST(Settle, UndoesApproachesBelowTheOperatingRange) {
   contact.after = {{1e-323, 0, 0}, {5e-324, 0, 0}};
   ASSERT_NO_THROW(settle(World(), contact));
   EXPECT_GE(approach_after(contact), 0);
-}
-
-TEST(CollapseGuard, CountsContactsInWhichASphereHasNotMoved) {
-  World world;
-  world.add({{0, 0, 0}, {1e-3, 0, 0}, 1, 1});
-  CollapseGuard guard;
-  for (int i = 0; i < 9999; ++i) ASSERT_NO_THROW(note_contact(guard, world, 0, Time(1e-13)));
-  EXPECT_THROW(note_contact(guard, world, 0, Time(1e-13)), RunFailure);
-  // A billionth of the radius counts as movement.
-  ASSERT_NO_THROW(note_contact(guard, world, 0, Time(1e-6)));
-  for (int i = 0; i < 9999; ++i) ASSERT_NO_THROW(note_contact(guard, world, 0, Time(0)));
-  try {
-    note_contact(guard, world, 0, Time(0));
-    FAIL();
-  } catch (const RunFailure& failure) {
-    EXPECT_NE(std::string(failure.what()).find("inelastic collapse: sphere 0"), std::string::npos);
-  }
-}
-
-TEST(CollapseGuard, IdentifiesSpheresByTheirIds) {
-  World world;
-  world.add({{0, 0, 0}, {1e-3, 0, 0}, 1, 1});
-  world.add({{9, 0, 0}, {1e-3, 0, 0}, 1, 1});
-  CollapseGuard guard;
-  for (int i = 0; i < 9999; ++i) note_contact(guard, world, 0, Time(0));
-  world.reorder(std::array<Slot, 2>{1, 0});
-  EXPECT_NO_THROW(note_contact(guard, world, 0, Time(0))) << "another sphere is stored there";
-  EXPECT_THROW(note_contact(guard, world, 1, Time(0)), RunFailure);
-}
-
-TEST(CollapseGuard, NeedsMemoryOnlyForIdleSpheres) {
-  World world;
-  for (int i = 0; i < 1000; ++i) world.add({{3.0 * i, 0, 0}, {1, 0, 0}, 1, 1});
-  CollapseGuard guard;
-  const std::size_t empty = guard.memory_bytes();
-  for (Slot slot = 0; slot < world.size(); ++slot) note_contact(guard, world, slot, Time(1));
-  EXPECT_EQ(guard.memory_bytes(), empty);
-  for (Slot slot = 0; slot < world.size(); ++slot) note_contact(guard, world, slot, Time(0));
-  EXPECT_GT(guard.memory_bytes(), empty);
 }
 
 }  // namespace
