@@ -7,16 +7,20 @@
 #include <cmath>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "apps/cli/commands.hpp"
 #include "apps/cli/interruption.hpp"
+#include "apps/cli/outlook.hpp"
 #include "apps/cli/response_text.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/wall_forces.hpp"
+#include "hardball/scenario/make_surfaces.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/kinetic_theory.hpp"
+#include "hardball/tuning/neighbor_counts.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -112,10 +116,48 @@ std::string describe_radii(const World& world) {
          readable(most);
 }
 
-std::size_t kinematic_count(const World& world) {
-  std::size_t count = 0;
-  for (Slot slot = 0; slot < world.size(); ++slot) count += world.is_kinematic(slot) ? 1U : 0U;
-  return count;
+// How many spheres of each species there are, and how many of infinite mass.
+struct Kinds {
+  std::vector<std::size_t> species;
+  std::size_t kinematic = 0;
+};
+
+Kinds kinds_of(const Scenario& scenario, const Outlook& outlook) {
+  const World& world = outlook.simulation.world();
+  Kinds kinds;
+  if (outlook.is_sample) {
+    kinds.species.resize(scenario.species.size());
+    for (const SphereGroup& group : scenario.spheres) {
+      if (!kinds.species.empty()) kinds.species[group.species] += group.count;
+      if (group.is_kinematic) kinds.kinematic += group.count;
+    }
+    return kinds;
+  }
+  kinds.species = species_counts(scenario, world);
+  for (Slot slot = 0; slot < world.size(); ++slot) kinds.kinematic += world.is_kinematic(slot) ? 1U : 0U;
+  return kinds;
+}
+
+// The cost of a run by theory [s].
+double expected_seconds(const Outlook& outlook, double until, double length) {
+  const Moments& moments = outlook.moments;
+  const UnitCosts& costs = outlook.options.unit_costs;
+  constexpr double kNanosecond = 1e-9;
+  const double rate = outlook.simulation.engine() == EngineKind::neighbors
+                          ? cost_rate(expected_neighbor_counts(moments, length), costs)
+                          : cost_rate(expected_counts(moments, length), costs_with_memory(moments, costs));
+  return kNanosecond * static_cast<double>(moments.spheres) * until * rate;
+}
+
+// The edge of the cells, or the slack of lists; zero if the engine has neither.
+double length_of(const Outlook& outlook) {
+  const Simulation& simulation = outlook.simulation;
+  const EngineOptions& options = outlook.options;
+  if (!outlook.is_sample || simulation.engine() == EngineKind::all_pairs) {
+    return simulation.engine() == EngineKind::neighbors ? simulation.slack() : simulation.cell_edge();
+  }
+  if (simulation.engine() == EngineKind::neighbors) return optimal_slack(outlook.moments, options.unit_costs);
+  return options.cell_edge.value_or(optimal_cell_edge(outlook.moments, options.unit_costs));
 }
 
 }  // namespace
@@ -123,52 +165,65 @@ std::size_t kinematic_count(const World& world) {
 ExitCode check(const Options& options) {
   catch_signals();
   const Scenario scenario = read_scenario(options);
-  const Simulation simulation = set_up(options, scenario).simulation;
-  const Moments moments = moments_of(simulation.world(), simulation.now());
+  const Outlook outlook = look_ahead(options, scenario);
+  const Simulation& simulation = outlook.simulation;
+  const Moments& moments = outlook.moments;
   const auto spheres = static_cast<double>(moments.spheres);
   const double until = *scenario.until;
-  const double edge = simulation.cell_edge();
-  const auto bytes = static_cast<double>(simulation.memory_bytes());
+  const bool has_lists = simulation.engine() == EngineKind::neighbors;
+  const double length = length_of(outlook);
+  const double bytes_per_sphere =
+      static_cast<double>(simulation.memory_bytes()) / static_cast<double>(simulation.size());
+  const World space(moments.box, scenario.gravity, make_surfaces(scenario, moments.box));
   std::string text;
   const auto add = [&](std::string_view name, const std::string& value) { text += table_line(name, value); };
   add("scenario", scenario.name);
   add("spheres", to_text(moments.spheres));
-  add("box", describe(simulation.world().box()));
-  const Vec3& gravity = simulation.world().motion().gravity();
+  add("box", describe(space.box()));
+  const Vec3& gravity = space.motion().gravity();
   if (gravity != Vec3{}) {
     add("gravity", to_text(gravity.x) + ", " + to_text(gravity.y) + ", " + to_text(gravity.z));
   }
   for (Face face = 0; face < kFaces; ++face) {
-    const Box& box = simulation.world().box();
-    if (box.has_own_properties(face)) add(kFaceNames[face], describe(box.face(face), scenario));
+    if (space.box().has_own_properties(face)) add(kFaceNames[face], describe(space.box().face(face), scenario));
   }
-  for (std::uint32_t k = 0; k < simulation.world().surfaces().size(); ++k) {
-    add(wall_name(simulation.world(), kFaces + k), describe(simulation.world().surfaces()[k]));
+  for (std::uint32_t k = 0; k < space.surfaces().size(); ++k) {
+    add(wall_name(space, kFaces + k), describe(space.surfaces()[k]));
   }
   if (simulation.thermostat()) add("thermostat", describe(simulation.thermostat()->kind()));
   for (const ResponseText& text_of : response_texts(scenario)) add(text_of.who, text_of.what);
-  const std::string species = species_text(scenario, simulation.world());
-  if (!species.empty()) add("species", species);
-  const std::size_t kinematic = kinematic_count(simulation.world());
-  if (kinematic > 0) add("kinematic", to_text(kinematic) + (kinematic == 1 ? " sphere" : " spheres"));
+  const Kinds kinds = kinds_of(scenario, outlook);
+  if (!kinds.species.empty()) add("species", species_text(scenario, kinds.species));
+  if (kinds.kinematic > 0) {
+    add("kinematic", to_text(kinds.kinematic) + (kinds.kinematic == 1 ? " sphere" : " spheres"));
+  }
   add("radius", describe_radii(simulation.world()));
-  add(simulation.world().box().is_flat() ? "area fraction" : "packing fraction",
-      readable(moments.packing_fraction()));
+  add(moments.is_flat() ? "area fraction" : "packing fraction", readable(moments.packing_fraction()));
   add("mean speed", readable(moments.mean_speed));
   add("mean free path", readable(mean_free_path(moments)));
   add("mean free time", readable(mean_free_time(moments)));
   add("engine", name_of(simulation.engine()));
-  if (edge > 0) add("cell edge", readable(edge));
-  if (simulation.slack() > 0) add("slack of lists", readable(simulation.slack()));
-  add("memory", fmt::format("{:.4g} MB, {:.0f} bytes per sphere", bytes / 1e6, bytes / spheres));
+  if (length > 0) add(has_lists ? "slack of lists" : "cell edge", readable(length));
+  add("memory",
+      fmt::format("{:.4g} MB, {:.0f} bytes per sphere", bytes_per_sphere * spheres / 1e6, bytes_per_sphere));
   add("until", readable(until));
   text += "expected from the density and speed at the start:\n";
   add("  collisions", readable(spheres * until / mean_free_time(moments) / 2));
   add("  wall contacts", readable(spheres * until * wall_rate(moments)));
-  if (edge > 0) {
-    const CellCounts counts = expected_counts(moments, edge);
+  if (length > 0 && !has_lists) {
+    const CellCounts counts = expected_counts(moments, length);
     add("  cells entered", readable(spheres * until * counts.enter));
     add("  pair predictions", readable(spheres * until * counts.predictions()));
+  }
+  if (length > 0 && moments.mean_speed > 0) {
+    add("  time on one core", fmt::format("some {:.1g} s", expected_seconds(outlook, until, length)));
+  }
+  for (const std::string& warning : warnings_of(scenario, moments)) add("note", warning);
+  if (outlook.is_sample) {
+    add("note",
+        fmt::format("so many spheres are not placed here: the memory is that of a sample of {}, and that all "
+                    "fit is not checked",
+                    simulation.size()));
   }
   write_output(text);
   return ExitCode::done;

@@ -59,10 +59,14 @@ void add_engine_options(CLI::App& command, Options& options) {
       ->type_name("auto|portable|avx2|avx512");
 }
 
+void add_quiet_flag(CLI::App& command, Options& options) {
+  command.add_flag("--quiet", options.quiet, "Show no progress")->disable_flag_override();
+}
+
 void add_output_flags(CLI::App& command, Options& options) {
   command.add_flag("--json", options.json, "Print one JSON object instead of a table")
       ->disable_flag_override();
-  command.add_flag("--quiet", options.quiet, "Show no progress")->disable_flag_override();
+  add_quiet_flag(command, options);
 }
 
 #if HARDBALL_VIEWER
@@ -141,8 +145,11 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   CLI::App* tune_command =
       add_command(app, options, "tune", "Compare cell sizes: predicted and measured cost");
   add_unit_costs_option(*tune_command, options);
+  tune_command->add_option("--budget", options.budget, "Seconds after which it ends, instead of 10")
+      ->type_name("SECONDS");
   tune_command->add_option("--out", options.out, "Directory for the table and its figure")
       ->type_name("DIRECTORY");
+  add_quiet_flag(*tune_command, options);
   CLI::App* convert_command = app.add_subcommand("convert", "Write the frames of a file in another format");
   convert_command->add_option("IN", options.in, "File with frames: its name says in what format")
       ->required()

@@ -42,4 +42,13 @@ OnProgress SetUpProgress::part(double begin, double end) {
   };
 }
 
+double Budget::spent() const {
+  return std::chrono::duration<double>(Clock::now() - begin_).count() / seconds_;
+}
+
+void Budget::show(const std::string& work) {
+  if (is_interrupted()) throw RunFailure("interrupted");
+  if (line_.is_due()) line_.show(std::min(1.0, spent()), work);
+}
+
 }  // namespace hardball::cli

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 #include "apps/cli/status_line.hpp"
 #include "hardball/simulation/simulation.hpp"
@@ -37,6 +38,25 @@ class SetUpProgress {
 
  private:
   StatusLine line_;
+};
+
+/// The same for work that ends when its time is spent.
+class Budget {
+ public:
+  /// Begins now. Precondition: `seconds` is positive.
+  Budget(double seconds, bool shown) : line_(shown), seconds_(seconds) {}
+
+  /// The share of it that is spent [1]; may exceed one.
+  double spent() const;
+  /// Shows it, with what is being done. Error (RunFailure): interrupted by a signal.
+  void show(const std::string& work);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  StatusLine line_;
+  double seconds_;
+  Clock::time_point begin_ = Clock::now();
 };
 
 }  // namespace hardball::cli

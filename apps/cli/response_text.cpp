@@ -71,8 +71,7 @@ std::vector<std::size_t> species_counts(const Scenario& scenario, const World& w
   return counts;
 }
 
-std::string species_text(const Scenario& scenario, const World& world) {
-  const std::vector<std::size_t> counts = species_counts(scenario, world);
+std::string species_text(const Scenario& scenario, const std::vector<std::size_t>& counts) {
   std::string text;
   for (std::size_t k = 0; k < counts.size(); ++k) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", scenario.species[k].name, counts[k]);

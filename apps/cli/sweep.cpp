@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/sweep.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
 
-#include "apps/cli/interruption.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/moments.hpp"
@@ -23,8 +24,8 @@ constexpr int kEdgesAbove = 5;
 // does not mainly reload the spheres into cache.
 constexpr double kLeastSecondsOfRound = 0.03;
 constexpr double kLeastSecondsForEachSphere = 1e-6;
-constexpr double kSecondsOfPoint = 0.75;
-constexpr int kLeastRounds = 7;
+// The share of the budget after which no edge is added, and measurements begin.
+constexpr double kPrepared = 0.5;
 
 // The simulation of a point being measured.
 struct Contender {
@@ -37,7 +38,6 @@ double run_timed(Simulation& simulation, double until) {
   const auto begin = std::chrono::steady_clock::now();
   simulation.run_until(until);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (is_interrupted()) throw RunFailure("interrupted");
   return seconds;
 }
 
@@ -81,10 +81,11 @@ const SweepPoint& Sweep::best() const {
   });
 }
 
-Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options) {
+Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options, Budget& budget) {
   const Moments moments = moments_of(start.world(), start.now());
   if (!(moments.mean_speed > 0)) throw Error("nothing moves", "tune", "give the spheres velocities");
   std::vector<Contender> contenders;
+  budget.show("preparing");
   const double chosen_edge = choose_length(start.world(), EngineKind::cells, options, start.now());
   const std::optional<std::size_t> added = add(contenders, start, options, chosen_edge);
   if (!added) {
@@ -96,26 +97,39 @@ Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options) {
   const std::optional<std::size_t> paper =
       add(contenders, start, options, paper_cell_edge(moments, options.unit_costs));
   contenders[paper.value_or(chosen)].point.is_paper = true;
-  for (int k = -kEdgesBelow; k <= kEdgesAbove; ++k)
-    add(contenders, start, options, chosen_edge * std::exp2(k / 3.0));
 
   // Long enough for the number of rows left behind to become stationary.
-  const CellCounts& expected = contenders[chosen].point.expected;
+  const CellCounts expected = contenders[chosen].point.expected;
   double until =
       contenders[chosen].simulation.time() + 3 / (expected.enter + expected.collision + expected.wall);
-  for (Contender& contender : contenders) {
-    run_timed(contender.simulation, until);
-    contender.before = contender.simulation.counters();
+  std::size_t prepared = 0;
+  const auto prepare = [&] {
+    for (; prepared < contenders.size(); ++prepared) {
+      budget.show("preparing");
+      run_timed(contenders[prepared].simulation, until);
+      contenders[prepared].before = contenders[prepared].simulation.counters();
+    }
+  };
+  prepare();
+  for (int k = 1; k <= std::max(kEdgesBelow, kEdgesAbove); ++k) {
+    for (const int step : {k, -k}) {
+      if (step > kEdgesAbove || budget.spent() > kPrepared) continue;
+      add(contenders, start, options, chosen_edge * std::exp2(step / 3.0));
+      prepare();
+    }
   }
   const double seconds =
       std::max(kLeastSecondsOfRound, kLeastSecondsForEachSphere * static_cast<double>(start.size()));
-  const int rounds = std::max(kLeastRounds, static_cast<int>(kSecondsOfPoint / seconds));
   const double span = seconds / contenders[chosen].point.predicted_seconds;
-  for (int round = 0; round < rounds; ++round) {
+  int rounds = 0;
+  do {
     until += span;
-    for (Contender& contender : contenders)
+    for (Contender& contender : contenders) {
+      budget.show(fmt::format("round {} of measurements", rounds + 1));
       contender.point.seconds.push_back(run_timed(contender.simulation, until) / span);
-  }
+    }
+    ++rounds;
+  } while (budget.spent() < 1);
   Sweep sweep;
   sweep.span = rounds * span;
   for (Contender& contender : contenders) {

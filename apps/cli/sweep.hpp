@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "apps/cli/progress.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/tuning/cell_counts.hpp"
@@ -33,9 +34,10 @@ struct Sweep {
   const SweepPoint& best() const;
 };
 
-/// Continues from `start` with twelve edges from a quarter to three times the one that the options choose,
-/// and with the paper's, all in turn and repeatedly. Error: nothing moves. Error (RunFailure): interrupted by
-/// a signal.
-Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options);
+/// Continues from `start` with up to twelve edges from a quarter to three times the one that the options
+/// choose, and with the paper's, all in turn and repeatedly until the budget is spent. If time is short,
+/// these are fewer, the nearest; each is measured once in any case. Error: nothing moves. Error (RunFailure):
+/// interrupted by a signal.
+Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options, Budget& budget);
 
 }  // namespace hardball::cli

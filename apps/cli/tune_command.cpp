@@ -2,15 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/chart/chart.hpp"
 #include "apps/cli/commands.hpp"
 #include "apps/cli/directory.hpp"
 #include "apps/cli/interruption.hpp"
+#include "apps/cli/outlook.hpp"
+#include "apps/cli/parse_number.hpp"
+#include "apps/cli/progress.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/sweep.hpp"
 #include "apps/cli/terminal.hpp"
@@ -80,16 +86,20 @@ std::string table(const Sweep& sweep, const Moments& moments, const UnitCosts& c
   };
   std::string text;
   text += table_line("spheres", fmt::format("{}", spheres));
-  text += table_line("packing fraction", fmt::format("{:.4g}", moments.packing_fraction()));
-  text += table_line("mean free path", fmt::format("{:.4g}", mean_free_path(moments)));
-  text += table_line("unit costs", to_option(costs));
-  text += "for each sphere in a unit of time:\n";
+  text += table_line(moments.is_flat() ? "area fraction" : "packing fraction",
+                     fmt::format("{:.4g}", moments.packing_fraction()));
+  text += table_line("mean free path [L]", fmt::format("{:.4g}", mean_free_path(moments)));
+  text += table_line("unit costs [ns]", to_option(costs));
+  text += table_line("rounds", fmt::format("{}", chosen.seconds.size()));
+  text += "for each sphere in a unit of time, [1/T]:\n";
   text += table_line("  collisions", both(chosen.expected.collision / 2, chosen.counted.collision));
   text += table_line("  wall contacts", both(chosen.expected.wall, chosen.counted.wall));
   text += fmt::format("\n{:>9}  {:^19}  {:^19}  {:^19}  {:^19}  {:^19}\n", "cell", "seconds per",
                       "enters per", "predictions", "predictions", "stale per");
   text += fmt::format("{:>9}  {:^19}  {:^19}  {:^19}  {:^19}  {:^19}\n", "edge", "unit of time",
                       "sphere and time", "after a contact", "after an enter", "collision");
+  text += fmt::format("{:>9}  {:^19}  {:^19}  {:^19}  {:^19}  {:^19}\n", "[L]", "[s/T]", "[1/T]", "[1]",
+                      "[1]", "[1]");
   text += fmt::format("{:>9}  {:>9} {:>9}", "", "predicted", "measured");
   for (int column = 0; column < 4; ++column) text += fmt::format("  {:>9} {:>9}", "predicted", "counted");
   text += "\n";
@@ -146,8 +156,8 @@ void add_series(chart::Chart& chart, const Sweep& sweep, const std::string& name
 std::string figure(const Sweep& sweep, const Scenario& scenario, std::size_t spheres) {
   chart::Chart cost;
   cost.title = scenario.name + ": cost";
-  cost.x = {.label = "edge of the cells", .logarithmic = true};
-  cost.y = {.label = "seconds for a unit of simulated time", .logarithmic = true};
+  cost.x = {.label = "edge of the cells [L]", .logarithmic = true};
+  cost.y = {.label = "seconds for a unit of simulated time [s/T]", .logarithmic = true};
   add_series(cost, sweep, "cost", [](const SweepPoint& point) {
     return Comparison{point.predicted_seconds, point.median_seconds()};
   });
@@ -171,16 +181,32 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   file.close();
 }
 
-// The simulation when each sphere has collided twice on average, or at its end if that is earlier.
-Simulation settle(const Scenario& scenario, const EngineOptions& options) {
-  Simulation simulation = start_simulation(scenario, make_world(scenario), options);
+double read_budget(const Options& options) {
+  constexpr const char* kRemedy = "give seconds such as 10";
+  constexpr double kUsual = 10;
+  if (!options.budget) return kUsual;
+  const double seconds = parse_number<double>(*options.budget, "--budget", kRemedy);
+  if (seconds > 0 && std::isfinite(seconds)) return seconds;
+  throw Error("the budget is " + to_text(seconds), "--budget", kRemedy);
+}
+
+Simulation start(const Scenario& scenario, const EngineOptions& options, bool is_shown) {
+  constexpr double kWorldMade = 0.5;  // the fraction of the work that this takes
+  SetUpProgress progress(is_shown);
+  World world = make_world(scenario, progress.part(0, kWorldMade));
+  return start_simulation(scenario, std::move(world), options, progress.part(kWorldMade, 1));
+}
+
+// Runs until each sphere has collided twice on average, to the end if that is earlier, or until a part of the
+// budget is spent.
+void settle(Simulation& simulation, const Scenario& scenario, Budget& budget) {
+  constexpr double kShare = 0.25;
   const std::uint64_t enough = simulation.size();
-  while (simulation.tally().collisions() < enough) {
-    if (is_interrupted()) throw RunFailure("interrupted");
+  while (simulation.tally().collisions() < enough && budget.spent() < kShare) {
+    budget.show("settling");
     const RunLimits slice{.until = Time(*scenario.until), .steps = steps_per_slice(simulation)};
     if (simulation.run(slice) == RunStatus::time_reached) break;
   }
-  return simulation;
 }
 
 }  // namespace
@@ -190,17 +216,25 @@ ExitCode tune(const Options& options) {
   EngineOptions engine_options;
   engine_options.engine = EngineKind::cells;
   engine_options.unit_costs = read_unit_costs(options.unit_costs == "auto" ? "measured" : options.unit_costs);
+  const double seconds = read_budget(options);
   catch_signals();
   if (options.out) make_directory(*options.out);
-  const Simulation settled = settle(scenario, engine_options);
-  const Moments moments = moments_of(settled.world(), settled.now());
-  const Sweep sweep = sweep_cell_edges(settled, settled.options());
+  Simulation simulation = start(scenario, engine_options, !options.quiet);
+  std::string notes;
+  for (const std::string& warning : warnings_of(scenario, moments_of(simulation.world(), simulation.now()))) {
+    notes += table_line("note", warning);
+  }
+  std::optional<Budget> budget(std::in_place, seconds, !options.quiet);
+  settle(simulation, scenario, *budget);
+  const Moments moments = moments_of(simulation.world(), simulation.now());
+  const Sweep sweep = sweep_cell_edges(simulation, simulation.options(), *budget);
+  budget.reset();
   if (options.out) {
     const std::filesystem::path directory = *options.out;
     write_file(directory / "tune.csv", csv(sweep, moments.spheres));
     write_file(directory / "tune.svg", figure(sweep, scenario, moments.spheres));
   }
-  write_output(table(sweep, moments, engine_options.unit_costs));
+  write_output(table(sweep, moments, engine_options.unit_costs) + notes);
   return ExitCode::done;
 }
 

@@ -73,11 +73,24 @@ TEST_F(ProgressOnTerminal, ShowsTheSetUpAndTheRun) {
   }
 }
 
+TEST_F(ProgressOnTerminal, ShowsWhatTuningDoes) {
+  write_text(folder_ / "gas.toml", gas_of(20000));
+  const Shown shown = run({"tune", "gas.toml", "--budget", "1", "--unit-costs", "standard"});
+  EXPECT_EQ(shown.exit_code, 0);
+  for (const char* word : {"setting up", "settling", "round 1 of measurements"}) {
+    EXPECT_NE(shown.text.find(word), std::string::npos) << word << " in " << shown.text;
+  }
+  EXPECT_TRUE(shown.text.ends_with(" \r")) << "the line is removed";
+}
+
 TEST_F(ProgressOnTerminal, IsNotShownIfQuiet) {
   write_text(folder_ / "gas.toml", gas_of(20000));
-  const Shown shown = run({"run", "gas.toml", "--quiet"});
-  EXPECT_EQ(shown.exit_code, 0);
-  EXPECT_EQ(shown.text, "");
+  for (const Arguments& arguments : {Arguments{"run", "gas.toml", "--quiet"},
+                                     Arguments{"tune", "gas.toml", "--budget", "0.1", "--quiet"}}) {
+    const Shown shown = run(arguments);
+    EXPECT_EQ(shown.exit_code, 0);
+    EXPECT_EQ(shown.text, "");
+  }
 }
 
 TEST_F(ProgressOnTerminal, LetsASignalEndTheSetUp) {

@@ -41,8 +41,8 @@ class Tune : public testing::Test {
  protected:
   Tune() { write_text(folder_ / "gas.toml", kGas); }
 
-  Outcome tune(const Arguments& more = {}) {
-    Arguments arguments{"tune", "gas.toml", "--unit-costs", kHighCosts};
+  Outcome tune(const Arguments& more = {}, const std::string& budget = "1") {
+    Arguments arguments{"tune", "gas.toml", "--unit-costs", kHighCosts, "--budget", budget};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_program(folder_, arguments);
   }
@@ -65,7 +65,8 @@ TEST_F(Tune, PrintsTheChoiceThePapersAndTheBest) {
   const Outcome outcome = tune();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
   for (const char* word : {"packing fraction", "unit costs", "contact=1.4e+05", "predicted", "measured",
-                           "counted", " auto", " paper", " best", "auto chooses"}) {
+                           "counted", " auto", " paper", " best", "auto chooses", "mean free path [L]",
+                           "[L]         [s/T]                [1/T]                 [1] "}) {
     EXPECT_NE(outcome.output.find(word), std::string::npos) << word;
   }
 }
@@ -110,6 +111,32 @@ TEST_F(Tune, RefusesAWorldInWhichNothingMoves) {
   const Outcome outcome = tune({"--set", "spheres.0.temperature=0.0"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.messages.find("nothing moves"), std::string::npos) << outcome.messages;
+}
+
+// Which leaves time for one round only.
+TEST_F(Tune, EndsWhenItsBudgetIsSpent) {
+  const Outcome outcome = tune({"--out", "out"}, "1e-9");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
+  EXPECT_NE(outcome.output.find("rounds                  1\n"), std::string::npos) << outcome.output;
+  const std::size_t rows = read_csv(read_text(folder_ / "out/tune.csv")).size();
+  EXPECT_GE(rows, 2U);
+  EXPECT_LE(rows, 3U) << "the edge chosen, and the paper's";
+}
+
+TEST_F(Tune, RefusesABudgetThatIsNone) {
+  for (const char* budget : {"0", "-1", "inf", "nan", "soon"}) {
+    const Outcome outcome = tune({}, budget);
+    EXPECT_EQ(outcome.exit_code, 2) << budget;
+    EXPECT_NE(outcome.messages.find("--budget: "), std::string::npos) << outcome.messages;
+  }
+}
+
+TEST_F(Tune, SaysWhatARunWouldMeet) {
+  const Outcome outcome =
+      tune({"--set", "box.boundary=['wall', 'wall', 'wall']", "--set", "box.gravity=[0.0, 0.0, -0.01]",
+            "--set", "response.restitution=0.99", "--until", "0.1"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+  EXPECT_NE(outcome.output.find("by inelastic collapse"), std::string::npos) << outcome.output;
 }
 
 TEST_F(Tune, RefusesADirectoryThatIsAFile) {

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// hardball check: what it expects of a run.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/program.hpp"
+
+namespace hardball {
+namespace {
+
+using support::Arguments;
+using support::Outcome;
+using support::run_program;
+using support::ScratchFolder;
+using support::write_text;
+
+class WhatCheckExpects : public testing::Test {
+ protected:
+  // What check prints of a scenario.
+  std::string output(const std::string& scenario, const Arguments& more = {}) {
+    write_text(folder_ / "scenario.toml", scenario);
+    Arguments arguments{"check", "scenario.toml"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run_program(folder_, arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+    return outcome.output;
+  }
+
+  ScratchFolder folder_;
+};
+
+std::string line_of(const std::string& output, const std::string& name) {
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(name + " ")) return line.substr(24);
+  }
+  ADD_FAILURE() << "no line '" << name << "' in\n" << output;
+  return "";
+}
+
+double number_of(const std::string& output, const std::string& name) {
+  return std::strtod(line_of(output, name).c_str(), nullptr);
+}
+
+std::string notes_of(const std::string& output) {
+  std::istringstream lines(output);
+  std::string notes;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("note ")) notes += line.substr(24) + "\n";
+  }
+  return notes;
+}
+
+std::string gas(const std::string& count, const std::string& size, const std::string& boundary = "periodic") {
+  return "[box]\nsize = [" + size + ", " + size + ", " + size + "]\nboundary = ['" + boundary +
+         "', 'periodic', '" + boundary + "']\n[[spheres]]\ncount = " + count +
+         "\nradius = 0.5\nplacement = 'random'\ntemperature = 1.0\n[run]\nuntil = 10.0\n";
+}
+
+// As dense as a gas that it builds, a gas of 10^8 spheres has the same rates.
+TEST_F(WhatCheckExpects, TellsWhatTooManySpheresToPlaceWouldTake) {
+  const std::string few = output(gas("12500", "40"));
+  const std::string many = output(gas("100_000_000", "800"));
+  EXPECT_EQ(line_of(many, "spheres"), "100000000");
+  EXPECT_EQ(line_of(many, "box"), "800 periodic x 800 periodic x 800 periodic");
+  EXPECT_EQ(number_of(many, "packing fraction"), number_of(few, "packing fraction"));
+  EXPECT_EQ(number_of(many, "mean free path"), number_of(few, "mean free path"));
+  EXPECT_NEAR(number_of(many, "  collisions") / number_of(few, "  collisions"), 8000, 80);
+  const double ratio = number_of(many, "memory") / number_of(few, "memory");
+  EXPECT_GT(ratio, 8000 * 0.8);
+  EXPECT_LT(ratio, 8000 * 1.25);
+  EXPECT_GT(std::strtod(line_of(many, "  time on one core").substr(5).c_str(), nullptr), 100);
+  EXPECT_NE(notes_of(many).find("not placed"), std::string::npos);
+  EXPECT_EQ(notes_of(few), "");
+}
+
+TEST_F(WhatCheckExpects, KnowsTheWallsAndGroupsOfSpheresThatItDoesNotPlace) {
+  const std::string common = R"(
+[box]
+boundary = ["open", "wall", "open"]
+size = [3000.0, 2000.0, 2500.0]
+[[walls]]
+shape = "plane"
+point = [0.0, 0.0, 500.0]
+normal = [0.0, 0.0, 1.0]
+[[species]]
+name = "large"
+[[species]]
+name = "small"
+[[spheres]]
+species = "large"
+count = 10_000_000
+radius = { distribution = "uniform", min = 1.0, max = 2.0 }
+placement = "random"
+speed = 2.0
+[[spheres]]
+species = "small"
+count = 50_000_000
+radius = 0.5
+placement = "random"
+speed = 4.0
+[run]
+until = 1.0
+)";
+  const std::string text = output(common);
+  // 4 pi / 3 of the mean cubes, 15/4 and 1/8, in 3000 x 2000 x 2000.
+  EXPECT_NEAR(number_of(text, "packing fraction"), 4.18879 * (1e7 * 3.75 + 5e7 * 0.125) / 1.2e10, 2e-4);
+  EXPECT_NEAR(number_of(text, "mean speed"), (1e7 * 2 + 5e7 * 4) / 6e7, 1e-3);
+  EXPECT_EQ(line_of(text, "species"), "large 10000000, small 50000000");
+  EXPECT_NE(line_of(text, "plane_0").find("normal (0, 0, 1)"), std::string::npos);
+}
+
+TEST_F(WhatCheckExpects, RefusesTooManySpheresForTheBox) {
+  write_text(folder_ / "scenario.toml", gas("100_000_000", "300"));
+  const Outcome outcome = run_program(folder_, {"check", "scenario.toml"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.messages.find("cannot exist"), std::string::npos) << outcome.messages;
+}
+
+const std::string kCollapse = "by inelastic collapse, unless elastic_below or contact_duration is set";
+
+TEST_F(WhatCheckExpects, WarnsOfSpheresThatComeToRest) {
+  const std::string heap = gas("10", "8", "wall") + "[response]\nrestitution = 0.9\n";
+  EXPECT_EQ(notes_of(output(heap)), "");
+  const Arguments falls{"--set", "box.gravity=[0.0, 0.0, -1.0]"};
+  EXPECT_NE(notes_of(output(heap, falls)).find("come to rest under gravity: the run ends " + kCollapse),
+            std::string::npos);
+  EXPECT_EQ(notes_of(output(heap, {falls[0], falls[1], "--set", "response.elastic_below=1e-3"})), "");
+  EXPECT_EQ(notes_of(output(heap, {falls[0], falls[1], "--set", "response.contact_duration=1e-3"})), "");
+  EXPECT_EQ(notes_of(output(heap, {falls[0], falls[1], "--set", "response.restitution=1.0"})), "");
+  EXPECT_EQ(notes_of(output(heap, {"--set", "box.gravity=[0.0, -1.0, 0.0]"})), "") << "there is no floor";
+  const std::string shaken = heap +
+                             "[[walls]]\nshape = 'plane'\npoint = [0.0, 0.0, 0.5]\nnormal = [0.0, 0.0, "
+                             "1.0]\namplitude = 0.1\nfrequency = 1.0\n";
+  EXPECT_NE(notes_of(output(shaken, falls)).find("the run may end " + kCollapse), std::string::npos);
+  const std::string cavity =
+      "[box]\nboundary = ['open', 'open', 'open']\n[[walls]]\nshape = 'sphere'\npoint = [0.0, 0.0, 0.0]\n"
+      "radius = 9.0\n[[spheres]]\ncount = 10\nradius = 0.5\nplacement = 'random'\nspeed = 1.0\n[run]\nuntil "
+      "= 10.0\n"
+      "[response]\nrestitution = 0.9\n";
+  EXPECT_NE(notes_of(output(cavity)).find("slide along round walls: the run ends " + kCollapse),
+            std::string::npos);
+}
+
+TEST_F(WhatCheckExpects, WarnsOfSpheresThatNeverMeet) {
+  const auto expect = [&](const std::string& scenario, const Arguments& more, const std::string& note) {
+    EXPECT_NE(notes_of(output(scenario, more)).find(note), std::string::npos) << note;
+  };
+  const std::string never = ": there will be no contact";
+  const std::string periodic = gas("10", "8");
+  const Arguments at_rest{"--set", "spheres.0.temperature=0.0"};
+  expect(periodic, at_rest, "nothing moves" + never);
+  expect(periodic, {at_rest[0], at_rest[1], "--set", "box.gravity=[0.0, 0.0, -1.0]"},
+         "all spheres fall alike, and nothing is in their way" + never);
+  EXPECT_EQ(notes_of(output(gas("10", "8", "wall"),
+                            {at_rest[0], at_rest[1], "--set", "box.gravity=[0.0, 0.0, -1.0]"})),
+            "");
+  expect("[[species]]\nname = 'ghost'\n" + periodic +
+             "[[response.pairs]]\nbetween = ['ghost', 'ghost']\nkind = 'pass'\n",
+         {"--set", "spheres.0.species='ghost'"}, "all spheres pass through each other");
+  expect(gas("2", "1000"), {}, "contacts are expected until then");
+  const std::string open =
+      "[box]\nboundary = ['open', 'open', 'periodic']\nsize = [9.0, 9.0, 9.0]\n[[spheres]]\ncount = 50\n"
+      "radius = 0.5\nplacement = 'random'\nspeed = 1.0\n[run]\nuntil = 100.0\n";
+  expect(open, {}, "the space is open along x, y: after a time of 9 the spheres have flown apart");
+  EXPECT_EQ(notes_of(output(open, {"--until", "5"})), "");
+  expect(open, {"--set", "spheres.0.count=1", "--set", "box.boundary=['open', 'open', 'open']"},
+         "there is one sphere, and no wall" + never);
+}
+
+}  // namespace
+}  // namespace hardball
