@@ -14,6 +14,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/random.hpp"
+#include "support/effort.hpp"
 
 namespace hardball {
 namespace {
@@ -75,7 +76,7 @@ World random_cavity(Random& random, int number) {
 TEST(InelasticSpheres, InCavitiesAndTubesEndByTheMessage) {
   Random random(2026);
   constexpr double kForever = 1e9;
-  for (int i = 0; i < 64; ++i) {
+  for (int i = 0; i < static_cast<int>(support::cases(64)); ++i) {
     const World world = random_cavity(random, i);
     const double restitution = 0.1 + 0.8 * random.uniform();
     const End end = run(world, {.restitution = restitution}, kForever, 100'000);
