@@ -15,6 +15,7 @@
 #include "apps/cli/response_text.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
+#include "apps/cli/warnings.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/wall_forces.hpp"
 #include "hardball/scenario/make_surfaces.hpp"

@@ -2,24 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/outlook.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
-#include <set>
+#include <span>
 #include <string>
 #include <utility>
-#include <variant>
+#include <vector>
 
 #include "apps/cli/start.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/make_surfaces.hpp"
+#include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/radii.hpp"
 #include "hardball/scenario/velocities.hpp"
 #include "hardball/tuning/cell_edge.hpp"
-#include "hardball/tuning/kinetic_theory.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
 #include "hardball/tuning/size_classes.hpp"
 #include "hardball/world/random.hpp"
@@ -29,6 +26,12 @@ namespace {
 
 constexpr std::size_t kManySpheres = 1'000'000;
 constexpr std::size_t kSampled = 20'000;
+
+std::size_t sphere_count(const Scenario& scenario) {
+  std::size_t count = 0;
+  for (const SphereGroup& group : scenario.spheres) count += group.count;
+  return count;
+}
 
 // Whether the spheres of a group are known without those before them.
 bool can_be_sampled(const SphereGroup& group) {
@@ -52,20 +55,10 @@ std::vector<SphereGroup> sample(const Scenario& scenario) {
   return groups;
 }
 
-Box box_of(const Scenario& scenario) {
-  std::array<Boundary, kAxes> boundary{};
-  Vec3 size;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    boundary[axis] = scenario.box[axis].boundary;
-    size[axis] = scenario.box[axis].size.value_or(0);
-  }
-  return {boundary, size};
-}
-
 // What the radii and speeds of a sample say of all spheres, each group counting as often as it has spheres.
 Moments moments_of_all(const Scenario& scenario, std::span<const SphereGroup> sampled) {
   Moments moments;
-  moments.box = box_of(scenario);
+  moments.box = make_box(scenario);
   moments.spheres = sphere_count(scenario);
   moments.radius_power = {};
   Random random(scenario.seed);
@@ -97,7 +90,6 @@ double content(const Moments& moments) {
 // Where the spheres are placed: in the box, between surfaces, and along the other axes as far as they fill a
 // tenth.
 Vec3 extent_of(const Scenario& scenario, const Moments& moments) {
-  constexpr double kOpenPackingFraction = 0.1;
   const std::vector<Surface> surfaces = make_surfaces(scenario, moments.box);
   Vec3 extent;
   double free = content(moments) / kOpenPackingFraction;
@@ -160,107 +152,7 @@ std::string engine_for(const Options& options, const Moments& moments) {
   return name_of(lists < cells ? EngineKind::neighbors : EngineKind::cells);
 }
 
-bool loses_energy(const BounceRules& rules) {
-  if (rules.elastic_below > 0 || rules.contact_duration > 0) return false;
-  const auto* constant = std::get_if<ConstantRestitution>(&rules.restitution);
-  return !constant || constant->value < 1;
-}
-
-bool loses_energy(const Scenario& scenario) {
-  const auto has_rule = scenario.bounce.elastic_below > 0 || scenario.bounce.contact_duration > 0;
-  const auto has_lossy_wall = [&](const auto& walls) {
-    return !has_rule &&
-           std::ranges::any_of(walls, [](const auto& wall) { return wall.restitution.value_or(1) < 1; });
-  };
-  return loses_energy(scenario.bounce) || has_lossy_wall(scenario.walls) ||
-         has_lossy_wall(scenario.obstacles) ||
-         std::ranges::any_of(scenario.pairs, [](const PairDescription& pair) {
-           return pair.fate == Fate::bounce && loses_energy(pair.bounce);
-         });
-}
-
-// Whether walls exchange energy with spheres, or a thermostat does.
-bool are_kept_moving(const Scenario& scenario) {
-  const auto drives = [](const WallDescription& wall) {
-    return wall.temperature.value_or(0) > 0 || wall.amplitude > 0 || wall.velocity != Vec3{};
-  };
-  return scenario.thermostat || std::ranges::any_of(scenario.walls, drives) ||
-         std::ranges::any_of(scenario.obstacles,
-                             [](const auto& obstacle) { return obstacle.temperature.value_or(0) > 0; });
-}
-
-bool is_round(const WallDescription& wall) {
-  return wall.shape != WallDescription::Shape::plane;
-}
-
-// Whether spheres that fall come to lie on something.
-bool has_floor(const Scenario& scenario) {
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (scenario.gravity[axis] != 0 && scenario.box[axis].boundary == Boundary::wall) return true;
-  }
-  return scenario.gravity != Vec3{} && std::ranges::any_of(scenario.walls, [&](const WallDescription& wall) {
-           return is_round(wall) || dot(wall.direction, scenario.gravity) < 0;
-         });
-}
-
-bool has_walls(const Scenario& scenario) {
-  return !scenario.walls.empty() || !scenario.obstacles.empty() ||
-         std::ranges::any_of(scenario.box, [](const auto& axis) { return axis.boundary == Boundary::wall; });
-}
-
-// Whether all spheres pass through each other, as far as species tell.
-bool do_all_pass(const Scenario& scenario) {
-  if (scenario.spheres.empty() || scenario.species.empty()) return false;
-  std::set<std::pair<SpeciesId, SpeciesId>> passing;
-  for (const PairDescription& pair : scenario.pairs) {
-    if (pair.fate == Fate::pass && pair.second) passing.insert(std::minmax(pair.first, *pair.second));
-  }
-  for (const SphereGroup& a : scenario.spheres) {
-    for (const SphereGroup& b : scenario.spheres) {
-      const bool is_one_sphere = &a == &b && a.count == 1;
-      if (!is_one_sphere && !passing.contains(std::minmax(a.species, b.species))) return false;
-    }
-  }
-  return true;
-}
-
-// The axes along which nothing holds spheres together.
-std::string open_axes(const Scenario& scenario, const Box& box) {
-  const std::vector<Surface> surfaces = make_surfaces(scenario, box);
-  std::string axes;
-  for (std::size_t axis = 0; axis < scenario.dimensions(); ++axis) {
-    const Interval between = interval_between(surfaces, axis);
-    const double gravity = scenario.gravity[axis];
-    const bool is_held =
-        (std::isfinite(between.low) || gravity > 0) && (std::isfinite(between.high) || gravity < 0);
-    if (!box.is_open(axis) || (is_held && (std::isfinite(between.low) || std::isfinite(between.high))))
-      continue;
-    axes += (axes.empty() ? "" : ", ") + std::string(1, "xyz"[axis]);
-  }
-  return axes;
-}
-
-// Why there will be no contact at all, if that is certain.
-std::optional<std::string> why_nothing_touches(const Scenario& scenario, const Moments& moments) {
-  const bool falls = scenario.gravity != Vec3{};
-  if (moments.mean_speed == 0 && !are_kept_moving(scenario)) {
-    if (!falls) return "nothing moves";
-    if (!has_walls(scenario)) return "all spheres fall alike, and nothing is in their way";
-  }
-  if (has_walls(scenario)) return std::nullopt;
-  if (moments.spheres == 1 && !box_of(scenario).is_all(Boundary::periodic))
-    return "there is one sphere, and no wall";
-  if (do_all_pass(scenario)) return "all spheres pass through each other, and there are no walls";
-  return std::nullopt;
-}
-
 }  // namespace
-
-std::size_t sphere_count(const Scenario& scenario) {
-  std::size_t count = 0;
-  for (const SphereGroup& group : scenario.spheres) count += group.count;
-  return count;
-}
 
 Outlook look_ahead(const Options& options, const Scenario& scenario) {
   if (sphere_count(scenario) <= kManySpheres || !std::ranges::all_of(scenario.spheres, can_be_sampled)) {
@@ -280,39 +172,6 @@ Outlook look_ahead(const Options& options, const Scenario& scenario) {
   its_options.engine = engine_for(options, moments);
   Start start = set_up(its_options, sampled_scenario(scenario, groups, edge));
   return {start.options, std::move(start.simulation), moments, true};
-}
-
-std::vector<std::string> warnings_of(const Scenario& scenario, const Moments& moments) {
-  std::vector<std::string> warnings;
-  const double until = *scenario.until;
-  if (const auto reason = why_nothing_touches(scenario, moments)) {
-    warnings.push_back(*reason + ": there will be no contact");
-  } else if (moments.mean_speed > 0 && !are_kept_moving(scenario) && scenario.gravity == Vec3{}) {
-    const double spheres = static_cast<double>(moments.spheres);
-    const double contacts = spheres * until * (0.5 / mean_free_time(moments) + wall_rate(moments));
-    const bool is_known = scenario.walls.empty() && scenario.obstacles.empty();
-    if (is_known && contacts < 1) {
-      warnings.push_back(fmt::format("only {:.2g} contacts are expected until then", contacts));
-    }
-  }
-  const std::string axes = open_axes(scenario, moments.box);
-  const double apart = std::max({moments.extent.x, moments.extent.y, moments.extent.z}) / moments.mean_speed;
-  if (!axes.empty() && moments.spheres > 1 && apart < until) {
-    warnings.push_back(fmt::format(
-        "the space is open along {}: after a time of {:.2g} the spheres have flown apart and hardly meet",
-        axes, apart));
-  }
-  if (!loses_energy(scenario)) return warnings;
-  const char* when = are_kept_moving(scenario) ? "may end" : "ends";
-  const char* unless = "by inelastic collapse, unless elastic_below or contact_duration is set in [response]";
-  if (has_floor(scenario)) {
-    warnings.push_back(
-        fmt::format("spheres that lose energy come to rest under gravity: the run {} {}", when, unless));
-  } else if (std::ranges::any_of(scenario.walls, is_round)) {
-    warnings.push_back(
-        fmt::format("spheres that lose energy come to slide along round walls: the run {} {}", when, unless));
-  }
-  return warnings;
 }
 
 }  // namespace hardball::cli

@@ -20,31 +20,10 @@
 namespace hardball {
 namespace {
 
-constexpr double kOpenPackingFraction = 0.1;
-
 // The fraction of the work that placement takes.
 constexpr double kPlaced = 0.75;
 
 using Groups = std::span<const SphereGroup>;
-
-Box make_box(const Scenario& scenario) {
-  std::array<Boundary, kAxes> boundary{};
-  Vec3 size;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    boundary[axis] = scenario.box[axis].boundary;
-    size[axis] = scenario.box[axis].size.value_or(0);
-  }
-  Box box(boundary, size);
-  for (const FaceDescription& face : scenario.faces) {
-    const SurfaceMaterial material{face.restitution, face.temperature, scenario.seed};
-    try {
-      box.set_face(face.face, {material, face.velocity});
-    } catch (const Error& error) {
-      throw Error(error.problem(), face.where, error.remedy());
-    }
-  }
-  return box;
-}
 
 double disc_area(Groups groups) {
   double squares = 0;
@@ -292,6 +271,25 @@ void add_from_file(const Scenario& scenario, World& world) {
 }
 
 }  // namespace
+
+Box make_box(const Scenario& scenario) {
+  std::array<Boundary, kAxes> boundary{};
+  Vec3 size;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    boundary[axis] = scenario.box[axis].boundary;
+    size[axis] = scenario.box[axis].size.value_or(0);
+  }
+  Box box(boundary, size);
+  for (const FaceDescription& face : scenario.faces) {
+    const SurfaceMaterial material{face.restitution, face.temperature, scenario.seed};
+    try {
+      box.set_face(face.face, {material, face.velocity});
+    } catch (const Error& error) {
+      throw Error(error.problem(), face.where, error.remedy());
+    }
+  }
+  return box;
+}
 
 World make_world(const Scenario& scenario, const OnProgress& on_progress) {
   const Progress progress(on_progress);

@@ -8,6 +8,12 @@
 
 namespace hardball {
 
+/// The share of space that spheres fill where they are placed along open axes without a size [1].
+inline constexpr double kOpenPackingFraction = 0.1;
+
+/// The box of a scenario. Error: see Box.
+Box make_box(const Scenario& scenario);
+
 /// The world that a scenario describes, at time zero: places the spheres and gives them velocities, or reads
 /// the start file.
 ///
