@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/viewer/connection_threads.hpp"
 #include "apps/viewer/replay.hpp"
 #include "apps/viewer/token.hpp"
 #include "hardball/errors/error.hpp"
@@ -23,8 +24,8 @@ using httplib::Response;
 
 constexpr const char* kHost = "127.0.0.1";
 
-// Each connection occupies a thread until it closes or times out: enough for many clients, some of them idle.
-constexpr std::size_t kThreads = 64;
+// Fewer than the files that a process may usually open.
+constexpr std::size_t kMostConnections = 512;
 
 constexpr std::size_t kPieceBytes = 1 << 16;
 
@@ -144,6 +145,8 @@ Server::Server(const SharedRecording& recording, const Page& page, int port, std
     }
     port_ = port;
   }
+  // The library lets five wait, and a connection that finds no room is tried again only after a second.
+  listen(socket_, static_cast<int>(kMostConnections));
   thread_ = std::thread([this] { server_->listen_after_bind(); });
   // It cannot be stopped before it runs.
   while (!server_->is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -159,16 +162,16 @@ std::string Server::url() const {
 }
 
 void Server::set_rules(std::chrono::seconds patience) {
-  using namespace std::chrono_literals;
-  server_->new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+  server_->new_task_queue = [] { return new ConnectionThreads(kMostConnections); };
   // Clients that send nothing, read nothing or have gone release their thread soon.
   server_->set_keep_alive_max_count(1000);
   server_->set_keep_alive_timeout(1);
-  server_->set_read_timeout(2s);
+  server_->set_read_timeout(patience);
   server_->set_write_timeout(patience);
   server_->set_payload_max_length(0);
   // The library would let two programs share one port.
-  server_->set_socket_options([](socket_t socket) {
+  server_->set_socket_options([this](socket_t socket) {
+    socket_ = socket;
     const int yes = 1;
     setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
   });

@@ -24,9 +24,9 @@ namespace hardball::viewer {
 /// the page and the recording, nothing else, and changes nothing. docs/viewer.md describes the protocol.
 class Server {
  public:
-  /// Starts serving at `port`, or at any free one if it is zero. A client that reads nothing for longer than
-  /// `patience` is dropped. `recording` and what `page` refers to must outlive the server. Error: the port is
-  /// taken.
+  /// Starts serving at `port`, or at any free one if it is zero. A client that reads nothing, or
+  /// stays within a request, for longer than `patience` is dropped. `recording` and what `page` refers to
+  /// must outlive the server. Error: the port is taken.
   Server(const SharedRecording& recording, const Page& page, int port = 0,
          std::chrono::seconds patience = std::chrono::seconds(5));
   /// Ends all responses in progress, which takes no longer than `patience`.
@@ -50,6 +50,7 @@ class Server {
   std::string token_;
   std::string index_;
   std::unique_ptr<httplib::Server> server_;
+  int socket_ = -1;  // at which it listens
   int port_ = 0;
   std::thread thread_;
 };

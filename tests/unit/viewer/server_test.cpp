@@ -10,6 +10,8 @@
 
 #include <atomic>
 #include <barrier>
+#include <cerrno>
+#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -53,6 +55,11 @@ class Connection {
     const ssize_t got = recv(socket_, text.data(), most, 0);
     text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
     return text;
+  }
+  /// Whether the other side neither has said anything nor has closed.
+  bool is_waiting() const {
+    char next = 0;
+    return recv(socket_, &next, 1, MSG_PEEK | MSG_DONTWAIT) < 0 && (errno == EAGAIN || errno == EWOULDBLOCK);
   }
   /// All up to the end.
   std::string hear_all() const {
@@ -323,6 +330,23 @@ TEST_F(ServerTest, SurvivesInvalidRequests) {
     connection.hear_all();
   }
   EXPECT_EQ(get("/api/status")->status, 200);
+}
+
+// They are held until the end of the test.
+TEST_F(ServerTest, AnswersBesideManyUnfinishedRequests) {
+  constexpr std::chrono::seconds kPatience(100);
+  const Server server(*recording_, kSmallPage, 0, kPatience);
+  std::vector<std::unique_ptr<Connection>> unfinished;
+  for (int i = 0; i < 200; ++i) {
+    unfinished.push_back(std::make_unique<Connection>(server.port()));
+    unfinished.back()->say("GET / HTTP/1.1\r\n");
+  }
+  httplib::Client client("127.0.0.1", server.port());
+  client.set_read_timeout(kPatience);
+  const auto answer = client.Get("/?token=" + server.token());
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 200);
+  for (const auto& connection : unfinished) ASSERT_TRUE(connection->is_waiting());
 }
 
 TEST_F(ServerTest, UsesTheGivenPort) {

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <httplib.h>
+
+#include <condition_variable>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+
+namespace hardball::viewer {
+
+/// A thread for each connection of a server, for as long as the connection lasts: so those that send nothing
+/// hold nobody up.
+class ConnectionThreads final : public httplib::TaskQueue {
+ public:
+  /// More than `most` connections wait until others end.
+  explicit ConnectionThreads(std::size_t most) : most_(most) {}
+
+  void enqueue(std::function<void()> serve) override;
+  /// Waits until all connections have ended.
+  void shutdown() override;
+
+ private:
+  std::size_t most_;
+  std::size_t running_ = 0;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+};
+
+}  // namespace hardball::viewer
