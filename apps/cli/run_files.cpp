@@ -70,6 +70,26 @@ void refuse_files_of_a_run(const std::filesystem::path& directory) {
   }
 }
 
+// The positions of a run's trajectories, by name. Error: the checkpoint does not tell them apart.
+std::vector<std::pair<std::string, TrajectoryPosition>> named_trajectories(
+    const std::filesystem::path& directory, const Scenario& scenario, const FilesState& state) {
+  auto named = state.trajectories;
+  // Those of version 1 are in the order in which the run began, or in that of the scenario.
+  if (std::ranges::is_sorted(scenario.trajectories) && named.size() == scenario.trajectories.size()) {
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      if (named[i].first.empty())
+        named[i].first = kTrajectories[static_cast<std::size_t>(scenario.trajectories[i])];
+    }
+  }
+  for (const SnapshotFormat format : scenario.trajectories) {
+    const char* const name = kTrajectories[static_cast<std::size_t>(format)];
+    if (std::ranges::count(named, name, [](const auto& each) { return each.first; }) == 1) continue;
+    throw Error(std::string("the checkpoint does not say how far ") + name + " was written",
+                directory.string(), "start the run anew in another directory");
+  }
+  return named;
+}
+
 void remove_all(const std::vector<std::filesystem::path>& paths) {
   std::error_code ignored;
   for (const std::filesystem::path& path : paths) std::filesystem::remove(path, ignored);
@@ -123,7 +143,8 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
       if (std::ranges::find(scenario.trajectories, format) == scenario.trajectories.end()) {
         Trajectory::remove(directory / kTrajectories[i]);
       } else {
-        begin(kTrajectories[i], true, [&](const Path& path) { trajectories_.emplace_back(path); });
+        begin(kTrajectories[i], true,
+              [&](const Path& path) { trajectories_.emplace_back(kTrajectories[i], Trajectory(path)); });
       }
     }
     begin(kEvents, scenario.event_log, [&](const Path& path) { events_.emplace(path); });
@@ -147,10 +168,8 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
 
 RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const FilesState& state)
     : directory_(directory), lock_(directory), has_measures_(!scenario.measures.names.empty()) {
-  HARDBALL_CHECK(state.trajectories.size() == scenario.trajectories.size());
-  for (std::size_t i = 0; i < scenario.trajectories.size(); ++i) {
-    const char* const name = kTrajectories[static_cast<std::size_t>(scenario.trajectories[i])];
-    trajectories_.emplace_back(directory / name, state.trajectories[i]);
+  for (const auto& [name, position] : named_trajectories(directory, scenario, state)) {
+    trajectories_.emplace_back(name, Trajectory(directory / name, position));
   }
   if (state.events) events_.emplace(directory / kEvents, *state.events);
   if (state.recording) recording_.emplace(directory / kRecording, *state.recording);
@@ -161,10 +180,8 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
 
 FilesState RunFiles::save() {
   FilesState state;
-  for (Trajectory& trajectory : trajectories_) state.trajectories.push_back(trajectory.position());
-  if (events_) {
-    events_->sync();
-    state.events = events_->size();
+  for (auto& [name, trajectory] : trajectories_) {
+    state.trajectories.emplace_back(name, trajectory.position());
   }
   if (recording_) state.recording = recording_->save();
   return state;
@@ -173,13 +190,14 @@ FilesState RunFiles::save() {
 void RunFiles::write_snapshot(const Simulation& simulation) {
   if (trajectories_.empty()) return;
   const Snapshot snapshot = snapshot_of(simulation.world(), simulation.now());
-  for (Trajectory& trajectory : trajectories_) trajectory.append(snapshot);
+  for (auto& [name, trajectory] : trajectories_) trajectory.append(snapshot);
 }
 
 void RunFiles::note(const Contact& contact, const World& world) {
   if (events_) events_->append(contact);
   if (recording_) recording_->note(contact, world);
 }
+  if (events_) state.events = events_->position();
 
 void RunFiles::note(const VelocityChange& change, const World& world) {
   if (recording_) recording_->note(change, world);
@@ -190,12 +208,12 @@ void RunFiles::keep_current() {
   if (now < next_flush_) return;
   next_flush_ = now + std::chrono::seconds(1);
   if (events_) events_->flush();
-  for (Trajectory& trajectory : trajectories_) trajectory.flush();
+  for (auto& [name, trajectory] : trajectories_) trajectory.flush();
 }
 
 void RunFiles::finish(const Simulation& simulation, std::span<const Measurement> measurements,
                       const std::string& summary, const std::string& report) {
-  for (Trajectory& trajectory : trajectories_) trajectory.close();
+  for (auto& [name, trajectory] : trajectories_) trajectory.close();
   if (events_) events_->close();
   if (recording_) recording_->close(simulation.time());
   if (has_measures_) {

@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "apps/cli/directory_lock.hpp"
@@ -31,11 +33,23 @@ bool is_finished(const std::filesystem::path& directory);
 
 /// How much of the files of a run belongs to a checkpoint.
 struct FilesState {
-  std::vector<TrajectoryPosition> trajectories;  ///< In the order of Scenario::trajectories.
-  std::optional<std::uint64_t> events;           ///< Records.
-  std::optional<std::string> recording;          ///< See RecordingWriter::save.
+  /// By the name of the file; in checkpoints of version 1, without names.
+  std::vector<std::pair<std::string, TrajectoryPosition>> trajectories;
+  std::optional<EventLogPosition> events;
+  std::optional<std::string> recording;  ///< See RecordingWriter::save.
 
-  static void persist(auto& archive, auto& self) { archive(self.trajectories, self.events, self.recording); }
+  static void persist(auto& archive, auto& self) {
+    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
+      if (archive.version() == 1) {
+        std::vector<TrajectoryPosition> positions;
+        archive(positions);
+        for (const TrajectoryPosition& position : positions) self.trajectories.emplace_back("", position);
+        archive(self.events, self.recording);
+        return;
+      }
+    }
+    archive(self.trajectories, self.events, self.recording);
+  }
 };
 
 /// The files of one run in its output directory: trajectories, events.npy and recording.hbr, if the
@@ -49,8 +63,9 @@ class RunFiles {
   RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const Simulation& simulation,
            bool overwrites);
 
-  /// Opens the files of a run to go on where a checkpoint was written; what follows is cut off. Error: a file
-  /// is missing, shorter than it was then, or cannot be written to.
+  /// Opens the files of a run to go on where a checkpoint was written; what follows is cut off once something
+  /// is written. Error: a file is missing, shorter than it was then, contains something else, or cannot be
+  /// written to; then none is changed.
   RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const FilesState& state);
 
   const std::filesystem::path& directory() const { return directory_; }
@@ -81,7 +96,7 @@ class RunFiles {
   std::filesystem::path directory_;
   std::optional<DirectoryLock> lock_;
   bool has_measures_;
-  std::vector<Trajectory> trajectories_;
+  std::vector<std::pair<std::string, Trajectory>> trajectories_;  // by the name of the file
   std::optional<NpyEventLog> events_;
   std::optional<RecordingWriter> recording_;
   std::chrono::steady_clock::time_point next_flush_ = std::chrono::steady_clock::now();

@@ -19,6 +19,8 @@
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/checkpoint_file.hpp"
+#include "hardball/io/read_file.hpp"
+#include "hardball/io/replace_file.hpp"
 #include "hardball/simulation/slice.hpp"
 
 namespace hardball::cli {
@@ -62,6 +64,8 @@ class Course {
   // False if interrupted by a signal.
   bool complete() {
     try {
+      // So that a run can go on whenever it fails.
+      if (run_.files && !std::filesystem::exists(run_.files->directory() / kCheckpoint)) write_current();
       const bool is_complete = run_to_end();
       note_seconds();
       if (run_.files) write_checkpoint(run_, run_.files->directory() / kCheckpoint);

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/io/read_file.hpp"
 
 namespace hardball::gsd {
 namespace {
@@ -24,8 +25,7 @@ File::File(const std::filesystem::path& path) : name_(path.string()), file_(path
   if (length_ < kHeaderBytes) refuse("the file has no header");
   const std::string header = read_bytes(0, kHeaderBytes);
   if (read_little_endian<std::uint64_t>(header.data()) != kMagic) refuse("the file is no GSD file");
-  header_ = {read_little_endian<std::uint64_t>(&header[8]), read_little_endian<std::uint64_t>(&header[16]),
-             read_little_endian<std::uint64_t>(&header[24]), read_little_endian<std::uint64_t>(&header[32])};
+  header_ = header_at(header.data());
   const auto version = read_little_endian<std::uint32_t>(&header[44]) >> 16;
   if (version != 1 && version != 2) refuse("the file has version " + to_text(version) + " of the format");
   constexpr std::size_t kSchemaOffset = 48 + kNameBytes;
@@ -90,11 +90,8 @@ std::string File::read(const Entry& entry) {
 }
 
 std::string File::read_bytes(std::uint64_t offset, std::uint64_t length) {
-  std::string bytes(length, '\0');
-  file_.clear();
-  file_.seekg(static_cast<std::streamoff>(offset));
-  file_.read(bytes.data(), static_cast<std::streamsize>(length));
-  if (static_cast<std::uint64_t>(file_.gcount()) != length) refuse("the file has become shorter");
+  std::string bytes = read_part(file_, offset, length);
+  if (bytes.size() != length) refuse("the file has become shorter");
   return bytes;
 }
 

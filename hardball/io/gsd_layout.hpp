@@ -100,6 +100,11 @@ inline std::string bytes_of(const Header& header) {
   return bytes;
 }
 
+inline Header header_at(const char* bytes) {
+  return {read_little_endian<std::uint64_t>(bytes + 8), read_little_endian<std::uint64_t>(bytes + 16),
+          read_little_endian<std::uint64_t>(bytes + 24), read_little_endian<std::uint64_t>(bytes + 32)};
+}
+
 /// The chunks that hardball writes, in the order of their names in the file. Those of the schema have single
 /// precision; beside them are exact ones, under log/, where other programs show them as logged quantities.
 enum class Chunk : std::uint16_t {

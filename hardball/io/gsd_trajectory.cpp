@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <fstream>
+#include <initializer_list>
 #include <limits>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/io/checksum.hpp"
 #include "hardball/io/gsd_file.hpp"
+#include "hardball/io/read_file.hpp"
 
 namespace hardball {
 namespace {
@@ -18,6 +22,7 @@ using gsd::Chunk;
 using gsd::Type;
 
 constexpr std::uint64_t kFirstEntries = 128;
+constexpr const char* kRestore = "restore the file, or start anew in another directory";
 
 float single(double number) {
   constexpr double kMost = std::numeric_limits<float>::max();
@@ -50,65 +55,130 @@ std::string type_name(std::size_t species) {
   return species < kLetters ? std::string(1, static_cast<char>('A' + species)) : to_text(species);
 }
 
-// Where the frames up to `frames` end in the file. Error: there are fewer.
-std::uint64_t end_of(const gsd::File& file, std::uint64_t frames, std::vector<gsd::Entry>& kept) {
-  const gsd::Header& header = file.header();
-  std::uint64_t end = std::max(header.index_location + header.index_entries * gsd::Entry::kBytes,
-                               header.names_location + header.names_length * gsd::kNameBytes);
-  std::uint64_t present = 0;
+// The entries of the frames before `frames`. Error: there are fewer frames.
+std::vector<gsd::Entry> first_entries(const gsd::File& file, std::uint64_t frames) {
+  std::vector<gsd::Entry> first;
   for (const gsd::Entry& entry : file.entries()) {
     if (entry.frame >= frames || !file.is_whole(entry)) break;
-    kept.push_back(entry);
-    end = std::max(end, entry.location + entry.bytes());
-    present = entry.frame + 1;
+    first.push_back(entry);
   }
+  const std::uint64_t present = first.empty() ? 0 : first.back().frame + 1;
   if (present < frames) {
     throw Error(
         "has " + to_text(present) + " frames, not the " + to_text(frames) + " or more that were written",
-        file.name(), "restore the file, or start anew in another directory");
+        file.name(), kRestore);
   }
+  return first;
+}
+
+// The index of all these entries, with room for `room` in all.
+std::string index_of(std::initializer_list<const std::vector<gsd::Entry>*> parts, std::uint64_t room) {
+  std::string bytes;
+  for (const std::vector<gsd::Entry>* const entries : parts) {
+    for (const gsd::Entry& entry : *entries) bytes += gsd::bytes_of(entry);
+  }
+  bytes.resize(room * gsd::Entry::kBytes);
+  return bytes;
+}
+
+// Where chunks, index and names end.
+std::uint64_t end_of(const gsd::Header& header, const std::vector<gsd::Entry>& entries) {
+  std::uint64_t end = std::max(header.index_location + header.index_entries * gsd::Entry::kBytes,
+                               header.names_location + header.names_length * gsd::kNameBytes);
+  for (const gsd::Entry& entry : entries) end = std::max(end, entry.location + entry.bytes());
   return end;
+}
+
+// Of the last entries and their chunks; read(entry): a chunk's bytes.
+template <class Read>
+std::uint64_t checksum_of_last(const std::vector<gsd::Entry>& entries, const Read& read) {
+  std::string parts;
+  std::uint64_t summed = 0;
+  for (auto entry = entries.rbegin(); entry != entries.rend() && summed < kSummedBytes; ++entry) {
+    const std::string bytes = read(*entry);
+    parts += gsd::bytes_of(*entry);
+    append_little_endian(parts, checksum_of(bytes));
+    summed += gsd::Entry::kBytes + bytes.size();
+  }
+  return checksum_of(parts);
 }
 
 }  // namespace
 
-GsdTrajectory::GsdTrajectory(std::filesystem::path path, std::optional<std::uint64_t> frames)
-    : file_([&] {
-        if (!frames) return OutputFile(path);
-        gsd::File file(path);
-        if (!std::ranges::equal(file.names(), gsd::kChunkNames)) {
-          throw Error("has other chunks than hardball writes", path.string(),
-                      "restore the file, or start anew in another directory");
-        }
-        const std::uint64_t end = end_of(file, *frames, entries_);
-        header_ = file.header();
-        for (const gsd::Entry& entry : entries_) {
-          if (entry.frame > 0) break;
-          first_[entry.name] = file.read(entry);
-          if (entry.name == static_cast<std::uint16_t>(Chunk::count))
-            first_count_ = read_little_endian<std::uint32_t>(first_[entry.name].data());
-        }
-        return OutputFile(path, end);
-      }()) {
-  if (frames) {
-    std::string rest((header_.index_entries - entries_.size()) * gsd::Entry::kBytes, '\0');
-    file_.overwrite(header_.index_location + entries_.size() * gsd::Entry::kBytes, rest);
-  } else {
-    const std::string names = name_list();
-    header_.index_location = gsd::kHeaderBytes;
-    header_.index_entries = kFirstEntries;
-    header_.names_location = header_.index_location + kFirstEntries * gsd::Entry::kBytes;
-    header_.names_length = names.size() / gsd::kNameBytes;
-    file_.append(gsd::bytes_of(header_));
-    file_.append(std::string(kFirstEntries * gsd::Entry::kBytes, '\0'));
-    file_.append(names);
+GsdTrajectory::GsdTrajectory(std::filesystem::path path, const std::optional<TrajectoryPosition>& position)
+    : file_(position ? open(path, *position) : create(path)) {}
+
+OutputFile GsdTrajectory::create(const std::filesystem::path& path) {
+  OutputFile created(path);
+  const std::string names = name_list();
+  header_.index_location = gsd::kHeaderBytes;
+  header_.index_entries = kFirstEntries;
+  header_.names_location = header_.index_location + kFirstEntries * gsd::Entry::kBytes;
+  header_.names_length = names.size() / gsd::kNameBytes;
+  created.append(gsd::bytes_of(header_));
+  created.append(std::string(kFirstEntries * gsd::Entry::kBytes, '\0'));
+  created.append(names);
+  created.flush_complete();
+  return created;
+}
+
+OutputFile GsdTrajectory::open(const std::filesystem::path& path, const TrajectoryPosition& position) {
+  gsd::File file(path);
+  const auto refuse_unless = [&](bool condition, const std::string& problem) {
+    if (!condition) throw Error(problem, file.name(), kRestore);
+  };
+  refuse_unless(std::ranges::equal(file.names(), gsd::kChunkNames), "has other chunks than hardball writes");
+  entries_ = first_entries(file, position.frames);
+  // The index may since have moved to where there is more room.
+  header_ = position.head.size() == gsd::kHeaderBytes ? gsd::header_at(position.head.data()) : file.header();
+  const std::uint64_t end = end_of(header_, entries_);
+  const auto read = [&](const gsd::Entry& entry) { return file.read(entry); };
+  const std::optional<std::uint64_t>& checksum = position.file.checksum;
+  refuse_unless(
+      entries_.size() <= header_.index_entries &&
+          (!checksum || (end == position.file.bytes && *checksum == checksum_of_last(entries_, read))),
+      "does not hold what was written: it differs before frame " + to_text(position.frames));
+  for (const gsd::Entry& entry : entries_) {
+    if (entry.frame > 0) break;
+    refuse_unless(entry.name < first_.size(), "its first frame has unknown chunks");
+    first_[entry.name] = file.read(entry);
   }
+  const std::string& count = first_[static_cast<std::size_t>(Chunk::count)];
+  refuse_unless(entries_.empty() || count.size() == sizeof(std::uint32_t),
+                "its first frame has no number of spheres");
+  if (!count.empty()) first_count_ = read_little_endian<std::uint32_t>(count.data());
+  is_too_long_ = true;
+  return OutputFile(path, {end, {}});
+}
+
+// Whenever the process is killed here, the file contains the frames.
+void GsdTrajectory::cut_back() {
+  if (!is_too_long_) return;
+  is_too_long_ = false;
+  file_.overwrite(header_.index_location, index_of({&entries_}, header_.index_entries));
+  file_.overwrite(header_.names_location, name_list());
+  file_.overwrite(0, gsd::bytes_of(header_));
   file_.flush_complete();
+}
+
+TrajectoryPosition GsdTrajectory::position() {
+  cut_back();
+  file_.sync();
+  std::ifstream file(file_.path(), std::ios::binary);
+  const auto read = [&](const gsd::Entry& entry) { return read_part(file, entry.location, entry.bytes()); };
+  return {.file = {file_.size(), checksum_of_last(entries_, read)}, .head = gsd::bytes_of(header_)};
+}
+
+void GsdTrajectory::close() {
+  if (!file_.is_open()) return;
+  cut_back();
+  file_.close();
 }
 
 void GsdTrajectory::append(const Snapshot& snapshot, std::uint64_t frame) {
   const std::vector<Sphere>& spheres = snapshot.spheres;
   const std::size_t count = spheres.size();
+  cut_back();
   const SnapshotBox box = box_of(snapshot);
   const Vec3 center = box.low + 0.5 * box.size;
   frame_ = frame;
@@ -232,20 +302,16 @@ void GsdTrajectory::write_unless_as_first(Chunk chunk, Type type, std::size_t co
 
 // Tells readers of the frame: its chunks are in the file before.
 void GsdTrajectory::write_entries() {
-  std::string bytes;
   if (entries_.size() + new_entries_.size() > header_.index_entries) {
     header_.index_entries = 2 * (entries_.size() + new_entries_.size());
     header_.index_location = file_.size();
-    for (const auto* const entries : {&entries_, &new_entries_})
-      for (const gsd::Entry& entry : *entries) bytes += gsd::bytes_of(entry);
-    bytes.resize(header_.index_entries * gsd::Entry::kBytes);
-    file_.append(bytes);
+    file_.append(index_of({&entries_, &new_entries_}, header_.index_entries));
     file_.flush();
     file_.overwrite(0, gsd::bytes_of(header_));
   } else {
-    for (const gsd::Entry& entry : new_entries_) bytes += gsd::bytes_of(entry);
     file_.flush();
-    file_.overwrite(header_.index_location + entries_.size() * gsd::Entry::kBytes, bytes);
+    file_.overwrite(header_.index_location + entries_.size() * gsd::Entry::kBytes,
+                    index_of({&new_entries_}, new_entries_.size()));
   }
   file_.flush_complete();
   entries_.insert(entries_.end(), new_entries_.begin(), new_entries_.end());

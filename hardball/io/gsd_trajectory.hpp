@@ -20,20 +20,23 @@ namespace hardball {
 /// The chunks of the schema are in single precision, centred on the box. Exact are, beside them,
 /// `log/particles/position64`, `velocity64`, `radius64`, `mass64`, `angular_velocity64`, `moment64` and `id`,
 /// `log/time` (NaN if it is not known), `log/pbc`, `log/box/origin`, `log/box/size` and `log/box/unbounded`.
-/// The step is the number of the frame. What is as in the first frame is not repeated. Memory: 64 bytes for
-/// each sphere between frames.
+/// The step is the number of the frame. What is as in the first frame is not repeated. The bytes of the file
+/// follow from its frames alone, however often it was cut back. Memory: 64 bytes for each sphere between
+/// frames.
 class GsdTrajectory final : public FrameWriter {
  public:
-  /// Creates the file, or goes on after the first `frames` of one that hardball has written. Error: it cannot
-  /// be written; it has fewer frames.
-  explicit GsdTrajectory(std::filesystem::path path, std::optional<std::uint64_t> frames = {});
+  /// Creates the file, or goes on from a position in one that hardball has written. Error: it cannot be
+  /// written; it has fewer frames, or others.
+  explicit GsdTrajectory(std::filesystem::path path, const std::optional<TrajectoryPosition>& position = {});
 
   void append(const Snapshot& snapshot, std::uint64_t frame) override;
-  void sync() override { file_.sync(); }
-  void close() override { file_.close(); }
-  std::uint64_t bytes() const override { return 0; }
+  TrajectoryPosition position() override;
+  void close() override;
 
  private:
+  OutputFile create(const std::filesystem::path& path);
+  OutputFile open(const std::filesystem::path& path, const TrajectoryPosition& position);
+  void cut_back();
   void write_chunk(gsd::Chunk chunk, gsd::Type type, std::size_t columns, const std::string& bytes);
   void write_unless_as_first(gsd::Chunk chunk, gsd::Type type, std::size_t columns, std::string bytes);
   void write_entries();
@@ -46,6 +49,7 @@ class GsdTrajectory final : public FrameWriter {
       first_;                               // the first frame's chunks that may not be repeated
   std::optional<std::size_t> first_count_;  // of its spheres
   bool is_repeated_ = false;  // whether the frame has another number of spheres, and so all chunks
+  bool is_too_long_ = false;  // there may be frames that are to be cut off
   OutputFile file_;           // last: opening it reads the others from the file
 };
 

@@ -53,11 +53,11 @@ NpyEventLog::NpyEventLog(std::filesystem::path path) : file_(std::move(path)) {
   flush();
 }
 
-NpyEventLog::NpyEventLog(const std::filesystem::path& path, std::uint64_t size)
+NpyEventLog::NpyEventLog(const std::filesystem::path& path, const EventLogPosition& position)
     : is_of_earlier_version_(read_npy_header(path).find("t") != nullptr),
-      file_(path, kHeaderBytes + size * kRecordBytes),
-      size_(size),
-      counted_(size) {}
+      file_(path, {kHeaderBytes + position.records * kRecordBytes, position.checksum}, kHeaderBytes),
+      size_(position.records),
+      counted_(position.records) {}
 
 NpyEventLog::~NpyEventLog() {
   try {
@@ -96,9 +96,9 @@ void NpyEventLog::flush() {
   file_.flush_complete();
 }
 
-void NpyEventLog::sync() {
+EventLogPosition NpyEventLog::position() {
   flush();
-  file_.sync();
+  return {size_, file_.position(kHeaderBytes).checksum};
 }
 
 void NpyEventLog::close() {

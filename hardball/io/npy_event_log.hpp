@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "hardball/io/npy_header.hpp"
 #include "hardball/io/output_file.hpp"
@@ -13,6 +14,18 @@ namespace hardball {
 
 /// The field that holds the times, if the array of a NumPy file is an event log; otherwise null.
 const NpyField* time_in_event_log(const NpyHeader& header);
+
+/// How far an event log has been written: what must be known to cut it back and go on.
+struct EventLogPosition {
+  std::uint64_t records = 0;
+  std::optional<std::uint64_t> checksum = {};  ///< Of the last records; not known of devices.
+
+  friend bool operator==(const EventLogPosition&, const EventLogPosition&) = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.records);
+    if (archive.version() > 1) archive(self.checksum);
+  }
+};
 
 /// Writes every collision and wall contact to a NumPy file: one structured array, for numpy.load.
 ///
@@ -33,9 +46,10 @@ class NpyEventLog {
  public:
   /// Creates the file. Error: it cannot be opened for writing.
   explicit NpyEventLog(std::filesystem::path path);
-  /// Opens a file written before to go on after its first `size` records; the rest is cut off as soon as
-  /// one follows. Error: it cannot be opened for writing, is shorter, or no NumPy file.
-  NpyEventLog(const std::filesystem::path& path, std::uint64_t size);
+  /// Opens a file written before to go on from a position; the rest is cut off as soon as anything is called,
+  /// and not before. Error: it cannot be opened for writing, is shorter, contains something else there, or is
+  /// no NumPy file.
+  NpyEventLog(const std::filesystem::path& path, const EventLogPosition& position);
 
   /// Precondition: ids are below 2^31. Error (RunFailure): the file cannot be written.
   void append(const Contact& contact);
@@ -44,8 +58,9 @@ class NpyEventLog {
   /// it more often. Error (RunFailure): as for append.
   void flush();
 
-  /// The same, and waits until all is on the disk. Error (RunFailure): as for append.
-  void sync();
+  /// The same, waits until all is on the disk, and says how to go on from here. Error (RunFailure): as for
+  /// append.
+  EventLogPosition position();
 
   /// Completes and closes the file; does nothing if it is closed. Error (RunFailure): as for append.
   void close();

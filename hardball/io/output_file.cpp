@@ -4,17 +4,31 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <system_error>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/io/checksum.hpp"
+#include "hardball/io/read_file.hpp"
 
 namespace hardball {
 namespace {
 
 constexpr std::size_t kPendingBytes = 1 << 20;
+
+// Of the last bytes before the position, but for the head.
+std::optional<std::uint64_t> checksum_before(const std::filesystem::path& path, std::uint64_t bytes,
+                                             std::uint64_t head) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(path, unknown)) return std::nullopt;
+  const std::uint64_t begin = std::max(head, bytes - std::min(bytes, kSummedBytes));
+  std::ifstream file(path, std::ios::binary);
+  return checksum_of(read_part(file, begin, bytes - begin));
+}
 
 }  // namespace
 
@@ -22,8 +36,10 @@ OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
   open("wb");
 }
 
-OutputFile::OutputFile(std::filesystem::path path, std::uint64_t bytes)
-    : path_(std::move(path)), written_(bytes), complete_(bytes) {
+OutputFile::OutputFile(std::filesystem::path path, const FilePosition& position, std::uint64_t head)
+    : path_(std::move(path)), written_(position.bytes), complete_(position.bytes) {
+  constexpr const char* kRemedy = "restore the file, or start anew in another directory";
+  const std::uint64_t bytes = position.bytes;
   open("rb+");
   std::error_code failure;
   const std::uintmax_t present = std::filesystem::file_size(path_, failure);
@@ -31,7 +47,11 @@ OutputFile::OutputFile(std::filesystem::path path, std::uint64_t bytes)
     throw Error(failure ? "cannot be gone on with: " + failure.message()
                         : "has " + std::to_string(present) + " bytes, not the " + std::to_string(bytes) +
                               " or more that were written",
-                path_.string(), "restore the file, or start anew in another directory");
+                path_.string(), kRemedy);
+  }
+  if (position.checksum && position.checksum != checksum_before(path_, bytes, head)) {
+    throw Error("does not hold what was written: it differs before byte " + std::to_string(bytes),
+                path_.string(), kRemedy);
   }
   is_too_long_ = present > bytes;
 }
@@ -58,10 +78,12 @@ void OutputFile::append(std::string_view bytes) {
 
 void OutputFile::overwrite(std::uint64_t offset, std::string_view bytes) {
   HARDBALL_CHECK(is_open() && offset + bytes.size() <= written_);
-  cut_off();
-  if (std::fseek(file_.get(), static_cast<long>(offset), SEEK_SET) != 0) fail();
+  const auto go_to = [&](std::uint64_t place) {
+    if (std::fseek(file_.get(), static_cast<long>(place), SEEK_SET) != 0) fail();
+  };
+  go_to(offset);
   write(bytes);
-  if (std::fseek(file_.get(), 0, SEEK_END) != 0) fail();
+  go_to(written_);
 }
 
 void OutputFile::flush() {
@@ -81,6 +103,11 @@ void OutputFile::sync() {
   flush_complete();
   // Devices and pipes have nothing to wait for.
   if (fsync(fileno(file_.get())) != 0 && errno != EINVAL && errno != EROFS) fail();
+}
+
+FilePosition OutputFile::position(std::uint64_t head) {
+  sync();
+  return {written_, checksum_before(path_, written_, head)};
 }
 
 void OutputFile::close() {

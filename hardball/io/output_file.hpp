@@ -6,10 +6,24 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace hardball {
+
+/// How far a file has been written, and what its end contains: what must be known to go on with it.
+struct FilePosition {
+  std::uint64_t bytes = 0;  ///< Its length.
+  std::optional<std::uint64_t> checksum =
+      {};  ///< Of its last bytes, kSummedBytes at most; not known of devices.
+
+  friend bool operator==(const FilePosition&, const FilePosition&) = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.bytes);
+    if (archive.version() > 1) archive(self.checksum);
+  }
+};
 
 /// A file being written that keeps no partial record when writing fails.
 ///
@@ -20,10 +34,11 @@ class OutputFile {
   /// Creates the file, or empties it if there is one. Error: it cannot be opened for writing.
   explicit OutputFile(std::filesystem::path path);
 
-  /// Opens a file written before to go on after its first `bytes`; the rest is cut off as soon as something
-  /// is written, and not before: so that several files can be opened, or none is changed. Error: it cannot be
-  /// opened for writing, or is shorter.
-  OutputFile(std::filesystem::path path, std::uint64_t bytes);
+  /// Opens a file written before to go on from a position; the rest is cut off as soon as something is
+  /// appended, and not before: so that several files can be opened, or none is changed. The first `head`
+  /// bytes are those that are overwritten as the file grows. Error: it cannot be opened for writing, is
+  /// shorter, or contains something else there.
+  OutputFile(std::filesystem::path path, const FilePosition& position, std::uint64_t head = 0);
 
   const std::filesystem::path& path() const { return path_; }
   bool is_open() const { return file_ != nullptr; }
@@ -45,6 +60,9 @@ class OutputFile {
 
   /// Marks the file as complete, and waits until it is on the disk. Error (RunFailure): as for append.
   void sync();
+
+  /// The same, and says how to go on from here. Error (RunFailure): likewise.
+  FilePosition position(std::uint64_t head = 0);
 
   /// Flushes the file as complete and closes it; does nothing if it is closed. Error (RunFailure): as for
   /// append. Without it, destruction leaves the file as of the last flush_complete.

@@ -22,4 +22,13 @@ std::string read_file(const std::filesystem::path& path) {
   return bytes;
 }
 
+std::string read_part(std::istream& file, std::uint64_t offset, std::uint64_t length) {
+  std::string bytes(length, '\0');
+  file.clear();
+  file.seekg(static_cast<std::streamoff>(offset));
+  file.read(bytes.data(), static_cast<std::streamsize>(length));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
+}
+
 }  // namespace hardball

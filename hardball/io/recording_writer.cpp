@@ -123,14 +123,14 @@ RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader hea
   if (state_.version > 1) state_.bodies = std::move(bodies);
   file_.append(bytes);
   file_.flush_complete();
-  state_.written = bytes.size();
+  state_.file.bytes = bytes.size();
 }
 
 RecordingWriter::RecordingWriter(std::filesystem::path path, std::string_view saved)
     : RecordingWriter(path, restored(saved, path.string())) {}
 
 RecordingWriter::RecordingWriter(std::filesystem::path path, State state)
-    : file_(std::move(path), state.written), state_(std::move(state)) {}
+    : file_(std::move(path), state.file), state_(std::move(state)) {}
 
 RecordingWriter::State RecordingWriter::restored(std::string_view saved, const std::string& where) {
   State state;
@@ -148,7 +148,7 @@ bool RecordingWriter::State::restored() const {
 }
 
 std::string RecordingWriter::save() {
-  file_.sync();
+  state_.file = file_.position();
   return archived(state_);
 }
 
@@ -225,7 +225,7 @@ void RecordingWriter::close(double time) {
 }
 
 std::uint64_t RecordingWriter::bytes() const {
-  return state_.written + chunk_bytes(state_.version, state_.keyframe.size(), state_.contacts.size());
+  return state_.file.bytes + chunk_bytes(state_.version, state_.keyframe.size(), state_.contacts.size());
 }
 
 // Writes the first contacts of the open chunk as a chunk ending at `end`; the rest stay open.
@@ -243,7 +243,7 @@ void RecordingWriter::write_chunk(std::size_t contacts, double end) {
   append_all(file_, state_.bodies.begin(), state_.bodies.end());
   append_all(file_, state_.contacts.begin(), behind, state_.version);
   file_.flush_complete();
-  state_.written += length;
+  state_.file.bytes += length;
   state_.has_chunks = true;
   for (auto contact = state_.contacts.begin(); contact != behind; ++contact) {
     if (state_.version > 1) contact->rewrite(state_.bodies, state_.keyframe);

@@ -73,7 +73,7 @@ class RecordingWriter {
   // All but the file.
   struct State {
     int version = 1;
-    std::uint64_t written = 0;
+    FilePosition file;              // without the open chunk; its checksum is of the last save
     std::size_t most_contacts = 0;  // of a chunk, unless they are at one time
     bool has_chunks = false;
     double begin = 0;                       // of the open chunk
@@ -82,7 +82,7 @@ class RecordingWriter {
     std::vector<RecordedContact> contacts;  // of the open chunk, so far
 
     static void persist(auto& archive, auto& self) {
-      archive(self.version, self.written, self.most_contacts, self.has_chunks, self.begin, self.keyframe,
+      archive(self.version, self.file, self.most_contacts, self.has_chunks, self.begin, self.keyframe,
               self.bodies, self.contacts);
     }
     bool restored() const;

@@ -9,8 +9,8 @@
 namespace hardball {
 
 TextTrajectory::TextTrajectory(std::filesystem::path path, AppendFrame append_frame, bool is_compressed,
-                               std::optional<std::uint64_t> bytes)
-    : file_(bytes ? OutputFile(std::move(path), *bytes) : OutputFile(std::move(path))),
+                               const std::optional<TrajectoryPosition>& position)
+    : file_(position ? OutputFile(std::move(path), position->file) : OutputFile(std::move(path))),
       append_frame_(append_frame),
       compressor_(is_compressed ? std::make_unique<ZstdCompressor>() : nullptr) {}
 

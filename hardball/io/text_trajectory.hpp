@@ -25,15 +25,14 @@ using AppendFrame = void (*)(const Snapshot& snapshot, std::uint64_t frame, cons
 /// frames do not depend on each other, so that the file can be cut after any.
 class TextTrajectory final : public FrameWriter {
  public:
-  /// Creates the file, or goes on after its first `bytes`. Error: see OutputFile.
+  /// Creates the file, or goes on from a position. Error: see OutputFile.
   TextTrajectory(std::filesystem::path path, AppendFrame append_frame, bool is_compressed,
-                 std::optional<std::uint64_t> bytes = {});
+                 const std::optional<TrajectoryPosition>& position = {});
   ~TextTrajectory() override;
 
   void append(const Snapshot& snapshot, std::uint64_t frame) override;
-  void sync() override { file_.sync(); }
+  TrajectoryPosition position() override { return {.file = file_.position()}; }
   void close() override { file_.close(); }
-  std::uint64_t bytes() const override { return file_.size(); }
 
  private:
   OutputFile file_;

@@ -19,14 +19,8 @@ namespace {
 
 std::unique_ptr<FrameWriter> make_writer(const std::filesystem::path& path, SnapshotFormat format,
                                          const std::optional<TrajectoryPosition>& position) {
-  std::optional<std::uint64_t> frames;
-  std::optional<std::uint64_t> bytes;
-  if (position) {
-    frames = position->frames;
-    bytes = position->bytes;
-  }
   const auto text = [&](AppendFrame append_frame, bool is_compressed = false) {
-    return std::make_unique<TextTrajectory>(path, append_frame, is_compressed, bytes);
+    return std::make_unique<TextTrajectory>(path, append_frame, is_compressed, position);
   };
   switch (format) {
     case SnapshotFormat::extended_xyz:
@@ -34,11 +28,11 @@ std::unique_ptr<FrameWriter> make_writer(const std::filesystem::path& path, Snap
     case SnapshotFormat::extended_xyz_zst:
       return text(append_extended_xyz, true);
     case SnapshotFormat::gsd:
-      return std::make_unique<GsdTrajectory>(path, frames);
+      return std::make_unique<GsdTrajectory>(path, position);
     case SnapshotFormat::lammps:
       return text(append_lammps_dump);
     case SnapshotFormat::vtp:
-      return std::make_unique<VtpTrajectory>(path, frames);
+      return std::make_unique<VtpTrajectory>(path, position);
     case SnapshotFormat::csv:
       return text(append_csv);
     case SnapshotFormat::npy:
@@ -76,8 +70,9 @@ void Trajectory::close() {
 }
 
 TrajectoryPosition Trajectory::position() {
-  writer_->sync();
-  return {frames_, writer_->bytes()};
+  TrajectoryPosition position = writer_->position();
+  position.frames = frames_;
+  return position;
 }
 
 void Trajectory::remove(const std::filesystem::path& path) {

@@ -12,15 +12,6 @@
 
 namespace hardball {
 
-/// How far a trajectory has been written: what must be known to cut it back and go on.
-struct TrajectoryPosition {
-  std::uint64_t frames = 0;
-  std::uint64_t bytes = 0;  ///< Of a file in which frames follow each other; otherwise zero.
-
-  friend bool operator==(const TrajectoryPosition&, const TrajectoryPosition&) = default;
-  static void persist(auto& archive, auto& self) { archive(self.frames, self.bytes); }
-};
-
 /// A trajectory being written: the spheres at a sequence of moments, in the format that its name says.
 ///
 /// After every frame the file is complete; if a frame cannot be written, it ends with the one before. Writing
@@ -30,7 +21,8 @@ class Trajectory {
   /// Creates the file, or replaces it if there is one. Error: it cannot be opened for writing; its name does
   /// not say what format it has.
   explicit Trajectory(const std::filesystem::path& path);
-  /// Goes on where the trajectory was at `position`; what follows is cut off. Error: likewise; it is shorter.
+  /// Goes on where the trajectory was at `position`; what follows is cut off as soon as anything is called,
+  /// and not before. Error: likewise; it is shorter, or contains something else there.
   Trajectory(const std::filesystem::path& path, const TrajectoryPosition& position);
 
   /// Appends a frame. Precondition: no contact lies between the stored paths and `moment`; a file with a

@@ -4,14 +4,18 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/io/checksum.hpp"
 #include "hardball/io/little_endian.hpp"
 #include "hardball/io/output_file.hpp"
+#include "hardball/io/read_file.hpp"
 #include "hardball/io/replace_file.hpp"
 
 namespace hardball {
@@ -20,6 +24,7 @@ namespace {
 constexpr std::string_view kEntry = "    <DataSet ";
 constexpr const char* kExtension = ".vtp";
 constexpr std::size_t kDigits = 8;
+constexpr std::uint64_t kUnknown = ~std::uint64_t{0};
 
 std::string frame_name(std::uint64_t frame) {
   const std::string number = to_text(frame);
@@ -137,26 +142,26 @@ std::string vtp_text(const Snapshot& snapshot) {
 
 }  // namespace
 
-VtpTrajectory::VtpTrajectory(std::filesystem::path path, std::optional<std::uint64_t> frames)
+VtpTrajectory::VtpTrajectory(std::filesystem::path path, const std::optional<TrajectoryPosition>& position)
     : path_(std::move(path)) {
-  if (frames) {
-    keep_first(*frames);
-  } else {
-    remove(path_);
+  if (position) {
+    find_first(*position);
+    return;
   }
+  remove(path_);
   std::error_code failure;
   std::filesystem::create_directories(folder_of(path_), failure);
   if (failure) {
     throw Error("cannot be created as a directory: " + failure.message(), folder_of(path_).string(),
                 "name a file in a directory that you may write to");
   }
-  listed_ = ~std::uint64_t{0};
+  listed_ = kUnknown;
   flush();
 }
 
 VtpTrajectory::~VtpTrajectory() {
   try {
-    flush();
+    if (!is_too_long_) flush();
   } catch (const std::exception&) {
     // The collection keeps the frames listed before.
   }
@@ -175,9 +180,12 @@ void VtpTrajectory::remove(const std::filesystem::path& path) {
   std::filesystem::remove(path, ignored);
 }
 
-// Reads the entries of the first frames from the collection, and removes the frames that follow.
-void VtpTrajectory::keep_first(std::uint64_t frames) {
+// Reads the entries of the first frames from the collection.
+void VtpTrajectory::find_first(const TrajectoryPosition& position) {
+  constexpr const char* kRemedy = "restore the files, or start anew in another directory";
+  const std::uint64_t frames = position.frames;
   std::ifstream in(path_, std::ios::binary);
+  if (!in) throw Error(std::string("cannot be read: ") + std::strerror(errno), path_.string(), kRemedy);
   for (std::string line; frames_ < frames && std::getline(in, line);) {
     if (!line.starts_with(kEntry)) continue;
     if (!std::filesystem::exists(folder_of(path_) / frame_name(frames_))) break;
@@ -187,13 +195,38 @@ void VtpTrajectory::keep_first(std::uint64_t frames) {
   if (frames_ < frames) {
     throw Error(
         "has " + to_text(frames_) + " frames, not the " + to_text(frames) + " or more that were written",
-        path_.string(), "restore the files, or start anew in another directory");
+        path_.string(), kRemedy);
   }
-  remove_frames(folder_of(path_), frame_name(frames));
+  if (position.file.checksum && position.file.checksum != checksum()) {
+    throw Error("does not hold what was written: it differs before frame " + to_text(frames), path_.string(),
+                kRemedy);
+  }
+  is_too_long_ = true;
+}
+
+// Of the collection so far and its last frames.
+std::uint64_t VtpTrajectory::checksum() const {
+  std::string parts = entries_;
+  std::uint64_t summed = 0;
+  for (std::uint64_t frame = frames_; frame-- > 0 && summed < kSummedBytes;) {
+    const std::string bytes = read_file(folder_of(path_) / frame_name(frame));
+    append_little_endian(parts, checksum_of(bytes));
+    summed += bytes.size();
+  }
+  return checksum_of(parts);
+}
+
+void VtpTrajectory::cut_back() {
+  if (!is_too_long_) return;
+  is_too_long_ = false;
+  listed_ = kUnknown;
+  flush();
+  remove_frames(folder_of(path_), frame_name(frames_));
 }
 
 void VtpTrajectory::append(const Snapshot& snapshot, std::uint64_t frame) {
   constexpr std::uint64_t kShare = 8;
+  cut_back();
   const std::filesystem::path folder = folder_of(path_);
   OutputFile file(folder / frame_name(frame));
   file.append(vtp_text(snapshot));
@@ -205,15 +238,22 @@ void VtpTrajectory::append(const Snapshot& snapshot, std::uint64_t frame) {
   if (frames_ - listed_ > listed_ / kShare) flush();
 }
 
-void VtpTrajectory::sync() {
+TrajectoryPosition VtpTrajectory::position() {
+  cut_back();
   for (; synced_ < frames_; ++synced_) {
     const std::filesystem::path path = folder_of(path_) / frame_name(synced_);
-    OutputFile(path, std::filesystem::file_size(path)).sync();
+    OutputFile(path, {std::filesystem::file_size(path), {}}).sync();
   }
   flush();
+  try {
+    return {.file = {0, checksum()}};
+  } catch (const Error& error) {
+    throw RunFailure(error.what());
+  }
 }
 
 void VtpTrajectory::flush() {
+  cut_back();
   if (listed_ == frames_) return;
   replace_file(path_,
                "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "

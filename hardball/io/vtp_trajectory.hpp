@@ -20,16 +20,15 @@ namespace hardball {
 /// first, later by every eighth part of them, and by flush().
 class VtpTrajectory final : public FrameWriter {
  public:
-  /// `path`: of the collection; the folder bears its name without extension. Creates both, or goes on after
-  /// the first `frames`. Error: they cannot be written; there are fewer frames.
-  explicit VtpTrajectory(std::filesystem::path path, std::optional<std::uint64_t> frames = {});
+  /// `path`: of the collection; the folder bears its name without extension. Creates both, or goes on from a
+  /// position. Error: they cannot be written; there are fewer frames, or others.
+  explicit VtpTrajectory(std::filesystem::path path, const std::optional<TrajectoryPosition>& position = {});
   ~VtpTrajectory() override;
 
   void append(const Snapshot& snapshot, std::uint64_t frame) override;
   void flush() override;
-  void sync() override;
+  TrajectoryPosition position() override;
   void close() override { flush(); }
-  std::uint64_t bytes() const override { return 0; }
 
   /// The folder that goes with a collection.
   static std::filesystem::path folder_of(const std::filesystem::path& path);
@@ -37,13 +36,16 @@ class VtpTrajectory final : public FrameWriter {
   static void remove(const std::filesystem::path& path);
 
  private:
-  void keep_first(std::uint64_t frames);
+  void find_first(const TrajectoryPosition& position);
+  void cut_back();
+  std::uint64_t checksum() const;
 
   std::filesystem::path path_;
   std::string entries_;  // of the collection
   std::uint64_t frames_ = 0;
   std::uint64_t listed_ = 0;  // in the file
   std::uint64_t synced_ = 0;  // of which it is known that they are on the disk
+  bool is_too_long_ = false;  // there may be frames that are to be removed
 };
 
 }  // namespace hardball

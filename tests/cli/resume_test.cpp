@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -123,6 +124,66 @@ TEST_F(Resume, ADirectoryBelongsToOneRunAtATime) {
   EXPECT_TRUE(exists("out/run.lock"));
   run({"run", "gas.toml", "--out", "out", "--overwrite"});
   EXPECT_FALSE(exists("out/run.lock"));
+}
+
+TEST_F(Resume, GoesOnFromTheStart) {
+  const json whole = run({"run", "gas.toml", "--out", "whole", "--set", "output.checkpoint_at=[]"});
+  // Files of five kilobytes: far less than the run writes, enough for its first checkpoint.
+  const Outcome failed =
+      support::Program(folder_, {"run", "gas.toml", "--out", "parts", "--set", "output.checkpoint_at=[]"},
+                       HARDBALL_PROGRAM, 5000)
+          .wait();
+  EXPECT_EQ(failed.exit_code, 1) << failed.messages;
+  EXPECT_NE(failed.messages.find("the run reached time"), std::string::npos) << failed.messages;
+  expect_same(run({"resume", "parts"}), whole, "parts", "whole");
+}
+
+TEST_F(Resume, RefusesFilesThatHoldSomethingElse) {
+  run({"run", "gas.toml", "--out", "out", "--set", R"(output.trajectory=["vtp", "lammps"])"});
+  for (const auto& [name, at] : std::map<std::string, std::size_t>{{"trajectory.pvd", 200},
+                                                                   {"trajectory/00000000.vtp", 1000},
+                                                                   {"trajectory.lammpstrj", 300},
+                                                                   {"events.npy", 300},
+                                                                   {"recording.hbr", 300}}) {
+    const std::string whole = read_text(folder_ / "out" / name);
+    std::string changed = whole;
+    changed[at] ^= 4;
+    write_text(folder_ / "out" / name, changed);
+    expect_refusal({"resume", "out", "--until", "6"}, "does not hold what was written");
+    EXPECT_TRUE(read_text(folder_ / "out" / name) == changed);
+    write_text(folder_ / "out" / name, whole);
+  }
+  run({"resume", "out", "--until", "6"});
+}
+
+// The files are cut back to it, and are shorter than they were at any later checkpoint.
+TEST_F(Resume, ACheckpointFromWhichARunGoesOnIsTheCurrentOne) {
+  run({"run", "gas.toml", "--out", "out", "--set", "measures.names=[]"});
+  const std::string kept = read_text(folder_ / "out/checkpoints/1.hbc");
+  support::Program(folder_, {"resume", "out", "--from", "checkpoints/1.hbc", "--until", "1e9"},
+                   HARDBALL_PROGRAM, 5000)
+      .wait();
+  EXPECT_TRUE(read_text(folder_ / "out/checkpoint.hbc") == kept);
+  run({"resume", "out", "--until", "5"});
+}
+
+// Runs to time 10 of version 1, in each of the formats of recordings known then.
+TEST_F(Resume, GoesOnWithARunOfVersion1) {
+  for (const auto& [name, hash] :
+       {std::pair{"bounce", "3bb312e5020e4f95"}, std::pair{"spin", "62008b5162d2a193"}}) {
+    SCOPED_TRACE(name);
+    const std::filesystem::path earlier = std::string(HARDBALL_TEST_SUPPORT "/runs/version_1_") + name;
+    std::filesystem::copy(earlier, folder_ / name);
+    const json summary = run({"resume", name, "--until", "30"});
+    EXPECT_EQ(summary["event_log_hash"], hash);
+    const int contacts = summary["events"]["collision"].get<int>() + summary["events"]["wall"].get<int>();
+    const auto info = [&](const char* file) {
+      return run_program(folder_, {"info", std::string(name) + "/" + file}).output;
+    };
+    EXPECT_NE(info("recording.hbr").find("contacts  " + std::to_string(contacts)), std::string::npos)
+        << info("recording.hbr");
+    EXPECT_NE(info("trajectory.xyz").find("frames    13"), std::string::npos) << info("trajectory.xyz");
+  }
 }
 
 }  // namespace

@@ -94,5 +94,21 @@ class DiskFull(FaultTest):
                     self.assert_resumes(out)
 
 
+class DiskFullAtOnce(FaultTest):
+    """Before a checkpoint is due: a run writes one when it starts."""
+
+    scenario = faults.SCENARIO.replace("checkpoint_every = 0.02", "")
+
+    def test_of_files_that_may_not_grow(self):
+        for kilobytes in (20, 100, 300):
+            with self.subTest(kilobytes):
+                out = self.folder / f"limited_{kilobytes}"
+                end = run(["run", "gas.toml", "--quiet", "--out", out], self.folder,
+                          prepare=limited(resource.RLIMIT_FSIZE, kilobytes << 10))
+                self.assert_failed(end, "File too large")
+                self.assert_sound(out)
+                self.assert_resumes(out)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "hardball/errors/error.hpp"
 #include "hardball/io/little_endian.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -166,6 +167,25 @@ TEST(NpyEventLog, IsCompleteWithoutClose) {
   EXPECT_NE(read_text(folder / "events.npy").find("'shape': (1,)"), std::string::npos);
 }
 
+// The number of records in the header is that of the end, not of the position.
+TEST(NpyEventLog, GoesOnOnlyAfterItsOwnRecords) {
+  const ScratchFolder folder;
+  EventLogPosition position;
+  {
+    NpyEventLog log(folder / "events.npy");
+    for (int i = 0; i < 5; ++i) log.append(make_contact(i));
+    position = log.position();
+    log.append(make_contact(5));
+  }
+  std::string bytes = read_text(folder / "events.npy");
+  EXPECT_EQ(NpyEventLog(folder / "events.npy", position).size(), 5U);
+  EXPECT_TRUE(read_text(folder / "events.npy") == bytes) << "untouched until it goes on";
+  bytes[kHeaderBytes + 3 * kRecordBytes] ^= 1;
+  support::write_text(folder / "events.npy", bytes);
+  EXPECT_THROW(NpyEventLog(folder / "events.npy", position), Error);
+  EXPECT_TRUE(read_text(folder / "events.npy") == bytes);
+}
+
 TEST(NpyEventLog, GoesOnAfterARecord) {
   const ScratchFolder folder;
   const auto append = [](NpyEventLog& log, int first, int end) {
@@ -180,7 +200,7 @@ TEST(NpyEventLog, GoesOnAfterARecord) {
     append(log, 0, 12);
   }
   {
-    NpyEventLog log(folder / "parts.npy", 8);
+    NpyEventLog log(folder / "parts.npy", EventLogPosition{8});
     EXPECT_EQ(log.size(), 8U);
     append(log, 8, 20);
   }

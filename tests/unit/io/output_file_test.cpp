@@ -56,7 +56,7 @@ TEST(OutputFile, ContainsWhatWasAppended) {
 TEST(OutputFile, GoesOnWhereItIsCutBackTo) {
   const ScratchFolder folder;
   write_text(folder / "file", "one two");
-  OutputFile file(folder / "file", 4);
+  OutputFile file(folder / "file", FilePosition{4});
   EXPECT_EQ(file.size(), 4U);
   file.append("three");
   EXPECT_EQ(file.size(), 9U);
@@ -66,10 +66,54 @@ TEST(OutputFile, GoesOnWhereItIsCutBackTo) {
 
 TEST(OutputFile, DoesNotGoOnWhereItNeverWas) {
   const ScratchFolder folder;
-  EXPECT_THROW(OutputFile(folder / "file", 0), Error) << "there is none";
+  EXPECT_THROW(OutputFile(folder / "file", FilePosition{0}), Error) << "there is none";
   write_text(folder / "file", "one");
-  EXPECT_THROW(OutputFile(folder / "file", 4), Error);
+  EXPECT_THROW(OutputFile(folder / "file", FilePosition{4}), Error);
   EXPECT_EQ(read_text(folder / "file"), "one");
+}
+
+TEST(OutputFile, DoesNotGoOnAfterOtherBytes) {
+  const ScratchFolder folder;
+  constexpr std::uint64_t kHead = 2;
+  FilePosition position;
+  {
+    OutputFile file(folder / "file");
+    file.append("one two");
+    position = file.position(kHead);
+    file.append(" three");
+    file.close();
+  }
+  for (const auto& [text, is_same] : {std::pair<std::string, bool>{"one two three", true},
+                                      {"two two three", false},
+                                      {"XXe two XXXXX", true},
+                                      {"one Two three", false},
+                                      {"one tw", false}}) {
+    write_text(folder / "file", text);
+    if (is_same) {
+      EXPECT_NO_THROW(OutputFile(folder / "file", position, kHead));
+    } else {
+      EXPECT_THROW(OutputFile(folder / "file", position, kHead), Error);
+    }
+    EXPECT_EQ(read_text(folder / "file"), text);
+  }
+}
+
+TEST(OutputFile, LooksAtNoMoreThanTheEndOfALongFile) {
+  const ScratchFolder folder;
+  FilePosition position;
+  {
+    OutputFile file(folder / "file");
+    file.append(std::string(3 << 20, 'x'));
+    position = file.position();
+  }
+  const auto change = [&](std::uint64_t at) {
+    OutputFile file(folder / "file", FilePosition{3 << 20});
+    file.overwrite(at, "y");
+  };
+  change((2 << 20) - 1);
+  EXPECT_NO_THROW(OutputFile(folder / "file", position));
+  change(2 << 20);
+  EXPECT_THROW(OutputFile(folder / "file", position), Error);
 }
 
 TEST(OutputFile, EmptiesAnExistingFile) {
