@@ -58,7 +58,8 @@ void write_seeds_of_world(const std::filesystem::path& corpus, const std::string
     frames.append(simulation.world(), simulation.now());
     frames.close();
   }
-  RecordingWriter recording(corpus / "recording" / name, {.version = 2, .name = name}, simulation.world());
+  RecordingWriter recording(corpus / "recording" / name, {.has_bodies = true, .name = name},
+                            simulation.world());
   simulation.on_contact([&](const Contact& contact) { recording.note(contact, simulation.world()); });
   simulation.on_velocity_change(
       [&](const VelocityChange& change) { recording.note(change, simulation.world()); });

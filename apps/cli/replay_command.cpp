@@ -35,9 +35,9 @@ ExitCode replay(const Options& options) {
   }
   file.close();
   const viewer::RunProgress progress = shown.recording().progress();
-  if (!progress.failure) return ExitCode::done;
-  write_message(*progress.failure + "; " + *options.out + " shows it up to there");
-  return ExitCode::failed;
+  if (progress.failure) write_message(*progress.failure + "; " + *options.out + " shows it up to there");
+  if (progress.damage) write_message(*progress.damage);
+  return progress.failure || progress.damage ? ExitCode::failed : ExitCode::done;
 }
 
 }  // namespace hardball::cli

@@ -63,8 +63,8 @@ void ShownRun::open_directory(const Options& options) {
     throw Error("there is no recording.hbr in it", options.scenario,
                 "run the scenario with recording = true in [output], or name the scenario itself");
   }
-  recording_ = std::make_unique<viewer::SharedRecording>(path);
-  recording_->update(viewer::recorded_progress(path, directory / "summary.json"));
+  recording_ = std::make_unique<viewer::SharedRecording>(path, OnDamage::keep_what_comes_before);
+  recording_->update(viewer::recorded_progress(*recording_, directory / "summary.json"));
 }
 
 void ShownRun::start_scenario(const Options& options, std::uint64_t most_bytes) {

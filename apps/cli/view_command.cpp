@@ -69,6 +69,7 @@ ExitCode view(const Options& options) {
   const ShownRun shown(options, most_bytes);
   const viewer::Server server(shown.recording(), viewer::built_page(), port);
   write_output(server.url() + "\n");
+  if (const auto damage = shown.recording().progress().damage) write_message(*damage);
   write_message("open this address in a browser; Ctrl-C ends the viewer");
   if (!options.no_open && has_display()) open_browser(server.url());
   bool is_told = false;

@@ -7,8 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "hardball/io/recording_reader.hpp"
-
 namespace hardball::viewer {
 namespace {
 
@@ -38,17 +36,17 @@ double run_seconds_in(const json& summary) {
 
 }  // namespace
 
-RunProgress recorded_progress(const std::filesystem::path& recording, const std::filesystem::path& summary) {
+RunProgress recorded_progress(SharedRecording& recording, const std::filesystem::path& summary) {
   RunProgress progress;
   progress.is_finished = true;
-  RecordingReader reader(recording);
-  for (std::size_t k = 0; k < reader.chunks().size(); ++k) {
-    for (const RecordedContact& contact : reader.read(k).contacts) {
+  recording.verify([&](const RecordedChunk& chunk) {
+    for (const RecordedContact& contact : chunk.contacts) {
       progress.collisions += contact.is_collision() && contact.fate != Fate::pass ? 1U : 0U;
       progress.mergers += contact.fate == Fate::merge ? 1U : 0U;
       progress.walls += contact.is_wall() ? 1U : 0U;
     }
-  }
+  });
+  if (recording.damage()) progress.damage = *recording.damage() + "; what comes before is shown";
   const json said = read_summary(summary);
   if (!said.is_object()) return progress;
   progress.hash = hash_in(said);

@@ -8,9 +8,8 @@
 
 namespace hardball::viewer {
 
-/// The progress of a run whose files, a recording and perhaps a summary, are in a directory: contacts from
-/// the recording, rate and hash from the summary. Cost: that of reading, and so checking, the whole
-/// recording. Error: see RecordingReader.
-RunProgress recorded_progress(const std::filesystem::path& recording, const std::filesystem::path& summary);
+/// The progress of a run that has left a recording and perhaps a summary: contacts from the recording, rate
+/// and hash from the summary. Cost: that of RecordingReader::verify. Error: likewise.
+RunProgress recorded_progress(SharedRecording& recording, const std::filesystem::path& summary);
 
 }  // namespace hardball::viewer

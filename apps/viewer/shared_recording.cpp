@@ -23,8 +23,8 @@ nlohmann::json or_null(const std::optional<Value>& value) {
 
 }  // namespace
 
-SharedRecording::SharedRecording(const std::filesystem::path& path)
-    : reader_(path), file_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+SharedRecording::SharedRecording(const std::filesystem::path& path, OnDamage on_damage)
+    : reader_(path, on_damage), file_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
   if (file_ < 0) {
     throw Error(std::string("cannot be read: ") + std::strerror(errno), path.string(), "name a recording");
   }
@@ -32,6 +32,16 @@ SharedRecording::SharedRecording(const std::filesystem::path& path)
 
 SharedRecording::~SharedRecording() {
   close(file_);
+}
+
+void SharedRecording::verify(const std::function<void(const RecordedChunk&)>& take) {
+  const std::lock_guard lock(mutex_);
+  reader_.verify(take);
+}
+
+std::optional<std::string> SharedRecording::damage() const {
+  const std::lock_guard lock(mutex_);
+  return reader_.damage();
 }
 
 void SharedRecording::update(RunProgress progress) {
@@ -64,6 +74,7 @@ std::string SharedRecording::status_json(std::uint64_t from) const {
   status["reached"] = reader_.reached();
   status["finished"] = progress_.is_finished;
   status["failed"] = or_null(progress_.failure);
+  status["damaged"] = or_null(progress_.damage);
   status["collisions"] = progress_.collisions;
   status["mergers"] = progress_.mergers;
   status["walls"] = progress_.walls;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -14,10 +15,11 @@ namespace hardball::viewer {
 
 /// The progress of the run of a recording.
 struct RunProgress {
-  bool is_finished = false;            ///< The run has ended.
-  std::optional<std::string> failure;  ///< Why it ended early.
-  std::uint64_t collisions = 0;        ///< Of spheres that did not pass through each other.
-  std::uint64_t mergers = 0;           ///< Those of them after which the spheres were one.
+  bool is_finished = false;                ///< The run has ended.
+  std::optional<std::string> failure;      ///< Why it ended early.
+  std::optional<std::string> damage = {};  ///< Of the recording, which ends before it.
+  std::uint64_t collisions = 0;            ///< Of spheres that did not pass through each other.
+  std::uint64_t mergers = 0;               ///< Those of them after which the spheres were one.
   std::uint64_t walls = 0;
   double rate = 0;                    ///< Contacts per second of wall-clock time.
   std::optional<std::uint64_t> hash;  ///< Of the event log.
@@ -30,9 +32,14 @@ struct RunProgress {
 class SharedRecording {
  public:
   /// Error: see RecordingReader.
-  explicit SharedRecording(const std::filesystem::path& path);
+  explicit SharedRecording(const std::filesystem::path& path, OnDamage on_damage = OnDamage::refuse);
   ~SharedRecording();
   SharedRecording(const SharedRecording&) = delete;
+
+  /// As RecordingReader::verify.
+  void verify(const std::function<void(const RecordedChunk&)>& take);
+  /// As RecordingReader::damage.
+  std::optional<std::string> damage() const;
 
   /// Finds added chunks, and sets the progress of the run. Error: see RecordingReader::refresh.
   void update(RunProgress progress);

@@ -92,6 +92,11 @@ class HeaderReader {
     return value.get<double>();
   }
 
+  bool truth(const Json& value) const {
+    if (!value.is_boolean()) fail("a truth value is missing");
+    return value.get<bool>();
+  }
+
   // NaN for null.
   double number_if_any(const Json& value) const {
     return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : number(value);
@@ -244,6 +249,7 @@ std::string to_json(const RecordingHeader& header) {
   }
   Json json;
   json["spheres"] = header.spheres;
+  json["bodies"] = header.has_bodies;
   json["box"]["size"] = json_vector(size);
   json["box"]["boundary"] = boundary;
   if (!header.box.has_plain_faces()) json["box"]["faces"] = json_faces(header.box);
@@ -264,13 +270,17 @@ std::string to_json(const RecordingHeader& header) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-RecordingHeader parse_recording_header(std::string_view json, const std::string& where) {
+RecordingHeader parse_recording_header(std::string_view json, const std::string& where, int version) {
   const HeaderReader in(where);
   const Json object = Json::parse(json, nullptr, false);
   if (object.is_discarded()) in.fail("is not JSON");
   RecordingHeader header;
   header.spheres =
       in.count(in.member(object, "spheres"), "number of spheres", std::numeric_limits<SphereId>::max() - 1.0);
+  header.version = version;
+  // So that no damage to its mark turns a file into one of another version.
+  if (object.contains("bodies") != (version > 2)) in.fail("is of another version than the file");
+  header.has_bodies = version > 2 ? in.truth(object["bodies"]) : version == 2;
   const Json& box = in.member(object, "box");
   header.box = Box(in.boundary(in.member(box, "boundary")), in.vector(in.member(box, "size")));
   in.read(box, "faces", [&](const Json& value) { in.faces(value, header.box); });

@@ -18,6 +18,41 @@
 
 namespace hardball {
 
+/// The layout of the file, see docs/recording.md.
+namespace recording_format {
+inline constexpr int kVersion = 3;
+inline constexpr std::array<std::string_view, 3> kMagics{"HBREC001", "HBREC002",
+                                                         "HBREC003"};  // by version, from 1 on
+inline constexpr std::uint64_t kMagicBytes = 8;
+inline constexpr std::uint32_t kChunkMagic = 0x4b4e4843;
+inline constexpr std::uint64_t kLengthBytes = 4;  // of the length of the header's text
+inline constexpr std::uint64_t kSphereBytes = 2 * 8;
+
+/// What the parts of a file contain.
+struct Layout {
+  static constexpr std::uint64_t kHeadBytes = 4 + 4 + 8 + 2 * 8;
+  static constexpr std::uint64_t kPathBytes = 7 * 8;
+  static constexpr std::uint64_t kBodyBytes = 10 * 8;
+
+  int version = kVersion;
+  bool has_bodies = false;
+
+  bool has_checksums() const { return version > 2; }
+  /// Length of a checksum in bytes; zero without them.
+  std::uint64_t checksum_bytes() const { return has_checksums() ? 8 : 0; }
+  /// Length of the head of a chunk, with its checksum.
+  std::uint64_t head_bytes() const { return kHeadBytes + checksum_bytes(); }
+  /// Length of what a keyframe says of a sphere.
+  std::uint64_t keyframe_bytes() const { return kPathBytes + (has_bodies ? kBodyBytes : 0); }
+  /// Length of a contact.
+  std::uint64_t contact_bytes() const { return has_bodies ? 8 + 4 * 4 + 18 * 8 : 8 + 2 * 4 + 12 * 8; }
+  /// Length of a chunk. Precondition: both counts are below 2^32.
+  std::uint64_t chunk_bytes(std::uint64_t spheres, std::uint64_t contacts) const {
+    return head_bytes() + keyframe_bytes() * spheres + contact_bytes() * contacts + checksum_bytes();
+  }
+};
+}  // namespace recording_format
+
 /// A surface that spheres bounce off, besides the faces of the box.
 struct RecordedSurface {
   enum class Shape {
@@ -45,9 +80,9 @@ struct RecordedSurface {
 /// A recording is the whole history of a run in a file: where the spheres were at the start, and every
 /// contact with the motion after it. docs/recording.md describes the format.
 struct RecordingHeader {
-  /// Of the format: 1, or 2 where spheres may spin, merge or pass through each other.
-  int version = 1;
-  std::size_t spheres = 0;  ///< Their ids are below this; all of them exist at the start in version 1.
+  int version = recording_format::kVersion;  ///< Of the format, as read; the latest is written.
+  bool has_bodies = false;                   ///< Whether spheres may spin, merge or pass through each other.
+  std::size_t spheres = 0;  ///< Their ids are below this; without bodies, all of them exist at the start.
   Box box = {};
   double begin = 0;                  ///< [T]
   std::optional<double> until = {};  ///< When the run is to end [T], if known.
@@ -59,14 +94,18 @@ struct RecordingHeader {
   std::vector<RecordedSurface> surfaces = {};
   std::vector<std::string> species_names = {};  ///< By species; those without a name are missing.
   std::vector<SpeciesId> species = {};          ///< By id; empty if all are zero.
+
+  recording_format::Layout layout() const { return {version, has_bodies}; }
 };
 
 /// One JSON object; the version is no part of it.
 std::string to_json(const RecordingHeader& header);
 
-/// The header described by a JSON object; unknown keys are ignored. `where` names the recording in messages.
-/// Error: it is not such an object, or describes an impossible box or surface.
-RecordingHeader parse_recording_header(std::string_view json, const std::string& where);
+/// The header described by a JSON object in a recording of this version; unknown keys are ignored. `where`
+/// names the recording in messages. Error: it is not such an object, or describes an impossible box or
+/// surface.
+RecordingHeader parse_recording_header(std::string_view json, const std::string& where,
+                                       int version = recording_format::kVersion);
 
 /// The motion of a sphere from a contact, or from the start, on.
 struct RecordedPath {
@@ -169,31 +208,5 @@ struct RecordedChunk {
   /// By id: the bodies likewise; that of a sphere that has become part of another does not exist.
   std::vector<RecordedBody> bodies_at(double time) const;
 };
-
-/// The layout of the file, see docs/recording.md.
-namespace recording_format {
-inline constexpr std::array<std::string_view, 2> kMagics{"HBREC001", "HBREC002"};  // by version, from 1 on
-inline constexpr std::uint64_t kMagicBytes = 8;
-inline constexpr std::uint32_t kChunkMagic = 0x4b4e4843;
-inline constexpr std::uint64_t kLengthBytes = 4;  // of the length of the header's text
-inline constexpr std::uint64_t kSphereBytes = 2 * 8;
-inline constexpr std::uint64_t kChunkHeaderBytes = 4 + 4 + 8 + 2 * 8;
-inline constexpr std::uint64_t kPathBytes = 7 * 8;
-
-/// Length of what a keyframe says of a sphere, in bytes.
-inline constexpr std::uint64_t keyframe_bytes(int version) {
-  return version == 1 ? kPathBytes : kPathBytes + 10 * 8;
-}
-
-/// Length of a contact in bytes.
-inline constexpr std::uint64_t contact_bytes(int version) {
-  return version == 1 ? 8 + 2 * 4 + 12 * 8 : 8 + 4 * 4 + 18 * 8;
-}
-
-/// Length of a chunk in bytes. Precondition: both counts are below 2^32.
-inline constexpr std::uint64_t chunk_bytes(int version, std::uint64_t spheres, std::uint64_t contacts) {
-  return kChunkHeaderBytes + keyframe_bytes(version) * spheres + contact_bytes(version) * contacts;
-}
-}  // namespace recording_format
 
 }  // namespace hardball

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/io/crc32.hpp"
 #include "hardball/io/little_endian.hpp"
 
 namespace hardball {
@@ -58,8 +59,8 @@ bool is_finite(const Vec3& vector) {
 
 }  // namespace
 
-RecordingReader::RecordingReader(const std::filesystem::path& path)
-    : name_(path.string()), file_(path, std::ios::binary) {
+RecordingReader::RecordingReader(const std::filesystem::path& path, OnDamage on_damage)
+    : name_(path.string()), file_(path, std::ios::binary), on_damage_(on_damage) {
   // On some systems a directory can be opened, and only reading fails.
   if (!file_ || std::filesystem::is_directory(path)) {
     throw Error("the file cannot be read", name_, "name a recording");
@@ -74,11 +75,21 @@ RecordingReader::RecordingReader(const std::filesystem::path& path)
   spheres_.offset = text_begin + text_bytes;
   if (spheres_.offset > available) refuse("ends within its header");
   header_text_ = read_bytes({text_begin, text_bytes});
-  header_ = parse_recording_header(header_text_, name_);
-  header_.version = static_cast<int>(magic - kMagics.begin()) + 1;
+  header_ = parse_recording_header(header_text_, name_, static_cast<int>(magic - kMagics.begin()) + 1);
+  const Layout layout = header_.layout();
   spheres_.length = kSphereBytes * header_.spheres;
-  if (spheres_.length > available - spheres_.offset) refuse("ends before its spheres");
+  if (spheres_.length + layout.checksum_bytes() > available - spheres_.offset)
+    refuse("ends before its spheres");
   const std::string bytes = read_bytes(spheres_);
+  if (layout.has_checksums()) {
+    Crc32 crc;
+    for (const std::string& part : {start, header_text_, bytes}) crc.add(part);
+    const std::string checksum = read_bytes({spheres_.offset + spheres_.length, layout.checksum_bytes()});
+    if (read_little_endian<std::uint64_t>(checksum.data()) != crc.value()) {
+      refuse("is damaged: the header and the spheres, its first " +
+             to_text(spheres_.offset + spheres_.length) + " bytes, have another checksum");
+    }
+  }
   Numbers numbers(bytes);
   const auto read_all = [&](std::vector<double>& values, const auto& is_valid) {
     values.reserve(header_.spheres);
@@ -88,33 +99,47 @@ RecordingReader::RecordingReader(const std::filesystem::path& path)
       values.push_back(value);
     }
   };
-  // In version 2, zeros are those of a sphere that does not exist.
-  const bool may_lack = header_.version > 1;
+  // With bodies, zeros are those of a sphere that does not exist.
+  const bool may_lack = header_.has_bodies;
   read_all(radii_, [&](double value) { return is_positive(value) || (may_lack && value == 0); });
   read_all(masses_, [&](double value) { return is_mass(value) || (may_lack && value == 0); });
-  length_ = spheres_.offset + spheres_.length;
+  length_ = spheres_.offset + spheres_.length + layout.checksum_bytes();
   refresh();
 }
 
 void RecordingReader::refresh() {
+  if (damage_) return;
+  try {
+    find_chunks();
+  } catch (const Error& error) {
+    if (on_damage_ == OnDamage::refuse) throw;
+    damage_ = error.problem();
+  }
+}
+
+void RecordingReader::find_chunks() {
+  const Layout layout = header_.layout();
   const std::uint64_t available = file_length();
-  while (available - length_ >= kChunkHeaderBytes) {
-    const std::string bytes = read_bytes({length_, kChunkHeaderBytes});
+  while (available - length_ >= layout.head_bytes()) {
+    const std::string bytes = read_bytes({length_, layout.head_bytes()});
     Numbers numbers(bytes);
-    const std::string which = "chunk " + to_text(chunks_.size());
-    if (numbers.take<std::uint32_t>() != kChunkMagic)
-      refuse(which + " does not start with the mark of a chunk");
+    const auto refuse_unless = [&](bool condition, const std::string& problem) {
+      if (!condition) refuse_chunk(chunks_.size(), problem);
+    };
+    refuse_unless(numbers.take<std::uint32_t>() == kChunkMagic, "does not start with the mark of a chunk");
     ChunkExtent chunk;
     chunk.contacts = numbers.take<std::uint32_t>();
     chunk.bytes = {length_, numbers.take<std::uint64_t>()};
     chunk.begin = numbers.take<double>();
     chunk.end = numbers.take<double>();
-    if (chunk.bytes.length != chunk_bytes(header_.version, header_.spheres, chunk.contacts)) {
-      refuse(which + " has a length that does not match its contacts");
+    if (layout.has_checksums()) {
+      const std::uint32_t crc = crc32_of(std::string_view(bytes).substr(0, Layout::kHeadBytes));
+      refuse_unless(numbers.take<std::uint64_t>() == crc, "has a head with another checksum");
     }
-    if (chunk.begin != reached() || !(chunk.end >= chunk.begin) || !std::isfinite(chunk.end)) {
-      refuse(which + " does not follow the previous one in time");
-    }
+    refuse_unless(chunk.bytes.length == layout.chunk_bytes(header_.spheres, chunk.contacts),
+                  "has a length that does not match its contacts");
+    refuse_unless(chunk.begin == reached() && chunk.end >= chunk.begin && std::isfinite(chunk.end),
+                  "does not follow the previous one in time");
     if (chunk.bytes.length > available - length_) return;
     chunks_.push_back(chunk);
     length_ += chunk.bytes.length;
@@ -129,13 +154,19 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
   const ChunkExtent& extent = chunks_[chunk];
   const std::size_t walls = kFaces + header_.surfaces.size();
   const auto refuse_unless = [&](bool condition) {
-    if (!condition) refuse("chunk " + to_text(chunk) + " contains what no run can produce");
+    if (!condition) refuse_chunk(chunk, "contains what no run can produce");
   };
-  const std::string bytes =
-      read_bytes({extent.bytes.offset + kChunkHeaderBytes, extent.bytes.length - kChunkHeaderBytes});
+  const Layout layout = header_.layout();
+  const std::uint64_t head = layout.head_bytes();
+  const std::string bytes = read_bytes({extent.bytes.offset + head, extent.bytes.length - head});
+  if (layout.has_checksums()) {
+    const std::size_t end = bytes.size() - layout.checksum_bytes();
+    if (read_little_endian<std::uint64_t>(&bytes[end]) != crc32_of(std::string_view(bytes).substr(0, end)))
+      refuse_chunk(chunk, "has another checksum");
+  }
   Numbers numbers(bytes);
   RecordedChunk recorded{extent.begin, extent.end, {}, {}, {}};
-  const bool has_bodies = header_.version > 1;
+  const bool has_bodies = header_.has_bodies;
   recorded.keyframe.reserve(header_.spheres);
   for (std::size_t id = 0; id < header_.spheres; ++id) {
     RecordedPath path;
@@ -196,6 +227,22 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
   return recorded;
 }
 
+void RecordingReader::verify(const std::function<void(const RecordedChunk&)>& take) {
+  for (std::size_t k = 0; k < chunks_.size(); ++k) {
+    RecordedChunk chunk;
+    try {
+      chunk = read(k);
+    } catch (const Error& error) {
+      if (on_damage_ == OnDamage::refuse) throw;
+      length_ = chunks_[k].bytes.offset;
+      chunks_.resize(k);
+      damage_ = error.problem();
+      return;
+    }
+    if (take) take(chunk);
+  }
+}
+
 std::uint64_t RecordingReader::file_length() {
   file_.clear();
   file_.seekg(0, std::ios::end);
@@ -211,6 +258,14 @@ std::string RecordingReader::read_bytes(const FileExtent& extent) {
   file_.seekg(static_cast<std::streamoff>(extent.offset));
   if (!file_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) refuse("cannot be read");
   return bytes;
+}
+
+// Of a chunk among those found, or the next.
+void RecordingReader::refuse_chunk(std::size_t chunk, const std::string& problem) const {
+  const bool is_found = chunk < chunks_.size();
+  refuse("is damaged after time " + to_text(is_found ? chunks_[chunk].begin : reached()) + ": chunk " +
+         to_text(chunk) + ", at byte " + to_text(is_found ? chunks_[chunk].bytes.offset : length_) + ", " +
+         problem);
 }
 
 void RecordingReader::refuse(const std::string& problem) const {

@@ -9,6 +9,7 @@
 
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/io/crc32.hpp"
 #include "hardball/io/little_endian.hpp"
 
 namespace hardball {
@@ -42,33 +43,54 @@ void append(std::string& bytes, const RecordedBody& body) {
   append_little_endian(bytes, body.moment);
 }
 
-void append(std::string& bytes, const RecordedContact& contact, int version) {
+void append(std::string& bytes, const RecordedContact& contact, bool has_bodies) {
   append_little_endian(bytes, contact.time);
   append_little_endian(bytes, contact.first);
   append_little_endian(bytes, static_cast<std::uint32_t>(contact.second));
-  if (version > 1) append_little_endian(bytes, static_cast<std::uint64_t>(contact.fate));
+  if (has_bodies) append_little_endian(bytes, static_cast<std::uint64_t>(contact.fate));
   append(bytes, contact.first_position);
   append(bytes, contact.first_velocity);
-  if (version > 1) append(bytes, contact.first_spin);
+  if (has_bodies) append(bytes, contact.first_spin);
   append(bytes, contact.second_position);
   const auto& [radius, mass, moment] = contact.merged;
   append(bytes, contact.fate == Fate::merge ? Vec3{radius, mass, moment} : contact.second_velocity);
-  if (version > 1) append(bytes, contact.second_spin);
+  if (has_bodies) append(bytes, contact.second_spin);
 }
 
-// Appends all values, using bounded memory; `how` goes on to append().
-template <class Iterator, class... How>
-void append_all(OutputFile& file, Iterator begin, Iterator end, const How&... how) {
-  constexpr std::size_t kBlockBytes = 1 << 16;
-  std::string block;
-  for (; begin != end; ++begin) {
-    append(block, *begin, how...);
-    if (block.size() < kBlockBytes) continue;
-    file.append(block);
-    block.clear();
+// Appends to a file, and sums what it appends.
+class SummedPart {
+ public:
+  explicit SummedPart(OutputFile& file) : file_(&file) {}
+
+  void append(std::string_view bytes) {
+    file_->append(bytes);
+    crc_.add(bytes);
   }
-  file.append(block);
-}
+  // Appends all values, using bounded memory; `how` goes on to append().
+  template <class Iterator, class... How>
+  void append_all(Iterator begin, Iterator end, const How&... how) {
+    constexpr std::size_t kBlockBytes = 1 << 16;
+    std::string block;
+    for (; begin != end; ++begin) {
+      hardball::append(block, *begin, how...);
+      if (block.size() < kBlockBytes) continue;
+      append(block);
+      block.clear();
+    }
+    append(block);
+  }
+  // Ends the part with its checksum, if the layout has them.
+  void close(const Layout& layout) {
+    if (!layout.has_checksums()) return;
+    std::string checksum;
+    append_little_endian(checksum, std::uint64_t{crc_.value()});
+    file_->append(checksum);
+  }
+
+ private:
+  OutputFile* file_;
+  Crc32 crc_;
+};
 
 // As if all ids below the largest belonged to spheres.
 std::size_t count_with_gaps(const World& world) {
@@ -101,11 +123,11 @@ RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader hea
     : file_(std::move(path)) {
   const std::size_t count = count_with_gaps(world);
   const bool needs_bodies = world.has_spins() || world.has_passing_pairs() || count > world.size();
-  state_.version = needs_bodies ? 2 : header.version;
+  header.version = recording_format::kVersion;
+  header.has_bodies = header.has_bodies || needs_bodies;
+  state_.layout = header.layout();
   state_.most_contacts = std::clamp(count, kLeastContacts, kMostContactBytes / contact_bytes());
   state_.begin = header.begin;
-  HARDBALL_CHECK(state_.version == 1 || state_.version == 2);
-  header.version = state_.version;
   header.spheres = count;
   header.box = world.box();
   header.species = species_of(world, count);
@@ -120,17 +142,19 @@ RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader hea
   std::string bytes = preamble(header);
   for (const RecordedBody& body : bodies) append_little_endian(bytes, body.radius);
   for (const RecordedBody& body : bodies) append_little_endian(bytes, body.mass);
-  if (state_.version > 1) state_.bodies = std::move(bodies);
-  file_.append(bytes);
+  if (state_.layout.has_bodies) state_.bodies = std::move(bodies);
+  SummedPart start(file_);
+  start.append(bytes);
+  start.close(state_.layout);
   file_.flush_complete();
-  state_.file.bytes = bytes.size();
+  state_.file.bytes = file_.size();
 }
 
 RecordingWriter::RecordingWriter(std::filesystem::path path, std::string_view saved)
     : RecordingWriter(path, restored(saved, path.string())) {}
 
 RecordingWriter::RecordingWriter(std::filesystem::path path, State state)
-    : file_(std::move(path), state.file), state_(std::move(state)) {}
+    : file_(std::move(path), state.file), state_(std::move(state)), is_untouched_(true) {}
 
 RecordingWriter::State RecordingWriter::restored(std::string_view saved, const std::string& where) {
   State state;
@@ -138,23 +162,26 @@ RecordingWriter::State RecordingWriter::restored(std::string_view saved, const s
   return state;
 }
 
-bool RecordingWriter::State::restored() const {
+bool RecordingWriter::State::restored() {
+  if (layout.version < 3) layout.has_bodies = layout.version == 2;
   const auto is_among_them = [this](const RecordedContact& contact) {
     return contact.first < keyframe.size() &&
            (contact.is_wall() || static_cast<std::size_t>(contact.second) < keyframe.size());
   };
-  return (version == 1 || version == 2) && bodies.size() == (version > 1 ? keyframe.size() : 0) &&
+  return layout.version >= 1 && layout.version <= recording_format::kVersion &&
+         bodies.size() == (layout.has_bodies ? keyframe.size() : 0) &&
          std::ranges::all_of(contacts, is_among_them);
 }
 
 std::string RecordingWriter::save() {
+  is_untouched_ = false;
   state_.file = file_.position();
   return archived(state_);
 }
 
 RecordingWriter::~RecordingWriter() {
   try {
-    close(state_.begin);
+    if (!is_untouched_) close(state_.begin);
   } catch (const RunFailure&) {
     // The file keeps what was complete before.
   }
@@ -173,7 +200,7 @@ void RecordingWriter::note(const Contact& contact, const World& world) {
                            contact.after.first,
                            contact.second_position,
                            contact.is_collision() ? contact.after.second : Vec3{}};
-  if (state_.version > 1) {
+  if (state_.layout.has_bodies) {
     const Slot first = world.slot_of(contact.first);
     recorded.fate = contact.fate;
     recorded.first_spin = world.spin(first);
@@ -185,7 +212,7 @@ void RecordingWriter::note(const Contact& contact, const World& world) {
       recorded.second_spin = world.spin(world.slot_of(contact.second));
     }
   }
-  HARDBALL_CHECK(state_.version > 1 || contact.fate != Fate::merge);
+  HARDBALL_CHECK(state_.layout.has_bodies || contact.fate != Fate::merge);
   add(recorded);
 }
 
@@ -197,11 +224,12 @@ void RecordingWriter::note(const VelocityChange& change, const World& world) {
                            .second = static_cast<std::int32_t>(change.sphere),
                            .first_position = change.position,
                            .first_velocity = change.after};
-  if (state_.version > 1) recorded.first_spin = world.spin(world.slot_of(change.sphere));
+  if (state_.layout.has_bodies) recorded.first_spin = world.spin(world.slot_of(change.sphere));
   add(recorded);
 }
 
 void RecordingWriter::add(const RecordedContact& contact) {
+  is_untouched_ = false;
   if (state_.contacts.size() >= state_.most_contacts && contact.time > state_.contacts.back().time) {
     write_chunk(state_.contacts.size(), state_.contacts.back().time);
   }
@@ -209,6 +237,7 @@ void RecordingWriter::add(const RecordedContact& contact) {
 }
 
 void RecordingWriter::flush() {
+  is_untouched_ = false;
   std::size_t count = state_.contacts.size();
   while (count > 0 && state_.contacts[count - 1].time == state_.contacts.back().time) --count;
   if (count == 0 || state_.contacts[count - 1].time == state_.begin) return;
@@ -225,28 +254,32 @@ void RecordingWriter::close(double time) {
 }
 
 std::uint64_t RecordingWriter::bytes() const {
-  return state_.file.bytes + chunk_bytes(state_.version, state_.keyframe.size(), state_.contacts.size());
+  return state_.file.bytes + state_.layout.chunk_bytes(state_.keyframe.size(), state_.contacts.size());
 }
 
 // Writes the first contacts of the open chunk as a chunk ending at `end`; the rest stay open.
 void RecordingWriter::write_chunk(std::size_t contacts, double end) {
-  const std::uint64_t length = chunk_bytes(state_.version, state_.keyframe.size(), contacts);
-  std::string header;
-  append_little_endian(header, kChunkMagic);
-  append_little_endian(header, static_cast<std::uint32_t>(contacts));
-  append_little_endian(header, length);
-  append_little_endian(header, state_.begin);
-  append_little_endian(header, end);
+  const Layout& layout = state_.layout;
+  std::string head;
+  append_little_endian(head, kChunkMagic);
+  append_little_endian(head, static_cast<std::uint32_t>(contacts));
+  append_little_endian(head, layout.chunk_bytes(state_.keyframe.size(), contacts));
+  append_little_endian(head, state_.begin);
+  append_little_endian(head, end);
+  SummedPart summed_head(file_);
+  summed_head.append(head);
+  summed_head.close(layout);
   const auto behind = state_.contacts.begin() + static_cast<std::ptrdiff_t>(contacts);
-  file_.append(header);
-  append_all(file_, state_.keyframe.begin(), state_.keyframe.end());
-  append_all(file_, state_.bodies.begin(), state_.bodies.end());
-  append_all(file_, state_.contacts.begin(), behind, state_.version);
+  SummedPart body(file_);
+  body.append_all(state_.keyframe.begin(), state_.keyframe.end());
+  body.append_all(state_.bodies.begin(), state_.bodies.end());
+  body.append_all(state_.contacts.begin(), behind, layout.has_bodies);
+  body.close(layout);
   file_.flush_complete();
-  state_.file.bytes += length;
+  state_.file.bytes = file_.size();
   state_.has_chunks = true;
   for (auto contact = state_.contacts.begin(); contact != behind; ++contact) {
-    if (state_.version > 1) contact->rewrite(state_.bodies, state_.keyframe);
+    if (layout.has_bodies) contact->rewrite(state_.bodies, state_.keyframe);
     contact->rewrite(state_.keyframe);
   }
   state_.contacts.erase(state_.contacts.begin(), behind);

@@ -55,7 +55,7 @@ bool needs_bodies(const Simulation& simulation) {
 
 RecordingHeader recording_header(const Simulation& simulation) {
   RecordingHeader header;
-  header.version = needs_bodies(simulation) ? 2 : 1;
+  header.has_bodies = needs_bodies(simulation);
   header.begin = simulation.time();
   header.cell_edge = simulation.cell_edges();
   header.restitution = restitution_of(simulation).value_or(std::numeric_limits<double>::quiet_NaN());

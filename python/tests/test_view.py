@@ -34,18 +34,18 @@ def recording_in(page):
 def recorded(simulation, until=None, contacts=None):
     """The header, and of all contacts time, first and second."""
     header, data = recording_in(view_of(simulation, until, contacts)._page.decode())
-    count, has_bodies = header["spheres"], header["version"] == 2
+    count, has_bodies = header["spheres"], header["bodies"]
     found = []
-    at = 16 * count
+    at = 16 * count + 8
     while at < len(data):
         number = int.from_bytes(data[at + 4 : at + 8], "little")
         width = 168 if has_bodies else 112
-        begin = at + 32 + (136 if has_bodies else 56) * count
+        begin = at + 40 + (136 if has_bodies else 56) * count
         rows = np.frombuffer(data, "u1", number * width, begin).reshape(number, width)
         times = rows[:, :8].copy().view("f8")[:, 0]
         ids = rows[:, 8:16].copy().view("i4")
         found += list(zip(times.tolist(), *ids.T.tolist()))
-        at = begin + number * width
+        at = begin + number * width + 8
     return header, found
 
 
@@ -103,7 +103,7 @@ class Views(unittest.TestCase):
         simulation.run(collisions=20)
         simulation.remove(int(simulation.ids[0]))
         header, found = recorded(simulation, contacts=30)
-        self.assertEqual((header["version"], header["spheres"]), (2, int(simulation.ids[-1]) + 1))
+        self.assertEqual((header["bodies"], header["spheres"]), (True, int(simulation.ids[-1]) + 1))
         self.assertEqual(found, history(simulation, contacts=30))
 
     def test_of_a_response_in_python(self):

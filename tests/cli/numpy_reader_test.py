@@ -35,6 +35,27 @@ names = []
 """
 
 
+def check_that_damage_is_told(chunks, name):
+    """Of a byte in each part, and what comes before is read; a chunk that is cut off is not damage."""
+    whole = name.read_bytes()
+    count = len(list(chunks(name)))
+    damaged = name.with_name("damaged.hbr")
+    for part in range(40):
+        changed = bytearray(whole)
+        changed[part * len(whole) // 40] ^= 4
+        damaged.write_bytes(changed)
+        found = 0
+        try:
+            for _ in chunks(damaged):
+                found += 1
+        except ValueError:
+            assert found <= part * count // 30, (part, found)
+        else:
+            raise AssertionError(f"byte {part * len(whole) // 40} is damaged")
+    damaged.write_bytes(whole[:-1])
+    assert len(list(chunks(damaged))) == count - 1
+
+
 def main():
     program, docs = map(os.path.abspath, sys.argv[1:])
     text = (Path(docs) / "recording.md").read_text()
@@ -47,6 +68,7 @@ def main():
         name = out / "recording.hbr"
         chunks = list(reader["chunks"](name))
         assert len(chunks) > 2, "one chunk would prove little"
+        check_that_damage_is_told(reader["chunks"], name)
         contacts = np.concatenate([chunk[3] for chunk in chunks])
         events = np.load(out / "events.npy")
         walls = events["kind"] == 1

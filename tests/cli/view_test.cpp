@@ -211,6 +211,30 @@ TEST_F(View, ReplayIsOneFileWithTheWholeRecording) {
   EXPECT_EQ(read_text(folder_ / "live.html").size(), recorded.size());
 }
 
+TEST_F(View, ReplayReplacesAFileOnlyIfItIsTold) {
+  write_text(folder_ / "mine.html", "mine");
+  const Outcome outcome = run_program(folder_, {"replay", "gas.toml", "--out", "mine.html"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.messages.find("mine.html: there is such a file"), std::string::npos) << outcome.messages;
+  EXPECT_EQ(read_text(folder_ / "mine.html"), "mine");
+  EXPECT_EQ(run_program(folder_, {"replay", "gas.toml", "--out", "mine.html", "--overwrite"}).exit_code, 0);
+  EXPECT_TRUE(read_text(folder_ / "mine.html") != "mine");
+}
+
+TEST_F(View, ReplayOfADamagedRecordingShowsWhatComesBefore) {
+  run_json({"--out", "out", "--set", "output.recording=true"});
+  std::string recording = read_text(folder_ / "out/recording.hbr");
+  recording[recording.size() - 50] ^= 1;
+  write_text(folder_ / "out/recording.hbr", recording);
+  const Outcome outcome = run_program(folder_, {"replay", "out", "--out", "damaged.html"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.messages.find("the recording is damaged after time 0: chunk 0, at byte "),
+            std::string::npos)
+      << outcome.messages;
+  EXPECT_NE(outcome.messages.find("what comes before is shown"), std::string::npos) << outcome.messages;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "damaged.html"));
+}
+
 TEST_F(View, ReplayOfAFailedRunShowsItUpToTheFailure) {
   write_text(folder_ / "collapse.toml",
              "[box]\nsize = [20, 20, 20]\nboundary = ['wall', 'wall', 'wall']\n"

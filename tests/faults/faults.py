@@ -210,11 +210,11 @@ def assert_whole_log(log):
 
 def chunks_of(recording):
     """The chunks of a recording: how many contacts each has. See docs/recording.md."""
-    if recording[:8] not in (b"HBREC001", b"HBREC002"):
+    if recording[:8] != b"HBREC003":
         raise AssertionError("not a recording")
     text_bytes = struct.unpack_from("<I", recording, 8)[0]
     spheres = json.loads(recording[12:12 + text_bytes])["spheres"]
-    at = 12 + text_bytes + 16 * spheres
+    at = 12 + text_bytes + 16 * spheres + 8
     while at < len(recording):
         _, contacts, length = struct.unpack_from("<IIQ", recording, at)
         if length == 0 or at + length > len(recording):

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Recordings of spheres that spin, merge, pass through each other, or are kinematic: version 2 of the format.
+// Recordings of spheres that spin, merge, pass through each other, or are kinematic.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,6 +18,7 @@
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/true_checksums.hpp"
 
 namespace hardball {
 namespace {
@@ -25,8 +26,10 @@ namespace {
 using support::make_gas;
 using support::read_text;
 using support::ScratchFolder;
+using support::with_true_checksums;
 using support::write_text;
 
+constexpr recording_format::Layout kLayout{.has_bodies = true};
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Drops of species 0 merge, are rough to the mist of species 1, and the mist passes through itself.
@@ -63,7 +66,7 @@ Recorded record(const std::filesystem::path& path, World world, double until, do
                 const Check& check) {
   Recorded run{Simulation(std::move(world), {.responses = every_fate()})};
   Simulation& simulation = run.simulation;
-  RecordingWriter writer(path, {.version = 2, .until = until, .species_names = {"drop", "mist"}},
+  RecordingWriter writer(path, {.has_bodies = true, .until = until, .species_names = {"drop", "mist"}},
                          simulation.world());
   simulation.on_contact([&](const Contact& contact) {
     writer.note(contact, simulation.world());
@@ -161,7 +164,7 @@ TEST(RecordedBodies, MayHaveGapsWhereTheRecordingBeginsMidway) {
   ASSERT_GT(simulation.tally().mergers(), mergers);
   RecordingReader reader(folder / "recording.hbr");
   ASSERT_GT(reader.chunks().size(), 1U);
-  EXPECT_EQ(reader.header().version, 2);
+  EXPECT_EQ(reader.header().has_bodies, true);
   EXPECT_EQ(reader.header().spheres, 149U) << "the last id is 148";
   EXPECT_EQ(reader.header().begin, 3);
   EXPECT_EQ(reader.radii()[60], 0);
@@ -169,28 +172,28 @@ TEST(RecordedBodies, MayHaveGapsWhereTheRecordingBeginsMidway) {
   for (const Snapshot& snapshot : snapshots) expect_same(moment_of(reader, snapshot.time), snapshot);
 }
 
-TEST(RecordedBodies, OfARemovedSphereNeedVersionTwo) {
+TEST(RecordedBodies, OfARemovedSphereAreRecorded) {
   const ScratchFolder folder;
   World world = make_gas({.count = 20, .packing_fraction = 0.05});
   world.remove(world.slot_of(3));
   RecordingWriter(folder / "recording.hbr", {}, world).close(1);
   const RecordingReader reader(folder / "recording.hbr");
-  EXPECT_EQ(reader.header().version, 2);
+  EXPECT_EQ(reader.header().has_bodies, true);
   EXPECT_EQ(reader.header().spheres, 20U);
   EXPECT_EQ(reader.radii()[3], 0);
 }
 
-TEST(RecordedBodies, OfVersionOneAllExist) {
+TEST(RecordedBodies, AreOfAllSpheresOtherwise) {
   const ScratchFolder folder;
   const World world = make_gas({.count = 20, .packing_fraction = 0.05});
   RecordingWriter(folder / "recording.hbr", {}, world).close(1);
   const RecordingReader reader(folder / "recording.hbr");
-  ASSERT_EQ(reader.header().version, 1);
+  ASSERT_EQ(reader.header().has_bodies, false);
   const std::string whole = read_text(folder / "recording.hbr");
   for (const std::uint64_t number : {3U, 20U + 3U}) {  // a radius, a mass
     std::string bytes = whole;
     bytes.replace(reader.spheres().offset + 8 * number, 8, 8, '\0');
-    write_text(folder / "recording.hbr", bytes);
+    write_text(folder / "recording.hbr", with_true_checksums(bytes));
     EXPECT_THROW(RecordingReader(folder / "recording.hbr"), Error) << number;
   }
 }
@@ -224,7 +227,7 @@ TEST(RecordedBodies, HaveSpecies) {
   const ScratchFolder folder;
   record(folder / "recording.hbr", drops_and_mist(90), 0.1);
   const RecordingReader reader(folder / "recording.hbr");
-  EXPECT_EQ(reader.header().version, 2);
+  EXPECT_EQ(reader.header().has_bodies, true);
   EXPECT_EQ(reader.header().species_names, (std::vector<std::string>{"drop", "mist"}));
   std::vector<SpeciesId> species(30, 0);
   species.resize(90, 1);
@@ -252,7 +255,7 @@ TEST(RecordedBodies, TurnAsTheySpin) {
   writer.note(change, world);
   writer.close(4);
   RecordingReader reader(folder / "recording.hbr");
-  EXPECT_EQ(reader.header().version, 2) << "a sphere spins";
+  EXPECT_EQ(reader.header().has_bodies, true) << "a sphere spins";
   const RecordedChunk chunk = reader.read(0);
   EXPECT_EQ(chunk.bodies[0].orientation, Orientation());
   const Orientation once = chunk.bodies_at(1)[0].orientation;
@@ -265,14 +268,14 @@ TEST(RecordedBodies, TurnAsTheySpin) {
   EXPECT_EQ(chunk.bodies_at(2)[0].orientation, once) << "that at the start of the path";
 }
 
-TEST(RecordedBodies, OfSpheresThatDoNotSpinAreUprightInVersionOne) {
+TEST(RecordedBodies, OfSpheresThatDoNotSpinAreUpright) {
   const ScratchFolder folder;
   World world(Box::flat_periodic(10, 10));
   world.add({.position = {2, 2, 0}, .radius = 0.5, .mass = 3});
   RecordingWriter(folder / "recording.hbr", {.restitution = std::nan("")}, world).close(1);
   RecordingReader reader(folder / "recording.hbr");
-  EXPECT_EQ(reader.header().version, 1);
-  EXPECT_TRUE(read_text(folder / "recording.hbr").starts_with("HBREC001"));
+  EXPECT_EQ(reader.header().has_bodies, false);
+  EXPECT_TRUE(read_text(folder / "recording.hbr").starts_with("HBREC003"));
   EXPECT_TRUE(reader.header().box.is_flat());
   EXPECT_TRUE(std::isnan(reader.header().restitution));
   EXPECT_TRUE(nlohmann::json::parse(reader.header_text())["restitution"].is_null());
@@ -310,7 +313,7 @@ TEST(RecordedBodies, AreReadOrRefusedWhateverTheFileContains) {
   const ScratchFolder folder;
   const std::string bytes = merger(folder);
   const std::uint64_t chunk = RecordingReader(folder / "merger.hbr").chunks().at(0).bytes.offset;
-  EXPECT_EQ(bytes.size() - chunk, recording_format::chunk_bytes(2, 2, 1));
+  EXPECT_EQ(bytes.size() - chunk, kLayout.chunk_bytes(2, 1));
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     ASSERT_EQ(is_read(folder, bytes.substr(0, length)), length >= chunk) << length;
   }
@@ -319,7 +322,7 @@ TEST(RecordedBodies, AreReadOrRefusedWhateverTheFileContains) {
     for (const unsigned flip : {0x01U, 0xffU}) {
       std::string flipped = bytes;
       flipped[at] = static_cast<char>(static_cast<unsigned char>(flipped[at]) ^ flip);
-      if (!is_read(folder, flipped)) ++refused;
+      if (!is_read(folder, with_true_checksums(flipped))) ++refused;
     }
   }
   EXPECT_GT(refused, 0U);
@@ -329,17 +332,17 @@ TEST(RecordedBodies, ThatNoRunCanProduceAreRefused) {
   const ScratchFolder folder;
   const std::string bytes = merger(folder);
   const std::size_t chunk = RecordingReader(folder / "merger.hbr").chunks().at(0).bytes.offset;
-  const std::size_t body = chunk + recording_format::kChunkHeaderBytes + 2 * recording_format::kPathBytes;
-  const std::size_t contact = bytes.size() - recording_format::contact_bytes(2);
+  const std::size_t body = chunk + kLayout.head_bytes() + 2 * recording_format::Layout::kPathBytes;
+  const std::size_t contact = bytes.size() - kLayout.checksum_bytes() - kLayout.contact_bytes();
   const auto with = [&](std::size_t at, const std::string& replacement) {
     std::string changed = bytes;
     changed.replace(at, replacement.size(), replacement);
-    return changed;
+    return with_true_checksums(changed);
   };
   const std::string nan = "\xff\xff\xff\xff\xff\xff\xff\xff";
   const std::string zero(8, '\0');
   ASSERT_TRUE(is_read(folder, bytes));
-  EXPECT_FALSE(is_read(folder, with(0, "HBREC001"))) << "the lengths are those of version 2";
+  EXPECT_FALSE(is_read(folder, with(0, "HBREC002"))) << "which has no checksums";
   EXPECT_FALSE(is_read(folder, with(body, nan))) << "spin";
   EXPECT_FALSE(is_read(folder, with(body + 48, zero))) << "orientation";
   EXPECT_FALSE(is_read(folder, with(body + 56, zero))) << "radius of what has a mass";
@@ -357,7 +360,7 @@ TEST(RecordedBodies, NeedRunsOfSpeciesThatNameAllSpheres) {
                R"({"spheres": 3, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]},
                    "species": )" +
                    species + "}",
-               "test")
+               "test", 1)
         .species;
   };
   EXPECT_EQ(species_in(R"({"runs": [[4, 1], [2, 2]]})"), (std::vector<SpeciesId>{4, 2, 2}));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -16,6 +17,7 @@
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/true_checksums.hpp"
 
 namespace hardball {
 namespace {
@@ -24,6 +26,7 @@ using support::Gas;
 using support::make_gas;
 using support::read_text;
 using support::ScratchFolder;
+using support::with_true_checksums;
 using support::write_text;
 
 World make_mixture() {
@@ -125,7 +128,7 @@ TEST(Recording, ContainsGravityAndSurfaces) {
 
 TEST(Recording, WithoutGravityAndSurfacesThereAreNone) {
   const RecordingHeader header = parse_recording_header(
-      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}})", "test");
+      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}})", "test", 1);
   EXPECT_EQ(header.gravity, Vec3{});
   EXPECT_TRUE(header.surfaces.empty());
 }
@@ -135,7 +138,7 @@ TEST(Recording, KeysOfASurfaceWithoutMeaningMayBeAbsent) {
       R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}, "surfaces": [
          {"shape": "plane", "point": [1, 2, 3], "direction": [0, 0, 1]},
          {"shape": "obstacle", "point": [1, 2, 3], "radius": 2, "more": []}]})",
-      "test");
+      "test", 1);
   ASSERT_EQ(header.surfaces.size(), 2U);
   EXPECT_EQ(header.surfaces[0], (RecordedSurface{.point = {1, 2, 3}}));
   EXPECT_EQ(header.surfaces[1],
@@ -422,10 +425,64 @@ TEST(Recording, WhateverItContainsIsReadOrRefused) {
     for (const unsigned flip : {0x01U, 0xffU}) {
       std::string flipped = bytes;
       flipped[at] = static_cast<char>(static_cast<unsigned char>(flipped[at]) ^ flip);
-      if (!is_read(folder, flipped)) ++refused;
+      if (!is_read(folder, with_true_checksums(flipped))) ++refused;
     }
   }
   EXPECT_GT(refused, 0U);
+}
+
+TEST(Recording, NoFlippedBitPasses) {
+  const ScratchFolder folder;
+  const std::string bytes = small_recording(folder);
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    for (int bit = 0; bit < 8; ++bit) {
+      std::string flipped = bytes;
+      flipped[at] = static_cast<char>(flipped[at] ^ (1 << bit));
+      ASSERT_FALSE(is_read(folder, flipped)) << "byte " << at << ", bit " << bit;
+    }
+  }
+}
+
+TEST(Recording, TellsWhereItIsDamagedAndShowsWhatComesBefore) {
+  const ScratchFolder folder;
+  const std::string bytes = small_recording(folder);
+  RecordingReader whole(folder / "small.hbr");
+  const ChunkExtent second = whole.chunks().at(1);
+  const RecordedChunk first = whole.read(0);
+  const auto damaged_at = [&](std::uint64_t at) {
+    std::string changed = bytes;
+    changed[at] = static_cast<char>(changed[at] ^ 1);
+    write_text(folder / "damaged.hbr", changed);
+  };
+  const std::string where = "damaged after time " + to_text(second.begin) + ": chunk 1, at byte " +
+                            to_text(second.bytes.offset) + ", has ";
+  for (const auto& [at, what] :
+       {std::pair<std::uint64_t, std::string>{second.bytes.offset + 9, "a head with another checksum"},
+        {second.bytes.offset + 100, "another checksum"},
+        {bytes.size() - 1, "another checksum"}}) {
+    damaged_at(at);
+    RecordingReader reader(folder / "damaged.hbr", OnDamage::keep_what_comes_before);
+    std::size_t taken = 0;
+    reader.verify([&](const RecordedChunk& chunk) {
+      ++taken;
+      EXPECT_EQ(chunk.contacts, first.contacts);
+    });
+    EXPECT_EQ(taken, 1U);
+    EXPECT_EQ(reader.chunks().size(), 1U);
+    EXPECT_EQ(reader.reached(), first.end);
+    EXPECT_EQ(reader.length(), second.bytes.offset);
+    ASSERT_TRUE(reader.damage());
+    EXPECT_NE(reader.damage()->find(where + what), std::string::npos) << *reader.damage();
+    reader.refresh();
+    EXPECT_EQ(reader.chunks().size(), 1U);
+  }
+  EXPECT_EQ(RecordingReader(folder / "damaged.hbr").read(0).contacts, first.contacts);
+  EXPECT_THROW(RecordingReader(folder / "damaged.hbr").read(1), Error);
+  EXPECT_THROW(RecordingReader(folder / "damaged.hbr").verify(), Error);
+  whole.verify();
+  EXPECT_FALSE(whole.damage());
+  damaged_at(whole.spheres().offset);
+  EXPECT_THROW(RecordingReader(folder / "damaged.hbr", OnDamage::keep_what_comes_before), Error);
 }
 
 TEST(Recording, RefusesWhatNoRunCanProduce) {
@@ -433,15 +490,17 @@ TEST(Recording, RefusesWhatNoRunCanProduce) {
   const std::string bytes = small_recording(folder);
   const RecordingReader whole(folder / "small.hbr");
   const std::size_t chunk = whole.chunks()[0].bytes.offset;
-  const std::size_t contact = bytes.size() - recording_format::contact_bytes(1);
+  const recording_format::Layout layout = whole.header().layout();
+  const std::size_t path = chunk + layout.head_bytes();
+  const std::size_t contact = bytes.size() - layout.checksum_bytes() - layout.contact_bytes();
   const auto with = [&](std::size_t at, const std::string& replacement) {
     std::string changed = bytes;
     changed.replace(at, replacement.size(), replacement);
-    return changed;
+    return with_true_checksums(changed);
   };
   const std::string nan = "\xff\xff\xff\xff\xff\xff\xff\xff";
   ASSERT_TRUE(is_read(folder, bytes));
-  EXPECT_FALSE(is_read(folder, with(0, "HBREC003")));
+  EXPECT_FALSE(is_read(folder, with(0, "HBREC004")));
   EXPECT_FALSE(is_read(folder, with(8, "\xff\xff\xff\xff")));
   EXPECT_FALSE(is_read(folder, with(whole.spheres().offset, nan)));
   EXPECT_FALSE(is_read(folder, with(chunk, "CHUM")));
@@ -449,8 +508,8 @@ TEST(Recording, RefusesWhatNoRunCanProduce) {
   EXPECT_FALSE(is_read(folder, with(chunk + 8, nan)));
   EXPECT_FALSE(is_read(folder, with(chunk + 16, nan)));
   EXPECT_FALSE(is_read(folder, with(chunk + 24, nan)));
-  EXPECT_FALSE(is_read(folder, with(chunk + 32, nan))) << "position";
-  EXPECT_FALSE(is_read(folder, with(chunk + 32 + 48, nan))) << "start of a path";
+  EXPECT_FALSE(is_read(folder, with(path, nan))) << "position";
+  EXPECT_FALSE(is_read(folder, with(path + 48, nan))) << "start of a path";
   EXPECT_FALSE(is_read(folder, with(contact, nan))) << "time";
   EXPECT_FALSE(is_read(folder, with(contact, std::string(8, '\0')))) << "time";
   EXPECT_FALSE(is_read(folder, with(contact + 8, std::string("\x03\x00\x00\x00", 4)))) << "first";
@@ -468,11 +527,53 @@ TEST(Recording, AllocatesNoMoreMemoryThanTheFileJustifies) {
   EXPECT_FALSE(is_read(folder, "HBREC001" + length + json + std::string(1000, '\0')));
 }
 
+// Two spheres on a line that meet at time 1 and end in one chunk, as version 1 and 2 have them.
+TEST(Recording, OfEarlierVersionsIsRead) {
+  const ScratchFolder folder;
+  const auto text = [](std::initializer_list<double> numbers) {
+    std::string bytes;
+    for (const double number : numbers) append_little_endian(bytes, number);
+    return bytes;
+  };
+  const auto integer = [](auto number) {
+    std::string bytes;
+    append_little_endian(bytes, number);
+    return bytes;
+  };
+  for (const int version : {1, 2}) {
+    const bool has_bodies = version == 2;
+    std::string header =
+        R"({"spheres": 2, "box": {"size": [9, 9, 9], "boundary": ["wall", "wall", "wall"]}})";
+    header.resize((header.size() + 12 + 7) / 8 * 8 - 12, ' ');
+    const std::string nothing = text({0, 0, 0});
+    const std::string spin = has_bodies ? nothing : "";
+    const std::string body = has_bodies ? nothing + text({0, 0, 0, 1, 0.5, 1, 0.4}) : "";
+    const std::string contact = text({1}) + integer(std::uint32_t{0}) + integer(std::uint32_t{1}) +
+                                (has_bodies ? integer(std::uint64_t{0}) : "") + text({3, 1, 1, -1, 0, 0}) +
+                                spin + text({4, 1, 1, 1, 0, 0}) + spin;
+    const std::string rest = text({2, 1, 1, 1, 0, 0, 0, 5, 1, 1, -1, 0, 0, 0}) + body + body + contact;
+    const std::string chunk = integer(recording_format::kChunkMagic) + integer(std::uint32_t{1}) +
+                              integer(std::uint64_t{32 + rest.size()}) + text({0, 2}) + rest;
+    write_text(folder / "old.hbr",
+               std::string(recording_format::kMagics[static_cast<std::size_t>(version - 1)]) +
+                   integer(static_cast<std::uint32_t>(header.size())) + header + text({0.5, 0.5, 1, 1}) +
+                   chunk);
+    RecordingReader reader(folder / "old.hbr");
+    EXPECT_EQ(reader.header().version, version);
+    EXPECT_EQ(reader.header().has_bodies, has_bodies);
+    ASSERT_EQ(reader.chunks().size(), 1U);
+    const RecordedChunk read = reader.read(0);
+    EXPECT_EQ(read.paths_at(1.5)[1], (RecordedPath{{4, 1, 1}, {1, 0, 0}, 1}));
+    EXPECT_EQ(read.bodies_at(1.5)[1], (RecordedBody{.radius = 0.5, .mass = 1}));
+  }
+}
+
 TEST(Recording, InvalidHeadersAreRefused) {
   const std::string box = R"("box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
-  EXPECT_EQ(parse_recording_header(R"({"more": {"a": [1, {}, null, "x"]}, "spheres": 2, )" + box + "} ", "x")
-                .spheres,
-            2U);
+  EXPECT_EQ(
+      parse_recording_header(R"({"more": {"a": [1, {}, null, "x"]}, "spheres": 2, )" + box + "} ", "x", 1)
+          .spheres,
+      2U);
   const std::vector<std::string> nonsense{
       "",
       "{",
@@ -502,7 +603,7 @@ TEST(Recording, InvalidHeadersAreRefused) {
       R"({"deep": )" + std::string(100000, '['),
   };
   for (const std::string& json : nonsense) {
-    EXPECT_THROW(parse_recording_header(json, "test"), Error) << json.substr(0, 80);
+    EXPECT_THROW(parse_recording_header(json, "test", 1), Error) << json.substr(0, 80);
   }
 }
 
@@ -538,7 +639,7 @@ TEST(Recording, WhateverAHeaderContainsIsReadOrRefused) {
 std::string refusal_of_surfaces(const std::string& surfaces) {
   const std::string box = R"("box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
   try {
-    parse_recording_header(R"({"spheres": 2, )" + box + R"(, "surfaces": )" + surfaces + "}", "run.hbr");
+    parse_recording_header(R"({"spheres": 2, )" + box + R"(, "surfaces": )" + surfaces + "}", "run.hbr", 1);
     return "";
   } catch (const Error& error) {
     return error.what();

@@ -55,16 +55,16 @@ TEST(RecordingHeader, HasTheRestitutionIfItIsOneNumber) {
 }
 
 TEST(RecordingHeader, HasBodiesWhereContactsMayChangeThem) {
-  EXPECT_EQ(header_with(EngineOptions{}).version, 1);
-  EXPECT_EQ(header_with(ResponseTable(Bounce(), Bounce())).version, 1);
+  EXPECT_EQ(header_with(EngineOptions{}).has_bodies, false);
+  EXPECT_EQ(header_with(ResponseTable(Bounce(), Bounce())).has_bodies, false);
   ResponseTable table;
   table.set(0, 3, Merging());
-  EXPECT_EQ(header_with(table).version, 2);
-  EXPECT_EQ(header_with(ResponseTable(Bounce(), Bounce({.tangential_restitution = -0.5}))).version, 2)
+  EXPECT_EQ(header_with(table).has_bodies, true);
+  EXPECT_EQ(header_with(ResponseTable(Bounce(), Bounce({.tangential_restitution = -0.5}))).has_bodies, true)
       << "walls may be rough";
   Simulation simulation(make_gas({.count = 20, .packing_fraction = 0.05}));
   simulation.respond_with([](const Contact& contact) { return contact.before; });
-  EXPECT_EQ(recording_header(simulation).version, 2);
+  EXPECT_EQ(recording_header(simulation).has_bodies, true);
 }
 
 TEST(RecordingHeader, HasGravityAndSurfaces) {

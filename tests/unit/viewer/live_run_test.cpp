@@ -97,7 +97,8 @@ TEST(RecordedProgress, IsThatOfTheRunAndItsSummary) {
   Simulation alone(kGas);
   alone.run_until(5);
   record(folder / "recording.hbr", kGas, 5);
-  const auto progress = [&] { return recorded_progress(folder / "recording.hbr", folder / "summary.json"); };
+  SharedRecording recording(folder / "recording.hbr");
+  const auto progress = [&] { return recorded_progress(recording, folder / "summary.json"); };
   EXPECT_TRUE(progress().is_finished);
   EXPECT_EQ(progress().collisions, alone.counters().collision);
   EXPECT_EQ(progress().walls, alone.counters().wall);

@@ -13,6 +13,7 @@
 #include "apps/viewer/live_run.hpp"
 #include "apps/viewer/page.hpp"
 #include "apps/viewer/shared_recording.hpp"
+#include "hardball/io/crc32.hpp"
 #include "hardball/io/little_endian.hpp"
 #include "hardball/io/recording_reader.hpp"
 #include "hardball/io/recording_writer.hpp"
@@ -44,13 +45,17 @@ inline void make_huge_recording(const std::filesystem::path& path) {
   constexpr std::uint32_t kContacts = 2'000'000;
   record(path, support::make_gas({.count = 2, .packing_fraction = 0.01}), 0);
   const std::uint64_t chunk = RecordingReader(path).chunks().at(0).bytes.offset;
-  const std::uint64_t length = recording_format::chunk_bytes(1, 2, kContacts);
-  std::string counts;
-  append_little_endian(counts, kContacts);
-  append_little_endian(counts, length);
+  const std::uint64_t length = recording_format::Layout().chunk_bytes(2, kContacts);
+  std::string head;
+  append_little_endian(head, recording_format::kChunkMagic);
+  append_little_endian(head, kContacts);
+  append_little_endian(head, length);
+  append_little_endian(head, 0.0);
+  append_little_endian(head, 0.0);
+  append_little_endian(head, std::uint64_t{crc32_of(head)});
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
-  file.seekp(static_cast<std::streamoff>(chunk + 4));
-  file << counts;
+  file.seekp(static_cast<std::streamoff>(chunk));
+  file << head;
   file.close();
   std::filesystem::resize_file(path, chunk + length);
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
+import zlib from 'node:zlib';
 
 /**
  * A few spheres that collide with each other and with walls, found by comparing all pairs after each contact:
@@ -190,4 +191,32 @@ export function writeRecording(header, radii, masses, chunks) {
     }
   });
   return bytes;
+}
+
+/** A recording of version 1 or 2 as one of version 3, with checksums. */
+export function withChecksums(bytes) {
+  const old = Buffer.from(bytes);
+  const parts = [];
+  const seal = (...part) => {
+    const checksum = Buffer.alloc(8);
+    checksum.writeUInt32LE(zlib.crc32(Buffer.concat(part)));
+    parts.push(...part, checksum);
+  };
+  const textEnd = 12 + old.readUInt32LE(8);
+  const header = JSON.parse(old.subarray(12, textEnd).toString());
+  let text = JSON.stringify({ ...header, bodies: old.subarray(0, 8).toString() === 'HBREC002' });
+  while ((12 + text.length) % 8 !== 0) text += ' ';
+  const length = Buffer.alloc(4);
+  length.writeUInt32LE(text.length);
+  let at = textEnd + 16 * header.spheres;
+  seal(Buffer.from('HBREC003'), length, Buffer.from(text), old.subarray(textEnd, at));
+  while (at < old.length) {
+    const end = at + Number(old.readBigUInt64LE(at + 8));
+    const head = Buffer.from(old.subarray(at, at + 32));
+    head.writeBigUInt64LE(BigInt(end - at + 16), 8);
+    seal(head);
+    seal(old.subarray(at + 32, end));
+    at = end;
+  }
+  return Uint8Array.from(Buffer.concat(parts)).buffer;
 }

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import zlib from 'node:zlib';
+import { crc32 } from '../../../apps/viewer/page/src/recording/crc32.js';
 import { readRecording } from '../../../apps/viewer/page/src/recording/recording_file.js';
 import { decodeBase64 } from '../../../apps/viewer/page/src/recording/saved_source.js';
-import { recordSmallGas } from '../support/small_gas.mjs';
+import { recordSmallGas, withChecksums } from '../support/small_gas.mjs';
 
 // Two spheres on a line between walls: they meet at time 1.5, and each meets its wall at time 5.5.
 const kTwo = {
@@ -72,10 +74,63 @@ test('a truncated last chunk is ignored, wherever it ends', () => {
 test('damage is distinguished from truncation', () => {
   const bytes = recordSmallGas(kTwo);
   const second = bytes.byteLength - readRecording(bytes).chunks.at(-1).bytes;
-  for (const offset of [0, second, second + 4, second + 8]) {
-    const damaged = bytes.slice(0);
-    new DataView(damaged).setUint8(offset, new DataView(damaged).getUint8(offset) ^ 1);
-    assert.throws(() => readRecording(damaged), /damaged|not a recording/);
+  for (const offset of [second, second + 4, second + 8]) {
+    const { chunks, damage } = readRecording(flipped(bytes, offset, 0));
+    assert.equal(chunks.length, 1);
+    assert.match(damage, /damaged: no chunk at byte/);
+  }
+  assert.throws(() => readRecording(flipped(bytes, 0, 0)), /not a recording/);
+});
+
+function flipped(bytes, offset, bit) {
+  const damaged = bytes.slice(0);
+  new Uint8Array(damaged)[offset] ^= 1 << bit;
+  return damaged;
+}
+
+test('a recording with checksums is read as one without', () => {
+  const bytes = recordSmallGas(kTwo);
+  const [old, sealed] = [bytes, withChecksums(bytes)].map(readRecording);
+  assert.equal(sealed.damage, null);
+  assert.deepEqual(sealed.radii, old.radii);
+  const numbersOf = ({ chunks }) => chunks.map(({ keyframe, numbers }) => [keyframe, numbers]);
+  assert.deepEqual(numbersOf(sealed), numbersOf(old));
+});
+
+test('no flipped bit passes where there are checksums, and what comes before is read', () => {
+  const bytes = withChecksums(recordSmallGas(kTwo));
+  const { chunks } = readRecording(bytes);
+  const second = bytes.byteLength - chunks.at(-1).bytes;
+  const first = second - chunks[0].bytes;
+  for (let offset = 0; offset < bytes.byteLength; ++offset) {
+    for (let bit = 0; bit < 8; ++bit) {
+      const damaged = flipped(bytes, offset, bit);
+      if (offset < first) {
+        assert.throws(() => readRecording(damaged), Error, `byte ${offset}, bit ${bit}`);
+      } else {
+        const read = readRecording(damaged);
+        assert.match(read.damage, /damaged/, `byte ${offset}, bit ${bit}`);
+        assert.equal(read.chunks.length, offset < second ? 0 : 1);
+      }
+    }
+  }
+});
+
+test('a chunk with checksums that is cut off is no damage', () => {
+  const bytes = withChecksums(recordSmallGas(kTwo));
+  const { chunks } = readRecording(bytes);
+  for (let missing = 1; missing < chunks.at(-1).bytes; ++missing) {
+    const read = readRecording(bytes.slice(0, bytes.byteLength - missing));
+    assert.deepEqual([read.chunks.length, read.damage], [1, null]);
+  }
+});
+
+test('the checksum is that of zlib, wherever it begins and ends', () => {
+  const bytes = Uint8Array.from({ length: 70 }, (_, k) => 41 * k * k + 7);
+  for (let begin = 0; begin < 9; ++begin) {
+    for (let end = begin; end <= bytes.length; ++end) {
+      assert.equal(crc32(bytes.buffer, begin, end), zlib.crc32(bytes.subarray(begin, end)));
+    }
   }
 });
 

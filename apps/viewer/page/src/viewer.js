@@ -428,8 +428,9 @@ export class Viewer {
     } catch {
       this.lose();
     }
-    const { finished, failed } = this.source.status;
+    const { finished, failed, damaged } = this.source.status;
     if (failed) this.notices.show('failed', `The run failed: ${failed}`, { kind: 'bad' });
+    if (damaged) this.notices.show('damaged', `${damaged[0].toUpperCase()}${damaged.slice(1)}`, { kind: 'bad' });
     if (this.isLost) this.pollIn(kRetrySeconds);
     else if (!finished) this.pollIn(kPollSeconds);
   }

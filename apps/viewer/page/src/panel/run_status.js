@@ -25,6 +25,7 @@ export function showRunStatus({ header, status, replayAddress }, spheres, isLost
 function describe(status, replayAddress, isLost) {
   if (isLost) return ['lost', 'Connection lost'];
   if (status.failed) return ['failed', 'Run failed'];
+  if (status.damaged) return ['failed', 'Recording damaged'];
   if (replayAddress === null) return ['saved', 'Saved replay'];
   if (status.finished) return ['finished', `Finished at ${show(status.reached)} T`];
   return ['running', `Running, at ${show(status.reached)} T`];

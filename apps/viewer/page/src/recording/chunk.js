@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
+import { hasItsChecksum } from './crc32.js';
+
 /** Numbers of one path: position (3) [L], velocity (3) [L/T], start time [T]. */
 export const kPathNumbers = 7;
 
@@ -13,28 +15,38 @@ export const kBodyNumbers = 10;
 
 const kMagic = 0x4b4e4843; // "CHNK"
 const kHeadBytes = 32;
+export const kChecksumBytes = 8;
 
-// Where the numbers of a contact are, by version: how many; the offsets of those of its spheres.
-const kLayouts = {
-  1: { bodies: 0, contact: 14, first: 2, second: 8 },
-  2: { bodies: kBodyNumbers, contact: 21, first: 3, second: 12 },
-};
+// Where the numbers of a contact are, without bodies and with them: how many; the offsets of those of its spheres.
+const kWithoutBodies = { bodies: 0, contact: 14, first: 2, second: 8 };
+const kWithBodies = { bodies: kBodyNumbers, contact: 21, first: 3, second: 12 };
+
+function layoutOf({ version, bodies }) {
+  return (version > 2 ? bodies : version === 2) ? kWithBodies : kWithoutBodies;
+}
+
+/** The length of each checksum in a recording of this version. */
+export function checksumBytes(version) {
+  return version > 2 ? kChecksumBytes : 0;
+}
 
 const kPass = 1;
 const kMerge = 2;
 
 /**
  * The length of the chunk at `offset` [bytes], or undefined if the buffer ends before the chunk does.
- * Error: there is no chunk of `sphereCount` spheres.
+ * Error: there is no chunk of a recording with such a header.
  */
-export function chunkLength(buffer, offset, sphereCount, version = 1) {
-  if (buffer.byteLength - offset < kHeadBytes) return undefined;
-  const { bodies, contact } = kLayouts[version];
+export function chunkLength(buffer, offset, header) {
+  const checksum = checksumBytes(header.version);
+  if (buffer.byteLength - offset < kHeadBytes + checksum) return undefined;
+  const { bodies, contact } = layoutOf(header);
   const view = new DataView(buffer, offset, kHeadBytes);
   const contacts = view.getUint32(4, true);
   const length = Number(view.getBigUint64(8, true));
-  const expected = kHeadBytes + 8 * ((kPathNumbers + bodies) * sphereCount + contact * contacts);
-  if (view.getUint32(0, true) !== kMagic || length !== expected) {
+  const numbers = (kPathNumbers + bodies) * header.spheres + contact * contacts;
+  const isSound = checksum === 0 || hasItsChecksum(buffer, offset, offset + kHeadBytes);
+  if (!isSound || view.getUint32(0, true) !== kMagic || length !== kHeadBytes + 8 * numbers + 2 * checksum) {
     throw new Error(`the recording is damaged: no chunk at byte ${offset}`);
   }
   return buffer.byteLength - offset < length ? undefined : length;
@@ -43,16 +55,25 @@ export function chunkLength(buffer, offset, sphereCount, version = 1) {
 /**
  * A part of the recording: the paths at `begin`, and all contacts in (begin, end], in order. Counted as contacts
  * are also changes of one sphere's velocity without a contact.
- * It is a view of the buffer and copies nothing, so that decoding costs no time.
+ * It is a view of the buffer and copies nothing.
  */
 export class Chunk {
-  /** Precondition: `offset` is a multiple of 8. Error: there is no complete chunk of `sphereCount` spheres. */
-  constructor(buffer, offset, sphereCount, version = 1) {
-    const length = chunkLength(buffer, offset, sphereCount, version);
+  /**
+   * Precondition: `offset` is a multiple of 8. Error: there is no complete chunk of a recording with such a header;
+   * it is damaged.
+   */
+  constructor(buffer, offset, header) {
+    const length = chunkLength(buffer, offset, header);
     if (length === undefined) throw new Error('the recording is damaged: a chunk is truncated');
     const view = new DataView(buffer, offset, kHeadBytes);
-    this.layout = kLayouts[version];
-    const keyframe = offset + kHeadBytes;
+    const sphereCount = header.spheres;
+    const checksum = checksumBytes(header.version);
+    this.layout = layoutOf(header);
+    const keyframe = offset + kHeadBytes + checksum;
+    if (checksum > 0 && !hasItsChecksum(buffer, keyframe, offset + length - checksum)) {
+      const begin = view.getFloat64(16, true);
+      throw new Error(`the recording is damaged after time ${begin}: another checksum at byte ${offset}`);
+    }
     const bodies = keyframe + 8 * kPathNumbers * sphereCount;
     const first = bodies + 8 * this.layout.bodies * sphereCount;
     /** Number of contacts. */
@@ -65,7 +86,7 @@ export class Chunk {
     this.end = view.getFloat64(24, true);
     /** The paths that hold at `begin`; shape (spheres, kPathNumbers). */
     this.keyframe = new Float64Array(buffer, keyframe, kPathNumbers * sphereCount);
-    /** The bodies likewise, shape (spheres, kBodyNumbers); null in version 1, where they stay as they were. */
+    /** The bodies likewise, shape (spheres, kBodyNumbers); null where they stay as they were. */
     this.bodies =
       this.layout.bodies > 0 ? new Float64Array(buffer, bodies, kBodyNumbers * sphereCount) : null;
     this.numbers = new Float64Array(buffer, first, this.layout.contact * this.contacts);
@@ -116,7 +137,7 @@ export class Chunk {
     return (this.first(k) === id || this.second(k) === id) && !this.isPass(k);
   }
 
-  /** The offset in `numbers` of position and velocity, and in version 2 the spin, of the first sphere after it. */
+  /** The offset in `numbers` of position and velocity, and with bodies the spin, of the first sphere after it. */
   firstPlace(k) {
     return this.layout.contact * k + this.layout.first;
   }

@@ -20,7 +20,7 @@ export function decodeBase64(text) {
 export class SavedSource {
   /** `element` holds the recording in base 64, and is emptied. Error: it is not a recording. */
   constructor(element) {
-    const { header, radii, masses, chunks } = readRecording(decodeBase64(element.textContent));
+    const { header, radii, masses, chunks, damage } = readRecording(decodeBase64(element.textContent));
     element.textContent = '';
     this.header = header;
     this.radii = radii;
@@ -38,6 +38,7 @@ export class SavedSource {
     this.status = {
       finished: true,
       failed: null,
+      damaged: damage && `${damage}; what comes before is shown`,
       reached: this.ends.at(-1) ?? header.begin,
       collisions,
       mergers,

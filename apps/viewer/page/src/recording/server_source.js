@@ -13,7 +13,16 @@ export class ServerSource {
     /** Where each chunk ends [T]. */
     this.ends = [];
     /** The last known status of the run. */
-    this.status = { finished: false, failed: null, reached: 0, collisions: 0, mergers: 0, walls: 0, rate: 0 };
+    this.status = {
+      finished: false,
+      failed: null,
+      damaged: null,
+      reached: 0,
+      collisions: 0,
+      mergers: 0,
+      walls: 0,
+      rate: 0,
+    };
   }
 
   /** The address from which the whole recording can be saved as one page. */
@@ -42,7 +51,7 @@ export class ServerSource {
   /** Fetches chunk `number`. Error: the server does not answer. */
   async chunk(number) {
     const buffer = await (await this.ask('chunk', { number })).arrayBuffer();
-    return new Chunk(buffer, 0, this.header.spheres, this.header.version);
+    return new Chunk(buffer, 0, this.header);
   }
 
   async ask(what, query = {}) {

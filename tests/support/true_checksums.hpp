@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/io/crc32.hpp"
+#include "hardball/io/little_endian.hpp"
+#include "hardball/io/recording.hpp"
+
+namespace hardball::support {
+
+/// A changed recording with the checksums that its bytes ask for, as far as it can be followed: what a reader
+/// makes of values that no checksum tells from sound ones.
+inline std::string with_true_checksums(std::string bytes) {
+  using namespace recording_format;
+  const std::uint64_t text_begin = kMagicBytes + kLengthBytes;
+  if (!bytes.starts_with(kMagics.back()) || bytes.size() < text_begin) return bytes;
+  const std::uint64_t text_bytes = read_little_endian<std::uint32_t>(&bytes[kMagicBytes]);
+  RecordingHeader header;
+  try {
+    header = parse_recording_header(bytes.substr(text_begin, text_bytes), "test");
+  } catch (const Error&) {
+    return bytes;
+  }
+  const Layout layout = header.layout();
+  // Whether there is room for a checksum of the bytes before `end`.
+  const auto seal = [&](std::uint64_t begin, std::uint64_t end) {
+    if (end > bytes.size() || bytes.size() - end < layout.checksum_bytes()) return false;
+    std::string checksum;
+    append_little_endian(checksum,
+                         std::uint64_t{crc32_of(std::string_view(bytes).substr(begin, end - begin))});
+    bytes.replace(end, checksum.size(), checksum);
+    return true;
+  };
+  std::uint64_t at = text_begin + text_bytes + kSphereBytes * header.spheres;
+  for (std::uint64_t begin = 0; seal(begin, at);) {
+    begin = at + layout.checksum_bytes();
+    if (!seal(begin, begin + Layout::kHeadBytes)) break;
+    const std::uint64_t contacts = read_little_endian<std::uint32_t>(&bytes[begin + 4]);
+    at = begin + layout.chunk_bytes(header.spheres, contacts) - layout.checksum_bytes();
+    begin += layout.head_bytes();
+  }
+  return bytes;
+}
+
+}  // namespace hardball::support
