@@ -6,6 +6,7 @@
 
 #include "apps/cli/commands.hpp"
 #include "apps/cli/parse_number.hpp"
+#include "apps/cli/refuse_to_overwrite.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/snapshot_format.hpp"
@@ -41,6 +42,7 @@ ExitCode convert(const Options& options) {
   if (std::filesystem::equivalent(in, out, missing)) {
     throw Error("the file would overwrite the one it is made from", out.string(), "name another file");
   }
+  refuse_to_overwrite(out, options);
   const Frames frames = chosen_frames(options, reader->frames(), format);
   Snapshot snapshot = reader->read(frames.begin);
   if (!snapshot.has_velocities) write_message(in.string() + " has no velocities; those written are zero");

@@ -2,18 +2,29 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <fstream>
+#include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "apps/cli/commands.hpp"
+#include "apps/cli/run_files.hpp"
+#include "apps/cli/started_run.hpp"
 #include "apps/cli/terminal.hpp"
+#include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/io/checkpoint_file.hpp"
 #include "hardball/io/little_endian.hpp"
 #include "hardball/io/npy_event_log.hpp"
 #include "hardball/io/npy_header.hpp"
+#include "hardball/io/read_file.hpp"
 #include "hardball/io/recording_reader.hpp"
 #include "hardball/io/snapshot_format.hpp"
+#include "hardball/measure/event_log_hash.hpp"
+#include "hardball/scenario/scenario.hpp"
+#include "hardball/simulation/simulation.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -64,15 +75,92 @@ std::string about_snapshots(const std::filesystem::path& path) {
   return text + line("contents", contents);
 }
 
+std::string about_collection(const std::filesystem::path& path) {
+  const std::string text = read_file(path);
+  std::size_t frames = 0;
+  constexpr std::string_view kEntry = "<DataSet ";
+  for (std::size_t at = 0; (at = text.find(kEntry, at)) != std::string::npos; at += kEntry.size()) ++frames;
+  return heading(path, name_of(SnapshotFormat::vtp)) + line("frames", to_text(frames));
+}
+
 std::string about_recording(const std::filesystem::path& path) {
-  const RecordingReader reader(path);
+  RecordingReader reader(path, OnDamage::keep_what_comes_before);
+  reader.verify();
   std::uint64_t contacts = 0;
   for (const ChunkExtent& chunk : reader.chunks()) contacts += chunk.contacts;
   std::string text = heading(path, "recording of " + reader.header().name);
   text += line("version", to_text(reader.header().version));
   text += line("spheres", to_text(reader.header().spheres));
   text += line("contacts", to_text(contacts));
-  return text + line("time", range(to_text(reader.header().begin), to_text(reader.reached())));
+  text += line("time", range(to_text(reader.header().begin), to_text(reader.reached())));
+  if (!reader.damage()) return text;
+  write_output(text);
+  throw Error(*reader.damage(), path.string(), "hardball view and replay show what comes before");
+}
+
+// As far as a simulation goes.
+std::string about_simulation(const Simulation& simulation) {
+  return line("time", to_text(simulation.time())) + line("spheres", to_text(simulation.size())) +
+         line("contacts", to_text(simulation.counters().contacts())) +
+         line("log hash", hash_text(simulation.event_log_hash()));
+}
+
+std::string about_checkpoint(const std::filesystem::path& path) {
+  std::map<std::string, std::string> sections = read_checkpoint_file(path);
+  std::string what = "checkpoint";
+  RunState run;
+  if (sections.contains("run")) {
+    restore(sections["run"], path.string(), run);
+    what += " of " + run.name;
+  }
+  std::string text = heading(path, what);
+  if (sections.contains("simulation")) {
+    text += about_simulation(Simulation::load(sections["simulation"], path.string()));
+  }
+  std::string names;
+  for (const auto& [name, bytes] : sections) names += (names.empty() ? "" : ", ") + name;
+  return text + line("contents", names);
+}
+
+std::string about_scenario(const std::filesystem::path& path) {
+  const Scenario scenario = load_scenario(path);
+  std::size_t spheres = 0;
+  for (const SphereGroup& group : scenario.spheres) spheres += group.count;
+  std::string box;
+  for (std::size_t axis = 0; axis < scenario.dimensions(); ++axis) {
+    const auto& [boundary, size] = scenario.box[axis];
+    constexpr std::array<std::string_view, 3> kNames{"wall", "periodic", "open"};
+    box += (axis == 0 ? "" : " x ") + (size ? to_text(*size) + " " : "") +
+           std::string(kNames[static_cast<std::size_t>(boundary)]);
+  }
+  std::string text = heading(path, "scenario");
+  text +=
+      line("spheres", scenario.start_file ? "those of " + scenario.start_file->string() : to_text(spheres));
+  text += line("box", box);
+  text += line("until", scenario.until ? to_text(*scenario.until) : "as the command line says");
+  return text + line("seed", to_text(scenario.seed));
+}
+
+std::string about_summary(const std::filesystem::path& path) {
+  const auto json = nlohmann::json::parse(read_file(path), nullptr, false);
+  if (!json.is_object() || !json.contains("event_log_hash")) {
+    throw Error("it is not the summary of a run", path.string(), "name a file that hardball run has written");
+  }
+  std::string text = heading(path, "summary of a run");
+  const auto add = [&](const std::string& name, const nlohmann::json& value) {
+    if (value.is_string()) text += line(name, value.get<std::string>());
+    if (value.is_number_float()) text += line(name, to_text(value.get<double>()));
+    if (value.is_number_integer()) text += line(name, value.dump());
+  };
+  const auto get = [](const nlohmann::json& object, const char* key) {
+    return object.is_object() ? object.value(key, nlohmann::json()) : nlohmann::json();
+  };
+  for (const char* key : {"time", "spheres"}) add(key, get(json, key));
+  for (const char* kind : {"collision", "wall"}) add(kind, get(get(json, "events"), kind));
+  add("log hash", get(json, "event_log_hash"));
+  add("scenario", get(get(json, "scenario"), "file"));
+  for (const char* key : {"seed", "version", "commit"}) add(key, get(json, key));
+  return text;
 }
 
 // The time of a contact in the event log.
@@ -96,7 +184,12 @@ std::string about_event_log(const std::filesystem::path& path, const NpyHeader& 
 
 std::string about(const std::filesystem::path& path) {
   if (path.extension() == ".hbr") return about_recording(path);
-  if (format_of(path) == SnapshotFormat::npy) {
+  if (path.extension() == kCheckpointEnding) return about_checkpoint(path);
+  if (path.extension() == ".toml") return about_scenario(path);
+  if (path.extension() == ".json") return about_summary(path);
+  const SnapshotFormat format = format_of(path);
+  if (format == SnapshotFormat::vtp) return about_collection(path);
+  if (format == SnapshotFormat::npy) {
     const NpyHeader header = read_npy_header(path);
     if (time_in_event_log(header)) return about_event_log(path, header);
   }
@@ -106,8 +199,30 @@ std::string about(const std::filesystem::path& path) {
 }  // namespace
 
 ExitCode info(const Options& options) {
-  for (const std::string& file : options.files) write_output(about(file));
-  return ExitCode::done;
+  ExitCode code = ExitCode::done;
+  const auto tell = [&](const auto& action) {
+    try {
+      action();
+    } catch (const Error& error) {
+      write_message(error.what());
+      code = ExitCode::bad_input;
+    }
+  };
+  for (const std::filesystem::path file : options.files) {
+    if (!std::filesystem::is_directory(file)) {
+      tell([&] { write_output(about(file)); });
+      continue;
+    }
+    const std::vector<std::filesystem::path> names = files_of_run(file);
+    tell([&] {
+      if (names.empty())
+        throw Error("it holds no files of a run", file.string(), "name the output directory of one");
+      write_output(file.string() + ": output of a run that has " + (is_finished(file) ? "" : "not ") +
+                   "ended\n");
+    });
+    for (const std::filesystem::path& name : names) tell([&] { write_output(about(file / name)); });
+  }
+  return code;
 }
 
 }  // namespace hardball::cli

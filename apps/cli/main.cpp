@@ -69,6 +69,10 @@ void add_output_flags(CLI::App& command, Options& options) {
   add_quiet_flag(command, options);
 }
 
+void add_overwrite_flag(CLI::App& command, Options& options, const std::string& description) {
+  command.add_flag("--overwrite", options.overwrite, description)->disable_flag_override();
+}
+
 #if HARDBALL_VIEWER
 CLI::App* add_showing_command(CLI::App& app, Options& options, const std::string& name,
                               const std::string& description) {
@@ -115,9 +119,7 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   add_engine_options(*run_command, options);
   run_command->add_option("--out", options.out, "Directory for the files of the run")->type_name("DIRECTORY");
   add_output_flags(*run_command, options);
-  run_command
-      ->add_flag("--overwrite", options.overwrite, "Replace the files of an earlier run in the directory")
-      ->disable_flag_override();
+  add_overwrite_flag(*run_command, options, "Replace the files of an earlier run in the directory");
   CLI::App* resume_command = app.add_subcommand("resume", "Go on with a run from its last checkpoint");
   resume_command->add_option("DIRECTORY", options.scenario, "Output directory of the run")->required();
   resume_command->add_option("--until", options.until, "Time at which the run ends, instead of before")
@@ -158,9 +160,12 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   convert_command
       ->add_option("--frame", options.frame, "Number of the only frame to write, from 0, instead of all")
       ->type_name("NUMBER");
+  add_overwrite_flag(*convert_command, options, "Replace the file if there is one");
   convert_command->allow_extras();
   CLI::App* info_command = app.add_subcommand("info", "Say what files hold");
-  info_command->add_option("FILE", options.files, "Files with frames, recordings or event logs")
+  info_command
+      ->add_option("FILE", options.files,
+                   "Files of runs, files with frames, scenarios, or directories of runs")
       ->required()
       ->type_name("FILE");
   info_command->allow_extras();
@@ -178,6 +183,7 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   CLI::App* replay_command =
       add_showing_command(app, options, "replay", "Write a run as a single HTML file for offline viewing");
   replay_command->add_option("--out", options.out, "The HTML file")->type_name("FILE");
+  add_overwrite_flag(*replay_command, options, "Replace the file if there is one");
 #endif
   CLI::App* manual_command = app.add_subcommand("manual", "Print the manual page, as for man -l -");
   manual_command->allow_extras();

@@ -12,7 +12,7 @@ namespace hardball::cli {
 struct Options {
   std::string scenario;                ///< Or the output directory of a run.
   std::string in;                      ///< A file with frames.
-  std::vector<std::string> files;      ///< With snapshots, recordings or event logs.
+  std::vector<std::string> files;      ///< Of runs, with snapshots, scenarios; or directories.
   std::vector<std::string> overrides;  ///< Of the form key=value.
   std::optional<std::string> until;
   std::optional<std::string> seed;

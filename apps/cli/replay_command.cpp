@@ -6,6 +6,7 @@
 
 #include "apps/cli/commands.hpp"
 #include "apps/cli/interruption.hpp"
+#include "apps/cli/refuse_to_overwrite.hpp"
 #include "apps/cli/shown_run.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/viewer/built_page.hpp"
@@ -20,6 +21,7 @@ ExitCode replay(const Options& options) {
   if (!options.out) {
     throw Error("no output file is given", "--out", "name it, such as --out replay.html");
   }
+  refuse_to_overwrite(*options.out, options);
   catch_signals();
   const ShownRun shown(options, viewer::kMostReplayedBytes);
   while (!shown.recording().progress().is_finished) {

@@ -48,7 +48,7 @@ void remove_checkpoints(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder)) return;
   std::vector<std::filesystem::path> kept;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".hbc") kept.push_back(entry.path());
+    if (entry.path().extension() == kCheckpointEnding) kept.push_back(entry.path());
   }
   for (const std::filesystem::path& path : kept) std::filesystem::remove(path);
   remove_empty(folder);
@@ -99,6 +99,20 @@ void remove_all(const std::vector<std::filesystem::path>& paths) {
 
 bool is_finished(const std::filesystem::path& directory) {
   return std::filesystem::exists(directory / kSummary);
+}
+
+std::vector<std::filesystem::path> files_of_run(const std::filesystem::path& directory) {
+  std::vector<std::filesystem::path> names{kSummary, kCheckpoint};
+  std::error_code missing;
+  for (const auto& entry : std::filesystem::directory_iterator(directory / kKeptCheckpoints, missing)) {
+    if (entry.path().extension() == kCheckpointEnding)
+      names.push_back(std::filesystem::path(kKeptCheckpoints) / entry.path().filename());
+  }
+  std::sort(names.begin() + 2, names.end());
+  names.insert(names.end(), kTrajectories.begin(), kTrajectories.end());
+  names.insert(names.end(), {kEvents, kRecording});
+  std::erase_if(names, [&](const auto& name) { return !std::filesystem::is_regular_file(directory / name); });
+  return names;
 }
 
 RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario,
@@ -183,6 +197,7 @@ FilesState RunFiles::save() {
   for (auto& [name, trajectory] : trajectories_) {
     state.trajectories.emplace_back(name, trajectory.position());
   }
+  if (events_) state.events = events_->position();
   if (recording_) state.recording = recording_->save();
   return state;
 }
@@ -197,7 +212,6 @@ void RunFiles::note(const Contact& contact, const World& world) {
   if (events_) events_->append(contact);
   if (recording_) recording_->note(contact, world);
 }
-  if (events_) state.events = events_->position();
 
 void RunFiles::note(const VelocityChange& change, const World& world) {
   if (recording_) recording_->note(change, world);

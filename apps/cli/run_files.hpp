@@ -25,11 +25,17 @@ namespace hardball::cli {
 
 /// The checkpoint in an output directory.
 inline constexpr const char* kCheckpoint = "checkpoint.hbc";
+/// How its name and those of others end.
+inline constexpr const char* kCheckpointEnding = ".hbc";
 /// The folder of those that are kept.
 inline constexpr const char* kKeptCheckpoints = "checkpoints";
 
 /// Whether the run whose output directory this is has come to an end.
 bool is_finished(const std::filesystem::path& directory);
+
+/// The files of a run in a directory that are there, by their names: the summary first, then checkpoints,
+/// trajectories, event log and recording.
+std::vector<std::filesystem::path> files_of_run(const std::filesystem::path& directory);
 
 /// How much of the files of a run belongs to a checkpoint.
 struct FilesState {

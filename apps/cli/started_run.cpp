@@ -152,7 +152,7 @@ ExitCode carry_out(StartedRun& run) {
   }
   const bool is_complete = Course(run).complete();
   run.measures.sample_the_rest(simulation.world(), simulation.now());
-  const Summary summary(run.scenario, simulation, run.seconds);
+  const Summary summary(run.scenario, run.options.overrides, simulation, run.seconds);
   const std::string json = summary.json();
   if (run.files) {
     const std::vector<Measurement> measurements = run.measures.results(simulation.world(), simulation.now());
@@ -177,7 +177,8 @@ void write_checkpoint(StartedRun& run, const std::filesystem::path& path) {
   // Files first: what they lack when the machine stops, no checkpoint refers to.
   const FilesState files = run.files->save();
   const std::vector<CheckpointSection> sections{
-      {"run", archived(run.options, run.scenario.text, run.scenario.name, run.next_snapshot, run.seconds)},
+      {"run",
+       archived(RunState{run.options, run.scenario.text, run.scenario.name, run.next_snapshot, run.seconds})},
       {"files", archived(files)},
       {"simulation", run.simulation.save()},
       {"measures", archived(run.measures)}};
@@ -194,31 +195,31 @@ StartedRun resumed_run(const std::filesystem::path& directory, const std::filesy
   const auto restored = [&](const std::string& section, auto&... objects) {
     restore(sections[section], checkpoint.string(), objects...);
   };
-  Options started;
-  std::string text;
-  std::string name;
-  std::uint64_t next_snapshot = 0;
-  Seconds seconds;
-  restored("run", started, text, name, next_snapshot, seconds);
+  RunState state;
+  restored("run", state);
+  Options& started = state.options;
   if (options.until) started.until = options.until;
   started.json = options.json;
   started.quiet = options.quiet;
-  const Scenario scenario = changed_by(started, parse_scenario(text, name, started.overrides));
+  const Scenario scenario = changed_by(started, parse_scenario(state.text, state.name, started.overrides));
   const auto begin = Clock::now();
   Simulation simulation = Simulation::load(sections["simulation"], checkpoint.string());
-  seconds.setup += seconds_since(begin);
+  state.seconds.setup += seconds_since(begin);
   const double time = simulation.time();
   if (*scenario.until < time || (*scenario.until == time && is_finished(directory))) {
     throw Error("the run has reached time " + to_text(time), directory.string(),
                 "give a later end with --until");
   }
   Measures measures;
-  FilesState state;
+  FilesState files;
   restored("measures", measures);
-  restored("files", state);
-  StartedRun run{std::move(started), scenario, std::move(simulation), std::move(measures), std::nullopt,
-                 next_snapshot,      seconds};
-  run.files.emplace(directory, run.scenario, state);
+  restored("files", files);
+  StartedRun run{std::move(started),  scenario,     std::move(simulation), std::move(measures), std::nullopt,
+                 state.next_snapshot, state.seconds};
+  run.files.emplace(directory, run.scenario, files);
+  // The current one may be later than what the files will hold.
+  const std::filesystem::path current = directory / kCheckpoint;
+  if (checkpoint != current) replace_file(current, read_file(checkpoint));
   return run;
 }
 

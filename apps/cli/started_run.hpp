@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "apps/cli/commands.hpp"
 #include "apps/cli/options.hpp"
@@ -25,6 +26,19 @@ struct StartedRun {
   std::optional<RunFiles> files;
   std::uint64_t next_snapshot = 0;  ///< Its number, see SnapshotSchedule.
   Seconds seconds;                  ///< That it has taken so far.
+};
+
+/// What the section "run" of a checkpoint holds.
+struct RunState {
+  Options options;
+  std::string text;  ///< Of the scenario.
+  std::string name;  ///< Likewise.
+  std::uint64_t next_snapshot = 0;
+  Seconds seconds;
+
+  static void persist(auto& archive, auto& self) {
+    archive(self.options, self.text, self.name, self.next_snapshot, self.seconds);
+  }
 };
 
 /// Carries a run out to its end, writes its files, checkpoints on the way, and the summary. Error

@@ -13,6 +13,7 @@
 #include "apps/cli/response_text.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
+#include "apps/cli/version.hpp"
 #include "hardball/measure/event_log_hash.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/walls.hpp"
@@ -35,8 +36,13 @@ nlohmann::ordered_json number_or_null(double number) {
 
 }  // namespace
 
-Summary::Summary(const Scenario& scenario, const Simulation& simulation, const Seconds& seconds)
-    : spheres_(simulation.size()),
+Summary::Summary(const Scenario& scenario, const std::vector<std::string>& overrides,
+                 const Simulation& simulation, const Seconds& seconds)
+    : scenario_name_(scenario.name),
+      scenario_text_(scenario.text),
+      overrides_(overrides),
+      seed_(scenario.seed),
+      spheres_(simulation.size()),
       is_flat_(simulation.world().box().is_flat()),
       time_(simulation.time()),
       counters_(simulation.counters()),
@@ -112,7 +118,12 @@ std::string Summary::json() const {
   json["collisions_per_second"] = number_or_null(static_cast<double>(counters_.collision) / seconds_.run);
   json["bytes_per_sphere"] = number_or_null(bytes_per_sphere_);
   json["peak_rss_bytes"] = peak_rss_bytes_;
-  return json.dump(2) + "\n";
+  json["seed"] = seed_;
+  json["version"] = version();
+  json["commit"] = commit();
+  json["scenario"] = {{"file", scenario_name_}, {"set", overrides_}, {"text", scenario_text_}};
+  // The name of a file may contain any bytes.
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::string Summary::table() const {

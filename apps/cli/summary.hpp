@@ -23,8 +23,10 @@ struct Seconds {
 /// The summary of a run.
 class Summary {
  public:
-  /// Summarises the simulation of a scenario at its current time. Cost: that of an audit.
-  Summary(const Scenario& scenario, const Simulation& simulation, const Seconds& seconds);
+  /// Summarises the simulation of a scenario at its current time. `overrides`: those of the scenario. Cost:
+  /// that of an audit.
+  Summary(const Scenario& scenario, const std::vector<std::string>& overrides, const Simulation& simulation,
+          const Seconds& seconds);
 
   /// One JSON object, with null for what does not apply to this run, and a line break.
   std::string json() const;
@@ -52,6 +54,10 @@ class Summary {
     std::size_t spheres = 0;
   };
 
+  std::string scenario_name_;
+  std::string scenario_text_;
+  std::vector<std::string> overrides_;
+  std::uint64_t seed_;
   std::size_t spheres_;
   bool is_flat_;
   double time_;

@@ -42,9 +42,17 @@ std::string instruction_sets() {
 
 }  // namespace
 
+std::string version() {
+  return HARDBALL_VERSION;
+}
+
+std::string commit() {
+  return kCommit;
+}
+
 std::string version_text() {
-  std::string text = fmt::format("hardball {}\n", HARDBALL_VERSION);
-  text += table_line("commit", kCommit);
+  std::string text = fmt::format("hardball {}\n", version());
+  text += table_line("commit", commit());
   text += table_line("compiler", std::string(kCompiler));
   text += table_line("build type", build_type());
   text += table_line("instructions", instruction_sets());

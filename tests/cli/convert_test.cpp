@@ -4,7 +4,10 @@
 // The commands convert and info.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "cli/program.hpp"
 
@@ -39,12 +42,12 @@ class Convert : public testing::Test {
 TEST_F(Convert, WritesWhatARunWrites) {
   for (const std::string in : {"out/trajectory.xyz", "out/trajectory.xyz.zst", "out/trajectory.gsd"}) {
     for (const std::string ending : {"xyz", "xyz.zst", "gsd", "lammpstrj"}) {
-      const Outcome outcome = convert(in, "a." + ending);
+      const Outcome outcome = convert(in, "a." + ending, {"--overwrite"});
       EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
       EXPECT_NE(outcome.output.find("6 frames"), std::string::npos) << outcome.output;
       EXPECT_EQ(text("a." + ending), text("out/trajectory." + ending)) << in << " to " << ending;
     }
-    EXPECT_EQ(convert(in, "trajectory.pvd").exit_code, 0);
+    EXPECT_EQ(convert(in, "trajectory.pvd", {"--overwrite"}).exit_code, 0);
     EXPECT_EQ(text("trajectory.pvd"), text("out/trajectory.pvd"));
     EXPECT_EQ(text("trajectory/00000005.vtp"), text("out/trajectory/00000005.vtp"));
   }
@@ -90,6 +93,58 @@ TEST_F(Convert, RefusesWhatItCannotDo) {
   EXPECT_EQ(text("out/trajectory.xyz"), before);
 }
 
+TEST_F(Convert, ReplacesAFileOnlyIfItIsTold) {
+  for (const std::string name : {"a.xyz", "a.gsd", "a.pvd"}) {
+    ASSERT_EQ(convert("out/trajectory.xyz", name).exit_code, 0);
+    const std::string before = text(name);
+    expect_refusal(convert("out/trajectory.xyz", name, {"--frame", "0"}),
+                   name + ": there is such a file; name another file, or replace it with --overwrite");
+    EXPECT_TRUE(text(name) == before);
+    EXPECT_EQ(convert("out/trajectory.xyz", name, {"--frame", "0", "--overwrite"}).exit_code, 0);
+    EXPECT_FALSE(text(name) == before);
+  }
+  EXPECT_EQ(convert("out/trajectory.xyz", "null.xyz").exit_code, 0);
+}
+
+void expect_parts(const std::string& text, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts)
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+}
+
+TEST_F(Convert, TellsOfTheOthersWhatFilesHold) {
+  write_text(folder_ / "notes.txt", "mine");
+  const Outcome outcome = run_program(folder_, {"info", "notes.txt", "missing.hbr", "gas.toml", ".",
+                                                "out/checkpoint.hbc", "out/summary.json"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  expect_parts(outcome.messages, {"notes.txt: its name does not say", "missing.hbr: the file cannot be read",
+                                  ".: it holds no files of a run"});
+  EXPECT_EQ(std::count(outcome.messages.begin(), outcome.messages.end(), '\n'), 3);
+  expect_parts(outcome.output,
+               {"gas.toml: scenario, ", "  box       10 wall x 10 wall x 10 wall\n", "  until     5\n",
+                "  seed      1\n", "out/checkpoint.hbc: checkpoint of gas.toml, ",
+                "  contents  files, measures, run, simulation\n", "out/summary.json: summary of a run, ",
+                "  scenario  gas.toml\n"});
+}
+
+TEST_F(Convert, TellsWhatADirectoryHolds) {
+  const Outcome whole = run_program(folder_, {"info", "out"});
+  EXPECT_EQ(whole.exit_code, 0) << whole.messages;
+  expect_parts(whole.output,
+               {"out: output of a run that has ended\n", "out/summary.json: ", "out/checkpoint.hbc: ",
+                "out/trajectory.xyz: ", "out/trajectory.pvd: VTP collection, ",
+                "out/events.npy: ", "out/recording.hbr: "});
+  std::filesystem::remove(folder_ / "out/summary.json");
+  std::string recording = text("out/recording.hbr");
+  recording[recording.size() - 100] ^= 1;
+  write_text(folder_ / "out/recording.hbr", recording);
+  const Outcome damaged = run_program(folder_, {"info", "out", "gas.toml"});
+  EXPECT_EQ(damaged.exit_code, 2);
+  expect_parts(damaged.output,
+               {"out: output of a run that has not ended\n", "out/recording.hbr: ", "gas.toml: "});
+  expect_parts(damaged.messages,
+               {"out/recording.hbr: the recording is damaged after time 0: chunk 0, at byte "});
+}
+
 TEST_F(Convert, TellsWhatFilesHold) {
   const Outcome outcome = run_program(folder_, {"info", "out/trajectory.gsd", "out/trajectory.lammpstrj",
                                                 "out/events.npy", "out/recording.hbr"});
@@ -101,7 +156,6 @@ TEST_F(Convert, TellsWhatFilesHold) {
         "out/events.npy: event log, ", "out/recording.hbr: recording of gas, ", "  contacts  "}) {
     EXPECT_NE(outcome.output.find(fragment), std::string::npos) << fragment << " in\n" << outcome.output;
   }
-  expect_refusal(run_program(folder_, {"info", "gas.toml"}), "gas.toml: its name does not say");
   expect_refusal(run_program(folder_, {"info"}), "FILE is required");
 }
 

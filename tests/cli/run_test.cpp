@@ -75,14 +75,34 @@ class Run : public testing::Test {
   ScratchFolder folder_;
 };
 
+TEST_F(Run, SaysFromWhatItsResultsFollow) {
+  const json printed = run_json({"--out", "out", "--seed", "18446744073709551615", "--set", "run.until=2"});
+  const json written = json::parse(read_text(folder_ / "out/summary.json"));
+  const std::string version = run_program(folder_, {"--version"}).output;
+  for (const json& summary : {printed, written}) {
+    EXPECT_EQ(summary["seed"], 18446744073709551615U);
+    EXPECT_TRUE(version.starts_with("hardball " + summary["version"].get<std::string>() + "\n"));
+    EXPECT_NE(version.find(" " + summary["commit"].get<std::string>() + "\n"), std::string::npos);
+    EXPECT_EQ(summary["scenario"]["file"], "gas.toml");
+    EXPECT_EQ(summary["scenario"]["set"], json({"run.until=2"}));
+    EXPECT_EQ(summary["scenario"]["text"], support::kSmallGas);
+  }
+  const Arguments resume{"resume", "out", "--until", "3", "--json", "--quiet"};
+  const json resumed = json::parse(run_program(folder_, resume).output);
+  for (const char* key : {"seed", "version", "commit", "scenario"}) EXPECT_EQ(resumed[key], printed[key]);
+}
+
 TEST_F(Run, PrintsOneObjectWithAllKeys) {
   const json summary = run_json();
   std::set<std::string> keys;
   for (const auto& [key, value] : summary.items()) keys.insert(key);
-  EXPECT_EQ(keys, (std::set<std::string>{"spheres", "time", "events", "predictions", "event_log_hash",
-                                         "energy", "momentum", "max_overlap", "packing_fraction",
-                                         "compressibility", "wall_pressure", "engine", "cell_edge", "seconds",
-                                         "collisions_per_second", "bytes_per_sphere", "peak_rss_bytes"}));
+  EXPECT_EQ(keys, (std::set<std::string>{"spheres",          "time",           "events",
+                                         "predictions",      "event_log_hash", "energy",
+                                         "momentum",         "max_overlap",    "packing_fraction",
+                                         "compressibility",  "wall_pressure",  "engine",
+                                         "cell_edge",        "seconds",        "collisions_per_second",
+                                         "bytes_per_sphere", "peak_rss_bytes", "seed",
+                                         "version",          "commit",         "scenario"}));
   EXPECT_EQ(summary["spheres"], 20);
   EXPECT_EQ(summary["time"], 5.0);
   for (const char* kind : {"collision", "wall", "enter", "leave", "stale"}) {

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/cli/refuse_to_overwrite.hpp"
+
+#include <system_error>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball::cli {
+
+void refuse_to_overwrite(const std::filesystem::path& file, const Options& options) {
+  std::error_code missing;
+  if (options.overwrite || !std::filesystem::is_regular_file(file, missing)) return;
+  throw Error("there is such a file", file.string(), "name another file, or replace it with --overwrite");
+}
+
+}  // namespace hardball::cli
