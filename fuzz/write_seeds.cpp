@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "hardball/errors/error.hpp"
 #include "hardball/io/checkpoint_file.hpp"
 #include "hardball/io/recording_writer.hpp"
 #include "hardball/io/trajectory.hpp"
@@ -45,6 +46,13 @@ RunLimits few_contacts(double until) {
   return {.until = Time(until), .contacts = 20, .steps = 10000};
 }
 
+// The state of a recording without the checksum of the file, which is another where it is read.
+std::string without_checksum(std::string state) {
+  constexpr std::size_t kPlace = 4 + 4 + 8;  // after the versions of the state and the file, and the length
+  HARDBALL_CHECK(state.at(kPlace) == 1);
+  return state.replace(kPlace, 1 + 8, 1, '\0');
+}
+
 void write_seeds_of_world(const std::filesystem::path& corpus, const std::string& name,
                           const RandomWorld& made, const std::optional<Thermostat>& thermostat) {
   using support::write_text;
@@ -64,7 +72,7 @@ void write_seeds_of_world(const std::filesystem::path& corpus, const std::string
   simulation.on_velocity_change(
       [&](const VelocityChange& change) { recording.note(change, simulation.world()); });
   simulation.run(few_contacts(made.until));
-  write_text(corpus / "recording_state" / name, recording.save());
+  write_text(corpus / "recording_state" / name, without_checksum(recording.save()));
   recording.close(simulation.time());
   const std::string state = simulation.save();
   write_text(corpus / "simulation" / name, state);
