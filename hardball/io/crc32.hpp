@@ -11,7 +11,7 @@ namespace hardball {
 ///
 /// It tells every change of up to 32 adjacent bits, and of any two bits in less than 512 MB; other changes
 /// but for one in 2^32. Source: ISO 3309; eight bytes at a time by tables (Kounavis and Berry, "A systematic
-/// approach to building high performance software-based CRC generators", 2005). Cost: some 2 GB/s.
+/// approach to building high performance software-based CRC generators", 2005). Cost: O(bytes).
 class Crc32 {
  public:
   void add(std::string_view bytes);
