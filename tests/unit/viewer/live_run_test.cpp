@@ -92,6 +92,32 @@ TEST(LiveRun, ReportsWhyItFailed) {
   EXPECT_LE(reader.reached(), 1);
 }
 
+TEST(RecordedProgress, OfADamagedRecordingIsThatBeforeTheDamage) {
+  const ScratchFolder folder;
+  record(folder / "recording.hbr", kGas, 5);
+  RecordingReader whole(folder / "recording.hbr");
+  ASSERT_GT(whole.chunks().size(), 2U);
+  const ChunkExtent second = whole.chunks()[1];
+  std::uint64_t contacts = 0;
+  for (const RecordedContact& contact : whole.read(0).contacts) contacts += contact.is_collision() ? 1U : 0U;
+  std::string bytes = support::read_text(folder / "recording.hbr");
+  bytes[second.bytes.offset + second.bytes.length / 2] ^= 1;
+  write_text(folder / "recording.hbr", bytes);
+  EXPECT_THROW(SharedRecording(folder / "recording.hbr").verify({}), Error);
+  SharedRecording recording(folder / "recording.hbr", OnDamage::keep_what_comes_before);
+  recording.update(recorded_progress(recording, folder / "summary.json"));
+  EXPECT_EQ(recording.progress().collisions, contacts);
+  EXPECT_EQ(recording.length(), second.bytes.offset);
+  EXPECT_FALSE(recording.chunk(1));
+  const auto status = nlohmann::json::parse(recording.status_json(0));
+  EXPECT_EQ(status["chunks"], 1);
+  EXPECT_EQ(status["reached"], second.begin);
+  EXPECT_TRUE(status["failed"].is_null());
+  EXPECT_EQ(status["damaged"],
+            "the recording is damaged after time " + to_text(second.begin) + ": chunk 1, at byte " +
+                to_text(second.bytes.offset) + ", has another checksum; what comes before is shown");
+}
+
 TEST(RecordedProgress, IsThatOfTheRunAndItsSummary) {
   const ScratchFolder folder;
   Simulation alone(kGas);

@@ -5,7 +5,7 @@ import test from 'node:test';
 import zlib from 'node:zlib';
 import { crc32 } from '../../../apps/viewer/page/src/recording/crc32.js';
 import { readRecording } from '../../../apps/viewer/page/src/recording/recording_file.js';
-import { decodeBase64 } from '../../../apps/viewer/page/src/recording/saved_source.js';
+import { decodeBase64, SavedSource } from '../../../apps/viewer/page/src/recording/saved_source.js';
 import { recordSmallGas, withChecksums } from '../support/small_gas.mjs';
 
 // Two spheres on a line between walls: they meet at time 1.5, and each meets its wall at time 5.5.
@@ -114,6 +114,15 @@ test('no flipped bit passes where there are checksums, and what comes before is 
       }
     }
   }
+});
+
+test('a saved page with a damaged recording says so and shows what comes before', () => {
+  const bytes = withChecksums(recordSmallGas(kTwo));
+  const textOf = (buffer) => ({ textContent: Buffer.from(buffer).toString('base64') });
+  assert.equal(new SavedSource(textOf(bytes)).status.damaged, null);
+  const source = new SavedSource(textOf(flipped(bytes, bytes.byteLength - 30, 3)));
+  assert.match(source.status.damaged, /damaged after time 1.5: another checksum at byte \d+; what comes before/);
+  assert.deepEqual(source.ends, [1.5]);
 });
 
 test('a chunk with checksums that is cut off is no damage', () => {
