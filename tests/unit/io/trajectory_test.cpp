@@ -309,14 +309,15 @@ TEST(Trajectory, OfGsdKilledAtAnyWriteGoesOnToTheSameBytes) {
   const auto append = [&](Trajectory& trajectory, std::uint64_t frame) {
     trajectory.append(world, Time(0.3 * static_cast<double>(frame)));
   };
-  std::vector<std::string> bytes;  // after each frame
-  std::vector<TrajectoryPosition> positions;
+  std::vector<std::string> bytes;                         // after each frame
+  std::map<std::uint64_t, TrajectoryPosition> positions;  // by the number of frames before
   std::set<std::uint64_t> index_locations;
   {
     Trajectory trajectory(folder / "run.gsd");
     for (std::uint64_t frame = 0;; ++frame) {
       bytes.push_back(read_text(folder / "run.gsd"));
-      positions.push_back(trajectory.position());
+      if (std::set<std::uint64_t>{0, 1, 13, 14, 31, 33}.contains(frame))
+        positions[frame] = trajectory.position();
       index_locations.insert(gsd::File(folder / "run.gsd").header().index_location);
       if (frame == kFrames) break;
       append(trajectory, frame);
@@ -325,12 +326,12 @@ TEST(Trajectory, OfGsdKilledAtAnyWriteGoesOnToTheSameBytes) {
   ASSERT_EQ(index_locations.size(), 3U);
   const auto expect_to_go_on = [&](std::uint64_t from, const std::string& killed) {
     write_text(folder / "killed.gsd", killed);
-    Trajectory trajectory(folder / "killed.gsd", positions[from]);
+    Trajectory trajectory(folder / "killed.gsd", positions.at(from));
     for (std::uint64_t frame = from; frame < kFrames; ++frame) append(trajectory, frame);
     trajectory.close();
     ASSERT_TRUE(read_text(folder / "killed.gsd") == bytes.back());
   };
-  for (const std::uint64_t from : {0U, 1U, 13U, 14U, 31U, 33U}) {
+  for (const auto& [from, position] : positions) {
     for (std::uint64_t frame = from; frame < kFrames; frame += frame % 14 < 3 ? 1 : 5) {
       SCOPED_TRACE("checkpoint at frame " + to_text(from) + ", killed in frame " + to_text(frame));
       const std::string& before = bytes[frame];
@@ -341,11 +342,18 @@ TEST(Trajectory, OfGsdKilledAtAnyWriteGoesOnToTheSameBytes) {
       }
     }
     expect_to_go_on(from, bytes.back());
-    // Killed while it was cut back, which is done once more.
+    // Killed while it was cut back: with the index that it had, with the header, too, or shortened as well.
+    const std::string& then = bytes[from];
+    const gsd::Header header = gsd::header_at(then.data());
+    const std::size_t length = header.index_entries * gsd::Entry::kBytes;
+    std::string killed = bytes.back();
+    killed.replace(header.index_location, length, then, header.index_location, length);
+    expect_to_go_on(from, killed);
+    expect_to_go_on(from, then + bytes.back().substr(then.size()));
+    expect_to_go_on(from, then);
     write_text(folder / "killed.gsd", bytes.back());
-    Trajectory(folder / "killed.gsd", positions[from]).flush();
-    EXPECT_EQ(Trajectory(folder / "killed.gsd", positions[from]).position(), positions[from]);
-    EXPECT_TRUE(read_text(folder / "killed.gsd") == bytes[from]);
+    EXPECT_EQ(Trajectory(folder / "killed.gsd", position).position(), position);
+    EXPECT_TRUE(read_text(folder / "killed.gsd") == then);
   }
 }
 
