@@ -12,7 +12,7 @@
 
 #include "cli/program.hpp"
 
-namespace hardball {
+namespace hardball::bad_input_test {
 namespace {
 
 using support::Arguments;
@@ -906,4 +906,4 @@ TEST_F(RefusedDirectory, HoldsTheStartFile) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::bad_input_test

@@ -11,7 +11,7 @@
 
 #include "cli/program.hpp"
 
-namespace hardball {
+namespace hardball::check_test {
 namespace {
 
 using support::Arguments;
@@ -175,4 +175,4 @@ TEST_F(WhatCheckExpects, WarnsOfSpheresThatNeverMeet) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::check_test

@@ -11,7 +11,7 @@
 
 #include "cli/program.hpp"
 
-namespace hardball {
+namespace hardball::convert_test {
 namespace {
 
 using support::Outcome;
@@ -160,4 +160,4 @@ TEST_F(Convert, TellsWhatFilesHold) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::convert_test

@@ -13,7 +13,7 @@
 
 #include "cli/program.hpp"
 
-namespace hardball {
+namespace hardball::documentation_test {
 namespace {
 
 using support::Arguments;
@@ -148,4 +148,4 @@ TEST_F(Documentation, TheWordsToChooseFromAreThoseThatTheProgramTakes) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::documentation_test

@@ -9,7 +9,7 @@
 
 #include "cli/program.hpp"
 
-namespace hardball {
+namespace hardball::faces_test {
 namespace {
 
 using nlohmann::json;
@@ -69,4 +69,4 @@ TEST(FacesOfTheBox, AreMeasuredAndTheSameForAllEngines) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::faces_test

@@ -14,7 +14,7 @@
 #include "hardball/io/recording_reader.hpp"
 #include "hardball/io/snapshot_format.hpp"
 
-namespace hardball {
+namespace hardball::failure_test {
 namespace {
 
 using support::Outcome;
@@ -174,4 +174,4 @@ TEST_F(Failure, OfARunThatCannotContinue) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::failure_test

@@ -12,7 +12,7 @@
 #include "cli/program.hpp"
 #include "hardball/measure/measure_settings.hpp"
 
-namespace hardball {
+namespace hardball::measures_test {
 namespace {
 
 using support::Arguments;
@@ -108,4 +108,4 @@ TEST_F(MeasuredRun, WritesWhatItHasWhenInterrupted) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::measures_test

@@ -11,7 +11,7 @@
 
 #include "cli/program.hpp"
 
-namespace hardball {
+namespace hardball::progress_test {
 namespace {
 
 using support::Arguments;
@@ -112,4 +112,4 @@ TEST(ProgressElsewhere, IsNotShown) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::progress_test

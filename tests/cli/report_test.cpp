@@ -14,7 +14,7 @@
 #include "cli/program.hpp"
 #include "support/page.hpp"
 
-namespace hardball {
+namespace hardball::report_test {
 namespace {
 
 using nlohmann::json;
@@ -211,4 +211,4 @@ TEST_F(ReportFile, DoesNotReplaceADirectory) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::report_test

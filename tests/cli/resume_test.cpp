@@ -12,7 +12,7 @@
 
 #include "cli/program.hpp"
 
-namespace hardball {
+namespace hardball::resume_test {
 namespace {
 
 using nlohmann::json;
@@ -190,4 +190,4 @@ TEST_F(Resume, GoesOnWithARunOfVersion1) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::resume_test

@@ -18,7 +18,7 @@
 #include "hardball/simulation/simulation.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace hardball::cli {
+namespace hardball::cli::run_files_test {
 namespace {
 
 using support::read_text;
@@ -115,4 +115,4 @@ TEST(RunFiles, OfEveryOrderKnowTheirFilesByName) {
 }
 
 }  // namespace
-}  // namespace hardball::cli
+}  // namespace hardball::cli::run_files_test

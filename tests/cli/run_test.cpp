@@ -16,7 +16,7 @@
 #include "hardball/io/recording_reader.hpp"
 #include "hardball/io/snapshot_format.hpp"
 
-namespace hardball {
+namespace hardball::run_test {
 namespace {
 
 using nlohmann::json;
@@ -474,4 +474,4 @@ TEST_F(Run, StartsAtOnceInABoxOfAnyShape) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::run_test

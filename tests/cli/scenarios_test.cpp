@@ -12,7 +12,7 @@
 
 #include "cli/program.hpp"
 
-namespace hardball {
+namespace hardball::scenarios_test {
 namespace {
 
 using nlohmann::json;
@@ -120,4 +120,4 @@ TEST(Scenario, DiluteGasHasThePressureOfTheory) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::scenarios_test

@@ -11,7 +11,7 @@
 #include "cli/program.hpp"
 #include "hardball/io/recording_reader.hpp"
 
-namespace hardball {
+namespace hardball::species_test {
 namespace {
 
 using nlohmann::json;
@@ -110,4 +110,4 @@ TEST(SpeciesInWords, AreCountedRecordedAndReportedByTheRun) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::species_test

@@ -11,7 +11,7 @@
 
 #include "cli/program.hpp"
 
-namespace hardball {
+namespace hardball::tune_test {
 namespace {
 
 using support::Arguments;
@@ -159,4 +159,4 @@ TEST(TuneOfScattered, RefusesSpheresThatHaveFlownTooFarApart) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::tune_test

@@ -16,7 +16,7 @@
 #include "hardball/io/recording_reader.hpp"
 #include "hardball/io/recording_writer.hpp"
 
-namespace hardball {
+namespace hardball::view_test {
 namespace {
 
 using nlohmann::json;
@@ -250,4 +250,4 @@ TEST_F(View, ReplayOfAFailedRunShowsItUpToTheFailure) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::view_test

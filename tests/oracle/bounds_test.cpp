@@ -17,7 +17,7 @@
 #include "support/instruction_sets.hpp"
 #include "support/record.hpp"
 
-namespace hardball {
+namespace hardball::bounds_test {
 namespace {
 
 // How worlds are made. Lengths are in units of the largest reach, speeds in units of a common speed.
@@ -356,4 +356,4 @@ INSTANTIATE_TEST_SUITE_P(Regimes, Bounds, testing::ValuesIn(all_regimes()),
                          [](const auto& regime) { return regime.param.name; });
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::bounds_test

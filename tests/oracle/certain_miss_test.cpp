@@ -13,7 +13,7 @@
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
-namespace hardball {
+namespace hardball::certain_miss_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;  // 113 bits
@@ -123,4 +123,4 @@ TEST(CertainMiss, IsTheUsualCase) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::certain_miss_test

@@ -8,7 +8,7 @@
 #include "support/history.hpp"
 #include "support/random_world.hpp"
 
-namespace hardball {
+namespace hardball::engines_agree_test {
 namespace {
 
 using support::History;
@@ -144,4 +144,4 @@ TEST(InelasticCollapse, IsAvoidedIfSlowOrRapidImpactsAreElastic) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::engines_agree_test

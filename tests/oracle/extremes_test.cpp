@@ -14,7 +14,7 @@
 #include "support/gas.hpp"
 #include "support/history.hpp"
 
-namespace hardball {
+namespace hardball::extremes_test {
 namespace {
 
 using support::History;
@@ -131,4 +131,4 @@ TEST(Places, FarFromTheOrigin) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::extremes_test

@@ -21,7 +21,7 @@
 #include "support/gas.hpp"
 #include "support/random_world.hpp"
 
-namespace hardball {
+namespace hardball::instruction_sets_test {
 namespace {
 
 constexpr std::array kAllSets = {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512};
@@ -151,4 +151,4 @@ TEST(EnginesSideBySide, HaveTheHistoryOfASingleOne) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::instruction_sets_test

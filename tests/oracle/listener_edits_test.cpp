@@ -12,7 +12,7 @@
 #include "support/history.hpp"
 #include "support/random_world.hpp"
 
-namespace hardball {
+namespace hardball::listener_edits_test {
 namespace {
 
 using support::History;
@@ -146,4 +146,4 @@ TEST_P(ListenerEdits, GiveOneHistory) {
 INSTANTIATE_TEST_SUITE_P(Part, ListenerEdits, testing::Range<std::uint64_t>(0, kParts));
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::listener_edits_test

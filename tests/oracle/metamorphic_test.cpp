@@ -14,7 +14,7 @@
 #include "support/history.hpp"
 #include "support/random_world.hpp"
 
-namespace hardball {
+namespace hardball::metamorphic_test {
 namespace {
 
 using support::History;
@@ -399,4 +399,4 @@ TEST(Retuning, OfABurstKeepsTheHistory) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::metamorphic_test

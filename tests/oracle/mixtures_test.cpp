@@ -15,7 +15,7 @@
 #include "support/effort.hpp"
 #include "support/history.hpp"
 
-namespace hardball {
+namespace hardball::mixtures_test {
 namespace {
 
 using support::History;
@@ -123,4 +123,4 @@ TEST(Mixtures, AreFollowedThroughChangesOfVelocity) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::mixtures_test

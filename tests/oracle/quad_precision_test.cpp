@@ -12,7 +12,7 @@
 #include "support/history.hpp"
 #include "support/random_world.hpp"
 
-namespace hardball {
+namespace hardball::quad_precision_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
@@ -279,4 +279,4 @@ INSTANTIATE_TEST_SUITE_P(Boundaries, PlainSimulationInQuadPrecision,
                                          std::array{kWall, kPeriodic, kOpen}));
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::quad_precision_test

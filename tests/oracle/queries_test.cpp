@@ -16,7 +16,7 @@
 #include "support/effort.hpp"
 #include "support/random_world.hpp"
 
-namespace hardball {
+namespace hardball::queries_test {
 namespace {
 
 using support::RandomWorld;
@@ -413,4 +413,4 @@ TEST(Queries, ClearancesAreThoseOfTheNearestImage) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::queries_test

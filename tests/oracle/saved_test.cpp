@@ -19,7 +19,7 @@
 #include "support/history.hpp"
 #include "support/random_world.hpp"
 
-namespace hardball {
+namespace hardball::saved_test {
 namespace {
 
 using support::History;
@@ -169,4 +169,4 @@ TEST_P(Saved, GoesOnToTheSameHistoryAndMeasures) {
 INSTANTIATE_TEST_SUITE_P(Part, Saved, testing::Range<std::uint64_t>(0, kParts));
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::saved_test

@@ -16,7 +16,7 @@
 #include "support/history.hpp"
 #include "support/random_world.hpp"
 
-namespace hardball {
+namespace hardball::steering_test {
 namespace {
 
 using support::RandomWorld;
@@ -268,4 +268,4 @@ TEST(Queries, LeaveNoTrace) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::steering_test

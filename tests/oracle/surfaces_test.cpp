@@ -16,7 +16,7 @@
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
-namespace hardball {
+namespace hardball::surfaces_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
@@ -166,4 +166,4 @@ TEST_P(SurfaceContact, AgreesWithPlainGeometryTo113Bits) {
 INSTANTIATE_TEST_SUITE_P(Shape, SurfaceContact, testing::Range(0, 5));
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::surfaces_test

@@ -12,7 +12,7 @@
 #include "support/history.hpp"
 #include "support/random_world.hpp"
 
-namespace hardball {
+namespace hardball::thermostats_test {
 namespace {
 
 using support::History;
@@ -184,4 +184,4 @@ TEST_P(Thermostats, GiveOneHistoryInTwoDimensions) {
 INSTANTIATE_TEST_SUITE_P(Part, Thermostats, testing::Range<std::uint64_t>(0, kParts));
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::thermostats_test

@@ -15,7 +15,7 @@
 #include "support/history.hpp"
 #include "support/instruction_sets.hpp"
 
-namespace hardball {
+namespace hardball::ties_test {
 namespace {
 
 using support::History;
@@ -190,4 +190,4 @@ TEST(Ties, OfThreeSpheresAndMore) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::ties_test

@@ -12,7 +12,7 @@
 #include "support/gas.hpp"
 #include "support/record.hpp"
 
-namespace hardball {
+namespace hardball::burst_test {
 namespace {
 
 double extent(const Simulation& simulation) {
@@ -59,4 +59,4 @@ TEST(BurstIntoOpenSpace, EndsAfterFinitelyManyContactsAndNeedsNoMoreMemoryThanIt
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::burst_test

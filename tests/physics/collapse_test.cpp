@@ -16,7 +16,7 @@
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
-namespace hardball {
+namespace hardball::collapse_test {
 namespace {
 
 struct End {
@@ -217,4 +217,4 @@ TEST(NoAlarm, ForTinyBouncesByTheRule) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::collapse_test

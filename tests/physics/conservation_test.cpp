@@ -11,14 +11,15 @@
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/random.hpp"
+#include "support/effort.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"
 
-namespace hardball {
+namespace hardball::conservation_test {
 namespace {
 
 constexpr std::size_t kSpheres = 1000;
-constexpr std::uint64_t kContacts = 1000000;
+constexpr std::uint64_t kContacts = support::cases(1000000);
 
 // An elastic collision conserves energy and momentum whatever the spheres' distance; only the arithmetic
 // rounds, by about 1e-16 of a sphere's share each time and with a random sign: sqrt(1e6) * 1e-16 / sqrt(1000)
@@ -109,4 +110,4 @@ TEST(MillionCollisions, OfACrystalConserveEnergyAndMomentum) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::conservation_test

@@ -12,7 +12,7 @@
 #include "support/gas.hpp"
 #include "support/record.hpp"
 
-namespace hardball {
+namespace hardball::exact_test {
 namespace {
 
 // Every engine, with cells far smaller than a sphere and cells larger than the box.
@@ -224,4 +224,4 @@ TEST(NewtonsCradle, WithATableOfPairsIsExact) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::exact_test

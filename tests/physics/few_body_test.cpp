@@ -12,7 +12,7 @@
 #include "hardball/world/random.hpp"
 #include "support/record.hpp"
 
-namespace hardball {
+namespace hardball::few_body_test {
 namespace {
 
 // The centres move in a cube of edge a = D - 2r and stay a distance of s = 2r <= a apart. The volume Q
@@ -100,4 +100,4 @@ TEST(TwoSpheresInACube, HaveThePressureAndCollisionRateOfTheClosedForm) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::few_body_test

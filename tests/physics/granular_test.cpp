@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "hardball/simulation/simulation.hpp"
-#include "physics/theory.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"
+#include "support/theory.hpp"
 
-namespace hardball {
+namespace hardball::granular_test {
 namespace {
 
 // A collision at the normal speed v dissipates m (1 - e^2) v^2 / 4, and v^2 is 4 kT on average: after C
@@ -72,4 +72,4 @@ TEST(GranularGas, ConservesItsMomentum) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::granular_test

@@ -14,11 +14,11 @@
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/response/restitution.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "physics/theory.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"
+#include "support/theory.hpp"
 
-namespace hardball {
+namespace hardball::precision_test {
 namespace {
 
 // How precisely spheres touch at contacts.
@@ -149,4 +149,4 @@ TEST(AMillionBounces, KeepTheirPeriod) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::precision_test

@@ -14,7 +14,7 @@
 #include "support/random_world.hpp"
 #include "support/record.hpp"
 
-namespace hardball {
+namespace hardball::virial_test {
 namespace {
 
 // Sum of m x.v: half the rate at which the moment of inertia grows.
@@ -225,4 +225,4 @@ TEST(WallPressure, IsTheDensityAtContactTimesTemperature) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::virial_test

@@ -12,7 +12,7 @@
 #include "hardball/world/audit.hpp"
 #include "property/any_world.hpp"
 
-namespace hardball {
+namespace hardball::invariants_test {
 namespace {
 
 using support::RandomWorld;
@@ -153,4 +153,4 @@ RC_GTEST_PROP(AGasWithoutWalls, KeepsItsMomentumAndLosesOnlyWhatRestitutionTakes
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::invariants_test

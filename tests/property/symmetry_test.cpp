@@ -15,7 +15,7 @@
 
 #include "property/any_world.hpp"
 
-namespace hardball {
+namespace hardball::symmetry_test {
 namespace {
 
 using support::RandomWorld;
@@ -251,4 +251,4 @@ RC_GTEST_PROP(PermutedAxes, ShowTheSameMotion, ()) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::symmetry_test

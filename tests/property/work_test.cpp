@@ -16,7 +16,7 @@
 #include "support/gas.hpp"
 #include "support/record.hpp"
 
-namespace hardball {
+namespace hardball::work_test {
 namespace {
 
 constexpr double kPacking = 0.1;
@@ -151,4 +151,4 @@ TEST(Memory, DoesNotDependOnTheNumberOfEmptyCells) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::work_test

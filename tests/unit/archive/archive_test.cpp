@@ -18,7 +18,7 @@
 
 #include "hardball/errors/error.hpp"
 
-namespace hardball {
+namespace hardball::archive_test {
 namespace {
 
 // A class without a public default constructor, whose state has a part that follows from the rest.
@@ -128,4 +128,4 @@ TEST(Archive, OfALaterVersionIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::archive_test

@@ -9,7 +9,7 @@
 
 #include "hardball/world/random.hpp"
 
-namespace hardball::bench {
+namespace hardball::bench::discrete_checks_test {
 namespace {
 
 Contact collision(const Vec3& normal, double reach, const Vec3& first, const Vec3& second) {
@@ -86,4 +86,4 @@ TEST(MissedCounter, CountsCollisionsByStep) {
 }
 
 }  // namespace
-}  // namespace hardball::bench
+}  // namespace hardball::bench::discrete_checks_test

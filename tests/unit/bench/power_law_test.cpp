@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace hardball::bench {
+namespace hardball::bench::power_law_test {
 namespace {
 
 TEST(PowerLaw, FindsTheLawThatGeneratedThePoints) {
@@ -37,4 +37,4 @@ TEST(PowerLaw, TwoPointsHaveNoError) {
 }
 
 }  // namespace
-}  // namespace hardball::bench
+}  // namespace hardball::bench::power_law_test

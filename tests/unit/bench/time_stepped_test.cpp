@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hardball::bench {
+namespace hardball::bench::time_stepped_test {
 namespace {
 
 World two_spheres(const Vec3& first_velocity, const Vec3& second_velocity) {
@@ -35,4 +35,4 @@ TEST(TimeStepped, ReflectsAtWalls) {
 }
 
 }  // namespace
-}  // namespace hardball::bench
+}  // namespace hardball::bench::time_stepped_test

@@ -23,7 +23,7 @@
 #include "support/effort.hpp"
 #include "support/random_world.hpp"
 
-namespace hardball {
+namespace hardball::broad_phase_test {
 namespace {
 
 using Partner = std::pair<Slot, std::array<std::int32_t, kAxes>>;
@@ -729,4 +729,4 @@ TEST(CellGrid, NoticesASphereThatLeftItsCellsUnseen) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::broad_phase_test

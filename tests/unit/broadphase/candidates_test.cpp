@@ -11,7 +11,7 @@
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
-namespace hardball {
+namespace hardball::candidates_test {
 namespace {
 
 void expect_padding(const Candidates& candidates) {
@@ -144,4 +144,4 @@ TEST(Candidates, LoseNoneWhenTheCountOfRoundsOverflows) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::candidates_test

@@ -9,7 +9,7 @@
 #include "hardball/broadphase/cell_store.hpp"
 #include "hardball/broadphase/slot_lists.hpp"
 
-namespace hardball {
+namespace hardball::cell_block_test {
 namespace {
 
 // The index of a cell in its block along an axis.
@@ -77,4 +77,4 @@ TEST(CellBlock, SetsOfAxes) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::cell_block_test

@@ -13,7 +13,7 @@
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
-namespace hardball {
+namespace hardball::cell_store_test {
 namespace {
 
 void insert(CellStore<SlotLists>& store, const CellIndex& cell, Slot slot) {
@@ -134,4 +134,4 @@ TYPED_TEST(CellStoreOf, NoticesThatAnOccupantIsNotThere) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::cell_store_test

@@ -12,7 +12,7 @@
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
-namespace hardball {
+namespace hardball::padded_lists_test {
 namespace {
 
 // Lists and their lengths, beside plain vectors.
@@ -103,4 +103,4 @@ TEST(PaddedLists, NoticeThatASlotIsMissing) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::padded_lists_test

@@ -11,7 +11,7 @@
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
-namespace hardball {
+namespace hardball::point_lists_test {
 namespace {
 
 using Place = PointLists::Place;
@@ -126,4 +126,4 @@ TEST(PointLists, NoticeThatASlotIsNotThere) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::point_lists_test

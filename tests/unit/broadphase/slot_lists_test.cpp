@@ -11,7 +11,7 @@
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
-namespace hardball {
+namespace hardball::slot_lists_test {
 namespace {
 
 std::multiset<Slot> slots_of(const SlotLists& lists, std::uint32_t list) {
@@ -186,4 +186,4 @@ TEST(SlotLists, NoticeThatASlotIsNotThere) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::slot_lists_test

@@ -11,7 +11,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/world/random.hpp"
 
-namespace hardball {
+namespace hardball::subdivision_test {
 namespace {
 
 constexpr std::int32_t kMost = 1 << 20;
@@ -188,4 +188,4 @@ TEST(Subdivision, MarginsExceedTheRoundingOfTheFarthestPositions) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::subdivision_test

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace hardball::chart {
+namespace hardball::chart::chart_test {
 namespace {
 
 // Pixels are written with two decimals.
@@ -256,4 +256,4 @@ TEST(Chart, InlineChartsTakeTheirColoursFromThePage) {
 }
 
 }  // namespace
-}  // namespace hardball::chart
+}  // namespace hardball::chart::chart_test

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace hardball::chart {
+namespace hardball::chart::escaped_test {
 namespace {
 
 TEST(Escaped, KeepsTextAndEscapesMarkup) {
@@ -31,4 +31,4 @@ TEST(Escaped, ReplacesInvalidUtf8) {
 }
 
 }  // namespace
-}  // namespace hardball::chart
+}  // namespace hardball::chart::escaped_test

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace hardball {
+namespace hardball::bound_watch_test {
 namespace {
 
 // Predictions of which one in `every` is ambiguous; returns how many were bounded.
@@ -46,4 +46,4 @@ TEST(BoundWatch, ReturnsToBoundsWhenTheyTellAgain) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::bound_watch_test

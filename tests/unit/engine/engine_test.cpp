@@ -21,7 +21,7 @@
 #include "hardball/world/placement.hpp"
 #include "hardball/world/random.hpp"
 
-namespace hardball {
+namespace hardball::engine_test {
 namespace {
 
 // Six spheres of diameter one in a ring of 11, one of them moving: collision k happens exactly at time k.
@@ -273,4 +273,4 @@ TEST(Engine, PrefetchesForSpheresThatHaveBeenStopped) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::engine_test

@@ -19,7 +19,7 @@
 #include "support/history.hpp"
 #include "support/instruction_sets.hpp"
 
-namespace hardball {
+namespace hardball::predictor_test {
 namespace {
 
 using support::available_instruction_sets;
@@ -605,4 +605,4 @@ TEST(NearestImage, IsTheNearestAndOppositeAsSeenFromTheOther) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::predictor_test

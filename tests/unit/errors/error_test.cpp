@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace hardball {
+namespace hardball::error_test {
 namespace {
 
 TEST(Error, SaysWhereWhatAndTheRemedyInOneLine) {
@@ -43,4 +43,4 @@ TEST(ToText, IsTheShortestThatReadsBackAsTheSameNumber) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::error_test

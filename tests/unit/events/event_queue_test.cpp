@@ -17,7 +17,7 @@
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
-namespace hardball {
+namespace hardball::event_queue_test {
 namespace {
 
 TEST(Event, OrderIsByTimeThenKindThenIdsThenImage) {
@@ -445,4 +445,4 @@ TYPED_TEST(EveryQueue, RefusesToPopNothing) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::event_queue_test

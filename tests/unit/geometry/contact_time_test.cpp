@@ -10,7 +10,7 @@
 #include "support/effort.hpp"
 #include "support/history.hpp"
 
-namespace hardball {
+namespace hardball::contact_time_test {
 namespace {
 
 // Wide enough for exact discriminants: products of four doubles.
@@ -255,4 +255,4 @@ TEST(ContactTime, IsComputedFromTheLaterPathAndTheSameInEitherOrder) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::contact_time_test

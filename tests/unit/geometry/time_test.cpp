@@ -10,7 +10,7 @@
 #include "hardball/geometry/double_double.hpp"
 #include "hardball/world/random.hpp"
 
-namespace hardball {
+namespace hardball::time_test {
 namespace {
 
 using Exact = boost::multiprecision::number<
@@ -212,4 +212,4 @@ TEST(DoubleDouble, SumOfThreeIsAccurateTo103BitsOfTheLargest) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::time_test

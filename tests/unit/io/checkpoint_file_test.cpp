@@ -13,7 +13,7 @@
 #include "hardball/world/random.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace hardball {
+namespace hardball::checkpoint_file_test {
 namespace {
 
 using support::read_text;
@@ -87,4 +87,4 @@ TEST(CheckpointFile, ThatIsMissingIsRefused) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::checkpoint_file_test

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace hardball {
+namespace hardball::crc32_test {
 namespace {
 
 // Of each byte by itself, from the definition: the remainder of a division by the polynomial.
@@ -40,4 +40,4 @@ TEST(Crc32, OfAnyPartsIsThatOfTheWhole) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::crc32_test

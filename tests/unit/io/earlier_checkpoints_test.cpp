@@ -12,7 +12,7 @@
 #include "hardball/measure/measures.hpp"
 #include "hardball/simulation/simulation.hpp"
 
-namespace hardball {
+namespace hardball::earlier_checkpoints_test {
 namespace {
 
 // A gas of two species with a thermal wall, spins, passing spheres, a thermostat and all measures, at
@@ -31,4 +31,4 @@ TEST(EarlierCheckpoints, OfVersion1GoOn) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::earlier_checkpoints_test

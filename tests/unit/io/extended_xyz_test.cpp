@@ -14,7 +14,7 @@
 #include "hardball/io/extended_xyz_reader.hpp"
 #include "hardball/io/extended_xyz_writer.hpp"
 
-namespace hardball {
+namespace hardball::extended_xyz_test {
 namespace {
 
 std::string frame_of(const World& world, double time) {
@@ -280,4 +280,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<BadFile>& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::extended_xyz_test

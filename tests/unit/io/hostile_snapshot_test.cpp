@@ -17,7 +17,7 @@
 #include "hardball/io/zstd.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace hardball {
+namespace hardball::hostile_snapshot_test {
 namespace {
 
 using support::read_text;
@@ -213,4 +213,4 @@ TEST(HostileFile, IsNoFileAtAll) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::hostile_snapshot_test

@@ -14,7 +14,7 @@
 #include "hardball/io/little_endian.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace hardball {
+namespace hardball::npy_event_log_test {
 namespace {
 
 using support::read_text;
@@ -208,4 +208,4 @@ TEST(NpyEventLog, GoesOnAfterARecord) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::npy_event_log_test

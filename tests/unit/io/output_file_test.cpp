@@ -12,7 +12,7 @@
 #include "hardball/errors/error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace hardball {
+namespace hardball::output_file_test {
 namespace {
 
 using support::read_text;
@@ -220,4 +220,4 @@ TEST(OutputFile, IsTruncatedToWhatIsComplete) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::output_file_test

@@ -20,7 +20,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/true_checksums.hpp"
 
-namespace hardball {
+namespace hardball::recorded_bodies_test {
 namespace {
 
 using support::make_gas;
@@ -374,4 +374,4 @@ TEST(RecordedBodies, NeedRunsOfSpeciesThatNameAllSpheres) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::recorded_bodies_test

@@ -19,7 +19,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/true_checksums.hpp"
 
-namespace hardball {
+namespace hardball::recording_test {
 namespace {
 
 using support::Gas;
@@ -698,4 +698,4 @@ TEST(Recording, MissingFilesAndDirectoriesAreRefused) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::recording_test

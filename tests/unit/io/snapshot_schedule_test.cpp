@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace hardball {
+namespace hardball::snapshot_schedule_test {
 namespace {
 
 TEST(SnapshotSchedule, NeverSamplesUnlessAsked) {
@@ -60,4 +60,4 @@ TEST(SnapshotSchedule, CountsContacts) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::snapshot_schedule_test

@@ -17,7 +17,7 @@
 #include "hardball/io/gsd_file.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace hardball {
+namespace hardball::trajectory_test {
 namespace {
 
 using support::read_text;
@@ -397,4 +397,4 @@ TEST(Trajectory, ReadsSinglePrecisionWhereThereIsNoOther) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::trajectory_test

@@ -15,7 +15,7 @@
 #include "support/effort.hpp"
 #include "support/instruction_sets.hpp"
 
-namespace hardball {
+namespace hardball::kernels_test {
 namespace {
 
 using support::available_instruction_sets;
@@ -187,4 +187,4 @@ TEST(NearKernel, FindsTheSameInBothDirections) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::kernels_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace hardball {
+namespace hardball::agreement_test {
 namespace {
 
 Measurement with(std::vector<Quantity> quantities) {
@@ -53,4 +53,4 @@ TEST(Agreement, NamesWhatIsTooFar) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::agreement_test

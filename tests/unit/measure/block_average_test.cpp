@@ -10,7 +10,7 @@
 
 #include "hardball/world/random.hpp"
 
-namespace hardball {
+namespace hardball::block_average_test {
 namespace {
 
 TEST(BlockAverage, HasNoValuesWithoutSamples) {
@@ -252,4 +252,4 @@ TEST(BlockAverage, CountsThatComeTenAtATimeAsOne) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::block_average_test

@@ -10,7 +10,7 @@
 #include "support/crystal.hpp"
 #include "support/measurement.hpp"
 
-namespace hardball {
+namespace hardball::bond_order_test {
 namespace {
 
 Measurement measured(const World& world) {
@@ -98,4 +98,4 @@ TEST(BondOrder, OfManyRandomBondsGoesToZero) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::bond_order_test

@@ -9,7 +9,7 @@
 
 #include "support/measurement.hpp"
 
-namespace hardball {
+namespace hardball::collision_rate_test {
 namespace {
 
 using support::has_quantity;
@@ -90,4 +90,4 @@ TEST(CollisionRate, HasTheTheoryOfADiluteGas) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::collision_rate_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace hardball {
+namespace hardball::contact_extrapolation_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -58,4 +58,4 @@ TEST(ContactExtrapolation, KnowsTheBinOfAGap) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::contact_extrapolation_test

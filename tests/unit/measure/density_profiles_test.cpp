@@ -13,7 +13,7 @@
 #include "support/crystal.hpp"
 #include "support/measurement.hpp"
 
-namespace hardball {
+namespace hardball::density_profiles_test {
 namespace {
 
 Measurement profiles_of(const World& world, double bin_width) {
@@ -112,4 +112,4 @@ TEST(DensityProfiles, HaveNoMeaningInOpenSpace) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::density_profiles_test

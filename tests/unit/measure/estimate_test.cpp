@@ -10,7 +10,7 @@
 
 #include "hardball/world/random.hpp"
 
-namespace hardball {
+namespace hardball::estimate_test {
 namespace {
 
 // A series of variance one in which each value keeps the fraction `memory` of the last, plus white noise.
@@ -144,4 +144,4 @@ TEST(ErrorOfSeries, OfAConstantIsZero) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::estimate_test

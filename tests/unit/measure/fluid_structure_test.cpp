@@ -8,7 +8,7 @@
 
 #include "support/gas.hpp"
 
-namespace hardball {
+namespace hardball::fluid_structure_test {
 namespace {
 
 TEST(PercusYevick, HasTheCompressibilityOfTheLongestWaves) {
@@ -80,4 +80,4 @@ TEST(FluidPackingFraction, IsKnownOfEqualSpheresInAPeriodicBox) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::fluid_structure_test

@@ -9,7 +9,7 @@
 
 #include "support/gas.hpp"
 
-namespace hardball {
+namespace hardball::fluid_theory_test {
 namespace {
 
 World dense_gas(std::size_t count, double packing_fraction, double diameter, Boundary boundary) {
@@ -56,7 +56,7 @@ TEST(FluidTheory, ScalesWithTheUnits) {
 
 // Means of 12 runs of 2000 mean free times each, of spheres without total momentum and with 3 n / 2 as their
 // energy; each is known to three units of the last digit or better.
-// tests/physics/measures_at_defaults_test.cpp has more of them.
+// tests/statistics/measures_at_defaults_test.cpp has more of them.
 TEST(FluidTheory, HoldsForFewSpheres) {
   const auto expect = [](std::size_t count, double packing_fraction, double rate, double speed, double z) {
     const FluidTheory theory = theory_of([&] {
@@ -164,4 +164,4 @@ TEST(Species, OfTooManyKindsAreOne) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::fluid_theory_test

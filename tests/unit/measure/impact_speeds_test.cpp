@@ -11,7 +11,7 @@
 #include "support/gas.hpp"
 #include "support/measurement.hpp"
 
-namespace hardball {
+namespace hardball::impact_speeds_test {
 namespace {
 
 using support::column;
@@ -90,4 +90,4 @@ TEST(ImpactSpeeds, HaveNoTheoryOutOfEquilibrium) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::impact_speeds_test

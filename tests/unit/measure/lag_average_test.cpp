@@ -15,7 +15,7 @@
 #include "hardball/world/random.hpp"
 #include "support/measurement.hpp"
 
-namespace hardball {
+namespace hardball::lag_average_test {
 namespace {
 
 using support::column;
@@ -192,4 +192,4 @@ TEST(VelocityAutocorrelation, IntegratesExactlyBetweenSamples) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::lag_average_test

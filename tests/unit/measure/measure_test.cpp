@@ -9,7 +9,7 @@
 #include "hardball/measure/tally.hpp"
 #include "hardball/simulation/simulation.hpp"
 
-namespace hardball {
+namespace hardball::measure_test {
 namespace {
 
 Contact contact_of(double time, std::uint32_t first, std::uint32_t second) {
@@ -136,4 +136,4 @@ TEST(Tally, HasNoPressureBeforeTimeHasPassed) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::measure_test

@@ -24,7 +24,7 @@
 #include "support/discs.hpp"
 #include "support/measurement.hpp"
 
-namespace hardball {
+namespace hardball::measures_of_discs_test {
 namespace {
 
 using support::column;
@@ -215,4 +215,4 @@ TEST(MeasuresOfDiscs, NameNothingAlongZ) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::measures_of_discs_test

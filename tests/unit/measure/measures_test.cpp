@@ -15,7 +15,7 @@
 #include "support/gas.hpp"
 #include "support/measurement.hpp"
 
-namespace hardball {
+namespace hardball::measures_test {
 namespace {
 
 using support::column;
@@ -310,4 +310,4 @@ TEST(Csv, NamesColumnsWithTheirUnitsAndRoundTrips) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::measures_test

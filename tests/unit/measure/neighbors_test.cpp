@@ -12,7 +12,7 @@
 #include "support/crystal.hpp"
 #include "support/measurement.hpp"
 
-namespace hardball {
+namespace hardball::neighbors_test {
 namespace {
 
 template <class Measure>
@@ -81,4 +81,4 @@ TEST(NearestNeighbor, OfOneSphereIsNobody) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::neighbors_test

@@ -10,7 +10,7 @@
 #include "support/gas.hpp"
 #include "support/measurement.hpp"
 
-namespace hardball {
+namespace hardball::pressure_test {
 namespace {
 
 using support::has_quantity;
@@ -126,4 +126,4 @@ TEST(Pressure, HasNoMeaningInOpenSpace) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::pressure_test

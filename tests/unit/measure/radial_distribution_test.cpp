@@ -13,7 +13,7 @@
 #include "support/crystal.hpp"
 #include "support/measurement.hpp"
 
-namespace hardball {
+namespace hardball::radial_distribution_test {
 namespace {
 
 // The number of neighbours closer than a distance, from g(r) in a periodic box.
@@ -195,4 +195,4 @@ TEST(RadialDistribution, HasNoMeaningWithoutADensity) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::radial_distribution_test

@@ -11,7 +11,7 @@
 #include "hardball/world/curve_order.hpp"
 #include "support/gas.hpp"
 
-namespace hardball {
+namespace hardball::scene_test {
 namespace {
 
 TEST(Scene, ComputesEverythingOnce) {
@@ -61,4 +61,4 @@ TEST(Scene, HasTheSurroundingsOfAllPairs) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::scene_test

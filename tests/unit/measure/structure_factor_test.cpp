@@ -13,7 +13,7 @@
 #include "support/gas.hpp"
 #include "support/measurement.hpp"
 
-namespace hardball {
+namespace hardball::structure_factor_test {
 namespace {
 
 struct Shell {
@@ -155,4 +155,4 @@ TEST(StructureFactor, NeedsLittleMemoryForTinySpheres) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::structure_factor_test

@@ -20,7 +20,7 @@
 #include "hardball/world/placement.hpp"
 #include "support/random_world.hpp"
 
-namespace hardball {
+namespace hardball::structure_test {
 namespace {
 
 template <class Measure>
@@ -128,4 +128,4 @@ TYPED_TEST(Structure, AcceptsSmallAndStrangeWorlds) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::structure_test

@@ -10,7 +10,7 @@
 
 #include "support/crystal.hpp"
 
-namespace hardball {
+namespace hardball::surroundings_test {
 namespace {
 
 TEST(Surroundings, OfASphereInACrystalAreItsShells) {
@@ -91,4 +91,4 @@ TEST(Surroundings, OfManySpheresAreThoseOfSomeEvenlyChosen) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::surroundings_test

@@ -6,7 +6,7 @@
 
 #include "support/measurement.hpp"
 
-namespace hardball {
+namespace hardball::temperature_test {
 namespace {
 
 using support::column;
@@ -93,4 +93,4 @@ TEST(Temperature, TellsSpeciesApartThatDifferInNothingElse) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::temperature_test

@@ -9,7 +9,7 @@
 
 #include "hardball/world/random.hpp"
 
-namespace hardball {
+namespace hardball::transient_test {
 namespace {
 
 const FunctionOfMeans kFirst = [](std::span<const double> means) { return means[0]; };
@@ -98,4 +98,4 @@ TEST(Transients, MayEndAtZero) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::transient_test

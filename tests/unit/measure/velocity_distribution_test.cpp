@@ -10,7 +10,7 @@
 #include "support/gas.hpp"
 #include "support/measurement.hpp"
 
-namespace hardball {
+namespace hardball::velocity_distribution_test {
 namespace {
 
 using support::column;
@@ -90,4 +90,4 @@ TEST(VelocityDistribution, OfSpheresAtRestIsEmpty) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::velocity_distribution_test

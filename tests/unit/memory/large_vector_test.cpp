@@ -9,7 +9,7 @@
 #include "hardball/memory/huge_pages.hpp"
 #include "hardball/memory/prefetch.hpp"
 
-namespace hardball {
+namespace hardball::large_vector_test {
 namespace {
 
 struct alignas(64) CacheLine {
@@ -99,4 +99,4 @@ TEST(Prefetch, TakesAnyAddressAndChangesNothing) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::large_vector_test

@@ -6,7 +6,7 @@
 
 #include "hardball/response/restitution.hpp"
 
-namespace hardball {
+namespace hardball::paper_engine_test {
 namespace {
 
 TEST(PaperEngine, CountsEveryEnterAndLeave) {
@@ -41,4 +41,4 @@ TEST(PaperEngine, RefusesSubspacesSmallerThanASphere) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::paper_engine_test

@@ -12,7 +12,7 @@
 #include "support/page.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace hardball::report {
+namespace hardball::report::formula_test {
 namespace {
 
 std::string math(const std::string& formula) {
@@ -118,4 +118,4 @@ TEST(Formula, IsWellFormedWhateverTheText) {
 }
 
 }  // namespace
-}  // namespace hardball::report
+}  // namespace hardball::report::formula_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace hardball::report {
+namespace hardball::report::measurement_charts_test {
 namespace {
 
 Column column(const std::string& name, const std::string& unit, ColumnRole role, std::vector<double> values) {
@@ -115,4 +115,4 @@ TEST(MeasurementCharts, LeaveOutWhatHasNoPoint) {
 }
 
 }  // namespace
-}  // namespace hardball::report
+}  // namespace hardball::report::measurement_charts_test

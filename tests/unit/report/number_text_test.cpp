@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace hardball::report {
+namespace hardball::report::number_text_test {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -116,4 +116,4 @@ TEST(SecondsText, ChoosesTheUnit) {
 }
 
 }  // namespace
-}  // namespace hardball::report
+}  // namespace hardball::report::number_text_test

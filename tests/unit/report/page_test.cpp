@@ -6,7 +6,7 @@
 
 #include "hardball/errors/error.hpp"
 
-namespace hardball::report {
+namespace hardball::report::page_test {
 namespace {
 
 TEST(Page, TypesetRaisesExponentsAndEscapes) {
@@ -32,4 +32,4 @@ TEST(Page, TablesHaveHeadsThatSayWhatTheyAreFor) {
 }
 
 }  // namespace
-}  // namespace hardball::report
+}  // namespace hardball::report::page_test

@@ -11,7 +11,7 @@
 #include "support/scratch_folder.hpp"
 #include "unit/report/sample_report.hpp"
 
-namespace hardball::report {
+namespace hardball::report::report_test {
 namespace {
 
 std::string faults_of(const Report& report) {
@@ -387,4 +387,4 @@ TEST(Report, ShowsTheBeginningOfALongScenario) {
 }
 
 }  // namespace
-}  // namespace hardball::report
+}  // namespace hardball::report::report_test

@@ -11,7 +11,7 @@
 #include "hardball/response/restitution.hpp"
 #include "hardball/world/random.hpp"
 
-namespace hardball {
+namespace hardball::bounce_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -210,4 +210,4 @@ TEST(Bounce, RefusesRulesOutOfRange) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::bounce_test

@@ -10,7 +10,7 @@
 
 #include "hardball/errors/error.hpp"
 
-namespace hardball {
+namespace hardball::collapse_guard_test {
 namespace {
 
 constexpr double kRestitution = 0.5;
@@ -140,4 +140,4 @@ TEST(CollapseGuard, NeedsMemoryOnlyForSpheresThatDoNotPart) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::collapse_guard_test

@@ -15,7 +15,7 @@
 #include "hardball/world/random.hpp"
 #include "hardball/world/walls.hpp"
 
-namespace hardball {
+namespace hardball::execute_test {
 namespace {
 
 double approach_after(const Contact& contact) {
@@ -259,4 +259,4 @@ TEST(Settle, UndoesApproachesBelowTheOperatingRange) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::execute_test

@@ -6,7 +6,7 @@
 
 #include <initializer_list>
 
-namespace hardball {
+namespace hardball::response_table_test {
 namespace {
 
 Bounce with(double restitution) {
@@ -66,4 +66,4 @@ TEST(ResponseTable, RespondsByTheSpeciesOfTheContact) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::response_table_test

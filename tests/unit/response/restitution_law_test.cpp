@@ -9,7 +9,7 @@
 
 #include "hardball/errors/error.hpp"
 
-namespace hardball {
+namespace hardball::restitution_law_test {
 namespace {
 
 TEST(ViscoelasticRestitution, HasTheGivenValueAtTheGivenSpeed) {
@@ -68,4 +68,4 @@ TEST(RestitutionLaws, RefuseWhatIsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::restitution_law_test

@@ -10,7 +10,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/world/random.hpp"
 
-namespace hardball {
+namespace hardball::restitution_test {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -108,4 +108,4 @@ TEST(Restitution, RefusesCoefficientsOutsideZeroToOne) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::restitution_test

@@ -10,7 +10,7 @@
 #include "hardball/io/recording.hpp"
 #include "hardball/scenario/make_world.hpp"
 
-namespace hardball {
+namespace hardball::box_faces_test {
 namespace {
 
 constexpr Face kFloor = face_of(2, false);
@@ -94,4 +94,4 @@ TEST(BoxFaces, AreRecorded) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::box_faces_test

@@ -15,7 +15,7 @@
 #include "hardball/world/audit.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace hardball {
+namespace hardball::flat_scenario_test {
 namespace {
 
 World world_of(const std::string& text) {
@@ -94,4 +94,4 @@ TEST(FlatScenario, WritesAndReadsSnapshotsOfALayer) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::flat_scenario_test

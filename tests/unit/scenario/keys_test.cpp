@@ -18,7 +18,7 @@
 #include "hardball/scenario/section.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace hardball {
+namespace hardball::keys_test {
 namespace {
 
 using support::read_text;
@@ -306,4 +306,4 @@ TEST(ScenarioSchema, RefusesMistakes) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::keys_test

@@ -10,7 +10,7 @@
 #include "hardball/scenario/make_responses.hpp"
 #include "hardball/scenario/make_world.hpp"
 
-namespace hardball {
+namespace hardball::make_simulation_test {
 namespace {
 
 Scenario scenario_with(const std::string& response) {
@@ -64,4 +64,4 @@ TEST(MakeSimulation, RefusesResponsesOfOptionsThatAreOutOfRange) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::make_simulation_test

@@ -13,7 +13,7 @@
 #include "hardball/world/audit.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace hardball {
+namespace hardball::make_world_test {
 namespace {
 
 using support::ScratchFolder;
@@ -388,4 +388,4 @@ TEST(MakeWorld, ReportsItsProgress) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::make_world_test

@@ -7,7 +7,7 @@
 #include <array>
 #include <string>
 
-namespace hardball {
+namespace hardball::nearest_name_test {
 namespace {
 
 constexpr std::array<std::string_view, 5> kNames{"count", "radius", "mass", "mean_speed", "speed"};
@@ -47,4 +47,4 @@ TEST(Suggestion, TakesTheFirstOfEquallyNearOnes) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::nearest_name_test

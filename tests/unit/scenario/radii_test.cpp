@@ -13,7 +13,7 @@
 #include "hardball/errors/error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace hardball {
+namespace hardball::radii_test {
 namespace {
 
 using support::ScratchFolder;
@@ -185,4 +185,4 @@ TEST(DrawRadii, GivesTheSameBitsEverywhere) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::radii_test

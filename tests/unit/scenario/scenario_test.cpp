@@ -10,7 +10,7 @@
 #include "hardball/errors/error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace hardball {
+namespace hardball::scenario_test {
 namespace {
 
 using support::ScratchFolder;
@@ -364,4 +364,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Refusal>& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::scenario_test

@@ -20,7 +20,7 @@
 #include "hardball/world/placement.hpp"
 #include "support/history.hpp"
 
-namespace hardball {
+namespace hardball::box_scales_test {
 namespace {
 
 constexpr std::array<double, 9> kScales{1e-60, 1e-45, 1e-30, 1e-15, 1, 1e15, 1e30, 1e45, 1e60};
@@ -146,4 +146,4 @@ TEST(BoxesOfEveryScale, AreFilledByALattice) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::box_scales_test

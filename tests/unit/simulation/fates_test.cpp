@@ -13,7 +13,7 @@
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/random.hpp"
 
-namespace hardball {
+namespace hardball::fates_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -384,4 +384,4 @@ TEST(CustomResponse, ThatReturnsBadSpinsChangesNothing) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::fates_test

@@ -9,7 +9,7 @@
 #include "hardball/tuning/cell_edge.hpp"
 #include "unit/tuning/gas_moments.hpp"
 
-namespace hardball {
+namespace hardball::measure_unit_costs_test {
 namespace {
 
 TEST(MeasureUnitCosts, FindsCostsFromWhichCellsCanBeChosen) {
@@ -34,4 +34,4 @@ TEST(MeasureUnitCosts, EndsEvenIfTheClockStandsStill) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::measure_unit_costs_test

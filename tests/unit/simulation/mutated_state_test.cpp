@@ -21,7 +21,7 @@
 #include "support/random_world.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace hardball {
+namespace hardball::mutated_state_test {
 namespace {
 
 constexpr std::uint64_t kMutations = 1000;
@@ -137,4 +137,4 @@ TEST(MutatedState, OfARecording) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::mutated_state_test

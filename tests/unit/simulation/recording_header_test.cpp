@@ -9,7 +9,7 @@
 
 #include "support/gas.hpp"
 
-namespace hardball {
+namespace hardball::recording_header_test {
 namespace {
 
 using support::make_gas;
@@ -100,4 +100,4 @@ TEST(RecordingHeader, HasGravityAndSurfaces) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::recording_header_test

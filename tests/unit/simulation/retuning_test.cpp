@@ -10,7 +10,7 @@
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
 
-namespace hardball {
+namespace hardball::retuning_test {
 namespace {
 
 World burst() {
@@ -107,4 +107,4 @@ TEST(Retuning, FollowsSpheresThatAreAddedAndRemoved) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::retuning_test

@@ -10,7 +10,7 @@
 #include "support/history.hpp"
 #include "support/random_world.hpp"
 
-namespace hardball {
+namespace hardball::simulation_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -596,4 +596,4 @@ TEST(Simulation, RefusesSamplesThatTimesCannotResolve) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::simulation_test

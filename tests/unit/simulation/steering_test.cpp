@@ -13,7 +13,7 @@
 #include "support/gas.hpp"
 #include "support/history.hpp"
 
-namespace hardball {
+namespace hardball::steering_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -367,4 +367,4 @@ TEST(Ray, SeesMovingWallsWhereTheyAre) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::steering_test

@@ -15,7 +15,7 @@
 #include "support/gas.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace hardball {
+namespace hardball::thermostat_test {
 namespace {
 
 // Two spheres that meet at time 4, at x = 10.
@@ -364,4 +364,4 @@ TEST(SimulationWithThermostat, ChangesTheDriftToWhichPressureIsRelative) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::thermostat_test

@@ -12,7 +12,7 @@
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
-namespace hardball {
+namespace hardball::oscillating_plane_test {
 namespace {
 
 using Wide = boost::multiprecision::cpp_bin_float_100;
@@ -126,4 +126,4 @@ TEST(OscillatingPlane, LeavesASphereThatFallsWithItsCrest) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::oscillating_plane_test

@@ -12,7 +12,7 @@
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
-namespace hardball {
+namespace hardball::polynomial_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
@@ -155,4 +155,4 @@ TEST(EarliestDescent, IsAccurateForParabolas) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::polynomial_test

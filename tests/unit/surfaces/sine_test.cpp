@@ -9,7 +9,7 @@
 
 #include "hardball/world/random.hpp"
 
-namespace hardball {
+namespace hardball::sine_test {
 namespace {
 
 using Wide = boost::multiprecision::cpp_bin_float_100;
@@ -51,4 +51,4 @@ TEST(Circular, AgreesWithAHundredDigits) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::sine_test

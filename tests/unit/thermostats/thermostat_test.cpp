@@ -13,7 +13,7 @@
 #include "hardball/thermostats/event_random.hpp"
 #include "support/gas.hpp"
 
-namespace hardball {
+namespace hardball::thermostat_test {
 namespace {
 
 // Three spheres of unequal mass in a periodic box, one of them stored out of order.
@@ -261,4 +261,4 @@ TEST(Thermostat, RefusesParametersThatAreNotPositive) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::thermostat_test

@@ -10,7 +10,7 @@
 #include "hardball/world/random.hpp"
 #include "unit/tuning/gas_moments.hpp"
 
-namespace hardball {
+namespace hardball::cell_axes_test {
 namespace {
 
 // The rows of cells that a sphere touches along an axis.
@@ -163,4 +163,4 @@ TEST(CellAxes, OfCellsLargerThanAnOpenCloudHoldWhatThereIs) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::cell_axes_test

@@ -11,7 +11,7 @@
 #include "hardball/tuning/kinetic_theory.hpp"
 #include "unit/tuning/gas_moments.hpp"
 
-namespace hardball {
+namespace hardball::cell_counts_test {
 namespace {
 
 using support::gas_moments;
@@ -103,4 +103,4 @@ TEST(CellCounts, RefuseInvalidEdges) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::cell_counts_test

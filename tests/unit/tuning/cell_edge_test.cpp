@@ -11,7 +11,7 @@
 #include "hardball/broadphase/subdivision.hpp"
 #include "unit/tuning/gas_moments.hpp"
 
-namespace hardball {
+namespace hardball::cell_edge_test {
 namespace {
 
 using support::gas_moments;
@@ -176,4 +176,4 @@ TEST(CellEdgeWatch, LeavesWorldsAloneInWhichNothingMoves) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::cell_edge_test

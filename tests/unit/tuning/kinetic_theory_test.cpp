@@ -13,7 +13,7 @@
 
 #include "unit/tuning/gas_moments.hpp"
 
-namespace hardball {
+namespace hardball::kinetic_theory_test {
 namespace {
 
 using support::gas_moments;
@@ -91,4 +91,4 @@ TEST(KineticTheory, ExcessOfTheDenseFluidIsOneSphereLess) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::kinetic_theory_test

@@ -10,7 +10,7 @@
 #include "hardball/world/random.hpp"
 #include "unit/tuning/gas_moments.hpp"
 
-namespace hardball {
+namespace hardball::moments_test {
 namespace {
 
 TEST(Moments, AreThoseOfTheSpheres) {
@@ -76,4 +76,4 @@ TEST(Moments, AreAlikeIfNothingButTheSpeedHasChangedMuch) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::moments_test

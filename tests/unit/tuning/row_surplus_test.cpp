@@ -11,7 +11,7 @@
 
 #include "hardball/world/random.hpp"
 
-namespace hardball {
+namespace hardball::row_surplus_test {
 namespace {
 
 CellAxes undisturbed(const Vec3& edges) {
@@ -130,4 +130,4 @@ TEST(RowSurplus, VanishesWithManyCollisionsAndWithOneCell) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::row_surplus_test

@@ -17,7 +17,7 @@
 #include "hardball/tuning/row_surplus.hpp"
 #include "hardball/tuning/size_classes.hpp"
 
-namespace hardball {
+namespace hardball::theory_of_discs_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -124,4 +124,4 @@ TEST(TheoryOfDiscs, CountsNeighborsInARing) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::theory_of_discs_test

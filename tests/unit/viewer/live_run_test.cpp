@@ -12,7 +12,7 @@
 #include "support/scratch_folder.hpp"
 #include "unit/viewer/small_run.hpp"
 
-namespace hardball::viewer {
+namespace hardball::viewer::live_run_test {
 namespace {
 
 using support::make_gas;
@@ -113,9 +113,9 @@ TEST(RecordedProgress, OfADamagedRecordingIsThatBeforeTheDamage) {
   EXPECT_EQ(status["chunks"], 1);
   EXPECT_EQ(status["reached"], second.begin);
   EXPECT_TRUE(status["failed"].is_null());
-  EXPECT_EQ(status["damaged"],
-            "the recording is damaged after time " + to_text(second.begin) + ": chunk 1, at byte " +
-                to_text(second.bytes.offset) + ", has another checksum; what comes before is shown");
+  EXPECT_EQ(status["damaged"], "the recording is damaged after time " + to_text(second.begin) +
+                                   ": chunk 1, at byte " + to_text(second.bytes.offset) +
+                                   ", has another checksum; what comes before is shown");
 }
 
 TEST(RecordedProgress, IsThatOfTheRunAndItsSummary) {
@@ -143,4 +143,4 @@ TEST(RecordedProgress, IsThatOfTheRunAndItsSummary) {
 }
 
 }  // namespace
-}  // namespace hardball::viewer
+}  // namespace hardball::viewer::live_run_test

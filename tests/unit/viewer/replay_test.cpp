@@ -12,7 +12,7 @@
 #include "support/scratch_folder.hpp"
 #include "unit/viewer/small_run.hpp"
 
-namespace hardball::viewer {
+namespace hardball::viewer::replay_test {
 namespace {
 
 using support::make_gas;
@@ -111,4 +111,4 @@ TEST(Replay, RefusesWhatNoBrowserCanHold) {
 }
 
 }  // namespace
-}  // namespace hardball::viewer
+}  // namespace hardball::viewer::replay_test

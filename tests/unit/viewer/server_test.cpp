@@ -23,7 +23,7 @@
 #include "support/scratch_folder.hpp"
 #include "unit/viewer/small_run.hpp"
 
-namespace hardball::viewer {
+namespace hardball::viewer::server_test {
 namespace {
 
 using nlohmann::json;
@@ -437,4 +437,4 @@ TEST(ServerOfALiveRun, ServesManyClientsAndDoesNotHoldUpTheRun) {
 }
 
 }  // namespace
-}  // namespace hardball::viewer
+}  // namespace hardball::viewer::server_test

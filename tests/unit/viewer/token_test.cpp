@@ -6,7 +6,7 @@
 
 #include <set>
 
-namespace hardball::viewer {
+namespace hardball::viewer::token_test {
 namespace {
 
 TEST(Token, HasThirtyTwoDigitsAndIsUnique) {
@@ -30,4 +30,4 @@ TEST(Token, SecretsAreComparedWhole) {
 }
 
 }  // namespace
-}  // namespace hardball::viewer
+}  // namespace hardball::viewer::token_test

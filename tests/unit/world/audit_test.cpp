@@ -10,7 +10,7 @@
 #include "support/effort.hpp"
 #include "support/random_world.hpp"
 
-namespace hardball {
+namespace hardball::audit_test {
 namespace {
 
 // The deepest overlap among all pairs and their adjacent images.
@@ -110,4 +110,4 @@ TEST(RefuseOverlap, ChecksAllSpheresAndTheirImages) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::audit_test

@@ -13,7 +13,7 @@
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
-namespace hardball {
+namespace hardball::compact_paths_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -258,4 +258,4 @@ TEST(CompactPaths, CountTheChangesOfEachPath) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::compact_paths_test

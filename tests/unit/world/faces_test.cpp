@@ -14,7 +14,7 @@
 #include "hardball/world/random.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace hardball {
+namespace hardball::faces_test {
 namespace {
 
 constexpr Face kFloor = face_of(2, false);
@@ -185,4 +185,4 @@ TEST(Planes, ThatNoSphereCanReachAreRefused) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::faces_test

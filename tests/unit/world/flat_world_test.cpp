@@ -17,7 +17,7 @@
 #include "hardball/world/spacing.hpp"
 #include "hardball/world/walls.hpp"
 
-namespace hardball {
+namespace hardball::flat_world_test {
 namespace {
 
 std::string refusal(const std::function<void()>& attempt) {
@@ -185,4 +185,4 @@ TEST(Spacing, OfDiscsIsThatOfSquares) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::flat_world_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace hardball {
+namespace hardball::free_space_test {
 namespace {
 
 constexpr std::size_t kMany = 1000000;
@@ -187,4 +187,4 @@ TEST(FreeSpace, BecomesEmptyWhereThereIsNoRoom) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::free_space_test

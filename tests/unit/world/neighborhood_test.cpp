@@ -11,7 +11,7 @@
 
 #include "hardball/world/random.hpp"
 
-namespace hardball {
+namespace hardball::neighborhood_test {
 namespace {
 
 // The indices of the spheres found, each with its image.
@@ -100,4 +100,4 @@ TEST(Neighborhood, FindsEveryTouchingImageOnceAndNoOther) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::neighborhood_test

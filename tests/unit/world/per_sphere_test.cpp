@@ -11,7 +11,7 @@
 #include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
-namespace hardball {
+namespace hardball::per_sphere_test {
 namespace {
 
 TEST(PerSphere, NeedsNoMemoryWhileAllNumbersAreEqual) {
@@ -94,4 +94,4 @@ TEST(PerSphere, AgreesWithAVector) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::per_sphere_test

@@ -10,7 +10,7 @@
 #include "hardball/world/audit.hpp"
 #include "hardball/world/world.hpp"
 
-namespace hardball {
+namespace hardball::placement_test {
 namespace {
 
 constexpr std::array<std::array<Boundary, kAxes>, 3> kBoundaries = {
@@ -234,4 +234,4 @@ TEST(PlaceOnLattice, SpreadsVacanciesEvenly) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::placement_test

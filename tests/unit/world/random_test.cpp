@@ -9,7 +9,7 @@
 
 #include "support/effort.hpp"
 
-namespace hardball {
+namespace hardball::random_test {
 namespace {
 
 // A second implementation of the algorithms, after Vigna's C code.
@@ -137,4 +137,4 @@ TEST(PortableExp, IsWithinTwoUnitsInTheLastPlaceOfTheTruth) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::random_test

@@ -16,7 +16,7 @@
 #include "support/effort.hpp"
 #include "support/history.hpp"
 
-namespace hardball {
+namespace hardball::world_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -399,4 +399,4 @@ TEST(World, RefusesSurfacesThatAreNotPeriodic) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::world_test

@@ -13,7 +13,7 @@
 #include "hardball/world/random.hpp"
 #include "hardball/world/walls.hpp"
 
-namespace hardball {
+namespace hardball::confined_gas_test {
 namespace {
 
 Vec3 thermal_velocity(Random& random, double temperature) {
@@ -190,4 +190,4 @@ TEST(PressureOnACylinder, IsThatOfTheBulk) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::confined_gas_test

@@ -12,7 +12,7 @@
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/random.hpp"
 
-namespace hardball {
+namespace hardball::confinement_test {
 namespace {
 
 const Box kOpen = Box::open();
@@ -187,4 +187,4 @@ TEST(Gravity, KeepsTheEnergyOfAGasBetweenWalls) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::confinement_test

@@ -12,7 +12,7 @@
 #include "support/gas.hpp"
 #include "support/record.hpp"
 
-namespace hardball {
+namespace hardball::rough_test {
 namespace {
 
 EngineOptions all_bounce(const BounceRules& rules) {
@@ -145,4 +145,4 @@ TEST(ContactDuration, LetsAGasCoolByFourOrdersOfMagnitude) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::rough_test

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "hardball/simulation/simulation.hpp"
-#include "physics/theory.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"
+#include "support/theory.hpp"
 
-namespace hardball {
+namespace hardball::relaxation_test {
 namespace {
 
 constexpr std::size_t kSpheres = 4000;
@@ -78,4 +78,4 @@ TEST(EqualSpeeds, RelaxToMaxwellsDistribution) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::relaxation_test

@@ -20,7 +20,7 @@
 #include "support/gas.hpp"
 #include "support/record.hpp"
 
-namespace hardball {
+namespace hardball::measures_at_defaults_test {
 namespace {
 
 struct Fluid {
@@ -154,4 +154,4 @@ TEST(MeasuresAtDefaults, DISABLED_AreRightEverywhere) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::measures_at_defaults_test

@@ -15,12 +15,12 @@
 #include "hardball/measure/radial_distribution.hpp"
 #include "hardball/measure/structure_factor.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "physics/theory.hpp"
 #include "support/gas.hpp"
 #include "support/measurement.hpp"
 #include "support/record.hpp"
+#include "support/theory.hpp"
 
-namespace hardball {
+namespace hardball::structure_test {
 namespace {
 
 // Calls sample(scene) so many times, with so many collisions per sphere on average between two.
@@ -145,4 +145,4 @@ TEST(BondOrder, DistinguishesTheCrystalFromTheFluid) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::structure_test

@@ -18,7 +18,7 @@
 #include "support/measurement.hpp"
 #include "support/record.hpp"
 
-namespace hardball {
+namespace hardball::heat_errors_test {
 namespace {
 
 constexpr std::size_t kRuns = 60;
@@ -90,4 +90,4 @@ TEST(HeatErrors, AreTheScatterBetweenPlates) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::heat_errors_test

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "hardball/simulation/simulation.hpp"
-#include "physics/theory.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"
+#include "support/theory.hpp"
 
-namespace hardball {
+namespace hardball::mixture_test {
 namespace {
 
 constexpr std::size_t kSmall = 3200;
@@ -82,4 +82,4 @@ TEST(BinaryMixture, SharesItsEnergyEquallyAndHasThePressureOfItsEquationOfState)
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::mixture_test

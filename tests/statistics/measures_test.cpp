@@ -10,12 +10,12 @@
 
 #include "hardball/measure/measures.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "physics/theory.hpp"
 #include "support/gas.hpp"
 #include "support/measurement.hpp"
 #include "support/record.hpp"
+#include "support/theory.hpp"
 
-namespace hardball {
+namespace hardball::measures_test {
 namespace {
 
 using support::column;
@@ -176,4 +176,4 @@ TEST(MeasuredWalls, BearThePressureOfTheInterior) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::measures_test

@@ -18,7 +18,7 @@
 #include "support/gas.hpp"
 #include "support/record.hpp"
 
-namespace hardball {
+namespace hardball::standard_errors_test {
 namespace {
 
 constexpr std::size_t kRuns = 200;
@@ -219,4 +219,4 @@ TEST(StandardErrors, AreHonestInLongRuns) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::standard_errors_test

@@ -20,7 +20,7 @@
 #include "support/gas.hpp"
 #include "support/record.hpp"
 
-namespace hardball {
+namespace hardball::cell_counts_test {
 namespace {
 
 struct Counted {
@@ -183,4 +183,4 @@ TEST(CellCounts, BetweenWallsAreThoseExpected) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::cell_counts_test

@@ -8,11 +8,11 @@
 
 #include "hardball/measure/measures.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "physics/theory.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"
+#include "support/theory.hpp"
 
-namespace hardball {
+namespace hardball::thermostats_test {
 namespace {
 
 // The canonical ensemble: <E> = 3/2 N kT and <dE^2> = 3/2 N (kT)^2, from any start.
@@ -124,4 +124,4 @@ TEST(RescaleThermostat, KeepsTheTemperatureOfACoolingGas) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::thermostats_test

@@ -15,7 +15,7 @@
 #include "hardball/world/placement.hpp"
 #include "hardball/world/random.hpp"
 
-namespace hardball {
+namespace hardball::faces_test {
 namespace {
 
 constexpr Face kFloor = face_of(2, false);
@@ -191,4 +191,4 @@ TEST(MovingFaces, GiveOneHistory) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::faces_test

@@ -15,13 +15,13 @@
 #include "hardball/measure/nearest_neighbor.hpp"
 #include "hardball/measure/radial_distribution.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "physics/theory.hpp"
 #include "support/discs.hpp"
 #include "support/effort.hpp"
 #include "support/measurement.hpp"
 #include "support/record.hpp"
+#include "support/theory.hpp"
 
-namespace hardball {
+namespace hardball::discs_test {
 namespace {
 
 using support::quantity;
@@ -188,4 +188,4 @@ TEST(CrystalOfDiscs, HasHexaticOrderAndItsPressure) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::discs_test

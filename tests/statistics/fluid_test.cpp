@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "hardball/simulation/simulation.hpp"
-#include "physics/theory.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"
+#include "support/theory.hpp"
 
-namespace hardball {
+namespace hardball::fluid_test {
 namespace {
 
 struct State {
@@ -195,4 +195,4 @@ TEST(Crystal, AgreesWithItsEquationOfStateAtPackingFraction60) {
 }
 
 }  // namespace
-}  // namespace hardball
+}  // namespace hardball::fluid_test
