@@ -29,7 +29,7 @@ bool loses_energy(const Scenario& scenario) {
     return !has_rule &&
            std::ranges::any_of(walls, [](const auto& wall) { return wall.restitution.value_or(1) < 1; });
   };
-  return loses_energy(scenario.bounce) || has_lossy_wall(scenario.walls) ||
+  return loses_energy(scenario.bounce) || has_lossy_wall(scenario.faces) || has_lossy_wall(scenario.walls) ||
          has_lossy_wall(scenario.obstacles) ||
          std::ranges::any_of(scenario.pairs, [](const PairDescription& pair) {
            return pair.fate == Fate::bounce && loses_energy(pair.bounce);
@@ -41,7 +41,11 @@ bool are_kept_moving(const Scenario& scenario) {
   const auto drives = [](const WallDescription& wall) {
     return wall.temperature.value_or(0) > 0 || wall.amplitude > 0 || wall.velocity != Vec3{};
   };
-  return scenario.thermostat || std::ranges::any_of(scenario.walls, drives) ||
+  const auto drags = [](const FaceDescription& face) {
+    return face.temperature.value_or(0) > 0 || face.velocity != Vec3{};
+  };
+  return scenario.thermostat || std::ranges::any_of(scenario.faces, drags) ||
+         std::ranges::any_of(scenario.walls, drives) ||
          std::ranges::any_of(scenario.obstacles,
                              [](const auto& obstacle) { return obstacle.temperature.value_or(0) > 0; });
 }

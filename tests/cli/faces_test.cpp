@@ -47,6 +47,9 @@ TEST(FacesOfTheBox, AreDescribedByCheckWithWhatDoesNothing) {
   const std::string rough =
       run_program(folder, {"check", "slab.toml", "--set", "response.tangential_restitution=0.5"}).output;
   EXPECT_FALSE(has(rough, "does nothing")) << rough;
+  const std::string falling =
+      run_program(folder, {"check", "slab.toml", "--set", "box.gravity=[0, 0, -1]"}).output;
+  EXPECT_TRUE(has(falling, "the run may end by inelastic collapse")) << falling;
 }
 
 TEST(FacesOfTheBox, AreMeasuredAndTheSameForAllEngines) {
