@@ -256,5 +256,6 @@ int main() {
         ResponseTable(Merging()));
   print_thermostats();
   print("sheared_gas", sheared_gas(), 20000);
-  print("rough_sheared_gas", sheared_gas(), 20000, motley_responses());
+  const Bounce rough({.contact_duration = 1e-4, .tangential_restitution = 0.25});
+  print("rough_sheared_gas", sheared_gas(), 1000, ResponseTable(rough, rough));
 }
