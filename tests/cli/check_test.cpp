@@ -139,6 +139,9 @@ TEST_F(WhatCheckExpects, WarnsOfSpheresThatComeToRest) {
                              "[[walls]]\nshape = 'plane'\npoint = [0.0, 0.0, 0.5]\nnormal = [0.0, 0.0, "
                              "1.0]\namplitude = 0.1\nfrequency = 1.0\n";
   EXPECT_NE(notes_of(output(shaken, falls)).find("the run may end " + kCollapse), std::string::npos);
+  const std::string lossy_floor = gas("10", "8", "wall") + "[box.faces]\nz_min = { restitution = 0.8 }\n";
+  EXPECT_NE(notes_of(output(lossy_floor, falls)).find("the run ends " + kCollapse), std::string::npos);
+  EXPECT_EQ(notes_of(output(lossy_floor)), "");
   const std::string cavity =
       "[box]\nboundary = ['open', 'open', 'open']\n[[walls]]\nshape = 'sphere'\npoint = [0.0, 0.0, 0.0]\n"
       "radius = 9.0\n[[spheres]]\ncount = 10\nradius = 0.5\nplacement = 'random'\nspeed = 1.0\n[run]\nuntil "
