@@ -186,7 +186,8 @@ ExitCode check(const Options& options) {
     add("gravity", to_text(gravity.x) + ", " + to_text(gravity.y) + ", " + to_text(gravity.z));
   }
   for (Face face = 0; face < kFaces; ++face) {
-    if (space.box().has_own_properties(face)) add(kFaceNames[face], describe(space.box().face(face), scenario));
+    if (space.box().has_own_properties(face))
+      add(kFaceNames[face], describe(space.box().face(face), scenario));
   }
   for (std::uint32_t k = 0; k < space.surfaces().size(); ++k) {
     add(wall_name(space, kFaces + k), describe(space.surfaces()[k]));

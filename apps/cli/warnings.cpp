@@ -38,16 +38,14 @@ bool loses_energy(const Scenario& scenario) {
 
 // Whether walls exchange energy with spheres, or a thermostat does.
 bool are_kept_moving(const Scenario& scenario) {
-  const auto drives = [](const WallDescription& wall) {
-    return wall.temperature.value_or(0) > 0 || wall.amplitude > 0 || wall.velocity != Vec3{};
+  const auto is_warm = [](const auto& wall) { return wall.temperature.value_or(0) > 0; };
+  const auto moves = [](const auto& wall) { return wall.velocity != Vec3{}; };
+  const auto oscillates = [](const WallDescription& wall) { return wall.amplitude > 0; };
+  const auto any = [](const auto& walls, const auto&... drive) {
+    return std::ranges::any_of(walls, [&](const auto& wall) { return (drive(wall) || ...); });
   };
-  const auto drags = [](const FaceDescription& face) {
-    return face.temperature.value_or(0) > 0 || face.velocity != Vec3{};
-  };
-  return scenario.thermostat || std::ranges::any_of(scenario.faces, drags) ||
-         std::ranges::any_of(scenario.walls, drives) ||
-         std::ranges::any_of(scenario.obstacles,
-                             [](const auto& obstacle) { return obstacle.temperature.value_or(0) > 0; });
+  return scenario.thermostat || any(scenario.faces, is_warm, moves) ||
+         any(scenario.walls, is_warm, moves, oscillates) || any(scenario.obstacles, is_warm);
 }
 
 bool is_round(const WallDescription& wall) {

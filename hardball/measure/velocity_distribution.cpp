@@ -110,20 +110,20 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
   Column speed{"speed_density", "1", ColumnRole::value, {}};
   Column speed_error{"speed_density_error", "1", ColumnRole::error, {}};
   Column speed_theory{"speed_density_theory", "1", ColumnRole::theory, {}};
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     const double low = (static_cast<double>(bin) - kBins / 2) * kWidth;
     const double high = (static_cast<double>(bin + 1) - kBins / 2) * kWidth;
     argument.values.push_back((low + high) / 2);
     component.values.push_back(components[bin].value / dimensions / kWidth);
     component_error.values.push_back(components[bin].error / dimensions / kWidth);
-    component_theory.values.push_back((component_below(high) - component_below(low)) / kWidth);
+    component_theory.values.push_back(theory * (component_below(high) - component_below(low)) / kWidth);
     const bool is_speed = bin >= kBins / 2;
     const Estimate of_speed = is_speed ? speeds[bin - kBins / 2] : Estimate{};
     speed.values.push_back(of_speed.value / kWidth);
     speed_error.values.push_back(of_speed.error / kWidth);
     speed_theory.values.push_back(
-        is_speed ? (speed_below(high, dimensions_) - speed_below(low, dimensions_)) / kWidth : kNone);
+        is_speed ? theory * (speed_below(high, dimensions_) - speed_below(low, dimensions_)) / kWidth
+                 : kNone);
   }
   found.columns = {std::move(argument),         std::move(component), std::move(component_error),
                    std::move(component_theory), std::move(speed),     std::move(speed_error),

@@ -132,7 +132,7 @@ TEST(NpyEventLog, ContinuesAFileOfAnEarlierVersionAsItBegan) {
   write_text(folder / "events.npy", earlier_log(1));
   ASSERT_TRUE(time_in_event_log(read_npy_header(folder / "events.npy")));
   EXPECT_EQ(time_in_event_log(read_npy_header(folder / "events.npy"))->name, "t");
-  NpyEventLog log(folder / "events.npy", 1);
+  NpyEventLog log(folder / "events.npy", EventLogPosition{.records = 1});
   log.append(make_wall_contact(1, 2));
   log.close();
   EXPECT_EQ(read_text(folder / "events.npy"), earlier_log(2));
