@@ -54,8 +54,8 @@ NpyEventLog::NpyEventLog(std::filesystem::path path) : file_(std::move(path)) {
 }
 
 NpyEventLog::NpyEventLog(const std::filesystem::path& path, const EventLogPosition& position)
-    : is_of_earlier_version_(read_npy_header(path).find("t") != nullptr),
-      file_(path, {kHeaderBytes + position.records * kRecordBytes, position.checksum}, kHeaderBytes),
+    : file_(path, {kHeaderBytes + position.records * kRecordBytes, position.checksum}, kHeaderBytes),
+      is_of_earlier_version_(read_npy_header(path).find("t") != nullptr),
       size_(position.records),
       counted_(position.records) {}
 

@@ -72,8 +72,8 @@ class NpyEventLog {
   std::uint64_t size() const { return size_; }
 
  private:
-  bool is_of_earlier_version_ = false;
   OutputFile file_;
+  bool is_of_earlier_version_ = false;
   std::uint64_t size_ = 0;
   std::uint64_t counted_ = 0;  // by the header
 };

@@ -13,6 +13,7 @@
 #include "cli/program.hpp"
 #include "hardball/io/recording_reader.hpp"
 #include "hardball/io/snapshot_format.hpp"
+#include "support/effort.hpp"
 
 namespace hardball::failure_test {
 namespace {
@@ -136,7 +137,8 @@ INSTANTIATE_TEST_SUITE_P(Signals, Interruption, testing::Values(SIGINT, SIGTERM)
 TEST_F(Failure, OfAProcessKilledOutrightLosesLittleOfTheEventLog) {
   using namespace std::chrono_literals;
   const Program program(folder_, {"run", "gas.toml", "--until", "1e6", "--engine", "all-pairs", "--set",
-                                  "spheres.0.count=10000", "--set", "spheres.0.radius=0.05", "--quiet"});
+                                  support::kIsSlowBuild ? "spheres.0.count=3000" : "spheres.0.count=10000",
+                                  "--set", "spheres.0.radius=0.05", "--quiet"});
   const std::filesystem::path log = folder_ / "out/events.npy";
   std::uint64_t counted = 0;
   for (int i = 0; i < 6000 && counted == 0; ++i) {
