@@ -30,6 +30,11 @@ std::string readable(double number) {
   return fmt::format("{:.4g}", number);
 }
 
+// 20 rather than 2e+01.
+std::string to_one_digit(double number) {
+  return to_text(std::stod(fmt::format("{:.1g}", number)));
+}
+
 std::string describe(const Box& box) {
   constexpr std::array<const char*, 3> kNames{"wall", "periodic", "open"};
   std::string text;
@@ -218,7 +223,7 @@ ExitCode check(const Options& options) {
     add("  pair predictions", readable(spheres * until * counts.predictions()));
   }
   if (length > 0 && moments.mean_speed > 0) {
-    add("  time on one core", fmt::format("some {:.1g} s", expected_seconds(outlook, until, length)));
+    add("  time on one core", "about " + to_one_digit(expected_seconds(outlook, until, length)) + " s");
   }
   for (const std::string& warning : warnings_of(scenario, moments)) add("note", warning);
   if (outlook.is_sample) {

@@ -75,7 +75,7 @@ TEST_F(WhatCheckExpects, TellsWhatTooManySpheresToPlaceWouldTake) {
   const double ratio = number_of(many, "memory") / number_of(few, "memory");
   EXPECT_GT(ratio, 8000 * 0.8);
   EXPECT_LT(ratio, 8000 * 1.25);
-  EXPECT_GT(std::strtod(line_of(many, "  time on one core").substr(5).c_str(), nullptr), 100);
+  EXPECT_GT(std::strtod(line_of(many, "  time on one core").substr(6).c_str(), nullptr), 100);
   EXPECT_NE(notes_of(many).find("not placed"), std::string::npos);
   EXPECT_EQ(notes_of(few), "");
 }
