@@ -127,7 +127,7 @@ TEST_P(MeasuresOf, ShortAndUsualRunsAreRightAtEveryDensity) {
 
 INSTANTIATE_TEST_SUITE_P(Spheres, MeasuresOf, testing::Values(100, 500, 4000));
 
-// The same with more spheres and longer runs, which takes an hour: prints every number.
+// The same with more spheres and longer runs, which takes long: prints every number.
 TEST(MeasuresAtDefaults, DISABLED_AreRightEverywhere) {
   for (const std::size_t spheres : {100U, 500U, 4000U, 100000U}) {
     for (const double packing_fraction : {0.02, 0.1, 0.3, 0.49}) {
