@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <vector>
 
 #include "hardball/broadphase/slot_lists.hpp"
@@ -52,11 +53,11 @@ class Candidates {
   /// The displacements of the images along an axis [L]. Precondition: not are_nearest().
   const double* shifts(std::size_t axis) const { return shifts_[axis].data(); }
 
-  /// Makes the candidates those of a list elsewhere, padded with the sphere itself; it must stay as it is
-  /// until begin().
-  void refer_to(const Slot* listed, std::size_t count) {
-    listed_ = listed;
-    size_ = count;
+  /// Makes the candidates those of a list elsewhere, whole vectors of slots, which must stay as it is until
+  /// begin().
+  void refer_to(std::span<const Slot> listed) {
+    listed_ = listed.data();
+    size_ = listed.size();
   }
 
   /// Adds a candidate, meaning its nearest image.

@@ -49,9 +49,14 @@ class CellGrid {
   void prefetch_candidates(Slot slot, bool crosses, const CompactPaths& copies) const {
     if (!is_prefetched(slot)) return;
     const Region& region = regions_[slot];
+    // Gathered first: in one loop the processor need not guess how long each list is.
+    constexpr std::size_t kMost = 8 * SlotLists::kRoom;
+    Slot found[kMost + SlotLists::kRoom];
+    std::size_t count = 0;
     for_each_list(crosses ? region.row_ahead() : region.range(), [&](std::uint32_t list) {
-      store_.lists().for_each_first(list, [&](Slot other) { copies.prefetch(other); });
+      count = std::min(kMost, count + store_.lists().copy_first(list, found + count));
     });
+    for (std::size_t i = 0; i < count; ++i) copies.prefetch(found[i]);
   }
   std::uint64_t left_count() const { return left_count_; }
   std::size_t memory_bytes() const;

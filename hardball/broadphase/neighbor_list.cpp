@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <iterator>
 #include <limits>
 
 #include "hardball/broadphase/wait_in_ball.hpp"
@@ -18,6 +20,13 @@ namespace {
 // precision.
 constexpr double kShellMargin = 0x1p-19;
 constexpr double kCrossingMargin = 0x1p-21;
+
+// How far an estimate from packed places is off at most along an axis, in units: each place is rounded down,
+// the distance of two cells is rounded, and places just outside of their cells are moved into them.
+constexpr float kPackingError = 2.5F;
+
+// With more long lists than this share, all get room for twice as many neighbours.
+constexpr std::size_t kLongShare = 32;
 
 // Distances of neighbours stay below this fraction of a periodic box: then only one image of each is near,
 // and there are at least three cells along each axis.
@@ -63,17 +72,62 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   reach_ = static_cast<float>((2 * slack_ + margin) / copies.length_unit());
   room_squared_ = static_cast<float>(room_ * room_ / (copies.length_unit() * copies.length_unit()));
   store_.reset(cells_.shape(), world.size());
+  choose_packing(copies);
   anchors_.assign(world.size(), Anchor{});
-  neighbors_.reset(world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
     move_anchor(world, slot, now, copies);
-    find_near(slot, copies);
-    for (const Slot other : near_) {
-      insert(slot, other);
-      insert(other, slot);
-    }
     store_anchor(slot);
   }
+  make_lists(1, copies);
+}
+
+void NeighborList::make_lists(std::uint32_t lines, const CompactPaths& copies) {
+  neighbors_.reset(anchors_.size(), lines);
+  std::size_t long_ones = 0;
+  for (Slot slot = 0; slot < anchors_.size(); ++slot) {
+    find_near(slot, copies);
+    near_.count = static_cast<std::size_t>(std::remove(near_.begin(), near_.begin() + near_.count, slot) -
+                                           near_.begin());
+    neighbors_.assign(slot, near_.slots());
+    long_ones += near_.count > PaddedLists::kLine ? 1U : 0U;
+  }
+  if (lines == 1 && long_ones > anchors_.size() / kLongShare) make_lists(2, copies);
+}
+
+void NeighborList::choose_packing(const CompactPaths& copies) {
+  float error = 0;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    Packing& packing = packing_[axis] = {};
+    // More are those of an axis without extent.
+    const double steps = std::min(cells_.edge(axis) * copies.steps_per_length()[axis], 0x1p31);
+    packing.steps_of_cell = static_cast<std::uint64_t>(std::ldexp(steps, 32));
+    while (std::ldexp(steps, -static_cast<int>(packing.shift)) > PackedPlace::kMost - 1) ++packing.shift;
+    packing.units_of_cell =
+        static_cast<std::int32_t>(std::lround(std::ldexp(steps, -static_cast<int>(packing.shift))));
+    if (cells_.shape()[axis] == 0) {
+      packing.below = cells_.first(axis);
+      packing.above = cells_.last(axis);
+    }
+    packing_unit_[axis] = std::ldexp(copies.scale().grid[axis], static_cast<int>(packing.shift));
+    error += kPackingError * kPackingError * packing_unit_[axis] * packing_unit_[axis];
+  }
+  reach_ += std::sqrt(error);
+}
+
+// Of anchors beyond the outermost cells distances are underestimated.
+std::array<std::int32_t, 3> NeighborList::in_cell(const Anchor& anchor) const {
+  std::array<std::int32_t, 3> units;
+  for_each_axis([&](auto axis) {
+    const Packing& packing = packing_[axis];
+    const std::int32_t cell = anchor.cell[axis];
+    const std::uint64_t corner = static_cast<std::uint64_t>(std::int64_t{cell}) * packing.steps_of_cell;
+    const auto steps = static_cast<std::int32_t>(static_cast<std::uint32_t>(anchor.place[axis]) -
+                                                 static_cast<std::uint32_t>(corner >> 32));
+    constexpr auto kMost = static_cast<std::int32_t>(PackedPlace::kMost);
+    const std::int32_t inside = std::clamp(steps >> packing.shift, 0, kMost);
+    units[axis] = cell == packing.below ? kMost : cell == packing.above ? 0 : inside;
+  });
+  return units;
 }
 
 double NeighborList::next_crossing_of_any(const World& world, Slot slot, const Time& now,
@@ -95,42 +149,37 @@ void NeighborList::cross(const World& world, Slot slot, const Time& now, const C
   candidates.begin(slot, true);
   for (const Slot gained : gained_) {
     candidates.add(gained);
-    insert(gained, slot);
+    neighbors_.insert(gained, slot);
   }
   candidates.end();
-  for (const Slot lost : lost_) neighbors_.erase(lost, anchors_[lost].count, slot);
-  neighbors_.assign(slot, anchors_[slot].count, near_);
+  for (const Slot lost : lost_) neighbors_.erase(lost, slot);
+  neighbors_.assign(slot, near_.slots());
 }
 
-// Which of the spheres near a sphere are not in its list, and which in its list are no longer near: those in
-// the list are marked with an even number, those near with the odd one after it.
+// Which of the spheres near a sphere are not in its list, and which in its list are no longer near.
 void NeighborList::find_changes(Slot slot) {
-  round_ += 2;
-  if (round_ == 0) {
-    // The counter has wrapped around: old marks must not pass for new ones.
-    for (Anchor& anchor : anchors_) anchor.mark = 0;
-    round_ = 2;
+  const std::span<const Slot> list = neighbors_.of(slot);
+  const std::span<const Slot> near = near_.slots();
+  gained_.resize(near.size() + kWidestVector);
+  lost_.resize(list.size() + kWidestVector);
+  if (list.size() <= kMostCompared) [[likely]] {
+    const Differences found = kernels_->find_differences(list.data(), list.size(), slot, near.data(),
+                                                         near.size(), gained_.data(), lost_.data());
+    gained_.resize(found.gained);
+    lost_.resize(found.lost);
+  } else {
+    std::vector<Slot> before(list.begin(), list.end());
+    std::erase(before, slot);
+    std::vector<Slot> now(near.begin(), near.end());
+    std::ranges::sort(before);
+    std::ranges::sort(now);
+    gained_.clear();
+    lost_.clear();
+    std::ranges::set_difference(now, before, std::back_inserter(gained_));
+    std::ranges::set_difference(before, now, std::back_inserter(lost_));
   }
-  const Slot* const list = list_of(slot);
-  const std::uint32_t length = anchors_[slot].count;
-  for (std::uint32_t i = 0; i < length; ++i) anchors_[list[i]].mark = round_;
-  // Branchless: which are known is unpredictable.
-  gained_.resize(near_.size());
-  Slot* gained = gained_.data();
-  for (const Slot other : near_) {
-    std::uint32_t& mark = anchors_[other].mark;
-    *gained = other;
-    gained += mark == round_ ? 0 : 1;
-    mark = round_ + 1;
-  }
-  gained_.resize(static_cast<std::size_t>(gained - gained_.data()));
-  lost_.resize(length);
-  Slot* lost = lost_.data();
-  for (std::uint32_t i = 0; i < length; ++i) {
-    *lost = list[i];
-    lost += anchors_[list[i]].mark == round_ ? 1 : 0;
-  }
-  lost_.resize(static_cast<std::size_t>(lost - lost_.data()));
+  for (const Slot other : gained_) prefetch(neighbors_.address(other));
+  for (const Slot other : lost_) prefetch(neighbors_.address(other));
 }
 
 void NeighborList::move_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
@@ -141,69 +190,100 @@ void NeighborList::move_anchor(const World& world, Slot slot, const Time& now, c
 // The spheres whose shells overlap a sphere's own, from the anchors in the cells around its own; the sphere
 // itself is among them if its anchor is stored.
 void NeighborList::find_near(Slot slot, const CompactPaths& copies) {
-  ListsAround lists;
-  const std::size_t count = find_lists_around(anchors_[slot].cell, lists);
-  around_.assign(lists.data(), lists.data() + count);
-  for (std::size_t i = 0; i < around_.size(); ++i) {
-    const std::uint32_t next = store_.lists().next(around_[i]);
-    if (next != PointLists::kNone) [[unlikely]]
-      around_.push_back(next);
-  }
-  near_.resize(around_.size() * PointBlock::kRoom + kWidestVector);
+  const std::size_t count = find_cells_around(anchors_[slot], near_.cells);
   // Half of the reach belongs to each sphere, so that rounding is the same from either side.
   const float own_reach = reach_ / 2 + copies.radius(slot);
-  const NearQuery query{
+  NearQuery query{
       .blocks = store_.lists().blocks(),
-      .numbers = around_.data(),
-      .count = around_.size(),
-      .place = anchors_[slot].place,
-      .grid = copies.scale().grid,
+      .next = store_.lists().next(),
+      .cells = near_.cells.data(),
+      .count = count,
+      .unit = packing_unit_,
       .reach = copies.radii() == nullptr ? own_reach + own_reach : own_reach,
       .radii = copies.radii(),
       .margin = reach_ / 2,
+      .room = Nearby::kUsual,
   };
-  near_.resize(pick_near_(query, near_.data()));
+  near_.count = kernels_->pick_near(query, near_.few.data());
+  near_.are_many = near_.count > Nearby::kUsual;
+  if (!near_.are_many) [[likely]]
+    return;
+  near_.many.resize(near_.count + kWidestVector);
+  query.room = near_.count;
+  kernels_->pick_near(query, near_.many.data());
 }
 
-std::size_t NeighborList::find_lists_around(const CellIndex& center, ListsAround& lists) const {
-  std::array<CellIndex, kAxes> rows{};
+// Each row of cells along each axis contributes to the number of a list and to the offset of its cell.
+std::size_t NeighborList::find_cells_around(const Anchor& anchor, CellsAround& around) const {
+  if (!store_.is_dense()) [[unlikely]]
+    return find_hashed_cells_around(anchor, around);
+  using Four = std::int32_t __attribute__((vector_size(16)));
+  static_assert(sizeof(CellNearby) == sizeof(Four));
+  std::array<std::array<Four, 3>, kAxes> rows;
   std::array<std::size_t, kAxes> counts{};
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    for (std::int32_t row = center[axis] - 1; row <= center[axis] + 1; ++row) {
-      if (row < cells_.first(axis) || row > cells_.last(axis)) continue;
-      rows[axis][counts[axis]++] = cells_.folded(axis, row);
+  const std::array<std::int32_t, 3> own = in_cell(anchor);
+  const auto& strides = store_.strides();
+  for_each_axis([&](auto axis) {
+    for (std::int32_t step = -1; step <= 1; ++step) {
+      const std::int32_t row = anchor.cell[axis] + step;
+      if (row < cells_.first(axis) || row > cells_.last(axis)) [[unlikely]]
+        continue;
+      const auto index = static_cast<std::uint32_t>(cells_.folded(axis, row));
+      Four part{};
+      part[0] = static_cast<std::int32_t>(index * strides[axis]);
+      part[axis + 1] = step * packing_[axis].units_of_cell - own[axis];
+      rows[axis][counts[axis]++] = part;
     }
-  }
+  });
   std::size_t count = 0;
+  const auto add = [&](const Four& cell) { std::memcpy(&around[count++], &cell, sizeof cell); };
+  if ((counts[0] == 3) & (counts[1] == 3) & (counts[2] == 3)) [[likely]] {
+    for (std::size_t x = 0; x < 3; ++x) {
+      for (std::size_t y = 0; y < 3; ++y) {
+        const Four row = rows[0][x] + rows[1][y];
+        for (std::size_t z = 0; z < 3; ++z) add(row + rows[2][z]);
+      }
+    }
+    return count;
+  }
   for (std::size_t x = 0; x < counts[0]; ++x) {
     for (std::size_t y = 0; y < counts[1]; ++y) {
-      if (store_.is_dense()) {
-        // Rows are written whole, and what is too much is overwritten.
-        const std::uint32_t row = store_.list({rows[0][x], rows[1][y], 0});
-        for (std::size_t z = 0; z < 3; ++z) lists[count + z] = row + static_cast<std::uint32_t>(rows[2][z]);
-        count += counts[2];
-        continue;
-      }
-      for (std::size_t z = 0; z < counts[2]; ++z) {
-        lists[count] = store_.list({rows[0][x], rows[1][y], rows[2][z]});
-        count += lists[count] != PointLists::kNone ? 1U : 0U;
-      }
+      for (std::size_t z = 0; z < counts[2]; ++z) add(rows[0][x] + rows[1][y] + rows[2][z]);
     }
   }
   return count;
 }
 
+std::size_t NeighborList::find_hashed_cells_around(const Anchor& anchor, CellsAround& around) const {
+  const std::array<std::int32_t, 3> own = in_cell(anchor);
+  CellRange range{anchor.cell, anchor.cell};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    range.low[axis] = std::max(range.low[axis] - 1, cells_.first(axis));
+    range.high[axis] = std::min(range.high[axis] + 1, cells_.last(axis));
+  }
+  std::size_t count = 0;
+  range.for_each([&](const CellIndex& cell) {
+    const std::uint32_t list = store_.list(cells_.folded(cell));
+    if (list == PointLists::kNone) return;
+    CellNearby& nearby = around[count++];
+    nearby.block = list;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      nearby.offset[axis] = (cell[axis] - anchor.cell[axis]) * packing_[axis].units_of_cell - own[axis];
+    }
+  });
+  return count;
+}
+
 std::size_t NeighborList::memory_bytes() const {
   return store_.memory_bytes() + anchors_.capacity() * sizeof(Anchor) + neighbors_.memory_bytes() +
-         around_.capacity() * sizeof(std::uint32_t) +
-         (near_.capacity() + gained_.capacity() + lost_.capacity()) * sizeof(Slot);
+         (near_.many.capacity() + gained_.capacity() + lost_.capacity()) * sizeof(Slot);
 }
 
 void NeighborList::validate(const World& world, const Time& now, const CompactPaths& copies) const {
   HARDBALL_CHECK(anchors_.size() == world.size());
   const auto is_listed = [this](Slot list, Slot slot) {
-    const Slot* const slots = list_of(list);
-    return std::count(slots, slots + anchors_[list].count, slot) == 1;
+    const std::span<const Slot> lanes = neighbors_.of(list);
+    return std::count(lanes.begin(), lanes.end(), slot) == 1;
   };
   NeighborList search = *this;
   for (Slot slot = 0; slot < world.size(); ++slot) {
@@ -214,9 +294,13 @@ void NeighborList::validate(const World& world, const Time& now, const CompactPa
                      present.apart(anchor, slot, 2)};
     HARDBALL_CHECK(length(place) <= slack_ + coordinate_error(world, slot, now));
     search.find_near(slot, copies);
-    std::erase(search.near_, slot);
-    for (const Slot other : search.near_) HARDBALL_CHECK(is_listed(slot, other) && is_listed(other, slot));
-    HARDBALL_CHECK(anchors_[slot].count == search.near_.size());
+    std::size_t others = 0;
+    for (const Slot other : search.near_.slots()) {
+      if (other == slot) continue;
+      HARDBALL_CHECK(is_listed(slot, other) && is_listed(other, slot));
+      ++others;
+    }
+    HARDBALL_CHECK(neighbors_.size(slot) == others);
   }
 }
 

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "hardball/broadphase/broad_phase.hpp"
@@ -22,8 +24,6 @@ namespace hardball {
 struct alignas(32) Anchor {
   std::array<std::int32_t, 3> place{};  ///< On the grid of CompactPaths, modulo 2^32 steps.
   CellIndex cell{};
-  std::uint32_t mark = 0;   ///< Whether it is near another: see NeighborList::find_changes.
-  std::uint32_t count = 0;  ///< Of its neighbours.
 };
 
 /// A neighbour list for each sphere, for dense systems, where spheres are caged by their neighbours.
@@ -38,7 +38,7 @@ class NeighborList {
   /// `slack` [L] is the wanted radius of the ball in which a sphere's centre moves; small boxes reduce it.
   /// Precondition: suits(world). Error: the instruction set is not available.
   explicit NeighborList(double slack, InstructionSet instructions = widest_instruction_set())
-      : wanted_slack_(slack), instructions_(instructions), pick_near_(kernels_of(instructions).pick_near) {}
+      : wanted_slack_(slack), instructions_(instructions), kernels_(&kernels_of(instructions)) {}
 
   /// Whether neighbours can be listed: a periodic box must be so large that of a neighbour only one image is
   /// near.
@@ -48,7 +48,7 @@ class NeighborList {
   void refresh(const World&, Slot, const Time&, const Image&) {}
   void collect(const World&, Slot slot, Candidates& candidates) const {
     candidates.begin(slot, true);
-    candidates.refer_to(list_of(slot), anchors_[slot].count);
+    candidates.refer_to(neighbors_.of(slot));
   }
   double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const {
     if (!world.motion().is_straight()) [[unlikely]]
@@ -75,30 +75,19 @@ class NeighborList {
   bool has_nearest_images() const { return true; }
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
              Candidates& candidates);
-  static constexpr std::size_t kCachedSpheres = 20000;  // measured
+  static constexpr std::size_t kCachedSpheres = 40000;  // measured
   void prefetch_region(Slot slot) const {
     prefetch(neighbors_.address(slot));
     prefetch(&anchors_[slot]);
   }
   void prefetch_lists(Slot slot, bool crosses) const {
     if (!crosses || !store_.is_dense()) return;
-    ListsAround around;
-    const std::size_t count = find_lists_around(anchors_[slot].cell, around);
-    for (std::size_t i = 0; i < count; ++i) {
-      const PointBlock& block = store_.lists().blocks()[around[i]];
-      prefetch(&block.places);
-      prefetch(&block.slots);
-    }
+    CellsAround around;
+    const std::size_t count = find_cells_around(anchors_[slot], around);
+    for (std::size_t i = 0; i < count; ++i) prefetch(store_.lists().blocks() + around[i].block);
   }
-  void prefetch_candidates(Slot slot, bool crosses, const CompactPaths& copies) const {
-    const Slot* const list = list_of(slot);
-    const std::uint32_t length = anchors_[slot].count;
-    for (std::uint32_t i = 0; i < length; ++i) copies.prefetch(list[i]);
-    if (!crosses) return;
-    for (std::uint32_t i = 0; i < length; ++i) {
-      prefetch(neighbors_.address(list[i]));
-      prefetch(&anchors_[list[i]]);
-    }
+  void prefetch_candidates(Slot slot, bool, const CompactPaths& copies) const {
+    for (const Slot other : neighbors_.of(slot)) copies.prefetch(other);
   }
   std::uint64_t left_count() const { return 0; }
   std::size_t memory_bytes() const;
@@ -110,33 +99,62 @@ class NeighborList {
  private:
   double next_crossing_of_any(const World& world, Slot slot, const Time& now,
                               const CompactPaths& copies) const;
+  void choose_packing(const CompactPaths& copies);
   void move_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
+  void make_lists(std::uint32_t lines, const CompactPaths& copies);
   void find_near(Slot slot, const CompactPaths& copies);
-
-  // The lists of the cells around one and of itself; room for one more row.
-  using ListsAround = std::array<std::uint32_t, 27 + 3>;
-  std::size_t find_lists_around(const CellIndex& center, ListsAround& lists) const;
   void find_changes(Slot slot);
-  void store_anchor(Slot slot) { store_.insert(anchors_[slot].cell, slot, anchors_[slot].place); }
-  const Slot* list_of(Slot slot) const { return neighbors_.slots(slot, anchors_[slot].count); }
-  void insert(Slot list, Slot slot) { neighbors_.insert(list, anchors_[list].count, slot); }
+
+  // The cells around one and itself.
+  using CellsAround = std::array<CellNearby, 27>;
+  // What is found near the current sphere. Cells and slots are side by side: if their addresses agreed modulo
+  // the size of a page, the processor would take loads of the one for loads of the other.
+  struct Nearby {
+    static constexpr std::size_t kUsual = 128;
+
+    CellsAround cells{};
+    std::array<Slot, kUsual + kWidestVector> few{};
+    std::vector<Slot> many;
+    std::size_t count = 0;
+    bool are_many = false;  // for which `few` has no room
+
+    Slot* begin() { return are_many ? many.data() : few.data(); }
+    std::span<const Slot> slots() const { return {are_many ? many.data() : few.data(), count}; }
+  };
+  std::size_t find_cells_around(const Anchor& anchor, CellsAround& around) const;
+  std::size_t find_hashed_cells_around(const Anchor& anchor, CellsAround& around) const;
+  // Where an anchor lies in its cell, in units of packed places.
+  std::array<std::int32_t, 3> in_cell(const Anchor& anchor) const;
+  void store_anchor(Slot slot) {
+    store_.insert(anchors_[slot].cell, slot, PackedPlace(in_cell(anchors_[slot])));
+  }
+
+  // How places are packed, along an axis.
+  struct Packing {
+    std::uint64_t steps_of_cell = 0;  // of the grid of CompactPaths, times 2^32
+    std::uint32_t shift = 0;          // a unit is 2^shift of these steps
+    std::int32_t units_of_cell = 0;
+    // The outermost cells of an open axis hold all spheres beyond.
+    std::int32_t below = std::numeric_limits<std::int32_t>::min();
+    std::int32_t above = std::numeric_limits<std::int32_t>::max();
+  };
 
   double wanted_slack_;
   InstructionSet instructions_;
-  NearKernel pick_near_;
+  const Kernels* kernels_;
   double slack_ = 0;
   float reach_ = 0;         // of shells beyond the radii, in units of the compact paths
   float room_squared_ = 0;  // likewise, of room_
   double room_ = 0;         // the distance from its anchor at which a centre crosses
   Subdivision cells_;
-  CellStore<PointLists> store_;  // the places of anchors
-  LargeVector<Anchor> anchors_;  // by slot
-  std::uint32_t round_ = 0;      // of marks: see find_changes
-  PaddedLists neighbors_;        // by slot; their lengths are in the anchors
+  std::array<Packing, kAxes> packing_;
+  std::array<float, kAxes> packing_unit_{};  // in units of the compact paths
+  CellStore<PointLists> store_;              // the places of anchors
+  LargeVector<Anchor> anchors_;              // by slot
+  PaddedLists neighbors_;                    // by slot
   // Of the current sphere:
-  std::vector<std::uint32_t> around_;  // the blocks of the 27 cells around its own
-  std::vector<Slot> near_;             // its new neighbours
-  std::vector<Slot> gained_, lost_;    // changes to its list
+  Nearby near_;                      // its new neighbours
+  std::vector<Slot> gained_, lost_;  // changes to its list
 };
 
 static_assert(BroadPhase<NeighborList>);

@@ -6,143 +6,164 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "hardball/broadphase/places_of.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event.hpp"
+#include "hardball/kernels/instruction_set.hpp"
 #include "hardball/memory/huge_pages.hpp"
 
 namespace hardball {
 
-/// A list of slots for each sphere, which kernels read in place: it is contiguous, and padded to whole
-/// vectors with the slot of the sphere itself.
+/// A set of slots for each sphere, its owner, in lanes that kernels read as they are: whole vectors, in which
+/// the owner's own slot stands for none.
 ///
-/// A short list is in its own cache line; a longer one is in a block of twice, four times, ... the size, and
-/// its line names the block. The caller keeps the lengths, next to other data of the sphere. Lists are
-/// unordered. Cost: O(1) per operation amortised, O(length) to erase.
+/// Short lists are in their owner's cache lines; longer ones are in blocks of twice, four times, ... the
+/// size, which the first lane names. Nothing else need be read to change a list. Cost: O(lanes) per
+/// operation, sixteen at a time.
 class PaddedLists {
  public:
-  /// How many slots a line holds.
-  static constexpr std::uint32_t kShort = 16;
+  static constexpr std::uint32_t kLine = 16;
+  static_assert(kLine % kWidestVector == 0);
 
-  /// Makes `count` empty lists and discards all others.
-  void reset(std::size_t count) {
-    lines_.resize(count);
-    for (Slot owner = 0; owner < count; ++owner) lines_[owner].slots.fill(owner);
+  /// Makes `count` empty lists with `lines` cache lines each, and discards all others. Precondition: fewer
+  /// than 2^31 lists.
+  void reset(std::size_t count, std::uint32_t lines = 1) {
+    HARDBALL_CHECK(count < kElsewhere);
+    lines_per_owner_ = lines;
+    lines_.resize(count * lines);
+    for (Slot owner = 0; owner < count; ++owner) {
+      for (std::uint32_t i = 0; i < lines; ++i) lines_[owner * std::size_t{lines} + i].fill(owner);
+    }
     blocks_.clear();
   }
 
-  /// The slots of a list of length `length`, and their padding.
-  const Slot* slots(Slot owner, std::uint32_t length) const {
-    return length <= kShort ? lines_[owner].slots.data() : block(length)[lines_[owner].slots[0]].data();
+  /// The lanes of a list.
+  std::span<const Slot> of(Slot owner) const {
+    const Slot* const in_place = lines_[std::size_t{owner} * lines_per_owner_].data();
+    if ((*in_place & kElsewhere) != 0) [[unlikely]]
+      return block(*in_place);
+    return {in_place, std::size_t{lines_per_owner_} * kLine};
   }
 
-  void insert(Slot owner, std::uint32_t& length, Slot slot) {
-    if (length >= kShort && is_power_of_two(length)) grow(owner, length);
-    ++length;
-    room(owner, length)[length - 1] = slot;
+  /// The number of slots in a list.
+  std::uint32_t size(Slot owner) const {
+    std::uint32_t gaps = 0;
+    const std::span<const Slot> all = of(owner);
+    for (std::size_t i = 0; i < all.size(); i += kLine) gaps += count_of(owner, all.data() + i);
+    return static_cast<std::uint32_t>(all.size()) - gaps;
+  }
+
+  /// Precondition: the slot is not in the list, and not the owner.
+  void insert(Slot owner, Slot slot) {
+    if (replace(owner, owner, slot)) [[likely]]
+      return;
+    const std::span<const Slot> all = of(owner);
+    std::vector<Slot> longer(all.begin(), all.end());
+    longer.push_back(slot);
+    assign(owner, longer);
   }
 
   /// Precondition: the slot is in the list.
-  void erase(Slot owner, std::uint32_t& length, Slot slot) {
-    Slot* const slots = room(owner, length);
-    Slot* const end = slots + length;
-    Slot* const place = length <= kShort ? slots + std::countr_zero(places_of<kShort>(slot, slots))
-                                         : std::find(slots, end, slot);
-    HARDBALL_CHECK(place < end);
-    *place = *(end - 1);
-    slots[length - 1] = owner;
-    --length;
-    if (length >= kShort && is_power_of_two(length)) shrink(owner, length);
+  void erase(Slot owner, Slot slot) {
+    const bool is_found = replace(owner, slot, owner);
+    HARDBALL_CHECK(is_found);
   }
 
-  /// Replaces a list by another.
-  void assign(Slot owner, std::uint32_t& length, const std::vector<Slot>& slots) {
-    if (length <= kShort && slots.size() <= kShort) [[likely]] {
-      auto& line = lines_[owner].slots;
-      line.fill(owner);
-      std::copy(slots.begin(), slots.end(), line.begin());
-      length = static_cast<std::uint32_t>(slots.size());
-      return;
+  /// Replaces a list by others, which need not differ from the owner.
+  void assign(Slot owner, std::span<const Slot> slots) {
+    const std::size_t in_place = std::size_t{lines_per_owner_} * kLine;
+    Slot* const first = lines_[std::size_t{owner} * lines_per_owner_].data();
+    if ((*first & kElsewhere) != 0) [[unlikely]]
+      release(*first);
+    Slot* to = first;
+    std::size_t room = in_place;
+    if (slots.size() > in_place) [[unlikely]] {
+      *first = take_block(slots.size());
+      const std::span<Slot> elsewhere = block(*first);
+      to = elsewhere.data();
+      room = elsewhere.size();
     }
-    while (length > 0) erase(owner, length, this->slots(owner, length)[length - 1]);
-    for (const Slot slot : slots) insert(owner, length, slot);
+    std::copy(slots.begin(), slots.end(), to);
+    std::fill(to + slots.size(), to + room, owner);
   }
 
-  /// The address of a list's line, for prefetching.
-  const void* address(Slot owner) const { return &lines_[owner]; }
+  /// The address of a list's first line, for prefetching.
+  const void* address(Slot owner) const { return &lines_[std::size_t{owner} * lines_per_owner_]; }
 
   std::size_t memory_bytes() const {
     std::size_t bytes = lines_.capacity() * sizeof(Line);
     for (const Blocks& size : blocks_) {
-      for (const std::vector<Slot>& block : size.blocks) bytes += block.capacity() * sizeof(Slot);
-      bytes += size.blocks.capacity() * sizeof(std::vector<Slot>);
+      bytes += size.lines.capacity() * sizeof(Line) + size.free.capacity() * sizeof(std::uint32_t);
     }
     return bytes;
   }
 
  private:
-  struct alignas(64) Line {
-    std::array<Slot, kShort> slots;  // or the number of the block in the first
-  };
-  // All blocks of one size.
+  struct alignas(64) Line : std::array<Slot, kLine> {};
+  // All blocks of 2^k lines.
   struct Blocks {
-    std::vector<std::vector<Slot>> blocks;
+    LargeVector<Line> lines;
     std::vector<std::uint32_t> free;
   };
 
-  static bool is_power_of_two(std::uint32_t length) { return (length & (length - 1)) == 0; }
+  // Of a list elsewhere, the first lane has the highest bit, k, and the number of the block.
+  static constexpr std::uint32_t kElsewhere = 1U << 31;
+  static constexpr std::uint32_t kNumberBits = 26;
+  static std::uint32_t size_of(std::uint32_t name) { return (name & ~kElsewhere) >> kNumberBits; }
+  static std::uint32_t number_of(std::uint32_t name) { return name & ((1U << kNumberBits) - 1); }
 
-  // Blocks of size 2 kShort come first.
-  static std::size_t size_index(std::uint32_t length) {
-    return static_cast<std::size_t>(std::bit_width(length - 1) - std::bit_width(kShort));
-  }
-  const std::vector<std::vector<Slot>>& block(std::uint32_t length) const {
-    return blocks_[size_index(length)].blocks;
-  }
-  Slot* room(Slot owner, std::uint32_t length) {
-    return length <= kShort ? lines_[owner].slots.data()
-                            : blocks_[size_index(length)].blocks[lines_[owner].slots[0]].data();
+  static std::uint32_t count_of(Slot slot, const Slot* line) {
+    return static_cast<std::uint32_t>(std::popcount(places_of<kLine>(slot, line)));
   }
 
-  // Moves a list that has filled its place, whose length is a power of two, to a block of twice the size.
-  void grow(Slot owner, std::uint32_t length) {
-    const std::size_t index = size_index(length + 1);
-    if (blocks_.size() <= index) blocks_.resize(index + 1);
-    Blocks& size = blocks_[index];
-    if (size.free.empty()) {
-      size.free.push_back(static_cast<std::uint32_t>(size.blocks.size()));
-      size.blocks.emplace_back(2 * length);
+  std::span<const Slot> block(std::uint32_t name) const {
+    const std::uint32_t size = size_of(name);
+    return {blocks_[size].lines[std::size_t{number_of(name)} << size].data(), std::size_t{kLine} << size};
+  }
+  std::span<Slot> block(std::uint32_t name) {
+    const std::uint32_t size = size_of(name);
+    return {blocks_[size].lines[std::size_t{number_of(name)} << size].data(), std::size_t{kLine} << size};
+  }
+
+  std::span<Slot> lanes(Slot owner) {
+    Slot* const in_place = lines_[std::size_t{owner} * lines_per_owner_].data();
+    if ((*in_place & kElsewhere) != 0) [[unlikely]]
+      return block(*in_place);
+    return {in_place, std::size_t{lines_per_owner_} * kLine};
+  }
+
+  // Puts a slot in place of another, once; false if that is not in the list.
+  bool replace(Slot owner, Slot old, Slot by) {
+    const std::span<Slot> all = lanes(owner);
+    for (std::size_t i = 0; i < all.size(); i += kLine) {
+      const std::uint32_t places = places_of<kLine>(old, all.data() + i);
+      if (places == 0) continue;
+      all[i + static_cast<std::size_t>(std::countr_zero(places))] = by;
+      return true;
     }
-    const std::uint32_t number = size.free.back();
-    size.free.pop_back();
-    const Slot* const from = room(owner, length);
-    std::vector<Slot>& to = size.blocks[number];
-    std::copy(from, from + length, to.begin());
-    std::fill(to.begin() + length, to.end(), owner);
-    if (length > kShort) blocks_[index - 1].free.push_back(lines_[owner].slots[0]);
-    lines_[owner].slots[0] = number;
+    return false;
   }
 
-  // Moves a list whose length has become a power of two back.
-  void shrink(Slot owner, std::uint32_t length) {
-    const std::size_t index = size_index(length + 1);
-    const std::uint32_t number = lines_[owner].slots[0];
-    const std::vector<Slot>& from = blocks_[index].blocks[number];
-    blocks_[index].free.push_back(number);
-    if (length > kShort) {
-      Blocks& size = blocks_[index - 1];
-      if (size.free.empty()) {
-        size.free.push_back(static_cast<std::uint32_t>(size.blocks.size()));
-        size.blocks.emplace_back(length);
-      }
-      lines_[owner].slots[0] = size.free.back();
-      size.free.pop_back();
+  std::uint32_t take_block(std::size_t slots) {
+    const auto size = static_cast<std::uint32_t>(std::bit_width((slots - 1) / kLine));
+    if (blocks_.size() <= size) blocks_.resize(size + 1);
+    Blocks& blocks = blocks_[size];
+    if (blocks.free.empty()) {
+      const std::size_t number = blocks.lines.size() >> size;
+      HARDBALL_CHECK(number < 1U << kNumberBits);
+      for (std::size_t i = 0; i < std::size_t{1} << size; ++i) append_sparingly(blocks.lines, Line{});
+      blocks.free.push_back(static_cast<std::uint32_t>(number));
     }
-    std::copy(from.begin(), from.begin() + length, room(owner, length));
+    const std::uint32_t number = blocks.free.back();
+    blocks.free.pop_back();
+    return kElsewhere | size << kNumberBits | number;
   }
+  void release(std::uint32_t name) { blocks_[size_of(name)].free.push_back(number_of(name)); }
 
+  std::uint32_t lines_per_owner_ = 1;
   LargeVector<Line> lines_;
   std::vector<Blocks> blocks_;
 };

@@ -20,13 +20,12 @@ namespace hardball {
 /// Many short lists of points and their owners' slots, in blocks that a kernel reads as they are; longer
 /// lists chain several.
 ///
-/// A list is identified by its first block. Lists 0 to n-1 exist after reset(n); others are made and released
-/// one by one. Lists are unordered, and may have gaps. Cost: O(1) per operation for short lists, O(length)
-/// for long ones.
+/// A list is identified by its first block, which is full if there are others. Lists 0 to n-1 exist after
+/// reset(n); others are made and released one by one. Lists are unordered, and may have gaps. Cost: O(1) per
+/// operation for short lists, O(length) for long ones.
 class PointLists {
  public:
-  static constexpr std::uint32_t kNone = UINT32_MAX;
-  using Place = std::array<std::int32_t, 3>;
+  static constexpr std::uint32_t kNone = PointBlock::kNone;
 
   /// Makes `count` empty lists and discards all others.
   void reset(std::size_t count) {
@@ -48,11 +47,9 @@ class PointLists {
   /// Releases an empty list made by `make`.
   void release(std::uint32_t list) { next_[list] = std::exchange(free_block_, list); }
 
-  bool is_empty(std::uint32_t list) const {
-    return places_in(list, PointBlock::kNoSlot) == kAll && next_[list] == kNone;
-  }
+  bool is_empty(std::uint32_t list) const { return places_in(list, PointBlock::kNoSlot) == kAll; }
 
-  void insert(std::uint32_t list, Slot slot, const Place& place) {
+  void insert(std::uint32_t list, Slot slot, PackedPlace place) {
     std::uint32_t at = list;
     std::uint32_t gaps;
     while ((gaps = places_in(at, PointBlock::kNoSlot)) == 0) {
@@ -65,9 +62,7 @@ class PointLists {
     const auto lane = static_cast<std::size_t>(std::countr_zero(gaps));
     PointBlock& block = blocks_[at];
     block.slots[lane] = slot;
-    for (std::size_t axis = 0; axis < place.size(); ++axis) {
-      block.places[axis][lane] = static_cast<std::uint32_t>(place[axis]);
-    }
+    block.places[lane] = place.bits();
   }
 
   /// Precondition: the slot is in the list.
@@ -80,8 +75,17 @@ class PointLists {
       at = next_[at];
       HARDBALL_CHECK(at != kNone);
     }
-    blocks_[at].slots[static_cast<std::size_t>(std::countr_zero(places))] = PointBlock::kNoSlot;
-    if (before == kNone || places_in(at, PointBlock::kNoSlot) != kAll) return;
+    const bool was_full = places_in(list, PointBlock::kNoSlot) == 0;
+    const auto lane = static_cast<std::size_t>(std::countr_zero(places));
+    blocks_[at].slots[lane] = PointBlock::kNoSlot;
+    if (at == list) {
+      if (!was_full || next_[list] == kNone) [[likely]]
+        return;
+      before = list;
+      at = next_[list];
+      move_point(at, list, lane);
+    }
+    if (places_in(at, PointBlock::kNoSlot) != kAll) return;
     next_[before] = next_[at];
     release(at);
   }
@@ -98,8 +102,8 @@ class PointLists {
 
   /// All blocks, by number; a list's first has the number of the list.
   const PointBlock* blocks() const { return blocks_.data(); }
-  /// The number of the next block of a list; kNone after the last.
-  std::uint32_t next(std::uint32_t block) const { return next_[block]; }
+  /// By block, the number of the next one of its list; kNone after the last.
+  const std::uint32_t* next() const { return next_.data(); }
 
   std::size_t memory_bytes() const {
     return blocks_.capacity() * sizeof(PointBlock) + next_.capacity() * sizeof(std::uint32_t);
@@ -111,6 +115,14 @@ class PointLists {
   // A bit for each place of a block that holds the slot.
   std::uint32_t places_in(std::uint32_t block, Slot slot) const {
     return places_of<PointBlock::kRoom>(slot, blocks_[block].slots.data());
+  }
+
+  // Fills a gap of a block with some point of another.
+  void move_point(std::uint32_t from, std::uint32_t to, std::size_t gap) {
+    const std::uint32_t points = kAll & ~places_in(from, PointBlock::kNoSlot);
+    const auto lane = static_cast<std::size_t>(std::countr_zero(points));
+    blocks_[to].slots[gap] = std::exchange(blocks_[from].slots[lane], PointBlock::kNoSlot);
+    blocks_[to].places[gap] = blocks_[from].places[lane];
   }
 
   LargeVector<PointBlock> blocks_;

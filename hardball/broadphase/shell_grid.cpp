@@ -274,7 +274,7 @@ void ShellGrid::collect_cell(const World& world, const LargeSphere& large, const
 void ShellGrid::collect_of_large(const World& world, Slot slot, Candidates& candidates) const {
   const LargeSphere& large = large_of(slot);
   candidates.begin(slot, true);
-  if (large.has_list) return candidates.refer_to(large.near.data(), large.near_count);
+  if (large.has_list) return candidates.refer_to({large.near.data(), large.near_count});
   collect_all(world, large, candidates);
 }
 
@@ -300,7 +300,7 @@ void ShellGrid::cross_large(const World& world, Slot slot, const Time& now, cons
   collect_all(world, large, candidates);
   if (moves) list_at_large(slot, candidates);
   list_near(world, large, now, copies, candidates);
-  if (large.has_list) candidates.refer_to(large.near.data(), large.near_count);
+  if (large.has_list) candidates.refer_to({large.near.data(), large.near_count});
 }
 
 void ShellGrid::LargeSphere::append(Slot other) {

@@ -76,11 +76,11 @@ class SlotLists {
     });
   }
 
-  /// Calls visit(slot) for each slot in the first line of the list.
-  template <class Visit>
-  void for_each_first(std::uint32_t list, Visit&& visit) const {
+  /// Copies the slots in the first line of the list, and returns their number. The whole line is copied.
+  std::uint32_t copy_first(std::uint32_t list, Slot* to) const {
     const Line& line = lines_[list];
-    for (std::uint32_t i = 0; i < line.count; ++i) visit(line.slots[i]);
+    std::memcpy(to, line.slots.data(), sizeof line.slots);
+    return line.count;
   }
 
   /// The address of the list's first line, for prefetching.

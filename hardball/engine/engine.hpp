@@ -21,6 +21,7 @@
 #include "hardball/memory/prefetch.hpp"
 #include "hardball/response/execute.hpp"
 #include "hardball/world/compact_paths.hpp"
+#include "hardball/world/new_velocity.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/walls.hpp"
 #include "hardball/world/world.hpp"
@@ -73,8 +74,8 @@ class Engine {
   }
 
   /// Handles events in order, calling observe(contact) after every collision and wall contact. The observer
-  /// may call change_velocity; after any other edit, and if two spheres have merged, it must stop the run by
-  /// returning false, and `rebuild` must follow. Error: RunFailure on inelastic collapse; whatever the
+  /// may call change_velocities; after any other edit, and if two spheres have merged, it must stop the run
+  /// by returning false, and `rebuild` must follow. Error: RunFailure on inelastic collapse; whatever the
   /// response or the observer throws. If the response throws, its event has not happened.
   template <class Observe>
   RunStatus run(const RunLimits& limits, Observe&& observe) {
@@ -114,13 +115,15 @@ class Engine {
     }
   }
 
-  /// Changes a velocity at `moment`. Precondition: all events before it have been handled, and none after it.
-  void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
+  /// Changes velocities at `moment`, each of another sphere. Precondition: all events before it have been
+  /// handled, and none after it. Cost: a prediction each.
+  void change_velocities(const Time& moment, std::span<const NewVelocity> changes) {
     HARDBALL_CHECK(moment >= now_);
-    const Image folded = world_.change_velocity(slot, moment, velocity);
     now_ = moment;
-    note_new_path(slot, folded);
-    predict(slot);
+    for (const NewVelocity& change : changes) {
+      note_new_path(change.slot, world_.change_velocity(change.slot, moment, change.after));
+    }
+    for (const NewVelocity& change : changes) predict(change.slot);
   }
 
   /// Discards all predictions and regions and rebuilds them as of `now`, with another broad phase. The motion
@@ -325,25 +328,36 @@ class Engine {
     constexpr std::size_t kRegion = 6;
     constexpr std::size_t kLists = 4;
     constexpr std::size_t kCandidates = 2;
-    if (const Slot slot = queue_.upcoming(kPlan); slot != kNoOwner) {
+    const bool is_new = bucket_seen_ != queue_.current_bucket();
+    bucket_seen_ = queue_.current_bucket();
+    for_upcoming(kPlan, is_new, [this](Slot slot) {
       prefetch(&plans_[slot]);
       prefetch_regions(slot);
-    }
-    if (const Slot slot = queue_.upcoming(kRegion); slot != kNoOwner) {
-      if (const Plan& plan = plans_[slot]; plan.meets_first()) {
-        prefetch(&plans_[plan.partner]);
-        prefetch_regions(plan.partner);
-      }
-    }
-    if (const Slot slot = queue_.upcoming(kLists); slot != kNoOwner) {
+    });
+    for_upcoming(kRegion, is_new, [this](Slot slot) {
+      const Plan& plan = plans_[slot];
+      if (!plan.meets_first()) return;
+      prefetch(&plans_[plan.partner]);
+      prefetch_regions(plan.partner);
+    });
+    for_upcoming(kLists, is_new, [this](Slot slot) {
       const Plan& plan = plans_[slot];
       phase_.prefetch_lists(slot, plan.will_cross_first());
       if (plan.meets_first()) phase_.prefetch_lists(plan.partner, false);
-    }
-    if (const Slot slot = queue_.upcoming(kCandidates); slot != kNoOwner) {
+    });
+    for_upcoming(kCandidates, is_new, [this](Slot slot) {
       const Plan& plan = plans_[slot];
       phase_.prefetch_candidates(slot, plan.will_cross_first(), compact_);
       if (plan.meets_first()) phase_.prefetch_candidates(plan.partner, false, compact_);
+    });
+  }
+
+  // Calls visit(slot) for the sphere whose event comes `ahead` events after the next; of a bucket just
+  // opened, for all up to that one.
+  template <class Visit>
+  void for_upcoming(std::size_t ahead, bool is_new, Visit&& visit) const {
+    for (std::size_t i = is_new ? 0 : ahead; i <= ahead; ++i) {
+      if (const Slot slot = queue_.upcoming(i); slot != kNoOwner) visit(slot);
     }
   }
 
@@ -423,7 +437,7 @@ class Engine {
   bool predict_new(Slot slot) {
     Plan& plan = plans_[slot];
     const BoundedContacts found = predictor_.bound(compact_, candidates_, now_);
-    check_bounds(found);
+    check_bounds(candidates_, found);
     // The partner may be among those called new: what is known of it is better.
     const bool is_known = found.partner == plan.partner && found.partner != slot && !plan.is_wall();
     if (is_known && found.second <= plan.contact) return false;
@@ -523,15 +537,22 @@ class Engine {
       bound_watch_.note_exact();
       return predict_exactly(slot);
     }
-    plan_contacts(slot, bound(slot));
+    const BoundedContacts found = bound(slot);
+    plan_contacts(slot, found.least, found.second, found.partner);
   }
 
   // Both are bounded first: the processor works on them at once.
   void predict_both(Slot a, Slot b) {
-    const BoundedContacts of_a = bound(a);
-    const BoundedContacts of_b = bound(b);
-    plan_contacts(a, of_a);
-    plan_contacts(b, of_b);
+    collect(a, candidates_);
+    collect(b, candidates_of_partner_);
+    counters_.predictions += candidates_.size() + candidates_of_partner_.size();
+    bound_watch_.note_bounded();
+    bound_watch_.note_bounded();
+    const auto [of_a, of_b] = predictor_.bound(compact_, candidates_, candidates_of_partner_, now_);
+    check_bounds(candidates_, of_a);
+    check_bounds(candidates_of_partner_, of_b);
+    plan_contacts(a, of_a.least, of_a.second, of_a.partner);
+    plan_contacts(b, of_b.least, of_b.second, of_b.partner);
   }
 
   // The spheres that one may meet.
@@ -559,13 +580,14 @@ class Engine {
     counters_.predictions += candidates_.size();
     bound_watch_.note_bounded();
     const BoundedContacts found = predictor_.bound(compact_, candidates_, now_);
-    check_bounds(found);
+    check_bounds(candidates_, found);
     return found;
   }
 
-  void plan_contacts(Slot slot, const BoundedContacts& found) {
+  // Takes numbers: structures of this size are passed in memory, which had a call wait for its own arguments.
+  void plan_contacts(Slot slot, double least, double second, Slot partner) {
     Plan& plan = plans_[slot];
-    plan.set_bound(found.least, found.second, found.partner, compact_.revision(found.partner));
+    plan.set_bound(least, second, partner, compact_.revision(partner));
     if (has_walls_ && may_meet_wall(world_, slot, plan.limit_or_low, now_, obstacle_range())) {
       const Event wall = next_wall_event(world_, slot, now_, obstacle_range());
       if (wall.time.high < plan.contact) {
@@ -659,11 +681,12 @@ class Engine {
   }
 
   // Compares the bounds of all candidates with the exact contact times, in validating builds.
-  void check_bounds([[maybe_unused]] const BoundedContacts& found) const {
+  void check_bounds([[maybe_unused]] const Candidates& candidates,
+                    [[maybe_unused]] const BoundedContacts& found) const {
     if constexpr (HARDBALL_VALIDATE) {
-      for (std::size_t i = 0; i < candidates_.size(); ++i) {
-        const Event contact = contact_with(candidates_, i);
-        const bool is_partner = candidates_.slot(i) == found.partner;
+      for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Event contact = contact_with(candidates, i);
+        const bool is_partner = candidates.slot(i) == found.partner;
         HARDBALL_CHECK((is_partner ? found.least : found.second) <= contact.time.high);
       }
     }
@@ -688,13 +711,15 @@ class Engine {
   LargeVector<Plan> plans_;    // per slot
   std::vector<Image> images_;  // per slot, of the partner; none where nearest images are meant
   bool are_nearest_ = true;
-  bool is_cached_ = true;  // prefetching all data ahead does not pay
+  bool is_cached_ = true;          // prefetching all data ahead does not pay
+  std::int64_t bucket_seen_ = -1;  // the last for which data has been prefetched
   bool has_walls_ = false;
   bool has_images_of_obstacles_ = false;
   bool has_passing_pairs_ = false;
-  Candidates candidates_;  // of the current sphere
-  PairContacts pairs_;     // of the current bucket
-  Executed done_;          // the last contact
+  Candidates candidates_;             // of the current sphere
+  Candidates candidates_of_partner_;  // of the sphere that it meets
+  PairContacts pairs_;                // of the current bucket
+  Executed done_;                     // the last contact
   Counters counters_;
 };
 

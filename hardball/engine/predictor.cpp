@@ -23,10 +23,7 @@ Image nearest_image(const World& world, Slot a, Slot b, const Time& moment) {
   return world.box().nearest_image(world.unfolded_position(a, moment) - world.unfolded_position(b, moment));
 }
 
-Predictor::Predictor(InstructionSet instructions)
-    : kernel_(kernels_of(instructions).earliest_contact),
-      pair_kernel_(kernels_of(instructions).contacts_of_pairs),
-      bound_kernel_(kernels_of(instructions).bound_contacts) {}
+Predictor::Predictor(InstructionSet instructions) : kernels_(&kernels_of(instructions)) {}
 
 void Predictor::compute(const World& world, const Time& now, PairContacts& pairs) const {
   if (pairs.count == 0) return;
@@ -47,7 +44,7 @@ void Predictor::compute(const World& world, const Time& now, PairContacts& pairs
       .now_low = now.low,
       .gravity = gravity_of(world),
   };
-  pair_kernel_(query, pairs.high.data(), pairs.low.data());
+  kernels_->contacts_of_pairs(query, pairs.high.data(), pairs.low.data());
 }
 
 BoundedContacts Predictor::bound_with_care(const CompactPaths& copies, const Candidates& candidates,
@@ -71,8 +68,8 @@ BoundedContacts Predictor::bound_with_care(const CompactPaths& copies, const Can
       for (std::size_t i = 0; i < count; ++i) note(base, others[i]);
       continue;
     }
-    const BoundKeys keys =
-        bound_kernel_(copies.scale(), copies.paths().data(), copies.radii(), self, others, count);
+    const BoundKeys keys = kernels_->bound_contacts(copies.scale(), copies.paths().data(), copies.radii(),
+                                                    {.self = self, .others = others, .count = count});
     for (const std::uint32_t key : {keys.first, keys.second}) {
       if (!BoundKeys::touches(key)) break;
       note(base + copies.time_unit() * static_cast<double>(BoundKeys::wait(key)),

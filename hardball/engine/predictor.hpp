@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "hardball/broadphase/candidates.hpp"
+#include "hardball/geometry/inlining.hpp"
 #include "hardball/kernels/kernels.hpp"
 #include "hardball/world/compact_paths.hpp"
 #include "hardball/world/world.hpp"
@@ -93,7 +95,7 @@ class Predictor {
         .now_low = now.low,
         .gravity = gravity_of(world),
     };
-    const EarliestContact found = kernel_(query);
+    const EarliestContact found = kernels_->earliest_contact(query);
     if (!(found.high < kNever.high)) return {};
     if (found.is_tied) [[unlikely]]
       return earliest_in_order(world, candidates, now);
@@ -104,24 +106,47 @@ class Predictor {
 
   /// The contacts of a sphere with its candidates. Precondition: `candidates` has been ended, means nearest
   /// images, and the sphere has been copied at `now`.
-  BoundedContacts bound(const CompactPaths& copies, const Candidates& candidates, const Time& now) const {
+  HARDBALL_ALWAYS_INLINE BoundedContacts bound(const CompactPaths& copies, const Candidates& candidates,
+                                               const Time& now) const {
     const double base = rounded_down(now);
-    if (!copies.is_bounded(candidates.self()) || candidates.size() > BoundKeys::kMost) [[unlikely]]
+    if (!is_usual(copies, candidates)) [[unlikely]]
       return bound_with_care(copies, candidates, base);
-    const Slot* const others = candidates.slots();
-    const BoundKeys keys = bound_kernel_(copies.scale(), copies.paths().data(), copies.radii(),
-                                         candidates.self(), others, candidates.size());
-    if (!BoundKeys::touches(keys.first)) return {kNever.high, kNever.high, candidates.self()};
-    const Slot partner = others[BoundKeys::place(keys.first)];
-    const double unit = copies.time_unit();
-    return {base + unit * static_cast<double>(BoundKeys::wait(keys.first)),
-            base + unit * static_cast<double>(BoundKeys::wait(keys.second)), partner};
+    const BoundKeys keys =
+        kernels_->bound_contacts(copies.scale(), copies.paths().data(), copies.radii(), query_of(candidates));
+    return contacts_of(keys, copies, candidates, base);
+  }
+
+  /// The same for two spheres, which takes less than one by one.
+  HARDBALL_ALWAYS_INLINE std::array<BoundedContacts, 2> bound(const CompactPaths& copies,
+                                                              const Candidates& one, const Candidates& other,
+                                                              const Time& now) const {
+    if (!is_usual(copies, one) || !is_usual(copies, other)) [[unlikely]]
+      return {bound(copies, one, now), bound(copies, other, now)};
+    const double base = rounded_down(now);
+    const std::array<BoundKeys, 2> keys = kernels_->bound_contacts_of_two(
+        copies.scale(), copies.paths().data(), copies.radii(), query_of(one), query_of(other));
+    return {contacts_of(keys[0], copies, one, base), contacts_of(keys[1], copies, other, base)};
   }
 
   /// Computes the contact times of pairs, whose images nearest at `now` are meant.
   void compute(const World& world, const Time& now, PairContacts& pairs) const;
 
  private:
+  static bool is_usual(const CompactPaths& copies, const Candidates& candidates) {
+    return copies.is_bounded(candidates.self()) && candidates.size() <= BoundKeys::kMost;
+  }
+  static BoundQuery query_of(const Candidates& candidates) {
+    return {.self = candidates.self(), .others = candidates.slots(), .count = candidates.size()};
+  }
+  static BoundedContacts contacts_of(const BoundKeys& keys, const CompactPaths& copies,
+                                     const Candidates& candidates, double base) {
+    if (!BoundKeys::touches(keys.first)) return {kNever.high, kNever.high, candidates.self()};
+    const double unit = copies.time_unit();
+    return {base + unit * static_cast<double>(BoundKeys::wait(keys.first)),
+            base + unit * static_cast<double>(BoundKeys::wait(keys.second)),
+            candidates.slots()[BoundKeys::place(keys.first)]};
+  }
+
   // The same for a sphere too fast to be bounded, and for many candidates.
   BoundedContacts bound_with_care(const CompactPaths& copies, const Candidates& candidates,
                                   double base) const;
@@ -129,9 +154,7 @@ class Predictor {
   // The earliest contact, pair by pair, by the order of events.
   static Prospect earliest_in_order(const World& world, const Candidates& candidates, const Time& now);
 
-  ContactKernel kernel_;
-  PairKernel pair_kernel_;
-  BoundKernel bound_kernel_;
+  const Kernels* kernels_;
 };
 
 }  // namespace hardball

@@ -89,6 +89,9 @@ class CalendarQueue {
     return ahead < sorted_.size() ? sorted_[sorted_.size() - 1 - ahead].owner : kNoOwner;
   }
 
+  /// The number of the bucket from which events are taken.
+  std::int64_t current_bucket() const { return current_; }
+
   QueueCounters counters() const { return counters_; }
   std::size_t memory_bytes() const;
 

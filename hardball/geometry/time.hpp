@@ -64,7 +64,12 @@ inline double double_before(double number) {
 
 /// The largest double not after a time.
 inline double rounded_down(const Time& time) {
-  return time.low < 0 ? double_before(time.high) : time.high;
+  if (time.high == 0) [[unlikely]]
+    return time.low < 0 ? double_before(0) : time.high;
+  // Branchless: the sign of the low part is unpredictable.
+  const auto bits = std::bit_cast<std::int64_t>(time.high);
+  const std::int64_t step = (bits >> 63) | 1;
+  return std::bit_cast<double>(bits - (time.low < 0 ? step : 0));
 }
 
 /// The time from `start` to `end` [T], accurate to two units in the last place of the result, or to 2^-106 of

@@ -48,11 +48,22 @@ struct BoundKeys {
   std::uint32_t second;
 };
 
-/// Bounds the waits of the sphere in slot `self`, from the moment at which its path was copied, until it
-/// touches its candidates: `others`, `count` slots padded with the sphere itself. Paths are by slot, and so
-/// are radii [L], rounded up; null if all are alike. A bound may differ in its last bits between instruction
-/// sets: contact times are never computed from it. Precondition: count <= BoundKeys::kMost.
+/// A sphere, and slots of those that it may touch, padded to a whole vector with its own.
+struct BoundQuery {
+  std::uint32_t self;
+  const std::uint32_t* others;
+  std::size_t count;  ///< At most BoundKeys::kMost.
+};
+
+/// Bounds the waits of a sphere, from the moment at which its path was copied, until it touches others. Paths
+/// are by slot, and so are radii [L], rounded up; null if all are alike. A bound may differ in its last bits
+/// between instruction sets: contact times are never computed from it.
 using BoundKernel = BoundKeys (*)(const BoundScale& scale, const CompactPath* paths, const float* radii,
-                                  std::uint32_t self, const std::uint32_t* others, std::size_t count);
+                                  const BoundQuery& query);
+
+/// The same for two spheres at once: the processor works on both at a time.
+using BoundPairKernel = std::array<BoundKeys, 2> (*)(const BoundScale& scale, const CompactPath* paths,
+                                                     const float* radii, const BoundQuery& one,
+                                                     const BoundQuery& other);
 
 }  // namespace hardball

@@ -4,6 +4,7 @@
 
 // Compiled once for each instruction set: see contact_kernel_body.hpp.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -94,44 +95,109 @@ HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& s
          Integers(~BoundKeys::kPlace);
 }
 
-/// The kernel; `has_radii` says whether they differ.
-template <class Floats, bool has_radii, bool has_gravity>
-HARDBALL_ALWAYS_INLINE BoundKeys least_two(const BoundScale& scale, const CompactPath* paths,
-                                           const float* radii, std::uint32_t self,
-                                           const std::uint32_t* others, std::size_t count) {
+/// The keys of a sphere's candidates; `is_single` says that they fill one vector, which stays in a register.
+template <class Floats, bool is_single>
+struct Keys {
+  typename Floats::Integers least;  // in each lane
+  alignas(64) std::uint32_t all[is_single ? 1 : BoundKeys::kMost];
+};
+
+template <bool has_radii, bool has_gravity, class Floats, bool is_single>
+HARDBALL_ALWAYS_INLINE void find_keys(const BoundScale& scale, const CompactPath* paths, const float* radii,
+                                      const BoundQuery& query, Keys<Floats, is_single>& keys) {
   using Integers = typename Floats::Integers;
-  const BoundedSphere<Floats> own(scale, paths[self], has_radii ? radii : nullptr, self);
-  const Integers forever(BoundKeys::kForever);
-  alignas(64) std::uint32_t keys[BoundKeys::kMost];
-  Integers least = forever;
+  if constexpr (!has_radii) radii = nullptr;
+  const BoundedSphere<Floats> own(scale, paths[query.self], radii, query.self);
   Integers places = Integers::ascending();
-  for (std::size_t i = 0; i < count; i += Floats::kWidth) {
-    const Integers key =
-        bound_waits<has_gravity>(scale, paths, has_radii ? radii : nullptr, own, others + i) | places;
-    places = places + Integers(static_cast<std::uint32_t>(Floats::kWidth));
-    key.store(keys + i);
-    least = minimum(least, key);
+  if constexpr (is_single) {
+    keys.least = bound_waits<has_gravity>(scale, paths, radii, own, query.others) | places;
+    return;
   }
-  const std::uint32_t first = least_of(least);
+  keys.least = Integers(BoundKeys::kForever);
+  for (std::size_t i = 0; i < query.count; i += Floats::kWidth) {
+    const Integers key = bound_waits<has_gravity>(scale, paths, radii, own, query.others + i) | places;
+    places = places + Integers(static_cast<std::uint32_t>(Floats::kWidth));
+    key.store(keys.all + i);
+    keys.least = minimum(keys.least, key);
+  }
+}
+
+template <class Floats, bool is_single>
+HARDBALL_ALWAYS_INLINE BoundKeys least_two(const BoundQuery& query, const Keys<Floats, is_single>& keys) {
+  using Integers = typename Floats::Integers;
+  const Integers forever(BoundKeys::kForever);
+  const std::uint32_t first = least_of(keys.least);
   // A candidate may be repeated.
-  const Integers partner(others[first & BoundKeys::kPlace]);
+  const Integers partner(query.others[first & BoundKeys::kPlace]);
+  if constexpr (is_single) {
+    return {first, least_of(select(Integers::load(query.others) == partner, forever, keys.least))};
+  }
   Integers second = forever;
-  for (std::size_t i = 0; i < count; i += Floats::kWidth) {
-    const auto is_partner = Integers::load(others + i) == partner;
-    second = minimum(second, select(is_partner, forever, Integers::load(keys + i)));
+  for (std::size_t i = 0; i < query.count; i += Floats::kWidth) {
+    const auto is_partner = Integers::load(query.others + i) == partner;
+    second = minimum(second, select(is_partner, forever, Integers::load(keys.all + i)));
   }
   return {first, least_of(second)};
 }
 
+template <class Floats, bool has_radii, bool has_gravity, bool is_single>
+HARDBALL_ALWAYS_INLINE BoundKeys bound_one(const BoundScale& scale, const CompactPath* paths,
+                                           const float* radii, const BoundQuery& query) {
+  Keys<Floats, is_single> keys;
+  find_keys<has_radii, has_gravity>(scale, paths, radii, query, keys);
+  return least_two(query, keys);
+}
+
+template <class Floats, bool has_radii, bool has_gravity, bool is_single>
+HARDBALL_ALWAYS_INLINE std::array<BoundKeys, 2> bound_two(const BoundScale& scale, const CompactPath* paths,
+                                                          const float* radii, const BoundQuery& one,
+                                                          const BoundQuery& other) {
+  Keys<Floats, is_single> keys_of_one;
+  Keys<Floats, is_single> keys_of_other;
+  find_keys<has_radii, has_gravity>(scale, paths, radii, one, keys_of_one);
+  find_keys<has_radii, has_gravity>(scale, paths, radii, other, keys_of_other);
+  return {least_two(one, keys_of_one), least_two(other, keys_of_other)};
+}
+
+template <class Floats, bool has_radii, bool has_gravity>
+HARDBALL_ALWAYS_INLINE BoundKeys bound_any(const BoundScale& scale, const CompactPath* paths,
+                                           const float* radii, const BoundQuery& query) {
+  return query.count <= Floats::kWidth
+             ? bound_one<Floats, has_radii, has_gravity, true>(scale, paths, radii, query)
+             : bound_one<Floats, has_radii, has_gravity, false>(scale, paths, radii, query);
+}
+
+template <class Floats, bool has_radii, bool has_gravity>
+HARDBALL_ALWAYS_INLINE std::array<BoundKeys, 2> bound_any_two(const BoundScale& scale,
+                                                              const CompactPath* paths, const float* radii,
+                                                              const BoundQuery& one,
+                                                              const BoundQuery& other) {
+  return (one.count <= Floats::kWidth) & (other.count <= Floats::kWidth)
+             ? bound_two<Floats, has_radii, has_gravity, true>(scale, paths, radii, one, other)
+             : bound_two<Floats, has_radii, has_gravity, false>(scale, paths, radii, one, other);
+}
+
 template <class Floats>
 BoundKeys bound_contacts(const BoundScale& scale, const CompactPath* paths, const float* radii,
-                         std::uint32_t self, const std::uint32_t* others, std::size_t count) {
+                         const BoundQuery& query) {
   if (scale.has_gravity) {
-    return radii == nullptr ? least_two<Floats, false, true>(scale, paths, nullptr, self, others, count)
-                            : least_two<Floats, true, true>(scale, paths, radii, self, others, count);
+    return radii == nullptr ? bound_any<Floats, false, true>(scale, paths, radii, query)
+                            : bound_any<Floats, true, true>(scale, paths, radii, query);
   }
-  return radii == nullptr ? least_two<Floats, false, false>(scale, paths, nullptr, self, others, count)
-                          : least_two<Floats, true, false>(scale, paths, radii, self, others, count);
+  return radii == nullptr ? bound_any<Floats, false, false>(scale, paths, radii, query)
+                          : bound_any<Floats, true, false>(scale, paths, radii, query);
+}
+
+template <class Floats>
+std::array<BoundKeys, 2> bound_contacts_of_two(const BoundScale& scale, const CompactPath* paths,
+                                               const float* radii, const BoundQuery& one,
+                                               const BoundQuery& other) {
+  if (scale.has_gravity) {
+    return radii == nullptr ? bound_any_two<Floats, false, true>(scale, paths, radii, one, other)
+                            : bound_any_two<Floats, true, true>(scale, paths, radii, one, other);
+  }
+  return radii == nullptr ? bound_any_two<Floats, false, false>(scale, paths, radii, one, other)
+                          : bound_any_two<Floats, true, false>(scale, paths, radii, one, other);
 }
 
 }  // namespace hardball

@@ -14,8 +14,6 @@
 #include "hardball/kernels/near_kernel_body.hpp"
 
 namespace hardball {
-// Each file that includes this has its own copy, compiled for its own instructions, and defines `keep`
-// itself.
 namespace {
 
 /// Eight numbers of single precision in 256 bits.
@@ -36,7 +34,30 @@ struct Floats {
     static Integers load(const std::uint32_t* values) {
       return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(values));
     }
+    static Integers load_halves(const std::uint32_t* block, const std::uint32_t* /*none*/) {
+      return load(block);
+    }
+    static Integers of_halves(std::int32_t value, std::int32_t /*none*/) { return Integers(value); }
     void store(std::uint32_t* values) const { _mm256_storeu_si256(reinterpret_cast<__m256i*>(values), v); }
+    // Moves the chosen numbers to the front.
+    void keep(unsigned lanes, std::uint32_t* out) const {
+      // The lanes to take for each choice.
+      struct Orders {
+        alignas(8) unsigned char lanes[256][8];
+        constexpr Orders() : lanes() {
+          for (unsigned choice = 0; choice < 256; ++choice) {
+            unsigned place = 0;
+            for (unsigned char lane = 0; lane < 8; ++lane) {
+              if ((choice >> lane & 1) != 0) lanes[choice][place++] = lane;
+            }
+          }
+        }
+      };
+      static constexpr Orders kOrders;
+      const __m256i order =
+          _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(kOrders.lanes[lanes])));
+      Integers(_mm256_permutevar8x32_epi32(v, order)).store(out);
+    }
     static Integers ascending() { return _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7); }
     friend Integers operator+(const Integers& a, const Integers& b) { return _mm256_add_epi32(a.v, b.v); }
     friend Integers operator-(const Integers& a, const Integers& b) { return _mm256_sub_epi32(a.v, b.v); }
@@ -50,13 +71,10 @@ struct Floats {
   Floats(__m256 vector) : v(vector) {}
   explicit Floats(float value) : v(_mm256_set1_ps(value)) {}
 
-  static Floats load(const float* values) { return _mm256_loadu_ps(values); }
-  void store(float* out) const { _mm256_storeu_ps(out, v); }
   static Floats gather(const float* values, const std::uint32_t* at) {
     return _mm256_setr_ps(values[at[0]], values[at[1]], values[at[2]], values[at[3]], values[at[4]],
                           values[at[5]], values[at[6]], values[at[7]]);
   }
-  static void keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out);
 
   // Four numbers of single precision at an address, from each of eight structures: rows (0, 4), (1, 5), (2,
   // 6) and (3, 7) are transposed.
@@ -156,6 +174,10 @@ Floats to_floats(const Floats::Integers& a) {
 }
 Floats::Integers bits_of(const Floats& a) {
   return _mm256_castps_si256(a.v);
+}
+template <int count>
+Floats::Integers shifted_right(const Floats::Integers& a) {
+  return _mm256_srli_epi32(a.v, count);
 }
 Floats::Integers minimum(const Floats::Integers& a, const Floats::Integers& b) {
   return _mm256_min_epu32(a.v, b.v);

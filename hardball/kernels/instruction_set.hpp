@@ -10,16 +10,16 @@ namespace hardball {
 
 /// The vector instructions of the kernels. All give the same bits.
 enum class InstructionSet {
-  portable,  ///< The compiler's baseline: on x86-64 two numbers at a time.
-  avx2,      ///< Four numbers at a time.
-  avx512,    ///< Four numbers at a time, with twice the registers and with mask registers.
+  portable,  ///< The compiler's baseline: on x86-64 two numbers in double precision at a time.
+  avx2,      ///< Four numbers in double precision at a time, eight in single precision.
+  avx512,    ///< Sixteen numbers in single precision at a time, and mask registers.
 };
 
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 3> kInstructionSetNames{"portable", "avx2", "avx512"};
 
 /// The most numbers processed at a time: arrays that kernels read are padded by as many.
-inline constexpr std::size_t kWidestVector = 8;
+inline constexpr std::size_t kWidestVector = 16;
 
 /// Whether this program has kernels with these instructions.
 bool is_compiled_in(InstructionSet instructions);

@@ -14,7 +14,9 @@ struct Kernels {
   ContactKernel earliest_contact;
   PairKernel contacts_of_pairs;
   BoundKernel bound_contacts;
+  BoundPairKernel bound_contacts_of_two;
   NearKernel pick_near;
+  DifferenceKernel find_differences;
 };
 
 /// Error: the instruction set is not available.

@@ -37,30 +37,14 @@ Lanes select(const Lanes::Mask& mask, const Lanes& a, const Lanes& b) {
   return _mm256_blendv_pd(b.v, a.v, mask.v);
 }
 
-// Moves the chosen slots to the front: the lanes to take for each choice.
-void Floats::keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
-  struct Orders {
-    alignas(8) unsigned char lanes[256][8];
-    constexpr Orders() : lanes() {
-      for (unsigned choice = 0; choice < 256; ++choice) {
-        unsigned place = 0;
-        for (unsigned char lane = 0; lane < 8; ++lane) {
-          if ((choice >> lane & 1) != 0) lanes[choice][place++] = lane;
-        }
-      }
-    }
-  };
-  static constexpr Orders kOrders;
-  const __m256i order =
-      _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(kOrders.lanes[lanes])));
-  const __m256i slots = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permutevar8x32_epi32(slots, order));
-}
-
 }  // namespace
 
-const Kernels kAvx2Kernels{earliest_contact<Lanes>, contacts_of_pairs<Lanes>, bound_contacts<Floats>,
-                           pick_near<Floats>};
+const Kernels kAvx2Kernels{.earliest_contact = earliest_contact<Lanes>,
+                           .contacts_of_pairs = contacts_of_pairs<Lanes>,
+                           .bound_contacts = bound_contacts<Floats>,
+                           .bound_contacts_of_two = bound_contacts_of_two<Floats>,
+                           .pick_near = pick_near<Floats>,
+                           .find_differences = find_differences<Floats>};
 
 }  // namespace hardball
 

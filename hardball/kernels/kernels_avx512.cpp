@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: MIT
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 
-#include "hardball/kernels/eight_lanes.hpp"
 #include "hardball/kernels/four_lanes.hpp"
 #include "hardball/kernels/kernels.hpp"
+#include "hardball/kernels/sixteen_lanes.hpp"
 
-// Mask registers, and vectors of 256 bits: with 512 bits whole runs are slower, as one of three vector ports
-// is closed.
+// Mask registers. Exact times take vectors of 256 bits: their divisions gain nothing from more.
 namespace hardball {
 namespace {
 
@@ -39,17 +38,14 @@ Lanes select(const Lanes::Mask& mask, const Lanes& a, const Lanes& b) {
   return _mm256_mask_blend_pd(mask.v, b.v, a.v);
 }
 
-// Compress to a register, then store: some processors are very slow at doing both in one instruction.
-void Floats::keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
-  const __m256i slots = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out),
-                      _mm256_maskz_compress_epi32(static_cast<__mmask8>(lanes), slots));
-}
-
 }  // namespace
 
-const Kernels kAvx512Kernels{earliest_contact<Lanes>, contacts_of_pairs<Lanes>, bound_contacts<Floats>,
-                             pick_near<Floats>};
+const Kernels kAvx512Kernels{.earliest_contact = earliest_contact<Lanes>,
+                             .contacts_of_pairs = contacts_of_pairs<Lanes>,
+                             .bound_contacts = bound_contacts<Floats>,
+                             .bound_contacts_of_two = bound_contacts_of_two<Floats>,
+                             .pick_near = pick_near<Floats>,
+                             .find_differences = find_differences<Floats>};
 
 }  // namespace hardball
 

@@ -124,6 +124,16 @@ struct Floats {
     void store(std::uint32_t* values) const {
       for (int lane = 0; lane < 4; ++lane) values[lane] = v[lane];
     }
+    static Integers load_halves(const std::uint32_t* block, const std::uint32_t* /*none*/) {
+      return load(block);
+    }
+    static Integers of_halves(std::int32_t value, std::int32_t /*none*/) { return Integers(value); }
+    void keep(unsigned lanes, std::uint32_t* out) const {
+      for (int lane = 0; lane < 4; ++lane) {
+        *out = v[lane];
+        out += lanes >> lane & 1;
+      }
+    }
     static Integers ascending() { return Unsigned{0, 1, 2, 3}; }
     friend Integers operator+(const Integers& a, const Integers& b) { return a.v + b.v; }
     friend Integers operator-(const Integers& a, const Integers& b) { return a.v - b.v; }
@@ -138,7 +148,6 @@ struct Floats {
   Floats(Vector vector) : v(vector) {}
   explicit Floats(float value) : v{value, value, value, value} {}
 
-  static Floats load(const float* values) { return Vector{values[0], values[1], values[2], values[3]}; }
   static Floats gather(const float* values, const std::uint32_t* at) {
     return Vector{values[at[0]], values[at[1]], values[at[2]], values[at[3]]};
   }
@@ -157,13 +166,6 @@ struct Floats {
     out.tick = integers([](const CompactPath& path) { return path.tick; });
     out.velocity = {velocities(0), velocities(1), velocities(2)};
   }
-  static void keep(const std::uint32_t* at, unsigned lanes, std::uint32_t* out) {
-    for (int lane = 0; lane < 4; ++lane) {
-      *out = at[lane];
-      out += lanes >> lane & 1;
-    }
-  }
-  void store(float* out) const { out[0] = v[0], out[1] = v[1], out[2] = v[2], out[3] = v[3]; }
 
   Vector v;
 };
@@ -215,6 +217,10 @@ Floats to_floats(const Floats::Integers& a) {
 Floats::Integers bits_of(const Floats& a) {
   return std::bit_cast<Floats::Integers::Unsigned>(a.v);
 }
+template <int count>
+Floats::Integers shifted_right(const Floats::Integers& a) {
+  return a.v >> count;
+}
 Floats::Integers select(const Floats::Mask& mask, const Floats::Integers& a, const Floats::Integers& b) {
   return mask.v ? a.v : b.v;
 }
@@ -229,7 +235,11 @@ std::uint32_t least_of(const Floats::Integers& a) {
 
 }  // namespace
 
-const Kernels kPortableKernels{earliest_contact<Lanes>, contacts_of_pairs<Lanes>, bound_contacts<Floats>,
-                               pick_near<Floats>};
+const Kernels kPortableKernels{.earliest_contact = earliest_contact<Lanes>,
+                               .contacts_of_pairs = contacts_of_pairs<Lanes>,
+                               .bound_contacts = bound_contacts<Floats>,
+                               .bound_contacts_of_two = bound_contacts_of_two<Floats>,
+                               .pick_near = pick_near<Floats>,
+                               .find_differences = find_differences<Floats>};
 
 }  // namespace hardball

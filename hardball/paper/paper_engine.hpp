@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "hardball/engine/standstill_guard.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/response/execute.hpp"
+#include "hardball/world/new_velocity.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
@@ -99,14 +101,16 @@ class PaperEngine {
     return std::nullopt;
   }
 
-  /// As Engine::change_velocity.
-  void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
+  /// As Engine::change_velocities.
+  void change_velocities(const Time& moment, std::span<const NewVelocity> changes) {
     HARDBALL_CHECK(moment >= now_);
     now_ = moment;
-    world_.change_velocity(slot, moment, velocity);
-    remove_candidates(slot);
-    relocate(slot);
-    predict_all(slot);
+    for (const NewVelocity& change : changes) {
+      world_.change_velocity(change.slot, moment, change.after);
+      remove_candidates(change.slot);
+      relocate(change.slot);
+      predict_all(change.slot);
+    }
   }
 
   /// As Engine::rebuild: the preprocessing of the paper.

@@ -50,8 +50,8 @@ class EngineModel final : public AnyEngine {
     return engine_.merge_besides(overlap);
   }
   std::optional<Event> next_contact(const Time& until) override { return engine_.next_contact(until); }
-  void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) override {
-    engine_.change_velocity(slot, moment, velocity);
+  void change_velocities(const Time& moment, std::span<const NewVelocity> changes) override {
+    engine_.change_velocities(moment, changes);
   }
   void replace_response(CustomResponse custom) override { engine_.response().replace(std::move(custom)); }
   void replace_response(const ResponseTable& table) override { engine_.response().replace(table); }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <type_traits>
 
@@ -16,6 +17,7 @@
 #include "hardball/response/response_table.hpp"
 #include "hardball/simulation/any_response.hpp"
 #include "hardball/tuning/cell_edge.hpp"
+#include "hardball/world/new_velocity.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
 
@@ -102,7 +104,7 @@ class AnyEngine {
   virtual RunStatus run(const RunLimits& limits, const Observe& observe) = 0;
   virtual std::optional<Contact> merge_besides(const Event& overlap) = 0;
   virtual std::optional<Event> next_contact(const Time& until) = 0;
-  virtual void change_velocity(Slot slot, const Time& moment, const Vec3& velocity) = 0;
+  virtual void change_velocities(const Time& moment, std::span<const NewVelocity> changes) = 0;
   /// Whether `rebuild` with this length would make what make_engine makes for the world as it is.
   virtual bool suits(double length) const = 0;
   /// Rebuilds all regions and predictions, with this cell edge or slack [L] where there is one.

@@ -456,36 +456,34 @@ std::vector<Vec3> Simulation::positions_at(double time) {
 
 void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
   check_editable("change_velocity");
-  edit_velocity({id, velocity}, nullptr);
-}
-
-void Simulation::edit_velocity(const VelocityEdit& edit, Measures* measures) {
-  const Slot slot = world().slot_of(edit.id);
-  const double energy_before = kinetic_energy(world(), slot, now_);
-  const Vec3 before = world().velocity(slot, now_);
-  rewrite_velocity(slot, now_, edit.velocity);
-  tally_.note_edit(kinetic_energy(world(), slot, now_) - energy_before, now_);
-  tell_of_change({now_, edit.id, world().mass(slot), world().path(slot).position, before, edit.velocity},
-                 measures);
+  const VelocityEdit edit{id, velocity};
+  edit_velocities({&edit, 1}, nullptr);
 }
 
 // Precondition: all events before `moment` have been handled, and no contact after it.
-void Simulation::rewrite_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
+void Simulation::rewrite_velocities(const Time& moment, std::span<const NewVelocity> changes) {
   // An engine that has looked ahead can only be rebuilt.
   looks_ahead_apart_ |= engine_->now() > moment;
-  if (edited_ || engine_->now() > moment) {
-    engine_->world_to_edit().change_velocity(slot, moment, velocity);
-    edited_ = true;
-  } else {
-    engine_->change_velocity(slot, moment, velocity);
+  if (!edited_ && engine_->now() <= moment) return engine_->change_velocities(moment, changes);
+  for (const NewVelocity& change : changes) {
+    engine_->world_to_edit().change_velocity(change.slot, moment, change.after);
   }
+  edited_ = true;
 }
 
-void Simulation::tell_of_change(const VelocityChange& change, Measures* measures) {
-  if (measures) measures->note(change);
-  if (!change_listener_) return;
-  const During running(activity_, Activity::running);
-  change_listener_(change);
+void Simulation::tell_of_changes(const Time& moment, std::span<const NewVelocity> changes,
+                                 Measures* measures) {
+  if (!measures && !change_listener_) return;
+  for (const NewVelocity& change : changes) {
+    const Slot slot = change.slot;
+    const VelocityChange done{
+        moment,        world().id(slot), world().mass(slot), world().path(slot).position,
+        change.before, change.after};
+    if (measures) measures->note(done);
+    if (!change_listener_) continue;
+    const During running(activity_, Activity::running);
+    change_listener_(done);
+  }
 }
 
 void Simulation::on_velocity_change(std::function<void(const VelocityChange&)> listener) {
@@ -513,30 +511,24 @@ std::uint64_t Simulation::act(Measures* measures) {
   const Time moment = later(next_action(), tally_.last_change());
   const double energy_before = thermostat_->energy();
   const std::span<const NewVelocity> changes = thermostat_->act(world(), moment);
-  for (const NewVelocity& change : changes) rewrite_velocity(change.slot, moment, change.after);
+  rewrite_velocities(moment, changes);
   tally_.note_edit(thermostat_->energy() - energy_before, moment);
-  if (!measures && !change_listener_) return std::max<std::uint64_t>(1, changes.size());
-  for (const NewVelocity& change : changes) {
-    const Slot slot = change.slot;
-    const VelocityChange done{
-        moment,        world().id(slot), world().mass(slot), world().path(slot).position,
-        change.before, change.after};
-    tell_of_change(done, measures);
-  }
+  tell_of_changes(moment, changes, measures);
   return std::max<std::uint64_t>(1, changes.size());
 }
 
 void Simulation::change_velocities(std::span<const VelocityEdit> edits) {
+  check_editable("change_velocities");
   edit_velocities(edits, nullptr);
 }
 
 void Simulation::change_velocities(std::span<const VelocityEdit> edits, Measures& measures) {
+  check_editable("change_velocities");
   measures.check_spheres(world());
   edit_velocities(edits, &measures);
 }
 
 void Simulation::edit_velocities(std::span<const VelocityEdit> edits, Measures* measures) {
-  check_editable("change_velocities");
   std::vector<VelocityEdit> sorted(edits.begin(), edits.end());
   std::ranges::sort(sorted, {}, &VelocityEdit::id);
   const auto twice = std::ranges::adjacent_find(sorted, {}, &VelocityEdit::id);
@@ -544,15 +536,20 @@ void Simulation::edit_velocities(std::span<const VelocityEdit> edits, Measures* 
     throw Error("sphere " + to_text(twice->id) + " is given two velocities", "change_velocities",
                 "give each sphere once");
   }
+  std::vector<NewVelocity> changes;
+  std::vector<double> energies;
   for (const VelocityEdit& edit : sorted) {
-    static_cast<void>(
-        world().image(world().slot_of(edit.id), now_));  // whether there is such a sphere, and where
+    const Slot slot = world().slot_of(edit.id);
+    static_cast<void>(world().image(slot, now_));  // whether it is where it can be changed
     world().check_velocity(edit.id, edit.velocity);
+    changes.push_back({slot, world().velocity(slot, now_), edit.velocity});
+    energies.push_back(kinetic_energy(world(), slot, now_));
   }
-  // So many edits one by one would cost more than a rebuild.
-  constexpr std::size_t kShare = 2;
-  if (sorted.size() > size() / kShare) edited_ = true;
-  for (const VelocityEdit& edit : sorted) edit_velocity(edit, measures);
+  rewrite_velocities(now_, changes);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    tally_.note_edit(kinetic_energy(world(), changes[i].slot, now_) - energies[i], now_);
+  }
+  tell_of_changes(now_, changes, measures);
 }
 
 SphereId Simulation::add(const Sphere& sphere) {

@@ -143,7 +143,7 @@ class Simulation {
   /// out of range. Cost: that of a collision; when it first follows next_contact or positions_at, O(n).
   void change_velocity(SphereId id, const Vec3& velocity);
   /// The same for many, in the order of ids, whatever their order here: all of them, or on an Error none.
-  /// Error: as for one; a sphere is given twice. Cost: that of as many collisions, or O(n) if that is less.
+  /// Error: as for one; a sphere is given twice. Cost: at most that of as many collisions.
   void change_velocities(std::span<const VelocityEdit> edits);
   /// The same between runs with `measures`, which see it as the action of a thermostat; see Measures.
   void change_velocities(std::span<const VelocityEdit> edits, Measures& measures);
@@ -222,10 +222,9 @@ class Simulation {
   void call_listener(const Contact& contact, Activity activity);
   Time next_action() const;
   std::uint64_t act(Measures* measures);
-  void rewrite_velocity(Slot slot, const Time& moment, const Vec3& velocity);
+  void rewrite_velocities(const Time& moment, std::span<const NewVelocity> changes);
   void edit_velocities(std::span<const VelocityEdit> edits, Measures* measures);
-  void edit_velocity(const VelocityEdit& edit, Measures* measures);
-  void tell_of_change(const VelocityChange& change, Measures* measures);
+  void tell_of_changes(const Time& moment, std::span<const NewVelocity> changes, Measures* measures);
   void check_idle(const char* what) const;
   void check_editable(const char* what) const;
   void check_not_past(const Time& time) const;

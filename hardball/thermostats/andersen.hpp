@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hardball/thermostats/new_velocity.hpp"
+#include "hardball/world/new_velocity.hpp"
 #include "hardball/world/random.hpp"
 #include "hardball/world/world.hpp"
 

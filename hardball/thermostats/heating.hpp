@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hardball/thermostats/intervals.hpp"
-#include "hardball/thermostats/new_velocity.hpp"
+#include "hardball/world/new_velocity.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {

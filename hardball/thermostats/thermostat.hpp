@@ -10,8 +10,8 @@
 
 #include "hardball/thermostats/andersen.hpp"
 #include "hardball/thermostats/heating.hpp"
-#include "hardball/thermostats/new_velocity.hpp"
 #include "hardball/thermostats/rescale.hpp"
+#include "hardball/world/new_velocity.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {

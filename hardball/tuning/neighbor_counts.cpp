@@ -49,7 +49,7 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
 double cost_rate(const NeighborCounts& counts, const UnitCosts& costs) {
   // What an anchor searched costs, in candidates of a cell, and a rebuild whose anchors are far away: fitted,
   // as NeighborCounts::listed, so that lists are chosen where they are faster than cells, see docs/theory.md.
-  constexpr double kSearch = 0.85;
+  constexpr double kSearch = 0.6;
   constexpr double kFarRebuild = 1.3;
   const double pass = costs.cell + counts.listed * costs.prediction * counts.neighbors;
   const double rebuild = (counts.is_far ? kFarRebuild : 1) * (costs.enter + counts.rows * costs.cell +
@@ -65,7 +65,7 @@ double optimal_slack(const Moments& moments, const UnitCosts& costs) {
   constexpr double kStep = 1.05;
   constexpr int kSteps = 96;  // up to 103 times the smallest
   // Of longer lists, too many leave their cache line: measured, docs/theory.md.
-  constexpr double kMostNeighbors = 13.3;
+  constexpr double kMostNeighbors = 12.3;
   double best = 0;
   double least = std::numeric_limits<double>::infinity();
   double slack = 0.05 * moments.largest_radius;

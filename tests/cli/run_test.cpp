@@ -176,7 +176,8 @@ TEST_F(Run, HasOneHistoryWhateverTheEngine) {
 
 TEST_F(Run, ChoosesCellsByTheUnitCosts) {
   use(kPeriodicGas);
-  const auto edge = [this](const Arguments& arguments) {
+  const auto edge = [this](Arguments arguments) {
+    arguments.insert(arguments.end(), {"--engine", "cells"});
     return run_json(arguments)["cell_edge"].get<double>();
   };
   const double standard = edge({"--unit-costs", "standard"});

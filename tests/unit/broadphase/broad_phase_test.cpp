@@ -323,6 +323,12 @@ double farthest_neighbors(double largest_radius, double slack) {
   return 2 * largest_radius + 4 * slack;
 }
 
+// How far a distance of anchors may be off: 2.5 units along each axis, at most 512 of which make a cell, here
+// of at most 3/2 the wanted edge [L].
+double packing_error(double largest_radius, double slack) {
+  return std::sqrt(3.0) * 2.5 * 1.5 * (2 * largest_radius + 2 * slack) / 512;
+}
+
 // By how much a sphere crosses before it reaches the edge of its ball, at most [L]: the margin, and the
 // errors of single precision.
 double earliness(double farthest) {
@@ -341,30 +347,30 @@ TEST(NeighborList, HasThoseAsCandidatesWhoseShellsMeet) {
     return candidates_of(list, world, 0).size();
   };
   for (const double slack : {0.1, 0.5, 3.0}) {
-    // Shells are a little larger than they need to be.
+    // Shells are a little larger than they need to be, and distances are known to some thousandths of a cell.
     const double margin = 0x1p-19 * farthest_neighbors(1, slack);
+    const double beyond = margin + 2 * packing_error(1, slack);
     EXPECT_EQ(count_at(2 + 2 * slack + margin / 2, 1, slack), 1U);
-    EXPECT_EQ(count_at(2 + 2 * slack + margin * 2, 1, slack), 0U);
+    EXPECT_EQ(count_at(2 + 2 * slack + beyond, 1, slack), 0U);
     EXPECT_EQ(count_at(1.25 + 2 * slack + margin / 2, 0.25, slack), 1U);
-    EXPECT_EQ(count_at(1.25 + 2 * slack + margin * 2, 0.25, slack), 0U);
+    EXPECT_EQ(count_at(1.25 + 2 * slack + beyond, 0.25, slack), 0U);
   }
 }
 
-// Of two spheres whose shells just meet, up to rounding, each finds the other if the other finds it.
+// Of two spheres whose shells just meet, as far as can be told, each finds the other if the other finds it.
 TEST(NeighborList, FindsTheSameNeighborsFromEitherSide) {
   constexpr double kSlack = 0.25;
-  const double margin = 0x1p-19 * farthest_neighbors(0.5, kSlack);
+  const double error = packing_error(0.5, kSlack);
   Random random(7);
   std::uint64_t neighbors = 0;
   for (std::uint64_t i = 0; i < support::cases(20000); ++i) {
     World world(Box::walls({40, 40, 40}));
     const double first = 0.1 + 0.4 * random.uniform();
     const double second = 0.1 + 0.4 * random.uniform();
-    const double distance = first + second + 2 * kSlack + margin;
-    const double rounding = 0x1p-24 * (8 * random.uniform() - 4);
+    const double distance = first + second + 2 * kSlack + 2 * error * random.uniform();
     const Vec3 place{10 + 20 * random.uniform(), 20, 20};
     world.add({place, {1, 0, 0}, first, 1});
-    world.add({place + distance * (1 + rounding) * random.direction(), {1, 0, 0}, second, 1});
+    world.add({place + distance * random.direction(), {1, 0, 0}, second, 1});
     world.add({{2, 2, 2}, {}, 0.5, 1});
     CopyingList list(kSlack);
     list.build(world, Time(0));

@@ -20,7 +20,7 @@ void insert(CellStore<SlotLists>& store, const CellIndex& cell, Slot slot) {
   store.insert(cell, slot);
 }
 void insert(CellStore<PointLists>& store, const CellIndex& cell, Slot slot) {
-  store.insert(cell, slot, PointLists::Place{});
+  store.insert(cell, slot, PackedPlace());
 }
 
 template <class Lists>

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "hardball/errors/error.hpp"
@@ -15,44 +16,46 @@
 namespace hardball::padded_lists_test {
 namespace {
 
-// Lists and their lengths, beside plain vectors.
+// Lists beside plain vectors.
 struct Both {
-  explicit Both(Slot owners) : lengths(owners), plain(owners) { lists.reset(owners); }
+  Both(Slot owners, std::uint32_t lines) : plain(owners) { lists.reset(owners, lines); }
 
   void insert(Slot owner, Slot slot) {
-    lists.insert(owner, lengths[owner], slot);
+    lists.insert(owner, slot);
     plain[owner].push_back(slot);
   }
   void erase(Slot owner, Slot slot) {
-    lists.erase(owner, lengths[owner], slot);
+    lists.erase(owner, slot);
     plain[owner].erase(std::find(plain[owner].begin(), plain[owner].end(), slot));
   }
   void assign(Slot owner, const std::vector<Slot>& slots) {
-    lists.assign(owner, lengths[owner], slots);
+    lists.assign(owner, slots);
     plain[owner] = slots;
   }
 
   void expect_same() const {
     for (Slot owner = 0; owner < plain.size(); ++owner) {
-      const std::uint32_t length = lengths[owner];
-      ASSERT_EQ(length, plain[owner].size());
-      const Slot* const slots = lists.slots(owner, length);
-      ASSERT_TRUE(std::is_permutation(slots, slots + length, plain[owner].begin()));
-      // Kernels read whole vectors.
-      for (std::uint32_t i = length; i % kWidestVector != 0; ++i) ASSERT_EQ(slots[i], owner);
+      ASSERT_EQ(lists.size(owner), plain[owner].size());
+      const std::span<const Slot> lanes = lists.of(owner);
+      ASSERT_EQ(lanes.size() % kWidestVector, 0U);
+      std::vector<Slot> slots(lanes.begin(), lanes.end());
+      std::erase(slots, owner);
+      ASSERT_EQ(slots.size(), plain[owner].size());
+      ASSERT_TRUE(std::is_permutation(slots.begin(), slots.end(), plain[owner].begin()));
     }
   }
 
   PaddedLists lists;
-  std::vector<std::uint32_t> lengths;
   std::vector<std::vector<Slot>> plain;
 };
 
-TEST(PaddedLists, HoldWhatWasInsertedAndNotErased) {
+class PaddedListsOfLines : public testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(PaddedListsOfLines, HoldWhatWasInsertedAndNotErased) {
   constexpr Slot kOwners = 20;
   Random random(1);
-  Both both(kOwners);
-  // They grow and shrink through several sizes of blocks.
+  Both both(kOwners, GetParam());
+  // They grow through several sizes of blocks.
   for (const double growing : {0.9, 0.1, 0.7, 0.2, 0.6, 0.0}) {
     for (std::uint64_t step = 0; step < support::cases(3000); ++step) {
       const auto owner = static_cast<Slot>(random.bits() % kOwners);
@@ -68,10 +71,10 @@ TEST(PaddedLists, HoldWhatWasInsertedAndNotErased) {
   }
 }
 
-TEST(PaddedLists, AreReplacedByListsOfAnyLength) {
+TEST_P(PaddedListsOfLines, AreReplacedByListsOfAnyLength) {
   constexpr Slot kOwners = 5;
   Random random(2);
-  Both both(kOwners);
+  Both both(kOwners, GetParam());
   for (std::uint64_t step = 0; step < support::cases(2000); ++step) {
     std::vector<Slot> slots(random.bits() % (step % 3 == 0 ? 200 : 20));
     for (Slot& slot : slots) slot = static_cast<Slot>(100 + random.bits() % 1000);
@@ -81,25 +84,27 @@ TEST(PaddedLists, AreReplacedByListsOfAnyLength) {
   }
 }
 
+INSTANTIATE_TEST_SUITE_P(Lines, PaddedListsOfLines, testing::Values(1, 2));
+
+// Replacing a list gives its block back.
 TEST(PaddedLists, UseABlockAgain) {
   PaddedLists lists;
   lists.reset(2);
-  std::uint32_t length = 0;
   std::size_t bytes = 0;
   for (int round = 0; round < 10; ++round) {
-    for (Slot slot = 0; slot < 100; ++slot) lists.insert(0, length, slot);
+    for (Slot slot = 2; slot < 100; ++slot) lists.insert(0, slot);
     if (round == 0) bytes = lists.memory_bytes();
     EXPECT_EQ(lists.memory_bytes(), bytes);
-    for (Slot slot = 0; slot < 100; ++slot) lists.erase(0, length, slot);
+    lists.assign(0, {});
+    EXPECT_EQ(lists.size(0), 0U);
   }
 }
 
 TEST(PaddedLists, NoticeThatASlotIsMissing) {
   PaddedLists lists;
   lists.reset(1);
-  std::uint32_t length = 0;
-  lists.insert(0, length, 7);
-  EXPECT_THROW(lists.erase(0, length, 8), BrokenInvariant);
+  lists.insert(0, 7);
+  EXPECT_THROW(lists.erase(0, 8), BrokenInvariant);
 }
 
 }  // namespace

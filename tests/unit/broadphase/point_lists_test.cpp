@@ -14,30 +14,26 @@
 namespace hardball::point_lists_test {
 namespace {
 
-using Place = PointLists::Place;
-using Points = std::multimap<Slot, Place>;
+using Points = std::multimap<Slot, std::uint32_t>;
 
-// What the kernel sees: the points of a list block by block.
+// What the kernel sees: the points of a list block by block, of which it asks for the second only if the
+// first is full.
 Points points_of(const PointLists& lists, std::uint32_t list, std::size_t* blocks = nullptr) {
   Points found;
-  for (; list != PointLists::kNone; list = lists.next(list)) {
+  for (const std::uint32_t first = list; list != PointLists::kNone; list = lists.next()[list]) {
     const PointBlock& block = lists.blocks()[list];
     for (std::size_t lane = 0; lane < PointBlock::kRoom; ++lane) {
-      if (block.slots[lane] == PointBlock::kNoSlot) continue;
-      Place place;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        place[axis] = static_cast<std::int32_t>(block.places[axis][lane]);
-      }
-      found.emplace(block.slots[lane], place);
+      if (block.slots[lane] != PointBlock::kNoSlot) found.emplace(block.slots[lane], block.places[lane]);
     }
     if (blocks != nullptr) ++*blocks;
+    if (list == first && found.size() < PointBlock::kRoom) return found;
   }
   return found;
 }
 
 // A place that tells whose it is.
-Place place_of(Slot slot) {
-  return {static_cast<std::int32_t>(slot), -static_cast<std::int32_t>(slot), 7};
+PackedPlace place_of(Slot slot) {
+  return PackedPlace({static_cast<std::int32_t>(slot), 1000 - static_cast<std::int32_t>(slot), 7});
 }
 
 // Lists made by reset, and lists made and released.
@@ -69,7 +65,7 @@ TEST(PointLists, AgreeWithMultimapsUnderRandomTraffic) {
       } else if (chosen.points.empty() || random.uniform() < (filling ? 0.8 : 0.2)) {
         const auto slot = static_cast<Slot>(below(30));
         lists.insert(chosen.list, slot, place_of(slot));
-        chosen.points.emplace(slot, place_of(slot));
+        chosen.points.emplace(slot, place_of(slot).bits());
       } else {
         const auto erased =
             std::next(chosen.points.begin(), static_cast<std::ptrdiff_t>(below(chosen.points.size())));

@@ -91,9 +91,10 @@ TEST(SlotLists, FirstLineIsAPartOfTheList) {
   lists.reset(1);
   for (Slot slot = 0; slot < 30; ++slot) {
     lists.insert(0, slot);
-    std::vector<Slot> first;
-    lists.for_each_first(0, [&first](Slot each) { first.push_back(each); });
-    ASSERT_EQ(first.size(), std::min<std::size_t>(slot + 1, SlotLists::kRoom));
+    std::vector<Slot> first(SlotLists::kRoom);
+    const std::uint32_t count = lists.copy_first(0, first.data());
+    ASSERT_EQ(count, std::min(slot + 1, SlotLists::kRoom));
+    for (std::uint32_t i = 0; i < count; ++i) ASSERT_TRUE(slots_of(lists, 0).contains(first[i]));
   }
 }
 

@@ -7,7 +7,7 @@
 
 namespace hardball {
 
-/// The velocity that a thermostat gives to a sphere.
+/// A velocity that a sphere is given between contacts.
 struct NewVelocity {
   Slot slot = 0;
   Vec3 before;  ///< [L/T]
