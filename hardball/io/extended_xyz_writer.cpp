@@ -48,19 +48,42 @@ std::string comment_line(const Snapshot& snapshot) {
   return line;
 }
 
+// The text of a number that is often the one before, as radii and masses are: writing a number costs more
+// than copying its text.
+class RepeatedText {
+ public:
+  void append_to(std::string& line, double number) {
+    if (text_.empty() || number != number_) {
+      number_ = number;
+      text_.clear();
+      append_text(text_, number);
+    }
+    line += text_;
+  }
+
+ private:
+  double number_ = 0;
+  std::string text_;
+};
+
 }  // namespace
 
 void append_extended_xyz(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendText& append) {
   append(to_text(snapshot.spheres.size()) + "\n" + comment_line(snapshot));
   std::string line;
+  RepeatedText radius;
+  RepeatedText mass;
+  RepeatedText finite_mass;
   for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
     const Sphere& sphere = snapshot.spheres[i];
     line.clear();
     append_text(line, sphere.species + 1);
     append_text(line, sphere.position);
+    const std::size_t velocity_begin = line.size();
     append_text(line, sphere.velocity);
-    append_text(line, sphere.radius);
-    append_text(line, sphere.mass);
+    const std::size_t velocity_end = line.size();
+    radius.append_to(line, sphere.radius);
+    mass.append_to(line, sphere.mass);
     append_text(line, snapshot.id(i));
     append_text(line, snapshot.image(i));
     if (snapshot.has_spins) {
@@ -68,9 +91,13 @@ void append_extended_xyz(const Snapshot& snapshot, std::uint64_t /*frame*/, cons
       append_text(line, sphere.moment);
     }
     // With an infinite mass there would be no momentum.
-    const double mass = std::min(sphere.mass, kLargestMagnitude);
-    append_text(line, mass * sphere.velocity);
-    append_text(line, mass);
+    const double inertia = std::min(sphere.mass, kLargestMagnitude);
+    if (inertia == 1) {
+      line.append(line, velocity_begin, velocity_end - velocity_begin);
+    } else {
+      append_text(line, inertia * sphere.velocity);
+    }
+    finite_mass.append_to(line, inertia);
     line.back() = '\n';
     append(line);
   }

@@ -381,6 +381,33 @@ TEST(NeighborList, FindsTheSameNeighborsFromEitherSide) {
   EXPECT_LT(neighbors, support::cases(20000) * 4 / 5);
 }
 
+// The outermost cells of an open axis hold whatever lies beyond, where places in cells say nothing.
+TEST(NeighborList, FindsNeighborsBeyondTheOutermostCells) {
+  constexpr Boundary kOpen = Boundary::open;
+  constexpr double kSlack = 0.5;
+  constexpr double kDistance = 2.25;
+  const double farthest = farthest_neighbors(1, kSlack);
+  // The outermost cells begin here.
+  const double end = 0x1p27 * (farthest - 2 * kSlack + 2 * 0x1p-19 * farthest);
+  std::vector<double> places{1.01 * end, 3 * end, 1e3 * end};
+  // More than the ring of the grid of compact paths.
+  for (double beyond = -10; beyond < 70 * farthest; ++beyond) places.push_back(end + beyond);
+  for (const double far : places) {
+    for (const double sign : {-1, 1}) {
+      SCOPED_TRACE(sign * far);
+      World world(Box({kOpen, kOpen, kOpen}, {1, 1, 1}));
+      world.add({{sign * far, 0, 0}, {}, 1, 1});
+      world.add({{sign * (far + kDistance), 0, 0}, {}, 1, 1});
+      world.add({{sign * far, 40, 0}, {}, 1, 1});
+      CopyingList list(kSlack);
+      list.build(world, Time(0));
+      ASSERT_TRUE(candidates_of(list, world, 0).contains({1, {0, 0, 0}}));
+      ASSERT_TRUE(candidates_of(list, world, 1).contains({0, {0, 0, 0}}));
+      ASSERT_TRUE(candidates_of(list, world, 2).empty());
+    }
+  }
+}
+
 TEST(NeighborList, ChangesBothListsWhenASphereCrosses) {
   World world(Box::periodic({20, 20, 20}));
   world.add({{15, 5, 5}, {1, 0, 0}, 0.5, 1});
