@@ -28,7 +28,7 @@ struct CostCurve {
 
 /// What spheres did at one surface, and it to them. A number without meaning, or not known, is NaN.
 struct SurfaceReport {
-  std::string name;                                            ///< "lower x", "floor".
+  std::string name;                                            ///< "x_min", "floor".
   std::string shape;                                           ///< "plane", "cylinder", "sphere", "obstacle".
   std::uint64_t contacts = 0;                                  ///< Of spheres with it.
   double area = std::numeric_limits<double>::quiet_NaN();      ///< [L^2]; infinite or NaN if it is unbounded.

@@ -98,12 +98,18 @@ void NeighborList::choose_packing(const CompactPaths& copies) {
   float error = 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     Packing& packing = packing_[axis] = {};
-    // More are those of an axis without extent.
-    const double steps = std::min(cells_.edge(axis) * copies.steps_per_length()[axis], 0x1p31);
+    const double steps = cells_.edge(axis) * copies.steps_per_length()[axis];
+    // Larger than the ring of the grid are cells of an axis without extent, and those of a box so large that
+    // there cannot be more: along it nothing is known of distances, and all count as zero.
+    constexpr double kHalfRing = 0x1p31;
+    if (steps >= kHalfRing) {
+      packing.shift = 31;
+      continue;
+    }
     packing.steps_of_cell = static_cast<std::uint64_t>(std::ldexp(steps, 32));
-    while (std::ldexp(steps, -static_cast<int>(packing.shift)) > PackedPlace::kMost - 1) ++packing.shift;
-    packing.units_of_cell =
-        static_cast<std::int32_t>(std::lround(std::ldexp(steps, -static_cast<int>(packing.shift))));
+    const auto in_units = [&] { return std::ldexp(steps, -static_cast<int>(packing.shift)); };
+    while (in_units() > PackedPlace::kMost - 1) ++packing.shift;
+    packing.units_of_cell = static_cast<std::int32_t>(std::lround(in_units()));
     if (cells_.shape()[axis] == 0) {
       packing.below = cells_.first(axis);
       packing.above = cells_.last(axis);

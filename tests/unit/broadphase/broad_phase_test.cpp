@@ -408,6 +408,27 @@ TEST(NeighborList, FindsNeighborsBeyondTheOutermostCells) {
   }
 }
 
+// In a box of more cells than can be counted, cells are larger than the ring of the grid of compact paths.
+TEST(NeighborList, FindsNeighborsInCellsOfAnySize) {
+  for (const Boundary boundary : {Boundary::periodic, Boundary::wall}) {
+    for (const double size : {1e9, 1e10, 3e11, 1e12, 1e14}) {
+      for (int i = 0; i < 400; ++i) {
+        SCOPED_TRACE(testing::Message() << size << ", " << i);
+        World world(Box({boundary, boundary, boundary}, {size, 100, 100}));
+        const double place = 0.3 * size + i;
+        world.add({{place, 50, 50}, {}, 1, 1});
+        world.add({{place + 2.25, 50, 50}, {}, 1, 1});
+        world.add({{place, 50, 80}, {}, 1, 1});
+        CopyingList list(0.5);
+        list.build(world, Time(0));
+        ASSERT_TRUE(candidates_of(list, world, 0).contains({1, {0, 0, 0}}));
+        ASSERT_TRUE(candidates_of(list, world, 1).contains({0, {0, 0, 0}}));
+        ASSERT_TRUE(candidates_of(list, world, 2).empty());
+      }
+    }
+  }
+}
+
 TEST(NeighborList, ChangesBothListsWhenASphereCrosses) {
   World world(Box::periodic({20, 20, 20}));
   world.add({{15, 5, 5}, {1, 0, 0}, 0.5, 1});

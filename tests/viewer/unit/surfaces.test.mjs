@@ -44,8 +44,8 @@ test('surfaces are where they are at the time shown', () => {
 test('partners of contacts have names', () => {
   const surfaces = readSurfaces({ surfaces: kSurfaces });
   assert.equal(partnerName(17, surfaces), 'sphere 17');
-  assert.equal(partnerName(-1, surfaces), 'wall lower x');
-  assert.equal(partnerName(-6, surfaces), 'wall upper z');
+  assert.equal(partnerName(-1, surfaces), 'wall x_min');
+  assert.equal(partnerName(-6, surfaces), 'wall z_max');
   assert.equal(partnerName(-7, surfaces), 'wall 0: plane');
   assert.equal(partnerName(-10, surfaces), 'wall 3: obstacle');
 });

@@ -63,9 +63,9 @@ export function readSurfaces({ surfaces = [] }) {
   return surfaces.map((entry, number) => new Surface(entry, number));
 }
 
-const kFaces = ['lower x', 'upper x', 'lower y', 'upper y', 'lower z', 'upper z'];
+const kFaces = ['x_min', 'x_max', 'y_min', 'y_max', 'z_min', 'z_max'];
 
-/** What a contact's number `second` stands for, in words: "sphere 3", "wall lower x", "wall 2: cylinder". */
+/** What a contact's number `second` stands for, in words: "sphere 3", "wall x_min", "wall 2: cylinder". */
 export function partnerName(second, surfaces) {
   if (second >= 0) return `sphere ${second}`;
   const number = -second - 1;
