@@ -50,7 +50,7 @@ struct Counters {
   std::uint64_t enter = 0;
   std::uint64_t leave = 0;
   std::uint64_t stale = 0;                ///< Predictions made again because a partner's path had changed.
-  std::uint64_t predictions = 0;          ///< Candidates bounded or computed, repetitions included.
+  std::uint64_t predictions = 0;          ///< Candidates bounded or computed, with repetitions and padding.
   std::uint64_t contact_predictions = 0;  ///< Of these, those made after contacts.
   std::uint64_t enter_predictions = 0;    ///< Of these, those made after crossings.
   std::uint64_t queue_operations = 0;     ///< Entries inserted into the queue or removed.

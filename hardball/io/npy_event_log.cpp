@@ -57,7 +57,8 @@ NpyEventLog::NpyEventLog(const std::filesystem::path& path, const EventLogPositi
     : file_(path, {kHeaderBytes + position.records * kRecordBytes, position.checksum}, kHeaderBytes),
       is_of_earlier_version_(read_npy_header(path).find("t") != nullptr),
       size_(position.records),
-      counted_(position.records) {}
+      counted_(position.records),
+      may_count_too_many_(true) {}
 
 NpyEventLog::~NpyEventLog() {
   try {
@@ -89,7 +90,11 @@ void NpyEventLog::append(const Contact& contact) {
 }
 
 void NpyEventLog::flush() {
-  // Records first: the header never counts records that are not there.
+  // The header never counts records that are not there: it follows the records, but precedes the end of those
+  // that an earlier run has left and that flush() cuts off.
+  if (std::exchange(may_count_too_many_, false)) {
+    file_.overwrite(0, header(counted_, is_of_earlier_version_));
+  }
   file_.flush();
   file_.overwrite(0, header(size_, is_of_earlier_version_));
   counted_ = size_;

@@ -75,7 +75,8 @@ class NpyEventLog {
   OutputFile file_;
   bool is_of_earlier_version_ = false;
   std::uint64_t size_ = 0;
-  std::uint64_t counted_ = 0;  // by the header
+  std::uint64_t counted_ = 0;        // by the header
+  bool may_count_too_many_ = false;  // the header, if the file goes on beyond the position
 };
 
 }  // namespace hardball

@@ -106,8 +106,8 @@ class Interruption : public Failure, public testing::WithParamInterface<int> {};
 
 TEST_P(Interruption, LeavesCompleteFiles) {
   using namespace std::chrono_literals;
-  const Program program(folder_,
-                        {"run", "gas.toml", "--json", "--set", "spheres.0.count=300", "--until", "1e6"});
+  const Program program(folder_, {"run", "gas.toml", "--json", "--set", "spheres.0.count=300", "--unit-costs",
+                                  "standard", "--until", "1e6"});
   const std::filesystem::path trajectory = folder_ / "out/trajectory.xyz";
   for (int i = 0; i < 2000; ++i) {
     if (std::filesystem::exists(trajectory) && std::filesystem::file_size(trajectory) > 0) break;
@@ -136,9 +136,10 @@ INSTANTIATE_TEST_SUITE_P(Signals, Interruption, testing::Values(SIGINT, SIGTERM)
 // So slow a run that its records fill no buffer for a long time.
 TEST_F(Failure, OfAProcessKilledOutrightLosesLittleOfTheEventLog) {
   using namespace std::chrono_literals;
-  const Program program(folder_, {"run", "gas.toml", "--until", "1e6", "--engine", "all-pairs", "--set",
-                                  support::kIsSlowBuild ? "spheres.0.count=3000" : "spheres.0.count=10000",
-                                  "--set", "spheres.0.radius=0.05", "--quiet"});
+  const Program program(
+      folder_, {"run", "gas.toml", "--unit-costs", "standard", "--until", "1e6", "--engine", "all-pairs",
+                "--set", support::kIsSlowBuild ? "spheres.0.count=3000" : "spheres.0.count=10000", "--set",
+                "spheres.0.radius=0.05", "--quiet"});
   const std::filesystem::path log = folder_ / "out/events.npy";
   std::uint64_t counted = 0;
   for (int i = 0; i < 6000 && counted == 0; ++i) {

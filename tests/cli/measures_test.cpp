@@ -98,7 +98,8 @@ TEST_F(MeasuredRun, RefusesAnUnknownMeasureAndNamesTheNearest) {
 }
 
 TEST_F(MeasuredRun, WritesWhatItHasWhenInterrupted) {
-  support::Program program(folder_, {"run", "gas.toml", "--out", "out", "--until", "1e12"});
+  support::Program program(
+      folder_, {"run", "gas.toml", "--unit-costs", "standard", "--out", "out", "--until", "1e12"});
   for (int i = 0; i < 60000 && !exists("measures"); ++i) usleep(1000);
   usleep(200000);
   kill(program.process(), SIGTERM);

@@ -173,8 +173,8 @@ TEST_F(ReportFile, EscapesTheNameOfTheScenario) {
 
 TEST_F(ReportFile, SaysThatTheRunWasInterrupted) {
   using namespace std::chrono_literals;
-  const Program program(
-      folder_, {"run", "gas.toml", "--until", "1e6", "--out", "out", "--set", "output.event_log=true"});
+  const Program program(folder_, {"run", "gas.toml", "--unit-costs", "standard", "--until", "1e6", "--out",
+                                  "out", "--set", "output.event_log=true"});
   const std::filesystem::path events = folder_ / "out/events.npy";
   for (int i = 0; i < 2000; ++i) {
     if (exists("out/events.npy") && std::filesystem::file_size(events) > 1000) break;

@@ -116,7 +116,8 @@ TEST_F(Resume, ARunDoesNotReplaceAnother) {
 }
 
 TEST_F(Resume, ADirectoryBelongsToOneRunAtATime) {
-  support::Program first(folder_, {"run", "gas.toml", "--out", "out", "--until", "1e9"});
+  support::Program first(folder_,
+                         {"run", "gas.toml", "--unit-costs", "standard", "--out", "out", "--until", "1e9"});
   for (int i = 0; i < 60000 && !exists("out/events.npy"); ++i) usleep(1000);
   expect_refusal({"run", "gas.toml", "--out", "out", "--overwrite"}, "out: another run is writing to it");
   kill(first.process(), SIGKILL);

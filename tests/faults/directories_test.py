@@ -41,7 +41,7 @@ class Directories(FaultTest):
 
     def test_that_is_moved_away_during_the_run(self):
         out, moved = self.folder / "gone", self.folder / "moved"
-        process = start(["run", "gas.toml", "--until", 1e6, "--out", out, "--quiet"], self.folder)
+        process = start(["run", "gas.toml", "--unit-costs", "standard", "--until", 1e6, "--out", out, "--quiet"], self.folder)
         wait_for(out / "checkpoint.hbc")
         out.rename(moved)
         self.assert_failed(ended(process), "No such file or directory")
@@ -91,7 +91,7 @@ class Directories(FaultTest):
 
     def test_two_runs_at_once(self):
         out = self.folder / "two"
-        first = start(["run", "gas.toml", "--until", 1e6, "--out", out, "--quiet"], self.folder)
+        first = start(["run", "gas.toml", "--unit-costs", "standard", "--until", 1e6, "--out", out, "--quiet"], self.folder)
         wait_for(out / "checkpoint.hbc")
         for arguments in (["run", "gas.toml", "--out", out], ["run", "gas.toml", "--out", out, "--overwrite"],
                           ["resume", out]):

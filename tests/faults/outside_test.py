@@ -51,7 +51,7 @@ class Signals(FaultTest):
 
 class Outside(FaultTest):
     def test_second_signal_ends_at_once(self):
-        process = start(["run", "gas.toml", "--until", "1e6", "--quiet"], self.folder, stdout=subprocess.DEVNULL)
+        process = start(["run", "gas.toml", "--unit-costs", "standard", "--until", "1e6", "--quiet"], self.folder, stdout=subprocess.DEVNULL)
         time.sleep(0.2)
         for _ in range(2):
             process.send_signal(signal.SIGINT)

@@ -12,6 +12,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/io/little_endian.hpp"
+#include "support/file_size_limit.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::npy_event_log_test {
@@ -184,6 +185,28 @@ TEST(NpyEventLog, GoesOnOnlyAfterItsOwnRecords) {
   support::write_text(folder / "events.npy", bytes);
   EXPECT_THROW(NpyEventLog(folder / "events.npy", position), Error);
   EXPECT_TRUE(read_text(folder / "events.npy") == bytes);
+}
+
+// The run that wrote more than the position says was killed; the one that goes on finds the disk full, or is
+// killed, as soon as it has cut the file off.
+TEST(NpyEventLog, CountsNoMoreThanThereIsWhenItIsCutOff) {
+  const ScratchFolder folder;
+  constexpr std::size_t kKept = 5;
+  EventLogPosition position;
+  {
+    NpyEventLog log(folder / "events.npy");
+    for (int i = 0; i < static_cast<int>(kKept); ++i) log.append(make_contact(i));
+    position = log.position();
+    for (int i = 5; i < 50; ++i) log.append(make_contact(i));
+  }
+  {
+    NpyEventLog log(folder / "events.npy", position);
+    log.append(make_contact(5));
+    const support::FileSizeLimit limit(kHeaderBytes + kKept * kRecordBytes);
+    EXPECT_THROW(log.flush(), RunFailure);
+  }
+  EXPECT_EQ(read_text(folder / "events.npy").size(), kHeaderBytes + kKept * kRecordBytes);
+  EXPECT_EQ(NpyEventLog(folder / "events.npy", position).size(), kKept);
 }
 
 TEST(NpyEventLog, GoesOnAfterARecord) {

@@ -3,37 +3,21 @@
 #include "hardball/io/output_file.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <string>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "support/file_size_limit.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::output_file_test {
 namespace {
 
+using support::FileSizeLimit;
 using support::read_text;
 using support::ScratchFolder;
 using support::write_text;
-
-// While it exists, no file may exceed this many bytes.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) {
-    std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-
- private:
-  rlimit before_{};
-};
 
 std::string message_of(const RunFailure& failure) {
   return failure.what();
