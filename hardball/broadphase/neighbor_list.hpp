@@ -107,8 +107,7 @@ class NeighborList {
 
   // The cells around one and itself.
   using CellsAround = std::array<CellNearby, 27>;
-  // What is found near the current sphere. Cells and slots are side by side: if their addresses agreed modulo
-  // the size of a page, the processor would take loads of the one for loads of the other.
+  // What is found near the current sphere: usually so few that they need no memory of their own.
   struct Nearby {
     static constexpr std::size_t kUsual = 128;
 

@@ -6,7 +6,8 @@
 #include "hardball/kernels/kernels.hpp"
 #include "hardball/kernels/sixteen_lanes.hpp"
 
-// Mask registers. Exact times take vectors of 256 bits: their divisions gain nothing from more.
+// Mask registers, and for exact times vectors of 256 bits: with 512 bits whole runs are slower on processors
+// that close one of three vector ports for them.
 namespace hardball {
 namespace {
 
