@@ -19,6 +19,7 @@ class AllPairs {
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
   void collect(const World& world, Slot slot, Candidates& candidates) const;
   double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&) const;
+  bool are_candidates(Slot, Slot) const { return true; }
   bool has_nearest_images() const { return false; }
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths&, Candidates& candidates);
   static constexpr std::size_t kCachedSpheres = SIZE_MAX;

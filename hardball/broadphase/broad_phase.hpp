@@ -24,9 +24,13 @@ namespace hardball {
 ///   distance [L] that candidates are at most apart and that no sphere exceeds between two crossings.
 /// - `refresh(world, slot, now, folded)` updates the region of a sphere whose path was rewritten at `now`;
 ///   its centre has been folded back by `folded` boxes.
-/// - `collect(world, slot, candidates)` collects every candidate of a sphere, some perhaps more than once.
+/// - `collect(world, slot, candidates)` collects every candidate of a sphere, some perhaps more than once,
+/// and
+///   perhaps others, which may be far away.
 /// - `next_crossing(world, slot, now, copies)` is a time before which the sphere stays in its region [T]; for
 ///   a sphere at rest, perhaps any time after its copy expires.
+/// - `are_candidates(a, b)`: whether two spheres that were collected are candidates of each other, for
+/// checks.
 /// - `has_nearest_images()`: whether candidates mean the nearest images of spheres.
 /// - `cross(world, slot, now, copies, candidates)` gives it the next region and collects the new candidates,
 ///   and perhaps others.
@@ -45,6 +49,7 @@ concept BroadPhase = requires(Phase phase, const Phase& view, const World& world
   phase.refresh(world, slot, now, image);
   view.collect(world, slot, candidates);
   { phase.next_crossing(world, slot, now, copied) } -> std::same_as<double>;
+  { view.are_candidates(slot, slot) } -> std::same_as<bool>;
   { view.has_nearest_images() } -> std::same_as<bool>;
   phase.cross(world, slot, now, copied, candidates);
   { Phase::kCachedSpheres } -> std::convertible_to<std::size_t>;

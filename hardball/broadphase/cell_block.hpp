@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "hardball/broadphase/cell_table.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 
 namespace hardball {
@@ -20,18 +21,18 @@ class CellBlock {
   static constexpr std::uint32_t kCells = 8;
   static constexpr std::array<std::uint32_t, kAxes> kAxisBit{4, 2, 1};
 
-  /// The block whose lowest cell is `low`, in a store whose lists of neighbouring cells are `strides` apart.
-  CellBlock(const Subdivision& cells, const CellIndex& low, const std::array<std::uint32_t, kAxes>& strides) {
+  /// The block whose lowest cell is `low`.
+  CellBlock(const Subdivision& cells, const CellIndex& low, const CellTable& table) : table_(table) {
     for_each_axis([&](auto axis) {
       const std::int32_t index = cells.folded(axis, low[axis]);
-      const std::uint32_t lower = static_cast<std::uint32_t>(index) * strides[axis];
-      offsets_[axis] = {lower, index + 1 == cells.period(axis) ? 0 : lower + strides[axis]};
+      const std::uint32_t lower = table.part(axis, index);
+      parts_[axis] = {lower, index + 1 == cells.period(axis) ? 0 : lower + table.stride(axis)};
     });
   }
 
   /// The list of a cell.
   std::uint32_t list(std::uint32_t cell) const {
-    return offsets_[0][cell >> 2] + offsets_[1][(cell >> 1) & 1] + offsets_[2][cell & 1];
+    return table_.list_at(parts_[0][cell >> 2] + parts_[1][(cell >> 1) & 1] + parts_[2][cell & 1]);
   }
 
   /// Calls visit(list) for a set of cells.
@@ -56,7 +57,8 @@ class CellBlock {
   static constexpr std::array<std::uint8_t, kCells> kAboveLowest{0x01, 0x03, 0x05, 0x0f,
                                                                  0x11, 0x33, 0x55, 0xff};
 
-  std::array<std::array<std::uint32_t, 2>, kAxes> offsets_;
+  const CellTable& table_;
+  std::array<std::array<std::uint32_t, 2>, kAxes> parts_;
 };
 
 }  // namespace hardball

@@ -18,26 +18,6 @@ std::int32_t divide_down(std::int32_t a, std::int32_t b) {
   return a >= 0 ? a / b : -((b - 1 - a) / b);
 }
 
-// Calls visit(slab) for the parts of a range outside another, cut along each axis in turn.
-template <class Visit>
-void for_each_slab(CellRange range, const CellRange& outside, Visit&& visit) {
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (range.low[axis] < outside.low[axis]) {
-      CellRange slab = range;
-      slab.high[axis] = std::min(range.high[axis], outside.low[axis] - 1);
-      visit(slab);
-      range.low[axis] = outside.low[axis];
-    }
-    if (range.high[axis] > outside.high[axis]) {
-      CellRange slab = range;
-      slab.low[axis] = std::max(range.low[axis], outside.high[axis] + 1);
-      visit(slab);
-      range.high[axis] = outside.high[axis];
-    }
-    if (range.low[axis] > range.high[axis]) return;
-  }
-}
-
 }  // namespace
 
 void CellGrid::Region::take(const CellRange& range) {
@@ -51,7 +31,8 @@ void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) 
   cells_ = Subdivision(world.box(), wanted_edge_, kMostCellsPerAxis);
   refuse_tiny_cells(world);
   nearest_ = images_are_nearest(world);
-  store_.reset(cells_.shape(), world.size());
+  table_ = CellTable(cells_.shape(), world.size());
+  lists_.reset(table_.size());
   blocks_ = regions_are_blocks(world);
   copies.reset(world, std::max(farthest_candidates(world), farthest_of_others_), now);
   // The errors of single precision grow with the spheres and with the grid of the copies; the margin is a
@@ -73,8 +54,7 @@ void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) 
     if (!holds(world, slot)) continue;
     const CellRange range = range_at(world, slot, now);
     regions_[slot].take(range);
-    cells_.for_each_folded(range,
-                           [&](const CellIndex&, const CellIndex& cell) { store_.insert(cell, slot); });
+    for_each_list(range, [&](std::uint32_t list) { lists_.insert(list, slot); });
   }
 }
 
@@ -121,8 +101,7 @@ double CellGrid::farthest_candidates(const World& world) const {
 bool CellGrid::regions_are_blocks(const World& world) const {
   constexpr double kSurplus = 1e-4;
   const double largest = 2 * largest_radius(world) * (1 + kSurplus);
-  return nearest_ && store_.is_dense() && largest < cells_.edge(0) && largest < cells_.edge(1) &&
-         largest < cells_.edge(2);
+  return nearest_ && largest < cells_.edge(0) && largest < cells_.edge(1) && largest < cells_.edge(2);
 }
 
 void CellGrid::refresh(const World& world, Slot slot, const Time& now, const Image& folded) {
@@ -141,19 +120,9 @@ void CellGrid::refresh_range(const World& world, Slot slot, const Time& now, con
     regions_[slot].take(range);
     return;
   }
-  cells_.for_each_folded(old, [&](const CellIndex&, const CellIndex& cell) { store_.erase(cell, slot); });
-  cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& cell) { store_.insert(cell, slot); });
+  for_each_list(old, [&](std::uint32_t list) { lists_.erase(list, slot); });
+  for_each_list(range, [&](std::uint32_t list) { lists_.insert(list, slot); });
   regions_[slot].take(range);
-}
-
-void CellGrid::collect(const World& world, Slot slot, Candidates& candidates) const {
-  if (blocks_) {
-    collect_block(slot, candidates);
-  } else {
-    candidates.begin(slot, nearest_);
-    collect_from(world, regions_[slot].range(), candidates);
-    candidates.end();
-  }
 }
 
 // From the copy of the path, in single precision: for spheres of up to four edges, place, differences and
@@ -169,7 +138,6 @@ double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, c
   bool is_usual = suits_single_precision_;
   for_each_axis([&](auto axis) {
     const float velocity = path.velocity[axis];
-    is_usual &= std::fabs(velocity) >= kSlow;
     const bool up = !std::signbit(velocity);
     const std::int32_t plane = region.low[axis] + (up ? region.more[axis] + 1 : 0);
     const auto steps =
@@ -177,6 +145,7 @@ double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, c
     const float beyond = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis];
     const float ahead = (up ? -beyond : beyond) - (radius + margin_[axis]);
     const bool is_end = plane == (up ? cells_.last(axis) + 1 : cells_.first(axis));
+    is_usual &= is_end | (std::fabs(velocity) >= kSlow);
     const float wait = is_end ? least : std::max(0.0F, ahead) / std::fabs(velocity);
     const bool sooner = wait < least;
     least = sooner ? wait : least;
@@ -190,17 +159,10 @@ double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, c
 
 double CellGrid::next_crossing_of_any(const World& world, Slot slot, const Time& now) {
   Region& region = regions_[slot];
-  const Path& path = world.path(slot);
-  if (!world.motion().is_straight()) {
-    const CellCrossing next =
-        cells_.next_enter_of_falling(world.unfolded_position(slot, now), world.velocity(slot, now),
-                                     world.motion().gravity(), world.radius(slot), region.range());
-    region.crossed_face = static_cast<std::uint8_t>(face_of(next.axis, next.up));
-    return rounded_down(now) + next.wait;
-  }
-  const CellCrossing next = cells_.next_enter(path, world.radius(slot), region.range());
+  const CellCrossing next = cells_.next_enter(world.unfolded_position(slot, now), world.velocity(slot, now),
+                                              world.motion().gravity(), world.radius(slot), region.range());
   region.crossed_face = static_cast<std::uint8_t>(face_of(next.axis, next.up));
-  return rounded_down(later(now, after(path.time, next.wait)));
+  return rounded_down(now) + next.wait;
 }
 
 // Enters the row of cells ahead and releases those behind, as seen along the velocity: releasing cells ahead
@@ -241,11 +203,8 @@ void CellGrid::cross_range(const World& world, Slot slot, const Time& now, Candi
   kept.low[crossed] = std::min(kept.low[crossed], row);
   kept.high[crossed] = std::max(kept.high[crossed], row);
   region.take(kept);
-  candidates.begin(slot, nearest_);
-  collect_from(world, entered, candidates);
-  candidates.end();
-  cells_.for_each_folded(entered,
-                         [&](const CellIndex&, const CellIndex& cell) { store_.insert(cell, slot); });
+  collect_from(world, slot, entered, candidates);
+  for_each_list(entered, [&](std::uint32_t list) { lists_.insert(list, slot); });
 }
 
 // As refresh, where regions are blocks: the sphere lies within its region, and keeps the cells it touches.
@@ -289,7 +248,7 @@ void CellGrid::cross_block(const World& world, Slot slot, const Time& now, Candi
   candidates.begin(slot, true);
   block_of(region).for_each_list(entered, [&](std::uint32_t list) {
     collect_list(list, candidates);
-    store_.insert(list, slot);
+    lists_.insert(list, slot);
   });
   candidates.end();
 }
@@ -301,7 +260,7 @@ void CellGrid::leave_halves(Slot slot, std::uint32_t axes, std::uint32_t up) {
   const std::uint32_t wide = region.wide_axes();
   const std::uint32_t kept = CellBlock::cells_above(axes & up, wide & ~axes);
   block_of(region).for_each_list(CellBlock::cells_above(0, wide) & ~kept,
-                                 [&](std::uint32_t list) { store_.erase(list, slot); });
+                                 [&](std::uint32_t list) { lists_.erase(list, slot); });
   for_each_axis([&](auto axis) {
     region.low[axis] += static_cast<std::int32_t>(CellBlock::count(axes & up, axis));
     region.more[axis] = static_cast<std::uint16_t>(CellBlock::count(wide & ~axes, axis));
@@ -309,38 +268,27 @@ void CellGrid::leave_halves(Slot slot, std::uint32_t axes, std::uint32_t up) {
   });
 }
 
-void CellGrid::collect_block(Slot slot, Candidates& candidates) const {
-  const Region& region = regions_[slot];
-  candidates.begin(slot, true);
-  block_of(region).for_each_list(CellBlock::cells_above(0, region.wide_axes()),
-                                 [&](std::uint32_t list) { collect_list(list, candidates); });
-  candidates.end();
-}
-
 CellRange CellGrid::range_at(const World& world, Slot slot, const Time& now) const {
   return cells_.range_at(world.unfolded_position(slot, now), world.radius(slot));
 }
 
-void CellGrid::collect_list(std::uint32_t list, Candidates& candidates) const {
-  store_.lists().for_each_line(
-      list, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) { candidates.add(slots, count); });
-}
-
-// Collects the spheres in the cells of a range.
-void CellGrid::collect_from(const World& world, const CellRange& range, Candidates& candidates) const {
+// Collects the spheres in the cells of a range, for a sphere.
+void CellGrid::collect_from(const World& world, Slot slot, const CellRange& range,
+                            Candidates& candidates) const {
+  candidates.begin(slot, nearest_);
   if (nearest_) {
-    cells_.for_each_folded(
-        range, [&](const CellIndex&, const CellIndex& cell) { collect_list(store_.list(cell), candidates); });
-    return;
-  }
-  candidates.start_round(world.size());
-  cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& cell) {
-    store_.lists().for_each(store_.list(cell), [&](Slot other) {
-      if (!candidates.is_new(other)) return;
-      candidates.mark(other);
-      collect_images(world, other, candidates);
+    for_each_list(range, [&](std::uint32_t list) { collect_list(list, candidates); });
+  } else {
+    candidates.start_round(world.size());
+    for_each_list(range, [&](std::uint32_t list) {
+      lists_.for_each(list, [&](Slot other) {
+        if (!candidates.is_new(other)) return;
+        candidates.mark(other);
+        collect_images(world, other, candidates);
+      });
     });
-  });
+  }
+  candidates.end();
 }
 
 // All images of a sphere that share a cell with the sphere of `candidates`.
@@ -367,8 +315,8 @@ void CellGrid::collect_images(const World& world, Slot other, Candidates& candid
 // Releases the cells of `old` that are not in `kept`, a part of it.
 void CellGrid::leave(Slot slot, const CellRange& old, const CellRange& kept) {
   if (old == kept) return;
-  for_each_slab(old, kept, [&](const CellRange& left) {
-    cells_.for_each_folded(left, [&](const CellIndex&, const CellIndex& cell) { store_.erase(cell, slot); });
+  cells_.for_each_folded(old, [&](const CellIndex& cell, const CellIndex& folded) {
+    if (!kept.contains(cell)) lists_.erase(table_.list(folded), slot);
   });
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     left_count_ +=
@@ -376,8 +324,22 @@ void CellGrid::leave(Slot slot, const CellRange& old, const CellRange& kept) {
   }
 }
 
+bool CellGrid::is_in(Slot slot, const CellIndex& cell) const {
+  bool is_found = false;
+  cells_.for_each_folded(regions_[slot].range(),
+                         [&](const CellIndex&, const CellIndex& own) { is_found |= is_same(own, cell); });
+  return is_found;
+}
+
+bool CellGrid::are_candidates(Slot a, Slot b) const {
+  bool share_cell = false;
+  cells_.for_each_folded(regions_[a].range(),
+                         [&](const CellIndex&, const CellIndex& cell) { share_cell |= is_in(b, cell); });
+  return share_cell;
+}
+
 std::size_t CellGrid::memory_bytes() const {
-  return store_.memory_bytes() + regions_.capacity() * sizeof(Region);
+  return lists_.memory_bytes() + regions_.capacity() * sizeof(Region);
 }
 
 void CellGrid::validate(const World& world, const Time& now, const CompactPaths&) const {
@@ -396,11 +358,11 @@ void CellGrid::validate(const World& world, const Time& now, const CompactPaths&
     }
     cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& folded) {
       std::size_t expected = 0;
-      cells_.for_each_folded(
-          range, [&](const CellIndex&, const CellIndex& same) { expected += same == folded ? 1U : 0U; });
+      cells_.for_each_folded(range, [&](const CellIndex&, const CellIndex& same) {
+        expected += table_.list(same) == table_.list(folded) ? 1U : 0U;
+      });
       std::size_t found = 0;
-      store_.lists().for_each(store_.list(folded),
-                              [&](Slot occupant) { found += occupant == slot ? 1U : 0U; });
+      lists_.for_each(table_.list(folded), [&](Slot occupant) { found += occupant == slot ? 1U : 0U; });
       HARDBALL_CHECK(found == expected);
     });
   }

@@ -10,7 +10,7 @@
 
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/broadphase/cell_block.hpp"
-#include "hardball/broadphase/cell_store.hpp"
+#include "hardball/broadphase/cell_table.hpp"
 #include "hardball/broadphase/slot_lists.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/memory/prefetch.hpp"
@@ -35,14 +35,21 @@ class CellGrid {
   /// Error: the edge is not positive, or so small that a sphere would lie in hundreds of cells.
   void build(const World& world, const Time& now, CompactPaths& copies);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
-  void collect(const World& world, Slot slot, Candidates& candidates) const;
+  void collect(const World& world, Slot slot, Candidates& candidates) const {
+    if (!blocks_) return collect_from(world, slot, regions_[slot].range(), candidates);
+    candidates.begin(slot, true);
+    block_of(regions_[slot])
+        .for_each_list(CellBlock::cells_above(0, regions_[slot].wide_axes()),
+                       [&](std::uint32_t list) { collect_list(list, candidates); });
+    candidates.end();
+  }
   double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths&, Candidates& candidates);
   static constexpr std::size_t kCachedSpheres = 50000;  // measured
   void prefetch_region(Slot slot) const { prefetch(&regions_[slot]); }
   void prefetch_lists(Slot slot, bool crosses) const {
     if (!is_prefetched(slot)) return;
-    const auto prefetch_list = [this](std::uint32_t list) { prefetch(store_.lists().address(list)); };
+    const auto prefetch_list = [this](std::uint32_t list) { prefetch(lists_.address(list)); };
     for_each_list(regions_[slot].range(), prefetch_list);
     if (crosses) for_each_list(regions_[slot].row_ahead(), prefetch_list);
   }
@@ -54,7 +61,7 @@ class CellGrid {
     Slot found[kMost + SlotLists::kRoom];
     std::size_t count = 0;
     for_each_list(crosses ? region.row_ahead() : region.range(), [&](std::uint32_t list) {
-      count = std::min(kMost, count + store_.lists().copy_first(list, found + count));
+      count = std::min(kMost, count + lists_.copy_first(list, found + count));
     });
     for (std::size_t i = 0; i < count; ++i) copies.prefetch(found[i]);
   }
@@ -64,16 +71,18 @@ class CellGrid {
 
   /// The length of a cell's edge along an axis [L].
   double edge(std::size_t axis) const { return cells_.edge(axis); }
-  /// Whether the cells are kept in an array or in a hash table.
-  bool is_dense() const { return store_.is_dense(); }
   /// Whether images that share a cell are always the nearest images.
   bool has_nearest_images() const { return nearest_; }
+  bool are_candidates(Slot a, Slot b) const;
+  /// Whether a sphere's region contains a cell folded into the box.
+  bool is_in(Slot slot, const CellIndex& cell) const;
 
-  /// The cells, and the spheres in each.
+  /// The cells, and the list of the spheres in each.
   const Subdivision& cells() const { return cells_; }
-  const CellStore<SlotLists>& store() const { return store_; }
+  std::uint32_t list(const CellIndex& cell) const { return table_.list(cell); }
+  const SlotLists& lists() const { return lists_; }
   /// To add spheres that the grid itself leaves out.
-  CellStore<SlotLists>& store_to_edit() { return store_; }
+  SlotLists& lists_to_edit() { return lists_; }
 
  private:
   // A sphere's region, a range of cells, and the face through which it will be left.
@@ -99,18 +108,18 @@ class CellGrid {
   bool is_prefetched(Slot slot) const {
     constexpr std::uint32_t kMostCells = 27;
     const auto& more = regions_[slot].more;
-    return store_.is_dense() && (more[0] + 1U) * (more[1] + 1U) * (more[2] + 1U) <= kMostCells;
+    return (more[0] + 1U) * (more[1] + 1U) * (more[2] + 1U) <= kMostCells;
   }
   // Calls visit(list) for each cell of a range, which is part of a block if regions are blocks.
   template <class Visit>
   void for_each_list(const CellRange& range, Visit&& visit) const {
     if (!blocks_) {
       return cells_.for_each_folded(
-          range, [&](const CellIndex&, const CellIndex& cell) { visit(store_.list(cell)); });
+          range, [&](const CellIndex&, const CellIndex& cell) { visit(table_.list(cell)); });
     }
     std::uint32_t wide = 0;
     for_each_axis([&](auto axis) { wide |= CellBlock::axis_if(range.high[axis] > range.low[axis], axis); });
-    CellBlock(cells_, range.low, store_.strides()).for_each_list(CellBlock::cells_above(0, wide), visit);
+    CellBlock(cells_, range.low, table_).for_each_list(CellBlock::cells_above(0, wide), visit);
   }
   double next_crossing_of_any(const World& world, Slot slot, const Time& now);
   // The place on the grid of CompactPaths of the lower face of the cells with this index.
@@ -125,13 +134,16 @@ class CellGrid {
   CellRange range_at(const World& world, Slot slot, const Time& now) const;
   void refresh_range(const World& world, Slot slot, const Time& now, const Image& folded);
   void cross_range(const World& world, Slot slot, const Time& now, Candidates& candidates);
-  void collect_from(const World& world, const CellRange& range, Candidates& candidates) const;
+  void collect_from(const World& world, Slot slot, const CellRange& range, Candidates& candidates) const;
   void collect_images(const World& world, Slot other, Candidates& candidates) const;
   bool regions_are_blocks(const World& world) const;
-  CellBlock block_of(const Region& region) const { return CellBlock(cells_, region.low, store_.strides()); }
-  void collect_list(std::uint32_t list, Candidates& candidates) const;
+  CellBlock block_of(const Region& region) const { return CellBlock(cells_, region.low, table_); }
+  void collect_list(std::uint32_t list, Candidates& candidates) const {
+    lists_.for_each_line(list, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
+      candidates.add(slots, count);
+    });
+  }
   void refresh_block(const World& world, Slot slot, const Time& now, const Image& folded);
-  void collect_block(Slot slot, Candidates& candidates) const;
   void cross_block(const World& world, Slot slot, const Time& now, Candidates& candidates);
   void leave_halves(Slot slot, std::uint32_t axes, std::uint32_t up);
   void leave(Slot slot, const CellRange& old, const CellRange& kept);
@@ -146,7 +158,8 @@ class CellGrid {
   double largest_radius_ = std::numeric_limits<double>::infinity();
   double farthest_of_others_ = 0;
   Subdivision cells_;
-  CellStore<SlotLists> store_;
+  CellTable table_;
+  SlotLists lists_;
   LargeVector<Region> regions_;
   std::array<std::uint64_t, kAxes> steps_of_cell_{};  // of the grid of CompactPaths, times 2^32
   std::array<float, kAxes> margin_{};                 // of the cells, in units of the compact paths

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <iterator>
 #include <limits>
@@ -71,7 +72,8 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   copies.reset(world, farthest + 2 * margin, now);
   reach_ = static_cast<float>((2 * slack_ + margin) / copies.length_unit());
   room_squared_ = static_cast<float>(room_ * room_ / (copies.length_unit() * copies.length_unit()));
-  store_.reset(cells_.shape(), world.size());
+  table_ = CellTable(cells_.shape(), world.size());
+  points_.reset(table_.size());
   choose_packing(copies);
   anchors_.assign(world.size(), Anchor{});
   for (Slot slot = 0; slot < world.size(); ++slot) {
@@ -117,7 +119,7 @@ void NeighborList::choose_packing(const CompactPaths& copies) {
     packing_unit_[axis] = std::ldexp(copies.scale().grid[axis], static_cast<int>(packing.shift));
     error += kPackingError * kPackingError * packing_unit_[axis] * packing_unit_[axis];
   }
-  reach_ += std::sqrt(error);
+  packing_error_ = std::sqrt(error);
 }
 
 // Of anchors beyond the outermost cells distances are underestimated.
@@ -147,7 +149,7 @@ double NeighborList::next_crossing_of_any(const World& world, Slot slot, const T
 
 void NeighborList::cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
                          Candidates& candidates) {
-  store_.erase(anchors_[slot].cell, slot);
+  points_.erase(table_.list(anchors_[slot].cell), slot);
   move_anchor(world, slot, now, copies);
   find_near(slot, copies);
   store_anchor(slot);
@@ -198,45 +200,74 @@ void NeighborList::move_anchor(const World& world, Slot slot, const Time& now, c
 void NeighborList::find_near(Slot slot, const CompactPaths& copies) {
   const std::size_t count = find_cells_around(anchors_[slot], near_.cells);
   // Half of the reach belongs to each sphere, so that rounding is the same from either side.
-  const float own_reach = reach_ / 2 + copies.radius(slot);
+  const float half = (reach_ + packing_error_) / 2;
+  const float own_reach = half + copies.radius(slot);
   NearQuery query{
-      .blocks = store_.lists().blocks(),
-      .next = store_.lists().next(),
+      .blocks = points_.blocks(),
+      .next = points_.next(),
       .cells = near_.cells.data(),
       .count = count,
       .unit = packing_unit_,
       .reach = copies.radii() == nullptr ? own_reach + own_reach : own_reach,
       .radii = copies.radii(),
-      .margin = reach_ / 2,
-      .room = Nearby::kUsual,
+      .margin = half,
+      .room = near_.room.size() - kWidestVector,
   };
-  near_.count = kernels_->pick_near(query, near_.few.data());
-  near_.are_many = near_.count > Nearby::kUsual;
-  if (!near_.are_many) [[likely]]
-    return;
-  near_.many.resize(near_.count + kWidestVector);
-  query.room = near_.count;
-  kernels_->pick_near(query, near_.many.data());
+  near_.count = kernels_->pick_near(query, near_.begin());
+  if (near_.count > query.room) [[unlikely]] {
+    near_.room.resize(near_.count + kWidestVector);
+    query.room = near_.count;
+    kernels_->pick_near(query, near_.begin());
+  }
+  if (table_.is_shared()) [[unlikely]]
+    leave_out_far(slot, copies);
+}
+
+// Leaves out what was found in cells elsewhere that share a list with one of those around.
+void NeighborList::leave_out_far(Slot slot, const CompactPaths& copies) {
+  Slot* const begin = near_.begin();
+  Slot* end = begin + near_.count;
+  end = std::remove_if(begin, end, [&](Slot other) { return !are_near(slot, other, copies); });
+  std::sort(begin, end);
+  near_.count = static_cast<std::size_t>(std::unique(begin, end) - begin);
+}
+
+// Whether the shells of two spheres overlap, and their cells touch: on the grid, anchors that are far apart
+// may seem near.
+bool NeighborList::are_near(Slot a, Slot b, const CompactPaths& copies) const {
+  bool do_cells_touch = true;
+  float distance_squared = 0;
+  for_each_axis([&](auto axis) {
+    const Packing& packing = packing_[axis];
+    const std::int32_t cell_of_a = anchors_[a].cell[axis];
+    const std::int32_t cell_of_b = anchors_[b].cell[axis];
+    const std::int32_t rows = std::abs(cell_of_a - cell_of_b);
+    do_cells_touch &= rows <= 1 || rows == cells_.period(axis) - 1;
+    if (packing.steps_of_cell == 0 || packing.is_outermost(cell_of_a) || packing.is_outermost(cell_of_b))
+      return;
+    const auto steps = static_cast<std::uint32_t>(anchors_[a].place[axis]) -
+                       static_cast<std::uint32_t>(anchors_[b].place[axis]);
+    const float apart = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis];
+    distance_squared += apart * apart;
+  });
+  const float reach = (reach_ / 2 + copies.radius(a)) + (reach_ / 2 + copies.radius(b));
+  return do_cells_touch && distance_squared < reach * reach;
 }
 
 // Each row of cells along each axis contributes to the number of a list and to the offset of its cell.
 std::size_t NeighborList::find_cells_around(const Anchor& anchor, CellsAround& around) const {
-  if (!store_.is_dense()) [[unlikely]]
-    return find_hashed_cells_around(anchor, around);
   using Four = std::int32_t __attribute__((vector_size(16)));
   static_assert(sizeof(CellNearby) == sizeof(Four));
   std::array<std::array<Four, 3>, kAxes> rows;
   std::array<std::size_t, kAxes> counts{};
   const std::array<std::int32_t, 3> own = in_cell(anchor);
-  const auto& strides = store_.strides();
   for_each_axis([&](auto axis) {
     for (std::int32_t step = -1; step <= 1; ++step) {
       const std::int32_t row = anchor.cell[axis] + step;
       if (row < cells_.first(axis) || row > cells_.last(axis)) [[unlikely]]
         continue;
-      const auto index = static_cast<std::uint32_t>(cells_.folded(axis, row));
       Four part{};
-      part[0] = static_cast<std::int32_t>(index * strides[axis]);
+      part[0] = static_cast<std::int32_t>(table_.part(axis, cells_.folded(axis, row)));
       part[axis + 1] = step * packing_[axis].units_of_cell - own[axis];
       rows[axis][counts[axis]++] = part;
     }
@@ -250,39 +281,22 @@ std::size_t NeighborList::find_cells_around(const Anchor& anchor, CellsAround& a
         for (std::size_t z = 0; z < 3; ++z) add(row + rows[2][z]);
       }
     }
-    return count;
-  }
-  for (std::size_t x = 0; x < counts[0]; ++x) {
-    for (std::size_t y = 0; y < counts[1]; ++y) {
-      for (std::size_t z = 0; z < counts[2]; ++z) add(rows[0][x] + rows[1][y] + rows[2][z]);
+  } else {
+    for (std::size_t x = 0; x < counts[0]; ++x) {
+      for (std::size_t y = 0; y < counts[1]; ++y) {
+        for (std::size_t z = 0; z < counts[2]; ++z) add(rows[0][x] + rows[1][y] + rows[2][z]);
+      }
     }
   }
-  return count;
-}
-
-std::size_t NeighborList::find_hashed_cells_around(const Anchor& anchor, CellsAround& around) const {
-  const std::array<std::int32_t, 3> own = in_cell(anchor);
-  CellRange range{anchor.cell, anchor.cell};
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    range.low[axis] = std::max(range.low[axis] - 1, cells_.first(axis));
-    range.high[axis] = std::min(range.high[axis] + 1, cells_.last(axis));
+  if (table_.is_shared()) [[unlikely]] {
+    for (std::size_t i = 0; i < count; ++i) around[i].block = table_.list_at(around[i].block);
   }
-  std::size_t count = 0;
-  range.for_each([&](const CellIndex& cell) {
-    const std::uint32_t list = store_.list(cells_.folded(cell));
-    if (list == PointLists::kNone) return;
-    CellNearby& nearby = around[count++];
-    nearby.block = list;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      nearby.offset[axis] = (cell[axis] - anchor.cell[axis]) * packing_[axis].units_of_cell - own[axis];
-    }
-  });
   return count;
 }
 
 std::size_t NeighborList::memory_bytes() const {
-  return store_.memory_bytes() + anchors_.capacity() * sizeof(Anchor) + neighbors_.memory_bytes() +
-         (near_.many.capacity() + gained_.capacity() + lost_.capacity()) * sizeof(Slot);
+  return points_.memory_bytes() + anchors_.capacity() * sizeof(Anchor) + neighbors_.memory_bytes() +
+         (near_.room.capacity() + gained_.capacity() + lost_.capacity()) * sizeof(Slot);
 }
 
 void NeighborList::validate(const World& world, const Time& now, const CompactPaths& copies) const {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "hardball/broadphase/broad_phase.hpp"
-#include "hardball/broadphase/cell_store.hpp"
+#include "hardball/broadphase/cell_table.hpp"
 #include "hardball/broadphase/padded_lists.hpp"
 #include "hardball/broadphase/point_lists.hpp"
 #include "hardball/broadphase/subdivision.hpp"
@@ -72,6 +72,7 @@ class NeighborList {
     const float root = std::sqrt(outwards * outwards + speed_squared * std::max(room, 0.0F));
     return rounded_down(now) + copies.time_unit() * static_cast<double>((root - outwards) / speed_squared);
   }
+  bool are_candidates(Slot, Slot) const { return true; }
   bool has_nearest_images() const { return true; }
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
              Candidates& candidates);
@@ -81,10 +82,10 @@ class NeighborList {
     prefetch(&anchors_[slot]);
   }
   void prefetch_lists(Slot slot, bool crosses) const {
-    if (!crosses || !store_.is_dense()) return;
+    if (!crosses) return;
     CellsAround around;
     const std::size_t count = find_cells_around(anchors_[slot], around);
-    for (std::size_t i = 0; i < count; ++i) prefetch(store_.lists().blocks() + around[i].block);
+    for (std::size_t i = 0; i < count; ++i) prefetch(points_.blocks() + around[i].block);
   }
   void prefetch_candidates(Slot slot, bool, const CompactPaths& copies) const {
     for (const Slot other : neighbors_.of(slot)) copies.prefetch(other);
@@ -103,29 +104,26 @@ class NeighborList {
   void move_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
   void make_lists(std::uint32_t lines, const CompactPaths& copies);
   void find_near(Slot slot, const CompactPaths& copies);
+  void leave_out_far(Slot slot, const CompactPaths& copies);
+  bool are_near(Slot a, Slot b, const CompactPaths& copies) const;
   void find_changes(Slot slot);
 
   // The cells around one and itself.
   using CellsAround = std::array<CellNearby, 27>;
-  // What is found near the current sphere: usually so few that they need no memory of their own.
+  // What is found near the current sphere.
   struct Nearby {
-    static constexpr std::size_t kUsual = 128;
-
     CellsAround cells{};
-    std::array<Slot, kUsual + kWidestVector> few{};
-    std::vector<Slot> many;
+    std::vector<Slot> room = std::vector<Slot>(128 + kWidestVector);
     std::size_t count = 0;
-    bool are_many = false;  // for which `few` has no room
 
-    Slot* begin() { return are_many ? many.data() : few.data(); }
-    std::span<const Slot> slots() const { return {are_many ? many.data() : few.data(), count}; }
+    Slot* begin() { return room.data(); }
+    std::span<const Slot> slots() const { return {room.data(), count}; }
   };
   std::size_t find_cells_around(const Anchor& anchor, CellsAround& around) const;
-  std::size_t find_hashed_cells_around(const Anchor& anchor, CellsAround& around) const;
   // Where an anchor lies in its cell, in units of packed places.
   std::array<std::int32_t, 3> in_cell(const Anchor& anchor) const;
   void store_anchor(Slot slot) {
-    store_.insert(anchors_[slot].cell, slot, PackedPlace(in_cell(anchors_[slot])));
+    points_.insert(table_.list(anchors_[slot].cell), slot, PackedPlace(in_cell(anchors_[slot])));
   }
 
   // How places are packed, along an axis.
@@ -136,21 +134,25 @@ class NeighborList {
     // The outermost cells of an open axis hold all spheres beyond.
     std::int32_t below = std::numeric_limits<std::int32_t>::min();
     std::int32_t above = std::numeric_limits<std::int32_t>::max();
+
+    bool is_outermost(std::int32_t cell) const { return cell == below || cell == above; }
   };
 
   double wanted_slack_;
   InstructionSet instructions_;
   const Kernels* kernels_;
   double slack_ = 0;
-  float reach_ = 0;         // of shells beyond the radii, in units of the compact paths
-  float room_squared_ = 0;  // likewise, of room_
-  double room_ = 0;         // the distance from its anchor at which a centre crosses
+  float reach_ = 0;          // of shells beyond the radii, in units of the compact paths
+  float packing_error_ = 0;  // of distances, likewise
+  float room_squared_ = 0;   // likewise, of room_
+  double room_ = 0;          // the distance from its anchor at which a centre crosses
   Subdivision cells_;
   std::array<Packing, kAxes> packing_;
   std::array<float, kAxes> packing_unit_{};  // in units of the compact paths
-  CellStore<PointLists> store_;              // the places of anchors
-  LargeVector<Anchor> anchors_;              // by slot
-  PaddedLists neighbors_;                    // by slot
+  CellTable table_;
+  PointLists points_;            // anchors, by cell
+  LargeVector<Anchor> anchors_;  // by slot
+  PaddedLists neighbors_;        // by slot
   // Of the current sphere:
   Nearby near_;                      // its new neighbours
   std::vector<Slot> gained_, lost_;  // changes to its list

@@ -20,9 +20,8 @@ namespace hardball {
 /// A set of slots for each sphere, its owner, in lanes that kernels read as they are: whole vectors, in which
 /// the owner's own slot stands for none.
 ///
-/// Short lists are in their owner's cache lines; longer ones are in blocks of twice, four times, ... the
-/// size, which the first lane names. Nothing else need be read to change a list. Cost: O(lanes) per
-/// operation, sixteen at a time.
+/// Short lists are in their owner's cache lines; longer ones are elsewhere, and the first lane says where.
+/// Nothing else need be read to change a list. Cost: O(lanes) per operation, sixteen at a time.
 class PaddedLists {
  public:
   static constexpr std::uint32_t kLine = 16;
@@ -37,15 +36,16 @@ class PaddedLists {
     for (Slot owner = 0; owner < count; ++owner) {
       for (std::uint32_t i = 0; i < lines; ++i) lines_[owner * std::size_t{lines} + i].fill(owner);
     }
-    blocks_.clear();
+    elsewhere_.clear();
+    free_.clear();
   }
 
   /// The lanes of a list.
   std::span<const Slot> of(Slot owner) const {
-    const Slot* const in_place = lines_[std::size_t{owner} * lines_per_owner_].data();
+    const Slot* const in_place = first_lane(owner);
     if ((*in_place & kElsewhere) != 0) [[unlikely]]
-      return block(*in_place);
-    return {in_place, std::size_t{lines_per_owner_} * kLine};
+      return elsewhere_[*in_place & ~kElsewhere];
+    return {in_place, lanes_in_place()};
   }
 
   /// The number of slots in a list.
@@ -74,65 +74,47 @@ class PaddedLists {
 
   /// Replaces a list by others, which need not differ from the owner.
   void assign(Slot owner, std::span<const Slot> slots) {
-    const std::size_t in_place = std::size_t{lines_per_owner_} * kLine;
-    Slot* const first = lines_[std::size_t{owner} * lines_per_owner_].data();
-    if ((*first & kElsewhere) != 0) [[unlikely]]
-      release(*first);
-    Slot* to = first;
-    std::size_t room = in_place;
-    if (slots.size() > in_place) [[unlikely]] {
-      *first = take_block(slots.size());
-      const std::span<Slot> elsewhere = block(*first);
-      to = elsewhere.data();
-      room = elsewhere.size();
+    Slot& first = *first_lane(owner);
+    if ((first & kElsewhere) != 0) [[unlikely]]
+      free_.push_back(first & ~kElsewhere);
+    std::span<Slot> lanes(&first, lanes_in_place());
+    if (slots.size() > lanes.size()) [[unlikely]] {
+      first = kElsewhere | place_elsewhere();
+      std::vector<Slot>& longer = elsewhere_[first & ~kElsewhere];
+      longer.resize((slots.size() + kLine - 1) / kLine * kLine);
+      lanes = longer;
     }
-    std::copy(slots.begin(), slots.end(), to);
-    std::fill(to + slots.size(), to + room, owner);
+    std::fill(std::copy(slots.begin(), slots.end(), lanes.begin()), lanes.end(), owner);
   }
 
   /// The address of a list's first line, for prefetching.
-  const void* address(Slot owner) const { return &lines_[std::size_t{owner} * lines_per_owner_]; }
+  const void* address(Slot owner) const { return first_lane(owner); }
 
   std::size_t memory_bytes() const {
-    std::size_t bytes = lines_.capacity() * sizeof(Line);
-    for (const Blocks& size : blocks_) {
-      bytes += size.lines.capacity() * sizeof(Line) + size.free.capacity() * sizeof(std::uint32_t);
-    }
-    return bytes;
+    std::size_t bytes = lines_.capacity() * sizeof(Line) + elsewhere_.capacity() * sizeof(std::vector<Slot>);
+    for (const std::vector<Slot>& longer : elsewhere_) bytes += longer.capacity() * sizeof(Slot);
+    return bytes + free_.capacity() * sizeof(std::uint32_t);
   }
 
  private:
   struct alignas(64) Line : std::array<Slot, kLine> {};
-  // All blocks of 2^k lines.
-  struct Blocks {
-    LargeVector<Line> lines;
-    std::vector<std::uint32_t> free;
-  };
 
-  // Of a list elsewhere, the first lane has the highest bit, k, and the number of the block.
+  // Added to the place of a list elsewhere.
   static constexpr std::uint32_t kElsewhere = 1U << 31;
-  static constexpr std::uint32_t kNumberBits = 26;
-  static std::uint32_t size_of(std::uint32_t name) { return (name & ~kElsewhere) >> kNumberBits; }
-  static std::uint32_t number_of(std::uint32_t name) { return name & ((1U << kNumberBits) - 1); }
 
   static std::uint32_t count_of(Slot slot, const Slot* line) {
     return static_cast<std::uint32_t>(std::popcount(places_of<kLine>(slot, line)));
   }
 
-  std::span<const Slot> block(std::uint32_t name) const {
-    const std::uint32_t size = size_of(name);
-    return {blocks_[size].lines[std::size_t{number_of(name)} << size].data(), std::size_t{kLine} << size};
-  }
-  std::span<Slot> block(std::uint32_t name) {
-    const std::uint32_t size = size_of(name);
-    return {blocks_[size].lines[std::size_t{number_of(name)} << size].data(), std::size_t{kLine} << size};
-  }
+  std::size_t lanes_in_place() const { return std::size_t{lines_per_owner_} * kLine; }
+  const Slot* first_lane(Slot owner) const { return lines_[std::size_t{owner} * lines_per_owner_].data(); }
+  Slot* first_lane(Slot owner) { return lines_[std::size_t{owner} * lines_per_owner_].data(); }
 
   std::span<Slot> lanes(Slot owner) {
-    Slot* const in_place = lines_[std::size_t{owner} * lines_per_owner_].data();
+    Slot* const in_place = first_lane(owner);
     if ((*in_place & kElsewhere) != 0) [[unlikely]]
-      return block(*in_place);
-    return {in_place, std::size_t{lines_per_owner_} * kLine};
+      return elsewhere_[*in_place & ~kElsewhere];
+    return {in_place, lanes_in_place()};
   }
 
   // Puts a slot in place of another, once; false if that is not in the list.
@@ -147,25 +129,21 @@ class PaddedLists {
     return false;
   }
 
-  std::uint32_t take_block(std::size_t slots) {
-    const auto size = static_cast<std::uint32_t>(std::bit_width((slots - 1) / kLine));
-    if (blocks_.size() <= size) blocks_.resize(size + 1);
-    Blocks& blocks = blocks_[size];
-    if (blocks.free.empty()) {
-      const std::size_t number = blocks.lines.size() >> size;
-      HARDBALL_CHECK(number < 1U << kNumberBits);
-      for (std::size_t i = 0; i < std::size_t{1} << size; ++i) append_sparingly(blocks.lines, Line{});
-      blocks.free.push_back(static_cast<std::uint32_t>(number));
+  // A place for a list elsewhere.
+  std::uint32_t place_elsewhere() {
+    if (free_.empty()) {
+      free_.push_back(static_cast<std::uint32_t>(elsewhere_.size()));
+      elsewhere_.emplace_back();
     }
-    const std::uint32_t number = blocks.free.back();
-    blocks.free.pop_back();
-    return kElsewhere | size << kNumberBits | number;
+    const std::uint32_t place = free_.back();
+    free_.pop_back();
+    return place;
   }
-  void release(std::uint32_t name) { blocks_[size_of(name)].free.push_back(number_of(name)); }
 
   std::uint32_t lines_per_owner_ = 1;
   LargeVector<Line> lines_;
-  std::vector<Blocks> blocks_;
+  std::vector<std::vector<Slot>> elsewhere_;  // whole lines each
+  std::vector<std::uint32_t> free_;           // places in `elsewhere_`
 };
 
 }  // namespace hardball

@@ -20,9 +20,9 @@ namespace hardball {
 /// Many short lists of points and their owners' slots, in blocks that a kernel reads as they are; longer
 /// lists chain several.
 ///
-/// A list is identified by its first block, which is full if there are others. Lists 0 to n-1 exist after
-/// reset(n); others are made and released one by one. Lists are unordered, and may have gaps. Cost: O(1) per
-/// operation for short lists, O(length) for long ones.
+/// A list is identified by its first block, which is full if there are others; lists 0 to n-1 exist after
+/// reset(n). They are unordered, and may have gaps. Cost: O(1) per operation for short lists, O(length) for
+/// long ones.
 class PointLists {
  public:
   static constexpr std::uint32_t kNone = PointBlock::kNone;
@@ -35,26 +35,12 @@ class PointLists {
     free_block_ = kNone;
   }
 
-  /// Makes an empty list.
-  std::uint32_t make() {
-    if (free_block_ == kNone) {
-      append_sparingly(blocks_, PointBlock{});
-      append_sparingly(next_, kNone);
-      return static_cast<std::uint32_t>(blocks_.size() - 1);
-    }
-    return std::exchange(free_block_, std::exchange(next_[free_block_], kNone));
-  }
-  /// Releases an empty list made by `make`.
-  void release(std::uint32_t list) { next_[list] = std::exchange(free_block_, list); }
-
-  bool is_empty(std::uint32_t list) const { return places_in(list, PointBlock::kNoSlot) == kAll; }
-
   void insert(std::uint32_t list, Slot slot, PackedPlace place) {
     std::uint32_t at = list;
     std::uint32_t gaps;
     while ((gaps = places_in(at, PointBlock::kNoSlot)) == 0) {
       if (next_[at] == kNone) {
-        const std::uint32_t added = make();
+        const std::uint32_t added = new_block();
         next_[at] = added;
       }
       at = next_[at];
@@ -86,18 +72,7 @@ class PointLists {
       move_point(at, list, lane);
     }
     if (places_in(at, PointBlock::kNoSlot) != kAll) return;
-    next_[before] = next_[at];
-    release(at);
-  }
-
-  /// Calls visit(slot) for each slot of the list.
-  template <class Visit>
-  void for_each(std::uint32_t list, Visit&& visit) const {
-    for (; list != kNone; list = next_[list]) {
-      for (const Slot slot : blocks_[list].slots) {
-        if (slot != PointBlock::kNoSlot) visit(slot);
-      }
-    }
+    next_[before] = std::exchange(next_[at], std::exchange(free_block_, at));
   }
 
   /// All blocks, by number; a list's first has the number of the list.
@@ -111,6 +86,15 @@ class PointLists {
 
  private:
   static constexpr std::uint32_t kAll = (1U << PointBlock::kRoom) - 1;
+
+  std::uint32_t new_block() {
+    if (free_block_ == kNone) {
+      append_sparingly(blocks_, PointBlock{});
+      append_sparingly(next_, kNone);
+      return static_cast<std::uint32_t>(blocks_.size() - 1);
+    }
+    return std::exchange(free_block_, std::exchange(next_[free_block_], kNone));
+  }
 
   // A bit for each place of a block that holds the slot.
   std::uint32_t places_in(std::uint32_t block, Slot slot) const {

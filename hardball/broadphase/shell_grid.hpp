@@ -81,6 +81,7 @@ class ShellGrid {
     if (!is_large(slot)) grid_.prefetch_candidates(slot, crosses, copies);
   }
   bool has_nearest_images() const { return true; }
+  bool are_candidates(Slot a, Slot b) const;
   std::uint64_t left_count() const { return grid_.left_count() + left_count_; }
   std::size_t memory_bytes() const;
   void validate(const World& world, const Time& now, const CompactPaths& copies) const;

@@ -17,12 +17,11 @@ namespace hardball {
 
 /// Many short lists of slots, each in its own cache line; longer ones chain several.
 ///
-/// A list is identified by its first line. Lists 0 to n-1 exist after reset(n); others are made and released
-/// one by one. Lists are unordered. Of several lines all are full except the second, where the list grows and
-/// shrinks. Cost: O(1) per operation, O(length) to erase.
+/// A list is identified by its first line; lists 0 to n-1 exist after reset(n). They are unordered. Of
+/// several lines all are full except the second, where the list grows and shrinks. Cost: O(1) per operation,
+/// O(length) to erase.
 class SlotLists {
  public:
-  static constexpr std::uint32_t kNone = UINT32_MAX;
   static constexpr std::uint32_t kRoom = 14;
   /// As many slots as fit into a cache line besides the count and the link.
   using LineOfSlots = std::array<Slot, kRoom>;
@@ -33,13 +32,6 @@ class SlotLists {
     lines_.resize(count);
     free_line_ = kNone;
   }
-
-  /// Makes an empty list.
-  std::uint32_t make() { return new_line(); }
-  /// Releases an empty list made by `make`.
-  void release(std::uint32_t list) { lines_[list].next = std::exchange(free_line_, list); }
-
-  bool is_empty(std::uint32_t list) const { return lines_[list].count == 0 && lines_[list].next == kNone; }
 
   void insert(std::uint32_t list, Slot slot) {
     if (lines_[list].count == kRoom) [[unlikely]]
@@ -60,7 +52,9 @@ class SlotLists {
     const bool is_single = first.next == kNone;
     Line& end = is_single ? first : lines_[first.next];
     lines_[at].slots[static_cast<std::size_t>(std::countr_zero(places))] = end.slots[--end.count];
-    if (end.count == 0 && !is_single) release(std::exchange(first.next, end.next));
+    if (end.count > 0 || is_single) return;
+    const std::uint32_t empty = std::exchange(first.next, end.next);
+    lines_[empty].next = std::exchange(free_line_, empty);
   }
 
   /// Calls visit(slots, count) for each line of the list; the array is longer than count.
@@ -89,6 +83,8 @@ class SlotLists {
   std::size_t memory_bytes() const { return lines_.capacity() * sizeof(Line); }
 
  private:
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+
   struct alignas(64) Line {
     std::uint32_t count = 0;
     std::uint32_t next = kNone;

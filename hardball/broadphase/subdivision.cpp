@@ -57,7 +57,6 @@ Subdivision::Subdivision(const Box& box, double edge, std::int32_t most_cells) {
     cells.first = std::numeric_limits<std::int32_t>::min() / 4;
     cells.last = std::numeric_limits<std::int32_t>::max() / 4;
   }
-  has_ends_ = !box.is_all(Boundary::periodic) || box.is_flat();
   for (Axis& cells : axes_) {
     const double farthest = cells.edge * (std::max(-cells.first, cells.last) + 1.0);
     cells.margin = kEdgeMargin * cells.edge + kDistanceMargin * farthest;
@@ -100,9 +99,8 @@ CellIndex Subdivision::cell_of(const Vec3& point) const {
   return cell;
 }
 
-CellCrossing Subdivision::next_enter_of_falling(const Vec3& position, const Vec3& velocity,
-                                                const Vec3& gravity, double radius,
-                                                const CellRange& range) const {
+CellCrossing Subdivision::next_enter(const Vec3& position, const Vec3& velocity, const Vec3& gravity,
+                                     double radius, const CellRange& range) const {
   CellCrossing next;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     for (const bool up : {false, true}) {

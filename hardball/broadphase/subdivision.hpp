@@ -104,12 +104,11 @@ class Subdivision {
   }
   /// The cell, folded into the box, in which a point inside the box lies.
   CellIndex cell_of(const Vec3& point) const;
-  /// When a sphere on `path` touches the next cell ahead of `range`.
-  CellCrossing next_enter(const Path& path, double radius, const CellRange& range) const;
-  /// The same for a sphere that falls, from where it is: it touches cells beyond `range` on either side.
-  CellCrossing next_enter_of_falling(const Vec3& position, const Vec3& velocity, const Vec3& gravity,
-                                     double radius, const CellRange& range) const;
-  /// When it last touches the rearmost cells of `range`.
+  /// When a sphere touches the next cell beyond `range`, from where it is; its path may be straight, without
+  /// gravity, or a parabola.
+  CellCrossing next_enter(const Vec3& position, const Vec3& velocity, const Vec3& gravity, double radius,
+                          const CellRange& range) const;
+  /// When a sphere on a straight path last touches the rearmost cells of `range`.
   CellCrossing next_leave(const Path& path, double radius, const CellRange& range) const;
 
   /// An index along an axis, folded into the box. Error: as for range_at.
@@ -174,28 +173,6 @@ class Subdivision {
   static std::int32_t folded_from_beyond(const Axis& cells, std::int32_t index);
 
   std::array<Axis, kAxes> axes_;
-  bool has_ends_ = false;  // along some axis
 };
-
-// Branchless in the direction of flight, which is unpredictable.
-inline CellCrossing Subdivision::next_enter(const Path& path, double radius, const CellRange& range) const {
-  double least = std::numeric_limits<double>::infinity();
-  Face face = 0;
-  for_each_axis([&](auto axis) {
-    const Axis& cells = axes_[axis];
-    const double velocity = path.velocity[axis];
-    const bool up = !std::signbit(velocity);
-    const std::int32_t upwards = up ? -1 : 0;  // all bits
-    const std::int32_t plane = range.low[axis] + ((range.high[axis] + 1 - range.low[axis]) & upwards);
-    if (has_ends_ && plane == (up ? cells.last + 1 : cells.first)) return;
-    const double ahead = std::copysign(1.0, velocity) * -beyond_face(axis, plane, path.position[axis]);
-    // Infinite or NaN at rest.
-    const double wait = std::max(0.0, ahead - reach(axis, radius)) / std::fabs(velocity);
-    const bool sooner = wait < least;
-    least = sooner ? wait : least;
-    face ^= (face ^ face_of(axis, up)) & (0U - static_cast<Face>(sooner));
-  });
-  return {least, static_cast<std::uint8_t>(axis_of(face)), is_upper(face)};
-}
 
 }  // namespace hardball

@@ -149,6 +149,7 @@ class Engine {
       for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Event contact = contact_with(candidates, i);
         const Slot other = candidates.slot(i);
+        if (!phase_.are_candidates(slot, other)) continue;
         HARDBALL_CHECK(!contact.happens() || covers(slot, contact, other) || covers(other, contact, slot) ||
                        is_found_in_time(other, contact, slot));
       }
@@ -686,6 +687,7 @@ class Engine {
     if constexpr (HARDBALL_VALIDATE) {
       for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Event contact = contact_with(candidates, i);
+        if (!phase_.are_candidates(candidates.self(), candidates.slot(i))) continue;
         const bool is_partner = candidates.slot(i) == found.partner;
         HARDBALL_CHECK((is_partner ? found.least : found.second) <= contact.time.high);
       }

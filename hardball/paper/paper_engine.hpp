@@ -277,7 +277,7 @@ class PaperEngine {
     const Path& path = world_.path(slot);
     const double radius = world_.radius(slot);
     const CellRange& subspaces = records_[slot].subspaces;
-    const CellCrossing enter = subdivision_.next_enter(path, radius, subspaces);
+    const CellCrossing enter = subdivision_.next_enter(path.position, path.velocity, {}, radius, subspaces);
     const CellCrossing leave = subdivision_.next_leave(path, radius, subspaces);
     const auto moment = [&](const CellCrossing& crossing) {
       return later(now_, after(path.time, crossing.wait));

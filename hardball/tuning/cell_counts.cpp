@@ -117,8 +117,6 @@ CellCounts expected_counts(const Moments& moments, double edge) {
   const Powers one = diameter_powers(moments.radius_power);
   const Powers colliding = colliding_diameter_powers(moments.radius_power, is_flat);
 
-  const Box& box = moments.box;
-  counts.is_hashed = box.is_any(Boundary::open);
   counts.are_images_listed =
       !axes[0].has_nearest_images || !axes[1].has_nearest_images || !axes[2].has_nearest_images;
   counts.collision = 1 / mean_free_time(moments);

@@ -29,7 +29,6 @@ struct CellCounts {
   double cells = 0;
   double cells_entered = 0;
 
-  bool is_hashed = false;          // whether cells are found through a hash table, as in open space
   bool are_images_listed = false;  // whether the box has so few cells that candidates come with their images
 
   /// Predictions per sphere and time [1/T].

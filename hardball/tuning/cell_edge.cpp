@@ -27,15 +27,12 @@ bool are_meaningful(const UnitCosts& costs) {
 }
 
 double cost_rate(const CellCounts& counts, const UnitCosts& costs) {
-  // A crossing costs more where cells are looked up in a hash table: measured, docs/theory.md.
-  constexpr double kHashedEnter = 1.75;
-  const double enter = counts.is_hashed ? kHashedEnter * costs.enter : costs.enter;
   // Images must be found, and contact times computed exactly: measured, docs/theory.md.
   constexpr double kListedPrediction = 12;
   const double prediction =
       counts.are_images_listed ? kListedPrediction * costs.prediction : costs.prediction;
   const double passes = counts.collision + counts.wall + counts.stale;
-  return costs.contact * (counts.collision / 2 + counts.wall) + enter * counts.enter +
+  return costs.contact * (counts.collision / 2 + counts.wall) + costs.enter * counts.enter +
          costs.cell * (passes * counts.cells + counts.enter * counts.cells_entered) +
          prediction * counts.predictions();
 }

@@ -124,7 +124,7 @@ TEST(Memory, DoesNotDependOnTheSizeOfTheBox) {
     for (const Boundary boundary : {Boundary::periodic, Boundary::open}) {
       const double sparse = bytes_after_a_run(stretched(world, boundary, stretch), {});
       support::record((boundary == Boundary::open ? "open_" : "periodic_") + to_text(stretch), sparse);
-      // A hash table, at most half full, in place of an array; both grow by doubling.
+      // Cells that outnumber the spheres share lists.
       EXPECT_LT(sparse, 2 * dense);
     }
   }

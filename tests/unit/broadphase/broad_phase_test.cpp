@@ -364,11 +364,11 @@ TEST(NeighborList, FindsTheSameNeighborsFromEitherSide) {
   Random random(7);
   std::uint64_t neighbors = 0;
   for (std::uint64_t i = 0; i < support::cases(20000); ++i) {
-    World world(Box::walls({40, 40, 40}));
+    World world(Box::walls({20, 20, 20}));
     const double first = 0.1 + 0.4 * random.uniform();
     const double second = 0.1 + 0.4 * random.uniform();
     const double distance = first + second + 2 * kSlack + 2 * error * random.uniform();
-    const Vec3 place{10 + 20 * random.uniform(), 20, 20};
+    const Vec3 place{5 + 10 * random.uniform(), 10, 10};
     world.add({place, {1, 0, 0}, first, 1});
     world.add({place + distance * random.direction(), {1, 0, 0}, second, 1});
     world.add({{2, 2, 2}, {}, 0.5, 1});
@@ -672,7 +672,7 @@ TEST(CellGrid, CrossesWithinHalfTheMargin) {
     for (Slot slot = 0; slot < world.size(); ++slot) {
       const Path& path = world.path(slot);
       const CellRange range = cells.range_at(path.position, radius);
-      const CellCrossing next = cells.next_enter(path, radius, range);
+      const CellCrossing next = cells.next_enter(path.position, path.velocity, {}, radius, range);
       const double expected = next.wait;
       const double found = grid.next_crossing(world, slot, now);
       if (!(expected < kNever.high)) {

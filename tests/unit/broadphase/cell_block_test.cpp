@@ -6,8 +6,7 @@
 
 #include <vector>
 
-#include "hardball/broadphase/cell_store.hpp"
-#include "hardball/broadphase/slot_lists.hpp"
+#include "hardball/broadphase/cell_table.hpp"
 
 namespace hardball::cell_block_test {
 namespace {
@@ -17,27 +16,25 @@ bool is_upper_along(std::size_t axis, std::uint32_t cell) {
   return (cell & CellBlock::kAxisBit[axis]) != 0;
 }
 
-TEST(CellBlock, ListsAreThoseOfTheStoreAlsoAcrossAPeriodicBox) {
+TEST(CellBlock, ListsAreThoseOfTheTableAlsoAcrossAPeriodicBox) {
   constexpr std::int32_t kMost = 1 << 20;
   const Subdivision cells(Box({Boundary::periodic, Boundary::wall, Boundary::periodic}, {3, 4, 5}), 1, kMost);
-  CellStore<SlotLists> store;
-  store.reset(cells.shape(), 60);
-  ASSERT_TRUE(store.is_dense());
-  for (const CellIndex& low : {CellIndex{0, 0, 0}, {2, 2, 4}, {-1, 1, -6}, {7, 0, 14}}) {
-    const CellBlock block(cells, low, store.strides());
-    for (std::uint32_t cell = 0; cell < CellBlock::kCells; ++cell) {
-      CellIndex place = low;
-      for (std::size_t axis = 0; axis < kAxes; ++axis) place[axis] += is_upper_along(axis, cell) ? 1 : 0;
-      EXPECT_EQ(block.list(cell), store.list(cells.folded(place)));
+  for (const CellTable& table : {CellTable(cells.shape(), 60), CellTable({0, 0, 0}, 60)}) {
+    for (const CellIndex& low : {CellIndex{0, 0, 0}, {2, 2, 4}, {-1, 1, -6}, {7, 0, 14}}) {
+      const CellBlock block(cells, low, table);
+      for (std::uint32_t cell = 0; cell < CellBlock::kCells; ++cell) {
+        CellIndex place = low;
+        for (std::size_t axis = 0; axis < kAxes; ++axis) place[axis] += is_upper_along(axis, cell) ? 1 : 0;
+        EXPECT_EQ(block.list(cell), table.list(cells.folded(place)));
+      }
     }
   }
 }
 
 TEST(CellBlock, VisitsTheListsOfASetOfCells) {
   const Subdivision cells(Box::periodic({5, 5, 5}), 1, 1 << 20);
-  CellStore<SlotLists> store;
-  store.reset(cells.shape(), 60);
-  const CellBlock block(cells, {4, 1, 2}, store.strides());
+  const CellTable table(cells.shape(), 60);
+  const CellBlock block(cells, {4, 1, 2}, table);
   for (std::uint32_t set = 0; set < 1U << CellBlock::kCells; ++set) {
     std::vector<std::uint32_t> expected;
     for (std::uint32_t cell = 0; cell < CellBlock::kCells; ++cell) {

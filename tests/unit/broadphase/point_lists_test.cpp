@@ -36,49 +36,31 @@ PackedPlace place_of(Slot slot) {
   return PackedPlace({static_cast<std::int32_t>(slot), 1000 - static_cast<std::int32_t>(slot), 7});
 }
 
-// Lists made by reset, and lists made and released.
 TEST(PointLists, AgreeWithMultimapsUnderRandomTraffic) {
   PointLists lists;
   Random random(1);
   const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random.bits() % n); };
-  for (const std::size_t fixed : {1U, 8U}) {
-    lists.reset(fixed);
-    struct Known {
-      std::uint32_t list;
-      Points points;
-    };
-    std::vector<Known> known;
-    for (std::uint32_t list = 0; list < fixed; ++list) known.push_back({list, {}});
+  for (const std::size_t count : {1U, 8U}) {
+    lists.reset(count);
+    std::vector<Points> known(count);
     std::size_t longest = 0;
     for (std::uint64_t step = 0; step < support::cases(40000); ++step) {
       // Fill up and empty in turn, all the way down.
       const bool filling = step / 1000 % 2 == 0;
-      const std::size_t at = below(known.size());
-      Known& chosen = known[at];
-      const double what = random.uniform();
-      if (what < 0.02 && known.size() < 12) {
-        known.push_back({lists.make(), {}});
-        ASSERT_TRUE(lists.is_empty(known.back().list)) << "made from released memory";
-      } else if (what < 0.3 && at >= fixed && chosen.points.empty()) {
-        lists.release(chosen.list);
-        known.erase(known.begin() + static_cast<std::ptrdiff_t>(at));
-      } else if (chosen.points.empty() || random.uniform() < (filling ? 0.8 : 0.2)) {
+      const auto chosen = static_cast<std::uint32_t>(below(count));
+      Points& points = known[chosen];
+      if (points.empty() || random.uniform() < (filling ? 0.8 : 0.2)) {
         const auto slot = static_cast<Slot>(below(30));
-        lists.insert(chosen.list, slot, place_of(slot));
-        chosen.points.emplace(slot, place_of(slot).bits());
+        lists.insert(chosen, slot, place_of(slot));
+        points.emplace(slot, place_of(slot).bits());
       } else {
-        const auto erased =
-            std::next(chosen.points.begin(), static_cast<std::ptrdiff_t>(below(chosen.points.size())));
-        lists.erase(chosen.list, erased->first);
-        chosen.points.erase(erased);
+        const auto erased = std::next(points.begin(), static_cast<std::ptrdiff_t>(below(points.size())));
+        lists.erase(chosen, erased->first);
+        points.erase(erased);
       }
-      for (const Known& each : known) {
+      for (std::uint32_t list = 0; list < count; ++list) {
         std::size_t blocks = 0;
-        ASSERT_EQ(points_of(lists, each.list, &blocks), each.points) << "step " << step;
-        ASSERT_EQ(lists.is_empty(each.list), each.points.empty());
-        std::size_t visited = 0;
-        lists.for_each(each.list, [&](Slot slot) { visited += each.points.contains(slot) ? 1U : 100U; });
-        ASSERT_EQ(visited, each.points.size());
+        ASSERT_EQ(points_of(lists, list, &blocks), known[list]) << "step " << step;
         longest = std::max(longest, blocks);
       }
     }
@@ -89,14 +71,15 @@ TEST(PointLists, AgreeWithMultimapsUnderRandomTraffic) {
 // Empty blocks do not stay in a chain.
 TEST(PointLists, ReuseTheirMemory) {
   PointLists lists;
-  lists.reset(1);
+  lists.reset(3);
   std::size_t after_first = 0;
-  for (std::size_t round = 0; round < 200; ++round) {
-    const std::uint32_t made = lists.make();
-    for (Slot slot = 0; slot < 100; ++slot) lists.insert(made, slot, {});
-    for (Slot slot = 0; slot < 100; ++slot) lists.erase(made, round % 2 == 0 ? slot : 99 - slot);
-    EXPECT_TRUE(lists.is_empty(made));
-    lists.release(made);
+  for (std::uint32_t round = 0; round < 200; ++round) {
+    const std::uint32_t list = round % 3;
+    for (Slot slot = 0; slot < 100; ++slot) lists.insert(list, slot, {});
+    for (Slot slot = 0; slot < 100; ++slot) lists.erase(list, round % 2 == 0 ? slot : 99 - slot);
+    std::size_t blocks = 0;
+    EXPECT_TRUE(points_of(lists, list, &blocks).empty());
+    EXPECT_EQ(blocks, 1U);
     if (round == 0) after_first = lists.memory_bytes();
   }
   EXPECT_EQ(lists.memory_bytes(), after_first);

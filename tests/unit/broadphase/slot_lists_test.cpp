@@ -34,10 +34,6 @@ std::multiset<Slot> slots_by_lines(const SlotLists& lists, std::uint32_t list) {
   return found;
 }
 
-void empty(SlotLists& lists, std::uint32_t list) {
-  for (const Slot slot : slots_of(lists, list)) lists.erase(list, slot);
-}
-
 std::size_t lines_of(const SlotLists& lists, std::uint32_t list) {
   std::size_t lines = 0;
   lists.for_each_line(list, [&lines](const SlotLists::LineOfSlots&, std::uint32_t) { ++lines; });
@@ -49,19 +45,10 @@ TEST(SlotLists, AreEmptyAfterReset) {
   for (const std::size_t count : {3U, 0U, 20U}) {
     lists.reset(count);
     for (std::uint32_t list = 0; list < count; ++list) {
-      EXPECT_TRUE(lists.is_empty(list));
       EXPECT_TRUE(slots_of(lists, list).empty());
       for (Slot slot = 0; slot < 40; ++slot) lists.insert(list, slot);
-      EXPECT_FALSE(lists.is_empty(list));
     }
   }
-}
-
-TEST(SlotLists, NoListHasNoSlots) {
-  SlotLists lists;
-  lists.reset(1);
-  lists.insert(0, 7);
-  EXPECT_TRUE(slots_of(lists, SlotLists::kNone).empty());
 }
 
 TEST(SlotLists, ChainAsManyLinesAsTheyNeed) {
@@ -77,12 +64,10 @@ TEST(SlotLists, ChainAsManyLinesAsTheyNeed) {
   }
   // Emptied in the order of insertion.
   for (Slot slot = 0; slot < 100; ++slot) {
-    EXPECT_FALSE(lists.is_empty(0));
     lists.erase(0, slot);
     expected.erase(slot);
     ASSERT_EQ(slots_by_lines(lists, 0), expected);
   }
-  EXPECT_TRUE(lists.is_empty(0));
   EXPECT_EQ(slots_of(lists, 1), std::multiset<Slot>{1000});
 }
 
@@ -98,50 +83,32 @@ TEST(SlotLists, FirstLineIsAPartOfTheList) {
   }
 }
 
-// Lists made by reset, lists made and released, slots that are in a list several times.
+// Slots may be in a list several times.
 TEST(SlotLists, AgreeWithMultisetsUnderRandomTraffic) {
   SlotLists lists;
   Random random(1);
   const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random.bits() % n); };
-  for (const std::size_t fixed : {1U, 8U}) {
-    lists.reset(fixed);
-    struct Known {
-      std::uint32_t list;
-      std::multiset<Slot> slots;
-    };
-    std::vector<Known> known;
-    for (std::uint32_t list = 0; list < fixed; ++list) known.push_back({list, {}});
+  for (const std::size_t count : {1U, 8U}) {
+    lists.reset(count);
+    std::vector<std::multiset<Slot>> known(count);
     std::size_t longest = 0;
     for (std::uint64_t step = 0; step < support::cases(40000); ++step) {
       // Fill up and empty in turn, all the way down.
       const bool filling = step / 1000 % 2 == 0;
-      const std::size_t at = below(known.size());
-      Known& chosen = known[at];
-      const double what = random.uniform();
-      if (what < 0.01) {
-        empty(lists, chosen.list);
-        chosen.slots.clear();
-      } else if (what < 0.02 && known.size() < 12) {
-        known.push_back({lists.make(), {}});
-        ASSERT_TRUE(lists.is_empty(known.back().list)) << "made from released memory";
-      } else if (what < 0.04 && at >= fixed) {
-        empty(lists, chosen.list);
-        lists.release(chosen.list);
-        known.erase(known.begin() + static_cast<std::ptrdiff_t>(at));
-      } else if (chosen.slots.empty() || random.uniform() < (filling ? 0.8 : 0.2)) {
+      const auto chosen = static_cast<std::uint32_t>(below(count));
+      std::multiset<Slot>& slots = known[chosen];
+      if (slots.empty() || random.uniform() < (filling ? 0.8 : 0.2)) {
         const auto slot = static_cast<Slot>(below(30));
-        lists.insert(chosen.list, slot);
-        chosen.slots.insert(slot);
+        lists.insert(chosen, slot);
+        slots.insert(slot);
       } else {
-        const auto erased =
-            std::next(chosen.slots.begin(), static_cast<std::ptrdiff_t>(below(chosen.slots.size())));
-        lists.erase(chosen.list, *erased);
-        chosen.slots.erase(erased);
+        const auto erased = std::next(slots.begin(), static_cast<std::ptrdiff_t>(below(slots.size())));
+        lists.erase(chosen, *erased);
+        slots.erase(erased);
       }
-      for (const Known& each : known) {
-        ASSERT_EQ(slots_by_lines(lists, each.list), each.slots) << "step " << step;
-        ASSERT_EQ(lists.is_empty(each.list), each.slots.empty());
-        longest = std::max(longest, lines_of(lists, each.list));
+      for (std::uint32_t list = 0; list < count; ++list) {
+        ASSERT_EQ(slots_by_lines(lists, list), known[list]) << "step " << step;
+        longest = std::max(longest, lines_of(lists, list));
       }
     }
     EXPECT_GT(longest, 3U);
@@ -150,17 +117,14 @@ TEST(SlotLists, AgreeWithMultisetsUnderRandomTraffic) {
 
 TEST(SlotLists, ReuseTheirMemory) {
   SlotLists lists;
-  lists.reset(1);
+  lists.reset(10);
   std::size_t after_first = 0;
   for (int round = 0; round < 200; ++round) {
-    std::vector<std::uint32_t> made;
-    for (int i = 0; i < 10; ++i) made.push_back(lists.make());
-    for (const std::uint32_t list : made) {
+    for (std::uint32_t list = 0; list < 10; ++list) {
       for (Slot slot = 0; slot < 100; ++slot) lists.insert(list, slot);
     }
-    for (const std::uint32_t list : made) {
+    for (std::uint32_t list = 0; list < 10; ++list) {
       for (Slot slot = 0; slot < 100; ++slot) lists.erase(list, slot);
-      lists.release(list);
     }
     if (round == 0) after_first = lists.memory_bytes();
   }

@@ -42,11 +42,11 @@ TEST(Subdivision, OfAFlatBoxIsOneLayer) {
     EXPECT_EQ(range.low[2], 0);
     EXPECT_EQ(range.high[2], 0);
     EXPECT_EQ(range.high[0] - range.low[0], 6);
-    EXPECT_NEAR(cells.next_enter(path, 3, range).wait, 0.25, 1e-4);
-    EXPECT_EQ(cells.next_enter(path, 3, range).axis, 1);
+    EXPECT_NEAR(cells.next_enter(path.position, path.velocity, {}, 3, range).wait, 0.25, 1e-4);
+    EXPECT_EQ(cells.next_enter(path.position, path.velocity, {}, 3, range).axis, 1);
     const Path at_rest{{5.5, 5.5, 0}, {}, Time(0)};
-    EXPECT_TRUE(std::isinf(cells.next_enter(at_rest, 3, range).wait));
-    const CellCrossing falling = cells.next_enter_of_falling({5.5, 5.5, 0}, {}, {2, 0, 0}, 3, range);
+    EXPECT_TRUE(std::isinf(cells.next_enter(at_rest.position, at_rest.velocity, {}, 3, range).wait));
+    const CellCrossing falling = cells.next_enter({5.5, 5.5, 0}, {}, {2, 0, 0}, 3, range);
     EXPECT_EQ(falling.axis, 0);
     EXPECT_NEAR(falling.wait, std::sqrt(0.5), 1e-4);
   }
@@ -103,7 +103,7 @@ TEST(Subdivision, SpheresBeyondTheOutermostCellsOfOpenSpaceBelongToThese) {
   EXPECT_EQ(cells.last(0), 7);
   const CellRange range = cells.range_at({1e30, -1e30, 0.5}, 0.25);
   EXPECT_EQ(range, (CellRange{{7, -8, 0}, {7, -8, 0}}));
-  const CellCrossing next = cells.next_enter({{1e30, -1e30, 0.5}, {1, -1, 0}, Time(0)}, 0.25, range);
+  const CellCrossing next = cells.next_enter({1e30, -1e30, 0.5}, {1, -1, 0}, {}, 0.25, range);
   EXPECT_EQ(next.wait, std::numeric_limits<double>::infinity());
 }
 
@@ -123,7 +123,7 @@ TEST(Subdivision, EntersTheNextCellSlightlyBeforeTouchingItAndLeavesSlightlyAfte
   const Path up{{1, 1, 1}, {2, 1, 0}, Time(7)};
   const CellRange start = cells.range_at(up.position, radius);
   ASSERT_EQ(start, (CellRange{{0, 0, 0}, {0, 0, 0}}));
-  const CellCrossing enter = cells.next_enter(up, radius, start);
+  const CellCrossing enter = cells.next_enter(up.position, up.velocity, {}, radius, start);
   EXPECT_EQ(enter.axis, 0);
   EXPECT_TRUE(enter.up);
   EXPECT_LT(enter.wait, 0.25);
@@ -134,14 +134,13 @@ TEST(Subdivision, EntersTheNextCellSlightlyBeforeTouchingItAndLeavesSlightlyAfte
   EXPECT_NEAR(leave.wait, 0.75 + margin_x / 2, 1e-14);
 
   const Path down{{1, 1, 1}, {0, 0, -1}, Time(7)};
-  const CellCrossing below = cells.next_enter(down, radius, start);
+  const CellCrossing below = cells.next_enter(down.position, down.velocity, {}, radius, start);
   EXPECT_EQ(below.axis, 2);
   EXPECT_FALSE(below.up);
   EXPECT_NEAR(below.wait, 0.5 - margin_z, 1e-14);
   EXPECT_NEAR(cells.next_leave(down, radius, {{0, 0, -1}, {0, 0, 0}}).wait, 1.5 + margin_z, 1e-14);
   EXPECT_EQ(cells.next_leave(down, radius, start).wait, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(cells.next_enter({{1, 1, 1}, {}, Time(0)}, radius, start).wait,
-            std::numeric_limits<double>::infinity());
+  EXPECT_EQ(cells.next_enter({1, 1, 1}, {}, {}, radius, start).wait, std::numeric_limits<double>::infinity());
 }
 
 TEST(CellRange, VisitsItsCellsOnceEach) {
