@@ -3,28 +3,33 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
 
 #include "hardball/events/event.hpp"
 
 namespace hardball {
 
-/// A bit for each of the first `count` slots, a multiple of four, that is `slot`. Branchless, since it is
-/// unpredictable which is.
+/// A bit for each of the first `count` slots, 8 or 16, that is `slot`. Branchless, since it is unpredictable
+/// which is.
 template <std::uint32_t count>
 std::uint32_t places_of(Slot slot, const Slot* slots) {
-  using Four = Slot __attribute__((vector_size(16)));
-  static_assert(count % 4 == 0 && count <= 32);
-  const Four sought{slot, slot, slot, slot};
-  Four bit{1, 2, 4, 8};
-  Four found{};
-  for (std::uint32_t i = 0; i < count; i += 4) {
-    Four four;
-    std::memcpy(&four, slots + i, sizeof four);
-    found |= (four == sought) & bit;
-    bit <<= 4;
-  }
-  return found[0] | found[1] | found[2] | found[3];
+  static_assert(count == 8 || count == 16);
+#if defined(__SSE2__)
+  const __m128i sought = _mm_set1_epi32(static_cast<int>(slot));
+  const auto four = [&](std::uint32_t i) {
+    return _mm_cmpeq_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(slots + i)), sought);
+  };
+  const auto eight = [&](std::uint32_t i) { return _mm_packs_epi32(four(i), four(i + 4)); };
+  const __m128i last = count == 16 ? eight(count - 8) : _mm_setzero_si128();
+  return static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(eight(0), last)));
+#else
+  std::uint32_t places = 0;
+  for (std::uint32_t i = 0; i < count; ++i) places |= static_cast<std::uint32_t>(slots[i] == slot) << i;
+  return places;
+#endif
 }
 
 }  // namespace hardball

@@ -95,9 +95,7 @@ class SlotLists {
   static std::uint32_t places_in(const Line& line, Slot slot) {
     static_assert(sizeof(Line) == 16 * sizeof(Slot));
     constexpr std::uint32_t kBefore = 2;  // the count and the link
-    Slot words[16];
-    std::memcpy(words, &line, sizeof words);
-    return places_of<16>(slot, words) >> kBefore & ((1U << line.count) - 1);
+    return places_of<16>(slot, reinterpret_cast<const Slot*>(&line)) >> kBefore & ((1U << line.count) - 1);
   }
 
   // The second line of a list whose first is full.
