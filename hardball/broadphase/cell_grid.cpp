@@ -135,7 +135,7 @@ double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, c
   const float radius = copies.radius(slot);
   float least = std::numeric_limits<float>::infinity();
   Face face = 0;
-  bool is_usual = suits_single_precision_;
+  bool is_usual = suits_single_precision_ & copies.is_bounded(slot);
   for_each_axis([&](auto axis) {
     const float velocity = path.velocity[axis];
     const bool up = !std::signbit(velocity);
