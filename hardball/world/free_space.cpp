@@ -97,14 +97,6 @@ void FreeSpace::exclude(const Vec3& center, double radius) {
   }
 }
 
-bool FreeSpace::is_excluded(const Vec3& center) const {
-  const auto index = [&](std::size_t axis) {
-    const auto at = static_cast<std::int64_t>((center[axis] - low_[axis]) * inverse_edge_[axis]);
-    return std::min(at, count_[axis] - 1);
-  };
-  return is_excluded(index(0), index(1), index(2));
-}
-
 void FreeSpace::list() {
   is_listed_ = true;
   for (std::int64_t z = 0; z < count_[2]; ++z) {

@@ -120,7 +120,7 @@ class SequentialAddition {
     std::size_t per_sphere;
   };
   // Fine ones cost more, which is worth it where there is little room.
-  static constexpr Voxels kCoarseVoxels{2, 128};
+  static constexpr Voxels kCoarseVoxels{2.5, 256};
   static constexpr Voxels kFineVoxels{3, 512};
   // Centres tried anywhere before voxels with room are listed, and then among these.
   static constexpr int kTriesAnywhere = 20000;
@@ -129,10 +129,8 @@ class SequentialAddition {
   std::optional<Vec3> draw_anywhere(double radius) {
     const Region centers = region_for_centers(box_, region_, radius);
     for (int i = 0; i < kTriesAnywhere; ++i) {
-      Vec3 center;
-      for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
-        center[axis] = centers.low[axis] + random_.uniform() * (centers.high[axis] - centers.low[axis]);
-      }
+      look_ahead(centers);
+      const Vec3 center = draw_in(centers, random_);
       if (space_ && space_->is_excluded(center)) continue;
       if (is_allowed_ && !is_allowed_(center, radius)) continue;
       const bool overlaps =
@@ -144,6 +142,24 @@ class SequentialAddition {
       if (!space_ && ++failed_tries_ > placed_.size()) make_space(radius, kCoarseVoxels);
     }
     return std::nullopt;
+  }
+
+  Vec3 draw_in(const Region& centers, Random& random) const {
+    Vec3 center;
+    for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
+      center[axis] = centers.low[axis] + random.uniform() * (centers.high[axis] - centers.low[axis]);
+    }
+    return center;
+  }
+
+  // Fetches from memory what is known of the centres drawn next. Their numbers are drawn once more when it is
+  // their turn.
+  void look_ahead(const Region& centers) {
+    for (; looked_ahead_ < kAhead; ++looked_ahead_) {
+      const Vec3 center = draw_in(centers, ahead_);
+      if (space_) space_->prefetch(center);
+    }
+    --looked_ahead_;
   }
 
   std::optional<Vec3> draw_listed(double radius) {
@@ -191,6 +207,9 @@ class SequentialAddition {
   Neighborhood placed_;
   std::optional<FreeSpace> space_;  // once tries have failed
   std::size_t failed_tries_ = 0;    // since then
+  static constexpr int kAhead = 32;
+  int looked_ahead_ = 0;    // by so many centres
+  Random ahead_ = random_;  // as it will be then, as long as centres are drawn anywhere
 };
 
 // Reports the progress of placement by the work done: the nearer to saturation, the longer a sphere takes.
