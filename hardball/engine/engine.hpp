@@ -283,6 +283,7 @@ class Engine {
     images_.assign(are_nearest_ ? 0 : world_.size(), Image{});
     plans_.assign(world_.size(), Plan{});
     is_cached_ = world_.size() <= Phase::kCachedSpheres;
+    are_alike_ = world_.are_alike();
     has_walls_ = has_walls(world_);
     has_images_of_obstacles_ = has_images_of_obstacles(world_);
     has_passing_pairs_ = world_.has_passing_pairs();
@@ -364,6 +365,7 @@ class Engine {
 
   void prefetch_regions(Slot slot) const {
     world_.prefetch(slot);
+    if (!are_alike_) world_.prefetch_size(slot);
     compact_.prefetch(slot);
     phase_.prefetch_region(slot);
   }
@@ -715,6 +717,7 @@ class Engine {
   bool are_nearest_ = true;
   bool is_cached_ = true;          // prefetching all data ahead does not pay
   std::int64_t bucket_seen_ = -1;  // the last for which data has been prefetched
+  bool are_alike_ = true;          // all spheres, in radius and mass
   bool has_walls_ = false;
   bool has_images_of_obstacles_ = false;
   bool has_passing_pairs_ = false;

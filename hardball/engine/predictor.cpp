@@ -68,8 +68,9 @@ BoundedContacts Predictor::bound_with_care(const CompactPaths& copies, const Can
       for (std::size_t i = 0; i < count; ++i) note(base, others[i]);
       continue;
     }
-    const BoundKeys keys = kernels_->bound_contacts(copies.scale(), copies.paths().data(), copies.radii(),
-                                                    {.self = self, .others = others, .count = count});
+    const BoundKeys keys =
+        kernels_->bound_contacts(copies.scale(), copies.paths().data(), copies.radii_for_bounds(),
+                                 {.self = self, .others = others, .count = count});
     for (const std::uint32_t key : {keys.first, keys.second}) {
       if (!BoundKeys::touches(key)) break;
       note(base + copies.time_unit() * static_cast<double>(BoundKeys::wait(key)),

@@ -111,8 +111,8 @@ class Predictor {
     const double base = rounded_down(now);
     if (!is_usual(copies, candidates)) [[unlikely]]
       return bound_with_care(copies, candidates, base);
-    const BoundKeys keys =
-        kernels_->bound_contacts(copies.scale(), copies.paths().data(), copies.radii(), query_of(candidates));
+    const BoundKeys keys = kernels_->bound_contacts(copies.scale(), copies.paths().data(),
+                                                    copies.radii_for_bounds(), query_of(candidates));
     return contacts_of(keys, copies, candidates, base);
   }
 
@@ -124,7 +124,7 @@ class Predictor {
       return {bound(copies, one, now), bound(copies, other, now)};
     const double base = rounded_down(now);
     const std::array<BoundKeys, 2> keys = kernels_->bound_contacts_of_two(
-        copies.scale(), copies.paths().data(), copies.radii(), query_of(one), query_of(other));
+        copies.scale(), copies.paths().data(), copies.radii_for_bounds(), query_of(one), query_of(other));
     return {contacts_of(keys[0], copies, one, base), contacts_of(keys[1], copies, other, base)};
   }
 

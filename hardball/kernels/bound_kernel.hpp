@@ -15,17 +15,19 @@ namespace hardball {
 /// What the numbers of compact paths mean, and what bounds allow for their errors, in units of these paths.
 /// Source: docs/bounds.md, where the names are those of the proof.
 struct BoundScale {
-  float common_reach = 0;          ///< If all radii are alike, the sum of two, with the allowance [L].
-  std::array<float, 3> grid{};     ///< The step of the grid along each axis [L].
-  float tick = 0;                  ///< [T]
-  bool has_gravity = false;        ///< Whether paths are parabolas.
-  std::array<float, 3> gravity{};  ///< [L/T^2]
-  float reach_allowance = 0;       ///< Added to the sum of two radii: error of a separation [L].
-  float square_allowance = 0;      ///< Subtracted from a squared distance [L^2].
-  float approach_allowance = 0;    ///< k_b: subtracted from separation times velocity [L^2/T].
-  float speed_allowance = 0;       ///< G: subtracted from a squared relative velocity [L^2/T^2].
-  float excess_allowance = 0;      ///< kappa, of the discriminant [L^2].
-  float least_discriminant = 0;    ///< D_0 [L^4/T^2].
+  bool are_radii_alike = true;                     ///< Whether all radii are equal.
+  float common_reach = 0;                          ///< Then the sum of two, with the allowance [L].
+  std::array<float, CompactPath::kRadii> radii{};  ///< Rounded up, if there are no more different ones [L].
+  std::array<float, 3> grid{};                     ///< The step of the grid along each axis [L].
+  float tick = 0;                                  ///< [T]
+  bool has_gravity = false;                        ///< Whether paths are parabolas.
+  std::array<float, 3> gravity{};                  ///< [L/T^2]
+  float reach_allowance = 0;     ///< Added to the sum of two radii: error of a separation [L].
+  float square_allowance = 0;    ///< Subtracted from a squared distance [L^2].
+  float approach_allowance = 0;  ///< k_b: subtracted from separation times velocity [L^2/T].
+  float speed_allowance = 0;     ///< G: subtracted from a squared relative velocity [L^2/T^2].
+  float excess_allowance = 0;    ///< kappa, of the discriminant [L^2].
+  float least_discriminant = 0;  ///< D_0 [L^4/T^2].
 };
 
 /// The least two of the lower bounds of the waits until a sphere touches its candidates, of different ones,
@@ -56,8 +58,8 @@ struct BoundQuery {
 };
 
 /// Bounds the waits of a sphere, from the moment at which its path was copied, until it touches others. Paths
-/// are by slot, and so are radii [L], rounded up; null if all are alike. A bound may differ in its last bits
-/// between instruction sets: contact times are never computed from it.
+/// are by slot, and so are radii [L], rounded up; null if `scale` has them. A bound may differ in its last
+/// bits between instruction sets: contact times are never computed from it.
 using BoundKernel = BoundKeys (*)(const BoundScale& scale, const CompactPath* paths, const float* radii,
                                   const BoundQuery& query);
 

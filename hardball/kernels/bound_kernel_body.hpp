@@ -17,7 +17,7 @@ namespace hardball {
 
 template <class Floats>
 struct CompactPathsOfLanes {
-  typename Floats::Integers x, y, z, tick;
+  typename Floats::Integers x, y, z, tick, revision;
   VectorOfLanes<Floats> velocity;
 };
 
@@ -33,7 +33,10 @@ struct BoundedSphere {
         tick(path.tick),
         self(static_cast<std::int32_t>(slot)),
         velocity{Floats(path.velocity[0]), Floats(path.velocity[1]), Floats(path.velocity[2])},
-        reach(radii == nullptr ? scale.common_reach : radii[slot] + scale.reach_allowance) {}
+        reach(scale.are_radii_alike
+                  ? scale.common_reach
+                  : (radii == nullptr ? scale.radii[path.revision % CompactPath::kRadii] : radii[slot]) +
+                        scale.reach_allowance) {}
 
   Integers x, y, z, tick, self;
   VectorOfLanes<Floats> velocity;
@@ -74,7 +77,11 @@ HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& s
     return multiply_add(a.x, b.x, multiply_add(a.y, b.y, multiply_add(a.z, b.z, addend)));
   };
   Floats reach = own.reach;
-  if (radii != nullptr) reach = reach + Floats::gather(radii, others);
+  if (radii != nullptr) {
+    reach = reach + Floats::gather(radii, others);
+  } else if (!scale.are_radii_alike) {
+    reach = reach + Floats::pick(scale.radii.data(), other.revision);
+  }
 
   // Each coefficient is no larger than that of the true quadratic.
   const Floats approach = dot_plus(r, v, Floats(-scale.approach_allowance));

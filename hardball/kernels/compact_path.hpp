@@ -17,7 +17,11 @@ struct alignas(32) CompactPath {
   std::array<std::int32_t, 3> place{};  ///< Of the centre at `tick`, modulo 2^32 steps of the grid.
   std::int32_t tick = 0;                ///< When, modulo 2^32 ticks.
   std::array<float, 3> velocity{};      ///< NaN if too fast to be bounded.
-  std::uint32_t revision = 0;           ///< Eight times how often the path has changed, modulo 2^32.
+  /// Eight times how often the path has changed, modulo 2^32, plus the place of its sphere's radius among up
+  /// to eight.
+  std::uint32_t revision = 0;
+
+  static constexpr std::uint32_t kRadii = 8;
 
   /// Copies all but the revision. Kernels load the two halves, often just after they have been written: if
   /// that was done number by number, the load would have to wait until all are in the cache.

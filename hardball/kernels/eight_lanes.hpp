@@ -76,6 +76,11 @@ struct Floats {
                           values[at[5]], values[at[6]], values[at[7]]);
   }
 
+  // Each lane's number modulo eight says which of eight values.
+  static Floats pick(const float* eight, const Integers& which) {
+    return _mm256_permutevar8x32_ps(_mm256_loadu_ps(eight), which.v);
+  }
+
   // Four numbers of single precision at an address, from each of eight structures: rows (0, 4), (1, 5), (2,
   // 6) and (3, 7) are transposed.
   struct Four {
@@ -118,6 +123,7 @@ struct Floats {
     out.tick = _mm256_castps_si256(place.d);
     const Four velocity = transposed(from, 4);
     out.velocity = {velocity.a, velocity.b, velocity.c};
+    out.revision = _mm256_castps_si256(velocity.d);
   }
 
   __m256 v;

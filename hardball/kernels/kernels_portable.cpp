@@ -151,6 +151,10 @@ struct Floats {
   static Floats gather(const float* values, const std::uint32_t* at) {
     return Vector{values[at[0]], values[at[1]], values[at[2]], values[at[3]]};
   }
+  // Each lane's number modulo eight says which of eight values.
+  static Floats pick(const float* eight, const Integers& which) {
+    return Vector{eight[which.v[0] % 8], eight[which.v[1] % 8], eight[which.v[2] % 8], eight[which.v[3] % 8]};
+  }
   static void load(const CompactPath* paths, const std::uint32_t* at, CompactPathsOfLanes<Floats>& out) {
     const auto integers = [&](const auto& member) {
       const auto of = [&](int lane) { return static_cast<std::uint32_t>(member(paths[at[lane]])); };
@@ -164,6 +168,7 @@ struct Floats {
     out.y = integers([](const CompactPath& path) { return path.place[1]; });
     out.z = integers([](const CompactPath& path) { return path.place[2]; });
     out.tick = integers([](const CompactPath& path) { return path.tick; });
+    out.revision = integers([](const CompactPath& path) { return path.revision; });
     out.velocity = {velocities(0), velocities(1), velocities(2)};
   }
 

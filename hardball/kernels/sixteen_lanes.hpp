@@ -66,6 +66,10 @@ struct Floats {
   static Floats gather(const float* values, const std::uint32_t* at) {
     return _mm512_i32gather_ps(_mm512_loadu_si512(at), values, sizeof(float));
   }
+  // Each lane's number modulo eight says which of eight values.
+  static Floats pick(const float* eight, const Integers& which) {
+    return _mm512_permutexvar_ps(which.v, _mm512_broadcast_f32x8(_mm256_loadu_ps(eight)));
+  }
 
   // Rows of eight numbers are transposed in four by four: in each result places are in the even quarters and
   // velocities in the odd ones.
@@ -104,6 +108,7 @@ struct Floats {
     out.tick = _mm512_castps_si512(_mm512_shuffle_f32x4(low.d, high.d, kEven));
     out.velocity = {_mm512_shuffle_f32x4(low.a, high.a, kOdd), _mm512_shuffle_f32x4(low.b, high.b, kOdd),
                     _mm512_shuffle_f32x4(low.c, high.c, kOdd)};
+    out.revision = _mm512_castps_si512(_mm512_shuffle_f32x4(low.d, high.d, kOdd));
   }
 
   __m512 v;

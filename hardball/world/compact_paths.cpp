@@ -108,15 +108,29 @@ void CompactPaths::choose_units(const World& world) {
   scale_.speed_allowance = rounded_up(0x1p-44 * w * w);
   scale_.excess_allowance = rounded_up(0x1p-19 * l * l);
   scale_.least_discriminant = rounded_up(0x1p-60 * l * l * w * w);
+  copy_radii(world);
+}
+
+void CompactPaths::copy_radii(const World& world) {
+  const auto copied = [this](double radius) { return rounded_up(radius / length_unit_); };
+  const float first = world.size() > 0 ? copied(world.radius(0)) : 0;
   radii_.clear();
-  if (world.radii().is_common()) {
-    radius_ = world.size() > 0 ? rounded_up(world.radius(0) / length_unit) : 0;
-    scale_.common_reach = radius_ + radius_ + scale_.reach_allowance;
-    return;
+  if (!world.radii().is_common()) radii_.resize(world.size());
+  scale_.radii.fill(first);
+  scale_.are_radii_alike = radii_.empty();
+  scale_.common_reach = first + first + scale_.reach_allowance;
+  std::size_t kinds = 1;
+  are_radii_few_ = true;
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    std::size_t kind = 0;
+    if (!radii_.empty()) {
+      const float radius = radii_[slot] = copied(world.radius(slot));
+      while (kind < kinds && scale_.radii[kind] != radius) ++kind;
+      are_radii_few_ &= kind < CompactPath::kRadii;
+      if (kind == kinds && are_radii_few_) scale_.radii[kinds++] = radius;
+    }
+    paths_[slot].revision = revision(slot) + static_cast<std::uint32_t>(kind % CompactPath::kRadii);
   }
-  radii_.resize(world.size());
-  for (Slot slot = 0; slot < world.size(); ++slot)
-    radii_[slot] = rounded_up(world.radius(slot) / length_unit);
 }
 
 // Until then the sphere moves no farther than l, counting its rise and its fall apart.

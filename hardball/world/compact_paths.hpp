@@ -57,11 +57,14 @@ class CompactPaths {
   bool is_bounded(Slot slot) const { return !std::isnan(paths_[slot].velocity[0]); }
 
   /// Notes that a path has changed; returns its new revision.
-  std::uint32_t note_change(Slot slot) { return paths_[slot].revision += kRevision; }
+  std::uint32_t note_change(Slot slot) {
+    paths_[slot].revision += kRevision;
+    return revision(slot);
+  }
   /// How often a path has changed, modulo 2^29, times kRevision.
-  std::uint32_t revision(Slot slot) const { return paths_[slot].revision; }
+  std::uint32_t revision(Slot slot) const { return paths_[slot].revision & ~(kRevision - 1); }
   /// One revision: three bits remain for other purposes.
-  static constexpr std::uint32_t kRevision = 8;
+  static constexpr std::uint32_t kRevision = CompactPath::kRadii;
 
   /// How long the copy of any moving sphere is good [T]; zero if that depends on the sphere.
   double longest_age() const { return longest_age_of_all_; }
@@ -83,7 +86,11 @@ class CompactPaths {
   double time_unit() const { return time_unit_; }
   /// Radii by slot, in units, rounded up; null if all are `radius(0)`.
   const float* radii() const { return radii_.empty() ? nullptr : radii_.data(); }
-  float radius(Slot slot) const { return radii_.empty() ? radius_ : radii_[slot]; }
+  /// The same for bounds; null if scale() has all.
+  const float* radii_for_bounds() const { return are_radii_few_ ? nullptr : radii(); }
+  float radius(Slot slot) const {
+    return are_radii_few_ ? scale_.radii[paths_[slot].revision % CompactPath::kRadii] : radii_[slot];
+  }
   /// From a point to the place of a copy along an axis: the nearest image [L].
   double apart(const std::array<std::int32_t, 3>& from, Slot slot, std::size_t axis) const {
     const auto steps =
@@ -107,13 +114,14 @@ class CompactPaths {
   }
 
   void choose_units(const World& world);
+  void copy_radii(const World& world);
   double longest_age_of_falling(Slot slot) const;
   void note_unbounded(CompactPath& copy, const Vec3& place);
 
   LargeVector<CompactPath> paths_;  // by slot
   LargeVector<float> radii_;        // by slot, in units, rounded up; empty if all are alike
   BoundScale scale_;
-  float radius_ = 0;
+  bool are_radii_few_ = true;
   double per_speed_ = 1;
   double farthest_ = 1;
   double length_unit_ = 1;

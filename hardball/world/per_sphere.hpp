@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hardball/events/event.hpp"
+#include "hardball/memory/prefetch.hpp"
 
 namespace hardball {
 
@@ -24,6 +25,9 @@ class PerSphere {
   double common() const { return common_; }
   /// The numbers by slot; empty if is_common().
   std::span<const double> each() const { return each_; }
+
+  /// Precondition: not is_common().
+  void prefetch(Slot slot) const { hardball::prefetch(&each_[slot]); }
 
   void push_back(double value) {
     if (size_ == 0) common_ = value;

@@ -138,6 +138,13 @@ class World {
     hardball::prefetch(&ids_[slot]);
     hardball::prefetch(&paths_[slot]);
   }
+  /// The same for its radius and mass, of which each has its own.
+  void prefetch_size(Slot slot) const {
+    if (!radii_.is_common()) radii_.prefetch(slot);
+    if (!masses_.is_common()) masses_.prefetch(slot);
+  }
+  /// Whether all spheres have the same radius and mass.
+  bool are_alike() const { return radii_.is_common() && masses_.is_common(); }
 
   /// Whether a sphere has this id. Cost: O(log n).
   bool contains(SphereId id) const;
