@@ -31,14 +31,19 @@ class CellBlock {
   }
 
   /// The list of a cell.
-  std::uint32_t list(std::uint32_t cell) const {
-    return table_.list_at(parts_[0][cell >> 2] + parts_[1][(cell >> 1) & 1] + parts_[2][cell & 1]);
-  }
+  std::uint32_t list(std::uint32_t cell) const { return table_.list_at(sum(cell)); }
 
   /// Calls visit(list) for a set of cells.
   template <class Visit>
   void for_each_list(std::uint32_t cells, Visit&& visit) const {
-    for (; cells != 0; cells &= cells - 1) visit(list(static_cast<std::uint32_t>(std::countr_zero(cells))));
+    const auto for_each_cell = [cells](auto&& visit_cell) {
+      for (std::uint32_t left = cells; left != 0; left &= left - 1) {
+        visit_cell(static_cast<std::uint32_t>(std::countr_zero(left)));
+      }
+    };
+    if (table_.is_shared()) [[unlikely]]
+      return for_each_cell([&](std::uint32_t cell) { visit(list(cell)); });
+    for_each_cell([&](std::uint32_t cell) { visit(sum(cell)); });
   }
 
   /// Cell `from` and its upper neighbours along `axes`, none of which `from` contains.
@@ -56,6 +61,10 @@ class CellBlock {
  private:
   static constexpr std::array<std::uint8_t, kCells> kAboveLowest{0x01, 0x03, 0x05, 0x0f,
                                                                  0x11, 0x33, 0x55, 0xff};
+
+  std::uint32_t sum(std::uint32_t cell) const {
+    return parts_[0][cell >> 2] + parts_[1][(cell >> 1) & 1] + parts_[2][cell & 1];
+  }
 
   const CellTable& table_;
   std::array<std::array<std::uint32_t, 2>, kAxes> parts_;
