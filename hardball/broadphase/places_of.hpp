@@ -3,10 +3,7 @@
 #pragma once
 
 #include <cstdint>
-
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
+#include <cstring>
 
 #include "hardball/events/event.hpp"
 
@@ -17,14 +14,18 @@ namespace hardball {
 template <std::uint32_t count>
 std::uint32_t places_of(Slot slot, const Slot* slots) {
   static_assert(count == 8 || count == 16);
-#if defined(__SSE2__)
-  const __m128i sought = _mm_set1_epi32(static_cast<int>(slot));
+#if defined(__SSE2__) && defined(__GNUC__)
+  using Four = int __attribute__((vector_size(16)));
+  const auto sought = static_cast<int>(slot);
   const auto four = [&](std::uint32_t i) {
-    return _mm_cmpeq_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(slots + i)), sought);
+    Four found;
+    std::memcpy(&found, slots + i, sizeof found);
+    return found == Four{sought, sought, sought, sought};
   };
-  const auto eight = [&](std::uint32_t i) { return _mm_packs_epi32(four(i), four(i + 4)); };
-  const __m128i last = count == 16 ? eight(count - 8) : _mm_setzero_si128();
-  return static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(eight(0), last)));
+  const auto eight = [&](std::uint32_t i) { return __builtin_ia32_packssdw128(four(i), four(i + 4)); };
+  const auto first = eight(0);
+  const auto last = count == 16 ? eight(count - 8) : first ^ first;
+  return static_cast<std::uint32_t>(__builtin_ia32_pmovmskb128(__builtin_ia32_packsswb128(first, last)));
 #else
   std::uint32_t places = 0;
   for (std::uint32_t i = 0; i < count; ++i) places |= static_cast<std::uint32_t>(slots[i] == slot) << i;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "hardball/broadphase/cell_table.hpp"
+#include "hardball/broadphase/subdivision.hpp"
 #include "hardball/tuning/cell_axes.hpp"
 #include "hardball/tuning/kinetic_theory.hpp"
 #include "hardball/tuning/row_surplus.hpp"
@@ -83,6 +85,15 @@ double shared_cells_in_row(const CellAxes& axes, double diameter, const Separati
   return 1 + (1 - mean.one) * (x + y) + (1 - 2 * mean.one + mean.two) * x * y;
 }
 
+// The spheres of other cells in the list of a cell, each in so many cells.
+double found_elsewhere(const Moments& moments, double edge, double cells) {
+  constexpr std::int32_t kMostCellsPerAxis = 1 << 28;
+  const Subdivision subdivision(moments.box, edge, kMostCellsPerAxis);
+  const CellTable table(subdivision.shape(), moments.spheres);
+  if (!table.is_shared()) return 0;
+  return static_cast<double>(moments.spheres) * cells / static_cast<double>(table.size());
+}
+
 }  // namespace
 
 CellCounts expected_counts(const Moments& moments, double edge) {
@@ -137,7 +148,9 @@ CellCounts expected_counts(const Moments& moments, double edge) {
   };
   double others = density * mean_region(axes, surplus, one);
   for (std::size_t axis = 0; axis < kAxes; ++axis) others *= repeated(axis);
-  const double in_cells = (is_once ? 0 : rows) + shared * others;
+  // Where cells share lists, their spheres are found in each.
+  const double elsewhere = found_elsewhere(moments, edge, at_any_time * rows);
+  const double in_cells = (is_once ? 0 : rows) + shared * others + rows * elsewhere;
   // Spheres nearby share several cells; some are missing there.
   const double held = at_any_time / after_wall;
   const double missing = is_once ? 1 : held * shared_cells(axes, diameter, overlapping);
@@ -147,7 +160,8 @@ CellCounts expected_counts(const Moments& moments, double edge) {
       std::max(1.0, after_collision * in_cells + (is_once ? 1 : shared_cells(axes, diameter, in_contact)) +
                         missing * (excess_about_pair(moments) - 1));
   if (walls > 0) {
-    const double in_cells_at_wall = (is_once ? 0 : rows_at_wall) + shared_at_wall * others;
+    const double in_cells_at_wall =
+        (is_once ? 0 : rows_at_wall) + shared_at_wall * others + rows_at_wall * elsewhere;
     counts.candidates_after_wall = std::max(0.0, after_wall * in_cells_at_wall / walls + excess);
   }
   counts.candidates_at_any_time = std::max(0.0, at_any_time * in_cells + excess);
@@ -161,7 +175,7 @@ CellCounts expected_counts(const Moments& moments, double edge) {
     counts.cells_entered += rate * entered;
     // Half of the volume around a sphere lies in the row ahead.
     const double near = is_once ? 1 : held * shared_cells_in_row(axes, diameter, overlapping, axis);
-    const double in_row = entered * others / repeated(axis) * shared / rows;
+    const double in_row = entered * (others / repeated(axis) * shared / rows + elsewhere);
     counts.candidates_after_enter += rate * (in_row + near / 2 * excess_about_sphere(moments));
   }
   if (counts.enter > 0) {
