@@ -85,7 +85,11 @@ std::set<Partner> candidates_of(const Copying<Phase>& phase, const World& world,
   Candidates candidates;
   phase.collect(world, slot, candidates);
   EXPECT_EQ(candidates.self(), slot);
-  return partners(candidates, world, now);
+  std::set<Partner> found = partners(candidates, world, now);
+  // Where cells share lists, others are collected, too.
+  std::erase_if(found,
+                [&](const Partner& partner) { return !phase.phase().are_candidates(slot, partner.first); });
+  return found;
 }
 
 // All spheres and images whose surface touches that of the sphere now, found by searching several boxes in
