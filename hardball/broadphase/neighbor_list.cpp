@@ -256,7 +256,7 @@ bool NeighborList::are_near(Slot a, Slot b, const CompactPaths& copies) const {
 
 // Each row of cells along each axis contributes to the number of a list and to the offset of its cell.
 std::size_t NeighborList::find_cells_around(const Anchor& anchor, CellsAround& around) const {
-  using Four = std::int32_t __attribute__((vector_size(16)));
+  using Four = std::uint32_t __attribute__((vector_size(16)));  // modulo 2^32
   static_assert(sizeof(CellNearby) == sizeof(Four));
   std::array<std::array<Four, 3>, kAxes> rows;
   std::array<std::size_t, kAxes> counts{};
@@ -267,8 +267,8 @@ std::size_t NeighborList::find_cells_around(const Anchor& anchor, CellsAround& a
       if (row < cells_.first(axis) || row > cells_.last(axis)) [[unlikely]]
         continue;
       Four part{};
-      part[0] = static_cast<std::int32_t>(table_.part(axis, cells_.folded(axis, row)));
-      part[axis + 1] = step * packing_[axis].units_of_cell - own[axis];
+      part[0] = table_.part(axis, cells_.folded(axis, row));
+      part[axis + 1] = static_cast<std::uint32_t>(step * packing_[axis].units_of_cell - own[axis]);
       rows[axis][counts[axis]++] = part;
     }
   });
