@@ -25,12 +25,10 @@ namespace hardball {
 /// - `refresh(world, slot, now, folded)` updates the region of a sphere whose path was rewritten at `now`;
 ///   its centre has been folded back by `folded` boxes.
 /// - `collect(world, slot, candidates)` collects every candidate of a sphere, some perhaps more than once,
-/// and
-///   perhaps others, which may be far away.
+///   and others, which may be far away.
 /// - `next_crossing(world, slot, now, copies)` is a time before which the sphere stays in its region [T]; for
 ///   a sphere at rest, perhaps any time after its copy expires.
-/// - `are_candidates(a, b)`: whether two spheres that were collected are candidates of each other, for
-/// checks.
+/// - `are_candidates(a, b)`: whether two spheres that were collected are candidates, for checks.
 /// - `has_nearest_images()`: whether candidates mean the nearest images of spheres.
 /// - `cross(world, slot, now, copies, candidates)` gives it the next region and collects the new candidates,
 ///   and perhaps others.
