@@ -20,7 +20,7 @@ constexpr double kMargin = 1e-6;
 
 void AllPairs::build(const World& world, const Time& now, CompactPaths& copies) {
   copies.reset(world, 1, now);
-  middles_.assign(world.size(), Vec3{});
+  reset(lines_, world);
   for (Slot slot = 0; slot < world.size(); ++slot) center_interval(world, slot, now);
 }
 
@@ -33,7 +33,7 @@ AllPairs::Images AllPairs::images_within_reach(const World& world, Slot slot, Sl
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_periodic(axis)) continue;
     const double size = world.box().size()[axis];
-    const double apart = middles_[other][axis] - middles_[slot][axis];
+    const double apart = lines_[other].region[axis] - lines_[slot].region[axis];
     const double reach = 2 * kHalfInterval * size + world.radius(slot) + world.radius(other) + kMargin * size;
     images.low[axis] = static_cast<std::int32_t>(std::ceil((-reach - apart) / size));
     images.high[axis] = static_cast<std::int32_t>(std::floor((reach - apart) / size));
@@ -65,12 +65,13 @@ void AllPairs::cross(const World& world, Slot slot, const Time& now, const Compa
 }
 
 void AllPairs::center_interval(const World& world, Slot slot, const Time& now) {
-  middles_[slot] = world.unfolded_position(slot, now);
-  static_cast<void>(world.box().boxes_beyond(middles_[slot]));  // throws if it has crossed too many boxes
+  lines_[slot].region = world.unfolded_position(slot, now);
+  static_cast<void>(
+      world.box().boxes_beyond(lines_[slot].region));  // throws if it has crossed too many boxes
 }
 
 double AllPairs::next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&) const {
-  const Vec3 moved = world.unfolded_position(slot, now) - middles_[slot];
+  const Vec3 moved = world.unfolded_position(slot, now) - lines_[slot].region;
   const Vec3 velocity = world.velocity(slot, now);
   double soonest = std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -84,9 +85,9 @@ double AllPairs::next_crossing(const World& world, Slot slot, const Time& now, c
 }
 
 void AllPairs::validate(const World& world, const Time& now, const CompactPaths&) const {
-  HARDBALL_CHECK(middles_.size() == world.size());
+  HARDBALL_CHECK(lines_.size() == world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    const Vec3 moved = world.unfolded_position(slot, now) - middles_[slot];
+    const Vec3 moved = world.unfolded_position(slot, now) - lines_[slot].region;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (!world.box().is_periodic(axis)) continue;
       HARDBALL_CHECK(std::fabs(moved[axis]) <= (kHalfInterval + kMargin / 2) * world.box().size()[axis]);

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
+#include <cstdint>
 
 #include "hardball/broadphase/broad_phase.hpp"
+#include "hardball/broadphase/sphere_lines.hpp"
 
 namespace hardball {
 
@@ -20,6 +21,8 @@ class AllPairs {
   void collect(const World& world, Slot slot, Candidates& candidates) const;
   double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&) const;
   bool are_candidates(Slot, Slot) const { return true; }
+  auto& lines() { return lines_; }
+  const auto& lines() const { return lines_; }
   bool has_nearest_images() const { return false; }
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths&, Candidates& candidates);
   static constexpr std::size_t kCachedSpheres = SIZE_MAX;
@@ -27,7 +30,7 @@ class AllPairs {
   void prefetch_lists(Slot, bool) const {}
   void prefetch_candidates(Slot, bool, const CompactPaths&) const {}
   std::uint64_t left_count() const { return 0; }
-  std::size_t memory_bytes() const { return middles_.capacity() * sizeof(Vec3); }
+  std::size_t memory_bytes() const { return lines_.capacity() * sizeof(lines_[0]); }
   void validate(const World& world, const Time& now, const CompactPaths&) const;
 
  private:
@@ -39,7 +42,7 @@ class AllPairs {
   Images images_within_reach(const World& world, Slot slot, Slot other) const;
   void center_interval(const World& world, Slot slot, const Time& now);
 
-  std::vector<Vec3> middles_;  // of the intervals
+  SphereLines<Vec3> lines_;  // with the middles of the intervals
 };
 
 static_assert(BroadPhase<AllPairs>);

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "hardball/broadphase/candidates.hpp"
+#include "hardball/events/plan.hpp"
 #include "hardball/world/compact_paths.hpp"
 #include "hardball/world/world.hpp"
 
@@ -29,6 +30,8 @@ namespace hardball {
 /// - `next_crossing(world, slot, now, copies)` is a time before which the sphere stays in its region [T]; for
 ///   a sphere at rest, perhaps any time after its copy expires.
 /// - `are_candidates(a, b)`: whether two spheres that were collected are candidates, for checks.
+/// - `lines()`: a SphereLine for each sphere since `build`, with the region that the broad phase keeps in it
+///   and the plan that the engine does.
 /// - `has_nearest_images()`: whether candidates mean the nearest images of spheres.
 /// - `cross(world, slot, now, copies, candidates)` gives it the next region and collects the new candidates,
 ///   and perhaps others.
@@ -48,6 +51,8 @@ concept BroadPhase = requires(Phase phase, const Phase& view, const World& world
   view.collect(world, slot, candidates);
   { phase.next_crossing(world, slot, now, copied) } -> std::same_as<double>;
   { view.are_candidates(slot, slot) } -> std::same_as<bool>;
+  { (phase.lines()[slot].plan) } -> std::same_as<Plan&>;
+  { (view.lines()[slot].id) } -> std::same_as<const SphereId&>;
   { view.has_nearest_images() } -> std::same_as<bool>;
   phase.cross(world, slot, now, copied, candidates);
   { Phase::kCachedSpheres } -> std::convertible_to<std::size_t>;

@@ -48,12 +48,12 @@ void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) 
     steps_of_cell_[axis] = static_cast<std::uint64_t>(std::ldexp(std::min(steps, 0x1p31), 32));
     margin_[axis] = static_cast<float>(cells_.reach(axis, 0) / copies.length_unit());
   }
-  regions_.assign(world.size(), Region{});
+  reset(lines_, world);
   left_count_ = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
     if (!holds(world, slot)) continue;
     const CellRange range = range_at(world, slot, now);
-    regions_[slot].take(range);
+    lines_[slot].region.take(range);
     for_each_list(range, [&](std::uint32_t list) { lists_.insert(list, slot); });
   }
 }
@@ -114,15 +114,15 @@ void CellGrid::refresh(const World& world, Slot slot, const Time& now, const Ima
 
 void CellGrid::refresh_range(const World& world, Slot slot, const Time& now, const Image& folded) {
   const CellRange range = range_at(world, slot, now);
-  const CellRange old = regions_[slot].range();
+  const CellRange old = lines_[slot].region.range();
   if (folded.is_zero() && old.contains(range.low) && old.contains(range.high)) {
     leave(slot, old, range);
-    regions_[slot].take(range);
+    lines_[slot].region.take(range);
     return;
   }
   for_each_list(old, [&](std::uint32_t list) { lists_.erase(list, slot); });
   for_each_list(range, [&](std::uint32_t list) { lists_.insert(list, slot); });
-  regions_[slot].take(range);
+  lines_[slot].region.take(range);
 }
 
 // From the copy of the path, in single precision: for spheres of up to four edges, place, differences and
@@ -130,7 +130,7 @@ void CellGrid::refresh_range(const World& world, Slot slot, const Time& now, con
 double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
   // Slower components may have been rounded to zero.
   constexpr float kSlow = 0x1p-100F;
-  Region& region = regions_[slot];
+  Region& region = lines_[slot].region;
   const CompactPath& path = copies.paths()[slot];
   const float radius = copies.radius(slot);
   float least = std::numeric_limits<float>::infinity();
@@ -158,7 +158,7 @@ double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, c
 }
 
 double CellGrid::next_crossing_of_any(const World& world, Slot slot, const Time& now) {
-  Region& region = regions_[slot];
+  Region& region = lines_[slot].region;
   const CellCrossing next = cells_.next_enter(world.unfolded_position(slot, now), world.velocity(slot, now),
                                               world.motion().gravity(), world.radius(slot), region.range());
   region.crossed_face = static_cast<std::uint8_t>(face_of(next.axis, next.up));
@@ -177,7 +177,7 @@ void CellGrid::cross(const World& world, Slot slot, const Time& now, const Compa
 }
 
 void CellGrid::cross_range(const World& world, Slot slot, const Time& now, Candidates& candidates) {
-  Region& region = regions_[slot];
+  Region& region = lines_[slot].region;
   const CellRange exact = range_at(world, slot, now);
   const Vec3 velocity = world.velocity(slot, now);
   const CellRange old = region.range();
@@ -209,7 +209,7 @@ void CellGrid::cross_range(const World& world, Slot slot, const Time& now, Candi
 
 // As refresh, where regions are blocks: the sphere lies within its region, and keeps the cells it touches.
 void CellGrid::refresh_block(const World& world, Slot slot, const Time& now, const Image& folded) {
-  Region& region = regions_[slot];
+  Region& region = lines_[slot].region;
   const Vec3 position = world.unfolded_position(slot, now);
   const double radius = world.radius(slot);
   std::uint32_t below = 0;  // axes along which it touches the lower half of the block
@@ -226,7 +226,7 @@ void CellGrid::refresh_block(const World& world, Slot slot, const Time& now, con
 // As cross, where regions are blocks. Whatever the rounding, of two cells along the axis of the crossing it
 // leaves one.
 void CellGrid::cross_block(const World& world, Slot slot, const Time& now, Candidates& candidates) {
-  Region& region = regions_[slot];
+  Region& region = lines_[slot].region;
   const Vec3 position = world.unfolded_position(slot, now);
   const Vec3 velocities = world.velocity(slot, now);
   const double radius = world.radius(slot);
@@ -256,7 +256,7 @@ void CellGrid::cross_block(const World& world, Slot slot, const Time& now, Candi
 // Releases half of a block along each of `axes`: the lower half along `up`, the upper one along the others.
 void CellGrid::leave_halves(Slot slot, std::uint32_t axes, std::uint32_t up) {
   if (axes == 0) return;
-  Region& region = regions_[slot];
+  Region& region = lines_[slot].region;
   const std::uint32_t wide = region.wide_axes();
   const std::uint32_t kept = CellBlock::cells_above(axes & up, wide & ~axes);
   block_of(region).for_each_list(CellBlock::cells_above(0, wide) & ~kept,
@@ -293,8 +293,8 @@ void CellGrid::collect_from(const World& world, Slot slot, const CellRange& rang
 
 // All images of a sphere that share a cell with the sphere of `candidates`.
 void CellGrid::collect_images(const World& world, Slot other, Candidates& candidates) const {
-  const CellRange own = regions_[candidates.self()].range();
-  const CellRange range = regions_[other].range();
+  const CellRange own = lines_[candidates.self()].region.range();
+  const CellRange range = lines_[other].region.range();
   Image first;
   Image last;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -326,27 +326,27 @@ void CellGrid::leave(Slot slot, const CellRange& old, const CellRange& kept) {
 
 bool CellGrid::is_in(Slot slot, const CellIndex& cell) const {
   bool is_found = false;
-  cells_.for_each_folded(regions_[slot].range(),
+  cells_.for_each_folded(lines_[slot].region.range(),
                          [&](const CellIndex&, const CellIndex& own) { is_found |= is_same(own, cell); });
   return is_found;
 }
 
 bool CellGrid::are_candidates(Slot a, Slot b) const {
   bool share_cell = false;
-  cells_.for_each_folded(regions_[a].range(),
+  cells_.for_each_folded(lines_[a].region.range(),
                          [&](const CellIndex&, const CellIndex& cell) { share_cell |= is_in(b, cell); });
   return share_cell;
 }
 
 std::size_t CellGrid::memory_bytes() const {
-  return lists_.memory_bytes() + regions_.capacity() * sizeof(Region);
+  return lists_.memory_bytes() + lines_.capacity() * sizeof(lines_[0]);
 }
 
 void CellGrid::validate(const World& world, const Time& now, const CompactPaths&) const {
-  HARDBALL_CHECK(regions_.size() == world.size());
+  HARDBALL_CHECK(lines_.size() == world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
     if (!holds(world, slot)) continue;
-    const CellRange range = regions_[slot].range();
+    const CellRange range = lines_[slot].region.range();
     const Vec3 position = world.unfolded_position(slot, now);
     const double radius = world.radius(slot);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {

@@ -12,6 +12,7 @@
 #include "hardball/broadphase/cell_block.hpp"
 #include "hardball/broadphase/cell_table.hpp"
 #include "hardball/broadphase/slot_lists.hpp"
+#include "hardball/broadphase/sphere_lines.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/memory/prefetch.hpp"
 
@@ -36,26 +37,26 @@ class CellGrid {
   void build(const World& world, const Time& now, CompactPaths& copies);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
   void collect(const World& world, Slot slot, Candidates& candidates) const {
-    if (!blocks_) return collect_from(world, slot, regions_[slot].range(), candidates);
+    if (!blocks_) return collect_from(world, slot, lines_[slot].region.range(), candidates);
     candidates.begin(slot, true);
-    block_of(regions_[slot])
-        .for_each_list(CellBlock::cells_above(0, regions_[slot].wide_axes()),
+    block_of(lines_[slot].region)
+        .for_each_list(CellBlock::cells_above(0, lines_[slot].region.wide_axes()),
                        [&](std::uint32_t list) { collect_list(list, candidates); });
     candidates.end();
   }
   double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths&, Candidates& candidates);
   static constexpr std::size_t kCachedSpheres = 50000;  // measured
-  void prefetch_region(Slot slot) const { prefetch(&regions_[slot]); }
+  void prefetch_region(Slot slot) const { prefetch(&lines_[slot]); }
   void prefetch_lists(Slot slot, bool crosses) const {
     if (!is_prefetched(slot)) return;
     const auto prefetch_list = [this](std::uint32_t list) { prefetch(lists_.address(list)); };
-    for_each_list(regions_[slot].range(), prefetch_list);
-    if (crosses) for_each_list(regions_[slot].row_ahead(), prefetch_list);
+    for_each_list(lines_[slot].region.range(), prefetch_list);
+    if (crosses) for_each_list(lines_[slot].region.row_ahead(), prefetch_list);
   }
   void prefetch_candidates(Slot slot, bool crosses, const CompactPaths& copies) const {
     if (!is_prefetched(slot)) return;
-    const Region& region = regions_[slot];
+    const Region& region = lines_[slot].region;
     // Gathered first: in one loop the processor need not guess how long each list is.
     constexpr std::size_t kMost = 8 * SlotLists::kRoom;
     Slot found[kMost + SlotLists::kRoom];
@@ -74,6 +75,8 @@ class CellGrid {
   /// Whether images that share a cell are always the nearest images.
   bool has_nearest_images() const { return nearest_; }
   bool are_candidates(Slot a, Slot b) const;
+  auto& lines() { return lines_; }
+  const auto& lines() const { return lines_; }
   /// Whether a sphere's region contains a cell folded into the box.
   bool is_in(Slot slot, const CellIndex& cell) const;
 
@@ -81,6 +84,7 @@ class CellGrid {
   const Subdivision& cells() const { return cells_; }
   std::uint32_t list(const CellIndex& cell) const { return table_.list(cell); }
   const SlotLists& lists() const { return lists_; }
+  bool shares_lists() const { return table_.is_shared(); }
   /// To add spheres that the grid itself leaves out.
   SlotLists& lists_to_edit() { return lists_; }
 
@@ -107,7 +111,7 @@ class CellGrid {
   // Large spheres in small cells touch too many.
   bool is_prefetched(Slot slot) const {
     constexpr std::uint32_t kMostCells = 27;
-    const auto& more = regions_[slot].more;
+    const auto& more = lines_[slot].region.more;
     return (more[0] + 1U) * (more[1] + 1U) * (more[2] + 1U) <= kMostCells;
   }
   // Calls visit(list) for each cell of a range, which is part of a block if regions are blocks.
@@ -160,7 +164,7 @@ class CellGrid {
   Subdivision cells_;
   CellTable table_;
   SlotLists lists_;
-  LargeVector<Region> regions_;
+  SphereLines<Region> lines_;
   std::array<std::uint64_t, kAxes> steps_of_cell_{};  // of the grid of CompactPaths, times 2^32
   std::array<float, kAxes> margin_{};                 // of the cells, in units of the compact paths
   bool suits_single_precision_ = false;

@@ -10,8 +10,8 @@
 #include <iterator>
 #include <limits>
 
-#include "hardball/broadphase/wait_in_ball.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/geometry/wait_in_ball.hpp"
 
 namespace hardball {
 namespace {
@@ -75,7 +75,7 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   table_ = CellTable(cells_.shape(), world.size());
   points_.reset(table_.size());
   choose_packing(copies);
-  anchors_.assign(world.size(), Anchor{});
+  reset(lines_, world);
   for (Slot slot = 0; slot < world.size(); ++slot) {
     move_anchor(world, slot, now, copies);
     store_anchor(slot);
@@ -84,16 +84,16 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
 }
 
 void NeighborList::make_lists(std::uint32_t lines, const CompactPaths& copies) {
-  neighbors_.reset(anchors_.size(), lines);
+  neighbors_.reset(lines_.size(), lines);
   std::size_t long_ones = 0;
-  for (Slot slot = 0; slot < anchors_.size(); ++slot) {
+  for (Slot slot = 0; slot < lines_.size(); ++slot) {
     find_near(slot, copies);
     near_.count = static_cast<std::size_t>(std::remove(near_.begin(), near_.begin() + near_.count, slot) -
                                            near_.begin());
     neighbors_.assign(slot, near_.slots());
     long_ones += near_.count > PaddedLists::kLine ? 1U : 0U;
   }
-  if (lines == 1 && long_ones > anchors_.size() / kLongShare) make_lists(2, copies);
+  if (lines == 1 && long_ones > lines_.size() / kLongShare) make_lists(2, copies);
 }
 
 void NeighborList::choose_packing(const CompactPaths& copies) {
@@ -140,7 +140,7 @@ std::array<std::int32_t, 3> NeighborList::in_cell(const Anchor& anchor) const {
 
 double NeighborList::next_crossing_of_any(const World& world, Slot slot, const Time& now,
                                           const CompactPaths& copies) const {
-  const auto& anchor = anchors_[slot].place;
+  const auto& anchor = lines_[slot].region.place;
   const Vec3 place{copies.apart(anchor, slot, 0), copies.apart(anchor, slot, 1),
                    copies.apart(anchor, slot, 2)};
   const double reach = std::max(0.0, room_ - coordinate_error(world, slot, now));
@@ -149,7 +149,7 @@ double NeighborList::next_crossing_of_any(const World& world, Slot slot, const T
 
 void NeighborList::cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
                          Candidates& candidates) {
-  points_.erase(table_.list(anchors_[slot].cell), slot);
+  points_.erase(table_.list(lines_[slot].region.cell), slot);
   move_anchor(world, slot, now, copies);
   find_near(slot, copies);
   store_anchor(slot);
@@ -191,14 +191,14 @@ void NeighborList::find_changes(Slot slot) {
 }
 
 void NeighborList::move_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
-  anchors_[slot].place = copies.paths()[slot].place;
-  anchors_[slot].cell = cells_.cell_of(world.position(slot, now));
+  lines_[slot].region.place = copies.paths()[slot].place;
+  lines_[slot].region.cell = cells_.cell_of(world.position(slot, now));
 }
 
 // The spheres whose shells overlap a sphere's own, from the anchors in the cells around its own; the sphere
 // itself is among them if its anchor is stored.
 void NeighborList::find_near(Slot slot, const CompactPaths& copies) {
-  const std::size_t count = find_cells_around(anchors_[slot], near_.cells);
+  const std::size_t count = find_cells_around(lines_[slot].region, near_.cells);
   // Half of the reach belongs to each sphere, so that rounding is the same from either side.
   const float half = (reach_ + packing_error_) / 2;
   const float own_reach = half + copies.radius(slot);
@@ -239,14 +239,14 @@ bool NeighborList::are_near(Slot a, Slot b, const CompactPaths& copies) const {
   float distance_squared = 0;
   for_each_axis([&](auto axis) {
     const Packing& packing = packing_[axis];
-    const std::int32_t cell_of_a = anchors_[a].cell[axis];
-    const std::int32_t cell_of_b = anchors_[b].cell[axis];
+    const std::int32_t cell_of_a = lines_[a].region.cell[axis];
+    const std::int32_t cell_of_b = lines_[b].region.cell[axis];
     const std::int32_t rows = std::abs(cell_of_a - cell_of_b);
     do_cells_touch &= rows <= 1 || rows == cells_.period(axis) - 1;
     if (packing.steps_of_cell == 0 || packing.is_outermost(cell_of_a) || packing.is_outermost(cell_of_b))
       return;
-    const auto steps = static_cast<std::uint32_t>(anchors_[a].place[axis]) -
-                       static_cast<std::uint32_t>(anchors_[b].place[axis]);
+    const auto steps = static_cast<std::uint32_t>(lines_[a].region.place[axis]) -
+                       static_cast<std::uint32_t>(lines_[b].region.place[axis]);
     const float apart = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis];
     distance_squared += apart * apart;
   });
@@ -295,12 +295,12 @@ std::size_t NeighborList::find_cells_around(const Anchor& anchor, CellsAround& a
 }
 
 std::size_t NeighborList::memory_bytes() const {
-  return points_.memory_bytes() + anchors_.capacity() * sizeof(Anchor) + neighbors_.memory_bytes() +
+  return points_.memory_bytes() + lines_.capacity() * sizeof(lines_[0]) + neighbors_.memory_bytes() +
          (near_.room.capacity() + gained_.capacity() + lost_.capacity()) * sizeof(Slot);
 }
 
 void NeighborList::validate(const World& world, const Time& now, const CompactPaths& copies) const {
-  HARDBALL_CHECK(anchors_.size() == world.size());
+  HARDBALL_CHECK(lines_.size() == world.size());
   const auto is_listed = [this](Slot list, Slot slot) {
     const std::span<const Slot> lanes = neighbors_.of(list);
     return std::count(lanes.begin(), lanes.end(), slot) == 1;
@@ -309,7 +309,7 @@ void NeighborList::validate(const World& world, const Time& now, const CompactPa
   for (Slot slot = 0; slot < world.size(); ++slot) {
     CompactPaths present = copies;
     present.copy(world, slot, now);
-    const auto& anchor = anchors_[slot].place;
+    const auto& anchor = lines_[slot].region.place;
     const Vec3 place{present.apart(anchor, slot, 0), present.apart(anchor, slot, 1),
                      present.apart(anchor, slot, 2)};
     HARDBALL_CHECK(length(place) <= slack_ + coordinate_error(world, slot, now));

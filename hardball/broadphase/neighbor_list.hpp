@@ -14,6 +14,7 @@
 #include "hardball/broadphase/cell_table.hpp"
 #include "hardball/broadphase/padded_lists.hpp"
 #include "hardball/broadphase/point_lists.hpp"
+#include "hardball/broadphase/sphere_lines.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/kernels/kernels.hpp"
 #include "hardball/memory/prefetch.hpp"
@@ -21,7 +22,7 @@
 namespace hardball {
 
 /// Where a sphere's list was made.
-struct alignas(32) Anchor {
+struct Anchor {
   std::array<std::int32_t, 3> place{};  ///< On the grid of CompactPaths, modulo 2^32 steps.
   CellIndex cell{};
 };
@@ -54,7 +55,7 @@ class NeighborList {
     if (!world.motion().is_straight()) [[unlikely]]
       return next_crossing_of_any(world, slot, now, copies);
     const CompactPath& path = copies.paths()[slot];
-    const auto& anchor = anchors_[slot].place;
+    const auto& anchor = lines_[slot].region.place;
     float outwards = 0;
     float speed_squared = 1e-30F;  // of a sphere at rest the wait is finite, but longer than any copy is good
     float room = room_squared_;
@@ -73,18 +74,20 @@ class NeighborList {
     return rounded_down(now) + copies.time_unit() * static_cast<double>((root - outwards) / speed_squared);
   }
   bool are_candidates(Slot, Slot) const { return true; }
+  auto& lines() { return lines_; }
+  const auto& lines() const { return lines_; }
   bool has_nearest_images() const { return true; }
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
              Candidates& candidates);
   static constexpr std::size_t kCachedSpheres = 40000;  // measured
   void prefetch_region(Slot slot) const {
     prefetch(neighbors_.address(slot));
-    prefetch(&anchors_[slot]);
+    prefetch(&lines_[slot]);
   }
   void prefetch_lists(Slot slot, bool crosses) const {
     if (!crosses) return;
     CellsAround around;
-    const std::size_t count = find_cells_around(anchors_[slot], around);
+    const std::size_t count = find_cells_around(lines_[slot].region, around);
     for (std::size_t i = 0; i < count; ++i) prefetch(points_.blocks() + around[i].block);
   }
   void prefetch_candidates(Slot slot, bool, const CompactPaths& copies) const {
@@ -123,7 +126,7 @@ class NeighborList {
   // Where an anchor lies in its cell, in units of packed places.
   std::array<std::int32_t, 3> in_cell(const Anchor& anchor) const;
   void store_anchor(Slot slot) {
-    points_.insert(table_.list(anchors_[slot].cell), slot, PackedPlace(in_cell(anchors_[slot])));
+    points_.insert(table_.list(lines_[slot].region.cell), slot, PackedPlace(in_cell(lines_[slot].region)));
   }
 
   // How places are packed, along an axis.
@@ -150,9 +153,9 @@ class NeighborList {
   std::array<Packing, kAxes> packing_;
   std::array<float, kAxes> packing_unit_{};  // in units of the compact paths
   CellTable table_;
-  PointLists points_;            // anchors, by cell
-  LargeVector<Anchor> anchors_;  // by slot
-  PaddedLists neighbors_;        // by slot
+  PointLists points_;          // anchors, by cell
+  SphereLines<Anchor> lines_;  // by slot
+  PaddedLists neighbors_;      // by slot
   // Of the current sphere:
   Nearby near_;                      // its new neighbours
   std::vector<Slot> gained_, lost_;  // changes to its list

@@ -82,6 +82,8 @@ class ShellGrid {
   }
   bool has_nearest_images() const { return true; }
   bool are_candidates(Slot a, Slot b) const;
+  auto& lines() { return grid_.lines(); }
+  const auto& lines() const { return grid_.lines(); }
   std::uint64_t left_count() const { return grid_.left_count() + left_count_; }
   std::size_t memory_bytes() const;
   void validate(const World& world, const Time& now, const CompactPaths& copies) const;

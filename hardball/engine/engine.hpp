@@ -70,7 +70,7 @@ class Engine {
 
   std::size_t memory_bytes() const {
     return world_.memory_bytes() + phase_.memory_bytes() + queue_.memory_bytes() + guard_.memory_bytes() +
-           compact_.memory_bytes() + plans_.capacity() * sizeof(Plan) + images_.capacity() * sizeof(Image);
+           compact_.memory_bytes() + images_.capacity() * sizeof(Image);
   }
 
   /// Handles events in order, calling observe(contact) after every collision and wall contact. The observer
@@ -144,7 +144,8 @@ class Engine {
     phase_.validate(world_, now_, compact_);
     Candidates candidates;
     for (Slot slot = 0; slot < world_.size(); ++slot) {
-      HARDBALL_CHECK(plans_[slot].time() >= rounded_down(now_));
+      HARDBALL_CHECK(phase_.lines()[slot].id == world_.id(slot));
+      HARDBALL_CHECK(plan_of(slot).time() >= rounded_down(now_));
       collect(slot, candidates);
       for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Event contact = contact_with(candidates, i);
@@ -157,64 +158,25 @@ class Engine {
   }
 
  private:
-  // What comes next for a sphere: its crossing, and its prospect. Two to a cache line.
-  struct alignas(32) Plan {
-    double contact = kNever.high;   // the bound, or the high part of the time of the contact
-    double crossing = kNever.high;  // or any time after the contact
-    double limit_or_low = 0;        // the limit of a bound, or the low part of the time of the contact
-    std::uint32_t partner = 0;      // a slot, or the number of a wall
-    std::uint32_t tag = 0;          // the revision of the partner's path, and of these bits any:
-
-    static constexpr std::uint32_t kExact = 1;    // not a bound
-    static constexpr std::uint32_t kWall = 2;     // the contact is with a wall
-    static constexpr std::uint32_t kRenewal = 4;  // the crossing only copies the path again
-    static_assert(CompactPaths::kRevision == 8);
-
-    double time() const { return std::min(contact, crossing); }
-    bool crosses_first() const { return crossing <= contact; }
-    bool is_bound() const { return (tag & kExact) == 0; }
-    bool is_wall() const { return (tag & kWall) != 0; }
-    bool is_renewal() const { return (tag & kRenewal) != 0; }
-    bool has_seen(std::uint32_t revision) const { return (tag ^ revision) < CompactPaths::kRevision; }
-    // A sphere at rest may have neither crossing nor contact.
-    bool will_cross_first() const { return crosses_first() && crossing < kNever.high; }
-    bool meets_first() const { return !crosses_first() && !is_wall(); }
-    // The time of an exact contact.
-    Time moment() const { return {contact, limit_or_low}; }
-
-    void set_bound(double time, double limit, Slot with, std::uint32_t revision) {
-      contact = time;
-      limit_or_low = limit;
-      partner = with;
-      tag = revision;
-    }
-    void set_collision(const Time& time, Slot with, std::uint32_t revision) {
-      set_bound(time.high, time.low, with, revision | kExact);
-    }
-    void set_wall(const Time& time, std::uint32_t wall) {
-      set_bound(time.high, time.low, wall, kExact | kWall);
-    }
-  };
-
   // The plans as the queue's event table.
   struct Plans {
     Engine& engine;
-    double time(Slot slot) const { return engine.plans_[slot].time(); }
+    double time(Slot slot) const { return engine.plan_of(slot).time(); }
     // Two spheres that will collide with each other; if one plan is stale, that is found when it is handled.
     bool share_event(Slot a, Slot b) const {
-      const Plan& one = engine.plans_[a];
-      const Plan& other = engine.plans_[b];
+      const Plan& one = engine.plan_of(a);
+      const Plan& other = engine.plan_of(b);
       return engine.are_nearest_ && one.meets_first() && other.meets_first() && !one.is_bound() &&
              !other.is_bound() && one.partner == b && other.partner == a && one.moment() == other.moment();
     }
     bool is_cached() const { return engine.is_cached_; }
-    void prefetch_event(Slot slot) const { prefetch(&engine.plans_[slot]); }
+    void prefetch_event(Slot slot) const { prefetch(&engine.plan_of(slot)); }
     void prefetch_refinement(Slot slot) const { engine.prefetch_refinement(slot); }
     void refine(std::span<QueueEntry> entries) const { engine.refine(entries); }
     // What is not known exactly comes first among the events of one double: its exact time may be earlier
     // than theirs.
     Event event(Slot slot) const {
-      const Plan& plan = engine.plans_[slot];
+      const Plan& plan = engine.plan_of(slot);
       if (plan.crosses_first() || plan.is_bound() || engine.is_stale(slot)) {
         return {{plan.time(), -std::numeric_limits<double>::infinity()},
                 EventKind::enter,
@@ -228,21 +190,25 @@ class Engine {
 
   Plans plans() { return {*this}; }
 
+  static_assert(CompactPaths::kRevision == Plan::kRevision);
+  Plan& plan_of(Slot slot) { return phase_.lines()[slot].plan; }
+  const Plan& plan_of(Slot slot) const { return phase_.lines()[slot].plan; }
+
   // Whether the partner's path has changed since the prediction.
   bool is_stale(Slot slot) const {
-    const Plan& plan = plans_[slot];
+    const Plan& plan = plan_of(slot);
     return !plan.is_wall() && !plan.has_seen(compact_.revision(plan.partner));
   }
 
   // The image of the partner that is met. Precondition: the prospect is a collision, not stale.
   Image image_of_partner(Slot slot) const {
-    const Plan& plan = plans_[slot];
+    const Plan& plan = plan_of(slot);
     return are_nearest_ ? nearest_image(world_, slot, plan.partner, plan.moment()) : images_[slot];
   }
 
   // Precondition: the prospect is exact and not stale.
   Event contact_of(Slot slot) const {
-    const Plan& plan = plans_[slot];
+    const Plan& plan = plan_of(slot);
     if (plan.is_wall()) return {plan.moment(), EventKind::wall, world_.id(slot), plan.partner, {}};
     if (!(plan.contact < kNever.high)) return {};
     return make_collision(plan.moment(), world_.id(slot), world_.id(plan.partner), image_of_partner(slot));
@@ -259,7 +225,7 @@ class Engine {
 
   // Whether a sphere answers for its contact with another: the contact cannot come before the prospect.
   bool covers(Slot slot, const Event& contact, Slot other) const {
-    const Plan& plan = plans_[slot];
+    const Plan& plan = plan_of(slot);
     if (is_stale(slot)) return plan.contact <= contact.time.high;
     if (!plan.is_bound()) return contact_of(slot) <= contact;
     return (plan.partner == other ? plan.contact : plan.limit_or_low) <= contact.time.high;
@@ -272,7 +238,7 @@ class Engine {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       if (candidates.slot(i) == other) return false;
     }
-    return plans_[slot].crossing <= contact.time.high;
+    return plan_of(slot).crossing <= contact.time.high;
   }
 
   void rebuild(const Time& now, const Progress& progress) {
@@ -281,7 +247,6 @@ class Engine {
     queue_.reset(world_.size(), now_);
     are_nearest_ = phase_.has_nearest_images();
     images_.assign(are_nearest_ ? 0 : world_.size(), Image{});
-    plans_.assign(world_.size(), Plan{});
     is_cached_ = world_.size() <= Phase::kCachedSpheres;
     are_alike_ = world_.are_alike();
     has_walls_ = has_walls(world_);
@@ -296,7 +261,7 @@ class Engine {
   // Whose event is the least, if it comes no later than `until`; otherwise kNoOwner.
   Slot least_until(const Time& until) {
     const Slot next = queue_.least(plans());
-    return next == kNoOwner || plans_[next].time() > until.high ? kNoOwner : next;
+    return next == kNoOwner || plan_of(next).time() > until.high ? kNoOwner : next;
   }
 
   // The calendar knows which spheres come next: prefetches their data.
@@ -314,14 +279,13 @@ class Engine {
   void prefetch_regions_ahead() {
     constexpr std::size_t kAhead = 2;
     constexpr std::size_t kPlan = 5;
-    if (const Slot later = queue_.upcoming(kPlan); later != kNoOwner) prefetch(&plans_[later]);
+    if (const Slot later = queue_.upcoming(kPlan); later != kNoOwner) prefetch(&plan_of(later));
     const Slot slot = queue_.upcoming(kAhead);
     if (slot == kNoOwner) return;
-    const Plan& plan = plans_[slot];
+    const Plan& plan = plan_of(slot);
     const Slot partner = plan.is_wall() ? slot : plan.partner;
     prefetch_regions(slot);
     prefetch_regions(partner);
-    prefetch(&plans_[partner]);
   }
 
   // Each stage runs a few events before the next, whose addresses it loads.
@@ -332,23 +296,19 @@ class Engine {
     constexpr std::size_t kCandidates = 2;
     const bool is_new = bucket_seen_ != queue_.current_bucket();
     bucket_seen_ = queue_.current_bucket();
-    for_upcoming(kPlan, is_new, [this](Slot slot) {
-      prefetch(&plans_[slot]);
-      prefetch_regions(slot);
-    });
+    for_upcoming(kPlan, is_new, [this](Slot slot) { prefetch_regions(slot); });
     for_upcoming(kRegion, is_new, [this](Slot slot) {
-      const Plan& plan = plans_[slot];
+      const Plan& plan = plan_of(slot);
       if (!plan.meets_first()) return;
-      prefetch(&plans_[plan.partner]);
       prefetch_regions(plan.partner);
     });
     for_upcoming(kLists, is_new, [this](Slot slot) {
-      const Plan& plan = plans_[slot];
+      const Plan& plan = plan_of(slot);
       phase_.prefetch_lists(slot, plan.will_cross_first());
       if (plan.meets_first()) phase_.prefetch_lists(plan.partner, false);
     });
     for_upcoming(kCandidates, is_new, [this](Slot slot) {
-      const Plan& plan = plans_[slot];
+      const Plan& plan = plan_of(slot);
       phase_.prefetch_candidates(slot, plan.will_cross_first(), compact_);
       if (plan.meets_first()) phase_.prefetch_candidates(plan.partner, false, compact_);
     });
@@ -372,7 +332,7 @@ class Engine {
 
   // Handles what is no contact, or not yet known to be one; false if the sphere's event is a valid contact.
   bool handle_without_contact(Slot slot) {
-    const Plan& plan = plans_[slot];
+    const Plan& plan = plan_of(slot);
     const double time = plan.time();
     HARDBALL_CHECK(time >= rounded_down(now_));
     const bool is_crossing = plan.crosses_first();
@@ -400,7 +360,7 @@ class Engine {
   }
 
   void cross(Slot slot) {
-    Plan& plan = plans_[slot];
+    Plan& plan = plan_of(slot);
     compact_.copy(world_, slot, now_);
     if (!plan.is_renewal()) {
       ++counters_.enter;
@@ -424,7 +384,7 @@ class Engine {
   // Predicts contacts with new candidates, which come with their images, and keeps the prospect if it is
   // earlier. Precondition: the prospect is not stale.
   void predict_new_exactly(Slot slot) {
-    Plan& plan = plans_[slot];
+    Plan& plan = plan_of(slot);
     const Prospect found = predictor_.earliest(world_, candidates_, now_);
     if (!found.happens() || found.time > plan.moment()) return;
     const Event before = contact_of(slot);
@@ -438,7 +398,7 @@ class Engine {
 
   // The same where nearest images are meant, by bounds; false if all candidates must be considered again.
   bool predict_new(Slot slot) {
-    Plan& plan = plans_[slot];
+    Plan& plan = plan_of(slot);
     const BoundedContacts found = predictor_.bound(compact_, candidates_, now_);
     check_bounds(candidates_, found);
     // The partner may be among those called new: what is known of it is better.
@@ -459,11 +419,11 @@ class Engine {
   }
 
   const Contact& carry_out(Slot slot) {
-    const Plan& plan = plans_[slot];
+    const Plan& plan = plan_of(slot);
     const bool is_collision = !plan.is_wall();
     const Slot partner = is_collision ? plan.partner : slot;
-    const SphereId id = world_.id(slot);
-    const SphereId partner_id = world_.id(partner);
+    const SphereId id = phase_.lines()[slot].id;
+    const SphereId partner_id = phase_.lines()[partner].id;
     // Branchless: which id is lower is unpredictable.
     const Slot exchange = (slot ^ partner) & (Slot{0} - static_cast<Slot>(partner_id < id));
     const Participants participants{slot ^ exchange, partner ^ exchange, are_nearest_};
@@ -495,23 +455,23 @@ class Engine {
     compact_.renew(world_, now_);
     if (!are_nearest_) return;
     for (Slot slot = 0; slot < world_.size(); ++slot) {
-      const double before = plans_[slot].time();
+      const double before = plan_of(slot).time();
       expire(slot);
-      if (plans_[slot].time() != before) queue_.schedule(slot, plans());
+      if (plan_of(slot).time() != before) queue_.schedule(slot, plans());
     }
   }
 
   // Lets a sphere's crossing come before its copy ceases to be good.
   void expire(Slot slot) {
     const double expiry = rounded_down(now_) + compact_.longest_age();
-    if (!(expiry < plans_[slot].crossing)) [[likely]]
+    if (!(expiry < plan_of(slot).crossing)) [[likely]]
       return;
     expire_soon(slot);
   }
 
   // The copy of a sphere at rest stays good, unless it falls.
   HARDBALL_NEVER_INLINE void expire_soon(Slot slot) {
-    Plan& plan = plans_[slot];
+    Plan& plan = plan_of(slot);
     const double expiry = rounded_down(now_) + compact_.longest_age(slot);
     if (!(expiry < plan.crossing)) return;
     const bool rests = world_.motion().is_straight() && world_.path(slot).velocity == Vec3{};
@@ -528,8 +488,9 @@ class Engine {
 
   // The counter of revisions has wrapped around: old revisions must not pass for new ones.
   void outdate_plans_with(Slot slot) {
-    for (Plan& plan : plans_) {
-      if (plan.partner == slot && !plan.is_wall() && plan.has_seen(0)) plan.tag ^= CompactPaths::kRevision;
+    for (auto& line : phase_.lines()) {
+      Plan& plan = line.plan;
+      if (plan.partner == slot && !plan.is_wall() && plan.has_seen(0)) plan.tag ^= Plan::kRevision;
     }
   }
 
@@ -589,7 +550,7 @@ class Engine {
 
   // Takes numbers: structures of this size are passed in memory, which had a call wait for its own arguments.
   void plan_contacts(Slot slot, double least, double second, Slot partner) {
-    Plan& plan = plans_[slot];
+    Plan& plan = plan_of(slot);
     plan.set_bound(least, second, partner, compact_.revision(partner));
     if (has_walls_ && may_meet_wall(world_, slot, plan.limit_or_low, now_, obstacle_range())) {
       const Event wall = next_wall_event(world_, slot, now_, obstacle_range());
@@ -609,8 +570,8 @@ class Engine {
     take(slot, predictor_.earliest(world_, candidates_, now_));
     if (has_walls_) {
       const Event wall = next_wall_event(world_, slot, now_, obstacle_range());
-      if (wall.time < plans_[slot].moment()) {
-        plans_[slot].set_wall(wall.time, wall.second);
+      if (wall.time < plan_of(slot).moment()) {
+        plan_of(slot).set_wall(wall.time, wall.second);
       }
     }
     schedule(slot);
@@ -620,7 +581,7 @@ class Engine {
   double obstacle_range() const { return are_nearest_ ? 0.5 : 2; }
 
   void schedule(Slot slot) {
-    Plan& plan = plans_[slot];
+    Plan& plan = plan_of(slot);
     plan.crossing = phase_.next_crossing(world_, slot, now_, compact_);
     plan.tag &= ~Plan::kRenewal;
     if (are_nearest_) expire(slot);
@@ -629,20 +590,20 @@ class Engine {
 
   void take(Slot slot, const Prospect& prospect) {
     const Slot partner = prospect.happens() ? prospect.partner : slot;
-    plans_[slot].set_collision(prospect.time, partner, compact_.revision(partner));
+    plan_of(slot).set_collision(prospect.time, partner, compact_.revision(partner));
     if (!are_nearest_) images_[slot] = prospect.image;
   }
 
   // Replaces a bound by the exact contact; false if it may not be the earliest. Precondition: not stale.
   bool refine(Slot slot) {
-    const Slot partner = plans_[slot].partner;
+    const Slot partner = plan_of(slot).partner;
     return replace_bound(slot,
                          contact_time(world_, slot, partner, nearest_image(world_, slot, partner, now_)));
   }
 
   // The same, given the contact with the partner.
   bool replace_bound(Slot slot, const Time& contact) {
-    Plan& plan = plans_[slot];
+    Plan& plan = plan_of(slot);
     if (!(contact.high < plan.limit_or_low)) return false;
     plan.contact = contact.high;
     plan.limit_or_low = contact.low;
@@ -653,7 +614,7 @@ class Engine {
   // The partner answers for their contact, having predicted last: what remains comes after the limit, and is
   // predicted then. Until then, the sphere itself stands for the partner. Precondition: a stale bound.
   void postpone(Slot slot) {
-    Plan& plan = plans_[slot];
+    Plan& plan = plan_of(slot);
     const std::uint32_t renewal = plan.tag & Plan::kRenewal;
     plan.set_bound(plan.limit_or_low, plan.limit_or_low, slot, compact_.revision(slot) | renewal);
   }
@@ -664,7 +625,7 @@ class Engine {
     pairs_.begin(entries.size());
     for (const QueueEntry& entry : entries) {
       const Slot slot = entry.owner;
-      const Plan& plan = plans_[slot];
+      const Plan& plan = plan_of(slot);
       const bool is_bounded_pair = plan.is_bound() & !plan.crosses_first() & (plan.partner != slot);
       const bool is_outdated = is_bounded_pair & is_stale(slot);
       pairs_.add(slot, plan.partner, is_bounded_pair & !is_outdated);
@@ -672,12 +633,12 @@ class Engine {
     }
     predictor_.compute(world_, now_, pairs_);
     for (std::size_t i = 0; i < pairs_.count; ++i) replace_bound(pairs_.first[i], pairs_.time(i));
-    for (QueueEntry& entry : entries) entry.time = plans_[entry.owner].time();
+    for (QueueEntry& entry : entries) entry.time = plan_of(entry.owner).time();
   }
 
   void prefetch_refinement(Slot slot) const {
     prefetch(&world_.path(slot));
-    const Plan& plan = plans_[slot];
+    const Plan& plan = plan_of(slot);
     if (!plan.meets_first()) return;
     prefetch(&world_.path(plan.partner));
     compact_.prefetch(plan.partner);
@@ -712,7 +673,6 @@ class Engine {
   StandstillGuard standstill_guard_;
   BoundWatch bound_watch_;
   Time now_;
-  LargeVector<Plan> plans_;    // per slot
   std::vector<Image> images_;  // per slot, of the partner; none where nearest images are meant
   bool are_nearest_ = true;
   bool is_cached_ = true;          // prefetching all data ahead does not pay

@@ -133,11 +133,8 @@ class World {
   Vec3 velocity(Slot slot, const Time& moment) const { return motion_.velocity_at(paths_[slot], moment); }
   std::span<const Path> paths() const { return paths_; }
 
-  /// Prefetches what every event of a sphere needs.
-  void prefetch(Slot slot) const {
-    hardball::prefetch(&ids_[slot]);
-    hardball::prefetch(&paths_[slot]);
-  }
+  /// Prefetches a sphere's path.
+  void prefetch(Slot slot) const { hardball::prefetch(&paths_[slot]); }
   /// The same for its radius and mass, of which each has its own.
   void prefetch_size(Slot slot) const {
     if (!radii_.is_common()) radii_.prefetch(slot);
@@ -251,6 +248,11 @@ double rotational_energy(const World& world, Slot slot);
 
 /// The sum of both, with potential energy; see World::energy.
 double energy(const World& world, Slot slot, const Time& moment);
+
+/// More than the rounding error of the coordinates of a centre [L], which shows in spheres very far away.
+inline double coordinate_error(const World& world, Slot slot, const Time& now) {
+  return 0x1p-50 * length(world.unfolded_position(slot, now));
+}
 
 /// The moment at which two spheres touch, `image` being that of `b` which `a` meets; kNever if never.
 inline Time contact_time(const World& world, Slot a, Slot b, const Image& image) {

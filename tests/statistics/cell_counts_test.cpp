@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "hardball/broadphase/cell_table.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/tuning/moments.hpp"
@@ -61,12 +60,6 @@ Counted count(const World& world, double edge, const CellCounts& expected) {
   return counted;
 }
 
-// How many spheres are found by chance, where cells share lists, is estimated to a quarter only.
-double tolerance_of_found(const World& world, double edge, double otherwise) {
-  const Subdivision cells(world.box(), edge, 1 << 28);
-  return CellTable(cells.shape(), world.size()).is_shared() ? 0.3 : otherwise;
-}
-
 double after_contact(const CellCounts& expected) {
   return (expected.collision * expected.candidates_after_collision +
           expected.wall * expected.candidates_after_wall) /
@@ -85,14 +78,12 @@ void expect_counts(const World& world, double edge, const std::string& name) {
   support::record(name + "_after_contact", counted.after_contact / after_contact(expected));
   support::record(name + "_after_enter", counted.after_enter / expected.candidates_after_enter);
   EXPECT_NEAR(counted.enter / expected.enter, 1, tolerance(counted.enters)) << name;
-  EXPECT_NEAR(counted.after_contact / after_contact(expected), 1, tolerance_of_found(world, edge, 0.05))
-      << name;
+  EXPECT_NEAR(counted.after_contact / after_contact(expected), 1, 0.05) << name;
   // A crossing finds few candidates in a dilute gas: then their number limits the precision.
   const double found = counted.enters * std::min(1.0, counted.after_enter);
   // The candidates in a row are known less precisely: the spheres near the one that enters, and rows not yet
   // released.
-  EXPECT_NEAR(counted.after_enter / expected.candidates_after_enter, 1,
-              tolerance_of_found(world, edge, std::max(0.08, tolerance(found))))
+  EXPECT_NEAR(counted.after_enter / expected.candidates_after_enter, 1, std::max(0.08, tolerance(found)))
       << name;
   EXPECT_NEAR(counted.collision / expected.collision, 1, 0.05) << name;
 }
@@ -168,9 +159,8 @@ TEST(CellCounts, OfDiscsBetweenWallsAreThoseExpected) {
     const Counted counted = count(world, edge, expected);
     EXPECT_NEAR(counted.enter / expected.enter, 1, 0.05);
     EXPECT_NEAR(counted.wall / expected.wall, 1, 0.08);
-    EXPECT_NEAR(counted.after_contact / after_contact(expected), 1, tolerance_of_found(world, edge, 0.08));
-    EXPECT_NEAR(counted.after_enter / expected.candidates_after_enter, 1,
-                tolerance_of_found(world, edge, 0.08));
+    EXPECT_NEAR(counted.after_contact / after_contact(expected), 1, 0.08);
+    EXPECT_NEAR(counted.after_enter / expected.candidates_after_enter, 1, 0.08);
   }
 }
 
@@ -186,9 +176,8 @@ TEST(CellCounts, BetweenWallsAreThoseExpected) {
       EXPECT_NEAR(counted.enter / expected.enter, 1, 0.05);
       // The effect of walls on spheres nearby is known to first order only.
       EXPECT_NEAR(counted.wall / expected.wall, 1, 0.08);
-      EXPECT_NEAR(counted.after_contact / after_contact(expected), 1, tolerance_of_found(world, edge, 0.08));
-      EXPECT_NEAR(counted.after_enter / expected.candidates_after_enter, 1,
-                  tolerance_of_found(world, edge, 0.08));
+      EXPECT_NEAR(counted.after_contact / after_contact(expected), 1, 0.08);
+      EXPECT_NEAR(counted.after_enter / expected.candidates_after_enter, 1, 0.08);
     }
   }
 }

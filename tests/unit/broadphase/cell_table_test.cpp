@@ -55,14 +55,39 @@ TEST(CellTable, SpreadsCellsOverSharedLists) {
   }
 }
 
+// All cells of a box lie in lists of about the same length, in two dimensions and in one as well.
+TEST(CellTable, SpreadsTheCellsOfABoxEvenly) {
+  for (const CellIndex& shape : {CellIndex{64, 64, 64}, {1000, 1000, 1}, {1000, 1, 300}, {1, 1 << 18, 1}}) {
+    const CellTable table(shape, 30000);
+    ASSERT_TRUE(table.is_shared());
+    std::vector<std::size_t> counts(table.size());
+    CellRange{{0, 0, 0}, {shape[0] - 1, shape[1] - 1, shape[2] - 1}}.for_each(
+        [&](const CellIndex& cell) { ++counts[table.list(cell)]; });
+    const double mean =
+        static_cast<double>(shape[0]) * shape[1] * shape[2] / static_cast<double>(table.size());
+    double squares = 0;
+    for (const std::size_t count : counts)
+      squares += (static_cast<double>(count) - mean) * (static_cast<double>(count) - mean);
+    // Spread at random, they would have a variance of their mean.
+    EXPECT_LE(squares / static_cast<double>(table.size()), mean / 3);
+  }
+}
+
 // Otherwise a neighbour would be found twice.
 TEST(CellTable, CellsAroundOneShareNoList) {
   for (std::size_t spheres = 1; spheres < 100000000; spheres *= 2) {
-    const CellTable table({0, 0, 0}, spheres);
-    std::set<std::uint32_t> lists;
-    CellRange{{-1, -1, -1}, {1, 1, 1}}.for_each(
-        [&](const CellIndex& cell) { lists.insert(table.list(cell)); });
-    EXPECT_EQ(lists.size(), 27U) << spheres;
+    for (const CellIndex& shape : {CellIndex{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 1, 0}}) {
+      const CellTable table(shape, spheres);
+      const auto has = [&](std::size_t axis) { return shape[axis] == 0 ? 1 : 0; };
+      const CellIndex far{has(0), has(1), has(2)};
+      std::size_t cells = 0;
+      std::set<std::uint32_t> lists;
+      CellRange{{-far[0], -far[1], -far[2]}, far}.for_each([&](const CellIndex& cell) {
+        lists.insert(table.list(cell));
+        ++cells;
+      });
+      EXPECT_EQ(lists.size(), cells) << spheres;
+    }
   }
 }
 

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "hardball/geometry/motion.hpp"
-#include "hardball/world/world.hpp"
 
 namespace hardball {
 
@@ -48,11 +47,6 @@ inline double wait_in_ball(const Motion& motion, const Vec3& place, const Vec3& 
     return falling_wait_in_ball(place, velocity, length(motion.gravity()), radius);
   }
   return straight_wait_in_ball(place, velocity, std::max(0.0, radius * radius - dot(place, place)));
-}
-
-/// More than the rounding error of the coordinates of a centre [L], which shows in spheres very far away.
-inline double coordinate_error(const World& world, Slot slot, const Time& now) {
-  return 0x1p-50 * length(world.unfolded_position(slot, now));
 }
 
 }  // namespace hardball
