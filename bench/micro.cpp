@@ -16,8 +16,8 @@
 #include "hardball/engine/predictor.hpp"
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/events/ordered_queue.hpp"
-#include "hardball/world/placement.hpp"
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
+#include "hardball/placement/placement.hpp"
 
 namespace {
 

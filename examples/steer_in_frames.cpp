@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "hardball/hardball.hpp"
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 
 namespace {
 

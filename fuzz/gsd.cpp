@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/io/gsd_reader.hpp"
+#include "hardball/trajectory/gsd_reader.hpp"
 
 #include "fuzz/file_of_bytes.hpp"
 #include "fuzz/snapshots.hpp"

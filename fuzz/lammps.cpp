@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/io/lammps_dump.hpp"
+#include "hardball/trajectory/lammps_dump.hpp"
 
 #include "fuzz/snapshots.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "fuzz/file_of_bytes.hpp"
 #include "fuzz/target.hpp"
-#include "hardball/io/recording_reader.hpp"
+#include "hardball/recording/recording_reader.hpp"
 #include "tests/support/true_checksums.hpp"
 
 void hardball::fuzz::read(std::string_view bytes) {

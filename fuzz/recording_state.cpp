@@ -4,7 +4,7 @@
 
 #include "fuzz/file_of_bytes.hpp"
 #include "fuzz/target.hpp"
-#include "hardball/io/recording_writer.hpp"
+#include "hardball/recording/recording_writer.hpp"
 
 // The state of a recording being written, as checkpoints hold it.
 void hardball::fuzz::read(std::string_view bytes) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/io/sph.hpp"
+#include "hardball/trajectory/sph.hpp"
 
 #include "fuzz/snapshots.hpp"
 

@@ -12,10 +12,10 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/io/checkpoint_file.hpp"
-#include "hardball/io/recording_writer.hpp"
-#include "hardball/io/trajectory.hpp"
 #include "hardball/measure/measures.hpp"
+#include "hardball/recording/recording_writer.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/trajectory/trajectory.hpp"
 #include "tests/support/random_world.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "hardball/io/recording_writer.hpp"
+#include "hardball/recording/recording_writer.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
 

@@ -19,8 +19,8 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/wall_forces.hpp"
 #include "hardball/scenario/make_surfaces.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
 #include "hardball/tuning/cell_counts.hpp"
-#include "hardball/tuning/kinetic_theory.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
 
 namespace hardball::cli {

@@ -9,8 +9,8 @@
 #include "apps/cli/refuse_to_overwrite.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/io/snapshot_format.hpp"
-#include "hardball/io/trajectory.hpp"
+#include "hardball/trajectory/snapshot_format.hpp"
+#include "hardball/trajectory/trajectory.hpp"
 
 namespace hardball::cli {
 namespace {

@@ -17,14 +17,14 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/io/checkpoint_file.hpp"
 #include "hardball/io/little_endian.hpp"
-#include "hardball/io/npy_event_log.hpp"
 #include "hardball/io/npy_header.hpp"
 #include "hardball/io/read_file.hpp"
-#include "hardball/io/recording_reader.hpp"
-#include "hardball/io/snapshot_format.hpp"
 #include "hardball/measure/event_log_hash.hpp"
+#include "hardball/recording/npy_event_log.hpp"
+#include "hardball/recording/recording_reader.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/trajectory/snapshot_format.hpp"
 
 namespace hardball::cli {
 namespace {

@@ -12,6 +12,7 @@
 
 #include "apps/cli/start.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/scenario/make_surfaces.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/radii.hpp"
@@ -19,7 +20,6 @@
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
 #include "hardball/tuning/size_classes.hpp"
-#include "hardball/world/random.hpp"
 
 namespace hardball::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include "apps/cli/options.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/tuning/moments.hpp"
+#include "hardball/theory/moments.hpp"
 
 namespace hardball::cli {
 

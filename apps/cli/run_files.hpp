@@ -13,13 +13,13 @@
 #include <vector>
 
 #include "apps/cli/directory_lock.hpp"
-#include "hardball/io/npy_event_log.hpp"
-#include "hardball/io/recording_writer.hpp"
-#include "hardball/io/trajectory.hpp"
 #include "hardball/measure/measurement.hpp"
+#include "hardball/recording/npy_event_log.hpp"
+#include "hardball/recording/recording_writer.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/trajectory/trajectory.hpp"
 
 namespace hardball::cli {
 

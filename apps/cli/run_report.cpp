@@ -14,13 +14,13 @@
 
 #include "apps/cli/response_text.hpp"
 #include "apps/cli/start.hpp"
-#include "hardball/measure/fluid_theory.hpp"
-#include "hardball/measure/species.hpp"
-#include "hardball/measure/thermal_motion.hpp"
 #include "hardball/measure/units.hpp"
+#include "hardball/theory/fluid_theory.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/theory/moments.hpp"
+#include "hardball/theory/species.hpp"
+#include "hardball/theory/thermal_motion.hpp"
 #include "hardball/tuning/cell_counts.hpp"
-#include "hardball/tuning/kinetic_theory.hpp"
-#include "hardball/tuning/moments.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
 #include "hardball/world/walls.hpp"
 

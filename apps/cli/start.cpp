@@ -13,9 +13,9 @@
 #include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/nearest_name.hpp"
+#include "hardball/theory/moments.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/cell_edge.hpp"
-#include "hardball/tuning/moments.hpp"
 #include "hardball/world/range.hpp"
 
 namespace hardball::cli {

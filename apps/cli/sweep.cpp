@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/theory/moments.hpp"
 #include "hardball/tuning/cell_edge.hpp"
-#include "hardball/tuning/moments.hpp"
 
 namespace hardball::cli {
 namespace {

@@ -26,8 +26,8 @@
 #include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/simulation/slice.hpp"
-#include "hardball/tuning/kinetic_theory.hpp"
-#include "hardball/tuning/moments.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/theory/moments.hpp"
 
 namespace hardball::cli {
 namespace {

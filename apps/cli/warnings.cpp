@@ -12,7 +12,7 @@
 #include <variant>
 
 #include "hardball/scenario/make_surfaces.hpp"
-#include "hardball/tuning/kinetic_theory.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
 
 namespace hardball::cli {
 namespace {

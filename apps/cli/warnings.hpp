@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hardball/scenario/scenario.hpp"
-#include "hardball/tuning/moments.hpp"
+#include "hardball/theory/moments.hpp"
 
 namespace hardball::cli {
 

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "apps/viewer/shared_recording.hpp"
-#include "hardball/io/recording_writer.hpp"
+#include "hardball/recording/recording_writer.hpp"
 #include "hardball/simulation/simulation.hpp"
 
 namespace hardball::viewer {

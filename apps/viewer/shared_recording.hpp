@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "hardball/io/recording_reader.hpp"
+#include "hardball/recording/recording_reader.hpp"
 
 namespace hardball::viewer {
 

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "hardball/measure/block_average.hpp"
-#include "hardball/measure/fluid_theory.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
-#include "hardball/measure/species.hpp"
 #include "hardball/measure/sphere_groups.hpp"
-#include "hardball/measure/thermal_motion.hpp"
 #include "hardball/response/contact.hpp"
+#include "hardball/theory/fluid_theory.hpp"
+#include "hardball/theory/species.hpp"
+#include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
 

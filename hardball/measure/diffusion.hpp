@@ -7,9 +7,9 @@
 #include <span>
 #include <string>
 
-#include "hardball/measure/fluid_theory.hpp"
 #include "hardball/measure/lag_average.hpp"
 #include "hardball/measure/measurement.hpp"
+#include "hardball/theory/fluid_theory.hpp"
 
 namespace hardball {
 

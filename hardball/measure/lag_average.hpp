@@ -10,7 +10,7 @@
 
 #include "hardball/measure/estimate.hpp"
 #include "hardball/measure/scene.hpp"
-#include "hardball/measure/species.hpp"
+#include "hardball/theory/species.hpp"
 
 namespace hardball {
 

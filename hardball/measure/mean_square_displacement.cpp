@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "hardball/tuning/kinetic_theory.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
 
 namespace hardball {
 namespace {

@@ -5,11 +5,11 @@
 #include <string_view>
 
 #include "hardball/measure/diffusion.hpp"
-#include "hardball/measure/fluid_theory.hpp"
 #include "hardball/measure/lag_average.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
-#include "hardball/measure/thermal_motion.hpp"
+#include "hardball/theory/fluid_theory.hpp"
+#include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
 

@@ -9,7 +9,7 @@
 
 #include "hardball/measure/transient.hpp"
 #include "hardball/measure/units.hpp"
-#include "hardball/tuning/kinetic_theory.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {

@@ -7,11 +7,11 @@
 #include <string_view>
 
 #include "hardball/measure/block_average.hpp"
-#include "hardball/measure/fluid_theory.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
-#include "hardball/measure/thermal_motion.hpp"
 #include "hardball/response/contact.hpp"
+#include "hardball/theory/fluid_theory.hpp"
+#include "hardball/theory/thermal_motion.hpp"
 #include "hardball/world/velocity_change.hpp"
 
 namespace hardball {

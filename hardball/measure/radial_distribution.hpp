@@ -10,8 +10,8 @@
 #include "hardball/measure/contact_extrapolation.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
-#include "hardball/measure/species.hpp"
-#include "hardball/measure/thermal_motion.hpp"
+#include "hardball/theory/species.hpp"
+#include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/tuning/kinetic_theory.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
 
 namespace hardball {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "hardball/tuning/moments.hpp"
+#include "hardball/theory/moments.hpp"
 
 namespace hardball {
 

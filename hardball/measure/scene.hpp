@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "hardball/measure/fluid_theory.hpp"
-#include "hardball/measure/species.hpp"
 #include "hardball/measure/surroundings.hpp"
-#include "hardball/measure/thermal_motion.hpp"
-#include "hardball/tuning/moments.hpp"
+#include "hardball/theory/fluid_theory.hpp"
+#include "hardball/theory/moments.hpp"
+#include "hardball/theory/species.hpp"
+#include "hardball/theory/thermal_motion.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hardball/measure/diffusion.hpp"
-#include "hardball/tuning/kinetic_theory.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
 
 namespace hardball {
 namespace {

@@ -7,7 +7,7 @@
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
-#include "hardball/measure/thermal_motion.hpp"
+#include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
 

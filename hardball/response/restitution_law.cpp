@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/world/range.hpp"
 
 namespace hardball {

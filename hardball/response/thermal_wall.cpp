@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 
 namespace hardball {
 namespace {

@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/io/snapshot_format.hpp"
+#include "hardball/numbers/random.hpp"
+#include "hardball/placement/placement.hpp"
 #include "hardball/scenario/make_surfaces.hpp"
 #include "hardball/scenario/radii.hpp"
 #include "hardball/scenario/velocities.hpp"
-#include "hardball/world/placement.hpp"
-#include "hardball/world/random.hpp"
+#include "hardball/trajectory/snapshot_format.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "hardball/numbers/random.hpp"
 #include "hardball/scenario/scenario.hpp"
-#include "hardball/world/random.hpp"
 
 namespace hardball {
 

@@ -11,11 +11,11 @@
 #include <string_view>
 #include <vector>
 
-#include "hardball/io/snapshot_format.hpp"
-#include "hardball/io/snapshot_schedule.hpp"
 #include "hardball/measure/measure_settings.hpp"
 #include "hardball/response/bounce.hpp"
 #include "hardball/thermostats/thermostat.hpp"
+#include "hardball/trajectory/snapshot_format.hpp"
+#include "hardball/trajectory/snapshot_schedule.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "hardball/numbers/random.hpp"
 #include "hardball/scenario/scenario.hpp"
-#include "hardball/world/random.hpp"
 
 namespace hardball {
 

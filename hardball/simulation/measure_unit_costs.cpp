@@ -12,11 +12,11 @@
 #include "hardball/broadphase/cell_grid.hpp"
 #include "hardball/engine/engine.hpp"
 #include "hardball/events/calendar_queue.hpp"
+#include "hardball/numbers/random.hpp"
+#include "hardball/placement/placement.hpp"
 #include "hardball/response/restitution.hpp"
+#include "hardball/theory/moments.hpp"
 #include "hardball/tuning/cell_counts.hpp"
-#include "hardball/tuning/moments.hpp"
-#include "hardball/world/placement.hpp"
-#include "hardball/world/random.hpp"
 
 namespace hardball {
 namespace {

@@ -10,7 +10,7 @@
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/measures.hpp"
-#include "hardball/tuning/moments.hpp"
+#include "hardball/theory/moments.hpp"
 #include "hardball/tuning/size_classes.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/curve_order.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "hardball/thermostats/event_random.hpp"
+#include "hardball/numbers/event_random.hpp"
 #include "hardball/thermostats/resolution.hpp"
 #include "hardball/world/range.hpp"
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/numbers/random.hpp"
 #include "hardball/world/new_velocity.hpp"
-#include "hardball/world/random.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {

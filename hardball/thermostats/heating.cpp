@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "hardball/thermostats/event_random.hpp"
+#include "hardball/numbers/event_random.hpp"
 #include "hardball/world/range.hpp"
 
 namespace hardball {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "hardball/measure/thermal_motion.hpp"
+#include "hardball/theory/thermal_motion.hpp"
 #include "hardball/world/range.hpp"
 
 namespace hardball {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "hardball/tuning/moments.hpp"
+#include "hardball/theory/moments.hpp"
 
 namespace hardball {
 

@@ -10,8 +10,8 @@
 
 #include "hardball/broadphase/cell_table.hpp"
 #include "hardball/broadphase/subdivision.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
 #include "hardball/tuning/cell_axes.hpp"
-#include "hardball/tuning/kinetic_theory.hpp"
 #include "hardball/tuning/row_surplus.hpp"
 
 namespace hardball {

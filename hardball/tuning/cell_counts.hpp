@@ -3,7 +3,7 @@
 #pragma once
 
 #include "hardball/geometry/vec3.hpp"
-#include "hardball/tuning/moments.hpp"
+#include "hardball/theory/moments.hpp"
 
 namespace hardball {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "hardball/world/spacing.hpp"
+#include "hardball/geometry/spacing.hpp"
 
 namespace hardball {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "hardball/theory/moments.hpp"
 #include "hardball/tuning/cell_counts.hpp"
-#include "hardball/tuning/moments.hpp"
 
 namespace hardball {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "hardball/tuning/kinetic_theory.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
 
 namespace hardball {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "hardball/theory/moments.hpp"
 #include "hardball/tuning/cell_edge.hpp"
-#include "hardball/tuning/moments.hpp"
 
 namespace hardball {
 

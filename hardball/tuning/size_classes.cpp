@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "hardball/broadphase/shell_grid.hpp"
-#include "hardball/tuning/kinetic_theory.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
 
 namespace hardball {
 namespace {

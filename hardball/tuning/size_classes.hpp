@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "hardball/theory/moments.hpp"
 #include "hardball/tuning/cell_edge.hpp"
-#include "hardball/tuning/moments.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {

@@ -11,8 +11,8 @@
 
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/io/recording_writer.hpp"
-#include "hardball/simulation/recording_header.hpp"
+#include "hardball/recording/recording_header.hpp"
+#include "hardball/recording/recording_writer.hpp"
 #include "hardball/simulation/slice.hpp"
 #include "hardball/world/range.hpp"
 #include "python/bindings/responses.hpp"

@@ -14,10 +14,10 @@
 
 #include "documentation.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/io/snapshot_format.hpp"
-#include "hardball/io/snapshot_reader.hpp"
 #include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
+#include "hardball/trajectory/snapshot_format.hpp"
+#include "hardball/trajectory/snapshot_reader.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/event_records.hpp"

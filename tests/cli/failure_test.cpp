@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "cli/program.hpp"
-#include "hardball/io/recording_reader.hpp"
-#include "hardball/io/snapshot_format.hpp"
+#include "hardball/recording/recording_reader.hpp"
+#include "hardball/trajectory/snapshot_format.hpp"
 #include "support/effort.hpp"
 
 namespace hardball::failure_test {

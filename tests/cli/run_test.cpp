@@ -13,8 +13,8 @@
 #include "cli/program.hpp"
 #include "hardball/io/little_endian.hpp"
 #include "hardball/io/npy_header.hpp"
-#include "hardball/io/recording_reader.hpp"
-#include "hardball/io/snapshot_format.hpp"
+#include "hardball/recording/recording_reader.hpp"
+#include "hardball/trajectory/snapshot_format.hpp"
 
 namespace hardball::run_test {
 namespace {

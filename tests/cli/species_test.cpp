@@ -9,7 +9,7 @@
 #include <string>
 
 #include "cli/program.hpp"
-#include "hardball/io/recording_reader.hpp"
+#include "hardball/recording/recording_reader.hpp"
 
 namespace hardball::species_test {
 namespace {

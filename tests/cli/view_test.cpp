@@ -13,8 +13,8 @@
 #include <thread>
 
 #include "cli/program.hpp"
-#include "hardball/io/recording_reader.hpp"
-#include "hardball/io/recording_writer.hpp"
+#include "hardball/recording/recording_reader.hpp"
+#include "hardball/recording/recording_writer.hpp"
 
 namespace hardball::view_test {
 namespace {

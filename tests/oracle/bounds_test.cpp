@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "hardball/engine/predictor.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/world/compact_paths.hpp"
-#include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/record.hpp"

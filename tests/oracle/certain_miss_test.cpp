@@ -10,7 +10,7 @@
 
 #include "hardball/geometry/contact_time.hpp"
 #include "hardball/geometry/grazing_time.hpp"
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
 
 namespace hardball::certain_miss_test {

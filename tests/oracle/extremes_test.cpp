@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
 #include "support/gas.hpp"
 #include "support/history.hpp"

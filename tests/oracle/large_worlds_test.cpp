@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "hardball/broadphase/neighbor_list.hpp"
-#include "hardball/world/placement.hpp"
+#include "hardball/placement/placement.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
 

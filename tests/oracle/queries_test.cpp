@@ -10,8 +10,8 @@
 #include <cmath>
 #include <variant>
 
+#include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/world/random.hpp"
 #include "hardball/world/walls.hpp"
 #include "support/effort.hpp"
 #include "support/random_world.hpp"

@@ -13,8 +13,8 @@
 
 #include "hardball/archive/archive.hpp"
 #include "hardball/measure/measures.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
 #include "support/random_world.hpp"

@@ -12,8 +12,8 @@
 #include <functional>
 #include <string>
 
+#include "hardball/numbers/random.hpp"
 #include "hardball/surfaces/surface.hpp"
-#include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
 namespace hardball::surfaces_test {

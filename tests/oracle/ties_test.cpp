@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
 #include "support/instruction_sets.hpp"

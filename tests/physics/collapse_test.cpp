@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
 namespace hardball::collapse_test {

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <vector>
 
+#include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/audit.hpp"
-#include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"

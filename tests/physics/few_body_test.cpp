@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/world/random.hpp"
 #include "support/record.hpp"
 
 namespace hardball::few_body_test {

@@ -14,7 +14,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/tuning/moments.hpp"
+#include "hardball/theory/moments.hpp"
 #include "support/discs.hpp"
 #include "support/effort.hpp"
 #include "support/gas.hpp"

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <vector>
 
+#include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/world/random.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball::confined_gas_test {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/world/random.hpp"
 
 namespace hardball::confinement_test {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/measures.hpp"
+#include "hardball/numbers/random.hpp"
+#include "hardball/placement/placement.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/world/placement.hpp"
-#include "hardball/world/random.hpp"
 
 namespace hardball::faces_test {
 namespace {

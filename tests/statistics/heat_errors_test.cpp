@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "hardball/measure/measures.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/world/random.hpp"
 #include "hardball/world/walls.hpp"
 #include "support/measurement.hpp"
 #include "support/record.hpp"

@@ -16,7 +16,7 @@
 #include "hardball/measure/agreement.hpp"
 #include "hardball/measure/measures.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/tuning/kinetic_theory.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"
 

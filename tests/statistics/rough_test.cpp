@@ -7,8 +7,8 @@
 
 #include <cmath>
 
+#include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/world/random.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"
 

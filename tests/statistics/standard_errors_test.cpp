@@ -14,7 +14,7 @@
 
 #include "hardball/measure/measures.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/tuning/kinetic_theory.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
 #include "support/gas.hpp"
 #include "support/record.hpp"
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball::support {

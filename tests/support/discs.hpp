@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "hardball/world/placement.hpp"
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
+#include "hardball/placement/placement.hpp"
 #include "hardball/world/world.hpp"
 #include "support/gas.hpp"
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "hardball/numbers/random.hpp"
+#include "hardball/placement/placement.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/world/placement.hpp"
-#include "hardball/world/random.hpp"
 #include "hardball/world/world.hpp"
 
 /// Gases made in code, in the units of the literature: the diameter, the mass and kT are one.

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "hardball/numbers/random.hpp"
 #include "hardball/response/response_table.hpp"
 #include "hardball/surfaces/surface.hpp"
-#include "hardball/world/random.hpp"
 #include "hardball/world/walls.hpp"
 #include "hardball/world/world.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 
 namespace hardball::bench::discrete_checks_test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/kernels/instruction_set.hpp"
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
 
 namespace hardball::padded_lists_test {

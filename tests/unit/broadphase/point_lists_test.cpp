@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
 
 namespace hardball::point_lists_test {

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 
 namespace hardball::subdivision_test {
 namespace {

@@ -16,10 +16,10 @@
 #include "hardball/broadphase/neighbor_list.hpp"
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/events/ordered_queue.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/paper/paper_engine.hpp"
+#include "hardball/placement/placement.hpp"
 #include "hardball/response/restitution.hpp"
-#include "hardball/world/placement.hpp"
-#include "hardball/world/random.hpp"
 
 namespace hardball::engine_test {
 namespace {

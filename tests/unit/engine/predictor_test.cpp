@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/world/compact_paths.hpp"
-#include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
 #include "support/instruction_sets.hpp"

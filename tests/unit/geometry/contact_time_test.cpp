@@ -6,7 +6,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::checkpoint_file_test {

@@ -15,7 +15,7 @@
 #include "hardball/broadphase/point_lists.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/vec3.hpp"
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
 #include "support/instruction_sets.hpp"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 
 namespace hardball::block_average_test {
 namespace {

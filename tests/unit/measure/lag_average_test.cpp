@@ -12,7 +12,7 @@
 
 #include "hardball/measure/mean_square_displacement.hpp"
 #include "hardball/measure/velocity_autocorrelation.hpp"
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 #include "support/measurement.hpp"
 
 namespace hardball::lag_average_test {

@@ -16,8 +16,8 @@
 #include "hardball/measure/nearest_neighbor.hpp"
 #include "hardball/measure/radial_distribution.hpp"
 #include "hardball/measure/structure_factor.hpp"
+#include "hardball/placement/placement.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/world/placement.hpp"
 #include "support/random_world.hpp"
 
 namespace hardball::structure_test {

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 
 namespace hardball::transient_test {
 namespace {

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/response/restitution.hpp"
-#include "hardball/world/random.hpp"
 
 namespace hardball::bounce_test {
 namespace {

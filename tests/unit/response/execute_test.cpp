@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/response/restitution.hpp"
-#include "hardball/world/random.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball::execute_test {

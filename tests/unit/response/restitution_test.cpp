@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 
 namespace hardball::restitution_test {
 namespace {

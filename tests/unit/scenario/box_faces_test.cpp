@@ -7,7 +7,7 @@
 #include <string>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/io/recording.hpp"
+#include "hardball/recording/recording.hpp"
 #include "hardball/scenario/make_world.hpp"
 
 namespace hardball::box_faces_test {

@@ -9,9 +9,9 @@
 #include <sstream>
 #include <string>
 
-#include "hardball/io/trajectory.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/scenario.hpp"
+#include "hardball/trajectory/trajectory.hpp"
 #include "hardball/world/audit.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/placement/placement.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/tuning/kinetic_theory.hpp"
-#include "hardball/tuning/moments.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/theory/moments.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
 #include "hardball/world/audit.hpp"
-#include "hardball/world/placement.hpp"
 #include "support/history.hpp"
 
 namespace hardball::box_scales_test {

@@ -7,7 +7,7 @@
 #include <chrono>
 
 #include "hardball/tuning/cell_edge.hpp"
-#include "unit/tuning/gas_moments.hpp"
+#include "unit/theory/gas_moments.hpp"
 
 namespace hardball::measure_unit_costs_test {
 namespace {

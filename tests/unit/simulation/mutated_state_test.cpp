@@ -12,10 +12,10 @@
 
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/io/recording_writer.hpp"
 #include "hardball/measure/measures.hpp"
+#include "hardball/numbers/random.hpp"
+#include "hardball/recording/recording_writer.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 #include "support/gas.hpp"
 #include "support/random_world.hpp"

@@ -10,8 +10,8 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/hardball.hpp"
-#include "hardball/io/recording_reader.hpp"
-#include "hardball/io/recording_writer.hpp"
+#include "hardball/recording/recording_reader.hpp"
+#include "hardball/recording/recording_writer.hpp"
 #include "support/gas.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -8,8 +8,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
+#include "hardball/numbers/random.hpp"
 #include "hardball/surfaces/surface.hpp"
-#include "hardball/world/random.hpp"
 #include "support/effort.hpp"
 
 namespace hardball::oscillating_plane_test {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
 
 namespace hardball::polynomial_test {

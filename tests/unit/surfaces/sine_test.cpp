@@ -7,7 +7,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 
 namespace hardball::sine_test {
 namespace {

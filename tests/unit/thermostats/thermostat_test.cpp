@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/thermostats/event_random.hpp"
+#include "hardball/numbers/event_random.hpp"
 #include "support/gas.hpp"
 
 namespace hardball::thermostat_test {

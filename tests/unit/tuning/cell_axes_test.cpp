@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hardball/world/random.hpp"
-#include "unit/tuning/gas_moments.hpp"
+#include "hardball/numbers/random.hpp"
+#include "unit/theory/gas_moments.hpp"
 
 namespace hardball::cell_axes_test {
 namespace {

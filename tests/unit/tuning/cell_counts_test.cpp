@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/tuning/kinetic_theory.hpp"
-#include "unit/tuning/gas_moments.hpp"
+#include "hardball/theory/kinetic_theory.hpp"
+#include "unit/theory/gas_moments.hpp"
 
 namespace hardball::cell_counts_test {
 namespace {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "hardball/broadphase/subdivision.hpp"
-#include "unit/tuning/gas_moments.hpp"
+#include "unit/theory/gas_moments.hpp"
 
 namespace hardball::cell_edge_test {
 namespace {

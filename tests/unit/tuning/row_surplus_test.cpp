@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 
 namespace hardball::row_surplus_test {
 namespace {

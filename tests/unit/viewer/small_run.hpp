@@ -15,8 +15,8 @@
 #include "apps/viewer/shared_recording.hpp"
 #include "hardball/io/crc32.hpp"
 #include "hardball/io/little_endian.hpp"
-#include "hardball/io/recording_reader.hpp"
-#include "hardball/io/recording_writer.hpp"
+#include "hardball/recording/recording_reader.hpp"
+#include "hardball/recording/recording_writer.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
 

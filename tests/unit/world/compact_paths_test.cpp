@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
 
 namespace hardball::compact_paths_test {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/world/random.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::faces_test {

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/geometry/spacing.hpp"
+#include "hardball/placement/placement.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/audit.hpp"
-#include "hardball/world/placement.hpp"
-#include "hardball/world/spacing.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball::flat_world_test {

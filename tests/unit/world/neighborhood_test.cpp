@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 
 namespace hardball::neighborhood_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
 
 namespace hardball::per_sphere_test {

@@ -11,7 +11,7 @@
 #include <numeric>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/world/random.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/world/walls.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"

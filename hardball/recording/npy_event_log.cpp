@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/recording/npy_event_log.hpp"
+
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/io/little_endian.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr std::size_t kRecordBytes = 8 + 4 + 4 + 1 + 3 * 8 + 8;
+constexpr std::uint64_t kRecordsPerFlush = (std::uint64_t{4} << 20) / kRecordBytes;
+
+constexpr std::size_t kHeaderBytes = 256;
+
+// The fields that identify the contact; those after them are the same in all files.
+constexpr const char* kFields = "('time', '<f8'), ('first', '<u4'), ('second', '<u4')";
+constexpr const char* kEarlierFields = "('t', '<f8'), ('i', '<u4'), ('j', '<i4')";
+
+// The header, of the same length for every number of records.
+std::string header(std::uint64_t records, bool is_of_earlier_version) {
+  constexpr std::size_t kPrefixBytes = 10;
+  std::string text = std::string("{'descr': [") + (is_of_earlier_version ? kEarlierFields : kFields) +
+                     ", ('kind', '|u1'), ('impulse', '<f8', (3,)), ('normal_speed', '<f8')], "
+                     "'fortran_order': False, 'shape': (" +
+                     std::to_string(records) + ",)}";
+  text.resize(kHeaderBytes - kPrefixBytes - 1, ' ');
+  text += '\n';
+  std::string prefix = "\x93NUMPY";
+  prefix += {'\x01', '\x00', static_cast<char>(text.size()), '\x00'};
+  HARDBALL_CHECK(prefix.size() == kPrefixBytes && text.size() < 256);
+  return prefix + text;
+}
+
+}  // namespace
+
+const NpyField* time_in_event_log(const NpyHeader& header) {
+  const bool is_of_earlier_version = header.find("t") != nullptr;
+  const NpyField* const time = header.find(is_of_earlier_version ? "t" : "time");
+  const bool has_bodies = is_of_earlier_version ? header.find("i") && header.find("j")
+                                                : header.find("first") && header.find("second");
+  const bool is_log = time && time->kind == 'f' && time->bytes == 8 && has_bodies && header.find("kind") &&
+                      header.shape.size() == 1;
+  return is_log ? time : nullptr;
+}
+
+NpyEventLog::NpyEventLog(std::filesystem::path path) : file_(std::move(path)) {
+  file_.append(header(0, is_of_earlier_version_));
+  flush();
+}
+
+NpyEventLog::NpyEventLog(const std::filesystem::path& path, const EventLogPosition& position)
+    : file_(path, {kHeaderBytes + position.records * kRecordBytes, position.checksum}, kHeaderBytes),
+      is_of_earlier_version_(read_npy_header(path).find("t") != nullptr),
+      size_(position.records),
+      counted_(position.records),
+      may_count_too_many_(true) {}
+
+NpyEventLog::~NpyEventLog() {
+  try {
+    if (size_ != counted_) close();
+  } catch (const RunFailure&) {
+    // The file keeps what was complete before.
+  }
+}
+
+void NpyEventLog::append(const Contact& contact) {
+  constexpr std::uint32_t kMostIds = std::numeric_limits<std::int32_t>::max();
+  HARDBALL_CHECK(contact.first <= kMostIds && contact.second <= kMostIds);
+  std::string record;
+  record.reserve(kRecordBytes);
+  append_little_endian(record, contact.time.value());
+  append_little_endian(record, contact.first);
+  // -(wall + 1) is the bitwise complement of the wall.
+  const bool is_complemented = is_of_earlier_version_ && !contact.is_collision();
+  append_little_endian(record, is_complemented ? ~contact.second : contact.second);
+  append_little_endian(record, static_cast<std::uint8_t>(contact.is_collision() ? 0 : 1));
+  const Vec3 impulse = contact.impulse();
+  append_little_endian(record, impulse.x);
+  append_little_endian(record, impulse.y);
+  append_little_endian(record, impulse.z);
+  append_little_endian(record, contact.impact_speed());
+  file_.append(record);
+  ++size_;
+  if (size_ % kRecordsPerFlush == 0) flush();
+}
+
+void NpyEventLog::flush() {
+  // The header never counts records that are not there: it follows the records, but precedes the end of those
+  // that an earlier run has left and that flush() cuts off.
+  if (std::exchange(may_count_too_many_, false)) {
+    file_.overwrite(0, header(counted_, is_of_earlier_version_));
+  }
+  file_.flush();
+  file_.overwrite(0, header(size_, is_of_earlier_version_));
+  counted_ = size_;
+  file_.flush_complete();
+}
+
+EventLogPosition NpyEventLog::position() {
+  flush();
+  return {size_, file_.position(kHeaderBytes).checksum};
+}
+
+void NpyEventLog::close() {
+  if (!file_.is_open()) return;
+  flush();
+  file_.close();
+}
+
+}  // namespace hardball

@@ -1,0 +1,368 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/recording/recording.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// In the order of Boundary.
+constexpr std::array<const char*, 4> kBoundaryNames{"wall", "periodic", "open", "flat"};
+
+// In the order of RecordedSurface::Shape.
+constexpr std::array<const char*, 4> kShapeNames{"plane", "cylinder", "sphere", "obstacle"};
+
+Json json_vector(const Vec3& vector) {
+  return {vector.x, vector.y, vector.z};
+}
+
+Json number_or_null(double number) {
+  return std::isnan(number) ? Json(nullptr) : Json(number);
+}
+
+// The species of all spheres as runs of ids: pairs of a species and how many follow each other.
+Json json_runs(const std::vector<SpeciesId>& species) {
+  Json runs = Json::array();
+  for (std::size_t begin = 0; begin < species.size();) {
+    std::size_t end = begin;
+    while (end < species.size() && species[end] == species[begin]) ++end;
+    runs.push_back({species[begin], end - begin});
+    begin = end;
+  }
+  return runs;
+}
+
+Json json_surface(const RecordedSurface& surface) {
+  Json json;
+  json["shape"] = kShapeNames[static_cast<std::size_t>(surface.shape)];
+  json["point"] = json_vector(surface.point);
+  json["direction"] = json_vector(surface.direction);
+  json["radius"] = surface.radius;
+  json["velocity"] = json_vector(surface.velocity);
+  json["amplitude"] = surface.amplitude;
+  json["frequency"] = surface.frequency;
+  json["temperature"] = surface.temperature ? Json(*surface.temperature) : Json(nullptr);
+  json["restitution"] = number_or_null(surface.restitution);
+  return json;
+}
+
+// Of the faces that have some; a restitution of null is that of the response.
+Json json_faces(const Box& box) {
+  Json faces = Json::object();
+  for (Face face = 0; face < kFaces; ++face) {
+    if (!box.has_own_properties(face)) continue;
+    const auto& [material, velocity] = box.face(face);
+    Json& json = faces[std::string(kFaceNames[face])];
+    json["velocity"] = json_vector(velocity);
+    json["temperature"] = material.temperature ? Json(*material.temperature) : Json(nullptr);
+    json["restitution"] = material.restitution ? Json(*material.restitution) : Json(nullptr);
+  }
+  return faces;
+}
+
+// Reads the values of a header from its JSON.
+class HeaderReader {
+ public:
+  // `part`: of the header, as messages begin.
+  explicit HeaderReader(const std::string& where, std::string part = "")
+      : where_(&where), part_(std::move(part)) {}
+
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw Error(part_ + problem, *where_ + ": header", "give a recording that hardball has written");
+  }
+
+  const Json& member(const Json& object, const char* key) const {
+    if (!object.is_object()) fail("is not an object");
+    const auto found = object.find(key);
+    if (found == object.end()) fail(std::string("key '") + key + "' is missing");
+    return *found;
+  }
+
+  double number(const Json& value) const {
+    if (!value.is_number() || !std::isfinite(value.get<double>())) fail("a number is missing");
+    return value.get<double>();
+  }
+
+  bool truth(const Json& value) const {
+    if (!value.is_boolean()) fail("a truth value is missing");
+    return value.get<bool>();
+  }
+
+  // NaN for null.
+  double number_if_any(const Json& value) const {
+    return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : number(value);
+  }
+
+  std::string text(const Json& value, const std::string& what) const {
+    if (!value.is_string()) fail("the " + what + " is not a string");
+    return value.get<std::string>();
+  }
+
+  std::size_t count(const Json& value, const std::string& what, double most) const {
+    const double count = number(value);
+    if (!(count >= 0 && count <= most) || count != std::floor(count)) {
+      fail("the " + what + " is " + to_text(count));
+    }
+    return static_cast<std::size_t>(count);
+  }
+
+  Vec3 vector(const Json& value) const {
+    check_triple(value);
+    return {number(value[0]), number(value[1]), number(value[2])};
+  }
+
+  std::array<Boundary, kAxes> boundary(const Json& value) const {
+    check_triple(value);
+    std::array<Boundary, kAxes> boundary{};
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      boundary[axis] = static_cast<Boundary>(index_of(value[axis], kBoundaryNames, "boundary"));
+    }
+    return boundary;
+  }
+
+  // Calls take(value) for the value of `key`, if there is one.
+  template <class Take>
+  void read(const Json& object, const char* key, const Take& take) const {
+    const auto found = object.find(key);
+    if (found != object.end()) take(*found);
+  }
+
+  // Gives a box the properties of its faces.
+  void faces(const Json& value, Box& box) const {
+    for (Face face = 0; face < kFaces; ++face) {
+      read(value, std::string(kFaceNames[face]).c_str(), [&](const Json& entry) {
+        FaceProperties properties;
+        const auto number_in = [&](const char* key, std::optional<double>& number) {
+          read(entry, key, [&](const Json& given) {
+            if (!given.is_null()) number = this->number(given);
+          });
+        };
+        number_in("temperature", properties.material.temperature);
+        number_in("restitution", properties.material.restitution);
+        read(entry, "velocity", [&](const Json& given) { properties.velocity = vector(given); });
+        try {
+          box.set_face(face, properties);
+        } catch (const Error& error) {
+          fail(error.where() + ": " + error.problem());
+        }
+      });
+    }
+  }
+
+  RecordedSurface surface(const Json& value) const {
+    using Shape = RecordedSurface::Shape;
+    RecordedSurface surface;
+    surface.shape = static_cast<Shape>(index_of(member(value, "shape"), kShapeNames, "shape"));
+    surface.point = vector(member(value, "point"));
+    const bool is_plane = surface.shape == Shape::plane;
+    if (is_plane || surface.shape == Shape::cylinder) surface.direction = vector(member(value, "direction"));
+    if (!is_plane) surface.radius = number(member(value, "radius"));
+    read(value, "velocity", [&](const Json& entry) { surface.velocity = vector(entry); });
+    read(value, "amplitude", [&](const Json& entry) { surface.amplitude = number(entry); });
+    read(value, "frequency", [&](const Json& entry) { surface.frequency = number(entry); });
+    read(value, "temperature", [&](const Json& entry) {
+      if (!entry.is_null()) surface.temperature = number(entry);
+    });
+    read(value, "restitution", [&](const Json& entry) { surface.restitution = number_if_any(entry); });
+    check(surface);
+    return surface;
+  }
+
+  // Takes names and species; there are header.spheres of the latter, or none.
+  void species(const Json& value, RecordingHeader& header) const {
+    read(value, "names", [&](const Json& names) {
+      if (!names.is_array()) fail("the names of species are not a list");
+      for (const Json& name : names) header.species_names.push_back(text(name, "name of a species"));
+    });
+    read(value, "runs", [&](const Json& runs) {
+      if (!runs.is_array()) fail("the runs of species are not a list");
+      for (const Json& run : runs) {
+        if (!run.is_array() || run.size() != 2) fail("a run of species is not a pair");
+        const auto species =
+            static_cast<SpeciesId>(count(run[0], "species", std::numeric_limits<SpeciesId>::max()));
+        const std::size_t left = header.spheres - header.species.size();
+        const std::size_t length = count(run[1], "length of a run of species", static_cast<double>(left));
+        header.species.insert(header.species.end(), length, species);
+      }
+      if (header.species.size() != header.spheres) fail("the runs of species do not name all spheres");
+    });
+  }
+
+  std::vector<RecordedSurface> surfaces(const Json& value) const {
+    if (!value.is_array()) fail("the surfaces are not a list");
+    std::vector<RecordedSurface> surfaces;
+    for (const Json& entry : value) {
+      surfaces.push_back(HeaderReader(*where_, "surface " + to_text(surfaces.size()) + ": ").surface(entry));
+    }
+    return surfaces;
+  }
+
+ private:
+  void check_triple(const Json& value) const {
+    if (!value.is_array() || value.size() != kAxes) fail("there are not three entries");
+  }
+
+  template <std::size_t kCount>
+  std::size_t index_of(const Json& value, const std::array<const char*, kCount>& names,
+                       const std::string& what) const {
+    for (std::size_t k = 0; k < kCount; ++k) {
+      if (value == names[k]) return k;
+    }
+    fail("a " + what + " is unknown");
+  }
+
+  void check(const RecordedSurface& surface) const {
+    constexpr double kTolerance = 1e-6;  // of the square of a unit vector
+    const double square = dot(surface.direction, surface.direction);
+    if (!(std::fabs(square - 1) <= kTolerance)) fail("the direction is not a unit vector");
+    const bool is_plane = surface.shape == RecordedSurface::Shape::plane;
+    if (!is_plane && !(surface.radius > 0)) fail("the radius is " + to_text(surface.radius));
+    if (!is_plane && surface.amplitude != 0) fail("only planes oscillate");
+    if (!(surface.frequency >= 0)) fail("the frequency is " + to_text(surface.frequency));
+    if (surface.temperature && !(*surface.temperature >= 0)) {
+      fail("the temperature is " + to_text(*surface.temperature));
+    }
+    if (surface.restitution < 0) fail("the restitution is " + to_text(surface.restitution));
+  }
+
+  const std::string* where_;
+  std::string part_;
+};
+
+}  // namespace
+
+std::string to_json(const RecordingHeader& header) {
+  Vec3 size;
+  Json boundary = Json::array();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!header.box.is_open(axis)) size[axis] = header.box.size()[axis];
+    boundary.push_back(kBoundaryNames[static_cast<std::size_t>(header.box.boundary(axis))]);
+  }
+  Json json;
+  json["spheres"] = header.spheres;
+  json["bodies"] = header.has_bodies;
+  json["box"]["size"] = json_vector(size);
+  json["box"]["boundary"] = boundary;
+  if (!header.box.has_plain_faces()) json["box"]["faces"] = json_faces(header.box);
+  json["begin"] = header.begin;
+  json["until"] = header.until ? Json(*header.until) : Json(nullptr);
+  json["cell_edge"] = json_vector(header.cell_edge);
+  json["cell_origin"] = json_vector(header.cell_origin);
+  json["name"] = header.name;
+  json["restitution"] = number_or_null(header.restitution);
+  json["gravity"] = json_vector(header.gravity);
+  json["surfaces"] = Json::array();
+  for (const RecordedSurface& surface : header.surfaces) json["surfaces"].push_back(json_surface(surface));
+  if (!header.species.empty() || !header.species_names.empty()) {
+    json["species"]["names"] = header.species_names;
+    if (!header.species.empty()) json["species"]["runs"] = json_runs(header.species);
+  }
+  // A file name may contain any bytes.
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+RecordingHeader parse_recording_header(std::string_view json, const std::string& where, int version) {
+  const HeaderReader in(where);
+  const Json object = Json::parse(json, nullptr, false);
+  if (object.is_discarded()) in.fail("is not JSON");
+  RecordingHeader header;
+  header.spheres =
+      in.count(in.member(object, "spheres"), "number of spheres", std::numeric_limits<SphereId>::max() - 1.0);
+  header.version = version;
+  // So that no damage to its mark turns a file into one of another version.
+  if (object.contains("bodies") != (version > 2)) in.fail("is of another version than the file");
+  header.has_bodies = version > 2 ? in.truth(object["bodies"]) : version == 2;
+  const Json& box = in.member(object, "box");
+  header.box = Box(in.boundary(in.member(box, "boundary")), in.vector(in.member(box, "size")));
+  in.read(box, "faces", [&](const Json& value) { in.faces(value, header.box); });
+  in.read(object, "begin", [&](const Json& value) { header.begin = in.number(value); });
+  in.read(object, "until", [&](const Json& value) {
+    if (!value.is_null()) header.until = in.number(value);
+  });
+  in.read(object, "cell_edge", [&](const Json& value) { header.cell_edge = in.vector(value); });
+  in.read(object, "cell_origin", [&](const Json& value) { header.cell_origin = in.vector(value); });
+  in.read(object, "name", [&](const Json& value) { header.name = in.text(value, "name"); });
+  in.read(object, "restitution", [&](const Json& value) { header.restitution = in.number_if_any(value); });
+  in.read(object, "gravity", [&](const Json& value) { header.gravity = in.vector(value); });
+  in.read(object, "surfaces", [&](const Json& value) { header.surfaces = in.surfaces(value); });
+  in.read(object, "species", [&](const Json& value) { in.species(value, header); });
+  return header;
+}
+
+Vec3 RecordedPath::center_at(double moment, const Vec3& gravity) const {
+  const double elapsed = moment - time;
+  return position + elapsed * (velocity + (elapsed / 2) * gravity);
+}
+
+Vec3 RecordedPath::velocity_at(double moment, const Vec3& gravity) const {
+  return velocity + (moment - time) * gravity;
+}
+
+// Source: the product of two quaternions, of which the first is the turn by angle |spin| duration.
+Orientation Orientation::turned(const Vec3& spin, double duration) const {
+  const double rate = length(spin);
+  if (rate == 0) return *this;
+  const double half = rate * duration / 2;
+  const Vec3 axis = (std::sin(half) / rate) * spin;
+  const double along = std::cos(half);
+  return {along * imaginary + real * axis + cross(axis, imaginary), along * real - dot(axis, imaginary)};
+}
+
+void RecordedContact::rewrite(std::vector<RecordedPath>& paths) const {
+  if (fate == Fate::pass) return;
+  paths[first] = {first_position, first_velocity, time};
+  if (is_collision()) paths[static_cast<std::size_t>(second)] = {second_position, second_velocity, time};
+}
+
+void RecordedContact::rewrite(std::vector<RecordedBody>& bodies,
+                              const std::vector<RecordedPath>& paths) const {
+  if (fate == Fate::pass) return;
+  const auto turn = [&](SphereId id, const Vec3& spin) {
+    bodies[id].orientation = bodies[id].orientation.turned(bodies[id].spin, time - paths[id].time);
+    bodies[id].spin = spin;
+  };
+  turn(first, first_spin);
+  if (!is_collision()) return;
+  const auto other = static_cast<SphereId>(second);
+  if (fate == Fate::merge) {
+    bodies[first].radius = merged.radius;
+    bodies[first].mass = merged.mass;
+    bodies[first].moment = merged.moment;
+    bodies[other] = {};
+  } else {
+    turn(other, second_spin);
+  }
+}
+
+std::vector<RecordedPath> RecordedChunk::paths_at(double time) const {
+  HARDBALL_CHECK(begin <= time && time <= end);
+  std::vector<RecordedPath> paths = keyframe;
+  for (const RecordedContact& contact : contacts) {
+    if (contact.time > time) break;
+    contact.rewrite(paths);
+  }
+  return paths;
+}
+
+std::vector<RecordedBody> RecordedChunk::bodies_at(double time) const {
+  HARDBALL_CHECK(begin <= time && time <= end);
+  std::vector<RecordedPath> paths = keyframe;
+  std::vector<RecordedBody> all = bodies;
+  for (const RecordedContact& contact : contacts) {
+    if (contact.time > time) break;
+    contact.rewrite(all, paths);
+    contact.rewrite(paths);
+  }
+  return all;
+}
+
+}  // namespace hardball

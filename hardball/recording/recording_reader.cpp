@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/recording/recording_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/io/crc32.hpp"
+#include "hardball/io/little_endian.hpp"
+
+namespace hardball {
+namespace {
+
+using namespace recording_format;
+
+// Reads numbers from bytes in sequence. Precondition: they are there.
+class Numbers {
+ public:
+  explicit Numbers(const std::string& bytes) : next_(bytes.data()) {}
+
+  template <class Number>
+  Number take() {
+    const auto number = read_little_endian<Number>(next_);
+    next_ += sizeof(Number);
+    return number;
+  }
+
+  Vec3 vector() {
+    Vec3 vector;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) vector[axis] = take<double>();
+    return vector;
+  }
+
+ private:
+  const char* next_;
+};
+
+bool is_positive(double number) {
+  return number > 0 && std::isfinite(number);
+}
+
+// Kinematic spheres have infinite masses.
+bool is_mass(double number) {
+  return number > 0;
+}
+
+bool is_sound(const RecordedBody& body) {
+  const auto& [imaginary, real] = body.orientation;
+  const double square = dot(imaginary, imaginary) + real * real;
+  constexpr double kTolerance = 1e-6;  // of the square of a unit quaternion
+  const bool is_there = is_positive(body.radius) && is_mass(body.mass) && is_positive(body.moment);
+  return (is_there || body == RecordedBody{}) && std::fabs(square - 1) <= kTolerance;
+}
+
+bool is_finite(const Vec3& vector) {
+  return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
+}
+
+}  // namespace
+
+RecordingReader::RecordingReader(const std::filesystem::path& path, OnDamage on_damage)
+    : name_(path.string()), file_(path, std::ios::binary), on_damage_(on_damage) {
+  // On some systems a directory can be opened, and only reading fails.
+  if (!file_ || std::filesystem::is_directory(path)) {
+    throw Error("the file cannot be read", name_, "name a recording");
+  }
+  const std::uint64_t available = file_length();
+  const std::uint64_t text_begin = kMagicBytes + kLengthBytes;
+  if (available < text_begin) refuse("is not a recording");
+  const std::string start = read_bytes({0, text_begin});
+  const auto* const magic = std::ranges::find(kMagics, start.substr(0, kMagicBytes));
+  if (magic == kMagics.end()) refuse("is not a recording of a known version");
+  const std::uint64_t text_bytes = read_little_endian<std::uint32_t>(start.data() + kMagicBytes);
+  spheres_.offset = text_begin + text_bytes;
+  if (spheres_.offset > available) refuse("ends within its header");
+  header_text_ = read_bytes({text_begin, text_bytes});
+  header_ = parse_recording_header(header_text_, name_, static_cast<int>(magic - kMagics.begin()) + 1);
+  const Layout layout = header_.layout();
+  spheres_.length = kSphereBytes * header_.spheres;
+  if (spheres_.length + layout.checksum_bytes() > available - spheres_.offset)
+    refuse("ends before its spheres");
+  const std::string bytes = read_bytes(spheres_);
+  if (layout.has_checksums()) {
+    Crc32 crc;
+    for (const std::string& part : {start, header_text_, bytes}) crc.add(part);
+    const std::string checksum = read_bytes({spheres_.offset + spheres_.length, layout.checksum_bytes()});
+    if (read_little_endian<std::uint64_t>(checksum.data()) != crc.value()) {
+      refuse("is damaged: the header and the spheres, its first " +
+             to_text(spheres_.offset + spheres_.length) + " bytes, have another checksum");
+    }
+  }
+  Numbers numbers(bytes);
+  const auto read_all = [&](std::vector<double>& values, const auto& is_valid) {
+    values.reserve(header_.spheres);
+    for (std::size_t id = 0; id < header_.spheres; ++id) {
+      const auto value = numbers.take<double>();
+      if (!is_valid(value)) refuse("has a radius or a mass that is " + to_text(value));
+      values.push_back(value);
+    }
+  };
+  // With bodies, zeros are those of a sphere that does not exist.
+  const bool may_lack = header_.has_bodies;
+  read_all(radii_, [&](double value) { return is_positive(value) || (may_lack && value == 0); });
+  read_all(masses_, [&](double value) { return is_mass(value) || (may_lack && value == 0); });
+  length_ = spheres_.offset + spheres_.length + layout.checksum_bytes();
+  refresh();
+}
+
+void RecordingReader::refresh() {
+  if (damage_) return;
+  try {
+    find_chunks();
+  } catch (const Error& error) {
+    if (on_damage_ == OnDamage::refuse) throw;
+    damage_ = error.problem();
+  }
+}
+
+void RecordingReader::find_chunks() {
+  const Layout layout = header_.layout();
+  const std::uint64_t available = file_length();
+  while (available - length_ >= layout.head_bytes()) {
+    const std::string bytes = read_bytes({length_, layout.head_bytes()});
+    Numbers numbers(bytes);
+    const auto refuse_unless = [&](bool condition, const std::string& problem) {
+      if (!condition) refuse_chunk(chunks_.size(), problem);
+    };
+    refuse_unless(numbers.take<std::uint32_t>() == kChunkMagic, "does not start with the mark of a chunk");
+    ChunkExtent chunk;
+    chunk.contacts = numbers.take<std::uint32_t>();
+    chunk.bytes = {length_, numbers.take<std::uint64_t>()};
+    chunk.begin = numbers.take<double>();
+    chunk.end = numbers.take<double>();
+    if (layout.has_checksums()) {
+      const std::uint32_t crc = crc32_of(std::string_view(bytes).substr(0, Layout::kHeadBytes));
+      refuse_unless(numbers.take<std::uint64_t>() == crc, "has a head with another checksum");
+    }
+    refuse_unless(chunk.bytes.length == layout.chunk_bytes(header_.spheres, chunk.contacts),
+                  "has a length that does not match its contacts");
+    refuse_unless(chunk.begin == reached() && chunk.end >= chunk.begin && std::isfinite(chunk.end),
+                  "does not follow the previous one in time");
+    if (chunk.bytes.length > available - length_) return;
+    chunks_.push_back(chunk);
+    length_ += chunk.bytes.length;
+  }
+}
+
+RecordedChunk RecordingReader::read(std::size_t chunk) {
+  if (chunk >= chunks_.size()) {
+    throw Error("there is no chunk " + to_text(chunk), name_,
+                "chunks are counted from 0, and there are " + to_text(chunks_.size()));
+  }
+  const ChunkExtent& extent = chunks_[chunk];
+  const std::size_t walls = kFaces + header_.surfaces.size();
+  const auto refuse_unless = [&](bool condition) {
+    if (!condition) refuse_chunk(chunk, "contains what no run can produce");
+  };
+  const Layout layout = header_.layout();
+  const std::uint64_t head = layout.head_bytes();
+  const std::string bytes = read_bytes({extent.bytes.offset + head, extent.bytes.length - head});
+  if (layout.has_checksums()) {
+    const std::size_t end = bytes.size() - layout.checksum_bytes();
+    if (read_little_endian<std::uint64_t>(&bytes[end]) != crc32_of(std::string_view(bytes).substr(0, end)))
+      refuse_chunk(chunk, "has another checksum");
+  }
+  Numbers numbers(bytes);
+  RecordedChunk recorded{extent.begin, extent.end, {}, {}, {}};
+  const bool has_bodies = header_.has_bodies;
+  recorded.keyframe.reserve(header_.spheres);
+  for (std::size_t id = 0; id < header_.spheres; ++id) {
+    RecordedPath path;
+    path.position = numbers.vector();
+    path.velocity = numbers.vector();
+    path.time = numbers.take<double>();
+    refuse_unless(is_finite(path.position) && is_finite(path.velocity) && std::isfinite(path.time) &&
+                  path.time <= extent.begin);
+    recorded.keyframe.push_back(path);
+  }
+  recorded.bodies.reserve(header_.spheres);
+  for (std::size_t id = 0; id < header_.spheres; ++id) {
+    RecordedBody body{.radius = radii_[id], .mass = masses_[id]};
+    if (has_bodies) {
+      body.spin = numbers.vector();
+      body.orientation.imaginary = numbers.vector();
+      body.orientation.real = numbers.take<double>();
+      body.radius = numbers.take<double>();
+      body.mass = numbers.take<double>();
+      body.moment = numbers.take<double>();
+      refuse_unless(is_finite(body.spin) && is_sound(body));
+    }
+    recorded.bodies.push_back(body);
+  }
+  recorded.contacts.reserve(extent.contacts);
+  double last = extent.begin;
+  for (std::uint32_t k = 0; k < extent.contacts; ++k) {
+    RecordedContact contact;
+    contact.time = numbers.take<double>();
+    contact.first = numbers.take<std::uint32_t>();
+    contact.second = static_cast<std::int32_t>(numbers.take<std::uint32_t>());
+    const std::uint64_t fate = has_bodies ? numbers.take<std::uint64_t>() : 0;
+    refuse_unless(fate <= static_cast<std::uint64_t>(Fate::merge));
+    contact.fate = static_cast<Fate>(fate);
+    contact.first_position = numbers.vector();
+    contact.first_velocity = numbers.vector();
+    if (has_bodies) contact.first_spin = numbers.vector();
+    contact.second_position = numbers.vector();
+    contact.second_velocity = numbers.vector();
+    if (has_bodies) contact.second_spin = numbers.vector();
+    if (contact.fate == Fate::merge) {
+      const Vec3& values = contact.second_velocity;
+      refuse_unless(is_positive(values.x) && is_mass(values.y) && is_positive(values.z));
+      contact.merged = {values.x, values.y, values.z};
+      contact.second_velocity = {};
+    }
+    refuse_unless(last <= contact.time && contact.time <= extent.end);
+    refuse_unless(contact.first < header_.spheres);
+    refuse_unless(contact.is_wall() ? static_cast<std::size_t>(~contact.second) < walls
+                                    : static_cast<std::size_t>(contact.second) < header_.spheres);
+    refuse_unless(contact.fate == Fate::bounce || contact.is_collision());
+    refuse_unless(is_finite(contact.first_position) && is_finite(contact.first_velocity) &&
+                  is_finite(contact.second_position) && is_finite(contact.second_velocity) &&
+                  is_finite(contact.first_spin) && is_finite(contact.second_spin));
+    last = contact.time;
+    recorded.contacts.push_back(contact);
+  }
+  return recorded;
+}
+
+void RecordingReader::verify(const std::function<void(const RecordedChunk&)>& take) {
+  for (std::size_t k = 0; k < chunks_.size(); ++k) {
+    RecordedChunk chunk;
+    try {
+      chunk = read(k);
+    } catch (const Error& error) {
+      if (on_damage_ == OnDamage::refuse) throw;
+      length_ = chunks_[k].bytes.offset;
+      chunks_.resize(k);
+      damage_ = error.problem();
+      return;
+    }
+    if (take) take(chunk);
+  }
+}
+
+std::uint64_t RecordingReader::file_length() {
+  file_.clear();
+  file_.seekg(0, std::ios::end);
+  const auto end = static_cast<std::streamoff>(file_.tellg());
+  if (end < 0) refuse("cannot be read");
+  return static_cast<std::uint64_t>(end);
+}
+
+// Precondition: the extent lies within the file.
+std::string RecordingReader::read_bytes(const FileExtent& extent) {
+  std::string bytes(extent.length, '\0');
+  file_.clear();
+  file_.seekg(static_cast<std::streamoff>(extent.offset));
+  if (!file_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) refuse("cannot be read");
+  return bytes;
+}
+
+// Of a chunk among those found, or the next.
+void RecordingReader::refuse_chunk(std::size_t chunk, const std::string& problem) const {
+  const bool is_found = chunk < chunks_.size();
+  refuse("is damaged after time " + to_text(is_found ? chunks_[chunk].begin : reached()) + ": chunk " +
+         to_text(chunk) + ", at byte " + to_text(is_found ? chunks_[chunk].bytes.offset : length_) + ", " +
+         problem);
+}
+
+void RecordingReader::refuse(const std::string& problem) const {
+  throw Error("the recording " + problem, name_, "give a recording that hardball has written");
+}
+
+}  // namespace hardball

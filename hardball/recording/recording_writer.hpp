@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hardball/io/output_file.hpp"
+#include "hardball/recording/recording.hpp"
+#include "hardball/response/contact.hpp"
+#include "hardball/world/velocity_change.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// Writes a recording: an observer notified of every contact, and of every other change of a velocity.
+///
+/// The file always ends with a complete chunk. A chunk is closed when it holds as many contacts as there are
+/// spheres, or 1000 if that is more, or 64 MB of them; at flush(); and at close(). Contacts at the same time
+/// are never split between chunks. Memory: 56 bytes per sphere, and
+/// 192 per contact of the open chunk; with bodies also 80 per sphere.
+class RecordingWriter {
+ public:
+  /// Creates the file and records the spheres of `world`, whose number, box and species replace those of
+  /// `header`. It must have bodies where contacts may turn spheres or merge them; where spheres spin or may
+  /// pass through each other, or one has been removed, it gets them. Precondition: no contact has happened
+  /// since header.begin, nor lies between the stored paths and it. Error: the file cannot be opened for
+  /// writing.
+  RecordingWriter(std::filesystem::path path, RecordingHeader header, const World& world);
+
+  /// Opens a file written before to go on from what `save` returned then; what follows in it is cut off as
+  /// soon as anything is called, and not before.
+  /// Error: it cannot be opened for writing, is shorter, or contains something else there; `saved` is
+  /// damaged, or of a later version.
+  RecordingWriter(std::filesystem::path path, std::string_view saved);
+
+  /// Waits until all chunks are on the disk, and returns what is needed to go on from here, the open chunk
+  /// included. Error (RunFailure): as for note.
+  std::string save();
+
+  /// `world`: after the contact or change. Precondition: all contacts and changes are noted, in order; no
+  /// sphere is added or removed but by a merger, which needs bodies. Error (RunFailure): the file cannot be
+  /// written.
+  void note(const Contact& contact, const World& world);
+  void note(const VelocityChange& change, const World& world);
+
+  /// Closes the chunk and hands it to the operating system, so that readers see it. Contacts at the time of
+  /// the last one are kept for the next chunk, since others may follow at the same time. Error (RunFailure):
+  /// as for note.
+  void flush();
+
+  /// Ends the recording at `time` [T], or at the last contact if that is later, and closes the file; does
+  /// nothing if it is closed. Error (RunFailure): as for note.
+  void close(double time);
+
+  /// Closes the file, if it is open and anything was called, at the last contact noted, as far as possible;
+  /// errors are ignored.
+  ~RecordingWriter();
+  RecordingWriter(RecordingWriter&&) noexcept = default;
+
+  const std::filesystem::path& path() const { return file_.path(); }
+  /// Length of the file if the chunk were closed now.
+  std::uint64_t bytes() const;
+  /// Length of a chunk without contacts.
+  std::uint64_t keyframe_bytes() const { return state_.layout.chunk_bytes(state_.keyframe.size(), 0); }
+  /// Length of a contact.
+  std::uint64_t contact_bytes() const { return state_.layout.contact_bytes(); }
+
+ private:
+  // All but the file.
+  struct State {
+    recording_format::Layout layout;
+    FilePosition file;              // without the open chunk; its checksum is of the last save
+    std::size_t most_contacts = 0;  // of a chunk, unless they are at one time
+    bool has_chunks = false;
+    double begin = 0;                       // of the open chunk
+    std::vector<RecordedPath> keyframe;     // of the open chunk
+    std::vector<RecordedBody> bodies;       // likewise, if the layout has them
+    std::vector<RecordedContact> contacts;  // of the open chunk, so far
+
+    static void persist(auto& archive, auto& self) {
+      archive(self.layout.version, self.file);
+      if (archive.version() > 1) archive(self.layout.has_bodies);
+      archive(self.most_contacts, self.has_chunks, self.begin, self.keyframe, self.bodies, self.contacts);
+    }
+    bool restored();
+  };
+
+  RecordingWriter(std::filesystem::path path, State state);
+  static State restored(std::string_view saved, const std::string& where);
+  void add(const RecordedContact& contact);
+  void write_chunk(std::size_t contacts, double end);
+
+  OutputFile file_;
+  State state_;
+  bool is_untouched_ = false;  // since it was opened to go on
+};
+
+}  // namespace hardball

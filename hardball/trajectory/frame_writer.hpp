@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "hardball/io/output_file.hpp"
+#include "hardball/trajectory/snapshot.hpp"
+
+namespace hardball {
+
+/// How far a trajectory has been written: what must be known to cut it back and go on.
+struct TrajectoryPosition {
+  std::uint64_t frames = 0;
+  FilePosition file = {};  ///< Without bytes, where frames are in files of their own.
+  std::string head =
+      {};  ///< The beginning of the file, where it is overwritten as the file grows; otherwise empty.
+
+  friend bool operator==(const TrajectoryPosition&, const TrajectoryPosition&) = default;
+  static void persist(auto& archive, auto& self) {
+    archive(self.frames, self.file);
+    if (archive.version() > 1) archive(self.head);
+  }
+};
+
+/// Writes the frames of a file, whatever its format. One that goes on with a file changes nothing in it
+/// before the first call.
+class FrameWriter {
+ public:
+  virtual ~FrameWriter() = default;
+
+  /// Appends frame number `frame`, so that readers find it. Error (RunFailure): it cannot be written; the
+  /// file then ends with the previous frame.
+  virtual void append(const Snapshot& snapshot, std::uint64_t frame) = 0;
+  /// Makes what tells readers of the frames complete, where that is not done with every frame. Error: as
+  /// above.
+  virtual void flush() {}
+  /// Waits until all frames are on the disk, flushes, and says how to go on from here. Error: as above.
+  virtual TrajectoryPosition position() = 0;
+  /// Completes and closes the file; does nothing if it is closed. Error: as above.
+  virtual void close() = 0;
+};
+
+}  // namespace hardball

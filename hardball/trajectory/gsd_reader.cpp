@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/trajectory/gsd_reader.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <string>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+namespace {
+
+using gsd::Chunk;
+using gsd::Type;
+
+constexpr const char* kRemedy = "give a GSD file as the schema hoomd describes";
+
+double single_at(const std::string& bytes, std::size_t index) {
+  return double{std::bit_cast<float>(read_little_endian<std::uint32_t>(&bytes[4 * index]))};
+}
+
+double double_at(const std::string& bytes, std::size_t index) {
+  return read_little_endian<double>(&bytes[8 * index]);
+}
+
+Vec3 vector_at(const std::string& bytes, std::size_t index) {
+  return {double_at(bytes, 3 * index), double_at(bytes, 3 * index + 1), double_at(bytes, 3 * index + 2)};
+}
+
+Vec3 single_vector_at(const std::string& bytes, std::size_t index) {
+  return {single_at(bytes, 3 * index), single_at(bytes, 3 * index + 1), single_at(bytes, 3 * index + 2)};
+}
+
+std::string_view name_of(Chunk chunk) {
+  return gsd::kChunkNames[static_cast<std::size_t>(chunk)];
+}
+
+}  // namespace
+
+GsdReader::GsdReader(const std::filesystem::path& path) : file_(path), frames_(file_.frames()) {
+  if (frames_ == 0) throw Error("the file contains no frame", file_.name(), "give a GSD file with a frame");
+}
+
+// The bytes of a chunk, that of the first frame if the frame has none and as many spheres; nothing if neither
+// has it.
+std::string GsdReader::chunk(std::size_t frame, Chunk chunk, Type type, std::uint64_t rows,
+                             std::uint64_t columns) {
+  const gsd::Entry* entry = file_.find(frame, name_of(chunk));
+  if (!entry && frame > 0 && count_of(0) == count_of(frame)) entry = file_.find(0, name_of(chunk));
+  if (!entry) return {};
+  if (entry->type != static_cast<std::uint8_t>(type) || entry->rows != rows || entry->columns != columns) {
+    throw Error(
+        "chunk " + std::string(name_of(chunk)) + " of frame " + to_text(frame) + " has another type or shape",
+        file_.name(), kRemedy);
+  }
+  return file_.read(*entry);
+}
+
+std::uint64_t GsdReader::count_of(std::size_t frame) {
+  const gsd::Entry* entry = file_.find(frame, name_of(Chunk::count));
+  if (!entry) entry = file_.find(0, name_of(Chunk::count));
+  if (!entry) return 0;
+  const std::string bytes = file_.read(*entry);
+  if (bytes.size() != 4) throw Error("chunk particles/N has another type or shape", file_.name(), kRemedy);
+  return read_little_endian<std::uint32_t>(bytes.data());
+}
+
+void GsdReader::read_box(std::size_t frame, Snapshot& snapshot) {
+  SnapshotBox box;
+  const std::string dimensions = chunk(frame, Chunk::dimensions, Type::uint8, 1, 1);
+  box.is_flat = !dimensions.empty() && dimensions[0] == 2;
+  const std::string edges = chunk(frame, Chunk::box, Type::float32, 6, 1);
+  if (edges.empty()) return;
+  for (std::size_t tilt = kAxes; tilt < 2 * kAxes; ++tilt) {
+    if (single_at(edges, tilt) == 0) continue;
+    throw Error("the box is triclinic", file_.name(), "give a box whose edges lie along the axes");
+  }
+  box.size = single_vector_at(edges, 0);
+  box.is_periodic = {true, true, !box.is_flat};
+  if (const std::string periodic = chunk(frame, Chunk::periodic, Type::uint8, 3, 1); !periodic.empty()) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) box.is_periodic[axis] = periodic[axis] != 0;
+  }
+  const std::string origin = chunk(frame, Chunk::origin, Type::float64, 3, 1);
+  const std::string size = chunk(frame, Chunk::size, Type::float64, 3, 1);
+  if (!origin.empty()) box.low = vector_at(origin, 0);
+  if (!size.empty()) box.size = vector_at(size, 0);
+  const std::string unbounded = chunk(frame, Chunk::unbounded, Type::uint8, 1, 1);
+  box.is_unbounded = !unbounded.empty() && unbounded[0] != 0;
+  snapshot.box = box;
+}
+
+Snapshot GsdReader::read(std::size_t frame) {
+  HARDBALL_CHECK(frame < frames_);
+  Snapshot snapshot;
+  const std::uint64_t count = count_of(frame);
+  read_box(frame, snapshot);
+  const std::string time = chunk(frame, Chunk::time, Type::float64, 1, 1);
+  if (!time.empty() && !std::isnan(double_at(time, 0))) snapshot.time = double_at(time, 0);
+  const std::string exact = chunk(frame, Chunk::exact_position, Type::float64, count, kAxes);
+  // The single precision positions must be there: their chunk bounds how many spheres there may be.
+  const std::string positions = chunk(frame, Chunk::position, Type::float32, count, kAxes);
+  if (positions.empty() && count > 0) {
+    throw Error("frame " + to_text(frame) + " has no positions", file_.name(), kRemedy);
+  }
+  const Vec3 center = snapshot.box ? 0.5 * snapshot.box->size + snapshot.box->low : Vec3{};
+  const bool is_flat = snapshot.box && snapshot.box->is_flat;
+  snapshot.spheres.resize(count);
+  const auto each = [&](const std::string& bytes, const auto& set) {
+    for (std::size_t i = 0; i < count && !bytes.empty(); ++i) set(snapshot.spheres[i], i);
+  };
+  if (!exact.empty()) {
+    each(exact, [&](Sphere& sphere, std::size_t i) { sphere.position = vector_at(exact, i); });
+  } else {
+    each(positions, [&](Sphere& sphere, std::size_t i) {
+      sphere.position = single_vector_at(positions, i) + center;
+      if (is_flat) sphere.position.z = 0;
+    });
+  }
+  const auto of_each = [&](Chunk rough, Chunk fine, std::size_t columns, const auto& set_rough,
+                           const auto& set_fine) {
+    const std::string doubles = chunk(frame, fine, Type::float64, count, columns);
+    if (!doubles.empty()) {
+      each(doubles, [&](Sphere& sphere, std::size_t i) { set_fine(sphere, doubles, i); });
+      return;
+    }
+    const std::string singles = chunk(frame, rough, Type::float32, count, columns);
+    each(singles, [&](Sphere& sphere, std::size_t i) { set_rough(sphere, singles, i); });
+  };
+  each(exact.empty() ? positions : exact, [](Sphere& sphere, std::size_t) { sphere.radius = 0.5; });
+  of_each(
+      Chunk::velocity, Chunk::exact_velocity, kAxes,
+      [](Sphere& sphere, const std::string& bytes, std::size_t i) {
+        sphere.velocity = single_vector_at(bytes, i);
+      },
+      [](Sphere& sphere, const std::string& bytes, std::size_t i) { sphere.velocity = vector_at(bytes, i); });
+  of_each(
+      Chunk::diameter, Chunk::exact_radius, 1,
+      [](Sphere& sphere, const std::string& bytes, std::size_t i) {
+        sphere.radius = single_at(bytes, i) / 2;
+      },
+      [](Sphere& sphere, const std::string& bytes, std::size_t i) { sphere.radius = double_at(bytes, i); });
+  of_each(
+      Chunk::mass, Chunk::exact_mass, 1,
+      [](Sphere& sphere, const std::string& bytes, std::size_t i) { sphere.mass = single_at(bytes, i); },
+      [](Sphere& sphere, const std::string& bytes, std::size_t i) { sphere.mass = double_at(bytes, i); });
+  const std::string types = chunk(frame, Chunk::type_id, Type::uint32, count, 1);
+  each(types, [&](Sphere& sphere, std::size_t i) {
+    sphere.species = species_of_type(std::int64_t{read_little_endian<std::uint32_t>(&types[4 * i])} + 1);
+  });
+  const std::string spins = chunk(frame, Chunk::spin, Type::float64, count, kAxes);
+  each(spins, [&](Sphere& sphere, std::size_t i) { sphere.spin = vector_at(spins, i); });
+  snapshot.has_spins =
+      std::ranges::any_of(snapshot.spheres, [](const Sphere& sphere) { return sphere.spin != Vec3{}; });
+  const std::string moments = chunk(frame, Chunk::moment, Type::float64, count, 1);
+  each(moments, [&](Sphere& sphere, std::size_t i) { sphere.moment = double_at(moments, i); });
+  const std::string images = chunk(frame, Chunk::image, Type::int32, count, kAxes);
+  each(images, [&](Sphere&, std::size_t i) {
+    Image& image = snapshot.images.emplace_back();
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+      image[axis] = static_cast<std::int32_t>(read_little_endian<std::uint32_t>(&images[4 * (3 * i + axis)]));
+  });
+  const std::string ids = chunk(frame, Chunk::id, Type::int64, count, 1);
+  each(ids, [&](Sphere&, std::size_t i) {
+    snapshot.ids.push_back(static_cast<std::int64_t>(read_little_endian<std::uint64_t>(&ids[8 * i])));
+  });
+  if (!snapshot.ids.empty()) sort_by_id(snapshot, file_.name());
+  check_numbers(snapshot, file_.name());
+  return snapshot;
+}
+
+}  // namespace hardball

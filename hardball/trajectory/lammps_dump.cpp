@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/trajectory/lammps_dump.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/trajectory/append_text.hpp"
+#include "hardball/trajectory/sphere_columns.hpp"
+
+namespace hardball {
+namespace {
+
+// --- writing ---
+
+const char* boundary_of(const SnapshotBox& box, std::size_t axis) {
+  if (box.is_periodic[axis]) return " pp";
+  return box.is_unbounded ? " ss" : " ff";
+}
+
+std::string header(const Snapshot& snapshot, std::uint64_t frame) {
+  const SnapshotBox box = box_of(snapshot);
+  std::string text = "ITEM: TIMESTEP\n" + to_text(frame) + "\nITEM: NUMBER OF ATOMS\n" +
+                     to_text(snapshot.spheres.size()) + "\nITEM: BOX BOUNDS";
+  for (std::size_t axis = 0; axis < kAxes; ++axis) text += boundary_of(box, axis);
+  text += '\n';
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    append_text(text, box.low[axis]);
+    append_text(text, box.low[axis] + box.size[axis]);
+    text.back() = '\n';
+  }
+  text += "ITEM: ATOMS id type x y z ix iy iz vx vy vz radius mass";
+  if (snapshot.has_spins) text += " omegax omegay omegaz moment";
+  return text + "\n";
+}
+
+// --- reading ---
+
+constexpr std::string_view kItem = "ITEM: ";
+
+// What precedes the spheres of a frame.
+struct Header {
+  std::size_t count = 0;
+  std::optional<double> time;
+  std::optional<SnapshotBox> box;
+};
+
+void need_line(Lines& lines) {
+  if (lines.next()) return;
+  throw Error("the file ends within a frame", lines.place().text(), "remove the incomplete frame");
+}
+
+SnapshotBox read_box(Lines& lines, std::string_view axes) {
+  SnapshotBox box;
+  const std::vector<Token> boundaries = tokens_of(axes);
+  if (boundaries.size() > kAxes) {
+    throw Error("the box is triclinic", lines.place().text(), "give a box whose edges lie along the axes");
+  }
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const std::string_view boundary = axis < boundaries.size() ? boundaries[axis].text : "ff";
+    box.is_periodic[axis] = boundary.starts_with('p');
+    box.is_unbounded = box.is_unbounded || boundary.starts_with('s') || boundary.starts_with('m');
+  }
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    need_line(lines);
+    const std::vector<Token> ends = tokens_of(lines.line());
+    if (ends.size() != 2) {
+      throw Error("the line has " + to_text(ends.size()) + " values", lines.place().text(),
+                  "give the two ends of the box along an axis");
+    }
+    box.low[axis] = parse_real(ends[0], "the lower end", lines.place());
+    box.size[axis] = parse_real(ends[1], "the upper end", lines.place()) - box.low[axis];
+  }
+  return box;
+}
+
+// Leaves the line that names the columns.
+Header read_header(Lines& lines) {
+  Header header;
+  bool has_count = false;
+  for (;; need_line(lines)) {
+    const TextPlace place = lines.place();
+    const std::string line(lines.line());
+    if (!line.starts_with(kItem)) {
+      throw Error("there is '" + line.substr(0, 40) + "' instead of an item", place.text(),
+                  "give a LAMMPS dump in text, each part of which begins with ITEM:");
+    }
+    const std::string_view item = std::string_view(line).substr(kItem.size());
+    if (item.starts_with("ATOMS")) break;
+    if (item.starts_with("BOX BOUNDS")) {
+      header.box = read_box(lines, item.substr(std::string_view("BOX BOUNDS").size()));
+      continue;
+    }
+    need_line(lines);
+    const Token value = next_token(lines.line(), 0);
+    if (item.starts_with("NUMBER OF ATOMS")) {
+      has_count = parse(value.text, header.count);
+      if (!has_count) parse_integer({"", value.offset}, "the number of atoms", lines.place());
+    } else if (item.starts_with("TIME") && !item.starts_with("TIMESTEP")) {
+      header.time = parse_real(value, "the time", lines.place());
+    }
+  }
+  if (!has_count) {
+    throw Error("the frame has no number of atoms", lines.place().text(),
+                "add ITEM: NUMBER OF ATOMS before ITEM: ATOMS");
+  }
+  return header;
+}
+
+[[noreturn]] void report_end(const Lines& lines, std::size_t count, std::size_t found) {
+  throw Error(
+      "the file ends after " + to_text(found) + " of the " + to_text(count) + " spheres of its last frame",
+      lines.place().text(), "remove the incomplete frame");
+}
+
+void skip_frame(Lines& lines) {
+  const Header header = read_header(lines);
+  for (std::size_t i = 0; i < header.count; ++i) {
+    if (!lines.next()) report_end(lines, header.count, i);
+  }
+}
+
+Snapshot read_frame(Lines& lines) {
+  const Header header = read_header(lines);
+  const std::string names(lines.line());
+  std::vector<Token> columns = tokens_of(names);
+  columns.erase(columns.begin(), columns.begin() + 2);  // ITEM: ATOMS
+  SphereColumns spheres(columns, lines.place());
+  Snapshot snapshot;
+  snapshot.time = header.time;
+  snapshot.box = header.box;
+  for (std::size_t i = 0; i < header.count; ++i) {
+    if (!lines.next()) report_end(lines, header.count, i);
+    spheres.add(tokens_of(lines.line()), lines.place(), snapshot);
+  }
+  return snapshot;
+}
+
+}  // namespace
+
+void append_lammps_dump(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append) {
+  append(header(snapshot, frame));
+  std::string line;
+  for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
+    const Sphere& sphere = snapshot.spheres[i];
+    line.clear();
+    append_text(line, snapshot.id(i));
+    append_text(line, sphere.species + 1);
+    append_text(line, sphere.position);
+    append_text(line, snapshot.image(i));
+    append_text(line, sphere.velocity);
+    append_text(line, sphere.radius);
+    append_text(line, sphere.mass);
+    if (snapshot.has_spins) {
+      append_text(line, sphere.spin);
+      append_text(line, sphere.moment);
+    }
+    line.back() = '\n';
+    append(line);
+  }
+}
+
+TextFormat lammps_dump_format() {
+  return {skip_frame, read_frame, "give a LAMMPS dump in text"};
+}
+
+}  // namespace hardball

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hardball/trajectory/snapshot.hpp"
+#include "hardball/trajectory/snapshot_reader.hpp"
+#include "hardball/trajectory/text_trajectory.hpp"
+
+namespace hardball {
+
+/// Appends a frame of a LAMMPS dump: `id type x y z ix iy iz vx vy vz radius mass` and, where spheres spin,
+/// `omegax omegay omegaz moment`. The time step is the number of the frame: the readers that users have
+/// understand no time.
+void append_lammps_dump(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
+
+/// LAMMPS dumps in text, also those with ITEM: TIME. The columns `x y z vx vy vz` and `radius` or `diameter`
+/// are required. Error, located by file:line:column: a column is missing, the box is triclinic, a value is
+/// not a finite number, an id occurs twice, the last frame is incomplete.
+TextFormat lammps_dump_format();
+
+}  // namespace hardball

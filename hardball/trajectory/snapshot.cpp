@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/trajectory/snapshot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/world/range.hpp"
+
+namespace hardball {
+namespace {
+
+// Widens the box along an axis to the spheres; to a unit length if there are none.
+void span_spheres(const std::vector<Sphere>& spheres, std::size_t axis, SnapshotBox& box) {
+  double low = spheres.empty() ? 0 : std::numeric_limits<double>::infinity();
+  double high = spheres.empty() ? 1 : -std::numeric_limits<double>::infinity();
+  for (const Sphere& sphere : spheres) {
+    low = std::min(low, sphere.position[axis] - sphere.radius);
+    high = std::max(high, sphere.position[axis] + sphere.radius);
+  }
+  box.low[axis] = low;
+  box.size[axis] = high - low;
+}
+
+template <class Value>
+void reorder(std::vector<Value>& values, const std::vector<std::size_t>& order) {
+  if (values.empty()) return;
+  std::vector<Value> sorted;
+  sorted.reserve(values.size());
+  for (const std::size_t index : order) sorted.push_back(values[index]);
+  values = std::move(sorted);
+}
+
+bool is_finite(const Vec3& vector) {
+  return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
+}
+
+}  // namespace
+
+std::string Snapshot::place(const std::string& name, std::size_t sphere) const {
+  return lines.empty() ? name + ": sphere " + to_text(sphere) : name + ":" + to_text(lines[sphere]);
+}
+
+Snapshot snapshot_of(const World& world, const Time& moment) {
+  Snapshot snapshot;
+  snapshot.time = moment.value();
+  snapshot.has_spins = world.has_spins();
+  snapshot.spheres.reserve(world.size());
+  snapshot.ids.reserve(world.size());
+  snapshot.images.reserve(world.size());
+  world.for_each_by_id([&](Slot slot) {
+    snapshot.spheres.push_back({.position = world.position(slot, moment),
+                                .velocity = world.velocity(slot, moment),
+                                .radius = world.radius(slot),
+                                .mass = world.mass(slot),
+                                .spin = world.spin(slot),
+                                .species = world.species(slot),
+                                .moment = world.moment(slot)});
+    snapshot.ids.push_back(world.id(slot));
+    snapshot.images.push_back(world.image(slot, moment));
+  });
+  const Box& box = world.box();
+  SnapshotBox& shown = snapshot.box.emplace();
+  shown.is_unbounded = box.is_any(Boundary::open);
+  shown.is_flat = box.is_flat();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    shown.is_periodic[axis] = box.is_periodic(axis);
+    if (box.is_bounded(axis)) {
+      shown.size[axis] = box.size()[axis];
+    } else {
+      span_spheres(snapshot.spheres, axis, shown);
+    }
+  }
+  return snapshot;
+}
+
+SnapshotBox box_of(const Snapshot& snapshot) {
+  if (snapshot.box) return *snapshot.box;
+  SnapshotBox box;
+  box.is_unbounded = true;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) span_spheres(snapshot.spheres, axis, box);
+  return box;
+}
+
+void sort_by_id(Snapshot& snapshot, const std::string& name) {
+  const std::vector<std::int64_t>& ids = snapshot.ids;
+  std::vector<std::size_t> order(ids.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return ids[a] < ids[b]; });
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (ids[order[i]] != ids[order[i - 1]]) continue;
+    const std::string before = snapshot.lines.empty() ? "that of sphere " + to_text(order[i - 1])
+                                                      : "on line " + to_text(snapshot.lines[order[i - 1]]);
+    throw Error("id " + to_text(ids[order[i]]) + " is already " + before, snapshot.place(name, order[i]),
+                "give every sphere an id of its own");
+  }
+  reorder(snapshot.spheres, order);
+  reorder(snapshot.images, order);
+  reorder(snapshot.lines, order);
+  reorder(snapshot.ids, order);
+}
+
+void check_numbers(const Snapshot& snapshot, const std::string& name) {
+  const auto is_proper = [](double number) { return number > 0 && std::isfinite(number); };
+  for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
+    const Sphere& sphere = snapshot.spheres[i];
+    const bool has_mass = sphere.mass > 0;
+    if (is_finite(sphere.position) && is_finite(sphere.velocity) && is_finite(sphere.spin) &&
+        is_proper(sphere.radius) && is_proper(sphere.moment) && has_mass) {
+      continue;
+    }
+    const std::string where = snapshot.place(name, i);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      check_finite(sphere.position[axis], "position", where);
+      check_finite(sphere.velocity[axis], "velocity", where);
+      check_finite(sphere.spin[axis], "spin", where);
+    }
+    check_positive(sphere.radius, "radius", where);
+    if (!has_mass) check_positive(sphere.mass, "mass", where);
+    check_positive(sphere.moment, "moment", where);
+  }
+}
+
+}  // namespace hardball

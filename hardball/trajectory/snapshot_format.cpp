@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/trajectory/snapshot_format.hpp"
+
+#include <array>
+#include <fstream>
+#include <system_error>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/io/zstd.hpp"
+#include "hardball/trajectory/extended_xyz_reader.hpp"
+#include "hardball/trajectory/gsd_reader.hpp"
+#include "hardball/trajectory/lammps_dump.hpp"
+#include "hardball/trajectory/npy_snapshot.hpp"
+#include "hardball/trajectory/sph.hpp"
+#include "hardball/trajectory/sphere_csv.hpp"
+
+namespace hardball {
+namespace {
+
+struct Ending {
+  std::string_view text;
+  SnapshotFormat format;
+};
+
+// The first for each format is the usual one.
+constexpr std::array<Ending, 10> kEndings{{{".xyz", SnapshotFormat::extended_xyz},
+                                           {".extxyz", SnapshotFormat::extended_xyz},
+                                           {".xyz.zst", SnapshotFormat::extended_xyz_zst},
+                                           {".gsd", SnapshotFormat::gsd},
+                                           {".lammpstrj", SnapshotFormat::lammps},
+                                           {".dump", SnapshotFormat::lammps},
+                                           {".pvd", SnapshotFormat::vtp},
+                                           {".csv", SnapshotFormat::csv},
+                                           {".npy", SnapshotFormat::npy},
+                                           {".sph", SnapshotFormat::sph}}};
+
+std::unique_ptr<std::istream> open_plain(const std::filesystem::path& path) {
+  auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
+  if (!*file) throw Error("the file cannot be read", path.string(), "name a file that you may read");
+  return file;
+}
+
+}  // namespace
+
+SnapshotFormat format_of(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  std::string known;
+  for (const Ending& ending : kEndings) {
+    if (name.ends_with(ending.text)) return ending.format;
+    known += (known.empty() ? "" : ", ") + std::string(ending.text);
+  }
+  throw Error("its name does not say what format it has", path.string(), "let it end in one of " + known);
+}
+
+bool has_single_frame(SnapshotFormat format) {
+  return format == SnapshotFormat::csv || format == SnapshotFormat::npy;
+}
+
+std::string_view name_of(SnapshotFormat format) {
+  constexpr std::array<std::string_view, 8> kNames{"extended XYZ",      "extended XYZ, compressed",
+                                                   "GSD, schema hoomd", "LAMMPS dump",
+                                                   "VTP collection",    "CSV table",
+                                                   "NumPy array",       "EDMD snapshots"};
+  return kNames[static_cast<std::size_t>(format)];
+}
+
+std::unique_ptr<SnapshotReader> open_snapshots(const std::filesystem::path& path) {
+  const SnapshotFormat format = format_of(path);
+  // Files are read more than once, to their ends: a pipe cannot be, and a device may have no end.
+  std::error_code unknown;
+  if (std::filesystem::exists(path, unknown) && !std::filesystem::is_regular_file(path, unknown)) {
+    throw Error("it is not a regular file", path.string(), "name a file with snapshots");
+  }
+  const auto text = [&](TextFormat text_format, auto open) {
+    return std::make_unique<TextSnapshotReader>([path, open] { return open(path); }, path.string(),
+                                                text_format);
+  };
+  switch (format) {
+    case SnapshotFormat::extended_xyz:
+      return text(extended_xyz_format(), open_plain);
+    case SnapshotFormat::extended_xyz_zst:
+      return text(extended_xyz_format(), open_zstd);
+    case SnapshotFormat::gsd:
+      return std::make_unique<GsdReader>(path);
+    case SnapshotFormat::lammps:
+      return text(lammps_dump_format(), open_plain);
+    case SnapshotFormat::csv:
+      return text(csv_format(), open_plain);
+    case SnapshotFormat::npy:
+      return std::make_unique<NpySnapshotReader>(path);
+    case SnapshotFormat::sph:
+      return text(sph_format(), open_plain);
+    case SnapshotFormat::vtp:
+      break;
+  }
+  throw Error("VTP files are only written", path.string(), "name a file of another format");
+}
+
+Snapshot read_snapshot(const std::filesystem::path& path) {
+  const std::unique_ptr<SnapshotReader> reader = open_snapshots(path);
+  return reader->read(reader->frames() - 1);
+}
+
+}  // namespace hardball

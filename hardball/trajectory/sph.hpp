@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hardball/trajectory/snapshot.hpp"
+#include "hardball/trajectory/snapshot_reader.hpp"
+#include "hardball/trajectory/text_trajectory.hpp"
+
+namespace hardball {
+
+/// Appends a frame of Smallenburg's format: the number of spheres, the edges of the box, and for each sphere
+/// a letter for its species, its centre, not folded into the box, and its radius. It has no velocities,
+/// masses or ids. Source: the section "Snapshot file format" of the EDMD codes' README (Smallenburg, Eur.
+/// Phys. J. E 45, 22, 2022).
+void append_sph(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
+
+/// That format; the box is periodic. Error, located by file:line:column: a line has not as many values, a
+/// value is not a finite number, the last frame is incomplete.
+TextFormat sph_format();
+
+}  // namespace hardball

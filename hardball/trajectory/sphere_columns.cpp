@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/trajectory/sphere_columns.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+namespace {
+
+using enum SphereColumn;
+
+constexpr std::array<SphereColumn, 6> kRequired{x, y, z, vx, vy, vz};
+constexpr std::array<SphereColumn, 3> kImage{ix, iy, iz};
+constexpr std::array<SphereColumn, 3> kSpin{omegax, omegay, omegaz};
+
+std::string name_of(SphereColumn column) {
+  return std::string(kSphereColumnNames[static_cast<std::size_t>(column)]);
+}
+
+}  // namespace
+
+SphereColumns::SphereColumns(std::span<const Token> names, const TextPlace& where) : count_(names.size()) {
+  for (const Token& name : names) names_.emplace_back(name.text);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto known = std::ranges::find(kSphereColumnNames, names[i].text);
+    if (known == kSphereColumnNames.end()) continue;
+    std::optional<std::size_t>& index = index_[static_cast<std::size_t>(known - kSphereColumnNames.begin())];
+    if (index) {
+      throw Error("column '" + std::string(names[i].text) + "' appears twice", where.text(names[i].offset),
+                  "remove one of the two");
+    }
+    index = i;
+  }
+  const auto need = [&](SphereColumn column) {
+    if (has(column)) return;
+    throw Error("there is no column '" + name_of(column) + "'", where.text(),
+                "name the columns, among them x, y, z, vx, vy, vz and radius");
+  };
+  for (const SphereColumn column : kRequired) need(column);
+  if (!has(diameter)) need(radius);
+  for (const auto& group : {kImage, kSpin}) {
+    if (std::ranges::any_of(group, [&](SphereColumn column) { return has(column); }))
+      std::ranges::for_each(group, need);
+  }
+}
+
+void SphereColumns::add(std::span<const Token> values, const TextPlace& place, Snapshot& snapshot) const {
+  if (values.size() != count_) {
+    throw Error("the line has " + to_text(values.size()) + " values for " + to_text(count_) + " columns",
+                place.text(), "give one value for each column");
+  }
+  const std::size_t mass_index = has(mass) ? at(mass) : count_;
+  add(
+      snapshot, place.text(),
+      [&](std::size_t column) {
+        return column == mass_index ? parse_mass(values[column], place)
+                                    : parse_real(values[column], names_[column], place);
+      },
+      [&](std::size_t column) { return parse_integer(values[column], names_[column], place); });
+  snapshot.lines.push_back(place.line);
+}
+
+std::int32_t SphereColumns::box_count(std::int64_t number, const std::string& place) {
+  using Limits = std::numeric_limits<std::int32_t>;
+  if (number >= Limits::min() && number <= Limits::max()) return static_cast<std::int32_t>(number);
+  throw Error("an image is " + to_text(number) + " boxes away", place, "give a smaller number of boxes");
+}
+
+}  // namespace hardball

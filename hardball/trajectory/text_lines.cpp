@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/trajectory/text_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr std::streamsize kLongestLine = 1 << 20;
+
+}  // namespace
+
+std::string TextPlace::text() const {
+  return line == 0 ? name : name + ":" + to_text(line);
+}
+
+std::string TextPlace::text(std::size_t offset) const {
+  return line == 0 ? name : text() + ":" + to_text(offset + 1);
+}
+
+Token next_token(std::string_view line, std::size_t offset) {
+  const std::size_t begin = std::min(line.find_first_not_of(kBlanks, offset), line.size());
+  const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
+  return {line.substr(begin, end - begin), begin};
+}
+
+std::vector<Token> tokens_of(std::string_view line) {
+  std::vector<Token> tokens;
+  std::size_t at = 0;
+  for (Token token = next_token(line, at); !token.text.empty(); token = next_token(line, at)) {
+    tokens.push_back(token);
+    at = token.offset + token.text.size();
+  }
+  return tokens;
+}
+
+double parse_real(const Token& token, std::string_view name, const TextPlace& place) {
+  double number = 0;
+  if (parse(token.text, number) && std::isfinite(number)) return number;
+  throw Error(std::string(name) + " is '" + std::string(token.text.substr(0, 40)) + "'",
+              place.text(token.offset), "give a finite number");
+}
+
+std::int64_t parse_integer(const Token& token, std::string_view name, const TextPlace& place) {
+  std::int64_t number = 0;
+  if (parse(token.text, number)) return number;
+  throw Error(std::string(name) + " is '" + std::string(token.text.substr(0, 40)) + "'",
+              place.text(token.offset), "give an integer");
+}
+
+double parse_mass(const Token& token, const TextPlace& place) {
+  return token.text == "inf" ? std::numeric_limits<double>::infinity() : parse_real(token, "mass", place);
+}
+
+std::uint8_t species_of_type(std::int64_t type) {
+  constexpr std::int64_t kMostTypes = std::numeric_limits<std::uint8_t>::max() + 1;
+  return type >= 1 && type <= kMostTypes ? static_cast<std::uint8_t>(type - 1) : std::uint8_t{0};
+}
+
+Lines::Lines(std::unique_ptr<std::istream> in, std::string name)
+    : in_(std::move(in)),
+      name_(std::move(name)),
+      buffer_(std::make_unique_for_overwrite<char[]>(kLongestLine)) {}
+
+bool Lines::next() {
+  in_->getline(buffer_.get(), kLongestLine);
+  const auto read = static_cast<std::size_t>(in_->gcount());
+  if (read == 0) return false;
+  ++number_;
+  if (in_->fail()) {
+    throw Error("the line is longer than a megabyte", place().text(),
+                "give a text file with a line for each sphere");
+  }
+  // The end of the line is read, but not stored; the last line may lack it.
+  line_ = {buffer_.get(), in_->eof() ? read : read - 1};
+  return true;
+}
+
+bool Lines::next_text() {
+  while (next()) {
+    if (!is_blank()) return true;
+  }
+  return false;
+}
+
+}  // namespace hardball

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/trajectory/trajectory.hpp"
+
+#include <system_error>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/trajectory/extended_xyz_writer.hpp"
+#include "hardball/trajectory/gsd_trajectory.hpp"
+#include "hardball/trajectory/lammps_dump.hpp"
+#include "hardball/trajectory/npy_snapshot.hpp"
+#include "hardball/trajectory/sph.hpp"
+#include "hardball/trajectory/sphere_csv.hpp"
+#include "hardball/trajectory/text_trajectory.hpp"
+#include "hardball/trajectory/vtp_trajectory.hpp"
+
+namespace hardball {
+namespace {
+
+std::unique_ptr<FrameWriter> make_writer(const std::filesystem::path& path, SnapshotFormat format,
+                                         const std::optional<TrajectoryPosition>& position) {
+  const auto text = [&](AppendFrame append_frame, bool is_compressed = false) {
+    return std::make_unique<TextTrajectory>(path, append_frame, is_compressed, position);
+  };
+  switch (format) {
+    case SnapshotFormat::extended_xyz:
+      return text(append_extended_xyz);
+    case SnapshotFormat::extended_xyz_zst:
+      return text(append_extended_xyz, true);
+    case SnapshotFormat::gsd:
+      return std::make_unique<GsdTrajectory>(path, position);
+    case SnapshotFormat::lammps:
+      return text(append_lammps_dump);
+    case SnapshotFormat::vtp:
+      return std::make_unique<VtpTrajectory>(path, position);
+    case SnapshotFormat::csv:
+      return text(append_csv);
+    case SnapshotFormat::npy:
+      return text(append_npy);
+    case SnapshotFormat::sph:
+      return text(append_sph);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Trajectory::Trajectory(const std::filesystem::path& path)
+    : format_(format_of(path)), writer_(make_writer(path, format_, {})) {}
+
+Trajectory::Trajectory(const std::filesystem::path& path, const TrajectoryPosition& position)
+    : frames_(position.frames), format_(format_of(path)), writer_(make_writer(path, format_, position)) {}
+
+void Trajectory::append(const World& world, const Time& moment) {
+  append(snapshot_of(world, moment));
+}
+
+void Trajectory::append(const Snapshot& snapshot) {
+  HARDBALL_CHECK(frames_ == 0 || !has_single_frame(format_));
+  writer_->append(snapshot, frames_);
+  ++frames_;
+}
+
+void Trajectory::flush() {
+  writer_->flush();
+}
+
+void Trajectory::close() {
+  writer_->close();
+}
+
+TrajectoryPosition Trajectory::position() {
+  TrajectoryPosition position = writer_->position();
+  position.frames = frames_;
+  return position;
+}
+
+void Trajectory::remove(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (format_of(path) == SnapshotFormat::vtp) {
+    VtpTrajectory::remove(path);
+  } else {
+    std::filesystem::remove(path, ignored);
+  }
+}
+
+}  // namespace hardball

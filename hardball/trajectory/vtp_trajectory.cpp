@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/trajectory/vtp_trajectory.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/io/checksum.hpp"
+#include "hardball/io/little_endian.hpp"
+#include "hardball/io/output_file.hpp"
+#include "hardball/io/read_file.hpp"
+#include "hardball/io/replace_file.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr std::string_view kEntry = "    <DataSet ";
+constexpr const char* kExtension = ".vtp";
+constexpr std::size_t kDigits = 8;
+constexpr std::uint64_t kUnknown = ~std::uint64_t{0};
+
+std::string frame_name(std::uint64_t frame) {
+  const std::string number = to_text(frame);
+  return std::string(kDigits - std::min(kDigits, number.size()), '0') + number + kExtension;
+}
+
+bool is_frame_name(const std::filesystem::path& name) {
+  const std::string stem = name.stem().string();
+  return name.extension() == kExtension && stem.size() >= kDigits &&
+         std::ranges::all_of(stem, [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+// Removes the files of the frame of this name and of those that follow.
+void remove_frames(const std::filesystem::path& folder, const std::string& first) {
+  std::error_code ignored;
+  std::vector<std::filesystem::path> frames;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::filesystem::path name = entry.path().filename();
+    if (is_frame_name(name) && name.string() >= first) frames.push_back(entry.path());
+  }
+  for (const std::filesystem::path& frame : frames) std::filesystem::remove(frame, ignored);
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+void append_words(std::string& bytes, std::int64_t number) {
+  append_little_endian(bytes, static_cast<std::uint64_t>(number));
+}
+void append_words(std::string& bytes, double number) {
+  append_little_endian(bytes, number);
+}
+void append_words(std::string& bytes, const Vec3& vector) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) append_words(bytes, vector[axis]);
+}
+void append_words(std::string& bytes, const Image& image) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) append_words(bytes, std::int64_t{image[axis]});
+}
+
+// An array of the file: its description, and its values as they follow the XML.
+struct Arrays {
+  explicit Arrays(std::size_t spheres) : count(spheres) {}
+
+  // The XML of an array with these values of all spheres.
+  template <class Value>
+  std::string add(const char* name, const char* type, std::size_t components, const Value& value) {
+    const std::string xml = std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
+                            "\" NumberOfComponents=\"" + to_text(components) +
+                            "\" format=\"appended\" offset=\"" + to_text(values.size()) + "\"/>\n";
+    append_little_endian(values, static_cast<std::uint64_t>(count * components * 8));
+    for (std::size_t i = 0; i < count; ++i) append_words(values, value(i));
+    return xml;
+  }
+
+  std::size_t count;
+  std::string values;
+};
+
+std::string vtp_text(const Snapshot& snapshot) {
+  const std::vector<Sphere>& spheres = snapshot.spheres;
+  Arrays arrays(spheres.size());
+  const auto of_spheres = [&](const char* name, std::size_t components, auto member) {
+    return arrays.add(name, "Float64", components, [&](std::size_t i) { return spheres[i].*member; });
+  };
+  const std::string count = to_text(spheres.size());
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n<PolyData>\n";
+  if (snapshot.time) {
+    text +=
+        "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">" +
+        to_text(*snapshot.time) + "</DataArray>\n</FieldData>\n";
+  }
+  text += "<Piece NumberOfPoints=\"" + count + "\" NumberOfVerts=\"" + count +
+          "\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n"
+          "<PointData Scalars=\"radius\" Vectors=\"velocity\">\n";
+  text += of_spheres("radius", 1, &Sphere::radius);
+  text += of_spheres("velocity", kAxes, &Sphere::velocity);
+  text += of_spheres("mass", 1, &Sphere::mass);
+  text += arrays.add("id", "Int64", 1, [&](std::size_t i) { return snapshot.id(i); });
+  text += arrays.add("type", "Int64", 1, [&](std::size_t i) { return std::int64_t{spheres[i].species} + 1; });
+  text += arrays.add("image", "Int64", kAxes, [&](std::size_t i) { return snapshot.image(i); });
+  if (snapshot.has_spins) {
+    text += of_spheres("angular_velocity", kAxes, &Sphere::spin);
+    text += of_spheres("moment", 1, &Sphere::moment);
+  }
+  text += "</PointData>\n<Points>\n";
+  text += of_spheres("points", kAxes, &Sphere::position);
+  text += "</Points>\n<Verts>\n";
+  text += arrays.add("connectivity", "Int64", 1, [](std::size_t i) { return static_cast<std::int64_t>(i); });
+  text += arrays.add("offsets", "Int64", 1, [](std::size_t i) { return static_cast<std::int64_t>(i + 1); });
+  text += "</Verts>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
+  return text + arrays.values + "\n</AppendedData>\n</VTKFile>\n";
+}
+
+}  // namespace
+
+VtpTrajectory::VtpTrajectory(std::filesystem::path path, const std::optional<TrajectoryPosition>& position)
+    : path_(std::move(path)) {
+  if (position) {
+    find_first(*position);
+    return;
+  }
+  remove(path_);
+  std::error_code failure;
+  std::filesystem::create_directories(folder_of(path_), failure);
+  if (failure) {
+    throw Error("cannot be created as a directory: " + failure.message(), folder_of(path_).string(),
+                "name a file in a directory that you may write to");
+  }
+  listed_ = kUnknown;
+  flush();
+}
+
+VtpTrajectory::~VtpTrajectory() {
+  try {
+    if (!is_too_long_) flush();
+  } catch (const std::exception&) {
+    // The collection keeps the frames listed before.
+  }
+}
+
+std::filesystem::path VtpTrajectory::folder_of(const std::filesystem::path& path) {
+  return std::filesystem::path(path).replace_extension();
+}
+
+void VtpTrajectory::remove(const std::filesystem::path& path) {
+  std::error_code ignored;
+  // Without a collection, the folder is somebody else's.
+  if (!std::filesystem::exists(path, ignored)) return;
+  remove_frames(folder_of(path), frame_name(0));
+  std::filesystem::remove(folder_of(path), ignored);  // if it is empty
+  std::filesystem::remove(path, ignored);
+}
+
+// Reads the entries of the first frames from the collection.
+void VtpTrajectory::find_first(const TrajectoryPosition& position) {
+  constexpr const char* kRemedy = "restore the files, or start anew in another directory";
+  const std::uint64_t frames = position.frames;
+  std::ifstream in(path_, std::ios::binary);
+  if (!in) throw Error(std::string("cannot be read: ") + std::strerror(errno), path_.string(), kRemedy);
+  for (std::string line; frames_ < frames && std::getline(in, line);) {
+    if (!line.starts_with(kEntry)) continue;
+    if (!std::filesystem::exists(folder_of(path_) / frame_name(frames_))) break;
+    entries_ += line + "\n";
+    synced_ = ++frames_;
+  }
+  if (frames_ < frames) {
+    throw Error(
+        "has " + to_text(frames_) + " frames, not the " + to_text(frames) + " or more that were written",
+        path_.string(), kRemedy);
+  }
+  if (position.file.checksum && position.file.checksum != checksum()) {
+    throw Error("does not hold what was written: it differs before frame " + to_text(frames), path_.string(),
+                kRemedy);
+  }
+  is_too_long_ = true;
+}
+
+// Of the collection so far and its last frames.
+std::uint64_t VtpTrajectory::checksum() const {
+  std::string parts = entries_;
+  std::uint64_t summed = 0;
+  for (std::uint64_t frame = frames_; frame-- > 0 && summed < kSummedBytes;) {
+    const std::string bytes = read_file(folder_of(path_) / frame_name(frame));
+    append_little_endian(parts, checksum_of(bytes));
+    summed += bytes.size();
+  }
+  return checksum_of(parts);
+}
+
+void VtpTrajectory::cut_back() {
+  if (!is_too_long_) return;
+  is_too_long_ = false;
+  listed_ = kUnknown;
+  flush();
+  remove_frames(folder_of(path_), frame_name(frames_));
+}
+
+void VtpTrajectory::append(const Snapshot& snapshot, std::uint64_t frame) {
+  constexpr std::uint64_t kShare = 8;
+  cut_back();
+  const std::filesystem::path folder = folder_of(path_);
+  OutputFile file(folder / frame_name(frame));
+  file.append(vtp_text(snapshot));
+  file.close();
+  entries_ += std::string(kEntry) + "timestep=\"" +
+              to_text(snapshot.time.value_or(static_cast<double>(frame))) + "\" file=\"" +
+              escaped((folder.filename() / frame_name(frame)).generic_string()) + "\"/>\n";
+  ++frames_;
+  if (frames_ - listed_ > listed_ / kShare) flush();
+}
+
+TrajectoryPosition VtpTrajectory::position() {
+  cut_back();
+  for (; synced_ < frames_; ++synced_) {
+    const std::filesystem::path path = folder_of(path_) / frame_name(synced_);
+    OutputFile(path, {std::filesystem::file_size(path), {}}).sync();
+  }
+  flush();
+  try {
+    return {.file = {0, checksum()}};
+  } catch (const Error& error) {
+    throw RunFailure(error.what());
+  }
+}
+
+void VtpTrajectory::flush() {
+  cut_back();
+  if (listed_ == frames_) return;
+  replace_file(path_,
+               "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+               "byte_order=\"LittleEndian\">\n  <Collection>\n" +
+                   entries_ + "  </Collection>\n</VTKFile>\n");
+  listed_ = frames_;
+}
+
+}  // namespace hardball

@@ -1,0 +1,701 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/recording/recording.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/recording/recording_reader.hpp"
+#include "hardball/recording/recording_writer.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "support/gas.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/true_checksums.hpp"
+
+namespace hardball::recording_test {
+namespace {
+
+using support::Gas;
+using support::make_gas;
+using support::read_text;
+using support::ScratchFolder;
+using support::with_true_checksums;
+using support::write_text;
+
+World make_mixture() {
+  World world(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {10, 8, 1}));
+  world.add({.position = {2, 1, 0}, .velocity = {1, 0.5, 0.25}, .radius = 0.5, .mass = 2});
+  world.add({.position = {5, 1, 0.1}, .velocity = {-1, 0, 0.125}, .radius = 0.75, .mass = 3});
+  world.add({.position = {8, 7, 0}, .velocity = {-2, 1, 0}, .radius = 0.25, .mass = 1});
+  return world;
+}
+
+Contact contact_at_time(double time) {
+  Contact contact;
+  contact.time = Time(time);
+  contact.first = 0;
+  contact.second = 1;
+  return contact;
+}
+
+// Runs to `until`, recording everything.
+Simulation record(const std::filesystem::path& path, World world, double until) {
+  Simulation simulation(std::move(world));
+  RecordingWriter writer(path, {.until = until, .name = "test"}, simulation.world());
+  simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
+  simulation.run_until(until);
+  writer.close(until);
+  simulation.on_contact({});
+  return simulation;
+}
+
+RecordedPath stored_path(const World& world, SphereId id) {
+  const Path& path = world.path(world.slot_of(id));
+  return {path.position, path.velocity, path.time.value()};
+}
+
+TEST(Recording, ContainsTheHeaderAndTheSpheres) {
+  const ScratchFolder folder;
+  const World world = make_mixture();
+  const RecordingHeader header{.begin = 0.5,
+                               .until = 2.25,
+                               .cell_edge = {1, 2, 3},
+                               .cell_origin = {-1, 0, 1},
+                               .name = "a \"name\"\n \\ of \xc3\xa4",
+                               .restitution = 0.9};
+  RecordingWriter(folder / "recording.hbr", header, world).close(1);
+  const RecordingReader reader(folder / "recording.hbr");
+  EXPECT_EQ(reader.header().spheres, 3U);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    EXPECT_EQ(reader.header().box.boundary(axis), world.box().boundary(axis));
+    EXPECT_EQ(reader.header().box.size()[axis], world.box().size()[axis]);
+  }
+  EXPECT_EQ(reader.header().begin, header.begin);
+  EXPECT_EQ(reader.header().until, header.until);
+  EXPECT_EQ(reader.header().cell_edge, header.cell_edge);
+  EXPECT_EQ(reader.header().cell_origin, header.cell_origin);
+  EXPECT_EQ(reader.header().name, header.name);
+  EXPECT_EQ(reader.header().restitution, header.restitution);
+  EXPECT_EQ(reader.radii(), (std::vector<double>{0.5, 0.75, 0.25}));
+  EXPECT_EQ(reader.masses(), (std::vector<double>{2, 3, 1}));
+  const nlohmann::json json = nlohmann::json::parse(reader.header_text());
+  EXPECT_EQ(json["name"], header.name);
+  EXPECT_EQ(json["box"]["boundary"], nlohmann::json::parse(R"(["wall", "periodic", "open"])"));
+  EXPECT_EQ(json["box"]["size"], nlohmann::json::parse("[10, 8, 0]"));
+  EXPECT_EQ(reader.spheres().offset % 8, 0U);
+}
+
+TEST(Recording, AnUnknownEndIsNull) {
+  EXPECT_TRUE(nlohmann::json::parse(to_json({}))["until"].is_null());
+  EXPECT_EQ(parse_recording_header(to_json({}), "test").until, std::nullopt);
+}
+
+std::vector<RecordedSurface> every_surface() {
+  using Shape = RecordedSurface::Shape;
+  return {
+      {.shape = Shape::plane,
+       .point = {0, 0, 1},
+       .direction = {0, 0.6, 0.8},
+       .velocity = {0, 0.25, 0.5},
+       .amplitude = 0.125,
+       .frequency = 3},
+      {.shape = Shape::cylinder, .point = {5, 4, 0}, .direction = {0, 0, 1}, .radius = 4, .temperature = 2.5},
+      {.shape = Shape::sphere, .point = {5, 4, 1}, .radius = 7, .restitution = 0.5},
+      {.shape = Shape::obstacle, .point = {1, 2, 3}, .radius = 0.1}};
+}
+
+TEST(Recording, ContainsGravityAndSurfaces) {
+  const ScratchFolder folder;
+  const RecordingHeader header{.gravity = {0, 0.5, -9.81}, .surfaces = every_surface()};
+  RecordingWriter(folder / "recording.hbr", header, make_mixture()).close(1);
+  const RecordingReader reader(folder / "recording.hbr");
+  EXPECT_EQ(reader.header().gravity, header.gravity);
+  EXPECT_EQ(reader.header().surfaces, header.surfaces);
+  const nlohmann::json json = nlohmann::json::parse(reader.header_text());
+  EXPECT_EQ(json["gravity"], nlohmann::json::parse("[0, 0.5, -9.81]"));
+  EXPECT_EQ(json["surfaces"][1], nlohmann::json::parse(R"({"shape": "cylinder", "point": [5, 4, 0],
+    "direction": [0, 0, 1], "radius": 4, "velocity": [0, 0, 0], "amplitude": 0, "frequency": 0,
+    "temperature": 2.5, "restitution": 1})"));
+  EXPECT_TRUE(json["surfaces"][0]["temperature"].is_null());
+}
+
+TEST(Recording, WithoutGravityAndSurfacesThereAreNone) {
+  const RecordingHeader header = parse_recording_header(
+      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}})", "test", 1);
+  EXPECT_EQ(header.gravity, Vec3{});
+  EXPECT_TRUE(header.surfaces.empty());
+}
+
+TEST(Recording, KeysOfASurfaceWithoutMeaningMayBeAbsent) {
+  const RecordingHeader header = parse_recording_header(
+      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}, "surfaces": [
+         {"shape": "plane", "point": [1, 2, 3], "direction": [0, 0, 1]},
+         {"shape": "obstacle", "point": [1, 2, 3], "radius": 2, "more": []}]})",
+      "test", 1);
+  ASSERT_EQ(header.surfaces.size(), 2U);
+  EXPECT_EQ(header.surfaces[0], (RecordedSurface{.point = {1, 2, 3}}));
+  EXPECT_EQ(header.surfaces[1],
+            (RecordedSurface{.shape = RecordedSurface::Shape::obstacle, .point = {1, 2, 3}, .radius = 2}));
+}
+
+TEST(Recording, NumbersSurfacesAfterTheFacesOfTheBox) {
+  const ScratchFolder folder;
+  const auto record_contact_with = [&](std::uint32_t surface) {
+    RecordingWriter writer(folder / "recording.hbr", {.surfaces = every_surface()}, make_mixture());
+    Contact contact;
+    contact.kind = EventKind::wall;
+    contact.time = Time(1);
+    contact.first = 1;
+    contact.second = surface;
+    contact.after.first = {1, 2, 3};
+    writer.note(contact, make_mixture());
+    writer.close(2);
+  };
+  record_contact_with(9);
+  RecordingReader reader(folder / "recording.hbr");
+  const RecordedContact contact = reader.read(0).contacts.at(0);
+  EXPECT_FALSE(contact.is_collision());
+  EXPECT_EQ(contact.second, -10);
+  EXPECT_EQ(contact.first_velocity, (Vec3{1, 2, 3}));
+  record_contact_with(10);
+  EXPECT_THROW(RecordingReader(folder / "recording.hbr").read(0), Error) << "there are four surfaces";
+}
+
+TEST(Recording, PathsAreParabolasUnderGravity) {
+  const RecordedPath path{.position = {1, 2, 3}, .velocity = {0.5, 0, 4}, .time = 10};
+  EXPECT_EQ(path.center_at(12, {0, 0, -2}), (Vec3{2, 2, 7}));
+  EXPECT_EQ(path.velocity_at(12, {0, 0, -2}), (Vec3{0.5, 0, 0}));
+  EXPECT_EQ(path.center_at(9, {0, 0, -2}), (Vec3{0.5, 2, -2}));
+  EXPECT_EQ(path.center_at(12, {}), (Vec3{2, 2, 11}));
+}
+
+// Cut back and continued twice, from a moment at which several contacts were waiting for others at their
+// time.
+TEST(Recording, GoesOnFromWhatWasSaved) {
+  const ScratchFolder folder;
+  const World world = make_gas({.count = 200, .packing_fraction = 0.3});
+  const Simulation whole = record(folder / "whole.hbr", world, 5);
+  Simulation simulation(world);
+  std::string state;
+  std::string saved;
+  const auto go_on = [&](RecordingWriter& writer, double until) {
+    simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
+    simulation.run_until(until);
+    simulation.on_contact({});
+  };
+  {
+    RecordingWriter writer(folder / "parts.hbr", {.until = 5, .name = "test"}, simulation.world());
+    go_on(writer, 2);
+    state = writer.save();
+    saved = simulation.save();
+    go_on(writer, 4);
+  }
+  for (int time = 0; time < 2; ++time) {
+    simulation = Simulation::load(saved);
+    RecordingWriter writer(folder / "parts.hbr", state);
+    go_on(writer, 5);
+    writer.close(5);
+  }
+  EXPECT_EQ(read_text(folder / "parts.hbr"), read_text(folder / "whole.hbr"));
+  EXPECT_EQ(simulation.event_log_hash(), whole.event_log_hash());
+  std::filesystem::resize_file(folder / "parts.hbr", 1000);
+  EXPECT_THROW(RecordingWriter(folder / "parts.hbr", state), Error) << "it is shorter";
+}
+
+TEST(Recording, ContainsEveryContactInOrder) {
+  const ScratchFolder folder;
+  Simulation simulation(make_mixture());
+  std::vector<Contact> noted;
+  {
+    RecordingWriter writer(folder / "recording.hbr", {}, simulation.world());
+    simulation.on_contact([&](const Contact& contact) {
+      writer.note(contact, simulation.world());
+      noted.push_back(contact);
+    });
+    simulation.run_until(40);
+    writer.close(40);
+  }
+  RecordingReader reader(folder / "recording.hbr");
+  ASSERT_EQ(reader.chunks().size(), 1U);
+  EXPECT_EQ(reader.reached(), 40);
+  const RecordedChunk chunk = reader.read(0);
+  ASSERT_EQ(chunk.contacts.size(), noted.size());
+  bool has_collision = false;
+  bool has_wall = false;
+  for (std::size_t k = 0; k < noted.size(); ++k) {
+    const RecordedContact& recorded = chunk.contacts[k];
+    EXPECT_EQ(recorded.time, noted[k].time.value());
+    EXPECT_EQ(recorded.first, noted[k].first);
+    EXPECT_EQ(recorded.is_collision(), noted[k].is_collision());
+    EXPECT_EQ(recorded.first_position, noted[k].position);
+    EXPECT_EQ(recorded.first_velocity, noted[k].after.first);
+    if (recorded.is_collision()) {
+      EXPECT_EQ(recorded.second, static_cast<std::int32_t>(noted[k].second));
+      EXPECT_EQ(recorded.second_position, noted[k].second_position);
+      EXPECT_EQ(recorded.second_velocity, noted[k].after.second);
+      has_collision = true;
+    } else {
+      EXPECT_EQ(recorded.second, -static_cast<std::int32_t>(noted[k].second) - 1);
+      EXPECT_EQ(recorded.second_position, Vec3{});
+      EXPECT_EQ(recorded.second_velocity, Vec3{});
+      has_wall = true;
+    }
+  }
+  EXPECT_TRUE(has_collision && has_wall);
+}
+
+TEST(Recording, ItsPathsAreTheStoredPathsBitForBit) {
+  const ScratchFolder folder;
+  const Simulation simulation =
+      record(folder / "recording.hbr", make_gas({.count = 200, .packing_fraction = 0.3}), 5);
+  RecordingReader reader(folder / "recording.hbr");
+  ASSERT_GT(reader.chunks().size(), 2U);
+  const std::vector<RecordedPath> paths = reader.read(reader.chunks().size() - 1).paths_at(5);
+  for (SphereId id = 0; id < simulation.size(); ++id) {
+    EXPECT_EQ(paths[id], stored_path(simulation.world(), id)) << id;
+  }
+}
+
+TEST(Recording, EachKeyframeIsWhereThePreviousChunkLeads) {
+  const ScratchFolder folder;
+  record(folder / "recording.hbr", make_gas({.count = 200, .packing_fraction = 0.3}), 5);
+  RecordingReader reader(folder / "recording.hbr");
+  for (std::size_t chunk = 1; chunk < reader.chunks().size(); ++chunk) {
+    const RecordedChunk before = reader.read(chunk - 1);
+    EXPECT_EQ(reader.read(chunk).keyframe, before.paths_at(before.end)) << chunk;
+  }
+}
+
+// The recording drops the low part of a time t, up to 2^-53 t: at each end of a path, a sphere is displaced
+// by no more than it moves in that time, and by rounding.
+TEST(Recording, CentresAreThoseOfTheSimulation) {
+  const ScratchFolder folder;
+  constexpr double kMoment = 4.75;
+  constexpr double kHalfUlp = std::numeric_limits<double>::epsilon() / 2;
+  const Simulation simulation =
+      record(folder / "recording.hbr", make_gas({.count = 200, .packing_fraction = 0.3}), kMoment);
+  RecordingReader reader(folder / "recording.hbr");
+  const std::vector<RecordedPath> paths = reader.read(reader.chunks().size() - 1).paths_at(kMoment);
+  const std::vector<Vec3> centers = simulation.positions();
+  const Vec3 size = simulation.world().box().size();
+  for (SphereId id = 0; id < simulation.size(); ++id) {
+    Vec3 center = paths[id].center_at(kMoment, {});
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      center[axis] -= size[axis] * std::floor(center[axis] / size[axis]);
+      const double flown = kHalfUlp * kMoment * std::fabs(paths[id].velocity[axis]);
+      EXPECT_NEAR(center[axis], centers[id][axis], 2 * flown + 4 * kHalfUlp * size[axis]) << id;
+    }
+  }
+}
+
+TEST(Recording, DoesNotAlterTheMotion) {
+  const ScratchFolder folder;
+  const World world = make_gas({.count = 100, .packing_fraction = 0.2});
+  Simulation alone(world);
+  alone.run_until(5);
+  EXPECT_EQ(record(folder / "recording.hbr", world, 5).event_log_hash(), alone.event_log_hash());
+}
+
+TEST(Recording, ContactsAtOneTimeAreNotSplit) {
+  const ScratchFolder folder;
+  {
+    RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
+    for (int k = 0; k < 1500; ++k) writer.note(contact_at_time(1), make_mixture());
+    for (int k = 0; k < 10; ++k) writer.note(contact_at_time(2), make_mixture());
+    writer.close(3);
+  }
+  const RecordingReader reader(folder / "recording.hbr");
+  ASSERT_EQ(reader.chunks().size(), 2U);
+  EXPECT_EQ(reader.chunks()[0].contacts, 1500U);
+  EXPECT_EQ(reader.chunks()[0].end, 1);
+  EXPECT_EQ(reader.chunks()[1].begin, 1);
+  EXPECT_EQ(reader.chunks()[1].contacts, 10U);
+  EXPECT_EQ(reader.chunks()[1].end, 3);
+}
+
+TEST(Recording, FlushLetsReadersSeeWhatIsSurelyComplete) {
+  const ScratchFolder folder;
+  RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
+  RecordingReader reader(folder / "recording.hbr");
+  EXPECT_TRUE(reader.chunks().empty());
+  EXPECT_EQ(reader.reached(), 0);
+  for (const double time : {1.0, 2.0, 3.0, 3.0}) writer.note(contact_at_time(time), make_mixture());
+  reader.refresh();
+  EXPECT_TRUE(reader.chunks().empty());
+  writer.flush();
+  reader.refresh();
+  ASSERT_EQ(reader.chunks().size(), 1U);
+  EXPECT_EQ(reader.chunks()[0].contacts, 2U);
+  EXPECT_EQ(reader.reached(), 2);
+  writer.flush();
+  reader.refresh();
+  EXPECT_EQ(reader.chunks().size(), 1U);
+  writer.note(contact_at_time(3), make_mixture());
+  writer.close(3.5);
+  reader.refresh();
+  ASSERT_EQ(reader.chunks().size(), 2U);
+  EXPECT_EQ(reader.chunks()[1].contacts, 3U);
+  EXPECT_EQ(reader.reached(), 3.5);
+  EXPECT_EQ(reader.length(), std::filesystem::file_size(folder / "recording.hbr"));
+}
+
+TEST(Recording, PredictsItsLength) {
+  const ScratchFolder folder;
+  RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
+  for (const double time : {1.0, 2.0, 3.0}) writer.note(contact_at_time(time), make_mixture());
+  const std::uint64_t bytes = writer.bytes();
+  writer.close(4);
+  EXPECT_EQ(std::filesystem::file_size(folder / "recording.hbr"), bytes);
+}
+
+TEST(Recording, WhatWasNotClosedEndsAtTheLastContact) {
+  const ScratchFolder folder;
+  {
+    RecordingWriter writer(folder / "recording.hbr", {}, make_mixture());
+    for (const double time : {1.0, 2.0, 3.0}) writer.note(contact_at_time(time), make_mixture());
+  }
+  const RecordingReader reader(folder / "recording.hbr");
+  EXPECT_EQ(reader.reached(), 3);
+}
+
+TEST(Recording, ARunWithoutContactsHasOneChunk) {
+  const ScratchFolder folder;
+  RecordingWriter(folder / "recording.hbr", {}, World()).close(0);
+  RecordingReader reader(folder / "recording.hbr");
+  ASSERT_EQ(reader.chunks().size(), 1U);
+  EXPECT_TRUE(reader.read(0).keyframe.empty());
+  EXPECT_THROW(reader.read(1), Error);
+}
+
+// A file of three spheres in two chunks.
+std::string small_recording(const ScratchFolder& folder) {
+  Simulation simulation(make_mixture());
+  RecordingWriter writer(folder / "small.hbr", {.until = 30, .name = "small"}, simulation.world());
+  simulation.on_contact([&](const Contact& contact) { writer.note(contact, simulation.world()); });
+  simulation.run_until(2);
+  writer.flush();
+  simulation.run_until(4);
+  writer.close(4);
+  return read_text(folder / "small.hbr");
+}
+
+// Reads everything in the bytes; false if they are refused by an Error.
+bool is_read(const ScratchFolder& folder, const std::string& bytes) {
+  write_text(folder / "tried.hbr", bytes);
+  try {
+    RecordingReader reader(folder / "tried.hbr");
+    for (std::size_t chunk = 0; chunk < reader.chunks().size(); ++chunk) {
+      const RecordedChunk recorded = reader.read(chunk);
+      EXPECT_EQ(recorded.keyframe.size(), reader.header().spheres);
+      recorded.paths_at(recorded.end);
+    }
+    EXPECT_LE(reader.length(), bytes.size());
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+TEST(Recording, TruncatedAnywhereItShowsTheCompleteChunks) {
+  const ScratchFolder folder;
+  const std::string bytes = small_recording(folder);
+  const RecordingReader whole(folder / "small.hbr");
+  ASSERT_EQ(whole.chunks().size(), 2U);
+  const std::uint64_t first_chunk = whole.chunks()[0].bytes.offset;
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    ASSERT_EQ(is_read(folder, bytes.substr(0, length)), length >= first_chunk) << length;
+    if (length < first_chunk) continue;
+    const RecordingReader cut(folder / "tried.hbr");
+    ASSERT_EQ(cut.chunks().size(), length < whole.chunks()[1].bytes.offset ? 0U : 1U) << length;
+  }
+}
+
+TEST(Recording, WhateverItContainsIsReadOrRefused) {
+  const ScratchFolder folder;
+  const std::string bytes = small_recording(folder);
+  std::size_t refused = 0;
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    for (const unsigned flip : {0x01U, 0xffU}) {
+      std::string flipped = bytes;
+      flipped[at] = static_cast<char>(static_cast<unsigned char>(flipped[at]) ^ flip);
+      if (!is_read(folder, with_true_checksums(flipped))) ++refused;
+    }
+  }
+  EXPECT_GT(refused, 0U);
+}
+
+TEST(Recording, NoFlippedBitPasses) {
+  const ScratchFolder folder;
+  const std::string bytes = small_recording(folder);
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    for (int bit = 0; bit < 8; ++bit) {
+      std::string flipped = bytes;
+      flipped[at] = static_cast<char>(flipped[at] ^ (1 << bit));
+      ASSERT_FALSE(is_read(folder, flipped)) << "byte " << at << ", bit " << bit;
+    }
+  }
+}
+
+TEST(Recording, TellsWhereItIsDamagedAndShowsWhatComesBefore) {
+  const ScratchFolder folder;
+  const std::string bytes = small_recording(folder);
+  RecordingReader whole(folder / "small.hbr");
+  const ChunkExtent second = whole.chunks().at(1);
+  const RecordedChunk first = whole.read(0);
+  const auto damaged_at = [&](std::uint64_t at) {
+    std::string changed = bytes;
+    changed[at] = static_cast<char>(changed[at] ^ 1);
+    write_text(folder / "damaged.hbr", changed);
+  };
+  const std::string where = "damaged after time " + to_text(second.begin) + ": chunk 1, at byte " +
+                            to_text(second.bytes.offset) + ", has ";
+  for (const auto& [at, what] :
+       {std::pair<std::uint64_t, std::string>{second.bytes.offset + 9, "a head with another checksum"},
+        {second.bytes.offset + 100, "another checksum"},
+        {bytes.size() - 1, "another checksum"}}) {
+    damaged_at(at);
+    RecordingReader reader(folder / "damaged.hbr", OnDamage::keep_what_comes_before);
+    std::size_t taken = 0;
+    reader.verify([&](const RecordedChunk& chunk) {
+      ++taken;
+      EXPECT_EQ(chunk.contacts, first.contacts);
+    });
+    EXPECT_EQ(taken, 1U);
+    EXPECT_EQ(reader.chunks().size(), 1U);
+    EXPECT_EQ(reader.reached(), first.end);
+    EXPECT_EQ(reader.length(), second.bytes.offset);
+    ASSERT_TRUE(reader.damage());
+    EXPECT_NE(reader.damage()->find(where + what), std::string::npos) << *reader.damage();
+    reader.refresh();
+    EXPECT_EQ(reader.chunks().size(), 1U);
+  }
+  EXPECT_EQ(RecordingReader(folder / "damaged.hbr").read(0).contacts, first.contacts);
+  EXPECT_THROW(RecordingReader(folder / "damaged.hbr").read(1), Error);
+  EXPECT_THROW(RecordingReader(folder / "damaged.hbr").verify(), Error);
+  whole.verify();
+  EXPECT_FALSE(whole.damage());
+  damaged_at(whole.spheres().offset);
+  EXPECT_THROW(RecordingReader(folder / "damaged.hbr", OnDamage::keep_what_comes_before), Error);
+}
+
+TEST(Recording, RefusesWhatNoRunCanProduce) {
+  const ScratchFolder folder;
+  const std::string bytes = small_recording(folder);
+  const RecordingReader whole(folder / "small.hbr");
+  const std::size_t chunk = whole.chunks()[0].bytes.offset;
+  const recording_format::Layout layout = whole.header().layout();
+  const std::size_t path = chunk + layout.head_bytes();
+  const std::size_t contact = bytes.size() - layout.checksum_bytes() - layout.contact_bytes();
+  const auto with = [&](std::size_t at, const std::string& replacement) {
+    std::string changed = bytes;
+    changed.replace(at, replacement.size(), replacement);
+    return with_true_checksums(changed);
+  };
+  const std::string nan = "\xff\xff\xff\xff\xff\xff\xff\xff";
+  ASSERT_TRUE(is_read(folder, bytes));
+  EXPECT_FALSE(is_read(folder, with(0, "HBREC004")));
+  EXPECT_FALSE(is_read(folder, with(8, "\xff\xff\xff\xff")));
+  EXPECT_FALSE(is_read(folder, with(whole.spheres().offset, nan)));
+  EXPECT_FALSE(is_read(folder, with(chunk, "CHUM")));
+  EXPECT_FALSE(is_read(folder, with(chunk + 4, "\xff\xff\xff\xff")));
+  EXPECT_FALSE(is_read(folder, with(chunk + 8, nan)));
+  EXPECT_FALSE(is_read(folder, with(chunk + 16, nan)));
+  EXPECT_FALSE(is_read(folder, with(chunk + 24, nan)));
+  EXPECT_FALSE(is_read(folder, with(path, nan))) << "position";
+  EXPECT_FALSE(is_read(folder, with(path + 48, nan))) << "start of a path";
+  EXPECT_FALSE(is_read(folder, with(contact, nan))) << "time";
+  EXPECT_FALSE(is_read(folder, with(contact, std::string(8, '\0')))) << "time";
+  EXPECT_FALSE(is_read(folder, with(contact + 8, std::string("\x03\x00\x00\x00", 4)))) << "first";
+  EXPECT_FALSE(is_read(folder, with(contact + 12, std::string("\x03\x00\x00\x00", 4)))) << "second";
+  EXPECT_FALSE(is_read(folder, with(contact + 12, "\xf9\xff\xff\xff"))) << "surface";
+  EXPECT_FALSE(is_read(folder, with(contact + 16, nan))) << "position";
+}
+
+// Its header announces more than any memory holds.
+TEST(Recording, AllocatesNoMoreMemoryThanTheFileJustifies) {
+  const ScratchFolder folder;
+  const std::string json =
+      R"({"spheres": 4000000000, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall"]}})";
+  const std::string length{static_cast<char>(json.size()), '\0', '\0', '\0'};
+  EXPECT_FALSE(is_read(folder, "HBREC001" + length + json + std::string(1000, '\0')));
+}
+
+// Two spheres on a line that meet at time 1 and end in one chunk, as version 1 and 2 have them.
+TEST(Recording, OfEarlierVersionsIsRead) {
+  const ScratchFolder folder;
+  const auto text = [](std::initializer_list<double> numbers) {
+    std::string bytes;
+    for (const double number : numbers) append_little_endian(bytes, number);
+    return bytes;
+  };
+  const auto integer = [](auto number) {
+    std::string bytes;
+    append_little_endian(bytes, number);
+    return bytes;
+  };
+  for (const int version : {1, 2}) {
+    const bool has_bodies = version == 2;
+    std::string header =
+        R"({"spheres": 2, "box": {"size": [9, 9, 9], "boundary": ["wall", "wall", "wall"]}})";
+    header.resize((header.size() + 12 + 7) / 8 * 8 - 12, ' ');
+    const std::string nothing = text({0, 0, 0});
+    const std::string spin = has_bodies ? nothing : "";
+    const std::string body = has_bodies ? nothing + text({0, 0, 0, 1, 0.5, 1, 0.4}) : "";
+    const std::string contact = text({1}) + integer(std::uint32_t{0}) + integer(std::uint32_t{1}) +
+                                (has_bodies ? integer(std::uint64_t{0}) : "") + text({3, 1, 1, -1, 0, 0}) +
+                                spin + text({4, 1, 1, 1, 0, 0}) + spin;
+    const std::string rest = text({2, 1, 1, 1, 0, 0, 0, 5, 1, 1, -1, 0, 0, 0}) + body + body + contact;
+    const std::string chunk = integer(recording_format::kChunkMagic) + integer(std::uint32_t{1}) +
+                              integer(std::uint64_t{32 + rest.size()}) + text({0, 2}) + rest;
+    write_text(folder / "old.hbr",
+               std::string(recording_format::kMagics[static_cast<std::size_t>(version - 1)]) +
+                   integer(static_cast<std::uint32_t>(header.size())) + header + text({0.5, 0.5, 1, 1}) +
+                   chunk);
+    RecordingReader reader(folder / "old.hbr");
+    EXPECT_EQ(reader.header().version, version);
+    EXPECT_EQ(reader.header().has_bodies, has_bodies);
+    ASSERT_EQ(reader.chunks().size(), 1U);
+    const RecordedChunk read = reader.read(0);
+    EXPECT_EQ(read.paths_at(1.5)[1], (RecordedPath{{4, 1, 1}, {1, 0, 0}, 1}));
+    EXPECT_EQ(read.bodies_at(1.5)[1], (RecordedBody{.radius = 0.5, .mass = 1}));
+  }
+}
+
+TEST(Recording, InvalidHeadersAreRefused) {
+  const std::string box = R"("box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
+  EXPECT_EQ(
+      parse_recording_header(R"({"more": {"a": [1, {}, null, "x"]}, "spheres": 2, )" + box + "} ", "x", 1)
+          .spheres,
+      2U);
+  const std::vector<std::string> nonsense{
+      "",
+      "{",
+      "[]",
+      "{}",
+      R"({"spheres": 2})",
+      "{" + box + "}",
+      R"({"spheres": -1, )" + box + "}",
+      R"({"spheres": 1.5, )" + box + "}",
+      R"({"spheres": 1e300, )" + box + "}",
+      R"({"spheres": nan, )" + box + "}",
+      R"({"spheres": "2", )" + box + "}",
+      R"({"spheres": 2, )" + box + "} more",
+      R"({"spheres": 2, "name": "x)",
+      R"({"spheres": 2, "name": "\u12)",
+      R"({"spheres": 2, "name": "\ux000", )" + box + "}",
+      R"({"spheres": 2, "cell_edge": [1, 2], )" + box + "}",
+      R"({"spheres": 2, "cell_edge": [1, 2, 3, 4], )" + box + "}",
+      R"({"spheres": 2, "gravity": 9.81, )" + box + "}",
+      R"({"spheres": 2, "gravity": [0, 0], )" + box + "}",
+      R"({"spheres": 2, "gravity": [0, 0, null], )" + box + "}",
+      R"({"spheres": 2, "gravity": [0, 0, 1e400], )" + box + "}",
+      R"({"spheres": 2, "box": {"size": [0, 1, 1], "boundary": ["wall", "wall", "wall"]}})",
+      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall"]}})",
+      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "wall", "wall"]}})",
+      R"({"spheres": 2, "box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "door"]}})",
+      R"({"deep": )" + std::string(100000, '['),
+  };
+  for (const std::string& json : nonsense) {
+    EXPECT_THROW(parse_recording_header(json, "test", 1), Error) << json.substr(0, 80);
+  }
+}
+
+TEST(Recording, WhateverAHeaderContainsIsReadOrRefused) {
+  const std::string json = to_json({.name = "small", .gravity = {0, 0, -9.81}, .surfaces = every_surface()});
+  std::size_t refused = 0;
+  std::size_t read = 0;
+  const auto attempt = [&](const std::string& changed) {
+    try {
+      const RecordingHeader header = parse_recording_header(changed, "test");
+      for (const RecordedSurface& surface : header.surfaces) {
+        EXPECT_TRUE(surface.shape == RecordedSurface::Shape::plane || surface.radius > 0) << changed;
+        EXPECT_TRUE(std::isfinite(dot(surface.point, surface.velocity))) << changed;
+      }
+      ++read;
+    } catch (const Error&) {
+      ++refused;
+    }
+  };
+  for (std::size_t at = 0; at < json.size(); ++at) {
+    attempt(json.substr(0, at));
+    for (const char letter : {'0', '9', '-', '"', ',', ':', '[', '}', 'x', '\0', '\xff'}) {
+      std::string changed = json;
+      changed[at] = letter;
+      attempt(changed);
+    }
+  }
+  EXPECT_GT(refused, json.size());
+  EXPECT_GT(read, json.size()) << "most digits can be others";
+}
+
+// The message with which a header with these surfaces is refused; empty if it is read.
+std::string refusal_of_surfaces(const std::string& surfaces) {
+  const std::string box = R"("box": {"size": [1, 1, 1], "boundary": ["wall", "wall", "open"]})";
+  try {
+    parse_recording_header(R"({"spheres": 2, )" + box + R"(, "surfaces": )" + surfaces + "}", "run.hbr", 1);
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+TEST(Recording, InvalidSurfacesAreRefusedByNumber) {
+  const std::string plane = R"({"shape": "plane", "point": [0, 0, 0], "direction": [0, 0, 1]})";
+  ASSERT_EQ(refusal_of_surfaces("[" + plane + "]"), "");
+  ASSERT_EQ(refusal_of_surfaces("[]"), "");
+  const auto expect_refused = [&](const std::string& surface, const std::string& problem) {
+    const std::string message = refusal_of_surfaces("[" + plane + ", " + surface + "]");
+    EXPECT_NE(message.find("surface 1: " + problem), std::string::npos) << surface << ": " << message;
+    EXPECT_NE(message.find("run.hbr"), std::string::npos) << message;
+  };
+  expect_refused("3", "is not an object");
+  expect_refused("{}", "key 'shape' is missing");
+  expect_refused(R"({"shape": "cone", "point": [0, 0, 0]})", "a shape is unknown");
+  expect_refused(R"({"shape": 1, "point": [0, 0, 0]})", "a shape is unknown");
+  expect_refused(R"({"shape": "plane", "direction": [0, 0, 1]})", "key 'point' is missing");
+  expect_refused(R"({"shape": "plane", "point": [0, 0, 0]})", "key 'direction' is missing");
+  expect_refused(R"({"shape": "plane", "point": [0, 0], "direction": [0, 0, 1]})",
+                 "there are not three entries");
+  expect_refused(R"({"shape": "plane", "point": [0, 0, null], "direction": [0, 0, 1]})",
+                 "a number is missing");
+  expect_refused(R"({"shape": "plane", "point": [0, 0, 0], "direction": [0, 0, 2]})",
+                 "the direction is not a unit vector");
+  expect_refused(R"({"shape": "cylinder", "point": [0, 0, 0], "direction": [0, 0, 0], "radius": 1})",
+                 "the direction is not a unit vector");
+  expect_refused(R"({"shape": "cylinder", "point": [0, 0, 0], "direction": [0, 0, 1]})",
+                 "key 'radius' is missing");
+  expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 0})", "the radius is 0");
+  expect_refused(R"({"shape": "obstacle", "point": [0, 0, 0], "radius": -1})", "the radius is -1");
+  expect_refused(R"({"shape": "obstacle", "point": [0, 0, 0], "radius": 1, "velocity": 2})",
+                 "there are not three entries");
+  expect_refused(R"({"shape": "obstacle", "point": [0, 0, 0], "radius": 1, "amplitude": 2})",
+                 "only planes oscillate");
+  expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 1, "frequency": -1})",
+                 "the frequency is -1");
+  expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 1, "temperature": -1})",
+                 "the temperature is -1");
+  expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 1, "temperature": "hot"})",
+                 "a number is missing");
+  expect_refused(R"({"shape": "sphere", "point": [0, 0, 0], "radius": 1, "restitution": -1})",
+                 "the restitution is -1");
+  for (const std::string surfaces : {"{}", "null", "3", "\"plane\""}) {
+    EXPECT_NE(refusal_of_surfaces(surfaces).find("the surfaces are not a list"), std::string::npos)
+        << surfaces;
+  }
+}
+
+TEST(Recording, MissingFilesAndDirectoriesAreRefused) {
+  const ScratchFolder folder;
+  EXPECT_THROW(RecordingReader(folder / "missing.hbr"), Error);
+  EXPECT_THROW(RecordingReader(folder.path()), Error);
+}
+
+}  // namespace
+}  // namespace hardball::recording_test

@@ -1,0 +1,400 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/trajectory/trajectory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/trajectory/gsd_file.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace hardball::trajectory_test {
+namespace {
+
+using support::read_text;
+using support::ScratchFolder;
+using support::write_text;
+
+// Spheres with numbers that take all digits, in a box with all boundaries.
+World motley_world() {
+  World world(Box({Boundary::periodic, Boundary::wall, Boundary::open}, {10, 7, 0}));
+  world.add({.position = {9.1, 3.3, -1.0 / 3},
+             .velocity = {0.1 + 0.2, 1e-60, -2.0 / 3},
+             .radius = 1.0 / 7,
+             .mass = std::numeric_limits<double>::infinity(),
+             .species = 2});
+  world.add({.position = {1, 2, 3}, .radius = 0.25});
+  world.add({.position = {0.7, 5.5, 12.3}, .velocity = {-3, 0.3, 1e9 / 7}, .radius = 0.1, .mass = 1e-3});
+  world.add({.position = {5, 5, 5},
+             .velocity = {1, 0, 0},
+             .radius = 0.5,
+             .spin = {0.1, -2, 1e-7},
+             .moment = 1.0 / 3});
+  world.remove(1);
+  return world;
+}
+
+void expect_same(const Snapshot& read, const Snapshot& written, SnapshotFormat format) {
+  ASSERT_EQ(read.spheres.size(), written.spheres.size());
+  const bool is_sph = format == SnapshotFormat::sph;
+  for (std::size_t i = 0; i < read.spheres.size(); ++i) {
+    const Sphere& sphere = read.spheres[i];
+    const Sphere& expected = written.spheres[i];
+    EXPECT_EQ(sphere.radius, expected.radius);
+    EXPECT_EQ(sphere.species, expected.species);
+    // These files have nothing else, and unfolded centres.
+    if (is_sph) continue;
+    EXPECT_EQ(sphere.position, expected.position);
+    EXPECT_EQ(sphere.velocity, expected.velocity);
+    EXPECT_EQ(sphere.mass, expected.mass);
+    EXPECT_EQ(sphere.spin, expected.spin);
+    EXPECT_EQ(sphere.moment, expected.moment);
+  }
+  EXPECT_EQ(read.has_velocities, !is_sph);
+  if (is_sph) return;
+  EXPECT_EQ(read.has_spins, written.has_spins);
+  EXPECT_EQ(read.ids, written.ids);
+  EXPECT_EQ(read.images, written.images);
+  const bool has_time = format == SnapshotFormat::extended_xyz ||
+                        format == SnapshotFormat::extended_xyz_zst || format == SnapshotFormat::gsd;
+  if (has_time) {
+    EXPECT_EQ(read.time, written.time);
+    EXPECT_EQ(read.box, written.box);
+  }
+}
+
+class EveryFormat : public testing::TestWithParam<std::string> {
+ protected:
+  std::filesystem::path path() const { return folder_ / ("file" + GetParam()); }
+  SnapshotFormat format() const { return format_of(path()); }
+  bool is_read() const { return format() != SnapshotFormat::vtp; }
+  // With their bytes.
+  std::map<std::filesystem::path, std::string> files() const {
+    std::map<std::filesystem::path, std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path())) {
+      if (entry.is_regular_file()) files.emplace(entry.path(), read_text(entry.path()));
+    }
+    return files;
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_P(EveryFormat, KeepsEveryBit) {
+  if (!is_read()) GTEST_SKIP() << "only written";
+  const World world = motley_world();
+  const std::size_t frames = has_single_frame(format()) ? 1 : 40;
+  Trajectory trajectory(path());
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    trajectory.append(world, Time(0.3 * static_cast<double>(frame)));
+  }
+  // It is complete before it is closed.
+  const std::unique_ptr<SnapshotReader> reader = open_snapshots(path());
+  ASSERT_EQ(reader->frames(), frames);
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    SCOPED_TRACE(frame);
+    expect_same(reader->read(frame), snapshot_of(world, Time(0.3 * static_cast<double>(frame))), format());
+  }
+  expect_same(reader->read(0), snapshot_of(world, Time(0)), format());
+}
+
+TEST_P(EveryFormat, KeepsFramesOfChangingSpheres) {
+  if (!is_read() || has_single_frame(format())) GTEST_SKIP() << "only written, or has a single frame";
+  World world(Box::periodic({10, 10, 10}));
+  for (int i = 0; i < 5; ++i) world.add({.position = {i + 0.5, 1, 1}, .radius = 0.125});
+  std::vector<Snapshot> written;
+  Trajectory trajectory(path());
+  const auto append = [&] {
+    written.push_back(snapshot_of(world, Time(static_cast<double>(written.size()))));
+    trajectory.append(written.back());
+  };
+  append();
+  world.reshape(1, 0.25, 2, 0.4);
+  append();
+  world.remove(3);
+  append();
+  world.store_spin(0, {1, 2, 3});
+  append();
+  for (const SphereId id : {0U, 1U, 2U, 4U}) world.remove(id);
+  append();
+  trajectory.close();
+  const std::unique_ptr<SnapshotReader> reader = open_snapshots(path());
+  ASSERT_EQ(reader->frames(), written.size());
+  for (std::size_t frame = 0; frame + 1 < written.size(); ++frame) {
+    SCOPED_TRACE(frame);
+    expect_same(reader->read(frame), written[frame], format());
+  }
+  EXPECT_TRUE(reader->read(written.size() - 1).spheres.empty());
+}
+
+TEST_P(EveryFormat, GoesOnFromAPosition) {
+  if (has_single_frame(format())) GTEST_SKIP() << "has a single frame";
+  const World world = motley_world();
+  const std::size_t frames = 30;
+  const auto append = [&](Trajectory& trajectory, std::size_t frame) {
+    trajectory.append(world, Time(0.3 * static_cast<double>(frame)));
+  };
+  const std::filesystem::path undisturbed = folder_ / ("undisturbed" + GetParam());
+  Trajectory whole(undisturbed);
+  for (std::size_t frame = 0; frame < frames; ++frame) append(whole, frame);
+  whole.close();
+  for (const std::size_t cut : {0U, 1U, 7U, 29U, 30U}) {
+    SCOPED_TRACE(cut);
+    TrajectoryPosition position;
+    {
+      Trajectory first(path());
+      for (std::size_t frame = 0; frame < frames; ++frame) {
+        if (frame == cut) position = first.position();
+        append(first, frame);
+      }
+      if (cut == frames) position = first.position();
+      // Killed: not closed.
+    }
+    EXPECT_EQ(position.frames, cut);
+    Trajectory second(path(), position);
+    EXPECT_EQ(second.position(), position);
+    if (is_read() && cut > 0) {
+      EXPECT_EQ(open_snapshots(path())->frames(), cut);
+    }
+    for (std::size_t frame = cut; frame < frames; ++frame) append(second, frame);
+    second.close();
+    if (format() == SnapshotFormat::vtp) {
+      const auto text = [&](const std::string& name) {
+        return read_text(folder_ / (name + "/00000029.vtp"));
+      };
+      EXPECT_EQ(text("file"), text("undisturbed"));
+      std::string index = read_text(path());
+      for (std::size_t at = 0; (at = index.find("file/", at)) != std::string::npos;)
+        index.replace(at, 5, "undisturbed/");
+      EXPECT_EQ(index, read_text(undisturbed));
+    } else {
+      EXPECT_TRUE(read_text(path()) == read_text(undisturbed));
+    }
+  }
+}
+
+TEST_P(EveryFormat, RefusesAPositionBeyondItsEnd) {
+  if (has_single_frame(format())) GTEST_SKIP() << "has a single frame";
+  TrajectoryPosition position;
+  {
+    Trajectory trajectory(path());
+    trajectory.append(motley_world(), Time(0));
+    position = trajectory.position();
+  }
+  TrajectoryPosition beyond = position;
+  ++beyond.frames;
+  ++beyond.file.bytes;
+  EXPECT_THROW(Trajectory(path(), beyond), Error);
+  Trajectory::remove(path());
+  EXPECT_FALSE(std::filesystem::exists(path()));
+  EXPECT_THROW(Trajectory(path(), position), Error);
+}
+
+// Whatever bit has changed in a file, it is refused as it is, or the change is undone.
+TEST_P(EveryFormat, GoesOnToTheSameBytesOrIsRefusedUntouched) {
+  if (has_single_frame(format())) GTEST_SKIP() << "has a single frame";
+  const World world = motley_world();
+  const auto append = [&](Trajectory& trajectory, int frame) { trajectory.append(world, Time(0.3 * frame)); };
+  TrajectoryPosition position;
+  {
+    Trajectory trajectory(path());
+    for (int frame = 0; frame < 4; ++frame) {
+      if (frame == 2) position = trajectory.position();
+      append(trajectory, frame);
+    }
+  }
+  const std::map<std::filesystem::path, std::string> whole = files();
+  std::size_t refused = 0;
+  for (const auto& [name, text] : whole) {
+    // Each replacement of a collection waits for the disk.
+    const std::size_t step = format() == SnapshotFormat::vtp ? text.size() / 3 : 11;
+    for (std::size_t at = 0; at < text.size(); at += step) {
+      SCOPED_TRACE(name.string() + ", byte " + to_text(at));
+      std::string changed = text;
+      changed[at] = static_cast<char>(changed[at] ^ (1 << at % 8));
+      write_text(name, changed);
+      try {
+        Trajectory trajectory(path(), position);
+        append(trajectory, 2);
+        append(trajectory, 3);
+        trajectory.close();
+        ASSERT_TRUE(files() == whole);
+      } catch (const Error&) {
+        ++refused;
+        ASSERT_TRUE(read_text(name) == changed);
+        write_text(name, text);
+        ASSERT_TRUE(files() == whole);
+      }
+    }
+  }
+  EXPECT_GT(refused, 5U);
+}
+
+TEST_P(EveryFormat, IsUntouchedUntilItGoesOn) {
+  if (has_single_frame(format())) GTEST_SKIP() << "has a single frame";
+  TrajectoryPosition position;
+  {
+    Trajectory trajectory(path());
+    for (int frame = 0; frame < 20; ++frame) {
+      if (frame == 3) position = trajectory.position();
+      trajectory.append(motley_world(), Time(frame));
+    }
+  }
+  const std::map<std::filesystem::path, std::string> whole = files();
+  { const Trajectory opened(path(), position); }
+  EXPECT_TRUE(files() == whole);
+}
+
+TEST_P(EveryFormat, IsRemovedWhole) {
+  {
+    Trajectory trajectory(path());
+    trajectory.append(motley_world(), Time(0));
+    trajectory.close();
+  }
+  Trajectory::remove(path());
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+  Trajectory::remove(path());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryFormat,
+                         testing::Values(".xyz", ".xyz.zst", ".gsd", ".lammpstrj", ".pvd", ".csv", ".npy",
+                                         ".sph"),
+                         [](const testing::TestParamInfo<std::string>& test) {
+                           std::string name;
+                           for (const char c : test.param)
+                             if (c != '.') name += c;
+                           return name;
+                         });
+
+TEST(Trajectory, ReplacesAnEarlierOneAndLeavesOtherFilesAlone) {
+  const ScratchFolder folder;
+  for (const int frames : {3, 1}) {
+    Trajectory trajectory(folder / "run.pvd");
+    for (int i = 0; i < frames; ++i) trajectory.append(motley_world(), Time(0));
+    if (frames == 3) write_text(folder / "run/notes.txt", "mine");
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder / "run/00000000.vtp"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "run/00000001.vtp"));
+  EXPECT_EQ(read_text(folder / "run/notes.txt"), "mine");
+}
+
+TEST(Trajectory, RemovesNoFramesThatItHasNotListed) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder / "run");
+  write_text(folder / "run/00000000.vtp", "mine");
+  Trajectory::remove(folder / "run.pvd");
+  EXPECT_EQ(read_text(folder / "run/00000000.vtp"), "mine");
+}
+
+TEST(Trajectory, NeedsANameThatSaysItsFormat) {
+  EXPECT_THROW(Trajectory("trajectory.dcd"), Error);
+  EXPECT_THROW(Trajectory("trajectory"), Error);
+}
+
+// A kill leaves what was written before it: of a frame, some or all of the chunks with or without the index
+// that has moved behind them, and then the entries or the header. The index moves with frames 14 and 32.
+TEST(Trajectory, OfGsdKilledAtAnyWriteGoesOnToTheSameBytes) {
+  constexpr std::uint64_t kFrames = 36;
+  const ScratchFolder folder;
+  const World world = motley_world();
+  const auto append = [&](Trajectory& trajectory, std::uint64_t frame) {
+    trajectory.append(world, Time(0.3 * static_cast<double>(frame)));
+  };
+  std::vector<std::string> bytes;                         // after each frame
+  std::map<std::uint64_t, TrajectoryPosition> positions;  // by the number of frames before
+  std::set<std::uint64_t> index_locations;
+  {
+    Trajectory trajectory(folder / "run.gsd");
+    for (std::uint64_t frame = 0;; ++frame) {
+      bytes.push_back(read_text(folder / "run.gsd"));
+      if (std::set<std::uint64_t>{0, 1, 13, 14, 31, 33}.contains(frame))
+        positions[frame] = trajectory.position();
+      index_locations.insert(gsd::File(folder / "run.gsd").header().index_location);
+      if (frame == kFrames) break;
+      append(trajectory, frame);
+    }
+  }
+  ASSERT_EQ(index_locations.size(), 3U);
+  const auto expect_to_go_on = [&](std::uint64_t from, const std::string& killed) {
+    write_text(folder / "killed.gsd", killed);
+    Trajectory trajectory(folder / "killed.gsd", positions.at(from));
+    for (std::uint64_t frame = from; frame < kFrames; ++frame) append(trajectory, frame);
+    trajectory.close();
+    ASSERT_TRUE(read_text(folder / "killed.gsd") == bytes.back());
+  };
+  for (const auto& [from, position] : positions) {
+    for (std::uint64_t frame = from; frame < kFrames; frame += frame % 14 < 3 ? 1 : 5) {
+      SCOPED_TRACE("checkpoint at frame " + to_text(from) + ", killed in frame " + to_text(frame));
+      const std::string& before = bytes[frame];
+      const std::string& after = bytes[frame + 1];
+      const std::size_t added = after.size() - before.size();
+      for (const std::size_t written : {std::size_t{0}, std::size_t{1}, added / 2, added}) {
+        expect_to_go_on(from, before + after.substr(before.size(), written));
+      }
+    }
+    expect_to_go_on(from, bytes.back());
+    // Killed while it was cut back: with the index that it had, with the header, too, or shortened as well.
+    const std::string& then = bytes[from];
+    const gsd::Header header = gsd::header_at(then.data());
+    const std::size_t length = header.index_entries * gsd::Entry::kBytes;
+    std::string killed = bytes.back();
+    killed.replace(header.index_location, length, then, header.index_location, length);
+    expect_to_go_on(from, killed);
+    expect_to_go_on(from, then + bytes.back().substr(then.size()));
+    expect_to_go_on(from, then);
+    write_text(folder / "killed.gsd", bytes.back());
+    EXPECT_EQ(Trajectory(folder / "killed.gsd", position).position(), position);
+    EXPECT_TRUE(read_text(folder / "killed.gsd") == then);
+  }
+}
+
+TEST(Trajectory, KeepsSpheresWithinTheBoxInSinglePrecision) {
+  const ScratchFolder folder;
+  World world(Box::periodic({10, 10, 10}));
+  world.add({.position = {std::nextafter(10.0, 0.0), 0, 5}, .radius = 0.5});
+  Trajectory trajectory(folder / "run.gsd");
+  trajectory.append(world, Time(0));
+  gsd::File file(folder / "run.gsd");
+  const std::string bytes = file.read(*file.find(0, "particles/position"));
+  const auto coordinate = [&](std::size_t axis) {
+    return std::bit_cast<float>(read_little_endian<std::uint32_t>(&bytes[4 * axis]));
+  };
+  EXPECT_LT(coordinate(0), 5.0F);
+  EXPECT_GT(coordinate(0), 4.9999F);
+  EXPECT_EQ(coordinate(1), -5.0F);
+  EXPECT_EQ(coordinate(2), 0.0F);
+}
+
+TEST(Trajectory, ReadsSinglePrecisionWhereThereIsNoOther) {
+  const ScratchFolder folder;
+  World world(Box::periodic({10, 8, 6}));
+  world.add({.position = {1, 2, 3}, .velocity = {0.5, 0, -1}, .radius = 0.25, .mass = 3});
+  {
+    Trajectory trajectory(folder / "run.gsd");
+    trajectory.append(world, Time(0));
+  }
+  // Hides the exact chunks.
+  std::string bytes = read_text(folder / "run.gsd");
+  for (std::size_t at = 0; (at = bytes.find("log/", at)) != std::string::npos;) bytes.replace(at, 4, "bog/");
+  write_text(folder / "run.gsd", bytes);
+  const Snapshot snapshot = read_snapshot(folder / "run.gsd");
+  ASSERT_EQ(snapshot.spheres.size(), 1U);
+  EXPECT_EQ(snapshot.spheres[0].position, (Vec3{1, 2, 3}));
+  EXPECT_EQ(snapshot.spheres[0].velocity, (Vec3{0.5, 0, -1}));
+  EXPECT_EQ(snapshot.spheres[0].radius, 0.25);
+  EXPECT_EQ(snapshot.spheres[0].mass, 3);
+  EXPECT_FALSE(snapshot.time);
+  EXPECT_EQ(snapshot.box->size, (Vec3{10, 8, 6}));
+}
+
+}  // namespace
+}  // namespace hardball::trajectory_test
