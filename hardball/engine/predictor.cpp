@@ -7,20 +7,16 @@
 #include "hardball/events/event.hpp"
 
 namespace hardball {
-namespace {
 
-// The contact with one candidate, as an event.
+Image nearest_image(const World& world, Slot a, Slot b, const Time& moment) {
+  return world.box().nearest_image(world.unfolded_position(a, moment) - world.unfolded_position(b, moment));
+}
+
 Event contact_with(const World& world, const Candidates& candidates, std::size_t i, const Time& now) {
   const Slot self = candidates.self();
   const Slot other = candidates.slot(i);
   const Image image = candidates.are_nearest() ? nearest_image(world, self, other, now) : candidates.image(i);
   return make_collision(contact_time(world, self, other, image), world.id(self), world.id(other), image);
-}
-
-}  // namespace
-
-Image nearest_image(const World& world, Slot a, Slot b, const Time& moment) {
-  return world.box().nearest_image(world.unfolded_position(a, moment) - world.unfolded_position(b, moment));
 }
 
 Predictor::Predictor(InstructionSet instructions) : kernels_(&kernels_of(instructions)) {}

@@ -19,7 +19,9 @@ namespace hardball {
 struct BoundedContacts {
   double least = kNever.high;   ///< No contact comes before this time [T].
   double second = kNever.high;  ///< None but with `partner` comes before this time [T].
-  Slot partner = 0;
+  Slot partner = 0;             ///< If there is a contact.
+
+  bool happens() const { return least < kNever.high; }
 };
 
 /// Pairs of spheres and when they touch.
@@ -65,6 +67,9 @@ inline const Vec3* gravity_of(const World& world) {
 /// The image of `b` nearest to `a` at `moment`: the one meant by candidates without images, whose regions are
 /// small compared with the box.
 Image nearest_image(const World& world, Slot a, Slot b, const Time& moment);
+
+/// The contact of a sphere with one of its candidates, collected at `now`.
+Event contact_with(const World& world, const Candidates& candidates, std::size_t i, const Time& now);
 
 /// Computes contact times of many pairs at a time. The result is bit for bit that of contact_time for each
 /// pair and of the order of events among them, whatever the instruction set.

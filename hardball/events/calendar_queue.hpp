@@ -46,7 +46,7 @@ class CalendarQueue {
   }
 
   template <EventTable Table>
-  Owner least(const Table& table) {
+  Owner least(Table& table) {
     for (;;) {
       for (; !sorted_.empty() && is_dead(sorted_.back(), table); sorted_.pop_back()) ++counters_.taken;
       if (!heap_.empty()) drop_dead_from_heap(table);
@@ -181,7 +181,7 @@ class CalendarQueue {
 
   // Makes the next bucket with entries current; false if there is none.
   template <EventTable Table>
-  bool open_next_bucket(const Table& table) {
+  bool open_next_bucket(Table& table) {
     for (;;) {
       insert_pending();
       if (bucketed_count_ == 0) {
@@ -224,7 +224,7 @@ class CalendarQueue {
 
   // Entries postponed beyond the current bucket are inserted where they belong.
   template <EventTable Table>
-  void refine_current(const Table& table) {
+  void refine_current(Table& table) {
     table.refine(std::span<Entry>(sorted_));
     std::erase_if(sorted_, [&](const Entry& entry) {
       const std::int64_t number = bucket_of(entry.time);

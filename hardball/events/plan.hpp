@@ -9,43 +9,95 @@
 
 namespace hardball {
 
-/// What comes next for a sphere: its crossing, and its prospect, which is a contact or a bound of it.
-struct alignas(32) Plan {
-  double contact = kNever.high;   ///< The bound, or the high part of the time of the contact [T].
-  double crossing = kNever.high;  ///< Or any time after the contact [T].
-  double limit_or_low = 0;        ///< The limit of a bound, or the low part of the time of the contact [T].
-  std::uint32_t partner = 0;      ///< A slot, or the number of a wall.
-  std::uint32_t tag = 0;          ///< The revision of the partner's path, and of these bits any:
+/// What comes next for a sphere: its crossing, and its prospect.
+///
+/// A prospect is a contact, with a sphere or a wall; or a bound, before which the sphere meets nobody, and a
+/// limit, before which it meets nobody but its partner; or, if there is no partner, a time before which
+/// nothing happens and after which nothing is known.
+class alignas(32) Plan {
+ public:
+  /// Revisions of paths are multiples of it.
+  static constexpr std::uint32_t kRevision = 8;
 
-  static constexpr std::uint32_t kExact = 1;     ///< Not a bound.
-  static constexpr std::uint32_t kWall = 2;      ///< The contact is with a wall.
-  static constexpr std::uint32_t kRenewal = 4;   ///< The crossing only copies the path again.
-  static constexpr std::uint32_t kRevision = 8;  ///< Revisions are multiples of it.
+  /// The earlier of both times [T].
+  double time() const { return std::min(contact_, crossing_); }
+  /// The time of the contact, to the nearest double, or its bound [T].
+  double contact() const { return contact_; }
+  /// [T], or any time after the contact.
+  double crossing() const { return crossing_; }
+  /// Of a bound: no contact comes before it but with the partner [T].
+  double limit() const { return limit_or_low_; }
+  /// The time of a contact.
+  Time moment() const { return {contact_, limit_or_low_}; }
+  /// The slot of the sphere met. Precondition: has_partner().
+  Slot partner() const { return partner_; }
+  /// The number of the wall met. Precondition: meets_wall().
+  std::uint32_t wall() const { return partner_; }
 
-  double time() const { return std::min(contact, crossing); }
-  bool crosses_first() const { return crossing <= contact; }
-  bool is_bound() const { return (tag & kExact) == 0; }
-  bool is_wall() const { return (tag & kWall) != 0; }
-  bool is_renewal() const { return (tag & kRenewal) != 0; }
-  bool has_seen(std::uint32_t revision) const { return (tag ^ revision) < kRevision; }
+  bool crosses_first() const { return crossing_ <= contact_; }
+  /// Whether the prospect is no contact.
+  bool is_bound() const { return (tag_ & kExact) == 0; }
+  bool has_partner() const { return (tag_ & kNoPartner) == 0; }
+  bool meets_wall() const { return (tag_ & kKind) == (kExact | kNoPartner); }
+  /// Whether the prospect is a bound of the contact with a partner.
+  bool is_bounded_pair() const { return (tag_ & kKind) == 0; }
+  /// Whether all that is known is that nothing happens before.
+  bool is_unknown() const { return (tag_ & kKind) == kNoPartner; }
+  /// Whether the crossing only copies the path again.
+  bool is_renewal() const { return (tag_ & kRenewal) != 0; }
+  /// Whether the path of the partner has changed since. Precondition: has_partner().
+  bool has_seen(std::uint32_t revision) const { return (tag_ ^ revision) < kRevision; }
   /// A sphere at rest may have neither crossing nor contact.
-  bool will_cross_first() const { return crosses_first() && crossing < kNever.high; }
-  bool meets_first() const { return !crosses_first() && !is_wall(); }
-  /// The time of an exact contact.
-  Time moment() const { return {contact, limit_or_low}; }
+  bool will_cross_first() const { return crosses_first() && crossing_ < kNever.high; }
+  bool meets_first() const { return !crosses_first() && has_partner(); }
 
-  void set_bound(double time, double limit, Slot with, std::uint32_t revision) {
-    contact = time;
-    limit_or_low = limit;
-    partner = with;
-    tag = revision;
+  void set_bound(double time, double limit, Slot partner, std::uint32_t revision) {
+    contact_ = time;
+    limit_or_low_ = limit;
+    partner_ = partner;
+    tag_ = revision;
   }
-  void set_collision(const Time& time, Slot with, std::uint32_t revision) {
-    set_bound(time.high, time.low, with, revision | kExact);
+  void set_collision(const Time& time, Slot partner, std::uint32_t revision) {
+    set_bound(time.high, time.low, partner, revision | kExact);
   }
   void set_wall(const Time& time, std::uint32_t wall) {
-    set_bound(time.high, time.low, wall, kExact | kWall);
+    set_bound(time.high, time.low, wall, kExact | kNoPartner);
   }
+  /// Nothing happens before `time`. The crossing stays what it is.
+  void set_unknown(double time) { set_bound(time, time, 0, kNoPartner | (tag_ & kRenewal)); }
+  /// Replaces a bound by the contact with the partner; returns false if that may not be the earliest, and
+  /// then the bound stays.
+  bool refine(const Time& contact) {
+    if (!(contact.high < limit_or_low_)) return false;
+    contact_ = contact.high;
+    limit_or_low_ = contact.low;
+    tag_ |= kExact;
+    return true;
+  }
+  /// Others may be met from `time` on. Precondition: a bound.
+  void lower_limit(double time) { limit_or_low_ = std::min(limit_or_low_, time); }
+  void set_crossing(double time) {
+    crossing_ = time;
+    tag_ &= ~kRenewal;
+  }
+  void set_renewal(double time) {
+    crossing_ = time;
+    tag_ |= kRenewal;
+  }
+  /// Makes a revision seen before one that was not.
+  void forget_revision() { tag_ ^= kRevision; }
+
+ private:
+  static constexpr std::uint32_t kExact = 1;
+  static constexpr std::uint32_t kNoPartner = 2;
+  static constexpr std::uint32_t kKind = kExact | kNoPartner;
+  static constexpr std::uint32_t kRenewal = 4;
+
+  double contact_ = kNever.high;
+  double crossing_ = kNever.high;
+  double limit_or_low_ = 0;    // of a contact, the low part of its time
+  std::uint32_t partner_ = 0;  // or the wall
+  std::uint32_t tag_ = 0;      // the revision of the partner's path, and the bits above
 };
 static_assert(sizeof(Plan) == 32);
 

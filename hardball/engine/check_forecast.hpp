@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hardball/engine/predictor.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/events/plan.hpp"
+
+namespace hardball {
+
+// A forecast compared with the exact times of all contacts, one by one.
+
+/// Compares the bounds of a sphere's contacts with its candidates, in validating builds; throws
+/// BrokenInvariant.
+template <class Forecast>
+void check_bounds([[maybe_unused]] const Forecast& forecast, [[maybe_unused]] const Candidates& candidates,
+                  [[maybe_unused]] const BoundedContacts& found) {
+  if constexpr (HARDBALL_VALIDATE) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const Event contact = contact_with(forecast.world(), candidates, i, forecast.now());
+      if (!forecast.phase().are_candidates(candidates.self(), candidates.slot(i))) continue;
+      const bool is_partner = candidates.slot(i) == found.partner;
+      HARDBALL_CHECK((is_partner ? found.least : found.second) <= contact.time.high);
+    }
+  }
+}
+
+/// Whether a sphere answers for its contact with another: the contact cannot come before the prospect.
+template <class Forecast>
+bool covers(const Forecast& forecast, Slot slot, const Event& contact, Slot other) {
+  const Plan& plan = forecast.plan(slot);
+  if (forecast.is_unknown(slot)) return plan.contact() <= contact.time.high;
+  if (!plan.is_bound()) return forecast.contact_of(slot) <= contact;
+  return (plan.partner() == other ? plan.contact() : plan.limit()) <= contact.time.high;
+}
+
+/// Whether a sphere has no such candidate yet, but crosses before their contact.
+template <class Forecast>
+bool is_found_in_time(const Forecast& forecast, Slot slot, const Event& contact, Slot other) {
+  Candidates candidates;
+  forecast.phase().collect(forecast.world(), slot, candidates);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (candidates.slot(i) == other) return false;
+  }
+  return forecast.plan(slot).crossing() <= contact.time.high;
+}
+
+/// Checks every structure, and that every contact is predicted; throws BrokenInvariant. Cost: O(candidates).
+template <class Forecast>
+void validate(const Forecast& forecast) {
+  const World& world = forecast.world();
+  forecast.phase().validate(world, forecast.now(), forecast.copies());
+  Candidates candidates;
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    HARDBALL_CHECK(forecast.id(slot) == world.id(slot));
+    HARDBALL_CHECK(forecast.plan(slot).time() >= rounded_down(forecast.now()));
+    forecast.collect(slot, candidates);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const Event contact = contact_with(world, candidates, i, forecast.now());
+      const Slot other = candidates.slot(i);
+      if (!contact.happens() || !forecast.phase().are_candidates(slot, other)) continue;
+      HARDBALL_CHECK(covers(forecast, slot, contact, other) || covers(forecast, other, contact, slot) ||
+                     is_found_in_time(forecast, other, contact, slot));
+    }
+  }
+}
+
+}  // namespace hardball

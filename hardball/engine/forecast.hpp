@@ -1,0 +1,401 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "hardball/broadphase/broad_phase.hpp"
+#include "hardball/engine/bound_watch.hpp"
+#include "hardball/engine/check_forecast.hpp"
+#include "hardball/engine/predictor.hpp"
+#include "hardball/engine/run.hpp"
+#include "hardball/events/event_queue.hpp"
+#include "hardball/events/plan.hpp"
+#include "hardball/geometry/inlining.hpp"
+#include "hardball/memory/prefetch.hpp"
+#include "hardball/world/compact_paths.hpp"
+#include "hardball/world/progress.hpp"
+#include "hardball/world/walls.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// A world, and what comes next for each of its spheres: the plans, which are also the event table of the
+/// queue.
+///
+/// Of any two candidates, the one that predicted last answers for their contact. A bound is refined, replaced
+/// by the exact contact, when it is about to come; if its contact is not before its limit, all contacts of
+/// the sphere are computed exactly. A prospect whose partner's path has changed since is stale, and the
+/// sphere predicts again. Whoever changes a plan schedules the sphere. Source: docs/bounds.md, with the
+/// proof.
+template <BroadPhase Phase>
+class Forecast {
+ public:
+  Forecast(World world, Phase phase, InstructionSet instructions)
+      : world_(std::move(world)), phase_(std::move(phase)), predictor_(instructions) {}
+
+  const World& world() const { return world_; }
+  World& world() { return world_; }
+  const Phase& phase() const { return phase_; }
+  /// Replaces the broad phase; `rebuild` must follow.
+  void replace(Phase phase) { phase_ = std::move(phase); }
+  const CompactPaths& copies() const { return compact_; }
+  const Plan& plan(Slot slot) const { return phase_.lines()[slot].plan; }
+  SphereId id(Slot slot) const { return phase_.lines()[slot].id; }
+  bool are_nearest() const { return are_nearest_; }
+  /// The time up to which all events have been handled.
+  const Time& now() const { return now_; }
+  void advance(const Time& moment) { now_ = moment; }
+  /// Of predictions only.
+  const Counters& counters() const { return counters_; }
+  std::size_t memory_bytes() const {
+    return world_.memory_bytes() + phase_.memory_bytes() + compact_.memory_bytes() +
+           images_.capacity() * sizeof(Image);
+  }
+
+  /// Discards everything but the world, makes new regions as of `now`, and plans for all spheres.
+  void rebuild(const Time& now, const Progress& progress) {
+    now_ = now;
+    phase_.build(world_, now_, compact_);
+    are_nearest_ = phase_.has_nearest_images();
+    images_.assign(are_nearest_ ? 0 : world_.size(), Image{});
+    is_cached_ = world_.size() <= Phase::kCachedSpheres;
+    are_alike_ = world_.are_alike();
+    has_walls_ = has_walls(world_);
+    has_images_of_obstacles_ = has_images_of_obstacles(world_);
+    has_passing_pairs_ = world_.has_passing_pairs();
+    for (Slot slot = 0; slot < world_.size(); ++slot) {
+      progress.note(slot, world_.size());
+      predict(slot);
+    }
+  }
+
+  /// Chooses new units for the copies if speeds have changed. Calls reschedule(slot) for each sphere whose
+  /// next event has become another.
+  template <class Reschedule>
+  void keep_copies_good(Reschedule&& reschedule) {
+    if (!compact_.are_outdated()) [[likely]]
+      return;
+    compact_.renew(world_, now_);
+    if (!are_nearest_) return;
+    for (Slot slot = 0; slot < world_.size(); ++slot) {
+      const double before = plan(slot).time();
+      expire(slot);
+      if (plan(slot).time() != before) reschedule(slot);
+    }
+  }
+
+  /// Whether the partner's path has changed since the prediction.
+  bool is_stale(Slot slot) const {
+    const Plan& own = plan(slot);
+    return own.has_partner() && !own.has_seen(compact_.revision(own.partner()));
+  }
+  /// Whether all contacts must be predicted again when the prospect comes.
+  bool is_unknown(Slot slot) const { return plan(slot).is_unknown() || is_stale(slot); }
+
+  /// The contact planned. Precondition: it is exact and not stale.
+  Event contact_of(Slot slot) const {
+    const Plan& own = plan(slot);
+    if (!(own.contact() < kNever.high)) return {};
+    if (own.meets_wall()) return {own.moment(), EventKind::wall, world_.id(slot), own.wall(), {}};
+    return make_collision(own.moment(), world_.id(slot), world_.id(own.partner()), image_of_partner(slot));
+  }
+  /// The image of the partner in events: none where the nearest is meant.
+  Image image_in_event(Slot slot) const { return are_nearest_ ? Image{} : images_[slot]; }
+
+  /// Handles the crossing of a sphere, and plans its next.
+  void cross(Slot slot) {
+    compact_.copy(world_, slot, now_);
+    if (!plan(slot).is_renewal()) {
+      ++counters_.enter;
+      phase_.cross(world_, slot, now_, compact_, candidates_);
+      if (has_passing_pairs_) leave_out_met(candidates_);
+      counters_.predictions += candidates_.size();
+      counters_.enter_predictions += candidates_.size();
+      if (is_stale(slot) && plan(slot).is_bound()) postpone(slot);
+      const bool is_changed = is_stale(slot);
+      counters_.stale += is_changed ? 1 : 0;
+      if (is_changed || has_images_of_obstacles_) return predict(slot);
+      if (!are_nearest_) {
+        predict_new_exactly(slot);
+      } else if (!predict_new(slot)) {
+        return predict(slot);
+      }
+    }
+    plan_crossing(slot);
+  }
+
+  /// Predicts for a sphere of which nothing is known.
+  void predict_unknown(Slot slot) {
+    ++counters_.stale;
+    compact_.copy(world_, slot, now_);
+    predict(slot);
+  }
+
+  /// Refines the bound of a sphere, or computes all its contacts if the limit is not after it.
+  void refine_or_predict(Slot slot) {
+    const Slot partner = plan(slot).partner();
+    const Image image = nearest_image(world_, slot, partner, now_);
+    if (mutable_plan(slot).refine(contact_time(world_, slot, partner, image))) return;
+    bound_watch_.note_ambiguous();
+    compact_.copy(world_, slot, now_);
+    predict_exactly(slot);
+  }
+
+  /// Takes note that a sphere's path has changed, its centre folded back by `folded` boxes.
+  void note_new_path(Slot slot, const Image& folded) {
+    phase_.refresh(world_, slot, now_, folded);
+    if (compact_.note_change(slot) == 0) [[unlikely]]
+      outdate_plans_with(slot);
+    compact_.copy(world_, slot, now_);
+  }
+
+  /// Predicts a sphere's contacts with its candidates and the walls, and its crossing. Precondition: its path
+  /// has been copied.
+  void predict(Slot slot) {
+    if (!are_nearest_) return predict_exactly(slot);
+    if (!bound_watch_.pays()) [[unlikely]] {
+      bound_watch_.note_exact();
+      return predict_exactly(slot);
+    }
+    collect(slot, candidates_);
+    counters_.predictions += candidates_.size();
+    bound_watch_.note_bounded();
+    const BoundedContacts found = predictor_.bound(compact_, candidates_, now_);
+    check_bounds(*this, candidates_, found);
+    plan_contacts(slot, found.least, found.second, found.partner);
+  }
+
+  /// The same for two spheres. Both are bounded first: the processor works on them at once.
+  void predict_both(Slot a, Slot b) {
+    if (!are_nearest_ || !bound_watch_.pays()) [[unlikely]] {
+      predict(a);
+      return predict(b);
+    }
+    collect(a, candidates_);
+    collect(b, candidates_of_partner_);
+    counters_.predictions += candidates_.size() + candidates_of_partner_.size();
+    bound_watch_.note_bounded();
+    bound_watch_.note_bounded();
+    const auto [of_a, of_b] = predictor_.bound(compact_, candidates_, candidates_of_partner_, now_);
+    check_bounds(*this, candidates_, of_a);
+    check_bounds(*this, candidates_of_partner_, of_b);
+    plan_contacts(a, of_a.least, of_a.second, of_a.partner);
+    plan_contacts(b, of_b.least, of_b.second, of_b.partner);
+  }
+
+  // The event table; see EventTable.
+
+  double time(Slot slot) const { return plan(slot).time(); }
+  // What is not known exactly comes first among the events of one double: its exact time may be earlier than
+  // theirs.
+  Event event(Slot slot) const {
+    const Plan& own = plan(slot);
+    if (own.crosses_first() || own.is_bound() || is_stale(slot)) {
+      return {
+          {own.time(), -std::numeric_limits<double>::infinity()}, EventKind::enter, world_.id(slot), 0, {}};
+    }
+    return contact_of(slot);
+  }
+  // Two spheres that will collide with each other; if one plan is stale, that is found when it is handled.
+  bool share_event(Slot a, Slot b) const {
+    const Plan& one = plan(a);
+    const Plan& other = plan(b);
+    return are_nearest_ && one.meets_first() && other.meets_first() && !one.is_bound() && !other.is_bound() &&
+           one.partner() == b && other.partner() == a && one.moment() == other.moment();
+  }
+  bool is_cached() const { return is_cached_; }
+  void prefetch_event(Slot slot) const { prefetch(&plan(slot)); }
+  void prefetch_refinement(Slot slot) const {
+    prefetch(&world_.path(slot));
+    const Plan& own = plan(slot);
+    if (!own.meets_first()) return;
+    prefetch(&world_.path(own.partner()));
+    compact_.prefetch(own.partner());
+  }
+  // Refines the bounds of a whole bucket, which takes less than one by one.
+  void refine(std::span<QueueEntry> entries) {
+    if (!are_nearest_) return;
+    pairs_.begin(entries.size());
+    for (const QueueEntry& entry : entries) {
+      const Slot slot = entry.owner;
+      const Plan& own = plan(slot);
+      const bool is_due = own.is_bounded_pair() & !own.crosses_first();
+      const bool is_outdated = is_due & is_stale(slot);
+      pairs_.add(slot, own.partner(), is_due & !is_outdated);
+      if (is_outdated) postpone(slot);
+    }
+    predictor_.compute(world_, now_, pairs_);
+    for (std::size_t i = 0; i < pairs_.count; ++i) mutable_plan(pairs_.first[i]).refine(pairs_.time(i));
+    for (QueueEntry& entry : entries) entry.time = plan(entry.owner).time();
+  }
+
+  /// Prefetches a sphere's own data.
+  void prefetch_sphere(Slot slot) const {
+    world_.prefetch(slot);
+    if (!are_alike_) world_.prefetch_size(slot);
+    compact_.prefetch(slot);
+    phase_.prefetch_region(slot);
+  }
+
+  /// The spheres that one may meet.
+  void collect(Slot slot, Candidates& candidates) const {
+    phase_.collect(world_, slot, candidates);
+    if (has_passing_pairs_) [[unlikely]]
+      leave_out_met(candidates);
+  }
+
+ private:
+  static_assert(CompactPaths::kRevision == Plan::kRevision);
+
+  Plan& mutable_plan(Slot slot) { return phase_.lines()[slot].plan; }
+
+  // The image of the partner that is met. Precondition: the prospect is a collision, not stale.
+  Image image_of_partner(Slot slot) const {
+    const Plan& own = plan(slot);
+    return are_nearest_ ? nearest_image(world_, slot, own.partner(), own.moment()) : images_[slot];
+  }
+
+  // Leaves out the candidates that the sphere is passing through, or has just begun to.
+  HARDBALL_NEVER_INLINE void leave_out_met(Candidates& candidates) const {
+    const Slot slot = candidates.self();
+    candidates.keep_if([&](std::size_t i) {
+      const Slot other = candidates.slot(i);
+      if (!world_.pass(slot, other)) return true;
+      const Image image =
+          candidates.are_nearest() ? nearest_image(world_, slot, other, now_) : candidates.image(i);
+      return !have_met(world_, slot, other, image);
+    });
+  }
+
+  // Predicts contacts with new candidates, which come with their images, and keeps the prospect if it is
+  // earlier. Precondition: the prospect is known.
+  void predict_new_exactly(Slot slot) {
+    Plan& own = mutable_plan(slot);
+    const Prospect found = predictor_.earliest(world_, candidates_, now_);
+    if (!found.happens() || found.time > own.moment()) return;
+    const Event before = contact_of(slot);
+    const Plan kept = own;
+    const Image kept_image = images_[slot];
+    take(slot, found);
+    if (contact_of(slot) < before) return;
+    own = kept;
+    images_[slot] = kept_image;
+  }
+
+  // The same where nearest images are meant, by bounds; false if all candidates must be considered again.
+  bool predict_new(Slot slot) {
+    Plan& own = mutable_plan(slot);
+    const BoundedContacts found = predictor_.bound(compact_, candidates_, now_);
+    check_bounds(*this, candidates_, found);
+    // The partner may be among those called new: what is known of it is better.
+    const bool is_known = found.happens() && own.has_partner() && found.partner == own.partner();
+    if (is_known && found.second <= own.contact()) return false;
+    if (is_known) {
+      if (own.is_bound()) own.lower_limit(found.second);
+    } else if (found.least < own.contact()) {
+      own.set_bound(found.least, std::min(found.second, own.contact()), found.partner,
+                    compact_.revision(found.partner));
+    } else if (own.is_bound()) {
+      own.lower_limit(found.least);
+    } else if (found.least == own.contact() && found.least < kNever.high) {
+      // Which is earlier the bound cannot tell.
+      own.set_bound(found.least, found.least, found.partner, compact_.revision(found.partner));
+    }
+    return true;
+  }
+
+  // Takes numbers: structures of this size are passed in memory, which had a call wait for its own arguments.
+  void plan_contacts(Slot slot, double least, double second, Slot partner) {
+    Plan& own = mutable_plan(slot);
+    own.set_bound(least, second, partner, compact_.revision(partner));
+    if (has_walls_ && may_meet_wall(world_, slot, own.limit(), now_, obstacle_range())) {
+      const Event wall = next_wall_event(world_, slot, now_, obstacle_range());
+      if (wall.time.high < own.contact()) {
+        own.set_wall(wall.time, wall.second);
+      } else {
+        own.lower_limit(wall.time.high);
+      }
+    }
+    plan_crossing(slot);
+  }
+
+  // The same, where bounds do not tell which contact is the first. Precondition: likewise.
+  void predict_exactly(Slot slot) {
+    collect(slot, candidates_);
+    counters_.predictions += candidates_.size();
+    take(slot, predictor_.earliest(world_, candidates_, now_));
+    if (has_walls_) {
+      const Event wall = next_wall_event(world_, slot, now_, obstacle_range());
+      if (wall.happens() && wall.time < plan(slot).moment())
+        mutable_plan(slot).set_wall(wall.time, wall.second);
+    }
+    plan_crossing(slot);
+  }
+
+  // How many box lengths a sphere covers at most between two crossings.
+  double obstacle_range() const { return are_nearest_ ? 0.5 : 2; }
+
+  void plan_crossing(Slot slot) {
+    mutable_plan(slot).set_crossing(phase_.next_crossing(world_, slot, now_, compact_));
+    if (are_nearest_) expire(slot);
+  }
+
+  // Lets a sphere's crossing come before its copy ceases to be good.
+  void expire(Slot slot) {
+    const double expiry = rounded_down(now_) + compact_.longest_age();
+    if (!(expiry < plan(slot).crossing())) [[likely]]
+      return;
+    expire_soon(slot);
+  }
+
+  // The copy of a sphere at rest stays good, unless it falls.
+  HARDBALL_NEVER_INLINE void expire_soon(Slot slot) {
+    const double expiry = rounded_down(now_) + compact_.longest_age(slot);
+    if (!(expiry < plan(slot).crossing())) return;
+    const bool rests = world_.motion().is_straight() && world_.path(slot).velocity == Vec3{};
+    mutable_plan(slot).set_renewal(rests ? kNever.high : expiry);
+  }
+
+  // The counter of revisions has wrapped around: old revisions must not pass for new ones.
+  void outdate_plans_with(Slot slot) {
+    for (auto& line : phase_.lines()) {
+      Plan& other = line.plan;
+      if (other.has_partner() && other.partner() == slot && other.has_seen(0)) other.forget_revision();
+    }
+  }
+
+  void take(Slot slot, const Prospect& prospect) {
+    if (!prospect.happens()) return mutable_plan(slot).set_unknown(kNever.high);
+    mutable_plan(slot).set_collision(prospect.time, prospect.partner, compact_.revision(prospect.partner));
+    if (!are_nearest_) images_[slot] = prospect.image;
+  }
+
+  // The partner answers for their contact, having predicted last: what remains comes after the limit, and is
+  // predicted then. Precondition: a stale bound.
+  void postpone(Slot slot) { mutable_plan(slot).set_unknown(plan(slot).limit()); }
+
+  World world_;
+  Phase phase_;
+  Predictor predictor_;
+  CompactPaths compact_;
+  BoundWatch bound_watch_;
+  Time now_;
+  std::vector<Image> images_;  // per slot, of the partner; none where nearest images are meant
+  bool are_nearest_ = true;
+  bool is_cached_ = true;  // prefetching all data ahead does not pay
+  bool are_alike_ = true;  // all spheres, in radius and mass
+  bool has_walls_ = false;
+  bool has_images_of_obstacles_ = false;
+  bool has_passing_pairs_ = false;
+  Candidates candidates_;             // of the current sphere
+  Candidates candidates_of_partner_;  // of the sphere that it meets
+  PairContacts pairs_;                // of the current bucket
+  Counters counters_;
+};
+
+}  // namespace hardball

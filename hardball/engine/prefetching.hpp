@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "hardball/events/event_queue.hpp"
+#include "hardball/events/plan.hpp"
+
+namespace hardball {
+
+/// Prefetches what the next events need, as the calendar knows which spheres come next.
+class Prefetching {
+ public:
+  /// To be called before every event.
+  template <class Forecast, class Queue>
+  void prefetch_ahead(const Forecast& forecast, const Queue& queue) {
+    if constexpr (requires { queue.upcoming(0); }) {
+      if (forecast.is_cached()) {
+        prefetch_regions(forecast, queue);
+      } else {
+        prefetch_in_stages(forecast, queue);
+      }
+    }
+  }
+
+ private:
+  // Even with few spheres, regions may have been evicted from L1.
+  template <class Forecast, class Queue>
+  static void prefetch_regions(const Forecast& forecast, const Queue& queue) {
+    constexpr std::size_t kAhead = 2;
+    constexpr std::size_t kPlan = 5;
+    if (const Owner later = queue.upcoming(kPlan); later != kNoOwner) forecast.prefetch_event(later);
+    const Owner slot = queue.upcoming(kAhead);
+    if (slot == kNoOwner) return;
+    const Plan& plan = forecast.plan(slot);
+    forecast.prefetch_sphere(slot);
+    forecast.prefetch_sphere(plan.has_partner() ? plan.partner() : slot);
+  }
+
+  // Each stage runs a few events before the next, whose addresses it loads.
+  template <class Forecast, class Queue>
+  void prefetch_in_stages(const Forecast& forecast, const Queue& queue) {
+    constexpr std::size_t kSphere = 9;
+    constexpr std::size_t kPartner = 6;
+    constexpr std::size_t kLists = 4;
+    constexpr std::size_t kCandidates = 2;
+    const bool is_new = bucket_seen_ != queue.current_bucket();
+    bucket_seen_ = queue.current_bucket();
+    // Visits the sphere whose event comes `ahead` events after the next; of a bucket just opened, all up to
+    // it.
+    const auto for_upcoming = [&queue, is_new](std::size_t ahead, auto&& visit) {
+      for (std::size_t i = is_new ? 0 : ahead; i <= ahead; ++i) {
+        if (const Owner slot = queue.upcoming(i); slot != kNoOwner) visit(slot);
+      }
+    };
+    const auto& phase = forecast.phase();
+    for_upcoming(kSphere, [&](Slot slot) { forecast.prefetch_sphere(slot); });
+    for_upcoming(kPartner, [&](Slot slot) {
+      const Plan& plan = forecast.plan(slot);
+      if (plan.meets_first()) forecast.prefetch_sphere(plan.partner());
+    });
+    for_upcoming(kLists, [&](Slot slot) {
+      const Plan& plan = forecast.plan(slot);
+      phase.prefetch_lists(slot, plan.will_cross_first());
+      if (plan.meets_first()) phase.prefetch_lists(plan.partner(), false);
+    });
+    for_upcoming(kCandidates, [&](Slot slot) {
+      const Plan& plan = forecast.plan(slot);
+      phase.prefetch_candidates(slot, plan.will_cross_first(), forecast.copies());
+      if (plan.meets_first()) phase.prefetch_candidates(plan.partner(), false, forecast.copies());
+    });
+  }
+
+  std::int64_t bucket_seen_ = -1;  // the last for which data has been prefetched
+};
+
+}  // namespace hardball
