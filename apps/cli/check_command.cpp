@@ -155,14 +155,14 @@ double expected_seconds(const Outlook& outlook, double until, double length) {
   return kNanosecond * static_cast<double>(moments.spheres) * until * rate;
 }
 
-// The edge of the cells, or the slack of lists; zero if the engine has neither.
+// The edge of the cells, or the skin of lists; zero if the engine has neither.
 double length_of(const Outlook& outlook) {
   const Simulation& simulation = outlook.simulation;
   const EngineOptions& options = outlook.options;
   if (!outlook.is_sample || simulation.engine() == EngineKind::all_pairs) {
-    return simulation.engine() == EngineKind::neighbors ? simulation.slack() : simulation.cell_edge();
+    return simulation.engine() == EngineKind::neighbors ? simulation.skin() : simulation.cell_edge();
   }
-  if (simulation.engine() == EngineKind::neighbors) return optimal_slack(outlook.moments, options.unit_costs);
+  if (simulation.engine() == EngineKind::neighbors) return optimal_skin(outlook.moments, options.unit_costs);
   return options.cell_edge.value_or(optimal_cell_edge(outlook.moments, options.unit_costs));
 }
 
@@ -210,7 +210,7 @@ ExitCode check(const Options& options) {
   add("mean free path", readable(mean_free_path(moments)));
   add("mean free time", readable(mean_free_time(moments)));
   add("engine", name_of(simulation.engine()));
-  if (length > 0) add(has_lists ? "slack of lists" : "cell edge", readable(length));
+  if (length > 0) add(has_lists ? "skin of lists" : "cell edge", readable(length));
   add("memory",
       fmt::format("{:.4g} MB, {:.0f} bytes per sphere", bytes_per_sphere * spheres / 1e6, bytes_per_sphere));
   add("until", readable(until));

@@ -147,8 +147,8 @@ std::string engine_for(const Options& options, const Moments& moments) {
   const UnitCosts costs;
   const double edge = optimal_cell_edge(moments, costs);
   const double cells = cost_rate(expected_counts(moments, edge), costs_with_memory(moments, costs));
-  const double slack = optimal_slack(moments, costs);
-  const double lists = cost_rate(expected_neighbor_counts(moments, slack), costs);
+  const double skin = optimal_skin(moments, costs);
+  const double lists = cost_rate(expected_neighbor_counts(moments, skin), costs);
   return name_of(lists < cells ? EngineKind::neighbors : EngineKind::cells);
 }
 

@@ -140,16 +140,16 @@ report::CostCurve cost_curve(const std::function<double(double)>& cost, double c
 
 report::CostCurve choice(const Simulation& simulation, const Moments& moments, const UnitCosts& costs) {
   if (!(moments.mean_speed > 0)) return {};
-  if (simulation.slack() > 0) {
-    const double best = optimal_slack(moments, costs);
+  if (simulation.skin() > 0) {
+    const double best = optimal_skin(moments, costs);
     report::CostCurve curve =
-        cost_curve([&](double slack) { return cost_rate(expected_neighbor_counts(moments, slack), costs); },
-                   simulation.slack(), best);
+        cost_curve([&](double skin) { return cost_rate(expected_neighbor_counts(moments, skin), costs); },
+                   simulation.skin(), best);
     curve.title = "Choice of the neighbour lists";
-    curve.quantity = "slack of the lists";
+    curve.quantity = "skin of the lists";
     curve.explanation =
-        "A sphere keeps its neighbour list while it moves by less than the slack: with little slack "
-        "lists are rebuilt more often, with much they are longer. The choice affects the speed but no "
+        "A sphere keeps its neighbour list while it moves by less than the skin: with a thin skin "
+        "lists are rebuilt more often, with a thick one they are longer. The choice affects the speed but no "
         "contact.";
     return curve;
   }
@@ -251,7 +251,7 @@ report::Report run_report(const Options& options, const Scenario& scenario,
 
   report.engine = name_of(simulation.engine());
   report.cell_edge = summary.cell_edge();
-  report.slack = simulation.slack();
+  report.skin = simulation.skin();
   report.setup_seconds = summary.seconds().setup;
   report.run_seconds = summary.seconds().run;
   report.bytes_per_sphere = summary.bytes_per_sphere();

@@ -476,7 +476,7 @@ std::string speed(const Report& report) {
   table.add_row("engine", {escaped(report.engine)});
   if (report.cell_edge > 0)
     table.add_row("edge of the cells", {in_unit(number_text(report.cell_edge, 4), "L")});
-  if (report.slack > 0) table.add_row("slack of the lists", {in_unit(number_text(report.slack, 4), "L")});
+  if (report.skin > 0) table.add_row("skin of the lists", {in_unit(number_text(report.skin, 4), "L")});
   table.add_row("memory of the spheres", {number_text(report.bytes_per_sphere, 4) + " bytes per sphere"});
   table.add_row("memory of the program", {bytes_text(report.peak_bytes) + " at the peak"});
   return table.html();

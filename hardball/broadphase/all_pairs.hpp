@@ -23,7 +23,7 @@ class AllPairs {
   bool are_candidates(Slot, Slot) const { return true; }
   auto& lines() { return lines_; }
   const auto& lines() const { return lines_; }
-  bool has_nearest_images() const { return false; }
+  bool uses_minimum_image() const { return false; }
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths&, Candidates& candidates);
   static constexpr std::size_t kCachedSpheres = SIZE_MAX;
   void prefetch_region(Slot) const {}

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "hardball/bounds/compact_paths.hpp"
 #include "hardball/broadphase/candidates.hpp"
 #include "hardball/events/plan.hpp"
-#include "hardball/world/compact_paths.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -32,7 +32,7 @@ namespace hardball {
 /// - `are_candidates(a, b)`: whether two spheres that were collected are candidates, for checks.
 /// - `lines()`: a SphereLine for each sphere since `build`, with the region that the broad phase keeps in it
 ///   and the plan that the engine does.
-/// - `has_nearest_images()`: whether candidates mean the nearest images of spheres.
+/// - `uses_minimum_image()`: whether candidates mean the nearest images of spheres.
 /// - `cross(world, slot, now, copies, candidates)` gives it the next region and collects the new candidates,
 ///   and perhaps others.
 /// - `kCachedSpheres`: prefetching the regions of so many spheres costs more than it saves.
@@ -53,7 +53,7 @@ concept BroadPhase = requires(Phase phase, const Phase& view, const World& world
   { view.are_candidates(slot, slot) } -> std::same_as<bool>;
   { (phase.lines()[slot].plan) } -> std::same_as<Plan&>;
   { (view.lines()[slot].id) } -> std::same_as<const SphereId&>;
-  { view.has_nearest_images() } -> std::same_as<bool>;
+  { view.uses_minimum_image() } -> std::same_as<bool>;
   phase.cross(world, slot, now, copied, candidates);
   { Phase::kCachedSpheres } -> std::convertible_to<std::size_t>;
   view.prefetch_region(slot);

@@ -43,14 +43,14 @@ class Candidates {
 
   Slot self() const { return self_; }
   /// Whether the nearest image of each candidate is meant.
-  bool are_nearest() const { return nearest_; }
+  bool uses_minimum_image() const { return nearest_; }
   std::size_t size() const { return size_; }
   Slot slot(std::size_t i) const { return slots()[i]; }
-  /// Precondition: not are_nearest().
+  /// Precondition: not uses_minimum_image().
   const Image& image(std::size_t i) const { return images_[i]; }
 
   const Slot* slots() const { return listed_ != nullptr ? listed_ : slots_.data(); }
-  /// The displacements of the images along an axis [L]. Precondition: not are_nearest().
+  /// The displacements of the images along an axis [L]. Precondition: not uses_minimum_image().
   const double* shifts(std::size_t axis) const { return shifts_[axis].data(); }
 
   /// Makes the candidates those of a list elsewhere, whole vectors of slots, which must stay as it is until

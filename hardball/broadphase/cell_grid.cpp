@@ -80,7 +80,7 @@ double CellGrid::most_touched(const World& world, std::size_t axis) const {
 bool CellGrid::images_are_nearest(const World& world) const {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_periodic(axis)) continue;
-    if (!hardball::has_nearest_images(cells_.period(axis), most_touched(world, axis))) return false;
+    if (!has_nearest_images(cells_.period(axis), most_touched(world, axis))) return false;
   }
   return true;
 }

@@ -73,7 +73,7 @@ class CellGrid {
   /// The length of a cell's edge along an axis [L].
   double edge(std::size_t axis) const { return cells_.edge(axis); }
   /// Whether images that share a cell are always the nearest images.
-  bool has_nearest_images() const { return nearest_; }
+  bool uses_minimum_image() const { return nearest_; }
   bool are_candidates(Slot a, Slot b) const;
   auto& lines() { return lines_; }
   const auto& lines() const { return lines_; }

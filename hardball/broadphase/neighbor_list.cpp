@@ -33,15 +33,15 @@ constexpr std::size_t kLongShare = 32;
 // and there are at least three cells along each axis.
 constexpr double kLargestShare = 0.33;
 
-// The slack is at least this fraction of the largest radius.
-constexpr double kLeastSlack = 0.02;
+// The skin is at least this fraction of the largest radius.
+constexpr double kLeastSkin = 0.02;
 
 constexpr std::int32_t kMostCellsPerAxis = 1 << 28;
 
 // The largest distance between the centres of two neighbours: shells in contact, and both displaced from
 // their anchors.
-double farthest_neighbors(double largest_radius, double slack) {
-  return 2 * largest_radius + 4 * slack;
+double farthest_neighbors(double largest_radius, double skin) {
+  return 2 * largest_radius + 4 * skin;
 }
 
 double smallest_period(const Box& box) {
@@ -54,23 +54,23 @@ double smallest_period(const Box& box) {
 
 }  // namespace
 
-bool NeighborList::suits(const World& world) {
+bool NeighborList::supports(const World& world) {
   const double radius = world.largest_radius();
-  return farthest_neighbors(radius, kLeastSlack * radius) <= kLargestShare * smallest_period(world.box());
+  return farthest_neighbors(radius, kLeastSkin * radius) <= kLargestShare * smallest_period(world.box());
 }
 
 void NeighborList::build(const World& world, const Time& now, CompactPaths& copies) {
-  HARDBALL_CHECK(suits(world));
+  HARDBALL_CHECK(supports(world));
   const double radius = world.largest_radius();
   const double largest = (kLargestShare * smallest_period(world.box()) - 2 * radius) / 4;
-  slack_ = std::max(kLeastSlack * radius, std::min(wanted_slack_, largest));
+  skin_ = std::max(kLeastSkin * radius, std::min(wanted_skin_, largest));
   // Without spheres any distance will do.
-  const double farthest = farthest_neighbors(world.size() > 0 ? radius : 1, slack_);
+  const double farthest = farthest_neighbors(world.size() > 0 ? radius : 1, skin_);
   const double margin = kShellMargin * farthest;
-  room_ = slack_ - kCrossingMargin * farthest;
-  cells_ = Subdivision(world.box(), farthest - 2 * slack_ + 2 * margin, kMostCellsPerAxis);
+  room_ = skin_ - kCrossingMargin * farthest;
+  cells_ = Subdivision(world.box(), farthest - 2 * skin_ + 2 * margin, kMostCellsPerAxis);
   copies.reset(world, farthest + 2 * margin, now);
-  reach_ = static_cast<float>((2 * slack_ + margin) / copies.length_unit());
+  reach_ = static_cast<float>((2 * skin_ + margin) / copies.length_unit());
   room_squared_ = static_cast<float>(room_ * room_ / (copies.length_unit() * copies.length_unit()));
   table_ = CellTable(cells_.shape(), world.size());
   points_.reset(table_.size());
@@ -312,7 +312,7 @@ void NeighborList::validate(const World& world, const Time& now, const CompactPa
     const auto& anchor = lines_[slot].region.place;
     const Vec3 place{present.apart(anchor, slot, 0), present.apart(anchor, slot, 1),
                      present.apart(anchor, slot, 2)};
-    HARDBALL_CHECK(length(place) <= slack_ + coordinate_error(world, slot, now));
+    HARDBALL_CHECK(length(place) <= skin_ + coordinate_error(world, slot, now));
     search.find_near(slot, copies);
     std::size_t others = 0;
     for (const Slot other : search.near_.slots()) {

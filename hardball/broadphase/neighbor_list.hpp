@@ -36,14 +36,14 @@ struct Anchor {
 /// Comput. Phys. 202 (2005) 737, section 3.
 class NeighborList {
  public:
-  /// `slack` [L] is the wanted radius of the ball in which a sphere's centre moves; small boxes reduce it.
-  /// Precondition: suits(world). Error: the instruction set is not available.
-  explicit NeighborList(double slack, InstructionSet instructions = widest_instruction_set())
-      : wanted_slack_(slack), instructions_(instructions), kernels_(&kernels_of(instructions)) {}
+  /// `skin` [L] is the wanted radius of the ball in which a sphere's centre moves; small boxes reduce it.
+  /// Precondition: supports(world). Error: the instruction set is not available.
+  explicit NeighborList(double skin, InstructionSet instructions = widest_instruction_set())
+      : wanted_skin_(skin), instructions_(instructions), kernels_(&kernels_of(instructions)) {}
 
   /// Whether neighbours can be listed: a periodic box must be so large that of a neighbour only one image is
   /// near.
-  static bool suits(const World& world);
+  static bool supports(const World& world);
 
   void build(const World& world, const Time& now, CompactPaths& copies);
   void refresh(const World&, Slot, const Time&, const Image&) {}
@@ -76,7 +76,7 @@ class NeighborList {
   bool are_candidates(Slot, Slot) const { return true; }
   auto& lines() { return lines_; }
   const auto& lines() const { return lines_; }
-  bool has_nearest_images() const { return true; }
+  bool uses_minimum_image() const { return true; }
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
              Candidates& candidates);
   static constexpr std::size_t kCachedSpheres = 40000;  // measured
@@ -97,7 +97,7 @@ class NeighborList {
   std::size_t memory_bytes() const;
   void validate(const World& world, const Time& now, const CompactPaths& copies) const;
 
-  double slack() const { return slack_; }
+  double skin() const { return skin_; }
   InstructionSet instructions() const { return instructions_; }
 
  private:
@@ -141,10 +141,10 @@ class NeighborList {
     bool is_outermost(std::int32_t cell) const { return cell == below || cell == above; }
   };
 
-  double wanted_slack_;
+  double wanted_skin_;
   InstructionSet instructions_;
   const Kernels* kernels_;
-  double slack_ = 0;
+  double skin_ = 0;
   float reach_ = 0;          // of shells beyond the radii, in units of the compact paths
   float packing_error_ = 0;  // of distances, likewise
   float room_squared_ = 0;   // likewise, of room_

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "hardball/broadphase/places_of.hpp"
+#include "hardball/broadphase/match_mask.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/kernels/instruction_set.hpp"
@@ -103,7 +103,7 @@ class PaddedLists {
   static constexpr std::uint32_t kElsewhere = 1U << 31;
 
   static std::uint32_t count_of(Slot slot, const Slot* line) {
-    return static_cast<std::uint32_t>(std::popcount(places_of<kLine>(slot, line)));
+    return static_cast<std::uint32_t>(std::popcount(match_mask<kLine>(slot, line)));
   }
 
   std::size_t lanes_in_place() const { return std::size_t{lines_per_owner_} * kLine; }
@@ -121,7 +121,7 @@ class PaddedLists {
   bool replace(Slot owner, Slot old, Slot by) {
     const std::span<Slot> all = lanes(owner);
     for (std::size_t i = 0; i < all.size(); i += kLine) {
-      const std::uint32_t places = places_of<kLine>(old, all.data() + i);
+      const std::uint32_t places = match_mask<kLine>(old, all.data() + i);
       if (places == 0) continue;
       all[i + static_cast<std::size_t>(std::countr_zero(places))] = by;
       return true;

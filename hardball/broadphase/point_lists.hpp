@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "hardball/broadphase/places_of.hpp"
+#include "hardball/broadphase/match_mask.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/kernels/near_kernel.hpp"
@@ -98,7 +98,7 @@ class PointLists {
 
   // A bit for each place of a block that holds the slot.
   std::uint32_t places_in(std::uint32_t block, Slot slot) const {
-    return places_of<PointBlock::kRoom>(slot, blocks_[block].slots.data());
+    return match_mask<PointBlock::kRoom>(slot, blocks_[block].slots.data());
   }
 
   // Fills a gap of a block with some point of another.

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-#include "hardball/broadphase/places_of.hpp"
+#include "hardball/broadphase/match_mask.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/memory/huge_pages.hpp"
@@ -95,7 +95,7 @@ class SlotLists {
   static std::uint32_t places_in(const Line& line, Slot slot) {
     static_assert(sizeof(Line) == 16 * sizeof(Slot));
     constexpr std::uint32_t kBefore = 2;  // the count and the link
-    return places_of<16>(slot, reinterpret_cast<const Slot*>(&line)) >> kBefore & ((1U << line.count) - 1);
+    return match_mask<16>(slot, reinterpret_cast<const Slot*>(&line)) >> kBefore & ((1U << line.count) - 1);
   }
 
   // The second line of a list whose first is full.

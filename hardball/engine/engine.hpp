@@ -172,7 +172,7 @@ class Engine {
     const SphereId partner_id = forecast_.id(partner);
     // Branchless: which id is lower is unpredictable.
     const Slot exchange = (slot ^ partner) & (Slot{0} - static_cast<Slot>(partner_id < id));
-    const Participants participants{slot ^ exchange, partner ^ exchange, forecast_.are_nearest()};
+    const Participants participants{slot ^ exchange, partner ^ exchange, forecast_.uses_minimum_image()};
     const Event event = is_collision
                             ? make_collision(plan.moment(), id, partner_id, forecast_.image_in_event(slot))
                             : Event{plan.moment(), EventKind::wall, id, plan.wall(), {}};

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "hardball/bounds/compact_paths.hpp"
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/engine/bound_watch.hpp"
 #include "hardball/engine/check_forecast.hpp"
@@ -17,7 +18,6 @@
 #include "hardball/events/plan.hpp"
 #include "hardball/geometry/inlining.hpp"
 #include "hardball/memory/prefetch.hpp"
-#include "hardball/world/compact_paths.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/walls.hpp"
 #include "hardball/world/world.hpp"
@@ -46,7 +46,7 @@ class Forecast {
   const CompactPaths& copies() const { return compact_; }
   const Plan& plan(Slot slot) const { return phase_.lines()[slot].plan; }
   SphereId id(Slot slot) const { return phase_.lines()[slot].id; }
-  bool are_nearest() const { return are_nearest_; }
+  bool uses_minimum_image() const { return uses_minimum_image_; }
   /// The time up to which all events have been handled.
   const Time& now() const { return now_; }
   void advance(const Time& moment) { now_ = moment; }
@@ -61,8 +61,8 @@ class Forecast {
   void rebuild(const Time& now, const Progress& progress) {
     now_ = now;
     phase_.build(world_, now_, compact_);
-    are_nearest_ = phase_.has_nearest_images();
-    images_.assign(are_nearest_ ? 0 : world_.size(), Image{});
+    uses_minimum_image_ = phase_.uses_minimum_image();
+    images_.assign(uses_minimum_image_ ? 0 : world_.size(), Image{});
     is_cached_ = world_.size() <= Phase::kCachedSpheres;
     are_alike_ = world_.are_alike();
     has_walls_ = has_walls(world_);
@@ -81,7 +81,7 @@ class Forecast {
     if (!compact_.are_outdated()) [[likely]]
       return;
     compact_.renew(world_, now_);
-    if (!are_nearest_) return;
+    if (!uses_minimum_image_) return;
     for (Slot slot = 0; slot < world_.size(); ++slot) {
       const double before = plan(slot).time();
       expire(slot);
@@ -105,7 +105,7 @@ class Forecast {
     return make_collision(own.moment(), world_.id(slot), world_.id(own.partner()), image_of_partner(slot));
   }
   /// The image of the partner in events: none where the nearest is meant.
-  Image image_in_event(Slot slot) const { return are_nearest_ ? Image{} : images_[slot]; }
+  Image image_in_event(Slot slot) const { return uses_minimum_image_ ? Image{} : images_[slot]; }
 
   /// Handles the crossing of a sphere, and plans its next.
   void cross(Slot slot) {
@@ -120,7 +120,7 @@ class Forecast {
       const bool is_changed = is_stale(slot);
       counters_.stale += is_changed ? 1 : 0;
       if (is_changed || has_images_of_obstacles_) return predict(slot);
-      if (!are_nearest_) {
+      if (!uses_minimum_image_) {
         predict_new_exactly(slot);
       } else if (!predict_new(slot)) {
         return predict(slot);
@@ -157,7 +157,7 @@ class Forecast {
   /// Predicts a sphere's contacts with its candidates and the walls, and its crossing. Precondition: its path
   /// has been copied.
   void predict(Slot slot) {
-    if (!are_nearest_) return predict_exactly(slot);
+    if (!uses_minimum_image_) return predict_exactly(slot);
     if (!bound_watch_.pays()) [[unlikely]] {
       bound_watch_.note_exact();
       return predict_exactly(slot);
@@ -172,7 +172,7 @@ class Forecast {
 
   /// The same for two spheres. Both are bounded first: the processor works on them at once.
   void predict_both(Slot a, Slot b) {
-    if (!are_nearest_ || !bound_watch_.pays()) [[unlikely]] {
+    if (!uses_minimum_image_ || !bound_watch_.pays()) [[unlikely]] {
       predict(a);
       return predict(b);
     }
@@ -205,8 +205,8 @@ class Forecast {
   bool share_event(Slot a, Slot b) const {
     const Plan& one = plan(a);
     const Plan& other = plan(b);
-    return are_nearest_ && one.meets_first() && other.meets_first() && !one.is_bound() && !other.is_bound() &&
-           one.partner() == b && other.partner() == a && one.moment() == other.moment();
+    return uses_minimum_image_ && one.meets_first() && other.meets_first() && !one.is_bound() &&
+           !other.is_bound() && one.partner() == b && other.partner() == a && one.moment() == other.moment();
   }
   bool is_cached() const { return is_cached_; }
   void prefetch_event(Slot slot) const { prefetch(&plan(slot)); }
@@ -219,7 +219,7 @@ class Forecast {
   }
   // Refines the bounds of a whole bucket, which takes less than one by one.
   void refine(std::span<QueueEntry> entries) {
-    if (!are_nearest_) return;
+    if (!uses_minimum_image_) return;
     pairs_.begin(entries.size());
     for (const QueueEntry& entry : entries) {
       const Slot slot = entry.owner;
@@ -257,7 +257,7 @@ class Forecast {
   // The image of the partner that is met. Precondition: the prospect is a collision, not stale.
   Image image_of_partner(Slot slot) const {
     const Plan& own = plan(slot);
-    return are_nearest_ ? nearest_image(world_, slot, own.partner(), own.moment()) : images_[slot];
+    return uses_minimum_image_ ? nearest_image(world_, slot, own.partner(), own.moment()) : images_[slot];
   }
 
   // Leaves out the candidates that the sphere is passing through, or has just begun to.
@@ -267,7 +267,7 @@ class Forecast {
       const Slot other = candidates.slot(i);
       if (!world_.pass(slot, other)) return true;
       const Image image =
-          candidates.are_nearest() ? nearest_image(world_, slot, other, now_) : candidates.image(i);
+          candidates.uses_minimum_image() ? nearest_image(world_, slot, other, now_) : candidates.image(i);
       return !have_met(world_, slot, other, image);
     });
   }
@@ -338,11 +338,11 @@ class Forecast {
   }
 
   // How many box lengths a sphere covers at most between two crossings.
-  double obstacle_range() const { return are_nearest_ ? 0.5 : 2; }
+  double obstacle_range() const { return uses_minimum_image_ ? 0.5 : 2; }
 
   void plan_crossing(Slot slot) {
     mutable_plan(slot).set_crossing(phase_.next_crossing(world_, slot, now_, compact_));
-    if (are_nearest_) expire(slot);
+    if (uses_minimum_image_) expire(slot);
   }
 
   // Lets a sphere's crossing come before its copy ceases to be good.
@@ -372,7 +372,7 @@ class Forecast {
   void take(Slot slot, const Prospect& prospect) {
     if (!prospect.happens()) return mutable_plan(slot).set_unknown(kNever.high);
     mutable_plan(slot).set_collision(prospect.time, prospect.partner, compact_.revision(prospect.partner));
-    if (!are_nearest_) images_[slot] = prospect.image;
+    if (!uses_minimum_image_) images_[slot] = prospect.image;
   }
 
   // The partner answers for their contact, having predicted last: what remains comes after the limit, and is
@@ -386,7 +386,7 @@ class Forecast {
   BoundWatch bound_watch_;
   Time now_;
   std::vector<Image> images_;  // per slot, of the partner; none where nearest images are meant
-  bool are_nearest_ = true;
+  bool uses_minimum_image_ = true;
   bool is_cached_ = true;  // prefetching all data ahead does not pay
   bool are_alike_ = true;  // all spheres, in radius and mass
   bool has_walls_ = false;

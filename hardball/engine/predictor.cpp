@@ -15,7 +15,8 @@ Image nearest_image(const World& world, Slot a, Slot b, const Time& moment) {
 Event contact_with(const World& world, const Candidates& candidates, std::size_t i, const Time& now) {
   const Slot self = candidates.self();
   const Slot other = candidates.slot(i);
-  const Image image = candidates.are_nearest() ? nearest_image(world, self, other, now) : candidates.image(i);
+  const Image image =
+      candidates.uses_minimum_image() ? nearest_image(world, self, other, now) : candidates.image(i);
   return make_collision(contact_time(world, self, other, image), world.id(self), world.id(other), image);
 }
 
@@ -85,7 +86,8 @@ Prospect Predictor::earliest_in_order(const World& world, const Candidates& cand
     first = contact;
     index = i;
   }
-  return {first.time, candidates.slot(index), candidates.are_nearest() ? Image{} : candidates.image(index)};
+  return {first.time, candidates.slot(index),
+          candidates.uses_minimum_image() ? Image{} : candidates.image(index)};
 }
 
 }  // namespace hardball

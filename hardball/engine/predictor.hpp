@@ -7,10 +7,10 @@
 #include <limits>
 #include <vector>
 
+#include "hardball/bounds/compact_paths.hpp"
 #include "hardball/broadphase/candidates.hpp"
 #include "hardball/geometry/inlining.hpp"
 #include "hardball/kernels/kernels.hpp"
-#include "hardball/world/compact_paths.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -83,7 +83,7 @@ class Predictor {
   Prospect earliest(const World& world, const Candidates& candidates, const Time& now) const {
     if (candidates.size() == 0) return {};
     const double* shifts[kAxes];
-    if (!candidates.are_nearest()) {
+    if (!candidates.uses_minimum_image()) {
       for (std::size_t axis = 0; axis < kAxes; ++axis) shifts[axis] = candidates.shifts(axis);
     }
     const ContactQuery query{
@@ -93,7 +93,7 @@ class Predictor {
         .self = candidates.self(),
         .others = candidates.slots(),
         .count = candidates.size(),
-        .shifts = candidates.are_nearest() ? nullptr : shifts,
+        .shifts = candidates.uses_minimum_image() ? nullptr : shifts,
         .period = &world.box().period(),
         .inverse_period = &world.box().inverse_period(),
         .now_high = now.high,
@@ -106,7 +106,7 @@ class Predictor {
       return earliest_in_order(world, candidates, now);
     return {{found.high, found.low},
             candidates.slot(found.index),
-            candidates.are_nearest() ? Image{} : candidates.image(found.index)};
+            candidates.uses_minimum_image() ? Image{} : candidates.image(found.index)};
   }
 
   /// The contacts of a sphere with its candidates. Precondition: `candidates` has been ended, means nearest

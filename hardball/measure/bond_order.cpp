@@ -150,7 +150,7 @@ BondOrder::BondOrder(const Scene& scene, double reach)
   constexpr double kEachBond = 100;
   const World& world = scene.world();
   if (world.size() == 0) return;
-  const Surroundings::Effort effort = Surroundings::effort(world, 2 * reach_ * world.largest_radius());
+  const NeighborQuery::Effort effort = NeighborQuery::effort(world, 2 * reach_ * world.largest_radius());
   sample_cost_ = effort.cost + kEachBond * effort.neighbors;
 }
 
@@ -161,7 +161,7 @@ void BondOrder::sample(const Scene& scene) {
 
 template <class Bonds>
 void BondOrder::sample_bonds(const Scene& scene) {
-  const Surroundings& surroundings = scene.surroundings();
+  const NeighborQuery& surroundings = scene.surroundings();
   const double range = 2 * reach_ * scene.world().largest_radius();
   Bonds all;
   surroundings.for_each_center(range, [&](std::size_t center) {

@@ -24,7 +24,7 @@ class BondOrder {
   /// `reach` [1]: how far away neighbours are at most, as a multiple of the sum of the radii.
   explicit BondOrder(const Scene& scene, double reach = 1.4);
 
-  /// What a sample costs [ns]: 700 to 2000 ns for each chosen sphere, see Surroundings.
+  /// What a sample costs [ns]: 700 to 2000 ns for each chosen sphere, see NeighborQuery.
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;

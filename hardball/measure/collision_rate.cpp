@@ -133,8 +133,8 @@ bool CollisionRate::restored() const {
   return contacts_.has(kPairs + species_.size() * species_.size()) && speed_.has(3, kSphereGroups);
 }
 
-bool CollisionRate::suits(const World& world) const {
-  return species_.suits(world);
+bool CollisionRate::matches(const World& world) const {
+  return species_.matches(world);
 }
 
 }  // namespace hardball

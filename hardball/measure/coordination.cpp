@@ -30,12 +30,12 @@ Coordination::Coordination(const Scene& scene, double reach)
     : reach_(reach), begin_(scene.now()), average_(kBins, kSphereGroups) {
   const World& world = scene.world();
   if (world.size() == 0) return;
-  sample_cost_ = Surroundings::effort(world, 2 * reach_ * world.largest_radius()).cost;
+  sample_cost_ = NeighborQuery::effort(world, 2 * reach_ * world.largest_radius()).cost;
 }
 
 void Coordination::sample(const Scene& scene) {
   if (scene.world().size() == 0) return;
-  const Surroundings& surroundings = scene.surroundings();
+  const NeighborQuery& surroundings = scene.surroundings();
   const double range = 2 * reach_ * scene.world().largest_radius();
   surroundings.for_each_center(range, [&](std::size_t center) {
     std::size_t neighbors = 0;

@@ -19,7 +19,7 @@ class Coordination {
   /// `reach` [1]: how far away neighbours are at most, as a multiple of the sum of the radii.
   explicit Coordination(const Scene& scene, double reach = 1.2);
 
-  /// What a sample costs [ns]: 300 to 1200 ns for each chosen sphere, see Surroundings.
+  /// What a sample costs [ns]: 300 to 1200 ns for each chosen sphere, see NeighborQuery.
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;

@@ -221,7 +221,7 @@ bool DensityProfiles::restored() const {
          bin_width_ * kMostBins >= std::max({box_.size().x, box_.size().y, box_.size().z});
 }
 
-bool DensityProfiles::suits(const World& world) const {
+bool DensityProfiles::matches(const World& world) const {
   return is_same_box(box_, world.box());
 }
 

@@ -25,7 +25,7 @@ std::optional<std::size_t> half_lag(std::span<const double> lags, std::size_t la
   return static_cast<std::size_t>(half - lags.begin());
 }
 
-Diffusion read_diffusion(const LagAverage& average, std::size_t species, double mean_free_time,
+Diffusion read_diffusion(const TimeCorrelation& average, std::size_t species, double mean_free_time,
                          const std::function<std::optional<FunctionOfMeans>(std::size_t lag)>& up_to) {
   constexpr double kFreeTimes = 10;
   const std::vector<double> lags = average.lags();

@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "hardball/measure/lag_average.hpp"
 #include "hardball/measure/measurement.hpp"
+#include "hardball/measure/time_correlation.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 
 namespace hardball {
@@ -34,7 +34,7 @@ inline constexpr const char* kBounded = "diffusion is measured where all axes ar
 /// rest is forgotten. Source of the decay: Alder and Wainwright, Phys. Rev. A 1 (1970) 18.
 ///
 /// `up_to(lag)`: D(t) as a function of the means, none if it is not known at that lag.
-Diffusion read_diffusion(const LagAverage& average, std::size_t species, double mean_free_time,
+Diffusion read_diffusion(const TimeCorrelation& average, std::size_t species, double mean_free_time,
                          const std::function<std::optional<FunctionOfMeans>(std::size_t lag)>& up_to);
 
 /// Adds the constant, the constant over that of Enskog's theory, and the lag, of one species.

@@ -177,7 +177,7 @@ bool FlowProfiles::restored() const {
   return true;
 }
 
-bool FlowProfiles::suits(const World& world) const {
+bool FlowProfiles::matches(const World& world) const {
   return is_same_box(box_, world.box());
 }
 

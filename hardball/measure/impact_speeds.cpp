@@ -132,8 +132,8 @@ bool ImpactSpeeds::restored() const {
   return average_.has(kPairs + species_.size() * species_.size()) && !(bins_per_speed_ < 0);
 }
 
-bool ImpactSpeeds::suits(const World& world) const {
-  return species_.suits(world);
+bool ImpactSpeeds::matches(const World& world) const {
+  return species_.matches(world);
 }
 
 }  // namespace hardball

@@ -70,13 +70,13 @@ Measures::Measures(const MeasureSettings& settings) : settings_(settings) {
 }
 
 void Measures::check_spheres(const World& world) const {
-  bool suits = !has_begun_ || (world.size() == spheres_ && last_id_of(world) == last_id_);
+  bool matches = !has_begun_ || (world.size() == spheres_ && last_id_of(world) == last_id_);
   for_each([&](const auto& entry) {
-    if constexpr (requires { entry.measure->suits(world); }) {
-      suits = suits && (!entry.measure || entry.measure->suits(world));
+    if constexpr (requires { entry.measure->matches(world); }) {
+      matches = matches && (!entry.measure || entry.measure->matches(world));
     }
   });
-  if (suits) return;
+  if (matches) return;
   throw Error("spheres have been added or removed since the measures started", "measures",
               "start new measures after such an edit");
 }
@@ -118,7 +118,7 @@ void Measures::begin(Entry<Measure>& entry, const Scene& scene, const Pace& pace
     constexpr double kSamplesPerFreeTime = 4;
     constexpr std::int64_t kWindow = 256;
     constexpr std::size_t kMostFollowed = 1000;
-    const std::size_t most = settings_.every ? LagAverage::kMostSpheres : kMostFollowed;
+    const std::size_t most = settings_.every ? TimeCorrelation::kMostSpheres : kMostFollowed;
     const std::size_t spheres = std::min(scene.world().size(), most);
     const double cost = kFixedCost + Measure::kCostPerSphereFollowed * static_cast<double>(spheres);
     const double finest = pace.free_time / kSamplesPerFreeTime;

@@ -41,12 +41,12 @@ NearestNeighbor::NearestNeighbor(const Scene& scene, std::size_t bins)
                    : std::cbrt(square * diameter_ + kExpected * volume_each * 3 / (4 * std::numbers::pi))) -
               diameter_;
   }
-  sample_cost_ = Surroundings::effort(world, diameter_ + widest_).cost;
+  sample_cost_ = NeighborQuery::effort(world, diameter_ + widest_).cost;
 }
 
 void NearestNeighbor::sample(const Scene& scene) {
   if (widest_ == 0 || scene.world().size() < 2) return;
-  const Surroundings& surroundings = scene.surroundings();
+  const NeighborQuery& surroundings = scene.surroundings();
   const double range = diameter_ + widest_;
   const auto bins = static_cast<double>(bins_);
   surroundings.for_each_center(range, [&](std::size_t center) {
@@ -118,7 +118,7 @@ bool NearestNeighbor::restored() const {
          std::isfinite(diameter_);
 }
 
-bool NearestNeighbor::suits(const World& world) const {
+bool NearestNeighbor::matches(const World& world) const {
   return dimensions_ == world.box().dimensions();
 }
 

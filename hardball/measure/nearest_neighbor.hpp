@@ -21,13 +21,13 @@ class NearestNeighbor {
 
   explicit NearestNeighbor(const Scene& scene, std::size_t bins = 100);
 
-  /// What a sample costs [ns]: 600 to 1500 ns for each chosen sphere, see Surroundings.
+  /// What a sample costs [ns]: 600 to 1500 ns for each chosen sphere, see NeighborQuery.
   double sample_cost() const { return sample_cost_; }
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;
 
   /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
-  bool suits(const World& world) const;
+  bool matches(const World& world) const;
 
  private:
   friend class Persistence;

@@ -65,7 +65,7 @@ RadialDistribution::RadialDistribution(const Scene& scene, double range, double 
   const double high = std::min(mean_diameter * range, largest_range(world));
   bins_ = high > low_ ? static_cast<std::size_t>((high - low_) / bin_width_) : 0;
   average_ = BlockAverage(pairs_bin(kinds_.size()), kSphereGroups);
-  if (has_meaning()) sample_cost_ = Surroundings::effort(world, high).cost;
+  if (has_meaning()) sample_cost_ = NeighborQuery::effort(world, high).cost;
 }
 
 // Whether the bins reach far enough beyond contact for the extrapolation to it.
@@ -106,7 +106,7 @@ void RadialDistribution::sample(const Scene& scene) {
   if (!has_meaning()) return;
   const double high = low_ + static_cast<double>(bins_) * bin_width_;
   const World& world = scene.world();
-  const Surroundings& surroundings = scene.surroundings();
+  const NeighborQuery& surroundings = scene.surroundings();
   const std::size_t many = is_by_species_ ? species_.size() : 1;
   std::vector<std::size_t> species;  // of each sphere
   std::vector<double> spheres(many);
@@ -224,9 +224,9 @@ bool RadialDistribution::restored() const {
          bin_width_ > 0;
 }
 
-bool RadialDistribution::suits(const World& world) const {
+bool RadialDistribution::matches(const World& world) const {
   const double range = low_ + static_cast<double>(bins_) * bin_width_;
-  return !has_meaning() || (species_.suits(world) && is_same_box(box_, world.box()) &&
+  return !has_meaning() || (species_.matches(world) && is_same_box(box_, world.box()) &&
                             range <= largest_range(world) * (1 + 1e-12));
 }
 

@@ -32,14 +32,14 @@ class RadialDistribution {
   /// mean diameters.
   explicit RadialDistribution(const Scene& scene, double range = 5, double bin_width = 0.02);
 
-  /// What a sample costs [ns]: mostly 30 ns for each neighbour within the range, see Surroundings.
+  /// What a sample costs [ns]: mostly 30 ns for each neighbour within the range, see NeighborQuery.
   double sample_cost() const { return sample_cost_; }
   /// Precondition: the spheres are those of the start.
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;
 
   /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
-  bool suits(const World& world) const;
+  bool matches(const World& world) const;
 
  private:
   friend class Persistence;

@@ -43,8 +43,8 @@ const std::vector<Vec3>& Scene::centers() const {
   });
 }
 
-const Surroundings& Scene::surroundings() const {
-  return once(surroundings_, [&] { return Surroundings(world_, centers(), moments().volume()); });
+const NeighborQuery& Scene::surroundings() const {
+  return once(surroundings_, [&] { return NeighborQuery(world_, centers(), moments().volume()); });
 }
 
 bool Scene::has_equilibrium(const ThermalMotion& begin) const {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "hardball/measure/surroundings.hpp"
+#include "hardball/measure/neighbor_query.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/moments.hpp"
 #include "hardball/theory/species.hpp"
@@ -35,7 +35,7 @@ class Scene {
   const ThermalMotion& motion() const;
   /// All centres in the order of ids, folded into a periodic box [L].
   const std::vector<Vec3>& centers() const;
-  const Surroundings& surroundings() const;
+  const NeighborQuery& surroundings() const;
   /// Whether there can be the equilibrium of an isolated system: the energy is that at the start, `begin`,
   /// no axis is open, and no face of the box heats or drags.
   bool has_equilibrium(const ThermalMotion& begin) const;
@@ -52,7 +52,7 @@ class Scene {
   mutable std::optional<Moments> moments_;
   mutable std::optional<ThermalMotion> motion_;
   mutable std::optional<std::vector<Vec3>> centers_;
-  mutable std::optional<Surroundings> surroundings_;
+  mutable std::optional<NeighborQuery> surroundings_;
 };
 
 }  // namespace hardball

@@ -131,8 +131,8 @@ bool Temperature::restored() const {
   return average_.has(kOfSpecies + species_.size() + 1, kSphereGroups) && masses_.size() == species_.size();
 }
 
-bool Temperature::suits(const World& world) const {
-  return species_.suits(world);
+bool Temperature::matches(const World& world) const {
+  return species_.matches(world);
 }
 
 }  // namespace hardball

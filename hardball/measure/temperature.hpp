@@ -30,7 +30,7 @@ class Temperature {
   Measurement result(const Scene& scene) const;
 
   /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
-  bool suits(const World& world) const;
+  bool matches(const World& world) const;
 
  private:
   friend class Persistence;

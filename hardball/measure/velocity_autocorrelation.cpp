@@ -20,7 +20,7 @@ constexpr const char* kBegunEarlier = "the run was begun by a version that did n
 
 // Of each sphere: velocity and place. Of each lag: the product of the velocities; and the displacement times
 // the mean of both velocities, which is the integral of the former up to the lag.
-constexpr LagAverage::Shape kShape{.vectors = 2, .products = 2};
+constexpr TimeCorrelation::Shape kShape{.vectors = 2, .products = 2};
 constexpr std::size_t kIntegral = 1;
 
 void add_products(std::span<const Vec3> earlier, std::span<const Vec3> later, double* sums) {

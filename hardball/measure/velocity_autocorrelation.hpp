@@ -4,9 +4,9 @@
 
 #include <string_view>
 
-#include "hardball/measure/lag_average.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/measure/time_correlation.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 
@@ -23,15 +23,15 @@ class VelocityAutocorrelation {
 
   /// Velocities are compared every `interval` [T]; at most `most_spheres` are followed.
   VelocityAutocorrelation(const Scene& scene, double interval,
-                          std::size_t most_spheres = LagAverage::kMostSpheres);
+                          std::size_t most_spheres = TimeCorrelation::kMostSpheres);
 
-  /// A time that is no multiple of the interval after the start is ignored. Cost: see LagAverage.
+  /// A time that is no multiple of the interval after the start is ignored. Cost: see TimeCorrelation.
   void sample(const Scene& scene);
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
   /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
-  bool suits(const World& world) const { return average_.suits(world); }
+  bool matches(const World& world) const { return average_.matches(world); }
 
  private:
   friend class Persistence;
@@ -48,7 +48,7 @@ class VelocityAutocorrelation {
   bool is_periodic_ = false;
   double mean_free_time_;  // expected [T]
   Time begin_;
-  LagAverage average_;
+  TimeCorrelation average_;
 };
 
 }  // namespace hardball

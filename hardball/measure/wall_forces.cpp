@@ -169,7 +169,7 @@ bool WallForces::restored() {
          std::ranges::all_of(walls_, is_wall);
 }
 
-bool WallForces::suits(const World& world) const {
+bool WallForces::matches(const World& world) const {
   return places_.size() == kFaces + world.surfaces().size();
 }
 

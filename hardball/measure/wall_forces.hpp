@@ -40,7 +40,7 @@ class WallForces {
   Measurement result(const Scene& scene) const;
 
   /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
-  bool suits(const World& world) const;
+  bool matches(const World& world) const;
 
  private:
   friend class Persistence;

@@ -33,14 +33,14 @@ template <Response Respond>
 class PaperEngine {
  public:
   /// `edge` [L] is the wanted edge of the subspaces. Error: it is less than the largest diameter, so that a
-  /// sphere could intersect more than eight subspaces. Precondition: suits(world).
+  /// sphere could intersect more than eight subspaces. Precondition: supports(world).
   PaperEngine(World world, double edge, Respond respond, const Time& now)
       : world_(std::move(world)), respond_(std::move(respond)) {
     rebuild(now, edge);
   }
 
   /// Whether all paths are straight, and obstacles have no images in a periodic box.
-  static bool suits(const World& world) {
+  static bool supports(const World& world) {
     return world.motion().is_straight() && !has_images_of_obstacles(world);
   }
 

@@ -10,8 +10,8 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/spacing.hpp"
-#include "hardball/world/neighborhood.hpp"
 #include "hardball/world/range.hpp"
+#include "hardball/world/static_hash_grid.hpp"
 
 namespace hardball {
 namespace {
@@ -204,7 +204,7 @@ class SequentialAddition {
   double smallest_;
   Random& random_;
   const IsAllowed& is_allowed_;
-  Neighborhood placed_;
+  StaticHashGrid placed_;
   std::optional<FreeSpace> space_;  // once tries have failed
   std::size_t failed_tries_ = 0;    // since then
   static constexpr int kAhead = 32;

@@ -10,8 +10,8 @@
 
 #include "hardball/broadphase/all_pairs.hpp"
 #include "hardball/broadphase/cell_grid.hpp"
+#include "hardball/broadphase/large_sphere_grid.hpp"
 #include "hardball/broadphase/neighbor_list.hpp"
-#include "hardball/broadphase/shell_grid.hpp"
 #include "hardball/engine/engine.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/calendar_queue.hpp"
@@ -59,12 +59,12 @@ class EngineModel final : public AnyEngine {
   void replace_collapse_guard(const CollapseGuard& guard) override { engine_.collapse_guard() = guard; }
   void validate() const override { engine_.validate(); }
 
-  bool suits(double length) const override {
+  bool supports(double length) const override {
     if constexpr (requires { engine_.phase(); }) {
       using Phase = std::remove_cvref_t<decltype(engine_.phase())>;
-      if constexpr (std::same_as<Phase, NeighborList>) return NeighborList::suits(world());
-      if constexpr (std::same_as<Phase, CellGrid>) return !ShellGrid::suits(world(), length);
-      if constexpr (std::same_as<Phase, ShellGrid>) return ShellGrid::suits(world(), length);
+      if constexpr (std::same_as<Phase, NeighborList>) return NeighborList::supports(world());
+      if constexpr (std::same_as<Phase, CellGrid>) return !LargeSphereGrid::supports(world(), length);
+      if constexpr (std::same_as<Phase, LargeSphereGrid>) return LargeSphereGrid::supports(world(), length);
     } else {
       return length >= 2 * world().largest_radius();
     }
@@ -77,8 +77,8 @@ class EngineModel final : public AnyEngine {
     return {};
   }
 
-  double slack() const override {
-    if constexpr (requires { engine_.phase().slack(); }) return engine_.phase().slack();
+  double skin() const override {
+    if constexpr (requires { engine_.phase().skin(); }) return engine_.phase().skin();
     return 0;
   }
 
@@ -89,8 +89,8 @@ class EngineModel final : public AnyEngine {
       engine_.rebuild(now, NeighborList(length, engine_.phase().instructions()));
     } else if constexpr (requires { engine_.rebuild(now, CellGrid(length)); }) {
       engine_.rebuild(now, CellGrid(length));
-    } else if constexpr (requires { engine_.rebuild(now, ShellGrid(length)); }) {
-      engine_.rebuild(now, ShellGrid(length));
+    } else if constexpr (requires { engine_.rebuild(now, LargeSphereGrid(length)); }) {
+      engine_.rebuild(now, LargeSphereGrid(length));
     } else {
       engine_.rebuild(now, length);
     }
@@ -122,9 +122,9 @@ std::unique_ptr<AnyEngine> make_queued(World world, EngineKind engine, const Eng
     return make_model<Engine<Queue, NeighborList, AnyResponse>>(
         std::move(world), NeighborList(length, instructions), response, now, instructions, progress);
   }
-  if (ShellGrid::suits(world, length)) {
-    return make_model<Engine<Queue, ShellGrid, AnyResponse>>(std::move(world), ShellGrid(length), response,
-                                                             now, instructions, progress);
+  if (LargeSphereGrid::supports(world, length)) {
+    return make_model<Engine<Queue, LargeSphereGrid, AnyResponse>>(std::move(world), LargeSphereGrid(length),
+                                                                   response, now, instructions, progress);
   }
   return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(length), response, now,
                                                           instructions, progress);
@@ -144,8 +144,8 @@ BestCells best_cells(const World& world, const Moments& moments, const UnitCosts
     constexpr int kSteps = 20;
     double edge = optimal_edge_by_class(moments, classes, costs);
     for (int i = 0; i < kSteps; ++i, edge /= kStep) {
-      const bool has_large = edge < moments.largest_radius / ShellGrid::kLargestInGrid;
-      if (!has_large || ShellGrid::suits(world, edge)) {
+      const bool has_large = edge < moments.largest_radius / LargeSphereGrid::kLargestInGrid;
+      if (!has_large || LargeSphereGrid::supports(world, edge)) {
         return {edge, cost_rate_by_class(moments, classes, edge, costs)};
       }
     }
@@ -178,17 +178,17 @@ void check(const EngineOptions& options) {
 
 EngineKind choose_engine(const World& world, const EngineOptions& options, const Time& moment,
                          EngineKind current) {
-  if (options.engine == EngineKind::paper && !PaperEngine<AnyResponse>::suits(world)) {
+  if (options.engine == EngineKind::paper && !PaperEngine<AnyResponse>::supports(world)) {
     throw Error("the paper's engine knows only straight paths, and no images of obstacles", "engine",
                 "use another engine");
   }
-  if (options.engine == EngineKind::neighbors && !NeighborList::suits(world)) return EngineKind::cells;
+  if (options.engine == EngineKind::neighbors && !NeighborList::supports(world)) return EngineKind::cells;
   if (options.engine != EngineKind::automatic) return options.engine;
-  if (options.cell_edge || !NeighborList::suits(world)) return EngineKind::cells;
+  if (options.cell_edge || !NeighborList::supports(world)) return EngineKind::cells;
   const Moments moments = moments_of(world, moment);
   const UnitCosts& costs = options.unit_costs;
   const double cells = best_cells(world, moments, costs, moment).cost;
-  const double neighbors = cost_rate(expected_neighbor_counts(moments, optimal_slack(moments, costs)), costs);
+  const double neighbors = cost_rate(expected_neighbor_counts(moments, optimal_skin(moments, costs)), costs);
   constexpr double kSurpass = 0.9;
   if (current == EngineKind::cells) return neighbors < kSurpass * cells ? EngineKind::neighbors : current;
   if (current == EngineKind::neighbors) return cells < kSurpass * neighbors ? EngineKind::cells : current;
@@ -198,7 +198,7 @@ EngineKind choose_engine(const World& world, const EngineOptions& options, const
 double choose_length(const World& world, EngineKind engine, const EngineOptions& options,
                      const Time& moment) {
   if (engine == EngineKind::all_pairs) return 1;
-  if (engine == EngineKind::neighbors) return optimal_slack(moments_of(world, moment), options.unit_costs);
+  if (engine == EngineKind::neighbors) return optimal_skin(moments_of(world, moment), options.unit_costs);
   if (options.cell_edge) return *options.cell_edge;
   const Moments moments = moments_of(world, moment);
   const double edge = engine == EngineKind::cells

@@ -100,14 +100,14 @@ class AnyEngine {
   virtual Counters counters() const = 0;
   virtual std::size_t memory_bytes() const = 0;
   virtual Vec3 cell_edges() const = 0;
-  virtual double slack() const = 0;
+  virtual double skin() const = 0;
   virtual RunStatus run(const RunLimits& limits, const Observe& observe) = 0;
   virtual std::optional<Contact> merge_besides(const Event& overlap) = 0;
   virtual std::optional<Event> next_contact(const Time& until) = 0;
   virtual void change_velocities(const Time& moment, std::span<const NewVelocity> changes) = 0;
   /// Whether `rebuild` with this length would make what make_engine makes for the world as it is.
-  virtual bool suits(double length) const = 0;
-  /// Rebuilds all regions and predictions, with this cell edge or slack [L] where there is one.
+  virtual bool supports(double length) const = 0;
+  /// Rebuilds all regions and predictions, with this cell edge or skin [L] where there is one.
   virtual void rebuild(const Time& now, double length) = 0;
   virtual void replace_response(CustomResponse custom) = 0;
   virtual void replace_response(const ResponseTable& table) = 0;
@@ -132,7 +132,7 @@ EngineKind choose_engine(const World& world, const EngineOptions& options, const
                          EngineKind current = EngineKind::automatic);
 
 /// The length [L] for such an engine: the cell edge that the options fix, or the best one; for neighbour
-/// lists, the slack; for all pairs, any.
+/// lists, the skin; for all pairs, any.
 double choose_length(const World& world, EngineKind engine, const EngineOptions& options, const Time& moment);
 
 /// A proposed edge [L], for the paper's engine raised to the largest diameter if it is smaller.

@@ -92,7 +92,7 @@ Simulation::Simulation(World world, const EngineOptions& options, const OnProgre
   begin_paths(world, now_);
   kind_ = choose_engine(world, options_, now_);
   put_in_order(world, kind_, now_);
-  refuse_unsound(world, now_, progress.part(kOrdered, kAudited));  // faster in order
+  require_no_overlap(world, now_, progress.part(kOrdered, kAudited));  // faster in order
   start_engine(std::move(world), progress.part(kAudited, 1));
   tally_.begin(this->world(), now_);
   progress.note_end();
@@ -605,8 +605,8 @@ double Simulation::cell_edge() const {
   return (edges.x + edges.y + edges.z) / 3;
 }
 
-double Simulation::slack() const {
-  return engine_->slack();
+double Simulation::skin() const {
+  return engine_->skin();
 }
 
 std::size_t Simulation::memory_bytes() const {
@@ -648,7 +648,7 @@ void Simulation::apply_edits() {
   // To choose engine and cells again takes longer than to rebuild them; reviews do it now and then.
   const bool is_new_choice_due =
       16 * std::max(size(), spheres_at_choice_) > 17 * std::min(size(), spheres_at_choice_);
-  if (is_new_choice_due || !engine_->suits(watch_.edge())) {
+  if (is_new_choice_due || !engine_->supports(watch_.edge())) {
     rebuild(now_);
   } else {
     engine_->rebuild(now_, watch_.edge());
@@ -678,7 +678,7 @@ void Simulation::retune_if_due() {
   last_review_ = moment;
   if (!better) return;
   const double edge = allowed_cell_edge(world(), kind_, *better);
-  if (!engine_->suits(edge)) return rebuild(moment);
+  if (!engine_->supports(edge)) return rebuild(moment);
   put_in_order(engine_->world_to_edit(), kind_, moment);
   engine_->rebuild(moment, edge);
 }
@@ -690,7 +690,7 @@ void Simulation::rebuild(const Time& moment) {
   // Spheres may have grown.
   const double length = allowed_cell_edge(world(), kind, choose_length(world(), kind, options_, moment));
   put_in_order(engine_->world_to_edit(), kind, moment);
-  if (kind == kind_ && engine_->suits(length)) {
+  if (kind == kind_ && engine_->supports(length)) {
     engine_->rebuild(moment, length);
   } else {
     counters_before_ = counters();

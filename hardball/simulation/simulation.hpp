@@ -188,7 +188,7 @@ class Simulation {
   double cell_edge() const;
   /// Radius of the ball in which a sphere moves before its list of neighbours changes [L]; zero if there are
   /// no lists.
-  double slack() const;
+  double skin() const;
   std::size_t memory_bytes() const;
   /// Checks all structures; throws BrokenInvariant. Cost: that of predicting all candidate pairs.
   void validate() const;

@@ -61,7 +61,7 @@ bool Species::restored() const {
           std::ranges::all_of(species_, [this](std::size_t kind) { return kind < kinds_.size(); }));
 }
 
-bool Species::suits(const World& world) const {
+bool Species::matches(const World& world) const {
   const bool is_any = world.size() > 0;
   return !kinds_.empty() &&
          (kinds_.size() == 1 || !is_any || species_.size() > world.id(world.slot_of_rank(world.size() - 1)));

@@ -11,7 +11,7 @@
 
 namespace hardball {
 
-NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
+NeighborCounts expected_neighbor_counts(const Moments& moments, double skin) {
   NeighborCounts counts;
   if (moments.spheres == 0) return counts;
   const auto& m = moments.radius_power;
@@ -24,14 +24,14 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
   // A sphere flies straight out of a ball smaller than its free path and diffuses out of a larger one. The
   // factor is measured: docs/theory.md.
   const double diffusion = moments.is_flat() ? 0.3 : 0.2;
-  counts.rebuild = moments.mean_speed / (slack * (1 + diffusion * slack / path));
+  counts.rebuild = moments.mean_speed / (skin * (1 + diffusion * skin / path));
   counts.is_far = moments.spheres > kVeryManySpheres;
-  const double searched_edge = 6 * (moments.largest_radius + slack);
-  // The mean of (sum of two radii + 2 slack) cubed, or in two dimensions squared.
+  const double searched_edge = 6 * (moments.largest_radius + skin);
+  // The mean of (sum of two radii + 2 skin) cubed, or in two dimensions squared.
   const double sum = 2 * m[1];
   const double sum_squared = 2 * m[2] + 2 * m[1] * m[1];
   if (moments.is_flat()) {
-    const double squared = sum_squared + 4 * slack * sum + 4 * slack * slack;
+    const double squared = sum_squared + 4 * skin * sum + 4 * skin * skin;
     counts.neighbors = std::max(1.0, std::numbers::pi * density * squared + excess_about_sphere(moments));
     counts.searched = density * searched_edge * searched_edge;
     counts.rows = 3;
@@ -39,8 +39,7 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double slack) {
     return counts;
   }
   const double sum_cubed = 2 * m[3] + 6 * m[1] * m[2];
-  const double cubed =
-      sum_cubed + 6 * slack * sum_squared + 12 * slack * slack * sum + 8 * slack * slack * slack;
+  const double cubed = sum_cubed + 6 * skin * sum_squared + 12 * skin * skin * sum + 8 * skin * skin * skin;
   counts.neighbors = std::max(1.0, 4 * std::numbers::pi / 3 * density * cubed + excess_about_sphere(moments));
   counts.searched = density * std::pow(searched_edge, 3);
   return counts;
@@ -58,7 +57,7 @@ double cost_rate(const NeighborCounts& counts, const UnitCosts& costs) {
          (counts.collision + counts.wall + counts.stale) * pass + counts.rebuild * rebuild;
 }
 
-double optimal_slack(const Moments& moments, const UnitCosts& costs) {
+double optimal_skin(const Moments& moments, const UnitCosts& costs) {
   if (moments.spheres == 0) return 1;
   Moments moving = moments;
   if (!(moving.mean_speed > 0)) moving.mean_speed = 1;  // the optimum does not depend on it
@@ -68,14 +67,14 @@ double optimal_slack(const Moments& moments, const UnitCosts& costs) {
   constexpr double kMostNeighbors = 12.3;
   double best = 0;
   double least = std::numeric_limits<double>::infinity();
-  double slack = 0.05 * moments.largest_radius;
-  for (int i = 0; i < kSteps; ++i, slack *= kStep) {
-    const NeighborCounts counts = expected_neighbor_counts(moving, slack);
+  double skin = 0.05 * moments.largest_radius;
+  for (int i = 0; i < kSteps; ++i, skin *= kStep) {
+    const NeighborCounts counts = expected_neighbor_counts(moving, skin);
     if (best > 0 && counts.neighbors > kMostNeighbors) break;
     const double cost = cost_rate(counts, costs);
     if (cost >= least) continue;
     least = cost;
-    best = slack;
+    best = skin;
   }
   return best;
 }

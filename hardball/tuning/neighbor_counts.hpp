@@ -22,14 +22,14 @@ struct NeighborCounts {
   double rows = 9;       ///< Of three cells that are adjacent in memory, visited by a rebuild [1].
 };
 
-/// The counts expected for balls of radius `slack` [L]. Cost: O(1). Precondition: `slack` is positive.
-NeighborCounts expected_neighbor_counts(const Moments& moments, double slack);
+/// The counts expected for balls of radius `skin` [L]. Cost: O(1). Precondition: `skin` is positive.
+NeighborCounts expected_neighbor_counts(const Moments& moments, double skin);
 
 /// The cost per sphere and time [cost/T].
 double cost_rate(const NeighborCounts& counts, const UnitCosts& costs);
 
 /// The ball radius [L] at which neighbour lists cost least: small balls are left more often, large ones make
 /// longer lists. Cost: O(1).
-double optimal_slack(const Moments& moments, const UnitCosts& costs = {});
+double optimal_skin(const Moments& moments, const UnitCosts& costs = {});
 
 }  // namespace hardball

@@ -8,7 +8,7 @@
 #include <map>
 #include <numbers>
 
-#include "hardball/broadphase/shell_grid.hpp"
+#include "hardball/broadphase/large_sphere_grid.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 
 namespace hardball {
@@ -55,11 +55,11 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
   bool all_fit = true;
   for (const SizeClass& one : classes) {
     if (2 * one.radius <= edge) continue;
-    surfaces += one.spheres * ShellGrid::cells_of_surface(one.radius / edge, dimensions);
-    all_fit &= one.radius > ShellGrid::kLargestInGrid * edge;
+    surfaces += one.spheres * LargeSphereGrid::cells_of_surface(one.radius / edge, dimensions);
+    all_fit &= one.radius > LargeSphereGrid::kLargestInGrid * edge;
   }
-  const bool are_few = surfaces <= ShellGrid::kFewSurfaces * static_cast<double>(moments.spheres);
-  const double largest_in_grid = are_few ? edge / 2 : ShellGrid::kLargestInGrid * edge;
+  const bool are_few = surfaces <= LargeSphereGrid::kFewSurfaces * static_cast<double>(moments.spheres);
+  const double largest_in_grid = are_few ? edge / 2 : LargeSphereGrid::kLargestInGrid * edge;
   const auto is_large = [&](const SizeClass& one) { return one.radius > largest_in_grid; };
   // Where regions are no blocks, crossings and searches cost more: measured, docs/theory.md.
   constexpr double kRows = 1.15;
@@ -68,7 +68,7 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
   constexpr double kReleasedLate = 1.3;
   const auto cells_held = [&](const SizeClass& one) {
     const double rows = 1 + 2 * one.radius / edge;
-    return is_large(one) ? ShellGrid::cells_of_surface(one.radius / edge, dimensions)
+    return is_large(one) ? LargeSphereGrid::cells_of_surface(one.radius / edge, dimensions)
                          : kReleasedLate * rows * rows * (is_flat ? 1 : rows);
   };
   double occupants = 0;  // of a cell
@@ -94,18 +94,18 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
     } else {
       const double touched = cells_held(one);
       const double search_of_large = search + kLargeCell * costs.cell;
-      const double slack = ShellGrid::kSlack * edge;
-      const double path = collisions > 0 ? one.mean_speed / collisions : slack;
+      const double skin = LargeSphereGrid::kSkin * edge;
+      const double path = collisions > 0 ? one.mean_speed / collisions : skin;
       const double candidates = touched * occupants;
-      each += one.mean_speed / (slack * (1 + kDiffusion * slack / std::max(path, 0x1p-60 * slack))) *
+      each += one.mean_speed / (skin * (1 + kDiffusion * skin / std::max(path, 0x1p-60 * skin))) *
               (costs.enter + touched * (2 * costs.cell + search_of_large));
       // A list costs as much as the searches for it.
-      const double nearby =
-          candidates / edge * ShellGrid::kUsualSpeed * moments.mean_speed / std::max(collisions, 1e-300);
+      const double nearby = candidates / edge * LargeSphereGrid::kUsualSpeed * moments.mean_speed /
+                            std::max(collisions, 1e-300);
       const double listed = 2 * std::sqrt(candidates * nearby) * costs.prediction;
-      each +=
-          collisions * (candidates < ShellGrid::kFewestToList ? touched * search_of_large
-                                                              : std::min(listed, touched * search_of_large));
+      each += collisions * (candidates < LargeSphereGrid::kFewestToList
+                                ? touched * search_of_large
+                                : std::min(listed, touched * search_of_large));
     }
     cost += one.spheres * each;
   }

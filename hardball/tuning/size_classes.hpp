@@ -24,8 +24,8 @@ std::vector<SizeClass> size_classes(const World& world, const Time& moment);
 /// large spheres cost.
 bool are_sizes_spread(const Moments& moments);
 
-/// The cost per sphere and time [cost/T] of cells of edge `edge` [L], those of ShellGrid. Cost: O(classes
-/// squared). Source: docs/theory.md.
+/// The cost per sphere and time [cost/T] of cells of edge `edge` [L], those of LargeSphereGrid. Cost:
+/// O(classes squared). Source: docs/theory.md.
 double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& classes, double edge,
                           const UnitCosts& costs);
 

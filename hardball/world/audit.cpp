@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/world/neighborhood.hpp"
+#include "hardball/world/static_hash_grid.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
@@ -43,7 +43,7 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
                      [&](Slot a, Slot b) { return world.radius(a) > world.radius(b); });
   }
   const bool passes = world.has_passing_pairs();
-  Neighborhood neighborhood(world.box(), world.size(), world.largest_radius());
+  StaticHashGrid neighborhood(world.box(), world.size(), world.largest_radius());
   std::vector<Slot> inserted;
   inserted.reserve(world.size());
   std::size_t seen = 0;
@@ -73,7 +73,7 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
   return found;
 }
 
-void refuse_unsound(const World& world, const Time& moment, const Progress& progress) {
+void require_no_overlap(const World& world, const Time& moment, const Progress& progress) {
   const Audit found = audit(world, moment, progress);
   HARDBALL_CHECK(found.not_finite == 0);
   if (found.max_escape > kOverlapTolerance) {

@@ -33,7 +33,7 @@ Audit audit(const World& world, const Time& moment, const Progress& progress = {
 
 /// Refuses an unsound start: spheres that overlap or reach through a wall by more than kOverlapTolerance at
 /// `moment`. Error: names the worst pair, or the sphere.
-void refuse_unsound(const World& world, const Time& moment, const Progress& progress = {});
+void require_no_overlap(const World& world, const Time& moment, const Progress& progress = {});
 
 /// Refuses a sphere that would overlap one in the world, or reach through a surface, by more than
 /// kOverlapTolerance. Cost: O(n). Error: names the sphere in the way.

@@ -46,7 +46,7 @@ TEST_P(EveryScenario, IsAcceptedByCheck) {
     EXPECT_NE(outcome.output.find(line), std::string::npos) << outcome.output;
   }
   const bool has_lists = outcome.output.find("neighbors") != std::string::npos;
-  EXPECT_NE(outcome.output.find(has_lists ? "slack of lists" : "cell edge"), std::string::npos)
+  EXPECT_NE(outcome.output.find(has_lists ? "skin of lists" : "cell edge"), std::string::npos)
       << outcome.output;
 }
 

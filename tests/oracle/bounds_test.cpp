@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "hardball/bounds/compact_paths.hpp"
 #include "hardball/engine/predictor.hpp"
 #include "hardball/numbers/random.hpp"
-#include "hardball/world/compact_paths.hpp"
 #include "support/effort.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/record.hpp"

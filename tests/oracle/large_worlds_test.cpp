@@ -74,7 +74,7 @@ TEST_P(LargeWorlds, HaveOneHistory) {
     add(EngineKind::automatic, QueueKind::calendar, std::nullopt);
     add(EngineKind::cells, QueueKind::ordered, diameter);
     add(EngineKind::cells, QueueKind::calendar, 2.5 * diameter);
-    if (NeighborList::suits(made.world)) add(EngineKind::neighbors, QueueKind::calendar, std::nullopt);
+    if (NeighborList::supports(made.world)) add(EngineKind::neighbors, QueueKind::calendar, std::nullopt);
     if (!support::kIsSlowBuild) add(EngineKind::all_pairs, QueueKind::calendar, std::nullopt);
     std::optional<History> expected;
     for (const EngineOptions& way : ways) {

@@ -30,10 +30,10 @@ EngineOptions some_options(std::uint64_t seed, const RandomWorld& made) {
   EngineOptions options;
   options.engine = kEngines[seed % kEngines.size()];
   if (options.engine == EngineKind::neighbors &&
-      (made.world.size() == 0 || !NeighborList::suits(made.world))) {
+      (made.world.size() == 0 || !NeighborList::supports(made.world))) {
     options.engine = EngineKind::cells;
   }
-  if (options.engine == EngineKind::paper && !PaperEngine<Restitution>::suits(made.world)) {
+  if (options.engine == EngineKind::paper && !PaperEngine<Restitution>::supports(made.world)) {
     options.engine = EngineKind::all_pairs;
   }
   options.queue = seed % 2 == 0 ? QueueKind::calendar : QueueKind::ordered;

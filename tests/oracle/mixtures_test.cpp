@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "hardball/broadphase/shell_grid.hpp"
+#include "hardball/broadphase/large_sphere_grid.hpp"
 #include "hardball/placement/placement.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
@@ -63,7 +63,7 @@ TEST(Mixtures, HaveTheHistoryOfAllPairs) {
     std::vector<EngineOptions> ways{{EngineKind::all_pairs, QueueKind::calendar, {}, restitution},
                                     {EngineKind::automatic, QueueKind::calendar, {}, restitution}};
     for (const double edge : {0.2, 0.35, 0.6}) {
-      if (ShellGrid::suits(world, edge)) ++suited;
+      if (LargeSphereGrid::supports(world, edge)) ++suited;
       const QueueKind queue = seed % 2 == 0 ? QueueKind::calendar : QueueKind::ordered;
       ways.push_back({EngineKind::cells, queue, edge, restitution});
     }
@@ -100,7 +100,7 @@ TEST(Mixtures, AreFollowedThroughChangesOfVelocity) {
       world.add({centers[i], velocity, radii[i], i == 0 && seed < 3 ? 1000.0 : 1.0});
     }
     constexpr double kEdge = 3.3;
-    ASSERT_TRUE(ShellGrid::suits(world, kEdge));
+    ASSERT_TRUE(LargeSphereGrid::supports(world, kEdge));
     std::optional<std::uint64_t> expected;
     for (const EngineKind engine : {EngineKind::all_pairs, EngineKind::cells}) {
       // Where it would take minutes, the checks of the cells must do.

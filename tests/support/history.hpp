@@ -49,7 +49,7 @@ inline std::vector<EngineVariant> engine_variants(const World& world, double res
   }
   add(EngineKind::all_pairs, QueueKind::calendar, std::nullopt);
   add(EngineKind::all_pairs, QueueKind::ordered, std::nullopt);
-  if (PaperEngine<Restitution>::suits(world)) {
+  if (PaperEngine<Restitution>::supports(world)) {
     add(EngineKind::paper, QueueKind::calendar, diameter);
     add(EngineKind::paper, QueueKind::calendar, 2.5 * diameter);
   }
@@ -57,7 +57,7 @@ inline std::vector<EngineVariant> engine_variants(const World& world, double res
     add(EngineKind::cells, QueueKind::calendar, edge);
     add(EngineKind::cells, QueueKind::ordered, edge);
   }
-  if (world.size() > 0 && NeighborList::suits(world)) {
+  if (world.size() > 0 && NeighborList::supports(world)) {
     add(EngineKind::neighbors, QueueKind::calendar, std::nullopt);
     add(EngineKind::neighbors, QueueKind::ordered, 0.05 * diameter);
     add(EngineKind::neighbors, QueueKind::calendar, diameter);

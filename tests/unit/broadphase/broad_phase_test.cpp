@@ -15,8 +15,8 @@
 
 #include "hardball/broadphase/all_pairs.hpp"
 #include "hardball/broadphase/cell_grid.hpp"
+#include "hardball/broadphase/large_sphere_grid.hpp"
 #include "hardball/broadphase/neighbor_list.hpp"
-#include "hardball/broadphase/shell_grid.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/engine/predictor.hpp"
 #include "hardball/errors/error.hpp"
@@ -60,7 +60,7 @@ class Copying {
 using CopyingPairs = Copying<AllPairs>;
 using CopyingGrid = Copying<CellGrid>;
 using CopyingList = Copying<NeighborList>;
-using CopyingShells = Copying<ShellGrid>;
+using CopyingShells = Copying<LargeSphereGrid>;
 
 // The candidates collected for a sphere at `now`, each with its image. Those with an image of their own may
 // not be collected twice, nor include the sphere.
@@ -70,11 +70,11 @@ std::set<Partner> partners(const Candidates& candidates, const World& world, con
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Slot other = candidates.slot(i);
     const Image image =
-        candidates.are_nearest() ? nearest_image(world, slot, other, now) : candidates.image(i);
-    if (candidates.are_nearest() && other == slot) continue;
+        candidates.uses_minimum_image() ? nearest_image(world, slot, other, now) : candidates.image(i);
+    if (candidates.uses_minimum_image() && other == slot) continue;
     EXPECT_NE(other, slot);
     const bool is_first = found.emplace(other, image.boxes).second;
-    EXPECT_TRUE(is_first || candidates.are_nearest()) << "collected twice";
+    EXPECT_TRUE(is_first || candidates.uses_minimum_image()) << "collected twice";
   }
   return found;
 }
@@ -202,13 +202,13 @@ TEST(NeighborList, KnowsWhoMayTouch) {
   std::uint64_t suited = 0;
   for (std::uint64_t seed = 0; seed < support::cases(1000); ++seed) {
     const support::RandomWorld made = support::make_random_world(seed);
-    if (made.world.size() == 0 || !NeighborList::suits(made.world)) continue;
+    if (made.world.size() == 0 || !NeighborList::supports(made.world)) continue;
     ++suited;
     SCOPED_TRACE(made.name);
-    // From the least slack to the most the box allows.
-    constexpr std::array kSlacks = {0.01, 0.1, 0.5, 2.0, 20.0};
-    const double slack = made.world.largest_radius() * kSlacks[seed % kSlacks.size()];
-    fly_about(CopyingList(slack), made.world, made.until, seed);
+    // From the least skin to the most the box allows.
+    constexpr std::array kSkins = {0.01, 0.1, 0.5, 2.0, 20.0};
+    const double skin = made.world.largest_radius() * kSkins[seed % kSkins.size()];
+    fly_about(CopyingList(skin), made.world, made.until, seed);
     if (HasFailure()) return;
   }
   EXPECT_GT(suited, support::cases(1000) / 3);
@@ -236,13 +236,13 @@ World make_mixture(std::uint64_t seed, double size) {
   return world;
 }
 
-TEST(ShellGrid, KnowsWhoMayTouch) {
+TEST(LargeSphereGrid, KnowsWhoMayTouch) {
   std::uint64_t suited = 0;
   for (std::uint64_t seed = 0; seed < support::cases(300); ++seed) {
     const World world = make_mixture(seed, 5 + static_cast<double>(seed % 3));
     constexpr std::array kEdges = {0.25, 0.4, 0.6};
     const double edge = kEdges[seed % kEdges.size()];
-    if (!ShellGrid::suits(world, edge)) continue;
+    if (!LargeSphereGrid::supports(world, edge)) continue;
     ++suited;
     SCOPED_TRACE("seed " + std::to_string(seed));
     fly_about(CopyingShells(edge), world, 3, seed);
@@ -251,46 +251,46 @@ TEST(ShellGrid, KnowsWhoMayTouch) {
   EXPECT_GT(suited, support::cases(300) / 2);
 }
 
-TEST(ShellGrid, CountsTheCellsOfSurfacesOfAnyRadius) {
-  constexpr double kThickness = 2 * ShellGrid::kSlack + 0.75;
+TEST(LargeSphereGrid, CountsTheCellsOfSurfacesOfAnyRadius) {
+  constexpr double kThickness = 2 * LargeSphereGrid::kSkin + 0.75;
   for (const double radius : {1e3, 1e6, 1e12, 1e20}) {
-    const double ring = ShellGrid::cells_of_surface(radius, 2) / radius;
-    const double shell = ShellGrid::cells_of_surface(radius, 3) / (radius * radius);
+    const double ring = LargeSphereGrid::cells_of_surface(radius, 2) / radius;
+    const double shell = LargeSphereGrid::cells_of_surface(radius, 3) / (radius * radius);
     EXPECT_NEAR(ring, 4 + 2 * std::numbers::pi * kThickness, 0.02) << radius;
     EXPECT_NEAR(shell, 3 * std::numbers::pi + 4 * std::numbers::pi * kThickness, 0.05) << radius;
   }
 }
 
-TEST(ShellGrid, SuitsOnlyMixturesInLargeBoxes) {
-  const auto suits = [](double radius, double size, double edge) {
+TEST(LargeSphereGrid, SuitsOnlyMixturesInLargeBoxes) {
+  const auto supports = [](double radius, double size, double edge) {
     World world(Box::periodic({size, size, size}));
     world.add({{1, 1, 1}, {}, radius, 1});
     world.add({{size / 2, size / 2, size / 2}, {}, 0.1, 1});
     world.add({{size / 2, size / 2 + 1, size / 2}, {}, 0.1, 1});
-    return ShellGrid::suits(world, edge);
+    return LargeSphereGrid::supports(world, edge);
   };
-  EXPECT_TRUE(suits(1, 10, 0.5));
-  EXPECT_FALSE(suits(0.1, 10, 0.5)) << "equal spheres";
-  EXPECT_FALSE(suits(1, 10, 0.8)) << "not much larger than a cell";
-  EXPECT_FALSE(suits(1, 10, 0.05)) << "most would be large";
-  EXPECT_FALSE(suits(1, 5, 0.5)) << "candidates may be half a box apart";
-  EXPECT_TRUE(suits(1, 5.2, 0.47)) << "small enough cells";
+  EXPECT_TRUE(supports(1, 10, 0.5));
+  EXPECT_FALSE(supports(0.1, 10, 0.5)) << "equal spheres";
+  EXPECT_FALSE(supports(1, 10, 0.8)) << "not much larger than a cell";
+  EXPECT_FALSE(supports(1, 10, 0.05)) << "most would be large";
+  EXPECT_FALSE(supports(1, 5, 0.5)) << "candidates may be half a box apart";
+  EXPECT_TRUE(supports(1, 5.2, 0.47)) << "small enough cells";
 }
 
 // A shell as thick as the rounding of coordinates along the longest axis would fill all memory.
-TEST(ShellGrid, DoesNotSuitABoxThatIsFarLongerAlongOneAxis) {
-  const auto suits = [](double length) {
+TEST(LargeSphereGrid, DoesNotSuitABoxThatIsFarLongerAlongOneAxis) {
+  const auto supports = [](double length) {
     World world(Box({Boundary::open, Boundary::wall, Boundary::open}, {0, length, 0}));
     world.add({{10, 20, 10}, {}, 8, 1});
     for (int i = 0; i < 9; ++i) world.add({{30, 20.0 + i, 10}, {}, 0.1, 1});
-    return ShellGrid::suits(world, 1);
+    return LargeSphereGrid::supports(world, 1);
   };
-  EXPECT_TRUE(suits(50));
-  EXPECT_TRUE(suits(1e9));
-  EXPECT_FALSE(suits(1e19));
+  EXPECT_TRUE(supports(50));
+  EXPECT_TRUE(supports(1e9));
+  EXPECT_FALSE(supports(1e19));
 }
 
-TEST(ShellGrid, NoticesALargeSphereThatLeftItsCellsUnseen) {
+TEST(LargeSphereGrid, NoticesALargeSphereThatLeftItsCellsUnseen) {
   World world(Box::periodic({20, 20, 20}));
   world.add({{5, 5, 5}, {1, 0, 0}, 2, 1});
   world.add({{10, 10, 10}, {}, 0.1, 1});
@@ -323,14 +323,14 @@ TEST(CellGrid, HasOnlyNeighborsAsCandidates) {
 }
 
 // Neighbours are at most this far apart [L].
-double farthest_neighbors(double largest_radius, double slack) {
-  return 2 * largest_radius + 4 * slack;
+double farthest_neighbors(double largest_radius, double skin) {
+  return 2 * largest_radius + 4 * skin;
 }
 
 // How far a distance of anchors may be off: 2.5 units along each axis, at most 512 of which make a cell, here
 // of at most 3/2 the wanted edge [L].
-double packing_error(double largest_radius, double slack) {
-  return std::sqrt(3.0) * 2.5 * 1.5 * (2 * largest_radius + 2 * slack) / 512;
+double packing_error(double largest_radius, double skin) {
+  return std::sqrt(3.0) * 2.5 * 1.5 * (2 * largest_radius + 2 * skin) / 512;
 }
 
 // By how much a sphere crosses before it reaches the edge of its ball, at most [L]: the margin, and the
@@ -340,43 +340,43 @@ double earliness(double farthest) {
 }
 
 TEST(NeighborList, HasThoseAsCandidatesWhoseShellsMeet) {
-  const auto count_at = [](double distance, double radius, double slack) {
+  const auto count_at = [](double distance, double radius, double skin) {
     World world(Box::walls({50, 50, 50}));
     world.add({{5, 25, 25}, {1, 0, 0}, 1, 1});
     world.add({{5 + distance, 25, 25}, {1, 0, 0}, radius, 1});
-    CopyingList list(slack);
+    CopyingList list(skin);
     list.build(world, Time(0));
-    EXPECT_EQ(list.phase().slack(), slack);
+    EXPECT_EQ(list.phase().skin(), skin);
     EXPECT_EQ(candidates_of(list, world, 0).size(), candidates_of(list, world, 1).size());
     return candidates_of(list, world, 0).size();
   };
-  for (const double slack : {0.1, 0.5, 3.0}) {
+  for (const double skin : {0.1, 0.5, 3.0}) {
     // Shells are a little larger than they need to be, and distances are known to some thousandths of a cell.
-    const double margin = 0x1p-19 * farthest_neighbors(1, slack);
-    const double beyond = margin + 2 * packing_error(1, slack);
-    EXPECT_EQ(count_at(2 + 2 * slack + margin / 2, 1, slack), 1U);
-    EXPECT_EQ(count_at(2 + 2 * slack + beyond, 1, slack), 0U);
-    EXPECT_EQ(count_at(1.25 + 2 * slack + margin / 2, 0.25, slack), 1U);
-    EXPECT_EQ(count_at(1.25 + 2 * slack + beyond, 0.25, slack), 0U);
+    const double margin = 0x1p-19 * farthest_neighbors(1, skin);
+    const double beyond = margin + 2 * packing_error(1, skin);
+    EXPECT_EQ(count_at(2 + 2 * skin + margin / 2, 1, skin), 1U);
+    EXPECT_EQ(count_at(2 + 2 * skin + beyond, 1, skin), 0U);
+    EXPECT_EQ(count_at(1.25 + 2 * skin + margin / 2, 0.25, skin), 1U);
+    EXPECT_EQ(count_at(1.25 + 2 * skin + beyond, 0.25, skin), 0U);
   }
 }
 
 // Of two spheres whose shells just meet, as far as can be told, each finds the other if the other finds it.
 TEST(NeighborList, FindsTheSameNeighborsFromEitherSide) {
-  constexpr double kSlack = 0.25;
-  const double error = packing_error(0.5, kSlack);
+  constexpr double kSkin = 0.25;
+  const double error = packing_error(0.5, kSkin);
   Random random(7);
   std::uint64_t neighbors = 0;
   for (std::uint64_t i = 0; i < support::cases(20000); ++i) {
     World world(Box::walls({20, 20, 20}));
     const double first = 0.1 + 0.4 * random.uniform();
     const double second = 0.1 + 0.4 * random.uniform();
-    const double distance = first + second + 2 * kSlack + 2 * error * random.uniform();
+    const double distance = first + second + 2 * kSkin + 2 * error * random.uniform();
     const Vec3 place{5 + 10 * random.uniform(), 10, 10};
     world.add({place, {1, 0, 0}, first, 1});
     world.add({place + distance * random.direction(), {1, 0, 0}, second, 1});
     world.add({{2, 2, 2}, {}, 0.5, 1});
-    CopyingList list(kSlack);
+    CopyingList list(kSkin);
     list.build(world, Time(0));
     ASSERT_NO_THROW(list.validate(world, Time(0))) << "case " << i;
     neighbors += candidates_of(list, world, 0).size();
@@ -388,11 +388,11 @@ TEST(NeighborList, FindsTheSameNeighborsFromEitherSide) {
 // The outermost cells of an open axis hold whatever lies beyond, where places in cells say nothing.
 TEST(NeighborList, FindsNeighborsBeyondTheOutermostCells) {
   constexpr Boundary kOpen = Boundary::open;
-  constexpr double kSlack = 0.5;
+  constexpr double kSkin = 0.5;
   constexpr double kDistance = 2.25;
-  const double farthest = farthest_neighbors(1, kSlack);
+  const double farthest = farthest_neighbors(1, kSkin);
   // The outermost cells begin here.
-  const double end = 0x1p27 * (farthest - 2 * kSlack + 2 * 0x1p-19 * farthest);
+  const double end = 0x1p27 * (farthest - 2 * kSkin + 2 * 0x1p-19 * farthest);
   std::vector<double> places{1.01 * end, 3 * end, 1e3 * end};
   // More than the ring of the grid of compact paths.
   for (double beyond = -10; beyond < 70 * farthest; ++beyond) places.push_back(end + beyond);
@@ -403,7 +403,7 @@ TEST(NeighborList, FindsNeighborsBeyondTheOutermostCells) {
       world.add({{sign * far, 0, 0}, {}, 1, 1});
       world.add({{sign * (far + kDistance), 0, 0}, {}, 1, 1});
       world.add({{sign * far, 40, 0}, {}, 1, 1});
-      CopyingList list(kSlack);
+      CopyingList list(kSkin);
       list.build(world, Time(0));
       ASSERT_TRUE(candidates_of(list, world, 0).contains({1, {0, 0, 0}}));
       ASSERT_TRUE(candidates_of(list, world, 1).contains({0, {0, 0, 0}}));
@@ -459,23 +459,23 @@ TEST(NeighborList, ChangesBothListsWhenASphereCrosses) {
 }
 
 TEST(NeighborList, CrossesAtTheEdgeOfItsBall) {
-  constexpr double kSlack = 0.4;
-  const double early = earliness(farthest_neighbors(0.5, kSlack));
+  constexpr double kSkin = 0.4;
+  const double early = earliness(farthest_neighbors(0.5, kSkin));
   Random random(1);
   for (int i = 0; i < 2000; ++i) {
     World world(Box::periodic({20, 20, 20}));
     const double speed = std::exp2(20 * random.uniform() - 10);
     world.add({{19.9, 5, 5}, speed * random.direction(), 0.5, 1});
-    CopyingList list(kSlack);
+    CopyingList list(kSkin);
     list.build(world, Time(0));
     const double crossing = list.next_crossing(world, 0, Time(0));
-    ASSERT_LE(crossing * speed, kSlack);
-    ASSERT_GE(crossing * speed, kSlack - early);
+    ASSERT_LE(crossing * speed, kSkin);
+    ASSERT_GE(crossing * speed, kSkin - early);
     for (const double part : {0.3, 0.9}) {
       // From anywhere on the path, the crossing is at the same place.
       const double again = list.next_crossing(world, 0, Time(part * crossing));
-      ASSERT_LE(again * speed, kSlack);
-      ASSERT_GE(again * speed, kSlack - early);
+      ASSERT_LE(again * speed, kSkin);
+      ASSERT_GE(again * speed, kSkin - early);
     }
     // It turns within its ball: the path to the edge is a chord, which meets the edge at a cosine of more
     // than 0.7.
@@ -488,19 +488,19 @@ TEST(NeighborList, CrossesAtTheEdgeOfItsBall) {
 }
 
 TEST(NeighborList, LeavesItsBallHoweverSlowly) {
-  constexpr double kSlack = 0.25;
-  const double early = earliness(farthest_neighbors(0.5, kSlack));
+  constexpr double kSkin = 0.25;
+  const double early = earliness(farthest_neighbors(0.5, kSkin));
   for (const double speed : {1e-100, 1e-130, 1e-162, 1e-200, 1e-297}) {
     World world(Box::walls({10, 10, 10}));
     world.add({{5, 5, 5}, {1, 0, 0}, 0.5, 1});
     world.rewrite_path(0, Time(0), {speed, 0, 0});
-    CopyingList list(kSlack);
+    CopyingList list(kSkin);
     list.build(world, Time(0));
     const Time first(list.next_crossing(world, 0, Time(0)));
-    EXPECT_NEAR(first.value() * speed, kSlack, early);
+    EXPECT_NEAR(first.value() * speed, kSkin, early);
     Candidates candidates;
     list.cross(world, 0, first, candidates);
-    EXPECT_NEAR(list.next_crossing(world, 0, first) * speed, 2 * kSlack, 2 * early);
+    EXPECT_NEAR(list.next_crossing(world, 0, first) * speed, 2 * kSkin, 2 * early);
   }
 }
 
@@ -515,37 +515,37 @@ TEST(NeighborList, NeverLeavesItsBallAtRest) {
 }
 
 TEST(NeighborList, SuitsBoxesInWhichNoTwoImagesOfANeighborAreNear) {
-  const auto suits = [](const Box& box, double radius) {
+  const auto supports = [](const Box& box, double radius) {
     World world(box);
     world.add({{1, 1, 1}, {}, radius, 1});
-    return NeighborList::suits(world);
+    return NeighborList::supports(world);
   };
-  // Two diameters of 0.5 and four slacks of a fiftieth of a radius: 1.04 within 0.33 of the box.
-  EXPECT_TRUE(suits(Box::periodic({3.2, 3.2, 3.2}), 0.5));
-  EXPECT_FALSE(suits(Box::periodic({3.1, 3.2, 3.2}), 0.5));
-  EXPECT_FALSE(suits(Box::periodic({3.2, 3.2, 3.1}), 0.5));
-  EXPECT_TRUE(suits(Box::walls({2.5, 2.5, 2.5}), 0.5)) << "no images";
-  EXPECT_TRUE(suits(Box(), 0.5));
-  EXPECT_TRUE(suits(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {2.5, 3.2, 0}), 0.5));
-  EXPECT_FALSE(suits(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {2.5, 3.1, 0}), 0.5));
+  // Two diameters of 0.5 and four skins of a fiftieth of a radius: 1.04 within 0.33 of the box.
+  EXPECT_TRUE(supports(Box::periodic({3.2, 3.2, 3.2}), 0.5));
+  EXPECT_FALSE(supports(Box::periodic({3.1, 3.2, 3.2}), 0.5));
+  EXPECT_FALSE(supports(Box::periodic({3.2, 3.2, 3.1}), 0.5));
+  EXPECT_TRUE(supports(Box::walls({2.5, 2.5, 2.5}), 0.5)) << "no images";
+  EXPECT_TRUE(supports(Box(), 0.5));
+  EXPECT_TRUE(supports(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {2.5, 3.2, 0}), 0.5));
+  EXPECT_FALSE(supports(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {2.5, 3.1, 0}), 0.5));
   World narrow(Box::periodic({3, 3, 3}));
   narrow.add({{1, 1, 1}, {}, 0.5, 1});
   CopyingList list(0.1);
   EXPECT_THROW(list.build(narrow, Time(0)), BrokenInvariant);
 }
 
-TEST(NeighborList, TakesAsMuchSlackAsTheBoxHasRoomForAndNeverNone) {
-  const auto slack_in = [](double size, double wanted) {
+TEST(NeighborList, TakesAsMuchSkinAsTheBoxHasRoomForAndNeverNone) {
+  const auto skin_in = [](double size, double wanted) {
     World world(Box::periodic({size, 100, 100}));
     world.add({{1, 1, 1}, {}, 0.5, 1});
     CopyingList list(wanted);
     list.build(world, Time(0));
-    return list.phase().slack();
+    return list.phase().skin();
   };
-  EXPECT_EQ(slack_in(10, 0.3), 0.3);
-  EXPECT_DOUBLE_EQ(slack_in(10, 100), (3.3 - 1) / 4);
-  EXPECT_DOUBLE_EQ(slack_in(10, 0), 0.01);
-  EXPECT_DOUBLE_EQ(slack_in(10, -1), 0.01);
+  EXPECT_EQ(skin_in(10, 0.3), 0.3);
+  EXPECT_DOUBLE_EQ(skin_in(10, 100), (3.3 - 1) / 4);
+  EXPECT_DOUBLE_EQ(skin_in(10, 0), 0.01);
+  EXPECT_DOUBLE_EQ(skin_in(10, -1), 0.01);
 }
 
 TEST(NeighborList, NoticesASphereThatLeftItsBallUnseen) {
@@ -704,7 +704,7 @@ TEST(CellGrid, UsesNearestImagesOnlyWhereTheBoxIsManyCellsWide) {
     world.add({{1, 1, 1}, {1, 0, 0}, 0.5, 1});
     CopyingGrid grid(1.5);
     grid.build(world, Time(0));
-    return grid.phase().has_nearest_images();
+    return grid.phase().uses_minimum_image();
   };
   constexpr std::array kPeriodic = {Boundary::periodic, Boundary::periodic, Boundary::periodic};
   EXPECT_TRUE(nearest_in({10.5, 10.5, 10.5}, kPeriodic));
@@ -738,7 +738,7 @@ TEST(CellGrid, FindsEveryImageInASmallBox) {
     CopyingPairs pairs;
     grid.build(world, Time(0));
     pairs.build(world, Time(0));
-    if (grid.phase().has_nearest_images()) continue;
+    if (grid.phase().uses_minimum_image()) continue;
     std::vector<double> crossings;
     for (Slot slot = 0; slot < world.size(); ++slot) {
       crossings.push_back(

@@ -27,7 +27,7 @@ TEST(Candidates, AreEmptyAfterBeginAndPaddedAfterEnd) {
       candidates.begin(self, nearest);
       candidates.end();
       EXPECT_EQ(candidates.self(), self);
-      EXPECT_EQ(candidates.are_nearest(), nearest);
+      EXPECT_EQ(candidates.uses_minimum_image(), nearest);
       EXPECT_EQ(candidates.size(), 0U);
       expect_padding(candidates);
     }
@@ -108,7 +108,7 @@ TEST(Candidates, ListedImagesAndShiftsAgree) {
       candidates.add(slot, image, box);
     }
     candidates.end();
-    ASSERT_FALSE(candidates.are_nearest());
+    ASSERT_FALSE(candidates.uses_minimum_image());
     ASSERT_EQ(candidates.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
       ASSERT_EQ(candidates.slot(i), expected[i].first);

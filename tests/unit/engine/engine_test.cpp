@@ -239,8 +239,8 @@ TEST(Engine, KeepsItsStructuresSoundInEveryKindOfBox) {
       SCOPED_TRACE(testing::Message() << static_cast<int>(boundary[0]) << static_cast<int>(boundary[1])
                                       << static_cast<int>(boundary[2]) << ", " << smallest_radius);
       const World world = mixed_gas(boundary, 5, smallest_radius);
-      for (const double slack : {0.02, 0.2, 1.0}) {
-        run_and_validate(Engine<CalendarQueue, NeighborList, Restitution>(world, NeighborList(slack),
+      for (const double skin : {0.02, 0.2, 1.0}) {
+        run_and_validate(Engine<CalendarQueue, NeighborList, Restitution>(world, NeighborList(skin),
                                                                           Restitution(1), Time(0)));
       }
       run_and_validate(

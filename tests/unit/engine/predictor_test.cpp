@@ -12,9 +12,9 @@
 #include <numeric>
 #include <vector>
 
+#include "hardball/bounds/compact_paths.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
-#include "hardball/world/compact_paths.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
 #include "support/instruction_sets.hpp"
@@ -45,7 +45,7 @@ Expected plain_loop(const World& world, const Candidates& candidates, const Time
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Slot other = candidates.slot(i);
     const Image image =
-        candidates.are_nearest() ? nearest_image(world, self, other, now) : candidates.image(i);
+        candidates.uses_minimum_image() ? nearest_image(world, self, other, now) : candidates.image(i);
     const Event event = contact_of(world, self, other, image);
     if (event.happens() && event < least.event) least = {event, other};
   }
@@ -79,7 +79,7 @@ class Comparison {
       expect_same(world, candidates, now, expected, predictor.earliest(world, candidates, now));
       if (testing::Test::HasFailure()) return;
     }
-    if (!candidates.are_nearest()) return;
+    if (!candidates.uses_minimum_image()) return;
     compare_pairs(world, candidates, now);
     compare_bounds(world, candidates, now);
   }
@@ -97,7 +97,7 @@ class Comparison {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const Slot other = candidates.slot(i);
       const Image image =
-          candidates.are_nearest() ? nearest_image(world, self, other, now) : candidates.image(i);
+          candidates.uses_minimum_image() ? nearest_image(world, self, other, now) : candidates.image(i);
       const Event event = contact_of(world, self, other, image);
       coverage_.ties += event.time == expected.event.time && event != expected.event ? 1U : 0U;
     }
@@ -192,7 +192,7 @@ class Comparison {
     ASSERT_EQ(found.partner, expected.partner);
     const Slot self = candidates.self();
     const Image image =
-        candidates.are_nearest() ? nearest_image(world, self, found.partner, now) : found.image;
+        candidates.uses_minimum_image() ? nearest_image(world, self, found.partner, now) : found.image;
     ASSERT_EQ(make_collision(found.time, world.id(self), world.id(found.partner), image), expected.event);
   }
 

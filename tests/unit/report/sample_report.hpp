@@ -38,7 +38,7 @@ inline Report sample_report() {
   report.momentum = {1.2e-13, -3.4e-13, 5.6e-14};
   report.max_overlap = 3.1e-15;
   report.engine = "neighbors";
-  report.slack = 0.3125;
+  report.skin = 0.3125;
   report.setup_seconds = 0.012;
   report.run_seconds = 1.25;
   report.bytes_per_sphere = 812;

@@ -119,10 +119,10 @@ TEST(BoxesOfEveryScale, HaveFiniteExpectedCosts) {
     const Moments moments = moments_of(world, Time(0));
     const double edge = optimal_cell_edge(moments);
     const CellCounts cells = expected_counts(moments, edge);
-    const double slack = optimal_slack(moments);
+    const double skin = optimal_skin(moments);
     for (const double positive :
-         {edge, paper_cell_edge(moments), slack, cost_rate(cells, UnitCosts{}),
-          rebuild_cost(cells, UnitCosts{}), cost_rate(expected_neighbor_counts(moments, slack), UnitCosts{}),
+         {edge, paper_cell_edge(moments), skin, cost_rate(cells, UnitCosts{}),
+          rebuild_cost(cells, UnitCosts{}), cost_rate(expected_neighbor_counts(moments, skin), UnitCosts{}),
           mean_free_path(moments), mean_free_time(moments)}) {
       EXPECT_GT(positive, 0);
       EXPECT_LT(positive, std::numeric_limits<double>::infinity());
@@ -140,7 +140,7 @@ TEST(BoxesOfEveryScale, AreFilledByALattice) {
       World world(box);
       for (const Vec3& center : centers) world.add({center, {}, radius, 1});
       EXPECT_EQ(world.size(), 100U);
-      refuse_unsound(world, Time(0));
+      require_no_overlap(world, Time(0));
     }
   }
 }

@@ -60,7 +60,7 @@ TEST(Retuning, ChangesTheEngineWhenADenseCloudFliesApart) {
   };
   Simulation chosen(dense());
   EXPECT_EQ(chosen.engine(), EngineKind::neighbors);
-  EXPECT_GT(chosen.slack(), 0);
+  EXPECT_GT(chosen.skin(), 0);
   EXPECT_EQ(chosen.cell_edge(), 0);
   Simulation cells(dense(), {.engine = EngineKind::cells});
   std::uint64_t asked = 0;
@@ -72,7 +72,7 @@ TEST(Retuning, ChangesTheEngineWhenADenseCloudFliesApart) {
     simulation->run_until(300);
   }
   EXPECT_EQ(chosen.engine(), EngineKind::cells);
-  EXPECT_EQ(chosen.slack(), 0);
+  EXPECT_EQ(chosen.skin(), 0);
   EXPECT_GT(chosen.cell_edge(), 0);
   EXPECT_GT(chosen.counters().rebuilds, 0U);
   EXPECT_EQ(chosen.event_log_hash(), cells.event_log_hash());

@@ -113,7 +113,7 @@ TEST(TheoryOfDiscs, ChoosesCellsAboutAsLargeAsTheSpacing) {
     const UnitCosts costs;
     EXPECT_NEAR(n * (l + 1) * costs.prediction * (n * l * l + (l - 1)), costs.enter + costs.cell,
                 1e-6 * costs.enter);
-    EXPECT_GT(optimal_slack(moments), 0);
+    EXPECT_GT(optimal_skin(moments), 0);
   }
 }
 

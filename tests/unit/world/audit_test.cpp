@@ -64,9 +64,9 @@ TEST(Audit, FindsWhatACheckOfAllPairsFinds) {
         ASSERT_LT(found.overlap_first, found.overlap_second);
       }
       if (found.is_sound()) {
-        ASSERT_NO_THROW(refuse_unsound(made.world, moment));
+        ASSERT_NO_THROW(require_no_overlap(made.world, moment));
       } else {
-        ASSERT_THROW(refuse_unsound(made.world, moment), Error);
+        ASSERT_THROW(require_no_overlap(made.world, moment), Error);
       }
     }
   }

@@ -24,7 +24,7 @@ import { EventFlashes } from './scene/event_flashes.js';
 import { pick } from './scene/pick.js';
 import { Quality } from './scene/quality.js';
 import { kColorBy, Spheres } from './scene/spheres.js';
-import { Surroundings } from './scene/surroundings.js';
+import { NeighborQuery } from './scene/surroundings.js';
 import { Trail } from './scene/trail.js';
 import { View } from './scene/view.js';
 import { Sizes } from './statistics/sizes.js';
@@ -80,7 +80,7 @@ export class Viewer {
     this.trail = new Trail(this.box);
     this.cellLayer = new CellLayer(this.bodies.radii, this.box);
     const { radii: radiiNow } = this.bodies;
-    this.surroundings = new Surroundings(this.surfaces, radiiNow, this.box, this.spheres, this.largestRadius);
+    this.surroundings = new NeighborQuery(this.surfaces, radiiNow, this.box, this.spheres, this.largestRadius);
     for (const { object } of [this.spheres, this.flashes, this.trail, this.cellLayer, this.surroundings])
       this.view.scene.add(object);
 

@@ -5,7 +5,7 @@ import { Images } from '../motion/images.js';
 import { SurfaceLayer } from './surface_layer.js';
 
 /** What is around the spheres: walls and obstacles, and their own periodic images. */
-export class Surroundings {
+export class NeighborQuery {
   /** `surfaces`: as read by readSurfaces; `spheres`: those drawn; `largestRadius`: of them [L]. */
   constructor(surfaces, radii, box, spheres, largestRadius) {
     this.surfaces = surfaces;

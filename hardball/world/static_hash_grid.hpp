@@ -18,10 +18,10 @@ namespace hardball {
 ///
 /// Radii are sorted into levels by powers of two, each with its own hashed grid. Insert large spheres before
 /// small ones: then a query costs O(1) per level, whatever the spread of radii.
-class Neighborhood {
+class StaticHashGrid {
  public:
   /// `capacity` is the number of spheres that will be inserted, `largest_radius` [L] bounds their radii.
-  Neighborhood(const Box& box, std::size_t capacity, double largest_radius);
+  StaticHashGrid(const Box& box, std::size_t capacity, double largest_radius);
 
   /// Adds a sphere; its index is the number of spheres inserted before. `center` lies inside a periodic box.
   void insert(const Vec3& center, double radius);

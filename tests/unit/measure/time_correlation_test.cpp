@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Averages over pairs of times, and the two measures computed from them.
-#include "hardball/measure/lag_average.hpp"
+#include "hardball/measure/time_correlation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include "hardball/numbers/random.hpp"
 #include "support/measurement.hpp"
 
-namespace hardball::lag_average_test {
+namespace hardball::time_correlation_test {
 namespace {
 
 using support::column;
@@ -39,10 +39,10 @@ double value_of(SphereId id, int tick) {
   return random.uniform();
 }
 
-TEST(LagAverage, IsADirectSumOverItsOrigins) {
+TEST(TimeCorrelation, IsADirectSumOverItsOrigins) {
   constexpr int kTicks = 75;
   const World world = row(5);
-  LagAverage average({world, Time(2)}, 0.5, LagAverage::kMostSpheres, {});
+  TimeCorrelation average({world, Time(2)}, 0.5, TimeCorrelation::kMostSpheres, {});
   for (int tick = 0; tick <= kTicks; ++tick) {
     average.sample({world, Time(2 + 0.5 * tick)}, add_products, [&](Slot slot, Vec3* vector) {
       *vector = {value_of(world.id(slot), tick), 0, 0};
@@ -70,9 +70,9 @@ TEST(LagAverage, IsADirectSumOverItsOrigins) {
   }
 }
 
-TEST(LagAverage, IgnoresTimesBetweenItsTicksAndLinksNothingAcrossAGap) {
+TEST(TimeCorrelation, IgnoresTimesBetweenItsTicksAndLinksNothingAcrossAGap) {
   const World world = row(1);
-  LagAverage average({world, Time(0)}, 1, 10, {});
+  TimeCorrelation average({world, Time(0)}, 1, 10, {});
   const auto one = [](Slot, Vec3* vector) { *vector = {1, 0, 0}; };
   for (const double time : {0.0, 1.0, 1.5, 2.0, 2.0, 20.0, 21.0})
     average.sample({world, Time(time)}, add_products, one);
@@ -80,18 +80,18 @@ TEST(LagAverage, IgnoresTimesBetweenItsTicksAndLinksNothingAcrossAGap) {
   EXPECT_EQ(average.at(0, 1).value, 1);
 }
 
-TEST(LagAverage, FollowsSpheresChosenEvenly) {
+TEST(TimeCorrelation, FollowsSpheresChosenEvenly) {
   const World world = row(100);
-  LagAverage average({world, Time(0)}, 1, 7, {});
+  TimeCorrelation average({world, Time(0)}, 1, 7, {});
   std::vector<SphereId> followed;
   average.sample({world, Time(0)}, add_products,
                  [&](Slot slot, Vec3* /*vector*/) { followed.push_back(world.id(slot)); });
   EXPECT_EQ(followed, (std::vector<SphereId>{0, 15, 29, 43, 58, 72, 86}));
 }
 
-TEST(LagAverage, HasTheErrorOfIndependentSpheres) {
+TEST(TimeCorrelation, HasTheErrorOfIndependentSpheres) {
   const World world = row(4);
-  LagAverage average({world, Time(0)}, 1, 10, {});
+  TimeCorrelation average({world, Time(0)}, 1, 10, {});
   average.sample({world, Time(0)}, add_products, [&](Slot slot, Vec3* vector) {
     *vector = {std::sqrt(1.0 + slot), 0, 0};
   });
@@ -101,9 +101,9 @@ TEST(LagAverage, HasTheErrorOfIndependentSpheres) {
   EXPECT_NEAR(average.at(0, 0).error, std::sqrt(2) * error_of_independent(shares), 1e-12);
 }
 
-TEST(LagAverage, HasTheShortLagsOfWindowsAndTheLongOnesBetweenThem) {
+TEST(TimeCorrelation, HasTheShortLagsOfWindowsAndTheLongOnesBetweenThem) {
   const World world = row(1);
-  LagAverage average({world, Time(0)}, 1, 10, {});
+  TimeCorrelation average({world, Time(0)}, 1, 10, {});
   const auto one = [](Slot, Vec3* vector) { *vector = {1, 0, 0}; };
   for (int window = 0; window < 5; ++window) {
     for (int tick = 0; tick < 16; ++tick)
@@ -192,4 +192,4 @@ TEST(VelocityAutocorrelation, IntegratesExactlyBetweenSamples) {
 }
 
 }  // namespace
-}  // namespace hardball::lag_average_test
+}  // namespace hardball::time_correlation_test

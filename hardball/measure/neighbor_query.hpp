@@ -6,14 +6,14 @@
 #include <span>
 #include <vector>
 
-#include "hardball/world/neighborhood.hpp"
+#include "hardball/world/static_hash_grid.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
 
 /// All spheres at one time, numbered in the order of ids, and their neighbours: the input of the measures of
 /// structure. Nothing depends on where spheres are stored.
-class Surroundings {
+class NeighborQuery {
  public:
   /// Measures use the surroundings of all spheres up to this many, and of as many chosen evenly by id if
   /// there are more.
@@ -32,7 +32,7 @@ class Surroundings {
 
   /// Refers to the world and to `centers` [L], those of all spheres in the order of ids, folded into a
   /// periodic box; most lie within the space `extent` [L^3]. Cost: O(n).
-  Surroundings(const World& world, std::span<const Vec3> centers, double extent);
+  NeighborQuery(const World& world, std::span<const Vec3> centers, double extent);
 
   std::size_t size() const { return centers_.size(); }
   /// [L]
@@ -61,8 +61,8 @@ class Surroundings {
   const World& world_;
   std::span<const Vec3> centers_;
   std::vector<double> radii_;
-  double ball_;                // radius of all balls in the neighbourhood [L]
-  Neighborhood neighborhood_;  // its cells hold about two centres each
+  double ball_;                  // radius of all balls in the neighbourhood [L]
+  StaticHashGrid neighborhood_;  // its cells hold about two centres each
 };
 
 }  // namespace hardball

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/world/neighborhood.hpp"
+#include "hardball/world/static_hash_grid.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -8,7 +8,7 @@
 
 namespace hardball {
 
-Neighborhood::Neighborhood(const Box& box, std::size_t capacity, double largest_radius)
+StaticHashGrid::StaticHashGrid(const Box& box, std::size_t capacity, double largest_radius)
     : box_(box), capacity_(capacity) {
   // Radii of at most 2^-19 times the largest share the last level.
   constexpr int kLevels = 20;
@@ -29,7 +29,7 @@ Neighborhood::Neighborhood(const Box& box, std::size_t capacity, double largest_
   spheres_.reserve(capacity);
 }
 
-void Neighborhood::insert(const Vec3& center, double radius) {
+void StaticHashGrid::insert(const Vec3& center, double radius) {
   Level& level = levels_[level_for(radius)];
   if (level.buckets.empty()) level.buckets.resize(std::bit_ceil(std::max<std::size_t>(capacity_, 1)));
   const Cell cell = cell_at(level, center);
@@ -41,7 +41,7 @@ void Neighborhood::insert(const Vec3& center, double radius) {
   bucket.tags |= tag(key);
 }
 
-Neighborhood::Cell Neighborhood::cell_at(const Level& level, const Vec3& place) {
+StaticHashGrid::Cell StaticHashGrid::cell_at(const Level& level, const Vec3& place) {
   // Spheres beyond this many cells share the outermost ones.
   constexpr double kFarthest = 1e15;
   Cell cell;
@@ -54,7 +54,7 @@ Neighborhood::Cell Neighborhood::cell_at(const Level& level, const Vec3& place) 
   return cell;
 }
 
-std::size_t Neighborhood::level_for(double radius) const {
+std::size_t StaticHashGrid::level_for(double radius) const {
   std::size_t level = 0;
   while (level + 1 < levels_.size() && radius <= levels_[level + 1].largest_radius) ++level;
   return level;

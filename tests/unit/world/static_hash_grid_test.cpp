@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/world/neighborhood.hpp"
+#include "hardball/world/static_hash_grid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,14 +11,14 @@
 
 #include "hardball/numbers/random.hpp"
 
-namespace hardball::neighborhood_test {
+namespace hardball::static_hash_grid_test {
 namespace {
 
 // The indices of the spheres found, each with its image.
 using Found = std::vector<std::tuple<std::uint32_t, long, long, long>>;
 
 // So many cells are within reach that all spheres are visited instead.
-TEST(Neighborhood, FindsSpheresOverManyEmptyCells) {
+TEST(StaticHashGrid, FindsSpheresOverManyEmptyCells) {
   constexpr std::uint32_t kSpheres = 10;
   constexpr double kSize = 10;
   constexpr double kRadius = 0.01;
@@ -26,7 +26,7 @@ TEST(Neighborhood, FindsSpheresOverManyEmptyCells) {
   const Box box({Boundary::periodic, Boundary::open, Boundary::wall}, {kSize, kSize, kSize});
   Random random(52);
   std::vector<Vec3> centers;
-  Neighborhood neighborhood(box, kSpheres, kRadius);
+  StaticHashGrid neighborhood(box, kSpheres, kRadius);
   for (std::uint32_t i = 0; i < kSpheres; ++i) {
     centers.push_back(kSize * Vec3{random.uniform(), random.uniform(), random.uniform()});
     neighborhood.insert(centers.back(), kRadius);
@@ -54,7 +54,7 @@ TEST(Neighborhood, FindsSpheresOverManyEmptyCells) {
 }
 
 // So few buckets that cells share them, and boxes so small that images share cells.
-TEST(Neighborhood, FindsEveryTouchingImageOnceAndNoOther) {
+TEST(StaticHashGrid, FindsEveryTouchingImageOnceAndNoOther) {
   constexpr std::uint32_t kSpheres = 40;
   constexpr double kRadius = 0.5;
   for (const double size : {1.1, 2.3, 7.0, 40.0}) {
@@ -62,7 +62,7 @@ TEST(Neighborhood, FindsEveryTouchingImageOnceAndNoOther) {
       const Box box({boundary, boundary, boundary}, {size, size, size});
       Random random(51);
       std::vector<Vec3> centers;
-      Neighborhood neighborhood(box, kSpheres, kRadius);
+      StaticHashGrid neighborhood(box, kSpheres, kRadius);
       for (std::uint32_t i = 0; i < kSpheres; ++i) {
         centers.push_back(size * Vec3{random.uniform(), random.uniform(), random.uniform()});
         neighborhood.insert(centers.back(), kRadius);
@@ -100,4 +100,4 @@ TEST(Neighborhood, FindsEveryTouchingImageOnceAndNoOther) {
 }
 
 }  // namespace
-}  // namespace hardball::neighborhood_test
+}  // namespace hardball::static_hash_grid_test

@@ -12,7 +12,7 @@ namespace hardball {
 /// A bit for each of the first `count` slots, 8 or 16, that is `slot`. Branchless, since it is unpredictable
 /// which is.
 template <std::uint32_t count>
-std::uint32_t places_of(Slot slot, const Slot* slots) {
+std::uint32_t match_mask(Slot slot, const Slot* slots) {
   static_assert(count == 8 || count == 16);
 #if defined(__SSE2__) && defined(__GNUC__)
   using Four = int __attribute__((vector_size(16)));

@@ -10,14 +10,14 @@
 
 #include "support/crystal.hpp"
 
-namespace hardball::surroundings_test {
+namespace hardball::neighbor_query_test {
 namespace {
 
-TEST(Surroundings, OfASphereInACrystalAreItsShells) {
+TEST(NeighborQuery, OfASphereInACrystalAreItsShells) {
   const World world = support::make_crystal(support::simple_cubic(), 5, 1.1);
   constexpr double kRange = 2;
   const Scene scene(world, Time(0));
-  const Surroundings& surroundings = scene.surroundings();
+  const NeighborQuery& surroundings = scene.surroundings();
   surroundings.for_each_center(kRange, [&](std::size_t center) {
     std::size_t first = 0;
     std::size_t second = 0;
@@ -38,7 +38,7 @@ TEST(Surroundings, OfASphereInACrystalAreItsShells) {
   });
 }
 
-TEST(Surroundings, HoldTheImagesOfASphereInASmallBox) {
+TEST(NeighborQuery, HoldTheImagesOfASphereInASmallBox) {
   World world(Box::periodic({1.1, 1.1, 5}));
   world.add({.position = {0.3, 0.3, 1}, .radius = 0.5});
   const Scene scene(world, Time(0));
@@ -51,14 +51,14 @@ TEST(Surroundings, HoldTheImagesOfASphereInASmallBox) {
   EXPECT_EQ(images, 4U);
 }
 
-TEST(Surroundings, AreWhereSpheresHaveMovedTo) {
+TEST(NeighborQuery, AreWhereSpheresHaveMovedTo) {
   World world;
   world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}});
   world.add({.position = {9, 0, 0}, .velocity = {-1, 0, 0}});
   const auto pairs_at = [&](double time) {
     constexpr double kRange = 4;
     const Scene scene(world, Time(time));
-    const Surroundings& surroundings = scene.surroundings();
+    const NeighborQuery& surroundings = scene.surroundings();
     int pairs = 0;
     surroundings.for_each_center(kRange, [&](std::size_t center) {
       surroundings.for_each_neighbor(center, kRange, [&](auto&&...) { ++pairs; });
@@ -69,9 +69,9 @@ TEST(Surroundings, AreWhereSpheresHaveMovedTo) {
   EXPECT_EQ(pairs_at(3), 2);
 }
 
-TEST(Surroundings, OfManySpheresAreThoseOfSomeEvenlyChosen) {
+TEST(NeighborQuery, OfManySpheresAreThoseOfSomeEvenlyChosen) {
   World world(Box::periodic({100, 100, 100}));
-  constexpr std::size_t kSpheres = 3 * Surroundings::kMostCenters;
+  constexpr std::size_t kSpheres = 3 * NeighborQuery::kMostCenters;
   Random random(52);
   for (std::size_t i = 0; i < kSpheres; ++i) {
     world.add({.position = 100 * Vec3{random.uniform(), random.uniform(), random.uniform()}, .radius = 0.1});
@@ -83,12 +83,12 @@ TEST(Surroundings, OfManySpheresAreThoseOfSomeEvenlyChosen) {
     return centers;
   };
   const std::vector<std::size_t> few = centers_within(1);
-  ASSERT_EQ(few.size(), Surroundings::kMostCenters);
+  ASSERT_EQ(few.size(), NeighborQuery::kMostCenters);
   for (std::size_t k = 0; k < few.size(); ++k) EXPECT_EQ(few[k], 3 * k);
   // With 2000 neighbours each, 100 spheres are chosen.
   const double range = std::cbrt(2000 * 1e6 / kSpheres * 3 / (4 * std::numbers::pi));
-  EXPECT_NEAR(static_cast<double>(centers_within(range).size()), Surroundings::kMostNeighbors / 2000, 1);
+  EXPECT_NEAR(static_cast<double>(centers_within(range).size()), NeighborQuery::kMostNeighbors / 2000, 1);
 }
 
 }  // namespace
-}  // namespace hardball::surroundings_test
+}  // namespace hardball::neighbor_query_test

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/broadphase/shell_grid.hpp"
+#include "hardball/broadphase/large_sphere_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,8 @@ constexpr double kMostCellsPerSphere = 1000;
 // touch at most two cells along each axis.
 constexpr double kLargestInCell = 0.4999;
 
-// The least slack over the edge of a cell [1].
-constexpr double kLeastSlack = 0.01;
+// The least skin over the edge of a cell [1].
+constexpr double kLeastSkin = 0.01;
 
 // Candidates stay closer than this fraction of a periodic box along each axis.
 constexpr double kLargestShare = 0.495;
@@ -29,13 +29,13 @@ constexpr double kLargestShare = 0.495;
 // Shells overlap a little before they touch: far more than rounding.
 constexpr double kShellMargin = 1e-9;
 
-// The least and the greatest depth of a list, over the slack.
+// The least and the greatest depth of a list, over the skin.
 constexpr double kLeastDepth = 1e-4;
 constexpr double kGreatestDepth = 0.25;
 // Lists are deeper by this fraction of the farthest distance of candidates: far more than the errors of
 // compact copies.
 constexpr double kDepthMargin = 0x1p-19;
-// A list must last for this fraction of the time, and its slack show in coordinates, so that rounding does
+// A list must last for this fraction of the time, and its skin show in coordinates, so that rounding does
 // not matter.
 constexpr double kFewestDigits = 0x1p-38;
 
@@ -49,11 +49,11 @@ std::int32_t round_down(double number) {
 
 }  // namespace
 
-double ShellGrid::cells_of_surface(double radius, std::size_t dimensions) {
+double LargeSphereGrid::cells_of_surface(double radius, std::size_t dimensions) {
   // By Steiner's formula for those that touch the sphere; those inside are missing.
   constexpr double kSphere = 4 * std::numbers::pi / 3;
-  constexpr double kDepth = 2 * kSlack + 0.75;
-  const double outer = radius + kSlack;
+  constexpr double kDepth = 2 * kSkin + 0.75;
+  const double outer = radius + kSkin;
   const double inner = std::max(0.0, outer - kDepth);
   const double depth =
       std::min(outer, kDepth);  // of the largest radii, outer - inner would be rounded to zero
@@ -62,7 +62,8 @@ double ShellGrid::cells_of_surface(double radius, std::size_t dimensions) {
          kSphere * depth * (outer * outer + outer * inner + inner * inner);
 }
 
-std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const Subdivision& cells) {
+std::optional<LargeSphereGrid::Sizes> LargeSphereGrid::sizes_for(const World& world,
+                                                                 const Subdivision& cells) {
   // Where few do not fit into cells, the grid may keep all others in blocks of cells, which is the fastest.
   const std::optional<Sizes> in_blocks = sizes_for(world, cells, kLargestInCell);
   if (in_blocks && in_blocks->surfaces <= kFewSurfaces * static_cast<double>(world.size())) return in_blocks;
@@ -71,8 +72,8 @@ std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const S
   return in_rows ? in_rows : in_blocks;
 }
 
-std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const Subdivision& cells,
-                                                     double largest_in_edges) {
+std::optional<LargeSphereGrid::Sizes> LargeSphereGrid::sizes_for(const World& world, const Subdivision& cells,
+                                                                 double largest_in_edges) {
   const double edge = smallest_edge(cells);
   Sizes sizes;
   std::size_t count = 0;
@@ -91,42 +92,42 @@ std::optional<ShellGrid::Sizes> ShellGrid::sizes_for(const World& world, const S
   const auto spheres = static_cast<double>(world.size());
   if (count == 0 || 2 * count > world.size() || sizes.surfaces > kMostCellsPerSphere * spheres)
     return std::nullopt;
-  sizes.slack = kSlack * edge;
+  sizes.skin = kSkin * edge;
   // A shell must be no thicker for the rounding of coordinates along an axis that is far longer than others.
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (cells.reach(axis, 0) > kLeastSlack * edge) return std::nullopt;
+    if (cells.reach(axis, 0) > kLeastSkin * edge) return std::nullopt;
   }
   Vec3 extent;  // of a region of the grid; it shares one cell with that of a large sphere
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double touched = most_cells_touched(2 * cells.reach(axis, sizes.largest_in_grid), cells.edge(axis));
     extent[axis] = (touched + 1) * cells.edge(axis);
     if (!world.box().is_periodic(axis)) continue;
-    if (!hardball::has_nearest_images(cells.period(axis), touched)) return std::nullopt;
+    if (!has_nearest_images(cells.period(axis), touched)) return std::nullopt;
     const double room = kLargestShare * world.box().size()[axis];
-    if (count > 1) sizes.slack = std::min(sizes.slack, (room - (largest + second_largest)) / 4);
-    sizes.slack = std::min(sizes.slack, (room - (largest + extent[axis])) / 2);
+    if (count > 1) sizes.skin = std::min(sizes.skin, (room - (largest + second_largest)) / 4);
+    sizes.skin = std::min(sizes.skin, (room - (largest + extent[axis])) / 2);
   }
-  if (sizes.slack < kLeastSlack * edge) return std::nullopt;
+  if (sizes.skin < kLeastSkin * edge) return std::nullopt;
   // From a large sphere to any point of its cells, and on to the centre of one in the grid that shares them.
   const Vec3 cell{cells.edge(0), cells.edge(1), cells.edge(2)};
-  sizes.farthest = largest + 2 * sizes.slack + length(cell) + length(extent);
-  if (count > 1) sizes.farthest = std::max(sizes.farthest, largest + second_largest + 5 * sizes.slack);
+  sizes.farthest = largest + 2 * sizes.skin + length(cell) + length(extent);
+  if (count > 1) sizes.farthest = std::max(sizes.farthest, largest + second_largest + 5 * sizes.skin);
   return sizes;
 }
 
-bool ShellGrid::suits(const World& world, double edge) {
+bool LargeSphereGrid::supports(const World& world, double edge) {
   if (world.radii().is_common()) return false;
   return sizes_for(world, Subdivision(world.box(), edge, kMostCellsPerAxis)).has_value();
 }
 
-void ShellGrid::build(const World& world, const Time& now, CompactPaths& copies) {
+void LargeSphereGrid::build(const World& world, const Time& now, CompactPaths& copies) {
   const std::optional<Sizes> sizes =
       sizes_for(world, Subdivision(world.box(), wanted_edge_, kMostCellsPerAxis));
   HARDBALL_CHECK(sizes.has_value());
   grid_ = CellGrid(wanted_edge_, sizes->largest_in_grid, sizes->farthest);
   grid_.build(world, now, copies);
-  HARDBALL_CHECK(grid_.has_nearest_images());
-  slack_ = sizes->slack;
+  HARDBALL_CHECK(grid_.uses_minimum_image());
+  skin_ = sizes->skin;
   margin_ = 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     margin_ = std::max(margin_, grid_.cells().reach(axis, 0));
@@ -159,40 +160,40 @@ void ShellGrid::build(const World& world, const Time& now, CompactPaths& copies)
   }
 }
 
-void ShellGrid::move_anchor(const World& world, LargeSphere& large, const Time& now) const {
+void LargeSphereGrid::move_anchor(const World& world, LargeSphere& large, const Time& now) const {
   large.anchor = world.unfolded_position(large.slot, now);
   large.boxes = -world.box().fold(large.anchor);
 }
 
 // The centre, relative to the anchor.
-Vec3 ShellGrid::place_of(const World& world, const LargeSphere& large, const Time& now) const {
+Vec3 LargeSphereGrid::place_of(const World& world, const LargeSphere& large, const Time& now) const {
   return world.unfolded_position(large.slot, now) + world.box().shift(large.boxes) - large.anchor;
 }
 
-double ShellGrid::next_crossing_of_large(const World& world, Slot slot, const Time& now) const {
+double LargeSphereGrid::next_crossing_of_large(const World& world, Slot slot, const Time& now) const {
   const LargeSphere& large = large_of(slot);
   const Vec3 place = place_of(world, large, now);
   const Vec3 velocity = world.velocity(slot, now);
   const double error = coordinate_error(world, slot, now);
-  const auto wait_within = [&](const Vec3& middle, double slack) {
+  const auto wait_within = [&](const Vec3& middle, double skin) {
     const Vec3 apart = place - middle;
-    const double reach = std::max(slack / 2, slack - error);
+    const double reach = std::max(skin / 2, skin - error);
     return wait_in_ball(world.motion(), apart, velocity, reach);
   };
   const double begin = rounded_down(now);
-  const double left = begin + wait_within({}, slack_);
+  const double left = begin + wait_within({}, skin_);
   if (!large.has_list) return left;
-  return std::max(begin, std::min({left, begin + wait_within(large.middle, large.near_slack), large.expiry}));
+  return std::max(begin, std::min({left, begin + wait_within(large.middle, large.near_skin), large.expiry}));
 }
 
 // Calls visit(cell) for each cell, folded into the box, that the surface of a large sphere may touch, in
 // columns along the last axis. Cells at the ends of the box or of open space reach on for ever.
 template <class Visit>
-void ShellGrid::for_each_cell(const LargeSphere& large, Visit&& visit) const {
+void LargeSphereGrid::for_each_cell(const LargeSphere& large, Visit&& visit) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const Subdivision& cells = grid_.cells();
-  const double outer = large.radius + slack_ + margin_;
-  const double inner = std::max(0.0, large.radius - slack_ - margin_);
+  const double outer = large.radius + skin_ + margin_;
+  const double inner = std::max(0.0, large.radius - skin_ - margin_);
   const auto index_at = [&](std::size_t axis, double coordinate) {
     return round_down(std::clamp<double>(coordinate / cells.edge(axis), cells.first(axis), cells.last(axis)));
   };
@@ -247,13 +248,13 @@ void ShellGrid::for_each_cell(const LargeSphere& large, Visit&& visit) const {
   }
 }
 
-bool ShellGrid::do_shells_meet(const World& world, const LargeSphere& a, const LargeSphere& b) const {
+bool LargeSphereGrid::do_shells_meet(const World& world, const LargeSphere& a, const LargeSphere& b) const {
   const Vec3 apart = b.anchor - a.anchor;
-  const double reach = (a.radius + b.radius + 2 * slack_) * (1 + kShellMargin);
+  const double reach = (a.radius + b.radius + 2 * skin_) * (1 + kShellMargin);
   return length(apart + world.box().shift(world.box().nearest_image(-apart))) <= reach;
 }
 
-bool ShellGrid::are_candidates(Slot a, Slot b) const {
+bool LargeSphereGrid::are_candidates(Slot a, Slot b) const {
   if (is_large(a) == is_large(b)) return is_large(a) || grid_.are_candidates(a, b);
   bool share_cell = false;
   for_each_cell(large_of(is_large(a) ? a : b),
@@ -262,8 +263,8 @@ bool ShellGrid::are_candidates(Slot a, Slot b) const {
 }
 
 // Large spheres are found in many cells, and added once.
-void ShellGrid::collect_cell(const World& world, const LargeSphere& large, const CellIndex& cell,
-                             Candidates& candidates) const {
+void LargeSphereGrid::collect_cell(const World& world, const LargeSphere& large, const CellIndex& cell,
+                                   Candidates& candidates) const {
   grid_.lists().for_each_line(grid_.list(cell),
                               [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
                                 const auto is_small = [&](Slot other) {
@@ -280,25 +281,26 @@ void ShellGrid::collect_cell(const World& world, const LargeSphere& large, const
                               });
 }
 
-void ShellGrid::collect_of_large(const World& world, Slot slot, Candidates& candidates) const {
+void LargeSphereGrid::collect_of_large(const World& world, Slot slot, Candidates& candidates) const {
   const LargeSphere& large = large_of(slot);
   candidates.begin(slot, true);
   if (large.has_list) return candidates.refer_to({large.near.data(), large.near_count});
   collect_all(world, large, candidates);
 }
 
-void ShellGrid::collect_all(const World& world, const LargeSphere& large, Candidates& candidates) const {
+void LargeSphereGrid::collect_all(const World& world, const LargeSphere& large,
+                                  Candidates& candidates) const {
   candidates.begin(large.slot, true);
   candidates.start_round(large_.size());
   for_each_cell(large, [&](const CellIndex& cell) { collect_cell(world, large, cell, candidates); });
   candidates.end();
 }
 
-void ShellGrid::cross_large(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
-                            Candidates& candidates) {
+void LargeSphereGrid::cross_large(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
+                                  Candidates& candidates) {
   LargeSphere& large = large_of(slot);
-  // A list reaches no farther than the slack.
-  const double most = large.has_list ? (1 - 2 * kGreatestDepth) * slack_ : 0;
+  // A list reaches no farther than the skin.
+  const double most = large.has_list ? (1 - 2 * kGreatestDepth) * skin_ : 0;
   const bool moves = !(length(place_of(world, large, now)) < most);
   if (moves) {
     for_each_cell(large, [&](const CellIndex& cell) { grid_.lists_to_edit().erase(grid_.list(cell), slot); });
@@ -313,28 +315,28 @@ void ShellGrid::cross_large(const World& world, Slot slot, const Time& now, cons
   if (large.has_list) candidates.refer_to({large.near.data(), large.near_count});
 }
 
-void ShellGrid::LargeSphere::append(Slot other) {
+void LargeSphereGrid::LargeSphere::append(Slot other) {
   near.resize(near_count + 1 + Candidates::kPadding);
   near[near_count++] = other;
   std::fill_n(near.begin() + static_cast<std::ptrdiff_t>(near_count), Candidates::kPadding, slot);
 }
 
 // Adds a sphere to the lists of the large ones among its candidates.
-void ShellGrid::list_at_large(Slot slot, const Candidates& candidates) {
+void LargeSphereGrid::list_at_large(Slot slot, const Candidates& candidates) {
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Slot other = candidates.slot(i);
     if (is_large(other) && other != slot && large_of(other).has_list) large_of(other).append(slot);
   }
 }
 
-void ShellGrid::list_fast(const World& world, Slot slot) {
+void LargeSphereGrid::list_fast(const World& world, Slot slot) {
   grid_.collect(world, slot, found_);
   list_at_large(slot, found_);
 }
 
 // Lists those of all candidates that can reach a large sphere before the list expires, each once.
-void ShellGrid::list_near(const World& world, LargeSphere& large, const Time& now, const CompactPaths& copies,
-                          const Candidates& all) const {
+void LargeSphereGrid::list_near(const World& world, LargeSphere& large, const Time& now,
+                                const CompactPaths& copies, const Candidates& all) const {
   const Slot slot = large.slot;
   // Under gravity speeds change between contacts: nobody could say who comes from where in time.
   const bool pays = world.motion().is_straight() && all.size() >= kFewestToList && copies.is_bounded(slot);
@@ -344,10 +346,10 @@ void ShellGrid::list_near(const World& world, LargeSphere& large, const Time& no
   constexpr double kAtRest = 0.01;
   constexpr double kChange = 3;
   const double speed = length(world.path(slot).velocity);
-  large.near_slack = large.depth * std::min(1.0, kAtRest + kChange * speed / usual_speed_);
+  large.near_skin = large.depth * std::min(1.0, kAtRest + kChange * speed / usual_speed_);
   large.expiry = begin + large.depth / usual_speed_;
   large.has_list = pays && usual_speed_ > 0 && large.expiry > begin + kFewestDigits * std::fabs(begin) &&
-                   0x1p-12 * large.near_slack > coordinate_error(world, slot, now);
+                   0x1p-12 * large.near_skin > coordinate_error(world, slot, now);
   if (!large.has_list) return;
   large.middle = place_of(world, large, now);
   large.contacts = 0;
@@ -356,7 +358,7 @@ void ShellGrid::list_near(const World& world, LargeSphere& large, const Time& no
   const auto usual = static_cast<float>(large.depth / unit);
   const float reach =
       copies.radius(large.slot) +
-      static_cast<float>((large.near_slack + large.depth + kDepthMargin * copies.farthest()) / unit);
+      static_cast<float>((large.near_skin + large.depth + kDepthMargin * copies.farthest()) / unit);
   const auto wait = static_cast<float>((large.expiry - begin) / copies.time_unit() * (1 + 0x1p-20));
   large.near.resize(all.size() + Candidates::kPadding);
   std::size_t count = 0;
@@ -392,28 +394,28 @@ void ShellGrid::list_near(const World& world, LargeSphere& large, const Time& no
 
 // The search for a list is shared by the contacts of its time; each of these goes through the list: the depth
 // at which both cost the same costs least.
-void ShellGrid::choose_depth(LargeSphere& large, std::size_t searched) const {
+void LargeSphereGrid::choose_depth(LargeSphere& large, std::size_t searched) const {
   constexpr double kFactor = 1.5;
   if (!large.has_list) {
-    large.depth = slack_ / 64;
+    large.depth = skin_ / 64;
   } else {
     const double search = static_cast<double>(searched) / (1 + large.contacts);
     large.depth *= search > static_cast<double>(large.near_count) ? kFactor : 1 / kFactor;
   }
-  large.depth = std::clamp(large.depth, kLeastDepth * slack_, kGreatestDepth * slack_);
+  large.depth = std::clamp(large.depth, kLeastDepth * skin_, kGreatestDepth * skin_);
 }
 
-std::size_t ShellGrid::memory_bytes() const {
+std::size_t LargeSphereGrid::memory_bytes() const {
   return grid_.memory_bytes() + large_.capacity() * sizeof(LargeSphere) +
          are_large_.capacity() * sizeof(std::uint64_t) + large_numbers_.capacity() * sizeof(std::uint32_t);
 }
 
-void ShellGrid::validate(const World& world, const Time& now, const CompactPaths& copies) const {
+void LargeSphereGrid::validate(const World& world, const Time& now, const CompactPaths& copies) const {
   HARDBALL_CHECK(large_numbers_.size() == world.size());
   grid_.validate(world, now, copies);
   for (const LargeSphere& large : large_) {
     HARDBALL_CHECK(is_large(large.slot) && large.radius == world.radius(large.slot));
-    HARDBALL_CHECK(length(place_of(world, large, now)) <= slack_ + coordinate_error(world, large.slot, now));
+    HARDBALL_CHECK(length(place_of(world, large, now)) <= skin_ + coordinate_error(world, large.slot, now));
     for_each_cell(large, [&](const CellIndex& cell) {
       std::size_t found = 0;
       grid_.lists().for_each(grid_.list(cell),

@@ -15,29 +15,29 @@ namespace hardball {
 /// to those cells only that its surface touches.
 ///
 /// Spheres not much larger than a cell are kept by a CellGrid. The region of a larger one is made of the
-/// cells that its surface may touch while its centre is within a slack of its anchor, a past position:
-/// spheres meet at their surfaces, and no other is inside it. When it reaches the edge of its slack, its
+/// cells that its surface may touch while its centre is within a skin of its anchor, a past position:
+/// spheres meet at their surfaces, and no other is inside it. When it reaches the edge of its skin, its
 /// anchor moves to its centre. Two large spheres are candidates if they share a cell and their shells
-/// overlap, a shell's radius being the sphere's plus the slack, around its anchor.
+/// overlap, a shell's radius being the sphere's plus the skin, around its anchor.
 ///
 /// Of thousands of spheres at the surface of a large one, few can reach it before it collides again. It lists
 /// those that can until the list expires, at their own speeds or a usual one that is rarely exceeded, and
 /// crosses then, to list others. Whoever becomes faster than that near a large sphere is added to its list.
 /// Source: docs/decisions/0012-large-spheres-as-shells-of-cells.md.
-class ShellGrid {
+class LargeSphereGrid {
  public:
   /// The largest radius that the grid keeps, in edges of a cell: up to about there, crossing from row to row
   /// costs less than changing all cells at the surface. Less in small boxes.
   static constexpr double kLargestInGrid = 1.5;
-  /// The slack, in edges; less in small boxes. Measured.
-  static constexpr double kSlack = 0.25;
+  /// The skin, in edges; less in small boxes. Measured.
+  static constexpr double kSkin = 0.25;
   /// A large sphere with so many candidates lists those that can reach it soon.
   static constexpr std::size_t kFewestToList = 256;
   /// The speed assumed by lists, over the root mean square of all.
   static constexpr double kUsualSpeed = 2.5;
 
-  /// `edge` [L] is the wanted length of a cell's edge; see Subdivision. Precondition: suits(world, edge).
-  explicit ShellGrid(double edge) : wanted_edge_(edge), grid_(edge) {}
+  /// `edge` [L] is the wanted length of a cell's edge; see Subdivision. Precondition: supports(world, edge).
+  explicit LargeSphereGrid(double edge) : wanted_edge_(edge), grid_(edge) {}
 
   /// Where large spheres touch no more cells than this for each sphere, all that do not fit into cells are
   /// large: the others are kept in blocks, see CellGrid. Measured.
@@ -48,7 +48,7 @@ class ShellGrid {
   /// Whether there are spheres much larger than such a cell, or few that do not fit, but no more of them than
   /// of others, and candidates would be nearest images. Cost: O(n). Error: the edge is not positive and
   /// finite.
-  static bool suits(const World& world, double edge);
+  static bool supports(const World& world, double edge);
 
   void build(const World& world, const Time& now, CompactPaths& copies);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded) {
@@ -80,7 +80,7 @@ class ShellGrid {
   void prefetch_candidates(Slot slot, bool crosses, const CompactPaths& copies) const {
     if (!is_large(slot)) grid_.prefetch_candidates(slot, crosses, copies);
   }
-  bool has_nearest_images() const { return true; }
+  bool uses_minimum_image() const { return true; }
   bool are_candidates(Slot a, Slot b) const;
   auto& lines() { return grid_.lines(); }
   const auto& lines() const { return grid_.lines(); }
@@ -95,7 +95,7 @@ class ShellGrid {
   // The sizes that follow from the cells.
   struct Sizes {
     double largest_in_grid = 0;  // the largest radius that the grid keeps
-    double slack = 0;
+    double skin = 0;
     double surfaces = 0;  // cells that the large ones touch, about
     double farthest = 0;  // distance of a large sphere and a candidate
   };
@@ -105,13 +105,13 @@ class ShellGrid {
     Vec3 anchor;  // inside a periodic box
     Image boxes;  // from the frame of the path to that of the anchor
 
-    // If it lists those that can reach it before `expiry` while its centre is within `near_slack` of
+    // If it lists those that can reach it before `expiry` while its centre is within `near_skin` of
     // `middle`.
     bool has_list = false;
     std::vector<Slot> near;  // padded with the sphere itself
     std::size_t near_count = 0;
     Vec3 middle;  // relative to the anchor
-    double near_slack = 0;
+    double near_skin = 0;
     double expiry = 0;
     double depth = 0;            // how far from its surface spheres are listed [L]
     std::uint32_t contacts = 0;  // since it listed them
@@ -158,7 +158,7 @@ class ShellGrid {
 
   double wanted_edge_;
   CellGrid grid_;
-  double slack_ = 0;
+  double skin_ = 0;
   double margin_ = 0;  // of the cells
   double usual_speed_ = 0;
   std::vector<LargeSphere> large_;
@@ -168,6 +168,6 @@ class ShellGrid {
   Candidates found_;  // around the sphere in question
 };
 
-static_assert(BroadPhase<ShellGrid>);
+static_assert(BroadPhase<LargeSphereGrid>);
 
 }  // namespace hardball

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/surroundings.hpp"
+#include "hardball/measure/neighbor_query.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ double edge_of(const Box& box, double volume) {
 
 }  // namespace
 
-Surroundings::Effort Surroundings::effort(const World& world, double range) {
+NeighborQuery::Effort NeighborQuery::effort(const World& world, double range) {
   constexpr double kEachSphere = 100;
   constexpr double kEachCenter = 400;
   constexpr double kEachNeighbor = 30;
@@ -32,7 +32,7 @@ Surroundings::Effort Surroundings::effort(const World& world, double range) {
           .cost = kEachSphere * spheres + centers * (kEachCenter + kEachNeighbor * of_each)};
 }
 
-Surroundings::Surroundings(const World& world, std::span<const Vec3> centers, double extent)
+NeighborQuery::NeighborQuery(const World& world, std::span<const Vec3> centers, double extent)
     : world_(world),
       centers_(centers),
       ball_(edge_of(world.box(), kSpheresInCell * extent / static_cast<double>(centers.size())) / 2),

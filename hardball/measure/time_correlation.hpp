@@ -27,7 +27,7 @@ namespace hardball {
 /// Errors are from the scatter among up to 32 groups of spheres of a species, see error_of_independent: the
 /// values of a sphere at different times are not independent, nor are lags that overlap. Their square is
 /// doubled for the collective motion of spheres.
-class LagAverage {
+class TimeCorrelation {
  public:
   /// The most spheres that are followed; of more, some are chosen evenly by id.
   static constexpr std::size_t kMostSpheres = 10000;
@@ -48,9 +48,9 @@ class LagAverage {
   using Link = void (*)(std::span<const Vec3> earlier, std::span<const Vec3> later, double* sums);
 
   /// Of no spheres.
-  LagAverage() = default;
+  TimeCorrelation() = default;
   /// Starts at the time of the scene; `interval` [T] is positive. Cost: O(n).
-  LagAverage(const Scene& scene, double interval, std::size_t most_spheres, const Shape& shape);
+  TimeCorrelation(const Scene& scene, double interval, std::size_t most_spheres, const Shape& shape);
 
   /// Adds a sample; `note` writes the vectors of the sphere in a slot to where it is told. A time that is no
   /// multiple of the interval, or not later than the last, is ignored. Cost: some 10 links for each sphere
@@ -80,7 +80,7 @@ class LagAverage {
   }
 
   /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
-  bool suits(const World& world) const;
+  bool matches(const World& world) const;
 
  private:
   friend class Persistence;

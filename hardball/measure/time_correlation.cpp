@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/lag_average.hpp"
+#include "hardball/measure/time_correlation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,8 @@
 
 namespace hardball {
 
-LagAverage::LagAverage(const Scene& scene, double interval, std::size_t most_spheres, const Shape& shape)
+TimeCorrelation::TimeCorrelation(const Scene& scene, double interval, std::size_t most_spheres,
+                                 const Shape& shape)
     : species_(scene.species()), begin_(scene.now()), interval_(interval), shape_(shape) {
   HARDBALL_CHECK(interval > 0);
   const World& world = scene.world();
@@ -42,7 +43,7 @@ LagAverage::LagAverage(const Scene& scene, double interval, std::size_t most_sph
   vectors_.resize(count * shape_.vectors);
 }
 
-bool LagAverage::is_due(const Time& now) {
+bool TimeCorrelation::is_due(const Time& now) {
   constexpr double kRounding = 1e-6;
   if (followed_.empty()) return false;
   const double ticks = duration(begin_, now) / interval_;
@@ -52,11 +53,11 @@ bool LagAverage::is_due(const Time& now) {
   return true;
 }
 
-std::size_t LagAverage::lag_of(std::size_t level, std::size_t steps) {
+std::size_t TimeCorrelation::lag_of(std::size_t level, std::size_t steps) {
   return level == 0 ? steps : kLevelLags + (level - 1) * (kLevelLags - kFirstLag) + steps - kFirstLag;
 }
 
-void LagAverage::link_to_earlier(Link link) {
+void TimeCorrelation::link_to_earlier(Link link) {
   for (std::size_t k = 0; k < kLevels; ++k) {
     const std::int64_t index = tick_ >> k;
     // Only multiples of 2^k belong to level k, and the start belongs to the first level alone.
@@ -90,7 +91,7 @@ void LagAverage::link_to_earlier(Link link) {
   }
 }
 
-std::vector<double> LagAverage::lags() const {
+std::vector<double> TimeCorrelation::lags() const {
   std::vector<double> lags;
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     for (std::size_t steps = k == 0 ? 0 : kFirstLag; steps < kLevelLags; ++steps) {
@@ -101,7 +102,7 @@ std::vector<double> LagAverage::lags() const {
   return lags;
 }
 
-Estimate LagAverage::estimate(std::size_t species, const FunctionOfMeans& quantity) const {
+Estimate TimeCorrelation::estimate(std::size_t species, const FunctionOfMeans& quantity) const {
   std::vector<double> sums;
   std::vector<double> spheres;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
@@ -121,7 +122,7 @@ Estimate LagAverage::estimate(std::size_t species, const FunctionOfMeans& quanti
   return {found.value, std::numbers::sqrt2 * error_of_independent(found.shares)};
 }
 
-bool LagAverage::restored() const {
+bool TimeCorrelation::restored() const {
   const std::size_t spheres = followed_.size();
   const std::size_t lags = levels_.empty() ? 0 : lag_of(levels_.size() - 1, kLevelLags - 1) + 1;
   const auto is_place = [&](const Followed& one) { return one.place < spheres; };
@@ -138,9 +139,9 @@ bool LagAverage::restored() const {
          origins_.size() == lags && sums_.size() == lags * groups_.size() * shape_.products;
 }
 
-bool LagAverage::suits(const World& world) const {
+bool TimeCorrelation::matches(const World& world) const {
   if (followed_.empty()) return true;
-  return species_.suits(world) &&
+  return species_.matches(world) &&
          std::ranges::all_of(followed_, [&](const Followed& one) { return one.rank < world.size(); });
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/world/compact_paths.hpp"
+#include "hardball/bounds/compact_paths.hpp"
 
 #include <gtest/gtest.h>
 
