@@ -52,7 +52,7 @@ from typing import Any
 PROJECT = Path(__file__).resolve().parent.parent
 PROGRAM = PROJECT / "build/bench/bench/measured_engine"
 
-# Numbers of spheres that fill a cube of face-centred cubic cells: 4 n^3.
+# Numbers of spheres that fill a cube of face-centered cubic cells: 4 n^3.
 SPHERES = [4_000, 108_000, 1_000_188]
 PACKING_FRACTIONS = [0.001, 0.02, 0.25, 0.49, 0.60]
 QUICK_SPHERES = [4_000]

@@ -56,7 +56,7 @@ void predict(benchmark::State& state, InstructionSet instructions, bool exactly)
   for (Candidates& query : queries) {
     const auto slot = static_cast<Slot>(random.bits() % kSpheres);
     query.begin(slot, true);
-    // Neighbours along the lattice.
+    // Neighbors along the lattice.
     for (std::size_t i = 1; i <= count; ++i) query.add(static_cast<Slot>((slot + i) % kSpheres));
     query.end();
   }

@@ -29,7 +29,7 @@ std::uint64_t TimeStepped::step(double duration) {
       const double dz = z[b] - center.z;
       return dx * dx + dy * dy + dz * dz < limit;
     };
-    // Nearly all time is spent here. Compilers vectorise a loop that only counts; spheres with overlaps are
+    // Nearly all time is spent here. Compilers vectorize a loop that only counts; spheres with overlaps are
     // few, and examined again.
     std::uint64_t overlaps = 0;
     for (std::size_t b = a + 1; b < count; ++b) {
@@ -63,7 +63,7 @@ void TimeStepped::move(double duration) {
   }
 }
 
-// Exchanges the velocities along the line of centres if two spheres approach; returns whether they did.
+// Exchanges the velocities along the line of centers if two spheres approach; returns whether they did.
 bool TimeStepped::collide(std::size_t a, std::size_t b) {
   Vec3 separation;
   Vec3 approach;

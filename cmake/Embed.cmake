@@ -47,7 +47,7 @@ namespace @embed_NAMESPACE@ {
 ")
   set(source ${folder}/${embed_TARGET}_files.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT "@contents@" @ONLY)
-  # Link-time optimisation does not see what assembly defines.
+  # Link-time optimization does not see what assembly defines.
   set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS "${paths}" COMPILE_OPTIONS -fno-lto)
   target_sources(${embed_TARGET} PRIVATE ${source})
   target_include_directories(${embed_TARGET} PRIVATE ${folder})

@@ -44,14 +44,14 @@ constexpr int kMostDecadeLabels = 8;
 // Of dashed lines; references cycle through them.
 constexpr std::array<std::string_view, 3> kDashes = {"6 4", "2 3", "9 3 2 3"};
 
-// The colours of a picture.
+// The colors of a picture.
 struct Palette {
   std::string_view ink;
   std::string_view muted;
   std::array<std::string_view, 8> series;
 };
 
-// Okabe and Ito's colours, which the colour-blind can distinguish, without yellow, which is invisible on
+// Okabe and Ito's colors, which the color-blind can distinguish, without yellow, which is invisible on
 // white.
 constexpr Palette kOnWhite = {
     "black",
@@ -189,9 +189,9 @@ class Scale {
       for (int digit = 1; digit <= (stride > 1 ? 1 : 9); ++digit) {
         const double value = digit * std::pow(10, exponent);
         if (std::log10(value) < low_ || std::log10(value) > high_) continue;
-        const bool labelled = digit == 1 ? exponent % stride == 0 : is_short && (digit == 2 || digit == 5);
+        const bool labeled = digit == 1 ? exponent % stride == 0 : is_short && (digit == 2 || digit == 5);
         const std::string label = is_short ? number_text(value) : power_of_ten(exponent);
-        ticks.push_back({value, labelled ? label : ""});
+        ticks.push_back({value, labeled ? label : ""});
       }
     }
     return ticks;
@@ -244,7 +244,7 @@ void add_title(std::string& svg, const Chart& chart) {
                      kFontSize + 1, escaped(chart.title));
 }
 
-// The side of its line for a marker's name: centred, unless it would run into another.
+// The side of its line for a marker's name: centered, unless it would run into another.
 std::string_view anchor_of(const Chart& chart, const Marker& marker, const Scale& x) {
   for (const Marker& other : chart.markers) {
     if (other.x == marker.x || !is_drawable(chart.x, other.x)) continue;
@@ -265,7 +265,7 @@ void add_markers(std::string& svg, const Chart& chart, const Palette& palette, c
   }
 }
 
-// The colour and shape of a series among others, counted from zero.
+// The color and shape of a series among others, counted from zero.
 std::size_t style_of(const Chart& chart, std::size_t index) {
   std::size_t style = 0;
   bool is_first = true;

@@ -20,8 +20,8 @@ struct Series {
   bool marks = true;
   bool dashed = false;
   bool error_band = false;     ///< The errors are drawn as a band around the line instead of bars.
-  bool like_previous = false;  ///< Has the colour and shape of the previous series.
-  bool reference = false;      ///< A reference for the others: drawn in the colour of the axes.
+  bool like_previous = false;  ///< Has the color and shape of the previous series.
+  bool reference = false;      ///< A reference for the others: drawn in the color of the axes.
 };
 
 /// One axis of a chart; its range covers all points and markers.
@@ -50,7 +50,7 @@ struct Chart {
 std::string to_svg(const std::vector<Chart>& panels);
 
 /// The chart without its title as an element of a page, as wide as the page makes the class "chart". Text has
-/// the page's font and colour; the page's style defines the colours --muted and --series-1 to --series-8.
+/// the page's font and color; the page's style defines the colors --muted and --series-1 to --series-8.
 /// Title and description are given to screen readers. Precondition: no other element's id starts with `id`.
 std::string to_inline_svg(const Chart& chart, std::string_view id);
 

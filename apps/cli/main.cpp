@@ -120,7 +120,7 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   run_command->add_option("--out", options.out, "Directory for the files of the run")->type_name("DIRECTORY");
   add_output_flags(*run_command, options);
   add_overwrite_flag(*run_command, options, "Replace the files of an earlier run in the directory");
-  CLI::App* resume_command = app.add_subcommand("resume", "Go on with a run from its last checkpoint");
+  CLI::App* resume_command = app.add_subcommand("resume", "Resume a run from its last checkpoint");
   resume_command->add_option("DIRECTORY", options.scenario, "Output directory of the run")->required();
   resume_command->add_option("--until", options.until, "Time at which the run ends, instead of before")
       ->type_name("TIME");
@@ -132,7 +132,7 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   CLI::App* verify_command =
       add_command(app, options, "verify", "Run a scenario with every engine and compare bit by bit");
   CLI::App* check_command =
-      add_command(app, options, "check", "Check a scenario and print what to expect of it");
+      add_command(app, options, "check", "Validate a scenario and predict its cost");
   add_engine_options(*check_command, options);
   // Ends the program, like --help, so that no scenario is needed.
   check_command
@@ -162,7 +162,7 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
       ->type_name("NUMBER");
   add_overwrite_flag(*convert_command, options, "Replace the file if there is one");
   convert_command->allow_extras();
-  CLI::App* info_command = app.add_subcommand("info", "Say what files hold");
+  CLI::App* info_command = app.add_subcommand("info", "Describe files");
   info_command
       ->add_option("FILE", options.files,
                    "Files of runs, files with frames, scenarios, or directories of runs")

@@ -145,10 +145,10 @@ report::CostCurve choice(const Simulation& simulation, const Moments& moments, c
     report::CostCurve curve =
         cost_curve([&](double skin) { return cost_rate(expected_neighbor_counts(moments, skin), costs); },
                    simulation.skin(), best);
-    curve.title = "Choice of the neighbour lists";
+    curve.title = "Choice of the neighbor lists";
     curve.quantity = "skin of the lists";
     curve.explanation =
-        "A sphere keeps its neighbour list while it moves by less than the skin: with a thin skin "
+        "A sphere keeps its neighbor list while it moves by less than the skin: with a thin skin "
         "lists are rebuilt more often, with a thick one they are longer. The choice affects the speed but no "
         "contact.";
     return curve;

@@ -23,7 +23,7 @@ struct Seconds {
 /// The summary of a run.
 class Summary {
  public:
-  /// Summarises the simulation of a scenario at its current time. `overrides`: those of the scenario. Cost:
+  /// Summarizes the simulation of a scenario at its current time. `overrides`: those of the scenario. Cost:
   /// that of an audit.
   Summary(const Scenario& scenario, const std::vector<std::string>& overrides, const Simulation& simulation,
           const Seconds& seconds);

@@ -30,7 +30,7 @@ constexpr double kManyTimes = 4;  // beyond this costs are best compared on a lo
 constexpr std::size_t kMostSurfaceArticles = 12;
 constexpr std::size_t kMostScenarioBytes = 20'000;
 
-// One of our files without its licence header.
+// One of our files without its license header.
 std::string_view without_license(std::string_view file) {
   return file.substr(file.find("\n\n") + 2);
 }

@@ -95,7 +95,7 @@ struct Report {
   // Performance.
   std::string engine;
   double cell_edge = std::numeric_limits<double>::quiet_NaN();  ///< [L]
-  double skin = std::numeric_limits<double>::quiet_NaN();       ///< Of neighbour lists [L].
+  double skin = std::numeric_limits<double>::quiet_NaN();       ///< Of neighbor lists [L].
   double setup_seconds = 0;
   double run_seconds = 0;
   double bytes_per_sphere = 0;

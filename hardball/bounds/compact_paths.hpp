@@ -18,7 +18,7 @@ namespace hardball {
 /// A compact copy of every path, from which contact times are bounded four or eight at a time: of thirty
 /// pairs considered one meets, and for the others a bound will do.
 ///
-/// A centre is an integer, in steps of a grid that divides periodic boxes evenly, so that differences modulo
+/// A center is an integer, in steps of a grid that divides periodic boxes evenly, so that differences modulo
 /// 2^32 lead to the nearest image. Lengths, speeds and times are scaled by powers of two that make the
 /// distance of candidates and the greatest speed about one. A copy is made whenever a path changes, and at
 /// any other time: bounds are true as long as the sphere has since moved no farther than the greatest

@@ -24,7 +24,7 @@ namespace hardball {
 /// - `build(world, now, copies)` gives every sphere a region, and resets the compact copies of paths with the
 ///   distance [L] that candidates are at most apart and that no sphere exceeds between two crossings.
 /// - `refresh(world, slot, now, folded)` updates the region of a sphere whose path was rewritten at `now`;
-///   its centre has been folded back by `folded` boxes.
+///   its center has been folded back by `folded` boxes.
 /// - `collect(world, slot, candidates)` collects every candidate of a sphere, some perhaps more than once,
 ///   and others, which may be far away.
 /// - `next_crossing(world, slot, now, copies)` is a time before which the sphere stays in its region [T]; for

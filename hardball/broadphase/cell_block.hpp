@@ -46,7 +46,7 @@ class CellBlock {
     for_each_cell([&](std::uint32_t cell) { visit(sum(cell)); });
   }
 
-  /// Cell `from` and its upper neighbours along `axes`, none of which `from` contains.
+  /// Cell `from` and its upper neighbors along `axes`, none of which `from` contains.
   static std::uint32_t cells_above(std::uint32_t from, std::uint32_t axes) {
     return std::uint32_t{kAboveLowest[axes]} << from;
   }

@@ -24,7 +24,7 @@ CellTable::CellTable(const CellIndex& shape, std::size_t spheres) {
     strides_ = {static_cast<std::uint32_t>(shape[1] * shape[2]), static_cast<std::uint32_t>(shape[2]), 1};
     return;
   }
-  // Multiples of powers of a generalised golden ratio, one for each number of dimensions, are spread evenly
+  // Multiples of powers of a generalized golden ratio, one for each number of dimensions, are spread evenly
   // modulo one: spheres in a plane, in a row or in a lump occupy about as many lists as cells. Source: M.
   // Roberts, The unreasonable effectiveness of quasirandom sequences (2018).
   constexpr std::array<double, kAxes + 1> kRatios{1, 1.618033988749895, 1.324717957244746,

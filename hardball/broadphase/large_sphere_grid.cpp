@@ -108,7 +108,7 @@ std::optional<LargeSphereGrid::Sizes> LargeSphereGrid::sizes_for(const World& wo
     sizes.skin = std::min(sizes.skin, (room - (largest + extent[axis])) / 2);
   }
   if (sizes.skin < kLeastSkin * edge) return std::nullopt;
-  // From a large sphere to any point of its cells, and on to the centre of one in the grid that shares them.
+  // From a large sphere to any point of its cells, and on to the center of one in the grid that shares them.
   const Vec3 cell{cells.edge(0), cells.edge(1), cells.edge(2)};
   sizes.farthest = largest + 2 * sizes.skin + length(cell) + length(extent);
   if (count > 1) sizes.farthest = std::max(sizes.farthest, largest + second_largest + 5 * sizes.skin);
@@ -165,7 +165,7 @@ void LargeSphereGrid::move_anchor(const World& world, LargeSphere& large, const 
   large.boxes = -world.box().fold(large.anchor);
 }
 
-// The centre, relative to the anchor.
+// The center, relative to the anchor.
 Vec3 LargeSphereGrid::place_of(const World& world, const LargeSphere& large, const Time& now) const {
   return world.unfolded_position(large.slot, now) + world.box().shift(large.boxes) - large.anchor;
 }

@@ -15,9 +15,9 @@ namespace hardball {
 /// to those cells only that its surface touches.
 ///
 /// Spheres not much larger than a cell are kept by a CellGrid. The region of a larger one is made of the
-/// cells that its surface may touch while its centre is within a skin of its anchor, a past position:
+/// cells that its surface may touch while its center is within a skin of its anchor, a past position:
 /// spheres meet at their surfaces, and no other is inside it. When it reaches the edge of its skin, its
-/// anchor moves to its centre. Two large spheres are candidates if they share a cell and their shells
+/// anchor moves to its center. Two large spheres are candidates if they share a cell and their shells
 /// overlap, a shell's radius being the sphere's plus the skin, around its anchor.
 ///
 /// Of thousands of spheres at the surface of a large one, few can reach it before it collides again. It lists
@@ -105,7 +105,7 @@ class LargeSphereGrid {
     Vec3 anchor;  // inside a periodic box
     Image boxes;  // from the frame of the path to that of the anchor
 
-    // If it lists those that can reach it before `expiry` while its centre is within `near_skin` of
+    // If it lists those that can reach it before `expiry` while its center is within `near_skin` of
     // `middle`.
     bool has_list = false;
     std::vector<Slot> near;  // padded with the sphere itself

@@ -16,8 +16,8 @@
 namespace hardball {
 namespace {
 
-// By which shells are larger than they need to be, and centres cross earlier, as fractions of the farthest
-// distance of neighbours: far more than the errors of places on the grid and of distances in single
+// By which shells are larger than they need to be, and centers cross earlier, as fractions of the farthest
+// distance of neighbors: far more than the errors of places on the grid and of distances in single
 // precision.
 constexpr double kShellMargin = 0x1p-19;
 constexpr double kCrossingMargin = 0x1p-21;
@@ -26,10 +26,10 @@ constexpr double kCrossingMargin = 0x1p-21;
 // the distance of two cells is rounded, and places just outside of their cells are moved into them.
 constexpr float kPackingError = 2.5F;
 
-// With more long lists than this share, all get room for twice as many neighbours.
+// With more long lists than this share, all get room for twice as many neighbors.
 constexpr std::size_t kLongShare = 32;
 
-// Distances of neighbours stay below this fraction of a periodic box: then only one image of each is near,
+// Distances of neighbors stay below this fraction of a periodic box: then only one image of each is near,
 // and there are at least three cells along each axis.
 constexpr double kLargestShare = 0.33;
 
@@ -38,7 +38,7 @@ constexpr double kLeastSkin = 0.02;
 
 constexpr std::int32_t kMostCellsPerAxis = 1 << 28;
 
-// The largest distance between the centres of two neighbours: shells in contact, and both displaced from
+// The largest distance between the centers of two neighbors: shells in contact, and both displaced from
 // their anchors.
 double farthest_neighbors(double largest_radius, double skin) {
   return 2 * largest_radius + 4 * skin;

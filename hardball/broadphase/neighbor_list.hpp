@@ -27,21 +27,21 @@ struct Anchor {
   CellIndex cell{};
 };
 
-/// A neighbour list for each sphere, for dense systems, where spheres are caged by their neighbours.
+/// A neighbor list for each sphere, for dense systems, where spheres are caged by their neighbors.
 ///
-/// A sphere's region is a ball around its anchor, a past position of its centre. Spheres are in each other's
+/// A sphere's region is a ball around its anchor, a past position of its center. Spheres are in each other's
 /// lists if the shells around their anchors overlap; a shell's radius is the sphere's plus the ball's. When a
-/// sphere reaches the edge of its ball, its anchor moves to its centre, and its list and those of its
-/// neighbours are updated. Anchors are found by a cell list. Source: Donev, Torquato and Stillinger, J.
+/// sphere reaches the edge of its ball, its anchor moves to its center, and its list and those of its
+/// neighbors are updated. Anchors are found by a cell list. Source: Donev, Torquato and Stillinger, J.
 /// Comput. Phys. 202 (2005) 737, section 3.
 class NeighborList {
  public:
-  /// `skin` [L] is the wanted radius of the ball in which a sphere's centre moves; small boxes reduce it.
+  /// `skin` [L] is the wanted radius of the ball in which a sphere's center moves; small boxes reduce it.
   /// Precondition: supports(world). Error: the instruction set is not available.
   explicit NeighborList(double skin, InstructionSet instructions = widest_instruction_set())
       : wanted_skin_(skin), instructions_(instructions), kernels_(&kernels_of(instructions)) {}
 
-  /// Whether neighbours can be listed: a periodic box must be so large that of a neighbour only one image is
+  /// Whether neighbors can be listed: a periodic box must be so large that of a neighbor only one image is
   /// near.
   static bool supports(const World& world);
 
@@ -148,7 +148,7 @@ class NeighborList {
   float reach_ = 0;          // of shells beyond the radii, in units of the compact paths
   float packing_error_ = 0;  // of distances, likewise
   float room_squared_ = 0;   // likewise, of room_
-  double room_ = 0;          // the distance from its anchor at which a centre crosses
+  double room_ = 0;          // the distance from its anchor at which a center crosses
   Subdivision cells_;
   std::array<Packing, kAxes> packing_;
   std::array<float, kAxes> packing_unit_{};  // in units of the compact paths
@@ -157,7 +157,7 @@ class NeighborList {
   SphereLines<Anchor> lines_;  // by slot
   PaddedLists neighbors_;      // by slot
   // Of the current sphere:
-  Nearby near_;                      // its new neighbours
+  Nearby near_;                      // its new neighbors
   std::vector<Slot> gained_, lost_;  // changes to its list
 };
 

@@ -63,7 +63,7 @@ inline double most_cells_touched(double diameter, double edge) {
 }
 
 /// Whether spheres that touch at most `touched` cells and share one are always the nearest images of each
-/// other, along a periodic axis of so many cells: a centre lies in one of the cells that the sphere touches,
+/// other, along a periodic axis of so many cells: a center lies in one of the cells that the sphere touches,
 /// so that two are less than 2 * touched - 1 cells apart, nearer than half the box.
 inline bool has_nearest_images(double cells, double touched) {
   return cells >= 2 * (2 * touched - 1) + 1;
@@ -96,7 +96,7 @@ class Subdivision {
   /// The cells that a sphere at `position` touches. Error (RunFailure): it has crossed the box too many
   /// times.
   CellRange range_at(const Vec3& position, double radius) const;
-  /// The distance from its centre within which a sphere touches cells, along an axis [L].
+  /// The distance from its center within which a sphere touches cells, along an axis [L].
   double reach(std::size_t axis, double radius) const { return radius + axes_[axis].margin; }
   /// How far a coordinate lies above the lower face of cell `index` along an axis [L].
   double beyond_face(std::size_t axis, std::int32_t index, double coordinate) const {

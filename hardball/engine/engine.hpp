@@ -79,7 +79,7 @@ class Engine {
     }
   }
 
-  /// Merges two spheres that overlap now, which is no event of the engine, if the response does so; then
+  /// Merges two spheres that overlap now, which the engine has not scheduled, if the response does so; then
   /// `rebuild` must follow. Error: as for `run`.
   std::optional<Contact> merge_besides(const Event& overlap) {
     if (!merge_if_decided(forecast_.world(), overlap, respond_, done_)) return std::nullopt;

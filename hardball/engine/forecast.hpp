@@ -146,7 +146,7 @@ class Forecast {
     predict_exactly(slot);
   }
 
-  /// Takes note that a sphere's path has changed, its centre folded back by `folded` boxes.
+  /// Takes note that a sphere's path has changed, its center folded back by `folded` boxes.
   void note_new_path(Slot slot, const Image& folded) {
     phase_.refresh(world_, slot, now_, folded);
     if (compact_.note_change(slot) == 0) [[unlikely]]

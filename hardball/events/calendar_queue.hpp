@@ -24,7 +24,7 @@ namespace hardball {
 /// place, dead: the owner's time belongs to another bucket. Entries for the current bucket go to a small heap
 /// beside the sorted list, those beyond the ring to an overflow list until the ring comes round. Entries
 /// whose times agree to the nearest double are ordered in the heap, which compares whole events. When buckets
-/// become too full or too empty, the ring is resized. Cost: O(1) amortised per operation as long as rates
+/// become too full or too empty, the ring is resized. Cost: O(1) amortized per operation as long as rates
 /// change slowly; never worse than O(log n) plus a sort. Source: Brown, Comm. ACM 31 (1988) 1220; Paul, J.
 /// Comput. Phys. 221 (2007) 615.
 class CalendarQueue {

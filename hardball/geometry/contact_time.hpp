@@ -29,7 +29,7 @@ inline Vec3 separation_at(const Motion& motion, const Path& a, const Path& b, co
   return (motion.position_at(b, moment) - motion.position_at(a, moment)) + shift;
 }
 
-/// The time at which the centres on two paths, the second displaced by `shift` [L], first come within `reach`
+/// The time at which the centers on two paths, the second displaced by `shift` [L], first come within `reach`
 /// [L] while approaching; kNever if they never do.
 ///
 /// A function of the two paths alone, computed from the later of their start times: the same bits whenever it

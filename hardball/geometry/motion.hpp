@@ -11,15 +11,15 @@
 
 namespace hardball {
 
-/// Where a centre is at some moment, and how fast it moves.
+/// Where a center is at some moment, and how fast it moves.
 struct State {
   Vec3 position;  ///< [L]
   Vec3 velocity;  ///< [L/T]
 };
 
-/// How the centres of all spheres move along their paths between contacts: uniformly, or along parabolas.
+/// How the centers of all spheres move along their paths between contacts: uniformly, or along parabolas.
 ///
-/// The same for all, so that the separation of two centres always changes uniformly. Whether there is gravity
+/// The same for all, so that the separation of two centers always changes uniformly. Whether there is gravity
 /// is a branch that the processor predicts; kernels, where it would cost, are compiled for both.
 class Motion {
  public:
@@ -29,10 +29,10 @@ class Motion {
   explicit Motion(const Vec3& gravity) : gravity_(gravity), is_straight_(gravity == Vec3{}) {}
 
   bool is_straight() const { return is_straight_; }
-  /// The acceleration of every centre [L/T^2].
+  /// The acceleration of every center [L/T^2].
   const Vec3& gravity() const { return gravity_; }
 
-  /// The state at `moment`; the centre may lie outside a periodic box. Precondition: `moment` is finite.
+  /// The state at `moment`; the center may lie outside a periodic box. Precondition: `moment` is finite.
   HARDBALL_ALWAYS_INLINE State state_at(const Path& path, const Time& moment) const {
     const double age = duration(path.time, moment);
     if (is_straight_) [[likely]]

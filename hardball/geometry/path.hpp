@@ -7,14 +7,14 @@
 
 namespace hardball {
 
-/// The motion of a sphere's centre since its last change: position, velocity and time.
+/// The motion of a sphere's center since its last change: position, velocity and time.
 ///
-/// A path is rewritten only when the motion itself changes. Along it the centre moves as Motion says, and may
+/// A path is rewritten only when the motion itself changes. Along it the center moves as Motion says, and may
 /// leave a periodic box without being folded back: Image counts the boxes.
 struct alignas(64) Path {
   static constexpr bool kIsPlain = true;  ///< To archives.
 
-  Vec3 position;  ///< Centre at `time` [L].
+  Vec3 position;  ///< Center at `time` [L].
   Vec3 velocity;  ///< At `time` [L/T].
   Time time;      ///< Of the last change.
 

@@ -10,7 +10,7 @@
 
 namespace hardball {
 
-/// How long a centre on a straight path stays in a ball [T]: at `place` [L] relative to the middle, `room`
+/// How long a center on a straight path stays in a ball [T]: at `place` [L] relative to the middle, `room`
 /// [L^2] being the squared radius of the ball less the squared distance.
 inline double straight_wait_in_ball(const Vec3& place, Vec3 velocity, double room) {
   // The squares of slower speeds underflow; inelastic collapse leads to them.
@@ -41,7 +41,7 @@ inline double falling_wait_in_ball(const Vec3& place, const Vec3& velocity, doub
   return std::max(way, std::min(fall, straight_wait_in_ball(place, velocity, room)));
 }
 
-/// A time [T] for which a centre stays in a ball of this radius [L].
+/// A time [T] for which a center stays in a ball of this radius [L].
 inline double wait_in_ball(const Motion& motion, const Vec3& place, const Vec3& velocity, double radius) {
   if (!motion.is_straight()) {
     return falling_wait_in_ball(place, velocity, length(motion.gravity()), radius);

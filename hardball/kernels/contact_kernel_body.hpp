@@ -88,7 +88,7 @@ HARDBALL_ALWAYS_INLINE MomentsOfLanes<Lanes> moments_after(const MomentsOfLanes<
   return {select(happens, high, forever), select(happens, rest - (high - sum), Lanes(0.0))};
 }
 
-/// Where a centre is on its path, and how fast, bit for bit as Motion (geometry/motion.hpp), along one axis.
+/// Where a center is on its path, and how fast, bit for bit as Motion (geometry/motion.hpp), along one axis.
 template <class Lanes>
 struct StraightOfLanes {
   explicit StraightOfLanes(const Vec3*) {}

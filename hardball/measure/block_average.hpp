@@ -36,7 +36,7 @@ class BlockAverage {
     /// Then what one forgets persists in others, and the variance of a mean over many successive times is
     /// about twice that of independent groups.
     exchanging,
-    /// That they are coupled at all times, as neighbours that have bonds in common or move collectively. Then
+    /// That they are coupled at all times, as neighbors that have bonds in common or move collectively. Then
     /// the variance of the mean is up to about twice as large, the most in a dense fluid.
     coupled,
   };

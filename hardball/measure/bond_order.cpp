@@ -33,7 +33,7 @@ constexpr std::size_t kBonds = kSumSix + 1;
 constexpr std::size_t kAllBins = kBonds + 1;
 
 // Sums over bonds of the spherical harmonics of one even degree, order 0 up to the degree; those of negative
-// order are their conjugates. They are normalised so that the squares for one bond add up to one.
+// order are their conjugates. They are normalized so that the squares for one bond add up to one.
 template <std::size_t kDegree>
 struct Harmonics {
   std::array<double, kDegree + 1> real{};
@@ -55,7 +55,7 @@ struct Harmonics {
 
 // sqrt((l - m)! / (l + m)!), for m from 0 to l.
 template <std::size_t kDegree>
-std::array<double, kDegree + 1> normalisation() {
+std::array<double, kDegree + 1> normalization() {
   std::array<double, kDegree + 1> factor{};
   double square = 1;
   for (std::size_t m = 0; m <= kDegree; ++m) {
@@ -75,8 +75,8 @@ struct BondsInSpace {
   // polynomials in z, multiplied by powers of x + i y. Source: Abramowitz and Stegun, Handbook of
   // Mathematical Functions, 8.5.3 (recurrence by degree).
   void add(const Vec3& direction) {
-    static const std::array<double, 5> kFour = normalisation<4>();
-    static const std::array<double, 7> kSix = normalisation<6>();
+    static const std::array<double, 5> kFour = normalization<4>();
+    static const std::array<double, 7> kSix = normalization<6>();
     ++count;
     const double z = direction.z;
     double real = 1;  // of (x + i y)^m
@@ -182,7 +182,7 @@ void BondOrder::sample_bonds(const Scene& scene) {
     average_.put(kSpheres, 1, group_of(center));
     if (bonds.count == 0) return;
     all.add(bonds);
-    // Neighbours have bonds in common.
+    // Neighbors have bonds in common.
     double* const sums = average_.open_bins(0, group_of_pair(center, nearest_one));
     ++sums[kBonded];
     const double four = bonds.invariant_four();

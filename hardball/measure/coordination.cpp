@@ -19,7 +19,7 @@ namespace {
 // last bin.
 constexpr std::size_t kMostNeighbors = 100;
 
-// Bins: spheres by their number of neighbours, all of these, and all neighbours.
+// Bins: spheres by their number of neighbors, all of these, and all neighbors.
 constexpr std::size_t kSpheres = kMostNeighbors + 1;
 constexpr std::size_t kNeighbors = kSpheres + 1;
 constexpr std::size_t kBins = kNeighbors + 1;
@@ -52,7 +52,7 @@ void Coordination::sample(const Scene& scene) {
       average_.put(kNeighbors, 1, group_of_pair(center, neighbor));
     });
     average_.put(kSpheres, 1, group_of(center));
-    // Nearby spheres have neighbours in common.
+    // Nearby spheres have neighbors in common.
     const std::size_t group = neighbors > 0 ? group_of_pair(center, nearest_one) : group_of(center);
     average_.put(std::min(neighbors, kMostNeighbors), 1, group);
   });
@@ -62,8 +62,8 @@ void Coordination::sample(const Scene& scene) {
 Measurement Coordination::result(const Scene& /*scene*/) const {
   Measurement found{
       .name = std::string(kName),
-      .title = "Numbers of neighbours",
-      .formula = "fraction of the spheres with $k$ neighbours closer than a multiple of the sum of the radii",
+      .title = "Numbers of neighbors",
+      .formula = "fraction of the spheres with $k$ neighbors closer than a multiple of the sum of the radii",
       .source = "Bernal and Mason, Nature 188 (1960) 910"};
   const FunctionOfMeans neighbors_of = [](std::span<const double> means) {
     return means[kNeighbors] / means[kSpheres];

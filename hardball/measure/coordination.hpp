@@ -10,13 +10,13 @@
 
 namespace hardball {
 
-/// How many neighbours spheres have: centres no farther away than 1.2 times the distance at which the two
+/// How many neighbors spheres have: centers no farther away than 1.2 times the distance at which the two
 /// touch.
 class Coordination {
  public:
   static constexpr std::string_view kName = "coordination";
 
-  /// `reach` [1]: how far away neighbours are at most, as a multiple of the sum of the radii.
+  /// `reach` [1]: how far away neighbors are at most, as a multiple of the sum of the radii.
   explicit Coordination(const Scene& scene, double reach = 1.2);
 
   /// What a sample costs [ns]: 300 to 1200 ns for each chosen sphere, see NeighborQuery.

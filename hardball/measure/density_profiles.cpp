@@ -27,7 +27,7 @@ double mean_radius(const World& world) {
   return sum / static_cast<double>(world.size());
 }
 
-// Volume of a ball of this radius below a plane this far from its centre, which cuts it; area of a disc below
+// Volume of a ball of this radius below a plane this far from its center, which cuts it; area of a disc below
 // a line.
 double volume_below_inside(double plane, double radius, bool is_disc) {
   if (is_disc) {
@@ -160,8 +160,8 @@ Measurement DensityProfiles::result(const Scene& /*scene*/) const {
       .name = std::string(kName),
       .title = "Density profiles",
       .formula =
-          "number density: centres in a slab over its volume; packing fraction: volume of spheres in a slab "
-          "over its volume; pressure: $kT$ times the density of centres that touch a wall",
+          "number density: centers in a slab over its volume; packing fraction: volume of spheres in a slab "
+          "over its volume; pressure: $kT$ times the density of centers that touch a wall",
       .source = "Henderson, Blum and Lebowitz, J. Electroanal. Chem. 102 (1979) 315 (contact theorem)"};
   if (most_bins_ == 0) return found;
   Transient transient;

@@ -14,9 +14,9 @@
 namespace hardball {
 
 /// How number density and packing fraction change along each axis that is not open, and the density of
-/// centres that touch a wall.
+/// centers that touch a wall.
 ///
-/// A bin is a slab across the whole box. The number density counts centres; the packing fraction is the exact
+/// A bin is a slab across the whole box. The number density counts centers; the packing fraction is the exact
 /// volume of the slab that lies within spheres. If an axis is open a slab has no volume, and the measurement
 /// is empty.
 class DensityProfiles {
@@ -53,10 +53,10 @@ class DensityProfiles {
   std::size_t most_bins_ = 0;  // the largest of bins_
   ContactExtrapolation contact_;
   double sample_cost_ = 0;  // [ns]
-  // Bins, by axis and slab: counts of centres, then packing fractions, then by kAtWalls.
+  // Bins, by axis and slab: counts of centers, then packing fractions, then by kAtWalls.
   std::size_t first_fraction() const { return kAxes * most_bins_; }
   std::size_t first_at_walls() const { return 2 * kAxes * most_bins_; }
-  // Of centres that touch a wall, averaged over all walls: the density [L^-3], and its product with the kT of
+  // Of centers that touch a wall, averaged over all walls: the density [L^-3], and its product with the kT of
   // the world, the pressure [M L^-1 T^-2].
   static constexpr std::size_t kAtWalls = 2;
   BlockAverage average_{0};

@@ -137,7 +137,7 @@ Measurement FlowProfiles::result(const Scene& /*scene*/) const {
       .name = std::string(kName),
       .title = "Profiles between driven faces",
       .formula =
-          R"(number density: centres in a slab over its volume; flow velocity $\mathbf{u} = \sum m )"
+          R"(number density: centers in a slab over its volume; flow velocity $\mathbf{u} = \sum m )"
           R"(\mathbf{v} / \sum m$ in a slab; $kT = \frac{1}{d N} \sum m (\mathbf{v} - \mathbf{u})^2$ of $N$ )"
           R"(spheres in $d$ dimensions)",
       .source = "sums over the spheres in each slab"};

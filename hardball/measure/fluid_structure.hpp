@@ -20,7 +20,7 @@ double percus_yevick_structure_factor(double packing_fraction, double wave_numbe
 /// By which fraction the mean gap by nearest_neighbor_beyond may be off [1].
 inline constexpr double kGapTolerance = 0.015;
 
-/// The probability that no other centre is closer than `distance` to that of a sphere [1].
+/// The probability that no other center is closer than `distance` to that of a sphere [1].
 /// Source: Torquato, Phys. Rev. E 51 (1995) 3170; docs/measures.md for discs.
 double nearest_neighbor_beyond(double packing_fraction, double distance, std::size_t dimensions = 3);
 

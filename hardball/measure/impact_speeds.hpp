@@ -14,7 +14,7 @@
 
 namespace hardball {
 
-/// The relative speed of colliding spheres along their line of centres. In equilibrium the distribution is
+/// The relative speed of colliding spheres along their line of centers. In equilibrium the distribution is
 /// Rayleigh's at every density, in the gas, the liquid and the crystal: the sharpest test that velocities and
 /// contacts are right. Source: docs/measures.md.
 class ImpactSpeeds {

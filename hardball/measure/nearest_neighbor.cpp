@@ -61,7 +61,7 @@ void NearestNeighbor::sample(const Scene& scene) {
     });
     average_.put(spheres_bin(), 1, group_of(center));
     if (nearest == widest_) return;
-    // Most are mutual nearest neighbours, with the same gap.
+    // Most are mutual nearest neighbors, with the same gap.
     double* const sums = average_.open_bins(0, group_of_pair(center, nearest_one));
     ++sums[known_bin()];
     sums[gaps_bin()] += nearest;
@@ -73,7 +73,7 @@ void NearestNeighbor::sample(const Scene& scene) {
 Measurement NearestNeighbor::result(const Scene& scene) const {
   Measurement result{
       .name = std::string(kName),
-      .title = "Gaps between nearest neighbours",
+      .title = "Gaps between nearest neighbors",
       .formula = "probability density of the gap between a sphere and the one whose surface is nearest",
       .source = "Torquato, Phys. Rev. E 51 (1995) 3170"};
   if (widest_ == 0) return result;

@@ -11,23 +11,23 @@
 
 namespace hardball {
 
-/// All spheres at one time, numbered in the order of ids, and their neighbours: the input of the measures of
+/// All spheres at one time, numbered in the order of ids, and their neighbors: the input of the measures of
 /// structure. Nothing depends on where spheres are stored.
 class NeighborQuery {
  public:
   /// Measures use the surroundings of all spheres up to this many, and of as many chosen evenly by id if
   /// there are more.
   static constexpr std::size_t kMostCenters = 5000;
-  /// Fewer are chosen if they would have more neighbours than this in all.
+  /// Fewer are chosen if they would have more neighbors than this in all.
   static constexpr double kMostNeighbors = 2e5;
 
-  /// The work of visiting all neighbours within a range of the spheres chosen, if all are spread evenly.
+  /// The work of visiting all neighbors within a range of the spheres chosen, if all are spread evenly.
   struct Effort {
     std::size_t centers;  ///< How many are chosen.
     double neighbors;     ///< Of all of them together; zero in open space.
-    double cost;          ///< Including the search for neighbours [ns].
+    double cost;          ///< Including the search for neighbors [ns].
   };
-  /// `range` [L]: how far away a neighbour's centre may be. Cost: O(1).
+  /// `range` [L]: how far away a neighbor's center may be. Cost: O(1).
   static Effort effort(const World& world, double range);
 
   /// Refers to the world and to `centers` [L], those of all spheres in the order of ids, folded into a
@@ -38,7 +38,7 @@ class NeighborQuery {
   /// [L]
   double radius(std::size_t sphere) const { return radii_[sphere]; }
 
-  /// Calls visit(sphere) for all spheres, or for those chosen if neighbours within `range` [L] are visited.
+  /// Calls visit(sphere) for all spheres, or for those chosen if neighbors within `range` [L] are visited.
   template <class Visit>
   void for_each_center(double range, Visit&& visit) const {
     const std::size_t chosen = effort(world_, range).centers;
@@ -61,8 +61,8 @@ class NeighborQuery {
   const World& world_;
   std::span<const Vec3> centers_;
   std::vector<double> radii_;
-  double ball_;                  // radius of all balls in the neighbourhood [L]
-  StaticHashGrid neighborhood_;  // its cells hold about two centres each
+  double ball_;                  // radius of all balls in the neighborhood [L]
+  StaticHashGrid neighborhood_;  // its cells hold about two centers each
 };
 
 }  // namespace hardball

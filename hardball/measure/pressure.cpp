@@ -72,7 +72,7 @@ void Pressure::advance(const Time& now) {
 }
 
 // An impulse dp that changes a velocity from v to w changes m v v by m w w - m v v, which is dp (v + w),
-// symmetrised.
+// symmetrized.
 void Pressure::change_kinetic(const Vec3& impulse, const Vec3& before, const Vec3& after) {
   add_symmetric_product(kinetic_.data(), impulse, (before + after) - 2 * drift_);
 }
@@ -197,7 +197,7 @@ double Pressure::kinetic_error(std::size_t component, double elapsed) const {
 }
 
 // The virial theorem: along an axis with walls, the kinetic and collisional parts equal the force on a face
-// times the length open to the centres, averaged over those that hit it.
+// times the length open to the centers, averaged over those that hit it.
 void Pressure::add_walls(Measurement& found, const BlockAverage& average) const {
   using Means = std::span<const double>;
   const auto area = [&](std::size_t axis) { return box_.face_area(axis); };

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMostSpecies = 3;
 
 // How far the space about a sphere is known: to half the smallest edge (minimum images); and between walls no
-// farther than centres can be apart.
+// farther than centers can be apart.
 double largest_range(const World& world) {
   const Box& box = world.box();
   double range = std::numeric_limits<double>::infinity();
@@ -76,7 +76,7 @@ bool RadialDistribution::has_contact() const {
          });
 }
 
-// How much space, as a fraction of that in which centres can be, lies within this distance of a centre,
+// How much space, as a fraction of that in which centers can be, lies within this distance of a center,
 // averaged over all its positions. A displacement u from a position leads out of that space if it is less
 // than |u_x| from one wall along x: hence the mean over all directions of the product over axes of 1 - |u_x|
 // / L.

@@ -19,7 +19,7 @@ namespace hardball {
 /// an ideal gas of as many points in the same box; and its value at contact.
 ///
 /// Of two or three species there is a function for each pair of species; of more, one for all spheres,
-/// without a contact value. The ideal gas fills the space in which centres can be: it ends a radius before
+/// without a contact value. The ideal gas fills the space in which centers can be: it ends a radius before
 /// walls, and so do shells about a sphere near a wall, which is allowed for exactly (for two species, to the
 /// difference of their radii over the size of the box). In a box open along an axis there is no density to
 /// compare with, and the measurement is empty. Source: Allen and Tildesley, Computer Simulation of Liquids,
@@ -32,7 +32,7 @@ class RadialDistribution {
   /// mean diameters.
   explicit RadialDistribution(const Scene& scene, double range = 5, double bin_width = 0.02);
 
-  /// What a sample costs [ns]: mostly 30 ns for each neighbour within the range, see NeighborQuery.
+  /// What a sample costs [ns]: mostly 30 ns for each neighbor within the range, see NeighborQuery.
   double sample_cost() const { return sample_cost_; }
   /// Precondition: the spheres are those of the start.
   void sample(const Scene& scene);
@@ -83,8 +83,8 @@ class RadialDistribution {
   std::size_t bins_ = 0;              // of each kind
   double sample_cost_ = 0;            // [ns]
   Time begin_;
-  // By groups of spheres: counts of neighbours by kind and bin; by kind the density at contact times pairs,
-  // and the pairs that could be neighbours.
+  // By groups of spheres: counts of neighbors by kind and bin; by kind the density at contact times pairs,
+  // and the pairs that could be neighbors.
   BlockAverage average_{0};
 };
 

@@ -33,13 +33,13 @@ class Scene {
   const FluidTheory& fluid() const;
   const Moments& moments() const;
   const ThermalMotion& motion() const;
-  /// All centres in the order of ids, folded into a periodic box [L].
+  /// All centers in the order of ids, folded into a periodic box [L].
   const std::vector<Vec3>& centers() const;
   const NeighborQuery& surroundings() const;
   /// Whether there can be the equilibrium of an isolated system: the energy is that at the start, `begin`,
   /// no axis is open, and no face of the box heats or drags.
   bool has_equilibrium(const ThermalMotion& begin) const;
-  /// The centre of a sphere, followed through periodic boundaries [L].
+  /// The center of a sphere, followed through periodic boundaries [L].
   Vec3 unfolded_center(Slot slot) const;
 
  private:

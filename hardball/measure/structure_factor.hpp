@@ -15,7 +15,7 @@
 namespace hardball {
 
 /// The static structure factor S(k) = |sum over spheres of exp(i k.x)|^2 / n: what a diffraction experiment
-/// on the centres measures.
+/// on the centers measures.
 ///
 /// Wave vectors fit the period along periodic axes and are zero along the others; without a periodic axis the
 /// measurement is empty. They are grouped in shells of about equal length, from each of which a few are

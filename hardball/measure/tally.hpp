@@ -45,7 +45,7 @@ class Tally {
   /// sum of the radii, or of the radius [1]; caused by rounding alone.
   double max_overlap() const { return max_overlap_; }
   /// Spheres that pass through each other or merge count among collisions, and in none of these sums.
-  /// Sum over collisions of impulse times separation of centres [M L^2/T].
+  /// Sum over collisions of impulse times separation of centers [M L^2/T].
   double virial() const { return virial_; }
   /// Sums over collisions of the impact speed [L/T] and of its square [L^2 T^-2].
   double impact_speed_sum() const { return impact_speed_sum_; }

@@ -117,7 +117,7 @@ Estimate TimeCorrelation::estimate(std::size_t species, const FunctionOfMeans& q
     }
   }
   const Parts found = jackknife(sums, spheres, quantity);
-  // Neighbours move collectively and exchange energy: the variance of the mean over all is up to twice as
+  // Neighbors move collectively and exchange energy: the variance of the mean over all is up to twice as
   // large as for independent spheres, the most in a dense fluid.
   return {found.value, std::numbers::sqrt2 * error_of_independent(found.shares)};
 }

@@ -39,7 +39,7 @@ void VelocityDistribution::sample(const Scene& scene) {
   const ThermalMotion& motion = scene.motion();
   const double temperature = motion.temperature();
   if (!(temperature > 0)) return;
-  // What a sphere has of the motion of the centre of mass, along the axes on which it counts as drift, is
+  // What a sphere has of the motion of the center of mass, along the axes on which it counts as drift, is
   // missing in its own.
   const double drifting = 1 - motion.degrees_of_freedom / (static_cast<double>(dimensions_) * spheres_);
   double mass = 0;

@@ -20,17 +20,17 @@ struct Region {
   Vec3 high;  ///< [L]
 };
 
-/// Where among resting spheres the centre of one more may lie, for placement: a region divided into voxels,
+/// Where among resting spheres the center of one more may lie, for placement: a region divided into voxels,
 /// some of which are known to have no room.
 ///
 /// A voxel is excluded if a single sphere leaves no room in it. The others may have room or not, so that a
-/// centre drawn from them must still be tested; drawn uniformly from them and accepted if there is room, it
-/// is uniform among all centres with room. Voxels in which centres are refused are divided until most of
+/// center drawn from them must still be tested; drawn uniformly from them and accepted if there is room, it
+/// is uniform among all centers with room. Voxels in which centers are refused are divided until most of
 /// their volume has room. Source: Brosilow, Ziff and Vigil, Phys. Rev. A 43 (1991) 631; Zhang and Torquato,
 /// Phys. Rev. E 88 (2013) 053312.
 class FreeSpace {
  public:
-  /// For the centres of spheres of at least this radius [L] in `centers`, which spans the box along periodic
+  /// For the centers of spheres of at least this radius [L] in `centers`, which spans the box along periodic
   /// axes. At first the edges of voxels are no shorter than `finest_edge` [L], and there are no more than
   /// `most_voxels`.
   FreeSpace(const Box& box, const Region& centers, double least_radius, double finest_edge,
@@ -41,7 +41,7 @@ class FreeSpace {
   /// Excludes the voxels in which a resting sphere leaves no room. Precondition: the voxels are not listed.
   void exclude(const Vec3& center, double radius);
 
-  /// Whether the voxel of a centre in the region is excluded. Precondition: the voxels are not listed.
+  /// Whether the voxel of a center in the region is excluded. Precondition: the voxels are not listed.
   bool is_excluded(const Vec3& center) const {
     const auto [x, y, z] = voxel_of(center);
     return is_excluded(x, y, z);
@@ -57,7 +57,7 @@ class FreeSpace {
   bool is_listed() const { return is_listed_; }
   bool is_empty() const;
 
-  /// A centre drawn from the listed voxels, and the one that it lies in.
+  /// A center drawn from the listed voxels, and the one that it lies in.
   struct Draw {
     Vec3 center;
     std::size_t level;
@@ -66,14 +66,14 @@ class FreeSpace {
   /// Precondition: the list is not empty.
   Draw draw(Random& random) const;
 
-  /// A resting sphere that overlaps one at the centre drawn.
+  /// A resting sphere that overlaps one at the center drawn.
   struct Overlap {
-    Vec3 separation;  ///< From the centre drawn to its own [L].
+    Vec3 separation;  ///< From the center drawn to its own [L].
     double radius;    ///< [L]
   };
-  /// Whether the sphere leaves no room in the voxel of a refused centre.
+  /// Whether the sphere leaves no room in the voxel of a refused center.
   bool covers(const Draw& draw, const Overlap& overlap) const;
-  /// Takes the voxel of a refused centre from the list, or the parts of it in which this sphere leaves no
+  /// Takes the voxel of a refused center from the list, or the parts of it in which this sphere leaves no
   /// room.
   void refine(const Draw& draw, const Overlap& overlap);
 
@@ -81,7 +81,7 @@ class FreeSpace {
   // Counted from the low end of the region, in edges of its level.
   using Voxel = std::array<std::uint32_t, kAxes>;
 
-  // The smallest distance at which a sphere excludes a centre for certain, whatever is rounded.
+  // The smallest distance at which a sphere excludes a center for certain, whatever is rounded.
   double certain_reach(double radius) const {
     return (radius + least_radius_) * (1 - kRelativeMargin) - margin_;
   }

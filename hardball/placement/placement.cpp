@@ -27,7 +27,7 @@ struct Packing {
 
 // Source: Zhang and Torquato, Phys. Rev. E 88 (2013) 053312, for saturation.
 const Packing& packing_in(const Box& box) {
-  static constexpr Packing kSpheres{"face-centred cubic", "fcc", kClosePacking, 0.385, 0.36};
+  static constexpr Packing kSpheres{"face-centered cubic", "fcc", kClosePacking, 0.385, 0.36};
   static constexpr Packing kDiscs{"hexagonal", "hexagonal", kClosePackingOfDiscs, 0.547, 0.54};
   return box.is_flat() ? kDiscs : kSpheres;
 }
@@ -50,7 +50,7 @@ void check_region(const Box& box, const Region& region, const std::string& where
   }
 }
 
-// The interval along an axis in which a centre may lie.
+// The interval along an axis in which a center may lie.
 struct Span {
   double low;
   double high;
@@ -62,7 +62,7 @@ Span span_for_centers(const Box& box, const Region& region, double radius, std::
   return {region.low[axis] + inset, region.high[axis] - inset};
 }
 
-// The part of the region in which a centre may lie.
+// The part of the region in which a center may lie.
 Region region_for_centers(const Box& box, const Region& region, double radius) {
   Region centers;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -95,7 +95,7 @@ class SequentialAddition {
         is_allowed_(is_allowed),
         placed_(box, radii.size(), std::ranges::max(radii)) {}
 
-  // The centre of the next sphere, uniform among those with room; none if there is none, or hardly any.
+  // The center of the next sphere, uniform among those with room; none if there is none, or hardly any.
   std::optional<Vec3> place(double radius) {
     if (space_ && radius < space_->least_radius()) space_.reset();
     std::optional<Vec3> center;
@@ -122,7 +122,7 @@ class SequentialAddition {
   // Fine ones cost more, which is worth it where there is little room.
   static constexpr Voxels kCoarseVoxels{2.5, 256};
   static constexpr Voxels kFineVoxels{3, 512};
-  // Centres tried anywhere before voxels with room are listed, and then among these.
+  // Centers tried anywhere before voxels with room are listed, and then among these.
   static constexpr int kTriesAnywhere = 20000;
   static constexpr int kTriesListed = 100000;
 
@@ -152,7 +152,7 @@ class SequentialAddition {
     return center;
   }
 
-  // Fetches from memory what is known of the centres drawn next. Their numbers are drawn once more when it is
+  // Fetches from memory what is known of the centers drawn next. Their numbers are drawn once more when it is
   // their turn.
   void look_ahead(const Region& centers) {
     for (; looked_ahead_ < kAhead; ++looked_ahead_) {
@@ -168,7 +168,7 @@ class SequentialAddition {
       const FreeSpace::Draw draw = space_->draw(random_);
       if (!contains(box_, centers, draw.center) || (is_allowed_ && !is_allowed_(draw.center, radius)))
         continue;
-      // The sphere that reaches farthest beyond the centre, but one that leaves no room in the voxel if there
+      // The sphere that reaches farthest beyond the center, but one that leaves no room in the voxel if there
       // is any.
       std::optional<FreeSpace::Overlap> found;
       double deepest = 0;
@@ -208,8 +208,8 @@ class SequentialAddition {
   std::optional<FreeSpace> space_;  // once tries have failed
   std::size_t failed_tries_ = 0;    // since then
   static constexpr int kAhead = 32;
-  int looked_ahead_ = 0;    // by so many centres
-  Random ahead_ = random_;  // as it will be then, as long as centres are drawn anywhere
+  int looked_ahead_ = 0;    // by so many centers
+  Random ahead_ = random_;  // as it will be then, as long as centers are drawn anywhere
 };
 
 // Reports the progress of placement by the work done: the nearer to saturation, the longer a sphere takes.
@@ -260,7 +260,7 @@ double sphere_volume(const Box& box, std::span<const double> radii) {
   return volume;
 }
 
-// A face-centred cubic or hexagonal lattice. Its sites are every second point, as on a chessboard, of a grid
+// A face-centered cubic or hexagonal lattice. Its sites are every second point, as on a chessboard, of a grid
 // with half the edges of its cube, or of a rectangle with a site in the middle.
 struct Lattice {
   std::array<std::size_t, kAxes> points{};  // of the grid, along each axis

@@ -14,7 +14,7 @@
 
 namespace hardball {
 
-/// Whether the centre of a sphere of this radius [L] may lie there [L]. Where this holds in less than about a
+/// Whether the center of a sphere of this radius [L] may lie there [L]. Where this holds in less than about a
 /// ten-thousandth of a region, no place may be found.
 using IsAllowed = std::function<bool(const Vec3& center, double radius)>;
 
@@ -22,8 +22,8 @@ using IsAllowed = std::function<bool(const Vec3& center, double radius)>;
 inline constexpr double kClosePacking = 0.74048048969306104;
 inline constexpr double kClosePackingOfDiscs = 0.90689968211710893;
 
-/// Centres for spheres of these radii [L], in the order given, each uniform among the positions that are
-/// allowed and overlap no sphere placed before; large spheres are placed first. Centres stay a radius away
+/// Centers for spheres of these radii [L], in the order given, each uniform among the positions that are
+/// allowed and overlap no sphere placed before; large spheres are placed first. Centers stay a radius away
 /// from the ends of axes that are not periodic. The region is the box along bounded axes, an interval along
 /// open ones; without `is_allowed` all of it is allowed. Error, with `where` as its place: a number out of
 /// range; they do not fit; random placement cannot reach this density. Cost: O(n), also where the region is
@@ -32,7 +32,7 @@ std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span
                                  Random& random, const std::string& where, const Progress& progress = {},
                                  const IsAllowed& is_allowed = {});
 
-/// Centres for `count` spheres of one radius [L] on a lattice stretched to fill the region, face-centred
+/// Centers for `count` spheres of one radius [L] on a lattice stretched to fill the region, face-centered
 /// cubic or, in two dimensions, hexagonal, with vacancies spread evenly. Cost: O(n). Error, with `where` as
 /// its place: a number out of range; no such lattice leaves room for the spheres.
 std::vector<Vec3> place_on_lattice(const Box& box, const Region& region, std::size_t count, double radius,

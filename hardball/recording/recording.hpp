@@ -63,7 +63,7 @@ struct RecordedSurface {
   };
 
   Shape shape = Shape::plane;
-  Vec3 point = {};                         ///< Of the plane or the axis at time 0, or the centre [L].
+  Vec3 point = {};                         ///< Of the plane or the axis at time 0, or the center [L].
   Vec3 direction = {0, 0, 1};              ///< Unit normal of a plane, unit vector along an axis [1].
   double radius = 0;                       ///< [L]; 0 for a plane.
   Vec3 velocity = {};                      ///< With which the point moves [L/T].
@@ -111,11 +111,11 @@ RecordingHeader parse_recording_header(std::string_view json, const std::string&
 struct RecordedPath {
   static constexpr bool kIsPlain = true;  ///< To archives.
 
-  Vec3 position;    ///< Centre at `time`, folded into the box [L].
+  Vec3 position;    ///< Center at `time`, folded into the box [L].
   Vec3 velocity;    ///< [L/T]
   double time = 0;  ///< [T]
 
-  /// The centre at `moment` [T] under `gravity` [L/T^2], not folded into the box [L].
+  /// The center at `moment` [T] under `gravity` [L/T^2], not folded into the box [L].
   Vec3 center_at(double moment, const Vec3& gravity) const;
   /// The velocity at `moment` [T] under `gravity` [L/T^2], in L/T.
   Vec3 velocity_at(double moment, const Vec3& gravity) const;
@@ -159,7 +159,7 @@ struct RecordedContact {
   /// The id of the other sphere; `first` where there is no contact; or -(k + 1) for surface k: 0 to 5 are the
   /// faces of the box (see Face), and 6 + i is surface i of the header.
   std::int32_t second = 0;
-  Vec3 first_position = {};   ///< Centre, folded into the box [L].
+  Vec3 first_position = {};   ///< Center, folded into the box [L].
   Vec3 first_velocity = {};   ///< [L/T]
   Vec3 second_position = {};  ///< Zero unless it is a collision.
   Vec3 second_velocity = {};  ///< Likewise; zero if the spheres merge.

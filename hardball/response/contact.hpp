@@ -50,10 +50,10 @@ struct Contact {
   SphereId first = 0;                     ///< The sphere; of a collision, the one with the lower id.
   std::uint32_t second = 0;               ///< The id of the other sphere, or the number of the wall.
   Image image;    ///< The image of the second sphere that was met, both being folded into the box.
-  Vec3 position;  ///< Centre of the first sphere, folded into the box [L].
-  /// Collision: centre of the second sphere, folded into the box [L]. Wall: zero.
+  Vec3 position;  ///< Center of the first sphere, folded into the box [L].
+  /// Collision: center of the second sphere, folded into the box [L]. Wall: zero.
   Vec3 second_position;
-  /// Collision: from the centre of the first sphere to that of the second. Wall: from the centre to the wall,
+  /// Collision: from the center of the first sphere to that of the second. Wall: from the center to the wall,
   /// perpendicular. [L]
   Vec3 separation;
   double reach = 0;         ///< Sum of the radii, or the radius: the length `separation` should have [L].
@@ -75,7 +75,7 @@ struct Contact {
   SpeciesId first_species = 0;
   SpeciesId second_species = 0;  ///< Zero for a wall.
   Fate fate = Fate::bounce;
-  Vec3 wall_normal;               ///< Wall: the unit vector from the centre towards it [1].
+  Vec3 wall_normal;               ///< Wall: the unit vector from the center towards it [1].
   double pressing = 0;            ///< Wall: the acceleration of the sphere towards it [L/T^2].
   SurfaceMaterial wall_material;  ///< Wall: what it does.
 

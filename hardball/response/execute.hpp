@@ -17,7 +17,7 @@ namespace hardball {
 /// A contact that has been carried out, and what only engines need to know about it.
 struct Executed {
   Contact contact;
-  /// By how many boxes the centres were folded back into a periodic box.
+  /// By how many boxes the centers were folded back into a periodic box.
   std::array<Image, 2> folded{};
   /// Whether the response may have changed the spins of the contact.
   bool may_turn = false;
@@ -34,8 +34,8 @@ struct Participants {
 /// The participants of a collision or wall event. Cost: that of World::slot_of.
 Participants participants_of(const World& world, const Event& event);
 
-/// Describes the contact of a collision or wall event in the world before it: centres and velocities from the
-/// stored paths at the event's time, and by how many boxes the centres lie outside the box.
+/// Describes the contact of a collision or wall event in the world before it: centers and velocities from the
+/// stored paths at the event's time, and by how many boxes the centers lie outside the box.
 void contact_at(const World& world, const Event& event, const Participants& participants, Executed& done);
 
 /// Gives kinematic spheres back the velocities and spins that they had before.
@@ -76,7 +76,7 @@ inline void settle(const World& world, Contact& contact) {
 }
 
 /// Replaces the two spheres of a collision by one with their mass, momentum, angular momentum and volume, at
-/// their centre of mass, which keeps the lower id; sets what comes after the contact accordingly. Two
+/// their center of mass, which keeps the lower id; sets what comes after the contact accordingly. Two
 /// kinematic spheres do not merge. Cost: O(n).
 void merge(World& world, Contact& contact, const Participants& participants);
 

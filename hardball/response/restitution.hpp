@@ -16,7 +16,7 @@ inline Velocities velocities_after_impact(const Contact& contact, double coeffic
   const Vec3& second = contact.before.second;
   if (!(approach(contact.separation, contact.before) < 0)) return {first, second};
   // The impulse lies along the separation r, whose length is reach up to rounding: dividing by r.r instead
-  // of normalising keeps exact cases exact. Energy drifts unless rounding errors have mean zero, which
+  // of normalizing keeps exact cases exact. Energy drifts unless rounding errors have mean zero, which
   // those of a number that hardly varies from contact to contact do not have. So r, whose length cancels,
   // is scaled by a factor between 1 and 2 that depends on its direction, and no function of the masses
   // alone is rounded.

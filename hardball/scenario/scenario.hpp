@@ -20,10 +20,10 @@
 
 namespace hardball {
 
-/// How the centres of a group's spheres are chosen.
+/// How the centers of a group's spheres are chosen.
 enum class Placement {
   random,     ///< Anywhere without overlap.
-  fcc,        ///< On a face-centred cubic lattice that fills the region.
+  fcc,        ///< On a face-centered cubic lattice that fills the region.
   hexagonal,  ///< The same in two dimensions.
   listed,     ///< Where SphereGroup::positions says.
 };
@@ -98,7 +98,7 @@ struct WallDescription {
   enum class Shape { plane, cylinder, sphere };
 
   Shape shape = Shape::plane;
-  Vec3 point;         ///< Of the plane, on the axis, or the centre [L].
+  Vec3 point;         ///< Of the plane, on the axis, or the center [L].
   Vec3 direction;     ///< The normal of a plane, towards the spheres, or the axis; of any length.
   double radius = 0;  ///< Of a cylinder or sphere [L].
   std::optional<double> restitution;  ///< Instead of Scenario::restitution [1].
@@ -111,7 +111,7 @@ struct WallDescription {
 
 /// A sphere that never moves: one position of a table [[obstacles]] of a scenario.
 struct ObstacleDescription {
-  Vec3 position;                      ///< Of its centre [L].
+  Vec3 position;                      ///< Of its center [L].
   double radius = 0;                  ///< [L]
   std::optional<double> restitution;  ///< Instead of Scenario::restitution [1].
   std::optional<double> temperature;  ///< k T of a thermal surface [M L^2 T^-2].

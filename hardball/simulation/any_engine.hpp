@@ -27,7 +27,7 @@ namespace hardball {
 enum class EngineKind {
   automatic,  ///< The fastest for the world.
   cells,      ///< The cell grid.
-  neighbors,  ///< A neighbour list for each sphere; in a box too small for that, the cell grid.
+  neighbors,  ///< A neighbor list for each sphere; in a box too small for that, the cell grid.
   all_pairs,  ///< Every sphere against every other: slow, and obviously correct.
   paper,      ///< The algorithm of the paper to the letter.
 };
@@ -131,7 +131,7 @@ void check(const EngineOptions& options);
 EngineKind choose_engine(const World& world, const EngineOptions& options, const Time& moment,
                          EngineKind current = EngineKind::automatic);
 
-/// The length [L] for such an engine: the cell edge that the options fix, or the best one; for neighbour
+/// The length [L] for such an engine: the cell edge that the options fix, or the best one; for neighbor
 /// lists, the skin; for all pairs, any.
 double choose_length(const World& world, EngineKind engine, const EngineOptions& options, const Time& moment);
 

@@ -99,7 +99,7 @@ class Trial {
   std::vector<Piece> pieces_;
 };
 
-// The non-negative costs that minimise the sum over trials of the squared relative error, by coordinate
+// The non-negative costs that minimize the sum over trials of the squared relative error, by coordinate
 // descent.
 Steps fit(const std::vector<Trial>& trials) {
   std::vector<Steps> shares;  // steps in each second

@@ -625,7 +625,7 @@ void Simulation::check_idle(const char* what) const {
 
 void Simulation::check_editable(const char* what) const {
   if (activity_ == Activity::running) {
-    throw Error("the response to a contact, and who hears of a velocity, must not edit the simulation", what,
+    throw Error("responses and velocity listeners must not edit the simulation", what,
                 "edit it from the listener, which is called after the contact");
   }
   if (activity_ == Activity::measuring) {
@@ -636,9 +636,8 @@ void Simulation::check_editable(const char* what) const {
 
 void Simulation::check_not_past(const Time& time) const {
   if (!(time.value() >= now_.value())) {
-    throw Error(
-        "the time to run to is " + to_text(time.value()) + " and it is " + to_text(now_.value()) + " already",
-        "until", "give a time that is not in the past");
+    throw Error(to_text(time.value()) + " is in the past; the time is " + to_text(now_.value()), "until",
+                "give a later time");
   }
   if (time < kNever) check_moment(time, "until");
 }

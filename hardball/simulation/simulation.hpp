@@ -107,7 +107,7 @@ class Simulation {
   /// The next collision or wall contact up to `until` [T], without carrying it out. In a periodic box spheres
   /// may never meet: then give a finite time. Error: `until`, as for run_until. Cost: that of the events that
   /// a run would handle up to then, which need not be handled again; where edits follow, spheres have merged,
-  /// or the thermostat acts before, a copy besides, O(n).
+  /// or the thermostat acts before, plus an O(n) copy.
   std::optional<NextContact> next_contact(double until = std::numeric_limits<double>::infinity());
   /// The contacts of the next `duration` [T], in order, up to `most`, if nobody interferes: what run() would
   /// tell the listener. Error: `duration` is negative, NaN, infinite or beyond 1e120; it is called by the
@@ -129,13 +129,13 @@ class Simulation {
   double time() const { return now_.value(); }  ///< [T]
   const Time& now() const { return now_; }
 
-  /// Centre now [L], folded into a periodic box. Error: no sphere has this id.
+  /// Center now [L], folded into a periodic box. Error: no sphere has this id.
   Vec3 position(SphereId id) const;
   /// [L/T] Error: no sphere has this id.
   Vec3 velocity(SphereId id) const;
-  /// All centres now [L], in the order of ids, folded into a periodic box. Shape (size, 3).
+  /// All centers now [L], in the order of ids, folded into a periodic box. Shape (size, 3).
   std::vector<Vec3> positions() const;
-  /// All centres at `time` [L], which is finite, not in the past and not after the next contact, nor after
+  /// All centers at `time` [L], which is finite, not in the past and not after the next contact, nor after
   /// the thermostat acts next. Error: any other time.
   std::vector<Vec3> positions_at(double time);
 
@@ -164,7 +164,7 @@ class Simulation {
   /// The whole state as bytes, from which `load` makes a simulation that goes on to the same history: paths
   /// as they are stored, the clock, the hash, the tally, the thermostat, the numbers of the caller, the
   /// options. Only functions are missing: the listeners, and a response of the caller's own. Error: called by
-  /// the response, or by who hears of a velocity. Cost: O(n).
+  /// the response or a velocity listener. Cost: O(n).
   std::string save() const;
   /// A simulation from what `save` returned, of this version of the library or an earlier one; `where` names
   /// the bytes in errors. Error: they are damaged, or not from `save`, or of a later version. Cost: as of a
@@ -186,7 +186,7 @@ class Simulation {
   Vec3 cell_edges() const;
   /// Mean edge of the cells [L]; zero if the engine has none.
   double cell_edge() const;
-  /// Radius of the ball in which a sphere moves before its list of neighbours changes [L]; zero if there are
+  /// Radius of the ball in which a sphere moves before its list of neighbors changes [L]; zero if there are
   /// no lists.
   double skin() const;
   std::size_t memory_bytes() const;

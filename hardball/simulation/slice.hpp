@@ -8,7 +8,7 @@
 
 namespace hardball {
 
-/// So many steps that a run of them takes about a hundredth of a second: for runs between which somebody
+/// Steps that take about 10 ms: for runs between which somebody
 /// looks at signals or shows the progress. See RunLimits::steps.
 std::uint64_t steps_per_slice(const Simulation& simulation);
 

@@ -19,7 +19,7 @@ class Cylinder {
   const Vec3& axis() const { return axis_; }
   double radius() const { return radius_; }
 
-  /// The difference of the squared distances of the surface and of the centre of a touching sphere from the
+  /// The difference of the squared distances of the surface and of the center of a touching sphere from the
   /// axis [L^2], as a function of time.
   Polynomial gap(const Passage& passage, double radius) const {
     const PreciseVector axis = precise(axis_);

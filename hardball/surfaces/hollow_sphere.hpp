@@ -18,7 +18,7 @@ class HollowSphere {
 
   double radius() const { return radius_; }
 
-  /// The difference of the squared distances of the surface and of the centre of a touching sphere from the
+  /// The difference of the squared distances of the surface and of the center of a touching sphere from the
   /// origin [L^2], as a function of time.
   Polynomial gap(const Passage& passage, double radius) const {
     return room_within(radius_ - radius,

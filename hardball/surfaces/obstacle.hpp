@@ -19,7 +19,7 @@ class Obstacle {
 
   double radius() const { return radius_; }
 
-  /// The difference of the squared distance of a sphere's centre from the origin and that at which it touches
+  /// The difference of the squared distance of a sphere's center from the origin and that at which it touches
   /// [L^2], as a function of time.
   Polynomial gap(const Passage& passage, double radius) const {
     Polynomial gap = squared_distance(passage.place, passage.velocity, half(passage.acceleration));

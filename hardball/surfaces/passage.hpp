@@ -31,7 +31,7 @@ inline PreciseVector cross(const PreciseVector& a, const PreciseVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// The motion of a sphere's centre past a surface, from the start of its path on: where it is relative to the
+/// The motion of a sphere's center past a surface, from the start of its path on: where it is relative to the
 /// point that defines the surface, and in the frame in which that point rests. A parabola, or a line.
 struct Passage {
   PreciseVector place;         ///< At the start [L].

@@ -27,7 +27,7 @@ using Shape = std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obst
 /// A wall or an obstacle in the way of spheres: at rest, in uniform motion, or oscillating.
 class Surface {
  public:
-  /// `point` [L]: of the plane, on the axis, or the centre, at time zero; `velocity` [L/T]: of the whole
+  /// `point` [L]: of the plane, on the axis, or the center, at time zero; `velocity` [L/T]: of the whole
   /// surface. Error: a number out of range; a direction that is no unit vector.
   Surface(const Shape& shape, const Vec3& point, const Vec3& velocity = {},
           const SurfaceMaterial& material = {});

@@ -10,7 +10,7 @@
 namespace hardball {
 namespace {
 
-// Twice the length of the interval that holds the middle half of all centres along an open axis: the extent
+// Twice the length of the interval that holds the middle half of all centers along an open axis: the extent
 // of a uniform cloud, robust against a few distant spheres.
 double stretch(const World& world, std::size_t axis, const Time& moment) {
   std::vector<double> places;

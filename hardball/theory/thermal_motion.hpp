@@ -9,7 +9,7 @@ namespace hardball {
 /// The motion of the spheres, kinematic ones aside, at one time, split into their common drift and the motion
 /// relative to it.
 struct ThermalMotion {
-  /// Velocity of the centre of mass along axes without walls, kinematic spheres and gravity, where it is
+  /// Velocity of the center of mass along axes without walls, kinematic spheres and gravity, where it is
   /// conserved; zero along the others [L/T].
   Vec3 drift;
   /// Kinetic energy relative to the drift [M L^2 T^-2].

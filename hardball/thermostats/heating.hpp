@@ -12,7 +12,7 @@
 
 namespace hardball {
 
-/// White noise, as which a driven granular gas is often modelled: at equal intervals each component of each
+/// White noise, as which a driven granular gas is often modeled: at equal intervals each component of each
 /// velocity gets a normal random kick of variance strength * every. The mean kick is subtracted, so that the
 /// total momentum stays; for n equal spheres this lowers the variance by one part in n.
 /// Source: Williams and MacKintosh, Phys. Rev. E 54 (1996) R9; van Noije and Ernst, Granular Matter 1 (1998)

@@ -9,7 +9,7 @@ namespace hardball {
 
 /// Appends a frame of an extended XYZ file, for OVITO, ASE and hardball itself.
 ///
-/// Numbers have as many digits as needed to read back the same bits. Centres are folded into a periodic box;
+/// Numbers have as many digits as needed to read back the same bits. Centers are folded into a periodic box;
 /// `map_shift` counts the boxes. Along open axes the lattice spans the spheres, and the frame says
 /// `unbounded=T`; in two dimensions it says `dimensions=2`. The columns `momenta` and `masses` are for ASE,
 /// which computes velocities from them; there kinematic spheres have the mass kLargestMagnitude.

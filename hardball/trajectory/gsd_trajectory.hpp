@@ -17,7 +17,7 @@ namespace hardball {
 
 /// Writes a GSD file of the schema hoomd 1.4, for HOOMD-blue, OVITO, MDAnalysis, VMD and hardball itself.
 ///
-/// The chunks of the schema are in single precision, centred on the box. Exact are, beside them,
+/// The chunks of the schema are in single precision, centered on the box. Exact are, beside them,
 /// `log/particles/position64`, `velocity64`, `radius64`, `mass64`, `angular_velocity64`, `moment64` and `id`,
 /// `log/time` (NaN if it is not known), `log/pbc`, `log/box/origin`, `log/box/size` and `log/box/unbounded`.
 /// The step is the number of the frame. What is as in the first frame is not repeated. The bytes of the file

@@ -43,7 +43,7 @@ struct Snapshot {
   std::string place(const std::string& name, std::size_t sphere) const;
 };
 
-/// The spheres of a world at `moment`, centres folded into a periodic box. Along open axes the box spans the
+/// The spheres of a world at `moment`, centers folded into a periodic box. Along open axes the box spans the
 /// spheres; in two dimensions it is as thick as they are. The world is not changed. Precondition: no contact
 /// lies between the stored paths and `moment`. Cost: O(n).
 Snapshot snapshot_of(const World& world, const Time& moment);

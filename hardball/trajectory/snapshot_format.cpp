@@ -50,7 +50,7 @@ SnapshotFormat format_of(const std::filesystem::path& path) {
     if (name.ends_with(ending.text)) return ending.format;
     known += (known.empty() ? "" : ", ") + std::string(ending.text);
   }
-  throw Error("its name does not say what format it has", path.string(), "let it end in one of " + known);
+  throw Error("unknown file extension", path.string(), "use one of " + known);
 }
 
 bool has_single_frame(SnapshotFormat format) {

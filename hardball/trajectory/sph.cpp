@@ -65,8 +65,8 @@ Snapshot read_frame(Lines& lines) {
   box.is_periodic = {true, true, true};
   for (std::size_t i = 0; i < count; ++i) {
     const std::vector<Token> values =
-        next_values(lines, kAxes + 2, "give a letter, the centre and the radius of each sphere");
-    snapshot.spheres.push_back({.position = parse_vector(values, 1, "the centre", lines.place()),
+        next_values(lines, kAxes + 2, "give a letter, the center and the radius of each sphere");
+    snapshot.spheres.push_back({.position = parse_vector(values, 1, "the center", lines.place()),
                                 .radius = parse_real(values[kAxes + 1], "the radius", lines.place()),
                                 .species = species_of(values[0])});
     snapshot.lines.push_back(lines.number());

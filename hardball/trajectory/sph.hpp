@@ -9,7 +9,7 @@
 namespace hardball {
 
 /// Appends a frame of Smallenburg's format: the number of spheres, the edges of the box, and for each sphere
-/// a letter for its species, its centre, not folded into the box, and its radius. It has no velocities,
+/// a letter for its species, its center, not folded into the box, and its radius. It has no velocities,
 /// masses or ids. Source: the section "Snapshot file format" of the EDMD codes' README (Smallenburg, Eur.
 /// Phys. J. E 45, 22, 2022).
 void append_sph(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);

@@ -10,7 +10,7 @@
 namespace hardball {
 namespace {
 
-// For spheres between two walls, the sums over all rows of cells of the length over which centres may lie of
+// For spheres between two walls, the sums over all rows of cells of the length over which centers may lie of
 // those that touch the row, and of its square. A row near a wall holds fewer: the lengths are edge, 2 edge,
 // ... up to edge + diameter, or to all the room.
 struct RowSums {

@@ -11,7 +11,7 @@ namespace hardball {
 /// Cells along one axis of the box, and the effect of its walls on CellCounts.
 struct CellAxis {
   double edge = 0;         ///< Of a cell [L].
-  double room = 0;         ///< The length accessible to centres [L].
+  double room = 0;         ///< The length accessible to centers [L].
   double crossings = 0;    ///< Cell faces that a sphere's front crosses per length along the axis [1/L].
   bool is_divided = true;  ///< There are such faces.
   bool has_nearest_images = true;  ///< Spheres that share a cell are nearest images of each other.

@@ -108,7 +108,7 @@ CellCounts expected_counts(const Moments& moments, double edge) {
   CellCounts counts;
   if (moments.spheres == 0) return counts;
   const CellAxes axes = cell_axes(moments, edge);
-  double density = static_cast<double>(moments.spheres);  // of centres in the volume accessible to them
+  double density = static_cast<double>(moments.spheres);  // of centers in the volume accessible to them
   // What walls leave of the cells that a sphere touches, and of its candidates; the same at a wall.
   double rows = 1;
   double shared = 1;

@@ -7,7 +7,7 @@
 
 namespace hardball {
 
-/// The work of neighbour lists in a gas, as predicted by kinetic theory. Source: docs/theory.md.
+/// The work of neighbor lists in a gas, as predicted by kinetic theory. Source: docs/theory.md.
 struct NeighborCounts {
   // Rates per sphere [1/T].
   double collision = 0;
@@ -18,7 +18,7 @@ struct NeighborCounts {
   double neighbors = 0;  ///< In its list [1].
   double searched = 0;   ///< Anchors in the cells around its own [1].
   bool is_far = false;   ///< Whether these are far away in memory.
-  double listed = 0.9;   ///< What a neighbour in a list costs, in candidates of a cell [1].
+  double listed = 0.9;   ///< What a neighbor in a list costs, in candidates of a cell [1].
   double rows = 9;       ///< Of three cells that are adjacent in memory, visited by a rebuild [1].
 };
 
@@ -28,7 +28,7 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double skin);
 /// The cost per sphere and time [cost/T].
 double cost_rate(const NeighborCounts& counts, const UnitCosts& costs);
 
-/// The ball radius [L] at which neighbour lists cost least: small balls are left more often, large ones make
+/// The ball radius [L] at which neighbor lists cost least: small balls are left more often, large ones make
 /// longer lists. Cost: O(1).
 double optimal_skin(const Moments& moments, const UnitCosts& costs = {});
 

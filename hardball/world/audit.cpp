@@ -58,7 +58,7 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
     note_escape(world, slot, position, moment, found);
     neighborhood.for_each_near(position, world.radius(slot),
                                [&](std::uint32_t index, const Vec3& separation, double reach) {
-                                 // With a margin for rounding; most neighbours are farther away.
+                                 // With a margin for rounding; most neighbors are farther away.
                                  if (dot(separation, separation) > 1.001 * (reach * reach)) return;
                                  const double overlap = 1 - length(separation) / reach;
                                  if (overlap <= found.max_overlap) return;

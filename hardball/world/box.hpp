@@ -165,7 +165,7 @@ class Box {
     return static_cast<std::int32_t>((number + kPusher) - kPusher);
   }
 
-  // Most centres lie in the box, which takes no division to find out.
+  // Most centers lie in the box, which takes no division to find out.
   bool needs_no_folding(const Vec3& position) const {
     return position.x >= lower_end_.x && position.x < upper_end_.x && position.y >= lower_end_.y &&
            position.y < upper_end_.y && position.z >= lower_end_.z && position.z < upper_end_.z;

@@ -8,7 +8,7 @@
 
 namespace hardball {
 
-/// The slots of a world in the order in which a space-filling curve visits the centres at `moment`, so that
+/// The slots of a world in the order in which a space-filling curve visits the centers at `moment`, so that
 /// spheres close in space are close in memory. For World::reorder. Cost: O(n log n). Source:
 /// Morton, A computer oriented geodetic data base, IBM (1966).
 std::vector<Slot> order_along_curve(const World& world, const Time& moment);

@@ -13,7 +13,7 @@ struct VelocityChange {
   Time time;
   SphereId sphere = 0;
   double mass = 0;  ///< [M]
-  Vec3 position;    ///< Centre, folded into the box [L].
+  Vec3 position;    ///< Center, folded into the box [L].
   Vec3 before;      ///< Velocity before [L/T].
   Vec3 after;       ///< Velocity after [L/T].
 };

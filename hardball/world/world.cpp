@@ -15,7 +15,7 @@
 namespace hardball {
 namespace {
 
-// How much closer to a wall than its radius a centre may lie through rounding alone, relative to the box.
+// How much closer to a wall than its radius a center may lie through rounding alone, relative to the box.
 constexpr double kWallTolerance = 1e-12;
 
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
@@ -51,7 +51,7 @@ void refuse_out_of_plane(const Vec3& vector, const std::string& what, const std:
               "make it zero, or give the box three dimensions");
 }
 
-// A plane or a tube stands upright on the plane of the discs, a sphere is centred in it.
+// A plane or a tube stands upright on the plane of the discs, a sphere is centered in it.
 void refuse_out_of_plane(const Surface& surface) {
   const std::string name = "the " + std::string(surface.name());
   refuse_out_of_plane(surface.point(), "the position of " + name, "walls");
@@ -208,12 +208,12 @@ void World::check(const Sphere& sphere) const {
     const double size = box_.size()[axis];
     check_fits(sphere.radius, axis, where);
     if (box_.is_periodic(axis) && std::fabs(x / size) > Box::kMostBoxesBeyond) {
-      throw Error("centre at " + to_text(x) + " along " + kAxisNames[axis] + " is more than 2^30 boxes away",
+      throw Error("center at " + to_text(x) + " along " + kAxisNames[axis] + " is more than 2^30 boxes away",
                   where, "place it inside the box, between 0 and " + to_text(size));
     }
     const double room = size * kWallTolerance;
     if (box_.is_wall(axis) && (x < sphere.radius - room || x > size - sphere.radius + room)) {
-      throw Error("centre at " + to_text(x) + " along " + kAxisNames[axis] + " reaches through a wall", where,
+      throw Error("center at " + to_text(x) + " along " + kAxisNames[axis] + " reaches through a wall", where,
                   "place it between " + to_text(sphere.radius) + " and " + to_text(size - sphere.radius));
     }
   }

@@ -29,7 +29,7 @@ inline constexpr double kUniformDiscMoment = 0.5;
 
 /// A sphere as a caller describes it, at one moment.
 struct Sphere {
-  Vec3 position;       ///< Centre [L].
+  Vec3 position;       ///< Center [L].
   Vec3 velocity = {};  ///< [L/T]
   double radius = 1;   ///< [L]
   /// [M]; infinite for a kinematic sphere, which no collision deflects.
@@ -64,7 +64,7 @@ class World {
   /// Adds a sphere in its state at `moment`, and returns its id: ids count up from zero.
   /// Positions outside a periodic box are folded into it. Overlaps are not checked here (see audit.hpp).
   /// Error: a number that is NaN, infinite or out of range; a radius, mass or moment that is not positive; a
-  /// centre closer to a wall than the radius, or more than 2^30 boxes away; a box too small to hold the
+  /// center closer to a wall than the radius, or more than 2^30 boxes away; a box too small to hold the
   /// sphere; a kinematic sphere where there is gravity; in two dimensions, a position or velocity out of the
   /// plane, or a spin within it.
   SphereId add(const Sphere& sphere, const Time& moment = Time(0));
@@ -83,8 +83,8 @@ class World {
   /// dimensions.
   Image change_velocity(Slot slot, const Time& moment, const Vec3& velocity);
 
-  /// Rewrites a path at `moment`: the centre where the old path puts it then, folded into the box, and the
-  /// new velocity. Returns by how many boxes the centre was folded back.
+  /// Rewrites a path at `moment`: the center where the old path puts it then, folded into the box, and the
+  /// new velocity. Returns by how many boxes the center was folded back.
   Image rewrite_path(Slot slot, const Time& moment, const Vec3& velocity);
 
   /// Replaces a path by one that starts inside the box, `folded` boxes back from where the old one led.
@@ -165,14 +165,14 @@ class World {
   /// given).
   void reorder(std::span<const Slot> order);
 
-  /// The centre at `moment` [L], folded into a periodic box. Error: `moment` is NaN or infinite.
+  /// The center at `moment` [L], folded into a periodic box. Error: `moment` is NaN or infinite.
   Vec3 position(Slot slot, const Time& moment) const;
-  /// The centre at `moment` as if it had never been folded into the box [L]. Precondition: as for
+  /// The center at `moment` as if it had never been folded into the box [L]. Precondition: as for
   /// unfolded_position.
   Vec3 unwrapped_position(Slot slot, const Time& moment) const {
     return unfolded_position(slot, moment) + box_.shift(folded_[slot]);
   }
-  /// By how many boxes the centre at `moment` would lie outside the box if it had never been folded. Error:
+  /// By how many boxes the center at `moment` would lie outside the box if it had never been folded. Error:
   /// as for position().
   Image image(Slot slot, const Time& moment) const;
 
@@ -180,7 +180,7 @@ class World {
   double kinetic_energy(const Time& moment) const;
   /// Sum of I w^2 / 2, with the spin w [M L^2 T^-2]. Cost: O(n).
   double rotational_energy() const;
-  /// Kinetic and rotational energy and, with gravity, potential energy, which is zero at the origin: a centre
+  /// Kinetic and rotational energy and, with gravity, potential energy, which is zero at the origin: a center
   /// that has crossed a periodic box is as far away as it has come [M L^2 T^-2]. Cost: O(n).
   double energy(const Time& moment) const;
   /// Sum of m v at `moment` [M L/T]. Cost: O(n).
@@ -227,7 +227,7 @@ class World {
   PerSphere radii_;
   PerSphere masses_;
   PerSphere moments_;
-  std::vector<Image> folded_;                             // by how many boxes the centre has been folded back
+  std::vector<Image> folded_;                             // by how many boxes the center has been folded back
   std::vector<Vec3> spins_;                               // none if no sphere spins
   std::vector<SpeciesId> species_;                        // none if all are zero
   std::vector<std::pair<SpeciesId, SpeciesId>> passing_;  // the lower species first
@@ -249,7 +249,7 @@ double rotational_energy(const World& world, Slot slot);
 /// The sum of both, with potential energy; see World::energy.
 double energy(const World& world, Slot slot, const Time& moment);
 
-/// More than the rounding error of the coordinates of a centre [L], which shows in spheres very far away.
+/// More than the rounding error of the coordinates of a center [L], which shows in spheres very far away.
 inline double coordinate_error(const World& world, Slot slot, const Time& now) {
   return 0x1p-50 * length(world.unfolded_position(slot, now));
 }

@@ -109,7 +109,7 @@ void bind_arrays(SimulationClass& simulation) {
       [](const World& world, const Time& now) {
         return vectors_by_id(world, [&](Slot slot) { return world.unwrapped_position(slot, now); });
       },
-      "All centres now as if they had never been folded into the box [L]. Shape (size, 3).");
+      "All centers now as if they had never been folded into the box [L]. Shape (size, 3).");
   of_world(
       "velocities",
       [](const World& world, const Time& now) {

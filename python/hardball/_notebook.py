@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 _WIDTH = 320  # pixels
 _MOST_SPHERES = 3000  # more are thinned out, evenly
-_SLOW = np.array([49.0, 84.0, 160.0])  # colours of the slowest and the fastest sphere
+_SLOW = np.array([49.0, 84.0, 160.0])  # colors of the slowest and the fastest sphere
 _FAST = np.array([214.0, 82.0, 49.0])
 
 
 def picture_of(simulation: Simulation) -> str:
-    """The spheres seen along z, the highest in front, coloured by their speed, as SVG."""
+    """The spheres seen along z, the highest in front, colored by their speed, as SVG."""
     positions = simulation.positions
     radii = simulation.radii
     speeds = np.linalg.norm(simulation.velocities, axis=1)

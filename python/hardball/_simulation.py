@@ -51,7 +51,7 @@ class Simulation(_hardball.Simulation):
     ) -> None:
         """Starts at time zero.
 
-        :param positions: centres [L], shape (n, 3), or (n, 2) in two dimensions.
+        :param positions: centers [L], shape (n, 3), or (n, 2) in two dimensions.
         :param velocities: [L/T], of the same shape, or one vector for all. Vectors have three numbers, in two
             dimensions also two.
         :param radius: [L], of shape (n,), or one number for all.

@@ -15,7 +15,7 @@ SCENARIOS = ROOT / "scenarios"
 
 
 def lattice(per_axis=5, spacing=1.6):
-    """Centres of spheres of diameter one, and the edge of a box that holds them."""
+    """Centers of spheres of diameter one, and the edge of a box that holds them."""
     places = (np.arange(per_axis) + 0.5) * spacing
     return np.stack(np.meshgrid(places, places, places), axis=-1).reshape(-1, 3), per_axis * spacing
 

@@ -322,9 +322,9 @@ class State(unittest.TestCase):
                 self.assertEqual(hardball.Simulation.load(saved).until, 7.0)
 
     def test_attributes_of_ones_own_are_copied_and_pickled(self):
-        simulation = Labelled(hardball.Box.periodic(9.0), positions=[[1, 1, 1]])
+        simulation = Labeled(hardball.Box.periodic(9.0), positions=[[1, 1, 1]])
         for other in (copy.copy(simulation), copy.deepcopy(simulation), pickle.loads(pickle.dumps(simulation))):
-            self.assertIs(type(other), Labelled)
+            self.assertIs(type(other), Labeled)
             self.assertEqual(other.label, ["a"])
         self.assertIs(copy.copy(simulation).label, simulation.label)
         self.assertIsNot(copy.deepcopy(simulation).label, simulation.label)
@@ -347,7 +347,7 @@ class State(unittest.TestCase):
             len(moved)
 
 
-class Labelled(hardball.Simulation):
+class Labeled(hardball.Simulation):
     def __init__(self, *arguments, **options):
         super().__init__(*arguments, **options)
         self.label = ["a"]

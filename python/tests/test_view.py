@@ -87,7 +87,7 @@ class Views(unittest.TestCase):
         self.assertEqual(header["until"], 0.25)
         simulation.run(until=0.25)
         self.assertEqual(len(recorded(simulation)[1]), 625)
-        with self.assertRaisesRegex(hardball.Error, "0.125 and it is 0.25 already"):
+        with self.assertRaisesRegex(hardball.Error, "0.125 is in the past; the time is 0.25"):
             simulation.view(until=0.125)
 
     def test_of_what_never_meets_ends(self):

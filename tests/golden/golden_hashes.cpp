@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Prints the hash of the event log of several worlds, one "name hash" a line. Every compiler, optimisation
+// Prints the hash of the event log of several worlds, one "name hash" a line. Every compiler, optimization
 // level and machine must print the same.
 #include <array>
 #include <cmath>

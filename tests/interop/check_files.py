@@ -155,7 +155,7 @@ def near(found, expected, what):
 
 
 def centered(frame):
-    """The centres in single precision, as GSD wants them: in a box around the origin."""
+    """The centers in single precision, as GSD wants them: in a box around the origin."""
     position = (frame["pos"] - (frame.origin + frame.size / 2)).astype(numpy.float32)
     half = (frame.size.astype(numpy.float32) / 2).astype(numpy.float32)
     for axis in range(3):

@@ -127,7 +127,7 @@ class EncounterMaker {
     return reach + random_.uniform() * (farthest - reach);
   }
 
-  // By how many reaches the centres pass each other.
+  // By how many reaches the centers pass each other.
   double passing(Meeting meeting) {
     if (meeting != Meeting::grazing) return 1.1 * random_.uniform();
     const double cosine = spread(1e-9, 1);

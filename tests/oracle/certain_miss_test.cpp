@@ -105,7 +105,7 @@ TEST(CertainMiss, LiesBeyondTheRoundingErrorOfTheDiscriminant) {
   RecordProperty("worst_error", std::to_string(worst / kCertainMiss));
 }
 
-// An ordinary miss is recognised without more digits.
+// An ordinary miss is recognized without more digits.
 TEST(CertainMiss, IsTheUsualCase) {
   Random random(3);
   std::uint64_t misses = 0;

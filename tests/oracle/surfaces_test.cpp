@@ -26,7 +26,7 @@ Quad dot(const Quads& a, const Vec3& b) {
   return a[0] * b.x + a[1] * b.y + a[2] * b.z;
 }
 
-// Distance of the centre from the surface, less the radius, at the time `t` after the start of the path.
+// Distance of the center from the surface, less the radius, at the time `t` after the start of the path.
 using Gap = std::function<Quad(const Quad& t)>;
 
 struct Case {
@@ -37,7 +37,7 @@ struct Case {
   Gap gap;
 };
 
-Quads centre(const Case& given, const Quad& t, const Vec3& point, const Vec3& velocity) {
+Quads center(const Case& given, const Quad& t, const Vec3& point, const Vec3& velocity) {
   Quads place;
   const Quad now = Quad(given.path.time.high) + Quad(given.path.time.low) + t;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -68,7 +68,7 @@ Case make_case(Random& random, int shape, bool falls, bool moves) {
   if (shape == 0) {
     made.surface = Surface(Plane(direction), point - 2 * direction, velocity);
     made.gap = [=, &made](const Quad& t) {
-      return dot(centre(made, t, point - 2 * direction, velocity), direction) - Quad(radius);
+      return dot(center(made, t, point - 2 * direction, velocity), direction) - Quad(radius);
     };
   } else if (shape == 1) {
     const double amplitude = 0.3;
@@ -77,13 +77,13 @@ Case make_case(Random& random, int shape, bool falls, bool moves) {
     made.gap = [=, &made](const Quad& t) {
       const Quad now = Quad(made.path.time.high) + Quad(made.path.time.low) + t;
       const Quad phase = 2 * boost::math::constants::pi<Quad>() * Quad(frequency) * now;
-      return dot(centre(made, t, point - 2 * direction, {}), direction) - Quad(radius) -
+      return dot(center(made, t, point - 2 * direction, {}), direction) - Quad(radius) -
              Quad(amplitude) * sin(phase);
     };
   } else if (shape == 2) {
     made.surface = Surface(Cylinder(direction, 3), point, velocity);
     made.gap = [=, &made](const Quad& t) {
-      Quads place = centre(made, t, point, velocity);
+      Quads place = center(made, t, point, velocity);
       const Quad along = dot(place, direction);
       for (std::size_t axis = 0; axis < kAxes; ++axis) place[axis] -= along * Quad(direction[axis]);
       return Quad(3) - Quad(radius) - norm(place);
@@ -91,13 +91,13 @@ Case make_case(Random& random, int shape, bool falls, bool moves) {
   } else if (shape == 3) {
     made.surface = Surface(HollowSphere(3), point, velocity);
     made.gap = [=, &made](const Quad& t) {
-      return Quad(3) - Quad(radius) - norm(centre(made, t, point, velocity));
+      return Quad(3) - Quad(radius) - norm(center(made, t, point, velocity));
     };
   } else {
     const Vec3 far = point + 2 * random.direction();
     made.surface = Surface(Obstacle(0.9), far, velocity);
     made.gap = [=, &made](const Quad& t) {
-      return norm(centre(made, t, far, velocity)) - Quad(0.9) - Quad(radius);
+      return norm(center(made, t, far, velocity)) - Quad(0.9) - Quad(radius);
     };
   }
   return made;

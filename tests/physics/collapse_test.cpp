@@ -47,13 +47,13 @@ End run(const World& world, const EngineOptions& options, double until, std::uin
 // Up to twenty spheres in a hollow sphere or a closed tube, near the origin or far from it.
 World random_cavity(Random& random, int number) {
   const double radius = number % 2 == 0 ? 1.7 : 5.5;
-  const Vec3 centre = number % 3 == 0 ? Vec3{5, 5, 5} : number % 3 == 1 ? Vec3{} : Vec3{130, -70, 3};
+  const Vec3 center = number % 3 == 0 ? Vec3{5, 5, 5} : number % 3 == 1 ? Vec3{} : Vec3{130, -70, 3};
   const Vec3 gravity = number % 5 < 3 ? Vec3{random.normal(), random.normal(), random.normal()} : Vec3{};
-  std::vector<Surface> surfaces{Surface(HollowSphere(radius), centre)};
+  std::vector<Surface> surfaces{Surface(HollowSphere(radius), center)};
   if (number % 4 < 2) {
     const Vec3 axis = random.direction();
-    surfaces = {Surface(Cylinder(axis, radius), centre), Surface(Plane(axis), centre - 3 * axis),
-                Surface(Plane(-axis), centre + 3 * axis)};
+    surfaces = {Surface(Cylinder(axis, radius), center), Surface(Plane(axis), center - 3 * axis),
+                Surface(Plane(-axis), center + 3 * axis)};
   }
   World world(Box::open(), gravity, surfaces);
   const int spheres = 1 + static_cast<int>((number % 7 == 0 ? 20 : 6) * random.uniform());
@@ -62,7 +62,7 @@ World random_cavity(Random& random, int number) {
     const auto offset = [&] { return radius * (2 * random.uniform() - 1); };
     const double x = offset();
     const double y = offset();
-    const Vec3 place = centre + Vec3{x, y, offset()};
+    const Vec3 place = center + Vec3{x, y, offset()};
     const auto is_free_of = [&](const Surface& surface) { return surface.distance(place, Time(0)) > size; };
     bool is_free = std::ranges::all_of(surfaces, is_free_of);
     for (Slot slot = 0; slot < world.size(); ++slot) {

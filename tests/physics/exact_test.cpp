@@ -72,7 +72,7 @@ TEST(HeadOnPair, OfUnequalMassesKeepsMomentumAndEnergyToTheBit) {
   world.add({.position = {3, 0, 0}, .velocity = {-1, 0, 0}, .radius = 1.5, .mass = 1});
   Simulation simulation(world);
   simulation.run_until(1);
-  // The centre of mass moves at 1/2; relative to it both velocities are reversed.
+  // The center of mass moves at 1/2; relative to it both velocities are reversed.
   EXPECT_EQ(simulation.velocity(0), (Vec3{0, 0, 0}));
   EXPECT_EQ(simulation.velocity(1), (Vec3{2, 0, 0}));
 }

@@ -15,7 +15,7 @@
 namespace hardball::few_body_test {
 namespace {
 
-// The centres move in a cube of edge a = D - 2r and stay a distance of s = 2r <= a apart. The volume Q
+// The centers move in a cube of edge a = D - 2r and stay a distance of s = 2r <= a apart. The volume Q
 // accessible to the six coordinates, and the area A of its inner boundary, the derivative of the excluded
 // volume with respect to s, are polynomials: the mean over all directions of the overlap of
 // two cubes displaced by s, (a - |s_x|)(a - |s_y|)(a - |s_z|). See Urrutia, arXiv:1005.0723 (2010), on the

@@ -58,7 +58,7 @@ TEST(GranularGas, CoolsByOneMinusESquaredOverThreePerCollisionAtRestitution90) {
   expect_cooling(0.9);
 }
 
-// Inelastic collisions do not slow the centre of mass.
+// Inelastic collisions do not slow the center of mass.
 TEST(GranularGas, ConservesItsMomentum) {
   const World world = support::make_gas({.count = 1000, .packing_fraction = 0.1, .seed = 62});
   Simulation simulation(world, {.restitution = 0.9});

@@ -186,7 +186,7 @@ TEST(WallPressure, ObeysTheSumRuleOfKineticEnergyAndVirial) {
   EXPECT_NEAR(pressure * area * (size - 2 * kRadius) * 3, walls, 1e-12 * walls);
 }
 
-// The pressure on a hard wall is kT times the density of centres that touch it, at every density of the gas.
+// The pressure on a hard wall is kT times the density of centers that touch it, at every density of the gas.
 // Source: Henderson, Blum and Lebowitz, J. Electroanal. Chem. 102 (1979) 315.
 TEST(WallPressure, IsTheDensityAtContactTimesTemperature) {
   constexpr std::size_t kSpheres = 1000;
@@ -210,7 +210,7 @@ TEST(WallPressure, IsTheDensityAtContactTimesTemperature) {
       }
     }
   }
-  // Centres stay half a diameter away from the other walls, too.
+  // Centers stay half a diameter away from the other walls, too.
   const double area = 6 * (size - support::kDiameter) * (size - support::kDiameter);
   const double density_at_contact = (1.5 * counts[0] - 0.5 * counts[1]) / (kSamples * area * kBin);
   const double force = simulation.tally().wall_pressure(world.box(), simulation.now()) * size * size;

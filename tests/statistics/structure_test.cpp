@@ -109,7 +109,7 @@ TEST(NearestNeighbor, AgreesWithTorquatoAtPackingFraction20) {
   EXPECT_NEAR(gap.value, gap.theory, 4 * gap.error + 0.005 * gap.theory);
 }
 
-// The pressure on a wall is kT times the density of centres that touch it. Both are means over the same run;
+// The pressure on a wall is kT times the density of centers that touch it. Both are means over the same run;
 // the pressure, to which every contact adds, is the better known.
 TEST(DensityProfiles, HaveThePressureOfTheWallsAtContact) {
   const World start =

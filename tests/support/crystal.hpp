@@ -12,7 +12,7 @@
 
 namespace hardball::support {
 
-/// A crystal given by its orthogonal cell, with nearest neighbours at distance one.
+/// A crystal given by its orthogonal cell, with nearest neighbors at distance one.
 struct Lattice {
   Vec3 cell;                ///< Edges.
   std::vector<Vec3> basis;  ///< In units of the edges.
@@ -35,7 +35,7 @@ inline Lattice hexagonal_close_packing() {
 }
 
 /// This many cells along each axis in a periodic box, with spheres of diameter one at rest at `spacing` from
-/// their nearest neighbours.
+/// their nearest neighbors.
 inline World make_crystal(const Lattice& lattice, std::size_t cells, double spacing) {
   const Vec3 edge = spacing * lattice.cell;
   World world(Box::periodic(static_cast<double>(cells) * edge));
@@ -54,7 +54,7 @@ inline World make_crystal(const Lattice& lattice, std::size_t cells, double spac
 }
 
 /// Spheres of these radii at independent random positions, overlaps allowed: an ideal gas, all of whose
-/// averages are known. Centres are at least a radius away from walls.
+/// averages are known. Centers are at least a radius away from walls.
 inline World make_ideal_gas(const Box& box, const std::vector<double>& radii, std::uint64_t seed) {
   Random random(seed);
   World world(box);

@@ -16,7 +16,7 @@ inline constexpr bool kIsSlowBuild = true;
 inline constexpr bool kIsSlowBuild = false;
 #endif
 
-/// The number of cases to try: all in an optimised build, a tenth in one slowed down by checks.
+/// The number of cases to try: all in an optimized build, a tenth in one slowed down by checks.
 constexpr std::uint64_t cases(std::uint64_t all) {
   return kIsSlowBuild ? all / 10 + 1 : all;
 }

@@ -19,7 +19,7 @@ namespace hardball::support {
 
 enum class Start {
   random,        ///< Random sequential addition, up to a packing fraction of 0.36.
-  fcc,           ///< A face-centred cubic crystal, stable from a packing fraction of about 0.5 on.
+  fcc,           ///< A face-centered cubic crystal, stable from a packing fraction of about 0.5 on.
   simple_cubic,  ///< A lattice that thermal motion destroys at every density below its own 0.52. Needs k^3
                  ///< spheres.
 };

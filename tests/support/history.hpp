@@ -22,7 +22,7 @@ struct EngineVariant {
   std::string name;
 };
 
-/// All engines and queues, cells from half a diameter to larger than the box, and neighbour lists where they
+/// All engines and queues, cells from half a diameter to larger than the box, and neighbor lists where they
 /// suit the world.
 inline std::vector<EngineVariant> engine_variants(const World& world, double restitution,
                                                   double elastic_below = 0) {

@@ -16,7 +16,7 @@ namespace hardball::support {
 /// Z = P V / N k T of the fluid, accurate to 4e-5; a unit test compares it with a table.
 using hardball::fluid_compressibility;
 
-/// Z of the face-centred cubic crystal. Source: Speedy, J. Phys.: Condens. Matter 10 (1998) 4387, table 1.
+/// Z of the face-centered cubic crystal. Source: Speedy, J. Phys.: Condens. Matter 10 (1998) 4387, table 1.
 inline double crystal_compressibility(double packing_fraction) {
   const double density = 6 * packing_fraction / std::numbers::pi;
   const double z = density / std::numbers::sqrt2;

@@ -322,7 +322,7 @@ TEST(CellGrid, HasOnlyNeighborsAsCandidates) {
   for (Slot slot = 0; slot < 5; ++slot) EXPECT_EQ(candidates_of(coarse, world, slot).size(), 4U);
 }
 
-// Neighbours are at most this far apart [L].
+// Neighbors are at most this far apart [L].
 double farthest_neighbors(double largest_radius, double skin) {
   return 2 * largest_radius + 4 * skin;
 }

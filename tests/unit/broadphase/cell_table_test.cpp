@@ -73,7 +73,7 @@ TEST(CellTable, SpreadsTheCellsOfABoxEvenly) {
   }
 }
 
-// Otherwise a neighbour would be found twice.
+// Otherwise a neighbor would be found twice.
 TEST(CellTable, CellsAroundOneShareNoList) {
   for (std::size_t spheres = 1; spheres < 100000000; spheres *= 2) {
     for (const CellIndex& shape : {CellIndex{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 1, 0}}) {

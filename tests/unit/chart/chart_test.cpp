@@ -41,7 +41,7 @@ double tick(const std::string& svg, const std::string& axis, const std::string& 
   const std::string pattern = "<text class=\"" + axis + R"re(" x="(\S+)" y="(\S+)"[^>]*>(.*)</text>)re";
   for (const std::smatch& match : matches(svg, pattern)) {
     if (match[3] != label) continue;
-    // Labels of the y axis are vertically centred at the tick.
+    // Labels of the y axis are vertically centered at the tick.
     return axis == "x" ? std::stod(match[1]) : std::stod(match[2]) - 4.5;
   }
   return std::numeric_limits<double>::quiet_NaN();
@@ -124,7 +124,7 @@ TEST(Chart, DrawsNothingWithoutPoints) {
   EXPECT_EQ(to_svg({}).find("class=\"panel\""), std::string::npos);
 }
 
-TEST(Chart, SeriesLikeThePreviousOneHasItsColour) {
+TEST(Chart, SeriesLikeThePreviousOneHasItsColor) {
   const Series a{.name = "a", .x = {1, 2}, .y = {1, 2}, .marks = false};
   Series b{.name = "b", .x = {1, 2}, .y = {1, 2}, .line = false};
   const auto colors = [&] {
@@ -235,7 +235,7 @@ TEST(Chart, ErrorsEndAtTheFrameAndLeaveThePointsRoom) {
   EXPECT_TRUE(error_numbers(draw({.x = {1}, .y = {1}, .y_error = {std::nan("")}})).empty());
 }
 
-TEST(Chart, InlineChartsTakeTheirColoursFromThePage) {
+TEST(Chart, InlineChartsTakeTheirColorsFromThePage) {
   const std::string svg =
       to_inline_svg({.title = "a & b",
                      .x = {.label = "x"},
@@ -244,7 +244,7 @@ TEST(Chart, InlineChartsTakeTheirColoursFromThePage) {
                                 {.name = "measured", .x = {1, 2}, .y = {1, 2}}},
                      .markers = {{.x = 1.5, .name = "here"}}},
                     "first");
-  EXPECT_EQ(svg.find("#0"), std::string::npos) << "no colour of its own";
+  EXPECT_EQ(svg.find("#0"), std::string::npos) << "no color of its own";
   EXPECT_EQ(svg.find("black"), std::string::npos);
   EXPECT_NE(svg.find("<title id=\"first-title\">a &amp; b</title>"), std::string::npos);
   EXPECT_NE(svg.find(">y against x: theory, measured; here at 1.5</desc>"), std::string::npos);
@@ -252,7 +252,7 @@ TEST(Chart, InlineChartsTakeTheirColoursFromThePage) {
   const std::vector<std::smatch> line = matches(svg, R"re(class="line" [^>]*stroke="([^"]+)")re");
   ASSERT_EQ(line.size(), 2U);
   EXPECT_EQ(line[0][1], "currentColor") << "a reference is drawn like the axes";
-  EXPECT_EQ(line[1][1], "var(--series-1)") << "and does not use up a colour";
+  EXPECT_EQ(line[1][1], "var(--series-1)") << "and does not use up a color";
 }
 
 }  // namespace

@@ -174,7 +174,7 @@ TEST(DoubleDouble, DifferenceOfProductsIsAccurateTo104BitsOfTheLargerProduct) {
     const double b = random.normal() * spread(random, -40, 40);
     const double c = random.normal() * spread(random, -40, 40);
     double d = random.normal() * spread(random, -40, 40);
-    // Two thirds of the time of similar size, or with most of the difference cancelling.
+    // Two thirds of the time of similar size, or with most of the difference canceling.
     if (i % 3 == 1) d = a * b / c * (random.uniform() < 0.5 ? -1 : 1) * (0.5 + random.uniform());
     if (i % 3 == 2) d = a * b / c * (1 + random.normal() * spread(random, -56, -2));
     const DoubleDouble found = difference_of_products(a, b, c, d);

@@ -31,7 +31,7 @@ TEST(DensityProfiles, SliceASphereExactly) {
   EXPECT_EQ(support::column(found, "position").values.size(), 12U);
   const std::vector<double>& along_x = support::column(found, "packing_fraction_x").values;
   const std::vector<double>& number_x = support::column(found, "number_density_x").values;
-  // Of the unit ball between planes a and b from its centre: pi ((b - b^3 / 3) - (a - a^3 / 3)).
+  // Of the unit ball between planes a and b from its center: pi ((b - b^3 / 3) - (a - a^3 / 3)).
   const auto slice = [](double a, double b) {
     return std::numbers::pi * ((b - b * b * b / 3) - (a - a * a * a / 3));
   };
@@ -76,7 +76,7 @@ TEST(DensityProfiles, AddUpToTheSpheres) {
   }
 }
 
-// Centres uniform over the space they can reach touch the walls as densely as they fill it.
+// Centers uniform over the space they can reach touch the walls as densely as they fill it.
 TEST(DensityProfiles, KnowTheDensityAtTheWalls) {
   const Box box({Boundary::wall, Boundary::periodic, Boundary::wall}, {7, 9, 8});
   std::vector<double> radii(300, 0.25);
@@ -88,7 +88,7 @@ TEST(DensityProfiles, KnowTheDensityAtTheWalls) {
   }
   const Measurement found = measure.result({first, Time(0)});
   const Quantity& density = support::quantity(found, "density_at_walls");
-  // Along x, the free lengths of centres are 6.5 and 6; along z, 7.5 and 7. Walls are weighted by area.
+  // Along x, the free lengths of centers are 6.5 and 6; along z, 7.5 and 7. Walls are weighted by area.
   const double across_x = 300 / (9 * 8.0) * (1 / 6.5 + 1 / 6.0);
   const double across_z = 300 / (9 * 7.0) * (1 / 7.5 + 1 / 7.0);
   EXPECT_NEAR(density.value, (8 * across_x + 7 * across_z) / 15, 4 * density.error);

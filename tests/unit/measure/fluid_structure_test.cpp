@@ -47,12 +47,12 @@ TEST(PercusYevick, AgreesWithNumericalIntegration) {
 TEST(NearestNeighbor, OfADiluteGasIsThatOfPoints) {
   constexpr double kPacking = 1e-4;
   EXPECT_EQ(nearest_neighbor_beyond(kPacking, 1), 1);
-  // The expected number of centres in the shell between the diameter and the distance.
+  // The expected number of centers in the shell between the diameter and the distance.
   const double expected = std::exp(-8 * kPacking * (1000 - 1));
   EXPECT_NEAR(nearest_neighbor_beyond(kPacking, 10) / expected, 1, 1e-3);
 }
 
-// Just outside contact the density of neighbours is that of the fluid times the contact value.
+// Just outside contact the density of neighbors is that of the fluid times the contact value.
 TEST(NearestNeighbor, HasTheSlopeOfTheContactValueAtContact) {
   constexpr double kPacking = 0.3;
   constexpr double kStep = 1e-6;

@@ -37,7 +37,7 @@ Measurement measured(const World& world) {
   return measure.result({world, Time(0)});
 }
 
-// Discs of diameter one at 1.1 from their nearest neighbours.
+// Discs of diameter one at 1.1 from their nearest neighbors.
 World crystal_of_discs(bool is_hexagonal) {
   const double height = is_hexagonal ? std::sqrt(3.0) : 1;
   World world(Box::flat_periodic(1.1 * 12, 1.1 * 12 * height));

@@ -85,7 +85,7 @@ TEST(NeighborQuery, OfManySpheresAreThoseOfSomeEvenlyChosen) {
   const std::vector<std::size_t> few = centers_within(1);
   ASSERT_EQ(few.size(), NeighborQuery::kMostCenters);
   for (std::size_t k = 0; k < few.size(); ++k) EXPECT_EQ(few[k], 3 * k);
-  // With 2000 neighbours each, 100 spheres are chosen.
+  // With 2000 neighbors each, 100 spheres are chosen.
   const double range = std::cbrt(2000 * 1e6 / kSpheres * 3 / (4 * std::numbers::pi));
   EXPECT_NEAR(static_cast<double>(centers_within(range).size()), NeighborQuery::kMostNeighbors / 2000, 1);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Coordination and the gaps of nearest neighbours, on states that can be counted by hand.
+// Coordination and the gaps of nearest neighbors, on states that can be counted by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -16,7 +16,7 @@
 namespace hardball::radial_distribution_test {
 namespace {
 
-// The number of neighbours closer than a distance, from g(r) in a periodic box.
+// The number of neighbors closer than a distance, from g(r) in a periodic box.
 double neighbors_within(const Measurement& found, double density, double bin_width, double distance) {
   const std::vector<double>& r = support::column(found, "distance").values;
   const std::vector<double>& g = support::column(found, "g").values;
@@ -54,7 +54,7 @@ struct IdealCase {
 
 class IdealGas : public ::testing::TestWithParam<IdealCase> {};
 
-// In every box an ideal gas must have g = 1, less one pair in n: a sphere is not its own neighbour. Over 100
+// In every box an ideal gas must have g = 1, less one pair in n: a sphere is not its own neighbor. Over 100
 // bins the squares of deviations, in standard errors from 24 samples, have a mean of 23 / 21 and a standard
 // deviation of about sqrt(2.6 / 100).
 TEST_P(IdealGas, IsUniformInEveryBox) {

@@ -37,7 +37,7 @@ TEST(Scene, HoldsCurrentCentersInTheOrderOfIds) {
   }
 }
 
-// Whatever the range, shorter than the cells of the neighbourhood or as long as the box.
+// Whatever the range, shorter than the cells of the neighborhood or as long as the box.
 TEST(Scene, HasTheNeighborQueryOfAllPairs) {
   const World world = support::make_gas({.count = 60, .packing_fraction = 0.1});
   const Scene scene(world, Time(0));

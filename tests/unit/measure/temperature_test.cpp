@@ -33,7 +33,7 @@ TEST(Temperature, CountsMotionRelativeToTheDriftInAPeriodicBox) {
   EXPECT_NEAR(quantity(found, "temperature_along_x").value, 8.0 / 3, 1e-12);
   EXPECT_NEAR(quantity(found, "temperature_along_y").value, 6.0 / 3, 1e-12);
   EXPECT_NEAR(quantity(found, "temperature_along_z").value, 0, 1e-12);
-  // Of the motion of the centre of mass the light pair has a quarter.
+  // Of the motion of the center of mass the light pair has a quarter.
   EXPECT_NEAR(quantity(found, "temperature_of_species_1").value, 8 / (6 - 3 * 0.25), 1e-12);
   EXPECT_NEAR(quantity(found, "temperature_of_species_2").value, 6 / (6 - 3 * 0.75), 1e-12);
   EXPECT_EQ(column(found, "time").values, std::vector<double>{4});

@@ -53,7 +53,7 @@ TEST(VelocityDistribution, IsOfVelocitiesInUnitsOfTheThermalOne) {
     }
   }
   // The mean of sqrt(8 kT / pi m), at fixed energy in 33 degrees of freedom and without what spheres of mass
-  // 1 and 9, of 60 in all, have of the motion of the centre of mass.
+  // 1 and 9, of 60 in all, have of the motion of the center of mass.
   const double of_light = std::sqrt(1 - 1.0 / 60);
   const double of_heavy = std::sqrt(1 - 9.0 / 60) / 3;
   const double expected =

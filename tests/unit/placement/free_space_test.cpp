@@ -60,7 +60,7 @@ struct Crowd {
   }
 };
 
-TEST(FreeSpace, ExcludesNoCentreWithRoomAndMostOfTheOthers) {
+TEST(FreeSpace, ExcludesNoCenterWithRoomAndMostOfTheOthers) {
   for (const Boundary boundary : {Boundary::periodic, Boundary::wall}) {
     // The first box is so small that spheres touch their own images.
     for (const Vec3& size : {Vec3{2.5, 2.6, 2.7}, Vec3{5, 9, 7}, Vec3{40, 3, 3}}) {
@@ -95,14 +95,14 @@ TEST(FreeSpace, HasNoMoreVoxelsThanAllowed) {
   }
 }
 
-TEST(FreeSpace, DrawsEvenlyAmongTheCentresWithRoom) {
+TEST(FreeSpace, DrawsEvenlyAmongTheCentersWithRoom) {
   constexpr std::size_t kParts = 4;
   for (const Boundary boundary : {Boundary::periodic, Boundary::wall}) {
     Random random(23);
     const Crowd crowd(boundary, {6, 6, 6}, 30, random);
     FreeSpace space = crowd.make_space(1.5);
     space.list();
-    // Counts of centres in parts of the region: by voxels, and by trying anywhere.
+    // Counts of centers in parts of the region: by voxels, and by trying anywhere.
     std::array<double, kParts * kParts * kParts> by_voxels{};
     std::array<double, kParts * kParts * kParts> anywhere{};
     const auto part = [&](const Vec3& place) {
@@ -114,9 +114,9 @@ TEST(FreeSpace, DrawsEvenlyAmongTheCentresWithRoom) {
       }
       return index;
     };
-    constexpr int kCentres = 40000;
+    constexpr int kCenters = 40000;
     int draws = 0;
-    for (int found = 0; found < kCentres; ++draws) {
+    for (int found = 0; found < kCenters; ++draws) {
       const FreeSpace::Draw draw = space.draw(random);
       const Ball* const ball = crowd.overlapping(draw.center, crowd.least_radius);
       if (ball) {
@@ -126,15 +126,15 @@ TEST(FreeSpace, DrawsEvenlyAmongTheCentresWithRoom) {
         ++found;
       }
     }
-    EXPECT_LT(draws, 2 * kCentres) << "most of the listed volume has room in the end";
+    EXPECT_LT(draws, 2 * kCenters) << "most of the listed volume has room in the end";
     int tries = 0;
-    for (int found = 0; found < kCentres; ++tries) {
+    for (int found = 0; found < kCenters; ++tries) {
       const Vec3 place = crowd.place(random);
       if (crowd.overlapping(place, crowd.least_radius)) continue;
       ++anywhere[part(place)];
       ++found;
     }
-    EXPECT_GT(tries, 4 * kCentres) << "there is little room";
+    EXPECT_GT(tries, 4 * kCenters) << "there is little room";
     double squares = 0;
     double degrees = -1;
     for (std::size_t i = 0; i < by_voxels.size(); ++i) {

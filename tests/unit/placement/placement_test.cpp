@@ -57,7 +57,7 @@ TEST(PlaceRandomly, FillsTheRegionEvenly) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) EXPECT_NEAR(sum[axis] / 20000, 5, 0.102);
 }
 
-// One centre after another, anywhere until it overlaps no other.
+// One center after another, anywhere until it overlaps no other.
 std::vector<Vec3> place_slowly(const Box& box, const Vec3& size, const std::vector<double>& radii,
                                Random& random) {
   std::vector<Vec3> centers;
@@ -213,7 +213,7 @@ TEST(PlaceOnLattice, MakesDenseCrystals) {
 }
 
 TEST(PlaceOnLattice, ReachesClosePackingAndNoFarther) {
-  // 4 * 5^3 spheres: with cubes of edge 2, neighbours are sqrt(2) apart.
+  // 4 * 5^3 spheres: with cubes of edge 2, neighbors are sqrt(2) apart.
   const Box box = Box::periodic({10, 10, 10});
   const double most = std::sqrt(0.5);
   EXPECT_EQ(place_on_lattice(box, {{}, box.size()}, 500, most * (1 - 1e-12), "here").size(), 500U);

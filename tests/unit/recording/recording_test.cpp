@@ -275,7 +275,7 @@ TEST(Recording, EachKeyframeIsWhereThePreviousChunkLeads) {
 
 // The recording drops the low part of a time t, up to 2^-53 t: at each end of a path, a sphere is displaced
 // by no more than it moves in that time, and by rounding.
-TEST(Recording, CentresAreThoseOfTheSimulation) {
+TEST(Recording, CentersAreThoseOfTheSimulation) {
   const ScratchFolder folder;
   constexpr double kMoment = 4.75;
   constexpr double kHalfUlp = std::numeric_limits<double>::epsilon() / 2;

@@ -59,7 +59,7 @@ inline Report sample_report() {
   Measurement radial;
   radial.name = "radial_distribution";
   radial.title = "Radial distribution function";
-  radial.formula = "$g(r)$: the density of centres at the distance $r$ from a centre, over the mean density";
+  radial.formula = "$g(r)$: the density of centers at the distance $r$ from a center, over the mean density";
   radial.source = "Percus and Yevick, Phys. Rev. 110 (1958) 1";
   Column r{"r", "L", ColumnRole::argument, {}};
   Column g{"g", "1", ColumnRole::value, {}};

@@ -58,7 +58,7 @@ Vec3 momentum(const Contact& contact, const Velocities& velocities) {
   return contact.first_mass * velocities.first + contact.second_mass * velocities.second;
 }
 
-// About the centre of the first sphere.
+// About the center of the first sphere.
 Vec3 angular_momentum(const Contact& contact, const Velocities& velocities, const Spins& spins) {
   return contact.second_mass * cross(contact.separation, velocities.second) +
          inertia_of_first(contact) * spins.first + inertia_of_second(contact) * spins.second;
@@ -99,7 +99,7 @@ TEST(Bounce, OfRoughSpheresKeepsMomentaAndReversesTheSlip) {
                 -restitution * normal_speed(contact, contact.before), kRounding * scale);
     expect_near(slip(contact, outcome.velocities, outcome.spins),
                 -tangential * slip(contact, contact.before, contact.spins_before), kRounding * scale);
-    // Spheres do not turn about the line through their centres.
+    // Spheres do not turn about the line through their centers.
     EXPECT_NEAR(dot(outcome.spins.first - contact.spins_before.first, contact.normal()), 0,
                 kRounding * scale);
     EXPECT_FALSE(outcome.merges);

@@ -83,9 +83,9 @@ TEST(HaveNotParted, ComparesTheTwoSpheresOfACollision) {
   heavy.after.second = {0, 0, -kRestitution};
   EXPECT_FALSE(have_not_parted(heavy));
   // Two that stick together, and travel.
-  Contact travelling = collision(0, 1e3);
-  travelling.before = travelling.after = {{0, 0, 1}, {0, 0, 1}};
-  EXPECT_FALSE(have_not_parted(travelling));
+  Contact traveling = collision(0, 1e3);
+  traveling.before = traveling.after = {{0, 0, 1}, {0, 0, 1}};
+  EXPECT_FALSE(have_not_parted(traveling));
 }
 
 TEST(CollapseGuard, CountsContactsOfSpheresThatDoNotPart) {

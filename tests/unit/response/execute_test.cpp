@@ -74,7 +74,7 @@ TEST(Contact, NormalPointsAlongTheSeparationOrTowardsTheWall) {
   EXPECT_EQ(contact.normal(), (Vec3{0, 0, 1}));
 }
 
-TEST(ContactAt, CountsTheImageBetweenFoldedCentres) {
+TEST(ContactAt, CountsTheImageBetweenFoldedCenters) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{9, 5, 5}, {2, 0, 0}, 0.5, 1});
   world.add({{4, 5, 5}, {0, 0, 0}, 0.5, 1});

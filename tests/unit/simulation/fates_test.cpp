@@ -128,7 +128,7 @@ TEST_P(Fates, OfMergingSpheresKeepsMassMomentumVolumeAndAngularMomentum) {
   }
 }
 
-// A drop in a row that grows into its neighbours merges with them at once.
+// A drop in a row that grows into its neighbors merges with them at once.
 TEST_P(Fates, OfMergingSpheresIsToMergeWithAllThatTheMergedOneOverlaps) {
   World world(Box::open());
   world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 1});

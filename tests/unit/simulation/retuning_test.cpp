@@ -49,7 +49,7 @@ TEST(Retuning, DoesNotRebuildForAGasThatOnlyCools) {
   EXPECT_EQ(simulation.counters().rebuilds, 0U);
 }
 
-// Neighbour lists are best for a dense cloud, cells for a dilute one. The user's response is kept.
+// Neighbor lists are best for a dense cloud, cells for a dilute one. The user's response is kept.
 TEST(Retuning, ChangesTheEngineWhenADenseCloudFliesApart) {
   const auto dense = [] {
     return support::make_gas({.count = 800,

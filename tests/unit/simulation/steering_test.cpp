@@ -304,7 +304,7 @@ TEST(Ray, HitsSpheresAndWalls) {
   EXPECT_EQ(wall->normal, (Vec3{0, 0, 1}));
   EXPECT_FALSE(simulation.ray({10, 5, 5}, {1, 0, 0}, 3.9));
   EXPECT_TRUE(simulation.ray({10, 5, 5}, {1, 0, 0}, 4));
-  // Out of a sphere, from off its centre.
+  // Out of a sphere, from off its center.
   EXPECT_EQ(simulation.ray({4.5, 5, 5}, {1, 0, 0}, 100)->body, 1U);
   EXPECT_THROW(static_cast<void>(simulation.ray({10, 5, 5}, {0, 0, 0}, 1)), Error);
   EXPECT_THROW(static_cast<void>(simulation.ray({10, 5, 5}, {kNan, 0, 0}, 1)), Error);

@@ -42,7 +42,7 @@ TEST(EventRandom, DependsOnEachOfItsKeys) {
   EXPECT_EQ(event_random(1, 2, 3).bits(), event_random(1, 2, 3).bits());
 }
 
-// Numbers of successive events, and of neighbouring spheres, are not correlated.
+// Numbers of successive events, and of neighboring spheres, are not correlated.
 TEST(EventRandom, GivesIndependentNormalNumbers) {
   constexpr int kEvents = 20000;
   double squares = 0;

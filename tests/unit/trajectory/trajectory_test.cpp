@@ -51,7 +51,7 @@ void expect_same(const Snapshot& read, const Snapshot& written, SnapshotFormat f
     const Sphere& expected = written.spheres[i];
     EXPECT_EQ(sphere.radius, expected.radius);
     EXPECT_EQ(sphere.species, expected.species);
-    // These files have nothing else, and unfolded centres.
+    // These files have nothing else, and unfolded centers.
     if (is_sph) continue;
     EXPECT_EQ(sphere.position, expected.position);
     EXPECT_EQ(sphere.velocity, expected.velocity);

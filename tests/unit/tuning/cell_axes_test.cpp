@@ -112,7 +112,7 @@ TEST(CellAxes, BetweenWallsSumUpAllRows) {
         double pairs = 0;
         double at_wall = 0;
         for (double row = 0; row < cells; ++row) {
-          // Where centres may lie, from the least on.
+          // Where centers may lie, from the least on.
           const double low = std::max(0.0, row * axis.edge - diameter);
           const double high = std::min(axis.room, (row + 1) * axis.edge);
           rows += high - low;

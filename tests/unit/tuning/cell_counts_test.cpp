@@ -39,7 +39,7 @@ TEST(CellCounts, SphereTouchesAsManyCellsAsItsExtentRequires) {
 }
 
 // If cells were released immediately, there would be in each cell that a sphere touches, besides itself,
-// those whose centres lie in a cube of edge L + d.
+// those whose centers lie in a cube of edge L + d.
 TEST(CellCounts, CandidatesAreThoseOfTheCellsTouchedAndSomeLeft) {
   for (const double packing_fraction : {1e-3, 0.1, 0.4}) {
     const Moments moments = gas_moments(8000, packing_fraction, 0.5);

@@ -149,7 +149,7 @@ TEST(World, RefusesInvalidMoments) {
   EXPECT_EQ(world.add({{5, 4, 9}, {}, 1, 1}, Time(-1e100, 1e80)), 1U);
 }
 
-TEST(World, RefusesCentresTooManyPeriodicBoxesAway) {
+TEST(World, RefusesCentersTooManyPeriodicBoxesAway) {
   World world(mixed_box());
   EXPECT_THROW(world.add({{5, 8 * 0x1p31, 0}, {}, 1, 1}), Error);
   EXPECT_THROW(world.add({{5, -1e60, 0}, {}, 1, 1}), Error);
@@ -162,7 +162,7 @@ TEST(World, HoldsSpheresThatTouchTheWallsOrFillTheBox) {
   EXPECT_NO_THROW(world.add({{1, 4, 0}, {}, 1, 1}));
   EXPECT_NO_THROW(world.add({{9, 4, 3}, {}, 1, 1}));
   EXPECT_NO_THROW(world.add({{5, 4, 1e30}, {}, 4, 1}));
-  // Rounding may put a centre slightly too close.
+  // Rounding may put a center slightly too close.
   EXPECT_NO_THROW(world.add({{1 - 1e-13, 4, 8}, {}, 1, 1}));
 }
 

@@ -474,7 +474,7 @@ export class Viewer {
     if (this.spheres.way !== way.spheres) this.spheres.drawAs(way.spheres);
     this.view.resize();
     if (this.quality.isFixed) return;
-    this.notices.show('quality', 'Drawn more simply, so that it moves smoothly.', {
+    this.notices.show('quality', 'Reduced quality for smooth playback.', {
       action: { label: 'Full quality', run: () => this.setQuality('full') },
     });
   }
