@@ -57,7 +57,7 @@ class Forecast {
            images_.capacity() * sizeof(Image);
   }
 
-  /// Discards everything but the world, makes new regions as of `now`, and plans for all spheres.
+  /// Discards everything but the world, and makes new regions and plans as of `now`.
   void rebuild(const Time& now, const Progress& progress) {
     now_ = now;
     phase_.build(world_, now_, compact_);

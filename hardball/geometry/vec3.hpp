@@ -36,6 +36,7 @@ struct Vec3 {
 };
 
 inline constexpr std::size_t kAxes = 3;
+inline constexpr const char* kAxisNames[kAxes] = {"x", "y", "z"};
 
 /// Calls visit(axis) for every axis, a compile-time constant, so that member access is resolved at compile
 /// time.

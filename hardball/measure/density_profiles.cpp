@@ -19,7 +19,6 @@ namespace hardball {
 namespace {
 
 constexpr double kMostBins = 2000;
-constexpr const char* kAxisNames[] = {"x", "y", "z"};
 
 double mean_radius(const World& world) {
   double sum = 0;

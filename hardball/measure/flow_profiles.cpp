@@ -19,7 +19,6 @@ namespace {
 using Means = std::span<const double>;
 
 constexpr std::size_t kMostSlabs = 100;
-constexpr std::array<const char*, kAxes> kAxisNames{"x", "y", "z"};
 
 bool drives(const FaceProperties& face) {
   return face.material.temperature || face.velocity != Vec3{};

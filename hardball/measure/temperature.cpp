@@ -14,7 +14,6 @@ namespace hardball {
 namespace {
 
 constexpr const char* kEnergyUnit = "M L^2 T^-2";
-constexpr const char* kAxisNames[] = {"x", "y", "z"};
 
 // Bins of the average; those of the species follow, and that of the spins, sum of I w^2, is the last.
 constexpr std::size_t kTime = 0;    // since the start

@@ -3,7 +3,6 @@
 #include "hardball/measure/wall_forces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -18,7 +17,6 @@ namespace hardball {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<const char*, kAxes> kAxisNames{"x", "y", "z"};
 
 // The axis along which a unit vector lies, or kAxes if there is none.
 std::size_t axis_along(const Vec3& direction) {

@@ -34,7 +34,6 @@ Box::Box(const std::array<Boundary, kAxes>& boundary, const Vec3& size) : bounda
 
 void Box::set_face(Face face, const FaceProperties& properties) {
   if (face >= kFaces) throw Error("there is no face " + to_text(face), "face", "give one that face_of names");
-  constexpr std::array<const char*, kAxes> kAxisNames{"x", "y", "z"};
   const std::string where = "face " + std::string(kFaceNames[face]);
   const std::size_t across = axis_of(face);
   if (!is_wall(across)) {

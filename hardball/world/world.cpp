@@ -11,14 +11,11 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/world/range.hpp"
+#include "hardball/world/setting.hpp"
 
 namespace hardball {
 namespace {
 
-// How much closer to a wall than its radius a center may lie through rounding alone, relative to the box.
-constexpr double kWallTolerance = 1e-12;
-
-constexpr const char* kAxisNames[] = {"x", "y", "z"};
 constexpr const char* kPositionNames[] = {"position along x", "position along y", "position along z"};
 constexpr const char* kVelocityNames[] = {"velocity along x", "velocity along y", "velocity along z"};
 constexpr const char* kSpinNames[] = {"spin about x", "spin about y", "spin about z"};
@@ -34,104 +31,6 @@ void check_vector(const Vec3& vector, const char* const (&names)[kAxes], const s
   }
 }
 
-// Of a plane, at rest or oscillating; null for other shapes.
-const Vec3* normal_of(const Surface& surface) {
-  return std::visit(
-      [](const auto& shape) -> const Vec3* {
-        if constexpr (requires { shape.normal(); }) return &shape.normal();
-        return nullptr;
-      },
-      surface.shape());
-}
-
-// In two dimensions. `what` names the vector.
-void refuse_out_of_plane(const Vec3& vector, const std::string& what, const std::string& where) {
-  if (vector.z == 0) return;
-  throw Error(what + " along z is " + to_text(vector.z) + " in a box of two dimensions", where,
-              "make it zero, or give the box three dimensions");
-}
-
-// A plane or a tube stands upright on the plane of the discs, a sphere is centered in it.
-void refuse_out_of_plane(const Surface& surface) {
-  const std::string name = "the " + std::string(surface.name());
-  refuse_out_of_plane(surface.point(), "the position of " + name, "walls");
-  refuse_out_of_plane(surface.velocity(), "the velocity of " + name, "walls");
-  if (const auto* cylinder = std::get_if<Cylinder>(&surface.shape())) {
-    if (cylinder->axis().x == 0 && cylinder->axis().y == 0) return;
-    throw Error("the axis of " + name + " is not z in a box of two dimensions", "walls",
-                "let it be (0, 0, 1): a circle around the discs");
-  }
-  if (const Vec3* const normal = normal_of(surface))
-    refuse_out_of_plane(*normal, "the normal of " + name, "walls");
-}
-
-// All images of an obstacle that reach into a box are visited.
-void refuse_far_or_large(const Obstacle& obstacle, double center, double size, std::size_t axis) {
-  constexpr double kMostBoxes = 16;
-  if (!(center >= -size && center <= 2 * size)) {
-    throw Error(
-        "an obstacle at " + to_text(center) + " along " + kAxisNames[axis] + " is outside the periodic box",
-        "walls", "place it between 0 and " + to_text(size));
-  }
-  if (2 * obstacle.radius() <= kMostBoxes * size) return;
-  throw Error("the diameter " + to_text(2 * obstacle.radius()) + " of an obstacle exceeds " +
-                  to_text(kMostBoxes) + " times the period " + to_text(size) + " along " + kAxisNames[axis],
-              "walls", "enlarge the box or shrink the obstacle");
-}
-
-// A plane or a tube must be the same in every image of the box; what encloses spheres must lie inside it.
-void refuse_in_periodic_box(const Surface& surface, const Box& box) {
-  const auto refuse = [&](std::size_t axis, const char* remedy) {
-    throw Error("the " + std::string(surface.name()) + " is not periodic along " + kAxisNames[axis], "walls",
-                remedy);
-  };
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!box.is_periodic(axis)) continue;
-    if (const auto* obstacle = std::get_if<Obstacle>(&surface.shape())) {
-      refuse_far_or_large(*obstacle, surface.point()[axis], box.size()[axis], axis);
-      if (surface.velocity() == Vec3{}) continue;
-      // Its images would come from any distance.
-      throw Error("an obstacle moves in a periodic box", "walls",
-                  "keep it at rest, or take a kinematic sphere");
-    }
-    if (const Vec3* const normal = normal_of(surface)) {
-      if ((*normal)[axis] != 0) refuse(axis, "make it parallel to the axis, or the axis not periodic");
-      continue;
-    }
-    const auto* cylinder = std::get_if<Cylinder>(&surface.shape());
-    if (cylinder != nullptr && std::fabs(cylinder->axis()[axis]) == 1) continue;
-    if (cylinder != nullptr && cylinder->axis()[axis] != 0)
-      refuse(axis, "let it run along an axis of the box");
-    const double radius =
-        cylinder != nullptr ? cylinder->radius() : std::get<HollowSphere>(surface.shape()).radius();
-    const double center = surface.point()[axis];
-    if (surface.velocity()[axis] != 0 || center < radius || center > box.size()[axis] - radius) {
-      refuse(axis, "keep it inside the box and at rest, or make the axis open");
-    }
-  }
-}
-
-// A plane that recedes, or is at rest, is not met if no corner of the box lies beyond it.
-void refuse_behind_faces(const Surface& surface, const Box& box) {
-  const Vec3* const normal = normal_of(surface);
-  if (normal == nullptr || dot(surface.velocity(), *normal) > 0) return;
-  double gap = 0;  // of the corner that comes closest
-  double scale = 0;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double n = (*normal)[axis];
-    if (n == 0) continue;
-    if (!box.is_wall(axis)) return;
-    const double place = surface.point()[axis];
-    gap += n * ((n > 0 ? 0 : box.size()[axis]) - place);
-    scale += std::fabs(n) * (box.size()[axis] + std::fabs(place));
-  }
-  if (const auto* plane = std::get_if<OscillatingPlane>(&surface.shape())) gap -= plane->amplitude();
-  if (gap < -kWallTolerance * scale) return;
-  throw Error("no sphere can reach the " + std::string(surface.name()) +
-                  ": faces of the box that are walls are in front of it, or where it is",
-              "walls", "give the face properties of its own, in scenarios in [box.faces], or open the axis");
-}
-
 std::string name_of(SphereId id) {
   return "sphere " + to_text(id);
 }
@@ -145,24 +44,9 @@ void check_queried(const Time& moment, std::string_view where) {
 
 World::World(const Box& box, const Vec3& gravity, std::vector<Surface> surfaces)
     : box_(box), motion_(gravity), surfaces_(std::move(surfaces)) {
-  check_setting();
-  // A state that an earlier version has saved may have such a plane.
-  for (const Surface& surface : surfaces_) refuse_behind_faces(surface, box_);
-}
-
-void World::check_setting() const {
-  const Vec3& gravity = motion_.gravity();
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double g = gravity[axis];
-    check_finite(g, "gravity", "gravity");
-    if (g != 0 && std::fabs(g) < kSmallestMagnitude) {
-      throw Error("gravity is " + to_text(g), "gravity", "give zero, or a magnitude of at least 1e-60");
-    }
-  }
-  for (const Surface& surface : surfaces_) refuse_in_periodic_box(surface, box_);
-  if (!box_.is_flat()) return;
-  refuse_out_of_plane(gravity, "gravity", "gravity");
-  for (const Surface& surface : surfaces_) refuse_out_of_plane(surface);
+  check_setting(box_, motion_, surfaces_);
+  // A state that an earlier version has saved may have planes that are not.
+  check_reachable(box_, surfaces_);
 }
 
 void World::reserve(std::size_t count) {
@@ -474,7 +358,7 @@ bool World::restored() {
                            masses_.size() == count && moments_.size() == count && fits(spins_) &&
                            fits(species_);
   if (!is_complete || last_passage_.kind > EventKind::wall) return false;
-  check_setting();
+  check_setting(box_, motion_, surfaces_);
   std::vector<SphereId> sorted(ids_.begin(), ids_.end());
   std::ranges::sort(sorted);
   if (std::ranges::adjacent_find(sorted) != sorted.end() || (count > 0 && sorted.back() >= next_id_))

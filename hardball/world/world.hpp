@@ -206,8 +206,6 @@ class World {
   }
   bool restored();
 
-  // Of box, gravity and surfaces.
-  void check_setting() const;
   void check_spin(const Vec3& spin, const std::string& where) const;
   void check_in_plane(const Vec3& vector, const char* what, const std::string& where) const;
   void note_traits();
