@@ -169,7 +169,7 @@ ExitCode carry_out(StartedRun& run) {
   write_output(run.options.json ? json : summary.table());
   if (is_complete) return ExitCode::done;
   write_message("interrupted at time " + to_text(simulation.time()) + " of " + to_text(*run.scenario.until) +
-                (run.files ? "; 'hardball resume " + run.files->directory().string() + "' goes on" : ""));
+                (run.files ? "; 'hardball resume " + run.files->directory().string() + "' resumes it" : ""));
   return ExitCode::failed;
 }
 

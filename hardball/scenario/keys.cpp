@@ -611,7 +611,7 @@ TableDescription output_keys() {
                {.name = "checkpoint_every",
                 .range = positive,
                 .default_value = "60.0",
-                .meaning = "seconds of wall time between checkpoints, from which `hardball resume` goes on",
+                .meaning = "seconds of wall time between checkpoints, from which `hardball resume` resumes",
                 .example = "600"},
                {.name = "checkpoint_at",
                 .type = numbers,

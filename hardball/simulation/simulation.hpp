@@ -161,7 +161,7 @@ class Simulation {
   std::uint64_t user_data(SphereId id) const;
   void set_user_data(SphereId id, std::uint64_t data);
 
-  /// The whole state as bytes, from which `load` makes a simulation that goes on to the same history: paths
+  /// The whole state as bytes, from which `load` makes a simulation that continues to the same history: paths
   /// as they are stored, the clock, the hash, the tally, the thermostat, the numbers of the caller, the
   /// options. Only functions are missing: the listeners, and a response of the caller's own. Error: called by
   /// the response or a velocity listener. Cost: O(n).

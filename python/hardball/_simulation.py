@@ -173,7 +173,7 @@ class Simulation(_hardball.Simulation):
     def save(self, path: str | os.PathLike[str] | None = None) -> bytes | None:
         """The whole state as bytes, or into a file, with what has been measured.
 
-        From either, `load` makes a simulation that goes on to the same history. Missing are functions, listeners and a
+        From either, `load` makes a simulation that continues to the same history. Missing are functions, listeners and a
         response written in Python, and attributes of your own; `pickle` and `copy` have these, but for listeners
         that pickle leaves out. The file is either as before or complete. Cost: O(size).
         """
@@ -275,7 +275,7 @@ class Simulation(_hardball.Simulation):
     # --- pictures ---
 
     def view(self, until: float | None = None, *, contacts: int | None = None) -> View:
-        """Shows how the simulation goes on: inline in a notebook, elsewhere in the browser.
+        """Shows what happens next: inline in a notebook, elsewhere in the browser.
 
         Up to the time `until` [T], or for so many contacts; without a limit, for about ten contacts of each sphere,
         but not beyond the end of the scenario. The simulation stays as it is: what is shown is what a run would do,

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""The viewer: a page that shows how a simulation goes on."""
+"""The viewer: a page that shows what happens next."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class View:
 
 
 def view_of(simulation: Simulation, until: float | None, contacts: int | None) -> View:
-    """How the simulation goes on up to these limits, or to usual ones."""
+    """What happens next, up to these limits or usual ones."""
     if until is None and contacts is None:
         contacts = max(_FEWEST_CONTACTS, _CONTACTS_OF_EACH_SPHERE * len(simulation) // 2)
         until = simulation.time + _usual_span(simulation)

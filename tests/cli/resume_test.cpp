@@ -84,7 +84,7 @@ TEST_F(Resume, GoesOnAfterAnInterruption) {
   kill(program.process(), SIGTERM);
   const Outcome outcome = program.wait();
   if (outcome.exit_code != 0) {
-    EXPECT_NE(outcome.messages.find("'hardball resume parts' goes on"), std::string::npos)
+    EXPECT_NE(outcome.messages.find("'hardball resume parts' resumes it"), std::string::npos)
         << outcome.messages;
     std::filesystem::remove(folder_ / "parts/summary.json");
     expect_same(run({"resume", "parts"}), whole, "parts", "whole");
