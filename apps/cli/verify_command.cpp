@@ -23,7 +23,7 @@ namespace hardball::cli {
 namespace {
 
 // What a run must have in common with all others, and its own figures.
-struct Outcome {
+struct VerifiedRun {
   std::uint64_t hash = 0;
   std::vector<Path> paths;
   double max_overlap = 0;
@@ -39,15 +39,15 @@ bool is_same(const Path& a, const Path& b) {
   return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
-bool is_same(const Outcome& a, const Outcome& b) {
+bool is_same(const VerifiedRun& a, const VerifiedRun& b) {
   return a.hash == b.hash && std::equal(a.paths.begin(), a.paths.end(), b.paths.begin(), b.paths.end(),
                                         [](const Path& p, const Path& q) { return is_same(p, q); });
 }
 
-Outcome run_with(const Scenario& scenario, const World& start, const EngineOptions& options) {
+VerifiedRun run_with(const Scenario& scenario, const World& start, const EngineOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   Simulation simulation = start_simulation(scenario, start, options);
-  Outcome outcome;
+  VerifiedRun outcome;
   outcome.cell_edge = simulation.cell_edge();
   simulation.on_velocity_change([&](const VelocityChange&) { ++outcome.changes; });
   simulation.run_until(*scenario.until);
@@ -74,7 +74,7 @@ class Comparison {
 
   /// Error: the options are invalid for this scenario.
   void run(const std::string& name, const EngineOptions& options) {
-    const Outcome outcome = run_with(scenario_, start_, options);
+    const VerifiedRun outcome = run_with(scenario_, start_, options);
     const bool is_first = !first_;
     if (is_first) first_ = outcome;
     const bool same = is_same(outcome, *first_);
@@ -90,14 +90,14 @@ class Comparison {
 
   const World& start() const { return start_; }
   /// The outcome of the first run. Precondition: there is one.
-  const Outcome& first() const { return *first_; }
+  const VerifiedRun& first() const { return *first_; }
   /// Whether all runs were the same and sound.
   bool is_good() const { return is_good_; }
 
  private:
   const Scenario& scenario_;
   World start_;
-  std::optional<Outcome> first_;
+  std::optional<VerifiedRun> first_;
   bool is_good_ = true;
 };
 

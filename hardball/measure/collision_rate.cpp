@@ -21,7 +21,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 CollisionRate::CollisionRate(const Scene& scene)
     : species_(scene.species()),
       theory_(scene.fluid()),
-      motion_(scene.motion()),
+      motion_(scene.thermal_motion()),
       spheres_(static_cast<double>(scene.world().size())),
       has_walls_(scene.world().box().is_any(Boundary::wall)),
       begin_(scene.now()),
@@ -81,7 +81,7 @@ Measurement CollisionRate::result(const Scene& scene) const {
   const Transient transient = find_transient(whole, std::array{rate});
   const BlockAverage contacts = transient.left_out_of(whole);
   const BlockAverage speeds = transient.left_out_of(speed_);
-  const bool is_conserved = is_energy_conserved(motion_, scene.motion());
+  const bool is_conserved = is_energy_conserved(motion_, scene.thermal_motion());
   const double temperature = is_conserved ? motion_.temperature() : kNone;
   const double expected = theory_.collision_rate(temperature);
   const auto add = [&](std::string name, const char* unit, const Estimate& estimate, double theory) {

@@ -60,7 +60,7 @@ double histogram_width(const World& world, const ThermalMotion& motion) {
 
 ImpactSpeeds::ImpactSpeeds(const Scene& scene)
     : species_(scene.species()),
-      motion_(scene.motion()),
+      motion_(scene.thermal_motion()),
       begin_(scene.now()),
       width_(histogram_width(scene.world(), motion_) / kBins),
       bins_per_speed_(1 / width_),

@@ -27,7 +27,7 @@ void add_squares(std::span<const Vec3> earlier, std::span<const Vec3> later, dou
 
 MeanSquareDisplacement::MeanSquareDisplacement(const Scene& scene, double interval, std::size_t most_spheres)
     : theory_(scene.fluid()),
-      motion_(scene.motion()),
+      motion_(scene.thermal_motion()),
       dimensions_(static_cast<double>(scene.world().box().dimensions())),
       is_periodic_(scene.world().box().is_all(Boundary::periodic)),
       mean_free_time_(mean_free_time(scene.moments())),
@@ -69,7 +69,8 @@ Measurement MeanSquareDisplacement::result(const Scene& scene) const {
           "Phys. 62 (1987) 509; Enskog: Chapman and Cowling, section 16.3",
       .is_logarithmic_in_argument = true,
       .is_logarithmic_in_value = true};
-  const double temperature = is_energy_conserved(motion_, scene.motion()) ? motion_.temperature() : kNone;
+  const double temperature =
+      is_energy_conserved(motion_, scene.thermal_motion()) ? motion_.temperature() : kNone;
   const double enskog = theory_.enskog_diffusion(temperature);
   const Species& species = average_.species();
   const std::vector<double> lags = average_.lags();

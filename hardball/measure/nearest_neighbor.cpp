@@ -23,7 +23,7 @@ constexpr double kWidestInOpenSpace = 10;
 }  // namespace
 
 NearestNeighbor::NearestNeighbor(const Scene& scene, std::size_t bins)
-    : motion_(scene.motion()),
+    : motion_(scene.thermal_motion()),
       diameter_(2 * scene.world().largest_radius()),
       dimensions_(scene.world().box().dimensions()),
       packing_fraction_(fluid_packing_fraction(scene)),

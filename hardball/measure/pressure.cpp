@@ -47,7 +47,7 @@ Pressure::Pressure(const Scene& scene)
       dimensions_(static_cast<double>(box_.dimensions())),
       is_homogeneous_(!box_.is_any(Boundary::open) && is_uniform(scene.world())),
       theory_(scene.fluid()),
-      motion_(scene.motion()),
+      motion_(scene.thermal_motion()),
       spheres_(static_cast<double>(scene.world().size())),
       mean_free_time_(mean_free_time(scene.moments())),
       begin_(scene.now()),
@@ -147,7 +147,8 @@ Measurement Pressure::result(const Scene& scene) const {
   };
   const Transient transient = find_transient(whole, std::array{compressibility});
   const BlockAverage average = transient.left_out_of(whole);
-  const double expected = is_energy_conserved(motion_, scene.motion()) ? theory_.compressibility() : kNone;
+  const double expected =
+      is_energy_conserved(motion_, scene.thermal_motion()) ? theory_.compressibility() : kNone;
   const double tolerance = theory_.tolerance() * (expected - 1);
   const double kinetic_pressure = 2 * motion_.energy / (dimensions_ * volume);
   const auto add = [&](std::string name, const char* unit, const FunctionOfMeans& quantity, double scale) {

@@ -33,7 +33,7 @@ double largest_range(const World& world) {
 }  // namespace
 
 RadialDistribution::RadialDistribution(const Scene& scene, double range, double bin_width)
-    : motion_(scene.motion()),
+    : motion_(scene.thermal_motion()),
       box_(scene.world().box()),
       species_(scene.species()),
       is_by_species_(species_.size() <= kMostSpecies && !std::isnan(species_.radius(0))),

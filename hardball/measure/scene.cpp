@@ -26,9 +26,9 @@ const Moments& Scene::moments() const {
   return once(moments_, [&] { return moments_of(world_, now_); });
 }
 
-const ThermalMotion& Scene::motion() const {
+const ThermalMotion& Scene::thermal_motion() const {
   return once(motion_, [&] {
-    ThermalMotion motion = thermal_motion(world_, now_);
+    ThermalMotion motion = hardball::thermal_motion(world_, now_);
     motion.is_driven = is_driven_;
     return motion;
   });
@@ -48,7 +48,7 @@ const NeighborQuery& Scene::surroundings() const {
 }
 
 bool Scene::has_equilibrium(const ThermalMotion& begin) const {
-  return is_energy_conserved(begin, motion()) && !world_.box().is_any(Boundary::open) &&
+  return is_energy_conserved(begin, thermal_motion()) && !world_.box().is_any(Boundary::open) &&
          world_.box().has_plain_faces();
 }
 

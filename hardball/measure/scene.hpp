@@ -32,7 +32,7 @@ class Scene {
   const Species& species() const;
   const FluidTheory& fluid() const;
   const Moments& moments() const;
-  const ThermalMotion& motion() const;
+  const ThermalMotion& thermal_motion() const;
   /// All centers in the order of ids, folded into a periodic box [L].
   const std::vector<Vec3>& centers() const;
   const NeighborQuery& surroundings() const;

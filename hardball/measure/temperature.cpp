@@ -29,7 +29,7 @@ Temperature::Temperature(const Scene& scene)
       masses_(species_.size()),
       box_(scene.world().box()),
       spheres_(static_cast<double>(scene.world().size())),
-      motion_(scene.motion()),
+      motion_(scene.thermal_motion()),
       begin_(scene.now()),
       average_(kOfSpecies + species_.size() + 1, kSphereGroups) {
   const World& world = scene.world();
@@ -39,7 +39,7 @@ Temperature::Temperature(const Scene& scene)
 void Temperature::sample(const Scene& scene) {
   const World& world = scene.world();
   if (world.size() == 0) return;
-  const ThermalMotion& motion = scene.motion();
+  const ThermalMotion& motion = scene.thermal_motion();
   average_.put(kTime, duration(begin_, scene.now()));
   average_.put(kAll, motion.temperature());
   std::size_t rank = 0;
@@ -103,7 +103,7 @@ Measurement Temperature::result(const Scene& scene) const {
   const Transient transient = find_transient(average_, shares, BlockAverage::Groups::exchanging);
   const BlockAverage average = transient.left_out_of(average_);
 
-  const bool is_conserved = is_energy_conserved(motion_, scene.motion());
+  const bool is_conserved = is_energy_conserved(motion_, scene.thermal_motion());
   Estimate all = average.ratio(kAll);
   if (is_conserved) all.error = 0;
   found.quantities.push_back({"temperature", kEnergyUnit, all.value, all.error});

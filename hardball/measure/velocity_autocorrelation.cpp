@@ -35,7 +35,7 @@ void add_products(std::span<const Vec3> earlier, std::span<const Vec3> later, do
 VelocityAutocorrelation::VelocityAutocorrelation(const Scene& scene, double interval,
                                                  std::size_t most_spheres)
     : theory_(scene.fluid()),
-      motion_(scene.motion()),
+      motion_(scene.thermal_motion()),
       dimensions_(static_cast<double>(scene.world().box().dimensions())),
       is_periodic_(scene.world().box().is_all(Boundary::periodic)),
       mean_free_time_(mean_free_time(scene.moments())),
@@ -62,7 +62,7 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
       .source =
           "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; D: Speedy, Mol. "
           "Phys. 62 (1987) 509; Enskog: Chapman and Cowling, section 16.3"};
-  const bool is_conserved = is_energy_conserved(motion_, scene.motion());
+  const bool is_conserved = is_energy_conserved(motion_, scene.thermal_motion());
   const double temperature = is_conserved ? motion_.temperature() : kNone;
   const double enskog = theory_.enskog_diffusion(temperature);
   const Species& species = average_.species();

@@ -30,13 +30,13 @@ double speed_below(double c, std::size_t dimensions) {
 VelocityDistribution::VelocityDistribution(const Scene& scene)
     : spheres_(static_cast<double>(scene.world().size())),
       dimensions_(scene.world().box().dimensions()),
-      motion_(scene.motion()),
+      motion_(scene.thermal_motion()),
       begin_(scene.now()),
       average_(kAllBins, kSphereGroups) {}
 
 void VelocityDistribution::sample(const Scene& scene) {
   const World& world = scene.world();
-  const ThermalMotion& motion = scene.motion();
+  const ThermalMotion& motion = scene.thermal_motion();
   const double temperature = motion.temperature();
   if (!(temperature > 0)) return;
   // What a sphere has of the motion of the center of mass, along the axes on which it counts as drift, is
@@ -84,7 +84,7 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
       find_transient(average_, std::array{kurtosis_of}, BlockAverage::Groups::exchanging);
   const BlockAverage average = transient.left_out_of(average_);
   const Estimate kurtosis = average.estimate(kurtosis_of, BlockAverage::Groups::exchanging);
-  const bool is_conserved = is_energy_conserved(motion_, scene.motion());
+  const bool is_conserved = is_energy_conserved(motion_, scene.thermal_motion());
   const Estimate mean = mean_speed(average, kSpeed, kSquare, kSpheres, is_conserved);
   // 5/3 for many spheres, 2 for many discs; exact where the energy is fixed.
   const double freedom = motion_.degrees_of_freedom;
