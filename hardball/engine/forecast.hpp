@@ -191,8 +191,7 @@ class Forecast {
   // The event table; see EventTable.
 
   double time(Slot slot) const { return plan(slot).time(); }
-  // What is not known exactly comes first among the events of one double: its exact time may be earlier than
-  // theirs.
+  // What is not known exactly comes first among the events of one double: it may be the earliest.
   Event event(Slot slot) const {
     const Plan& own = plan(slot);
     if (own.crosses_first() || own.is_bound() || is_stale(slot)) {
