@@ -79,7 +79,7 @@ void expect_refusal(const Outcome& outcome, const std::string& fragment) {
 TEST_F(Convert, RefusesWhatItCannotDo) {
   const std::string before = text("out/trajectory.xyz");
   expect_refusal(convert("out/trajectory.xyz", "out/trajectory.xyz"), "would overwrite");
-  expect_refusal(convert("out/trajectory.xyz", "a.dcd"), "a.dcd: its name does not say");
+  expect_refusal(convert("out/trajectory.xyz", "a.dcd"), "a.dcd: unknown file extension");
   expect_refusal(convert("out/trajectory.pvd", "a.xyz"), "only written");
   expect_refusal(convert("out/trajectory.xyz", "a.xyz", {"--frame", "6"}), "--frame: there is no frame 6");
   expect_refusal(convert("out/trajectory.xyz", "a.xyz", {"--frame", "last"}), "--frame: 'last'");
@@ -116,7 +116,7 @@ TEST_F(Convert, TellsOfTheOthersWhatFilesHold) {
   const Outcome outcome = run_program(folder_, {"info", "notes.txt", "missing.hbr", "gas.toml", ".",
                                                 "out/checkpoint.hbc", "out/summary.json"});
   EXPECT_EQ(outcome.exit_code, 2);
-  expect_parts(outcome.messages, {"notes.txt: its name does not say", "missing.hbr: the file cannot be read",
+  expect_parts(outcome.messages, {"notes.txt: unknown file extension", "missing.hbr: the file cannot be read",
                                   ".: it holds no files of a run"});
   EXPECT_EQ(std::count(outcome.messages.begin(), outcome.messages.end(), '\n'), 3);
   expect_parts(outcome.output,
