@@ -131,8 +131,7 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   resume_command->allow_extras();
   CLI::App* verify_command =
       add_command(app, options, "verify", "Run a scenario with every engine and compare bit by bit");
-  CLI::App* check_command =
-      add_command(app, options, "check", "Validate a scenario and predict its cost");
+  CLI::App* check_command = add_command(app, options, "check", "Validate a scenario and predict its cost");
   add_engine_options(*check_command, options);
   // Ends the program, like --help, so that no scenario is needed.
   check_command
