@@ -45,7 +45,7 @@ class alignas(32) Plan {
   bool is_unknown() const { return (tag_ & kKind) == kNoPartner; }
   /// Whether the crossing only copies the path again.
   bool is_renewal() const { return (tag_ & kRenewal) != 0; }
-  /// Whether the path of the partner has changed since. Precondition: has_partner().
+  /// Whether this revision of the partner's path is the one predicted with. Precondition: has_partner().
   bool has_seen(std::uint32_t revision) const { return (tag_ ^ revision) < kRevision; }
   /// A sphere at rest may have neither crossing nor contact.
   bool will_cross_first() const { return crosses_first() && crossing_ < kNever.high; }
@@ -84,7 +84,7 @@ class alignas(32) Plan {
     crossing_ = time;
     tag_ |= kRenewal;
   }
-  /// Makes a revision seen before one that was not.
+  /// Lets the revision predicted with pass for another one.
   void forget_revision() { tag_ ^= kRevision; }
 
  private:
