@@ -46,7 +46,7 @@ double unit_of(double number) {
 }  // namespace
 
 void CompactPaths::reset(const World& world, double farthest, const Time& now) {
-  if (paths_.size() != world.size()) {
+  if (paths_.size() < world.size()) {
     paths_.assign(world.size(), CompactPath{});
     squares_ = 0;
   }
@@ -112,25 +112,43 @@ void CompactPaths::choose_units(const World& world) {
 }
 
 void CompactPaths::copy_radii(const World& world) {
-  const auto copied = [this](double radius) { return rounded_up(radius / length_unit_); };
-  const float first = world.size() > 0 ? copied(world.radius(0)) : 0;
   radii_.clear();
-  if (!world.radii().is_common()) radii_.resize(world.size());
-  scale_.radii.fill(first);
+  if (!world.radii().is_common()) radii_.resize(paths_.size());
+  scale_.radii.fill(world.size() > 0 ? rounded_up(world.radius(0) / length_unit_) : 0);
   scale_.are_radii_alike = radii_.empty();
-  scale_.common_reach = first + first + scale_.reach_allowance;
-  std::size_t kinds = 1;
+  scale_.common_reach = scale_.radii[0] + scale_.radii[0] + scale_.reach_allowance;
+  kinds_ = 1;
   are_radii_few_ = true;
-  for (Slot slot = 0; slot < world.size(); ++slot) {
-    std::size_t kind = 0;
-    if (!radii_.empty()) {
-      const float radius = radii_[slot] = copied(world.radius(slot));
-      while (kind < kinds && scale_.radii[kind] != radius) ++kind;
-      are_radii_few_ &= kind < CompactPath::kRadii;
-      if (kind == kinds && are_radii_few_) scale_.radii[kinds++] = radius;
-    }
-    paths_[slot].revision = revision(slot) + static_cast<std::uint32_t>(kind % CompactPath::kRadii);
+  for (Slot slot = 0; slot < world.size(); ++slot) copy_radius(slot, world.radius(slot));
+}
+
+void CompactPaths::copy_radius(Slot slot, double radius) {
+  std::size_t kind = 0;
+  if (!radii_.empty()) {
+    const float copied = radii_[slot] = rounded_up(radius / length_unit_);
+    while (kind < kinds_ && scale_.radii[kind] != copied) ++kind;
+    are_radii_few_ &= kind < CompactPath::kRadii;
+    if (kind == kinds_ && are_radii_few_) scale_.radii[kinds_++] = copied;
   }
+  paths_[slot].revision = revision(slot) + static_cast<std::uint32_t>(kind % CompactPath::kRadii);
+}
+
+void CompactPaths::insert(const World& world, Slot slot, const Time& now) {
+  if (slot == paths_.size()) append_sparingly(paths_, CompactPath{});
+  if (scale_.are_radii_alike != world.radii().is_common() || world.size() == 1) {
+    copy_radii(world);
+  } else {
+    if (!radii_.empty() && slot >= radii_.size()) radii_.resize(slot + 1);
+    copy_radius(slot, world.radius(slot));
+  }
+  copy(world, slot, now);
+}
+
+void CompactPaths::move(Slot from, Slot to) {
+  const std::uint32_t revision_of_slot = revision(to);
+  paths_[to] = paths_[from];
+  paths_[to].revision = revision_of_slot + paths_[from].revision % kRevision;
+  if (!radii_.empty()) radii_[to] = radii_[from];
 }
 
 // Until then the sphere moves no farther than l, counting its rise and its fall apart.

@@ -28,6 +28,11 @@ class CompactPaths {
   /// Copies all paths at `now`, where candidates are at most `farthest` [L] apart, and spheres move no
   /// farther before they are copied again. Cost: O(n).
   void reset(const World& world, double farthest, const Time& now);
+  /// Makes room for one more sphere, or for one of another radius, and copies its path at `now`. Cost: O(1)
+  /// amortized.
+  void insert(const World& world, Slot slot, const Time& now);
+  /// The sphere in one slot is in another now. The revisions of the slots stay.
+  void move(Slot from, Slot to);
   /// Whether speeds have changed, or units were chosen long ago: then `renew` pays.
   bool are_outdated() const { return unbounded_ > most_unbounded_ || copies_ > most_copies_; }
   /// As reset(), with the distance given before.
@@ -115,13 +120,15 @@ class CompactPaths {
 
   void choose_units(const World& world);
   void copy_radii(const World& world);
+  void copy_radius(Slot slot, double radius);
   double longest_age_of_falling(Slot slot) const;
   void note_unbounded(CompactPath& copy, const Vec3& place);
 
-  LargeVector<CompactPath> paths_;  // by slot
+  LargeVector<CompactPath> paths_;  // by slot, also of slots that are not in use any more
   LargeVector<float> radii_;        // by slot, in units, rounded up; empty if all are alike
   BoundScale scale_;
   bool are_radii_few_ = true;
+  std::size_t kinds_ = 1;  // of radii in the scale
   double per_speed_ = 1;
   double farthest_ = 1;
   double length_unit_ = 1;

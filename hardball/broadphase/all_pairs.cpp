@@ -24,6 +24,11 @@ void AllPairs::build(const World& world, const Time& now, CompactPaths& copies) 
   for (Slot slot = 0; slot < world.size(); ++slot) center_interval(world, slot, now);
 }
 
+void AllPairs::insert(const World& world, Slot slot, const Time& now, const CompactPaths&) {
+  reset(lines_, world, slot);
+  center_interval(world, slot, now);
+}
+
 void AllPairs::refresh(const World& world, Slot slot, const Time& now, const Image&) {
   center_interval(world, slot, now);
 }
@@ -85,7 +90,7 @@ double AllPairs::next_crossing(const World& world, Slot slot, const Time& now, c
 }
 
 void AllPairs::validate(const World& world, const Time& now, const CompactPaths&) const {
-  HARDBALL_CHECK(lines_.size() == world.size());
+  HARDBALL_CHECK(lines_.size() >= world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
     const Vec3 moved = world.unfolded_position(slot, now) - lines_[slot].region;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {

@@ -18,6 +18,13 @@ class AllPairs {
  public:
   void build(const World& world, const Time& now, CompactPaths& copies);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
+  bool admits(const World&, Slot) const { return true; }
+  void insert(const World& world, Slot slot, const Time& now, const CompactPaths&);
+  void erase(Slot) {}
+  void move(Slot from, Slot to) { lines_[to] = lines_[from]; }
+  void collect_overlapping(const World& world, Slot slot, Candidates& candidates) const {
+    collect(world, slot, candidates);
+  }
   void collect(const World& world, Slot slot, Candidates& candidates) const;
   double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&) const;
   bool are_candidates(Slot, Slot) const { return true; }

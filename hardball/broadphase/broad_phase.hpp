@@ -25,13 +25,20 @@ namespace hardball {
 ///   distance [L] that candidates are at most apart and that no sphere exceeds between two crossings.
 /// - `refresh(world, slot, now, folded)` updates the region of a sphere whose path was rewritten at `now`;
 ///   its center has been folded back by `folded` boxes.
+/// - `admits(world, slot)`: whether a sphere of this size can get a region without another `build`.
+/// - `insert(world, slot, now, copies)` gives a region to a sphere that has none, and has been copied at
+///   `now`. Precondition: admits(world, slot).
+/// - `erase(slot)`: the sphere has no region any more. The world need not know it.
+/// - `move(from, to)`: a sphere keeps its region, and is now in another slot, which had none.
+/// - `collect_overlapping(world, slot, candidates)` collects every sphere that this one may overlap now,
+///   deep inside it, too.
 /// - `collect(world, slot, candidates)` collects every candidate of a sphere, some perhaps more than once,
 ///   and others, which may be far away.
 /// - `next_crossing(world, slot, now, copies)` is a time before which the sphere stays in its region [T]; for
 ///   a sphere at rest, perhaps any time after its copy expires.
 /// - `are_candidates(a, b)`: whether two spheres that were collected are candidates, for checks.
-/// - `lines()`: a SphereLine for each sphere since `build`, with the region that the broad phase keeps in it
-///   and the plan that the engine does.
+/// - `lines()`: a SphereLine for each slot that has been in use since `build`, with the region that the broad
+///   phase keeps in it and the plan that the engine does.
 /// - `uses_minimum_image()`: whether candidates mean the nearest images of spheres.
 /// - `cross(world, slot, now, copies, candidates)` gives it the next region and collects the new candidates,
 ///   and perhaps others.
@@ -48,6 +55,11 @@ concept BroadPhase = requires(Phase phase, const Phase& view, const World& world
                               Candidates& candidates, bool crosses) {
   phase.build(world, now, copies);
   phase.refresh(world, slot, now, image);
+  { view.admits(world, slot) } -> std::same_as<bool>;
+  phase.insert(world, slot, now, copied);
+  phase.erase(slot);
+  phase.move(slot, slot);
+  view.collect_overlapping(world, slot, candidates);
   view.collect(world, slot, candidates);
   { phase.next_crossing(world, slot, now, copied) } -> std::same_as<double>;
   { view.are_candidates(slot, slot) } -> std::same_as<bool>;

@@ -30,20 +30,23 @@ void CellGrid::Region::take(const CellRange& range) {
 void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) {
   cells_ = Subdivision(world.box(), wanted_edge_, kMostCellsPerAxis);
   refuse_tiny_cells(world);
-  nearest_ = images_are_nearest(world);
+  const double largest = std::min(world.largest_radius(), largest_radius_);
+  largest_built_ = std::min(world.room_to_grow() * largest, largest_radius_);
+  if (!images_are_nearest()) largest_built_ = largest;
+  nearest_ = images_are_nearest();
   table_ = CellTable(cells_.shape(), world.size());
   lists_.reset(table_.size());
-  blocks_ = regions_are_blocks(world);
-  copies.reset(world, std::max(farthest_candidates(world), farthest_of_others_), now);
+  blocks_ = nearest_ && fits_into_cells(largest);
+  copies.reset(world, std::max(farthest_candidates(), farthest_of_others_), now);
   // The errors of single precision grow with the spheres and with the grid of the copies; the margin is a
   // fraction of the edge.
   constexpr double kLargestInEdges = 4;
   constexpr double kFewestSteps = 0x1.ap20;
-  suits_single_precision_ = nearest_ && world.motion().is_straight();
+  is_single_precise_ = nearest_ && world.motion().is_straight();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double steps = cells_.edge(axis) * copies.steps_per_length()[axis];
-    suits_single_precision_ &=
-        largest_radius(world) <= kLargestInEdges * cells_.edge(axis) && steps >= kFewestSteps;
+    is_single_precise_ &=
+        largest_built_ <= kLargestInEdges * cells_.edge(axis) && steps >= kFewestSteps;
     // More are those of an axis without extent, which no crossing has.
     steps_of_cell_[axis] = static_cast<std::uint64_t>(std::ldexp(std::min(steps, 0x1p31), 32));
     margin_[axis] = static_cast<float>(cells_.reach(axis, 0) / copies.length_unit());
@@ -51,11 +54,41 @@ void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) 
   reset(lines_, world);
   left_count_ = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    if (!holds(world, slot)) continue;
-    const CellRange range = range_at(world, slot, now);
-    lines_[slot].region.take(range);
-    for_each_list(range, [&](std::uint32_t list) { lists_.insert(list, slot); });
+    if (holds(world, slot)) enter(world, slot, now);
   }
+}
+
+void CellGrid::enter(const World& world, Slot slot, const Time& now) {
+  const CellRange range = range_at(world, slot, now);
+  lines_[slot].region.take(range);
+  for_each_list(range, [&](std::uint32_t list) { lists_.insert(list, slot); });
+}
+
+bool CellGrid::admits(const World& world, Slot slot) const {
+  const double radius = world.radius(slot);
+  if (blocks_) return fits_into_cells(radius);
+  if (radius <= largest_built_) return true;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (most_touched(radius, axis) > most_touched(largest_built_, axis)) return false;
+  }
+  return !is_single_precise_;
+}
+
+void CellGrid::insert(const World& world, Slot slot, const Time& now, const CompactPaths&) {
+  reset(lines_, world, slot);
+  if (holds(world, slot)) enter(world, slot, now);
+}
+
+void CellGrid::erase(Slot slot) {
+  for_each_list(lines_[slot].region.range(), [&](std::uint32_t list) { lists_.erase(list, slot); });
+}
+
+void CellGrid::move(Slot from, Slot to) {
+  lines_[to] = lines_[from];
+  for_each_list(lines_[to].region.range(), [&](std::uint32_t list) {
+    lists_.erase(list, from);
+    lists_.insert(list, to);
+  });
 }
 
 void CellGrid::refuse_tiny_cells(const World& world) const {
@@ -73,24 +106,20 @@ void CellGrid::refuse_tiny_cells(const World& world) const {
               "give at least a fifth of the largest diameter, " + to_text(world.largest_radius() * 2 / 5));
 }
 
-double CellGrid::most_touched(const World& world, std::size_t axis) const {
-  return most_cells_touched(2 * cells_.reach(axis, largest_radius(world)), cells_.edge(axis));
-}
-
-bool CellGrid::images_are_nearest(const World& world) const {
+bool CellGrid::images_are_nearest() const {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!world.box().is_periodic(axis)) continue;
-    if (!has_nearest_images(cells_.period(axis), most_touched(world, axis))) return false;
+    const std::int32_t period = cells_.period(axis);
+    if (period > 0 && !has_nearest_images(period, most_touched(largest_built_, axis))) return false;
   }
   return true;
 }
 
 // Two regions that share a cell. Unless it is a block, a region may have one cell more along an axis than its
 // sphere touches.
-double CellGrid::farthest_candidates(const World& world) const {
+double CellGrid::farthest_candidates() const {
   Vec3 farthest;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double most_cells = blocks_ ? 2 : most_touched(world, axis) + 1;
+    const double most_cells = blocks_ ? 2 : most_touched(largest_built_, axis) + 1;
     farthest[axis] = (2 * most_cells - 1) * cells_.edge(axis);
   }
   return length(farthest);
@@ -98,10 +127,10 @@ double CellGrid::farthest_candidates(const World& world) const {
 
 // A sphere that is smaller than a cell, by more than rounding errors and margins, touches at most two cells
 // along each axis.
-bool CellGrid::regions_are_blocks(const World& world) const {
+bool CellGrid::fits_into_cells(double radius) const {
   constexpr double kSurplus = 1e-4;
-  const double largest = 2 * largest_radius(world) * (1 + kSurplus);
-  return nearest_ && largest < cells_.edge(0) && largest < cells_.edge(1) && largest < cells_.edge(2);
+  const double diameter = 2 * radius * (1 + kSurplus);
+  return diameter < cells_.edge(0) && diameter < cells_.edge(1) && diameter < cells_.edge(2);
 }
 
 void CellGrid::refresh(const World& world, Slot slot, const Time& now, const Image& folded) {
@@ -135,7 +164,7 @@ double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, c
   const float radius = copies.radius(slot);
   float least = std::numeric_limits<float>::infinity();
   Face face = 0;
-  bool is_usual = suits_single_precision_ & copies.is_bounded(slot);
+  bool is_usual = is_single_precise_ & copies.is_bounded(slot);
   for_each_axis([&](auto axis) {
     const float velocity = path.velocity[axis];
     const bool up = !std::signbit(velocity);
@@ -343,7 +372,7 @@ std::size_t CellGrid::memory_bytes() const {
 }
 
 void CellGrid::validate(const World& world, const Time& now, const CompactPaths&) const {
-  HARDBALL_CHECK(lines_.size() == world.size());
+  HARDBALL_CHECK(lines_.size() >= world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
     if (!holds(world, slot)) continue;
     const CellRange range = lines_[slot].region.range();

@@ -36,6 +36,13 @@ class CellGrid {
   /// Error: the edge is not positive, or so small that a sphere would lie in hundreds of cells.
   void build(const World& world, const Time& now, CompactPaths& copies);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
+  bool admits(const World& world, Slot slot) const;
+  void insert(const World& world, Slot slot, const Time& now, const CompactPaths&);
+  void erase(Slot slot);
+  void move(Slot from, Slot to);
+  void collect_overlapping(const World& world, Slot slot, Candidates& candidates) const {
+    collect(world, slot, candidates);
+  }
   void collect(const World& world, Slot slot, Candidates& candidates) const {
     if (!blocks_) return collect_from(world, slot, lines_[slot].region.range(), candidates);
     candidates.begin(slot, true);
@@ -132,15 +139,19 @@ class CellGrid {
     return static_cast<std::int32_t>(steps >> 32);
   }
   void refuse_tiny_cells(const World& world) const;
-  double most_touched(const World& world, std::size_t axis) const;
-  bool images_are_nearest(const World& world) const;
-  double farthest_candidates(const World& world) const;
+  // The cells that a sphere of this radius touches at most along an axis.
+  double most_touched(double radius, std::size_t axis) const {
+    return most_cells_touched(2 * cells_.reach(axis, radius), cells_.edge(axis));
+  }
+  bool images_are_nearest() const;
+  double farthest_candidates() const;
+  void enter(const World& world, Slot slot, const Time& now);
   CellRange range_at(const World& world, Slot slot, const Time& now) const;
   void refresh_range(const World& world, Slot slot, const Time& now, const Image& folded);
   void cross_range(const World& world, Slot slot, const Time& now, Candidates& candidates);
   void collect_from(const World& world, Slot slot, const CellRange& range, Candidates& candidates) const;
   void collect_images(const World& world, Slot other, Candidates& candidates) const;
-  bool regions_are_blocks(const World& world) const;
+  bool fits_into_cells(double radius) const;
   CellBlock block_of(const Region& region) const { return CellBlock(cells_, region.low, table_); }
   void collect_list(std::uint32_t list, Candidates& candidates) const {
     lists_.for_each_line(list, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
@@ -154,20 +165,17 @@ class CellGrid {
 
   // Whether the grid has a region for the sphere.
   bool holds(const World& world, Slot slot) const { return world.radius(slot) <= largest_radius_; }
-  double largest_radius(const World& world) const {
-    return std::min(world.largest_radius(), largest_radius_);
-  }
-
   double wanted_edge_;
   double largest_radius_ = std::numeric_limits<double>::infinity();
   double farthest_of_others_ = 0;
+  double largest_built_ = 0;  // the largest radius in the grid when it was built
   Subdivision cells_;
   CellTable table_;
   SlotLists lists_;
   SphereLines<Region> lines_;
   std::array<std::uint64_t, kAxes> steps_of_cell_{};  // of the grid of CompactPaths, times 2^32
   std::array<float, kAxes> margin_{};                 // of the cells, in units of the compact paths
-  bool suits_single_precision_ = false;
+  bool is_single_precise_ = false;
   bool nearest_ = false;
   bool blocks_ = false;  // regions are sets of cells of a block
   std::uint64_t left_count_ = 0;

@@ -76,6 +76,8 @@ std::optional<LargeSphereGrid::Sizes> LargeSphereGrid::sizes_for(const World& wo
                                                                  double largest_in_edges) {
   const double edge = smallest_edge(cells);
   Sizes sizes;
+  const double room_to_grow = world.room_to_grow();
+  if (room_to_grow > 1) sizes.largest_in_grid = largest_in_edges * edge;
   std::size_t count = 0;
   double largest = 0;
   double second_largest = 0;
@@ -93,6 +95,8 @@ std::optional<LargeSphereGrid::Sizes> LargeSphereGrid::sizes_for(const World& wo
   if (count == 0 || 2 * count > world.size() || sizes.surfaces > kMostCellsPerSphere * spheres)
     return std::nullopt;
   sizes.skin = kSkin * edge;
+  sizes.largest = largest;
+  sizes.second_largest = second_largest;
   // A shell must be no thicker for the rounding of coordinates along an axis that is far longer than others.
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (cells.reach(axis, 0) > kLeastSkin * edge) return std::nullopt;
@@ -108,10 +112,27 @@ std::optional<LargeSphereGrid::Sizes> LargeSphereGrid::sizes_for(const World& wo
     sizes.skin = std::min(sizes.skin, (room - (largest + extent[axis])) / 2);
   }
   if (sizes.skin < kLeastSkin * edge) return std::nullopt;
+  if (room_to_grow > 1) {
+    const double grown = room_to_grow * largest;
+    const double second_grown = room_to_grow * std::max(second_largest, sizes.largest_in_grid);
+    double room = std::numeric_limits<double>::infinity();
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (!world.box().is_periodic(axis)) continue;
+      const double beside = std::max(second_grown + 4 * sizes.skin, extent[axis] + 2 * sizes.skin);
+      room = std::min(room, kLargestShare * world.box().size()[axis] - beside);
+    }
+    if (grown <= room) {
+      count = 2;
+      sizes.largest = grown;
+      sizes.second_largest = second_grown;
+    }
+  }
   // From a large sphere to any point of its cells, and on to the center of one in the grid that shares them.
   const Vec3 cell{cells.edge(0), cells.edge(1), cells.edge(2)};
-  sizes.farthest = largest + 2 * sizes.skin + length(cell) + length(extent);
-  if (count > 1) sizes.farthest = std::max(sizes.farthest, largest + second_largest + 5 * sizes.skin);
+  sizes.farthest = sizes.largest + 2 * sizes.skin + length(cell) + length(extent);
+  if (count > 1) {
+    sizes.farthest = std::max(sizes.farthest, sizes.largest + sizes.second_largest + 5 * sizes.skin);
+  }
   return sizes;
 }
 
@@ -127,6 +148,7 @@ void LargeSphereGrid::build(const World& world, const Time& now, CompactPaths& c
   grid_ = CellGrid(wanted_edge_, sizes->largest_in_grid, sizes->farthest);
   grid_.build(world, now, copies);
   HARDBALL_CHECK(grid_.uses_minimum_image());
+  sizes_ = *sizes;
   skin_ = sizes->skin;
   margin_ = 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -137,16 +159,7 @@ void LargeSphereGrid::build(const World& world, const Time& now, CompactPaths& c
   large_numbers_.assign(world.size(), 0);
   left_count_ = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    if (world.radius(slot) <= sizes->largest_in_grid) continue;
-    are_large_[slot / 64] |= std::uint64_t{1} << (slot % 64);
-    large_numbers_[slot] = static_cast<std::uint32_t>(large_.size());
-    LargeSphere large;
-    large.slot = slot;
-    large.radius = world.radius(slot);
-    move_anchor(world, large, now);
-    for_each_cell(large,
-                  [&](const CellIndex& cell) { grid_.lists_to_edit().insert(grid_.list(cell), slot); });
-    large_.push_back(large);
+    if (world.radius(slot) > sizes->largest_in_grid) insert_large(world, slot, now);
   }
   double squares = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
@@ -158,6 +171,91 @@ void LargeSphereGrid::build(const World& world, const Time& now, CompactPaths& c
     collect_all(world, large, found_);
     list_near(world, large, now, copies, found_);
   }
+}
+
+void LargeSphereGrid::mark_large(Slot slot, bool is_large, std::uint32_t number) {
+  if (slot >= large_numbers_.size()) {
+    are_large_.resize(slot / 64 + 1);
+    large_numbers_.resize(slot + 1);
+  }
+  const std::uint64_t bit = std::uint64_t{1} << (slot % 64);
+  are_large_[slot / 64] = (are_large_[slot / 64] & ~bit) | (is_large ? bit : 0);
+  large_numbers_[slot] = number;
+}
+
+void LargeSphereGrid::insert_large(const World& world, Slot slot, const Time& now) {
+  mark_large(slot, true, static_cast<std::uint32_t>(large_.size()));
+  LargeSphere& large = large_.emplace_back();
+  large.slot = slot;
+  large.radius = world.radius(slot);
+  move_anchor(world, large, now);
+  for_each_cell(large, [&](const CellIndex& cell) { grid_.lists_to_edit().insert(grid_.list(cell), slot); });
+}
+
+bool LargeSphereGrid::admits(const World& world, Slot slot) const {
+  const double radius = world.radius(slot);
+  if (radius <= std::max(sizes_.largest_in_grid, sizes_.second_largest)) return true;
+  return radius <= sizes_.largest && std::ranges::all_of(large_, [&](const LargeSphere& other) {
+           return other.radius <= sizes_.second_largest || other.slot == slot;
+         });
+}
+
+void LargeSphereGrid::insert(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
+  mark_large(slot, false, 0);
+  grid_.insert(world, slot, now, copies);
+  if (world.radius(slot) > sizes_.largest_in_grid) insert_large(world, slot, now);
+  collect(world, slot, found_);
+  list_at_large(slot, found_);
+}
+
+void LargeSphereGrid::erase(Slot slot) {
+  replace_in_lists(slot, std::nullopt);
+  if (!is_large(slot)) return grid_.erase(slot);
+  const std::uint32_t number = large_numbers_[slot];
+  for_each_cell(large_[number],
+                [&](const CellIndex& cell) { grid_.lists_to_edit().erase(grid_.list(cell), slot); });
+  mark_large(large_.back().slot, true, number);
+  large_[number] = std::move(large_.back());
+  large_.pop_back();
+  mark_large(slot, false, 0);
+}
+
+void LargeSphereGrid::move(Slot from, Slot to) {
+  replace_in_lists(from, to);
+  if (!is_large(from)) {
+    mark_large(to, false, 0);
+    return grid_.move(from, to);
+  }
+  grid_.lines()[to] = grid_.lines()[from];
+  LargeSphere& large = large_of(from);
+  for_each_cell(large, [&](const CellIndex& cell) {
+    grid_.lists_to_edit().erase(grid_.list(cell), from);
+    grid_.lists_to_edit().insert(grid_.list(cell), to);
+  });
+  large.slot = to;
+  mark_large(to, true, large_numbers_[from]);
+  mark_large(from, false, 0);
+}
+
+// Puts another slot in place of one in all lists of large spheres; without one, their own, which means none.
+void LargeSphereGrid::replace_in_lists(Slot slot, std::optional<Slot> by) {
+  for (LargeSphere& large : large_) {
+    if (large.has_list) std::ranges::replace(large.near, slot, by.value_or(large.slot));
+  }
+}
+
+// No cell tells who lies deep inside a large sphere.
+void LargeSphereGrid::collect_overlapping(const World& world, Slot slot, Candidates& candidates) const {
+  if (is_large(slot)) {
+    candidates.begin(slot, true);
+    for_each_cell(large_of(slot), 0, [&](const CellIndex& cell) {
+      grid_.lists().for_each(grid_.list(cell), [&](Slot other) { candidates.add(other); });
+    });
+  } else {
+    grid_.collect(world, slot, candidates);
+  }
+  for (const LargeSphere& large : large_) candidates.add(large.slot);
+  candidates.end();
 }
 
 void LargeSphereGrid::move_anchor(const World& world, LargeSphere& large, const Time& now) const {
@@ -186,14 +284,13 @@ double LargeSphereGrid::next_crossing_of_large(const World& world, Slot slot, co
   return std::max(begin, std::min({left, begin + wait_within(large.middle, large.near_skin), large.expiry}));
 }
 
-// Calls visit(cell) for each cell, folded into the box, that the surface of a large sphere may touch, in
-// columns along the last axis. Cells at the ends of the box or of open space reach on for ever.
+// Calls visit(cell) for each cell, folded into the box, that a large sphere may touch, but for those within
+// `hollow` of its anchor, in columns along the last axis. Cells at the ends of the box or of open space reach on for ever.
 template <class Visit>
-void LargeSphereGrid::for_each_cell(const LargeSphere& large, Visit&& visit) const {
+void LargeSphereGrid::for_each_cell(const LargeSphere& large, double hollow, Visit&& visit) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const Subdivision& cells = grid_.cells();
   const double outer = large.radius + skin_ + margin_;
-  const double inner = std::max(0.0, large.radius - skin_ - margin_);
   const auto index_at = [&](std::size_t axis, double coordinate) {
     return round_down(std::clamp<double>(coordinate / cells.edge(axis), cells.first(axis), cells.last(axis)));
   };
@@ -231,7 +328,7 @@ void LargeSphereGrid::for_each_cell(const LargeSphere& large, Visit&& visit) con
       // Cells in which it leaves no room for others are left out.
       std::int32_t hole_begin = end;
       std::int32_t hole_end = end;
-      const double hidden = inner * inner - (square(in_x.far) + square(in_y.far));
+      const double hidden = hollow * hollow - (square(in_x.far) + square(in_y.far));
       if (hidden > 0) {
         const double half = std::sqrt(hidden);
         hole_begin = std::max(begin, index_at(2, large.anchor.z - half) + 1);
@@ -411,7 +508,7 @@ std::size_t LargeSphereGrid::memory_bytes() const {
 }
 
 void LargeSphereGrid::validate(const World& world, const Time& now, const CompactPaths& copies) const {
-  HARDBALL_CHECK(large_numbers_.size() == world.size());
+  HARDBALL_CHECK(large_numbers_.size() >= world.size());
   grid_.validate(world, now, copies);
   for (const LargeSphere& large : large_) {
     HARDBALL_CHECK(is_large(large.slot) && large.radius == world.radius(large.slot));

@@ -51,6 +51,11 @@ class LargeSphereGrid {
   static bool supports(const World& world, double edge);
 
   void build(const World& world, const Time& now, CompactPaths& copies);
+  bool admits(const World& world, Slot slot) const;
+  void insert(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
+  void erase(Slot slot);
+  void move(Slot from, Slot to);
+  void collect_overlapping(const World& world, Slot slot, Candidates& candidates) const;
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded) {
     if (is_large(slot)) return refresh_large(slot, folded);
     grid_.refresh(world, slot, now, folded);
@@ -95,6 +100,8 @@ class LargeSphereGrid {
   // The sizes that follow from the cells.
   struct Sizes {
     double largest_in_grid = 0;  // the largest radius that the grid keeps
+    double largest = 0;          // the largest radius that there may be
+    double second_largest = 0;   // that of all but one
     double skin = 0;
     double surfaces = 0;  // cells that the large ones touch, about
     double farthest = 0;  // distance of a large sphere and a candidate
@@ -125,6 +132,9 @@ class LargeSphereGrid {
   static std::optional<Sizes> sizes_for(const World& world, const Subdivision& cells,
                                         double largest_in_edges);
 
+  void mark_large(Slot slot, bool is_large, std::uint32_t number);
+  void insert_large(const World& world, Slot slot, const Time& now);
+  void replace_in_lists(Slot slot, std::optional<Slot> by);
   bool is_large(Slot slot) const { return (are_large_[slot / 64] >> (slot % 64) & 1) != 0; }
   LargeSphere& large_of(Slot slot) { return large_[large_numbers_[slot]]; }
   const LargeSphere& large_of(Slot slot) const { return large_[large_numbers_[slot]]; }
@@ -153,11 +163,17 @@ class LargeSphereGrid {
   void collect_cell(const World& world, const LargeSphere& large, const CellIndex& cell,
                     Candidates& candidates) const;
   bool do_shells_meet(const World& world, const LargeSphere& a, const LargeSphere& b) const;
+  // Calls visit(cell) for each cell that the surface may touch, or any part of the sphere.
   template <class Visit>
-  void for_each_cell(const LargeSphere& large, Visit&& visit) const;
+  void for_each_cell(const LargeSphere& large, Visit&& visit) const {
+    for_each_cell(large, std::max(0.0, large.radius - skin_ - margin_), visit);
+  }
+  template <class Visit>
+  void for_each_cell(const LargeSphere& large, double hollow, Visit&& visit) const;
 
   double wanted_edge_;
   CellGrid grid_;
+  Sizes sizes_;
   double skin_ = 0;
   double margin_ = 0;  // of the cells
   double usual_speed_ = 0;

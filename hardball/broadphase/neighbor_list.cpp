@@ -52,16 +52,22 @@ double smallest_period(const Box& box) {
   return smallest;
 }
 
+// Whether lists can be made for spheres of up to this radius.
+bool fits(const Box& box, double largest_radius) {
+  return farthest_neighbors(largest_radius, kLeastSkin * largest_radius) <=
+         kLargestShare * smallest_period(box);
+}
+
 }  // namespace
 
 bool NeighborList::supports(const World& world) {
-  const double radius = world.largest_radius();
-  return farthest_neighbors(radius, kLeastSkin * radius) <= kLargestShare * smallest_period(world.box());
+  return fits(world.box(), world.largest_radius());
 }
 
 void NeighborList::build(const World& world, const Time& now, CompactPaths& copies) {
   HARDBALL_CHECK(supports(world));
-  const double radius = world.largest_radius();
+  const double grown = world.room_to_grow() * world.largest_radius();
+  const double radius = largest_built_ = fits(world.box(), grown) ? grown : world.largest_radius();
   const double largest = (kLargestShare * smallest_period(world.box()) - 2 * radius) / 4;
   skin_ = std::max(kLeastSkin * radius, std::min(wanted_skin_, largest));
   // Without spheres any distance will do.
@@ -94,6 +100,39 @@ void NeighborList::make_lists(std::uint32_t lines, const CompactPaths& copies) {
     long_ones += near_.count > PaddedLists::kLine ? 1U : 0U;
   }
   if (lines == 1 && long_ones > lines_.size() / kLongShare) make_lists(2, copies);
+}
+
+void NeighborList::insert(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
+  reset(lines_, world, slot);
+  neighbors_.add_owner(slot);
+  move_anchor(world, slot, now, copies);
+  find_near(slot, copies);
+  store_anchor(slot);
+  for (const Slot other : near_.slots()) neighbors_.insert(other, slot);
+  neighbors_.assign(slot, near_.slots());
+}
+
+void NeighborList::erase(Slot slot) {
+  points_.erase(table_.list(lines_[slot].region.cell), slot);
+  for (const Slot other : neighbors_.of(slot)) {
+    if (other != slot) neighbors_.erase(other, slot);
+  }
+  neighbors_.assign(slot, {});
+}
+
+void NeighborList::move(Slot from, Slot to) {
+  points_.erase(table_.list(lines_[from].region.cell), from);
+  lines_[to] = lines_[from];
+  store_anchor(to);
+  const std::span<const Slot> lanes = neighbors_.of(from);
+  std::vector<Slot> list(lanes.begin(), lanes.end());
+  std::erase(list, from);
+  for (const Slot other : list) {
+    neighbors_.erase(other, from);
+    neighbors_.insert(other, to);
+  }
+  neighbors_.assign(from, {});
+  neighbors_.assign(to, list);
 }
 
 void NeighborList::choose_packing(const CompactPaths& copies) {
@@ -300,7 +339,7 @@ std::size_t NeighborList::memory_bytes() const {
 }
 
 void NeighborList::validate(const World& world, const Time& now, const CompactPaths& copies) const {
-  HARDBALL_CHECK(lines_.size() == world.size());
+  HARDBALL_CHECK(lines_.size() >= world.size());
   const auto is_listed = [this](Slot list, Slot slot) {
     const std::span<const Slot> lanes = neighbors_.of(list);
     return std::count(lanes.begin(), lanes.end(), slot) == 1;

@@ -46,6 +46,13 @@ class NeighborList {
   static bool supports(const World& world);
 
   void build(const World& world, const Time& now, CompactPaths& copies);
+  bool admits(const World& world, Slot slot) const { return world.radius(slot) <= largest_built_; }
+  void insert(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
+  void erase(Slot slot);
+  void move(Slot from, Slot to);
+  void collect_overlapping(const World& world, Slot slot, Candidates& candidates) const {
+    collect(world, slot, candidates);
+  }
   void refresh(const World&, Slot, const Time&, const Image&) {}
   void collect(const World&, Slot slot, Candidates& candidates) const {
     candidates.begin(slot, true);
@@ -145,6 +152,7 @@ class NeighborList {
   InstructionSet instructions_;
   const Kernels* kernels_;
   double skin_ = 0;
+  double largest_built_ = 0;  // the largest radius when lists were made
   float reach_ = 0;          // of shells beyond the radii, in units of the compact paths
   float packing_error_ = 0;  // of distances, likewise
   float room_squared_ = 0;   // likewise, of room_

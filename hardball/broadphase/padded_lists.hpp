@@ -40,6 +40,15 @@ class PaddedLists {
     free_.clear();
   }
 
+  /// Makes an empty list for an owner, if it has none. Precondition: all lower numbers have one.
+  void add_owner(Slot owner) {
+    HARDBALL_CHECK(owner < kElsewhere);
+    if (owner * std::size_t{lines_per_owner_} < lines_.size()) return;
+    Line line;
+    line.fill(owner);
+    for (std::uint32_t i = 0; i < lines_per_owner_; ++i) append_sparingly(lines_, line);
+  }
+
   /// The lanes of a list.
   std::span<const Slot> of(Slot owner) const {
     const Slot* const in_place = first_lane(owner);

@@ -21,6 +21,14 @@ struct alignas(64) SphereLine {
 template <class Region>
 using SphereLines = LargeVector<SphereLine<Region>>;
 
+/// A line without plan or region for a sphere that had none. Cost: O(1) amortized.
+template <class Region>
+void reset(SphereLines<Region>& lines, const World& world, Slot slot) {
+  if (slot == lines.size()) append_sparingly(lines, {});
+  lines[slot] = {};
+  lines[slot].id = world.id(slot);
+}
+
 /// Lines without plans or regions, but with the ids. Cost: O(n).
 template <class Region>
 void reset(SphereLines<Region>& lines, const World& world) {

@@ -13,7 +13,9 @@
 #include "hardball/engine/standstill_guard.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event_queue.hpp"
+#include "hardball/response/aftermath.hpp"
 #include "hardball/response/execute.hpp"
+#include "hardball/world/audit.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/progress.hpp"
 
@@ -38,8 +40,9 @@ class Engine {
   const World& world() const { return forecast_.world(); }
   const Phase& phase() const { return forecast_.phase(); }
   Respond& response() { return respond_; }
-  CollapseGuard& collapse_guard() { return guard_; }
-  const CollapseGuard& collapse_guard() const { return guard_; }
+  const Aftermath& aftermath() const { return aftermath_; }
+  /// Continues for another engine.
+  void take_over(const Aftermath& aftermath) { aftermath_ = aftermath; }
   /// The time of the last event handled.
   const Time& now() const { return forecast_.now(); }
 
@@ -52,18 +55,29 @@ class Engine {
   }
 
   std::size_t memory_bytes() const {
-    return forecast_.memory_bytes() + queue_.memory_bytes() + guard_.memory_bytes();
+    return forecast_.memory_bytes() + queue_.memory_bytes() + aftermath_.collapse.memory_bytes();
   }
 
-  /// Handles events in order, calling observe(contact) after every collision and wall contact. The observer
-  /// may call change_velocities; after any other edit, and if two spheres have merged, it must stop the run
-  /// by returning false, and `rebuild` must follow. Error: RunFailure on inelastic collapse; whatever the
+  /// Handles events in order, calling observe(contact) after every collision and wall contact. Spheres that
+  /// have merged merge at once with those that they overlap, if the response does so. The observer may call
+  /// change_velocities, `add` and `remove`, and stops the run by returning false. Error: RunFailure on inelastic collapse; whatever the
   /// response or the observer throws. If the response throws, its event has not happened.
   template <class Observe>
   RunStatus run(const RunLimits& limits, Observe&& observe) {
     std::uint64_t contacts = 0;
     if (limits.contacts == 0) return RunStatus::contacts_reached;
     for (std::uint64_t step = 0;; ++step) {
+      if (is_outdated_) [[unlikely]]
+        return RunStatus::outdated;
+      if (!aftermath_.merged.empty()) [[unlikely]] {
+        if (step == limits.steps) return RunStatus::steps_reached;
+        if (coalesce()) {
+          const bool goes_on = notify(observe, std::as_const(done_.contact));
+          if (++contacts == limits.contacts) return RunStatus::contacts_reached;
+          if (!goes_on) return RunStatus::observer_stopped;
+          continue;
+        }
+      }
       forecast_.keep_copies_good([this](Slot slot) { queue_.schedule(slot, forecast_); });
       const Slot next = least_until(limits.until);
       if (next == kNoOwner) return RunStatus::time_reached;
@@ -79,15 +93,8 @@ class Engine {
     }
   }
 
-  /// Merges two spheres that overlap now, which the engine has not scheduled, if the response does so; then
-  /// `rebuild` must follow. Error: as for `run`.
-  std::optional<Contact> merge_besides(const Event& overlap) {
-    if (!merge_if_decided(forecast_.world(), overlap, respond_, done_)) return std::nullopt;
-    ++counters_.collision;
-    return done_.contact;
-  }
-
-  /// The next collision or wall contact up to `until`, without carrying it out.
+  /// The next collision or wall contact up to `until`, without carrying it out, and without asking
+  /// whether spheres that have just merged do so again. Precondition: not is_outdated().
   std::optional<Event> next_contact(const Time& until) {
     for (;;) {
       const Slot next = least_until(until);
@@ -99,17 +106,60 @@ class Engine {
   /// Changes velocities at `moment`, each of another sphere. Precondition: all events before it have been
   /// handled, and none after it. Cost: a prediction each.
   void change_velocities(const Time& moment, std::span<const NewVelocity> changes) {
-    HARDBALL_CHECK(moment >= now());
-    forecast_.advance(moment);
     for (const NewVelocity& change : changes) {
-      forecast_.note_new_path(change.slot,
-                              forecast_.world().change_velocity(change.slot, moment, change.after));
+      const Image folded = forecast_.world().change_velocity(change.slot, moment, change.after);
+      if (is_outdated_) continue;
+      HARDBALL_CHECK(moment >= now());
+      forecast_.advance(moment);
+      forecast_.note_new_path(change.slot, folded);
     }
+    if (is_outdated_) return;
     for (const NewVelocity& change : changes) {
       forecast_.predict(change.slot);
       queue_.schedule(change.slot, forecast_);
     }
   }
+
+  /// Adds a sphere at `moment`, and returns its id. Precondition: as for change_velocities. Cost: as of a
+  /// collision, amortized; O(large spheres) where some are much larger than cells. Error: see World::add and
+  /// require_room.
+  SphereId add(const Sphere& sphere, const Time& moment) {
+    World& world = forecast_.world();
+    const SphereId id = world.add(sphere, moment);
+    const auto slot = static_cast<Slot>(world.size() - 1);
+    const bool is_admitted = !is_outdated_ && forecast_.admits(slot);
+    if (is_admitted) {
+      HARDBALL_CHECK(moment >= now());
+      forecast_.advance(moment);
+      forecast_.insert(slot);
+    }
+    try {
+      require_room(world, slot, is_admitted ? forecast_.overlapping(slot) : all_slots(world), moment);
+    } catch (const Error&) {
+      if (is_admitted) forecast_.erase(slot);
+      world.undo_add();
+      throw;
+    }
+    is_outdated_ = !is_admitted;
+    if (is_outdated_) return id;
+    queue_.add_owner(slot);
+    forecast_.predict(slot);
+    queue_.schedule(slot, forecast_);
+    return id;
+  }
+
+  /// Removes a sphere at `moment`. Precondition: as for change_velocities. Cost: as of a collision. Error: no
+  /// sphere has this id.
+  void remove(SphereId id, const Time& moment) {
+    const Slot slot = world().slot_of(id);
+    if (is_outdated_) return forecast_.world().remove(id);
+    HARDBALL_CHECK(moment >= now());
+    forecast_.advance(moment);
+    remove_from_forecast(slot);
+  }
+
+  /// Whether a sphere has come that does not fit the broad phase: `rebuild` must follow before the next run.
+  bool is_outdated() const { return is_outdated_; }
 
   /// Discards all predictions and regions and rebuilds them as of `now`, with another broad phase. The motion
   /// is not affected. Cost: O(n).
@@ -127,10 +177,13 @@ class Engine {
 
   /// Checks every structure, and that every contact is predicted; throws BrokenInvariant. Cost:
   /// O(candidates).
-  void validate() const { hardball::validate(forecast_); }
+  void validate() const {
+    if (!is_outdated_) hardball::validate(forecast_);
+  }
 
  private:
   void rebuild(const Time& now, const Progress& progress) {
+    is_outdated_ = false;
     forecast_.rebuild(now, progress);
     queue_.reset(world().size(), now);
     for (Slot slot = 0; slot < world().size(); ++slot) queue_.schedule(slot, forecast_);
@@ -177,12 +230,14 @@ class Engine {
                             ? make_collision(plan.moment(), id, partner_id, forecast_.image_in_event(slot))
                             : Event{plan.moment(), EventKind::wall, id, plan.wall(), {}};
     standstill_guard_.note_event(now(), event.time, world().size());
-    execute(forecast_.world(), guard_, event, participants, respond_, done_);
+    execute(forecast_.world(), aftermath_.collapse, event, participants, respond_, done_);
     forecast_.advance(event.time);
     ++(is_collision ? counters_.collision : counters_.wall);
     queue_.pop();
-    if (done_.contact.fate == Fate::merge) [[unlikely]]
+    if (done_.contact.fate == Fate::merge) [[unlikely]] {
+      absorb(participants);
       return done_.contact;
+    }
     const std::uint64_t predictions_before = forecast_.counters().predictions;
     forecast_.note_new_path(participants.first, done_.folded[0]);
     if (is_collision) {
@@ -195,6 +250,40 @@ class Engine {
     queue_.schedule(participants.first, forecast_);
     if (is_collision) queue_.schedule(participants.second, forecast_);
     return done_.contact;
+  }
+
+  // Merges spheres that overlap since others have merged, if the response does so; false if none do.
+  bool coalesce() {
+    const auto overlaps = [this](Slot slot) {
+      return overlaps_of(world(), slot, forecast_.overlapping(slot), now());
+    };
+    return aftermath_.merged.coalesce(world(), overlaps, [this](const Event& overlap) {
+      const Participants participants = participants_of(world(), overlap);
+      if (!merge_if_decided(forecast_.world(), overlap, participants, respond_, done_)) return false;
+      ++counters_.collision;
+      absorb(participants);
+      return true;
+    });
+  }
+
+  // The first of two spheres that have merged takes the place of both.
+  void absorb(const Participants& participants) {
+    aftermath_.merged.note(done_.contact.first);
+    is_outdated_ = !forecast_.admits(participants.first);
+    if (is_outdated_) return forecast_.world().remove(done_.contact.second);
+    forecast_.erase(participants.first);
+    forecast_.insert(participants.first);
+    remove_from_forecast(participants.second);
+    const Slot slot = world().slot_of(done_.contact.first);
+    forecast_.predict(slot);
+    queue_.schedule(slot, forecast_);
+  }
+
+  void remove_from_forecast(Slot slot) {
+    const auto last = static_cast<Slot>(world().size() - 1);
+    forecast_.remove(slot);
+    queue_.schedule(last, forecast_);
+    if (slot != last) queue_.schedule(slot, forecast_);
   }
 
   void advance(const Time& moment) {
@@ -211,9 +300,10 @@ class Engine {
   Forecast<Phase> forecast_;
   Queue queue_;
   Respond respond_;
-  CollapseGuard guard_;
+  Aftermath aftermath_;
   StandstillGuard standstill_guard_;
   Prefetching prefetching_;
+  bool is_outdated_ = false;
   Executed done_;  // the last contact
   Counters counters_;
 };

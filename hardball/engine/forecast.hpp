@@ -74,6 +74,48 @@ class Forecast {
     }
   }
 
+  /// Whether a sphere can be inserted without rebuilding.
+  bool admits(Slot slot) const { return phase_.admits(world_, slot); }
+
+  /// Makes a region for a sphere that has none, as of now. It remains to be predicted. Precondition:
+  /// admits(slot).
+  void insert(Slot slot) {
+    compact_.insert(world_, slot, now_);
+    phase_.insert(world_, slot, now_, compact_);
+    note_revision(slot);
+    if (!uses_minimum_image_) images_.resize(std::max(images_.size(), world_.size()));
+    are_alike_ = world_.are_alike();
+    has_passing_pairs_ = world_.has_passing_pairs();
+  }
+
+  /// The sphere has no region any more, and nothing is planned for it.
+  void erase(Slot slot) {
+    phase_.erase(slot);
+    phase_.lines()[slot].plan = Plan();
+  }
+
+  /// Removes a sphere from the world. The one in the last slot takes its place, and is predicted anew.
+  void remove(Slot slot) {
+    const auto last = static_cast<Slot>(world_.size() - 1);
+    erase(slot);
+    note_revision(slot);
+    world_.remove(world_.id(slot));
+    if (slot == last) return;
+    phase_.move(last, slot);
+    compact_.move(last, slot);
+    if (!uses_minimum_image_) images_[slot] = images_[last];
+    phase_.lines()[last].plan = Plan();
+    note_revision(last);
+    compact_.copy(world_, slot, now_);
+    predict(slot);
+  }
+
+  /// Every sphere that one may overlap, also deep inside.
+  std::span<const Slot> overlapping(Slot slot) {
+    phase_.collect_overlapping(world_, slot, candidates_);
+    return {candidates_.slots(), candidates_.size()};
+  }
+
   /// Chooses new units for the copies if speeds have changed. Calls reschedule(slot) for each sphere whose
   /// next event has become another.
   template <class Reschedule>
@@ -149,8 +191,7 @@ class Forecast {
   /// Takes note that a sphere's path has changed, its center folded back by `folded` boxes.
   void note_new_path(Slot slot, const Image& folded) {
     phase_.refresh(world_, slot, now_, folded);
-    if (compact_.note_change(slot) == 0) [[unlikely]]
-      outdate_plans_with(slot);
+    note_revision(slot);
     compact_.copy(world_, slot, now_);
   }
 
@@ -196,7 +237,7 @@ class Forecast {
     const Plan& own = plan(slot);
     if (own.crosses_first() || own.is_bound() || is_stale(slot)) {
       return {
-          {own.time(), -std::numeric_limits<double>::infinity()}, EventKind::enter, world_.id(slot), 0, {}};
+          {own.time(), -std::numeric_limits<double>::infinity()}, EventKind::enter, id(slot), 0, {}};
     }
     return contact_of(slot);
   }
@@ -210,10 +251,10 @@ class Forecast {
   bool is_cached() const { return is_cached_; }
   void prefetch_event(Slot slot) const { prefetch(&plan(slot)); }
   void prefetch_refinement(Slot slot) const {
-    prefetch(&world_.path(slot));
+    world_.prefetch(slot);
     const Plan& own = plan(slot);
     if (!own.meets_first()) return;
-    prefetch(&world_.path(own.partner()));
+    world_.prefetch(own.partner());
     compact_.prefetch(own.partner());
   }
   // Refines the bounds of a whole bucket, which takes less than one by one.
@@ -358,6 +399,12 @@ class Forecast {
     if (!(expiry < plan(slot).crossing())) return;
     const bool rests = world_.motion().is_straight() && world_.path(slot).velocity == Vec3{};
     mutable_plan(slot).set_renewal(rests ? kNever.high : expiry);
+  }
+
+  // Plans made with the path that was in the slot are stale.
+  void note_revision(Slot slot) {
+    if (compact_.note_change(slot) == 0) [[unlikely]]
+      outdate_plans_with(slot);
   }
 
   // The counter of revisions has wrapped around: old revisions must not pass for new ones.

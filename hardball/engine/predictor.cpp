@@ -8,10 +8,6 @@
 
 namespace hardball {
 
-Image nearest_image(const World& world, Slot a, Slot b, const Time& moment) {
-  return world.box().nearest_image(world.unfolded_position(a, moment) - world.unfolded_position(b, moment));
-}
-
 Event contact_with(const World& world, const Candidates& candidates, std::size_t i, const Time& now) {
   const Slot self = candidates.self();
   const Slot other = candidates.slot(i);

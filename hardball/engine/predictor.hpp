@@ -64,10 +64,6 @@ inline const Vec3* gravity_of(const World& world) {
   return world.motion().is_straight() ? nullptr : &world.motion().gravity();
 }
 
-/// The image of `b` nearest to `a` at `moment`: the one meant by candidates without images, whose regions are
-/// small compared with the box.
-Image nearest_image(const World& world, Slot a, Slot b, const Time& moment);
-
 /// The contact of a sphere with one of its candidates, collected at `now`.
 Event contact_with(const World& world, const Candidates& candidates, std::size_t i, const Time& now);
 

@@ -28,6 +28,7 @@ enum class RunStatus {
   contacts_reached,  ///< RunLimits::contacts have happened.
   steps_reached,     ///< RunLimits::steps have been taken.
   observer_stopped,  ///< The observer asked for it.
+  outdated,          ///< Of engines: a sphere does not fit their structures, and `rebuild` must follow.
 };
 
 /// Calls an observer with a contact, and returns whether the run continues: an observer that returns a bool

@@ -30,6 +30,7 @@ namespace hardball {
 class CalendarQueue {
  public:
   void reset(std::size_t owners, Time start);
+  void add_owner(Owner owner) { owner_count_ = std::max(owner_count_, std::size_t{owner} + 1); }
 
   template <EventTable Table>
   void schedule(Owner owner, const Table& table) {

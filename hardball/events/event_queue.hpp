@@ -79,6 +79,7 @@ struct AnyEventTable {
 /// table, always the same one.
 ///
 /// - `reset(n, start)` empties it for owners 0..n-1 and events not before `start`.
+/// - `add_owner(owner)`: there are events of this owner, too.
 /// - `schedule(owner, table)`: the owner's event in the table has changed, perhaps to one that does not
 ///   happen.
 /// - `least(table)` is the owner of the least event, or kNoOwner; it may rearrange the queue internally.
@@ -88,6 +89,7 @@ template <class Queue>
 concept EventQueue = requires(Queue queue, const Queue& view, std::size_t owners, Time start, Owner owner,
                               AnyEventTable table) {
   queue.reset(owners, start);
+  queue.add_owner(owner);
   queue.schedule(owner, table);
   { queue.least(table) } -> std::same_as<Owner>;
   queue.pop();

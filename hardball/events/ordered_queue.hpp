@@ -21,6 +21,10 @@ class OrderedQueue {
     counters_ = {};
   }
 
+  void add_owner(Owner owner) {
+    if (owner >= entry_of_.size()) entry_of_.resize(std::size_t{owner} + 1);
+  }
+
   template <EventTable Table>
   void schedule(Owner owner, const Table& table) {
     Event& entry = entry_of_[owner];

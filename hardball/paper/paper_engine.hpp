@@ -16,7 +16,9 @@
 #include "hardball/engine/run.hpp"
 #include "hardball/engine/standstill_guard.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/response/aftermath.hpp"
 #include "hardball/response/execute.hpp"
+#include "hardball/world/audit.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/walls.hpp"
 
@@ -46,8 +48,8 @@ class PaperEngine {
 
   const World& world() const { return world_; }
   Respond& response() { return respond_; }
-  CollapseGuard& collapse_guard() { return guard_; }
-  const CollapseGuard& collapse_guard() const { return guard_; }
+  const Aftermath& aftermath() const { return aftermath_; }
+  void take_over(const Aftermath& aftermath) { aftermath_ = aftermath; }
   /// The time of the last event.
   const Time& now() const { return now_; }
   const Counters& counters() const { return counters_; }
@@ -56,7 +58,7 @@ class PaperEngine {
 
   std::size_t memory_bytes() const {
     constexpr std::size_t kTreeLinks = 4 * sizeof(void*);
-    std::size_t bytes = world_.memory_bytes() + guard_.memory_bytes();
+    std::size_t bytes = world_.memory_bytes() + aftermath_.collapse.memory_bytes();
     bytes += records_.capacity() * sizeof(SphereRecord);
     bytes += event_tree_.size() * (sizeof(Event) + kTreeLinks);
     for (const SphereRecord& record : records_)
@@ -73,6 +75,16 @@ class PaperEngine {
     std::uint64_t contacts = 0;
     if (limits.contacts == 0) return RunStatus::contacts_reached;
     for (std::uint64_t step = 0;; ++step) {
+      if (is_outdated_) return RunStatus::outdated;
+      if (!aftermath_.merged.empty()) {
+        if (step == limits.steps) return RunStatus::steps_reached;
+        if (coalesce()) {
+          const bool goes_on = notify(observe, std::as_const(done_.contact));
+          if (++contacts == limits.contacts) return RunStatus::contacts_reached;
+          if (!goes_on) return RunStatus::observer_stopped;
+          continue;
+        }
+      }
       if (event_tree_.empty() || event_tree_.begin()->time.high > limits.until.high)
         return RunStatus::time_reached;
       if (step == limits.steps) return RunStatus::steps_reached;
@@ -82,14 +94,6 @@ class PaperEngine {
       if (++contacts == limits.contacts) return RunStatus::contacts_reached;
       if (!goes_on) return RunStatus::observer_stopped;
     }
-  }
-
-  /// As Engine::merge_besides.
-  std::optional<Contact> merge_besides(const Event& overlap) {
-    Executed done;
-    if (!merge_if_decided(world_, overlap, respond_, done)) return std::nullopt;
-    ++counters_.collision;
-    return done.contact;
   }
 
   /// As Engine::next_contact.
@@ -103,15 +107,50 @@ class PaperEngine {
 
   /// As Engine::change_velocities.
   void change_velocities(const Time& moment, std::span<const NewVelocity> changes) {
-    HARDBALL_CHECK(moment >= now_);
-    now_ = moment;
     for (const NewVelocity& change : changes) {
       world_.change_velocity(change.slot, moment, change.after);
+      if (is_outdated_) continue;
+      HARDBALL_CHECK(moment >= now_);
+      now_ = moment;
       remove_candidates(change.slot);
       relocate(change.slot);
       predict_all(change.slot);
     }
   }
+
+  /// As Engine::add.
+  SphereId add(const Sphere& sphere, const Time& moment) {
+    const SphereId id = world_.add(sphere, moment);
+    const auto slot = static_cast<Slot>(world_.size() - 1);
+    const bool is_admitted = !is_outdated_ && admits(slot);
+    if (is_admitted) {
+      HARDBALL_CHECK(moment >= now_);
+      now_ = moment;
+      insert(slot);
+    }
+    try {
+      require_room(world_, slot, is_admitted ? nearby(slot) : all_slots(world_), moment);
+    } catch (const Error&) {
+      if (is_admitted) erase(slot);
+      world_.undo_add();
+      throw;
+    }
+    is_outdated_ = !is_admitted;
+    if (is_admitted) predict_all(slot);
+    return id;
+  }
+
+  /// As Engine::remove.
+  void remove(SphereId id, const Time& moment) {
+    const Slot slot = world_.slot_of(id);
+    if (is_outdated_) return world_.remove(id);
+    HARDBALL_CHECK(moment >= now_);
+    now_ = moment;
+    remove(slot);
+  }
+
+  /// As Engine::is_outdated.
+  bool is_outdated() const { return is_outdated_; }
 
   /// As Engine::rebuild: the preprocessing of the paper.
   void rebuild(const Time& now, double edge) {
@@ -120,14 +159,12 @@ class PaperEngine {
                   "the paper's engine needs at least " + to_text(2 * world_.largest_radius()));
     }
     now_ = now;
+    is_outdated_ = false;
     subdivision_ = Subdivision(world_.box(), edge, kMostSubspacesPerAxis);
     subspace_tree_.clear();
     event_tree_.clear();
     records_.assign(world_.size(), SphereRecord{});
-    for (Slot slot = 0; slot < world_.size(); ++slot) {
-      records_[slot].subspaces = range_now(slot);
-      add_to(records_[slot].subspaces, slot);
-    }
+    for (Slot slot = 0; slot < world_.size(); ++slot) insert(slot);
     for (Slot slot = 0; slot < world_.size(); ++slot) predict_all(slot);
   }
 
@@ -136,6 +173,7 @@ class PaperEngine {
   /// Checks that spheres are in the subspaces that intersect them and that no candidate is missing; throws
   /// BrokenInvariant.
   void validate() const {
+    if (is_outdated_) return;
     for (Slot slot = 0; slot < world_.size(); ++slot) {
       const CellRange& range = records_[slot].subspaces;
       for_each_partner(slot, range, [&](Slot other, const Image& image) {
@@ -292,6 +330,67 @@ class PaperEngine {
     predict_crossings(slot);
   }
 
+  // Whether a sphere intersects no more than eight subspaces.
+  bool admits(Slot slot) const {
+    const double diameter = 2 * world_.radius(slot);
+    return diameter <= edge(0) && diameter <= edge(1) && diameter <= edge(2);
+  }
+
+  // Puts a sphere into the subspaces that intersect it; its events remain to be predicted.
+  void insert(Slot slot) {
+    if (slot == records_.size()) records_.emplace_back();
+    records_[slot].subspaces = range_now(slot);
+    add_to(records_[slot].subspaces, slot);
+  }
+
+  void erase(Slot slot) {
+    remove_candidates(slot);
+    remove_from(records_[slot].subspaces, slot);
+  }
+
+  // Removes a sphere from the world; the one in the last slot takes its place.
+  void remove(Slot slot) {
+    const auto last = static_cast<Slot>(world_.size() - 1);
+    erase(slot);
+    if (slot != last) {
+      remove_from(records_[last].subspaces, last);
+      add_to(records_[last].subspaces, slot);
+      records_[slot] = std::move(records_[last]);
+    }
+    records_.pop_back();
+    world_.remove(world_.id(slot));
+  }
+
+  // The spheres in the subspaces of one.
+  std::vector<Slot> nearby(Slot slot) const {
+    std::vector<Slot> others;
+    for_each_partner(slot, records_[slot].subspaces, [&](Slot other, const Image&) { others.push_back(other); });
+    return others;
+  }
+
+  // As Engine does.
+  bool coalesce() {
+    const auto overlaps = [this](Slot slot) { return overlaps_of(world_, slot, nearby(slot), now_); };
+    return aftermath_.merged.coalesce(world_, overlaps, [this](const Event& overlap) {
+      const Participants participants = participants_of(world_, overlap);
+      if (!merge_if_decided(world_, overlap, participants, respond_, done_)) return false;
+      ++counters_.collision;
+      absorb(participants);
+      return true;
+    });
+  }
+
+  // The first of two spheres that have merged takes the place of both.
+  void absorb(const Participants& participants) {
+    aftermath_.merged.note(done_.contact.first);
+    is_outdated_ = !admits(participants.first);
+    if (is_outdated_) return world_.remove(done_.contact.second);
+    erase(participants.first);
+    insert(participants.first);
+    remove(participants.second);
+    predict_all(world_.slot_of(done_.contact.first));
+  }
+
   // A new path may have been folded back into a periodic box, and with it the subspace indices.
   void relocate(Slot slot) {
     remove_from(records_[slot].subspaces, slot);
@@ -355,15 +454,17 @@ class PaperEngine {
     return true;
   }
 
-  Contact carry_out(const Event& event) {
+  const Contact& carry_out(const Event& event) {
     const bool is_collision = event.kind == EventKind::collision;
     standstill_guard_.note_event(now_, event.time, world_.size());
     const Participants participants = participants_of(world_, event);
-    Executed done;
-    execute(world_, guard_, event, participants, respond_, done);
+    execute(world_, aftermath_.collapse, event, participants, respond_, done_);
     now_ = event.time;
     ++(is_collision ? counters_.collision : counters_.wall);
-    if (done.contact.fate == Fate::merge) return done.contact;
+    if (done_.contact.fate == Fate::merge) {
+      absorb(participants);
+      return done_.contact;
+    }
     const std::uint64_t predictions_before = counters_.predictions;
     remove_candidates(participants.first);
     relocate(participants.first);
@@ -374,7 +475,7 @@ class PaperEngine {
     }
     predict_all(participants.first);
     counters_.contact_predictions += counters_.predictions - predictions_before;
-    return done.contact;
+    return done_.contact;
   }
 
   World world_;
@@ -383,7 +484,9 @@ class PaperEngine {
   std::map<std::uint64_t, Members> subspace_tree_;
   std::set<Event> event_tree_;
   std::vector<SphereRecord> records_;  // per slot
-  CollapseGuard guard_;
+  Aftermath aftermath_;
+  bool is_outdated_ = false;
+  Executed done_;  // the last contact
   StandstillGuard standstill_guard_;
   Time now_;
   Counters counters_;

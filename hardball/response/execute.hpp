@@ -75,14 +75,14 @@ inline void settle(const World& world, Contact& contact) {
   undo_approach(world, contact);
 }
 
-/// Replaces the two spheres of a collision by one with their mass, momentum, angular momentum and volume, at
-/// their center of mass, which keeps the lower id; sets what comes after the contact accordingly. Two
-/// kinematic spheres do not merge. Cost: O(n).
+/// Makes the first of the two spheres of a collision one with the mass, momentum, angular momentum and volume
+/// of both, at their center of mass; the second remains to be removed. Sets what comes after the contact
+/// accordingly. Two kinematic spheres do not merge.
 void merge(World& world, Contact& contact, const Participants& participants);
 
 /// Carries out a collision or wall event: evaluates the paths at its time, calls the response, stores the new
 /// paths. The one place, shared by all engines, where a contact changes the motion. Spheres that pass through
-/// each other keep their paths; if two have merged, slots have changed. Error: check_velocities, check_spins
+/// each other keep their paths; if two have merged, the second remains to be removed. Error: check_velocities, check_spins
 /// or settle refuses what the response returned. RunFailure: inelastic collapse, see CollapseGuard. In these
 /// cases, and if the response throws, nothing has changed.
 template <Response R>
@@ -115,11 +115,11 @@ void execute(World& world, CollapseGuard& guard, const Event& event, const Parti
     store_spins(world, contact, participants);
 }
 
-/// Merges the two spheres of a collision if the response does so, whether or not they approach each other;
-/// returns false if it does not, and then nothing has happened. Error: what the response throws, or `merge`.
+/// Merges two spheres that overlap if the response does so, whether or not they approach each other; returns
+/// false if it does not, and then nothing has happened. Error: what the response throws, or `merge`.
 template <Response R>
-bool merge_if_decided(World& world, const Event& collision, const R& response, Executed& done) {
-  const Participants participants = participants_of(world, collision);
+bool merge_if_decided(World& world, const Event& collision, const Participants& participants,
+                      const R& response, Executed& done) {
   contact_at(world, collision, participants, done);
   done.may_turn = true;  // until the response tells otherwise, and if it throws
   done.may_turn = decide(response, done.contact);

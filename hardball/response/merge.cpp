@@ -65,7 +65,6 @@ void merge(World& world, Contact& contact, const Participants& participants) {
   const Image folded = world.box().fold(position);
   world.store_path(participants.first, {position, velocity, contact.time}, folded);
   world.store_spin(participants.first, spin);
-  world.remove(contact.second);
   contact.after = {velocity, velocity};
   contact.spins_after = {spin, spin};
 }

@@ -46,17 +46,17 @@ class EngineModel final : public AnyEngine {
   RunStatus run(const RunLimits& limits, const Observe& observe) override {
     return engine_.run(limits, observe);
   }
-  std::optional<Contact> merge_besides(const Event& overlap) override {
-    return engine_.merge_besides(overlap);
-  }
   std::optional<Event> next_contact(const Time& until) override { return engine_.next_contact(until); }
   void change_velocities(const Time& moment, std::span<const NewVelocity> changes) override {
     engine_.change_velocities(moment, changes);
   }
+  SphereId add(const Sphere& sphere, const Time& moment) override { return engine_.add(sphere, moment); }
+  void remove(SphereId id, const Time& moment) override { engine_.remove(id, moment); }
+  bool is_outdated() const override { return engine_.is_outdated(); }
   void replace_response(CustomResponse custom) override { engine_.response().replace(std::move(custom)); }
   void replace_response(const ResponseTable& table) override { engine_.response().replace(table); }
-  const CollapseGuard& collapse_guard() const override { return engine_.collapse_guard(); }
-  void replace_collapse_guard(const CollapseGuard& guard) override { engine_.collapse_guard() = guard; }
+  const Aftermath& aftermath() const override { return engine_.aftermath(); }
+  void take_over(const Aftermath& aftermath) override { engine_.take_over(aftermath); }
   void validate() const override { engine_.validate(); }
 
   bool supports(double length) const override {

@@ -12,7 +12,7 @@
 
 #include "hardball/engine/run.hpp"
 #include "hardball/kernels/instruction_set.hpp"
-#include "hardball/response/collapse_guard.hpp"
+#include "hardball/response/aftermath.hpp"
 #include "hardball/response/contact.hpp"
 #include "hardball/response/response_table.hpp"
 #include "hardball/simulation/any_response.hpp"
@@ -102,18 +102,19 @@ class AnyEngine {
   virtual Vec3 cell_edges() const = 0;
   virtual double skin() const = 0;
   virtual RunStatus run(const RunLimits& limits, const Observe& observe) = 0;
-  virtual std::optional<Contact> merge_besides(const Event& overlap) = 0;
   virtual std::optional<Event> next_contact(const Time& until) = 0;
   virtual void change_velocities(const Time& moment, std::span<const NewVelocity> changes) = 0;
+  virtual SphereId add(const Sphere& sphere, const Time& moment) = 0;
+  virtual void remove(SphereId id, const Time& moment) = 0;
+  virtual bool is_outdated() const = 0;
   /// Whether `rebuild` with this length would make what make_engine makes for the world as it is.
   virtual bool supports(double length) const = 0;
   /// Rebuilds all regions and predictions, with this cell edge or skin [L] where there is one.
   virtual void rebuild(const Time& now, double length) = 0;
   virtual void replace_response(CustomResponse custom) = 0;
   virtual void replace_response(const ResponseTable& table) = 0;
-  /// What guards against inelastic collapse; that of another engine may go on.
-  virtual const CollapseGuard& collapse_guard() const = 0;
-  virtual void replace_collapse_guard(const CollapseGuard& guard) = 0;
+  virtual const Aftermath& aftermath() const = 0;
+  virtual void take_over(const Aftermath& aftermath) = 0;
   virtual void validate() const = 0;
 };
 

@@ -63,24 +63,6 @@ std::vector<Vec3> centers_at(const World& world, const Time& moment) {
   return centers;
 }
 
-// The collisions of a sphere, now, with those that it overlaps, in order.
-std::vector<Event> overlaps_of(const World& world, SphereId id, const Time& now) {
-  const Slot self = world.slot_of(id);
-  std::vector<Event> overlaps;
-  for (Slot other = 0; other < world.size(); ++other) {
-    if (other == self || world.pass(self, other)) continue;
-    const Image image =
-        world.box().nearest_image(world.unfolded_position(self, now) - world.unfolded_position(other, now));
-    const Vec3 separation =
-        separation_at(world.motion(), world.path(self), world.path(other), world.box().shift(image), now);
-    const double reach = world.radius(self) + world.radius(other);
-    if (!(dot(separation, separation) < reach * reach)) continue;
-    overlaps.push_back(make_collision(now, id, world.id(other), image));
-  }
-  std::ranges::sort(overlaps);
-  return overlaps;
-}
-
 }  // namespace
 
 Simulation::Simulation(World world, const EngineOptions& options, const OnProgress& on_progress)
@@ -111,28 +93,28 @@ void Simulation::start_engine(World world, const Progress& progress) {
 
 std::string Simulation::save() const {
   if (activity_ == Activity::running) check_idle("save");
-  return archived(options_, kind_, world(), now_, hash_, tally_, thermostat_, user_data_, merged_,
-                  looks_ahead_apart_, counters(), engine_->collapse_guard());
+  return archived(options_, kind_, world(), now_, hash_, tally_, thermostat_, user_data_,
+                  engine_->aftermath().merged, looks_ahead_apart_, counters(), engine_->aftermath().collapse);
 }
 
 Simulation Simulation::load(std::string_view bytes, const std::string& where) {
   Simulation loaded;
   World world(Box::open());
-  CollapseGuard guard;
+  Aftermath aftermath;
   restore(bytes, where, loaded.options_, loaded.kind_, world, loaded.now_, loaded.hash_, loaded.tally_,
-          loaded.thermostat_, loaded.user_data_, loaded.merged_, loaded.looks_ahead_apart_,
-          loaded.counters_before_, guard);
+          loaded.thermostat_, loaded.user_data_, aftermath.merged, loaded.looks_ahead_apart_,
+          loaded.counters_before_, aftermath.collapse);
   check(loaded.options_);
   check_moment(loaded.now_, where);
   if (loaded.now_ < latest_change(world) || loaded.tally_.walls().size() != kFaces + world.surfaces().size())
     refuse_archive(where);
-  for (const SphereId merged : loaded.merged_) static_cast<void>(world.slot_of(merged));
+  for (const SphereId merged : aftermath.merged.ids()) static_cast<void>(world.slot_of(merged));
   ++loaded.counters_before_.rebuilds;
   loaded.watch_ = CellEdgeWatch(loaded.options_.unit_costs);
   loaded.kind_ = choose_engine(world, loaded.options_, loaded.now_, loaded.kind_);
   put_in_order(world, loaded.kind_, loaded.now_);
   loaded.start_engine(std::move(world));
-  loaded.engine_->replace_collapse_guard(guard);
+  loaded.engine_->take_over(aftermath);
   return loaded;
 }
 
@@ -151,8 +133,7 @@ Simulation::Simulation(const Simulation& other)
       tally_(other.tally_),
       user_data_(other.user_data_),
       watch_(other.watch_),
-      merged_(other.merged_),
-      edited_(other.edited_),
+      is_interrupted_(other.is_interrupted_),
       looks_ahead_apart_(other.looks_ahead_apart_),
       spheres_at_choice_(other.spheres_at_choice_),
       next_review_(other.next_review_),
@@ -177,8 +158,7 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   tally_ = other.tally_;
   user_data_ = std::move(other.user_data_);
   watch_ = other.watch_;
-  merged_ = std::move(other.merged_);
-  edited_ = other.edited_;
+  is_interrupted_ = other.is_interrupted_;
   looks_ahead_apart_ = other.looks_ahead_apart_;
   spheres_at_choice_ = other.spheres_at_choice_;
   next_review_ = other.next_review_;
@@ -270,20 +250,12 @@ RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) 
   const During running(activity_, Activity::running);
   const auto observe = [this, measures](const Contact& contact) {
     note(contact, measures);
-    return !edited_;
+    return !is_interrupted_;
   };
   RunLimits left = limits;
   for (;;) {
-    while (!merged_.empty()) {
-      if (left.contacts == 0) return RunStatus::contacts_reached;
-      if (left.steps == 0) return RunStatus::steps_reached;
-      const std::optional<Contact> merger = coalesce();
-      if (!merger) break;
-      note(*merger, measures);
-      --left.contacts;
-      --left.steps;
-    }
-    apply_edits();
+    is_interrupted_ = false;
+    rebuild_if_due();
     const std::uint64_t slice = std::max<std::uint64_t>(kSliceSteps, size());
     const Time action = next_action();
     const bool acts = action.high <= limits.until.high && action < kNever;
@@ -304,11 +276,11 @@ RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) 
       left.steps -= std::min(left.steps, act(measures));
       status = RunStatus::steps_reached;
     }
-    const bool goes_on =
-        status == RunStatus::observer_stopped || (status == RunStatus::steps_reached && left.steps > 0);
     // Also before returning: a run may be split into pieces of any size.
-    if (!edited_) retune_if_due();
-    if (!goes_on) return status;
+    if (!engine_->is_outdated()) retune_if_due();
+    const bool continues = status == RunStatus::observer_stopped || status == RunStatus::outdated ||
+                           (status == RunStatus::steps_reached && left.steps > 0);
+    if (!continues) return status;
   }
 }
 
@@ -325,8 +297,6 @@ void Simulation::note(const Contact& contact, Measures* measures) {
 }
 
 void Simulation::note_merger(const Contact& contact, const Measures* measures) {
-  edited_ = true;
-  merged_.push_back(contact.first);
   if (thermostat_) thermostat_->note_removed(contact.second);
   user_data_.remove(contact.second);
   if (measures && measures->is_any_wanted()) {
@@ -334,21 +304,6 @@ void Simulation::note_merger(const Contact& contact, const Measures* measures) {
                     " have merged, and measures need all spheres",
                 "measures", "run without measures");
   }
-}
-
-// Spheres that have merged may overlap others: with those that the response merges them with, they do so at
-// once, lowest ids first. Carries out the first such merger, if there is one.
-std::optional<Contact> Simulation::coalesce() {
-  while (!merged_.empty()) {
-    const SphereId id = *std::ranges::min_element(merged_);
-    if (contains(id)) {
-      for (const Event& overlap : overlaps_of(world(), id, now_)) {
-        if (std::optional<Contact> merger = engine_->merge_besides(overlap)) return merger;
-      }
-    }
-    std::erase(merged_, id);
-  }
-  return std::nullopt;
 }
 
 void Simulation::call_listener(const Contact& contact, Activity activity) {
@@ -361,15 +316,11 @@ void Simulation::call_listener(const Contact& contact, Activity activity) {
 std::optional<NextContact> Simulation::next_contact(double until) {
   check_idle("next_contact");
   check_not_past(Time(until));
-  if (!merged_.empty()) {
-    const During running(activity_, Activity::running);  // the response is asked
-    Simulation apart(*this);
-    if (const std::optional<Contact> merger = apart.coalesce()) {
-      return NextContact{merger->time.value(), merger->kind, merger->first, merger->second};
-    }
-    merged_.clear();
+  rebuild_if_due();
+  if (!engine_->aftermath().merged.empty()) {
+    const std::vector<Contact> next = contacts_within(0, 1);  // the response is asked
+    if (!next.empty()) return NextContact{next[0].time.value(), next[0].kind, next[0].first, next[0].second};
   }
-  apply_edits();
   const Time end(until);
   std::optional<Simulation> ahead;
   Simulation* at = this;
@@ -389,7 +340,6 @@ std::optional<NextContact> Simulation::next_contact(double until) {
     if (!ahead) look_apart();
     at->now_ = later(at->now_, action);
     at->act(nullptr);
-    at->apply_edits();
   }
 }
 
@@ -462,13 +412,8 @@ void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
 
 // Precondition: all events before `moment` have been handled, and no contact after it.
 void Simulation::rewrite_velocities(const Time& moment, std::span<const NewVelocity> changes) {
-  // An engine that has looked ahead can only be rebuilt.
-  looks_ahead_apart_ |= engine_->now() > moment;
-  if (!edited_ && engine_->now() <= moment) return engine_->change_velocities(moment, changes);
-  for (const NewVelocity& change : changes) {
-    engine_->world_to_edit().change_velocity(change.slot, moment, change.after);
-  }
-  edited_ = true;
+  end_look_ahead(moment);
+  engine_->change_velocities(moment, changes);
 }
 
 void Simulation::tell_of_changes(const Time& moment, std::span<const NewVelocity> changes,
@@ -496,7 +441,7 @@ void Simulation::set_thermostat(std::optional<Thermostat> thermostat) {
   thermostat_ = std::move(thermostat);
   if (thermostat_) thermostat_->begin(world(), now_);
   // If a listener sets it, the run up to the next action of the former one ends.
-  if (activity_ == Activity::listening) edited_ = true;
+  is_interrupted_ = true;
 }
 
 // When the thermostat acts next; kNever without one.
@@ -554,10 +499,8 @@ void Simulation::edit_velocities(std::span<const VelocityEdit> edits, Measures* 
 
 SphereId Simulation::add(const Sphere& sphere) {
   check_editable("add");
-  world().check(sphere);
-  refuse_overlap(world(), sphere, now_);
-  const SphereId id = engine_->world_to_edit().add(sphere, now_);
-  edited_ = true;
+  end_look_ahead(now_);
+  const SphereId id = engine_->add(sphere, now_);
   tally_.note_edit(kinetic_energy(world(), world().slot_of(id), now_), now_);
   if (thermostat_) thermostat_->note_added(id, now_);
   return id;
@@ -566,9 +509,9 @@ SphereId Simulation::add(const Sphere& sphere) {
 void Simulation::remove(SphereId id) {
   check_editable("remove");
   const double energy = kinetic_energy(world(), world().slot_of(id), now_);
-  engine_->world_to_edit().remove(id);
+  end_look_ahead(now_);
+  engine_->remove(id, now_);
   user_data_.remove(id);
-  edited_ = true;
   tally_.note_edit(-energy, now_);
   if (thermostat_) thermostat_->note_removed(id);
 }
@@ -585,7 +528,7 @@ std::uint64_t Simulation::user_data(SphereId id) const {
 
 void Simulation::set_user_data(SphereId id, std::uint64_t data) {
   static_cast<void>(world().slot_of(id));
-  user_data_.set(world(), id, data);
+  user_data_.set(id, data);
 }
 
 const World& Simulation::world() const {
@@ -614,8 +557,7 @@ std::size_t Simulation::memory_bytes() const {
 }
 
 void Simulation::validate() const {
-  // Structures are rebuilt when the simulation runs on.
-  if (!edited_) engine_->validate();
+  engine_->validate();
 }
 
 void Simulation::check_idle(const char* what) const {
@@ -642,17 +584,18 @@ void Simulation::check_not_past(const Time& time) const {
   if (time < kNever) check_moment(time, "until");
 }
 
-void Simulation::apply_edits() {
-  if (!edited_) return;
-  // To choose engine and cells again takes longer than to rebuild them; reviews do it now and then.
+// An engine that has looked ahead can only be rebuilt.
+void Simulation::end_look_ahead(const Time& moment) {
+  if (!(engine_->now() > moment)) return;
+  looks_ahead_apart_ = true;
+  engine_->rebuild(moment, watch_.edge());
+}
+
+// Before the engine runs on: it may be outdated, or made for far more or fewer spheres.
+void Simulation::rebuild_if_due() {
   const bool is_new_choice_due =
       16 * std::max(size(), spheres_at_choice_) > 17 * std::min(size(), spheres_at_choice_);
-  if (is_new_choice_due || !engine_->supports(watch_.edge())) {
-    rebuild(now_);
-  } else {
-    engine_->rebuild(now_, watch_.edge());
-  }
-  edited_ = false;
+  if (is_new_choice_due || engine_->is_outdated()) rebuild(now_);
 }
 
 void Simulation::retune_if_due() {
@@ -694,9 +637,9 @@ void Simulation::rebuild(const Time& moment) {
   } else {
     counters_before_ = counters();
     ++counters_before_.rebuilds;
-    const CollapseGuard guard = engine_->collapse_guard();
+    const Aftermath aftermath = engine_->aftermath();
     engine_ = make_engine(std::move(engine_->world_to_edit()), kind, options_, length, moment);
-    engine_->replace_collapse_guard(guard);
+    engine_->take_over(aftermath);
     if (response_) engine_->replace_response(response_);
     kind_ = kind;
   }

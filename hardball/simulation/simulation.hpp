@@ -147,9 +147,10 @@ class Simulation {
   void change_velocities(std::span<const VelocityEdit> edits);
   /// The same between runs with `measures`, which see it as the action of a thermostat; see Measures.
   void change_velocities(std::span<const VelocityEdit> edits, Measures& measures);
-  /// Adds a sphere, now. Cost: O(n). Error: see World::add; it overlaps another sphere.
+  /// Adds a sphere, now. Cost: that of a collision, amortized; O(n) for the first of a larger radius than all
+  /// others. Error: see World::add; it overlaps another sphere.
   SphereId add(const Sphere& sphere);
-  /// Removes a sphere, now. Cost: O(n). Error: no sphere has this id.
+  /// Removes a sphere, now. Cost: that of a collision. Error: no sphere has this id.
   void remove(SphereId id);
 
   /// A handle on a sphere. Error: no sphere has this id.
@@ -157,7 +158,7 @@ class Simulation {
   /// Whether a sphere has this id. Cost: O(log n).
   bool contains(SphereId id) const { return world().contains(id); }
   /// A number of the caller's for each sphere, zero at first; copies have their own, and a sphere that
-  /// absorbs another keeps its own. Error: no sphere has this id. Cost: O(log n), of the first number O(n).
+  /// absorbs another keeps its own. Error: no sphere has this id. Cost: O(log n).
   std::uint64_t user_data(SphereId id) const;
   void set_user_data(SphereId id, std::uint64_t data);
 
@@ -230,8 +231,8 @@ class Simulation {
   void check_not_past(const Time& time) const;
   void note(const Contact& contact, Measures* measures);
   void note_merger(const Contact& contact, const Measures* measures);
-  std::optional<Contact> coalesce();
-  void apply_edits();
+  void end_look_ahead(const Time& moment);
+  void rebuild_if_due();
   void retune_if_due();
   void rebuild(const Time& moment);
 
@@ -250,8 +251,7 @@ class Simulation {
   Tally tally_;
   UserData user_data_;
   CellEdgeWatch watch_;
-  std::vector<SphereId> merged_;       // which may overlap others
-  bool edited_ = false;                // the engine's structures are out of date
+  bool is_interrupted_ = false;        // the listener has changed what acts next
   bool looks_ahead_apart_ = false;     // predicts the next contact on a copy, as the caller edits afterwards
   std::size_t spheres_at_choice_ = 0;  // when engine and cells were last chosen
   std::uint64_t next_review_ = 0;      // number of crossings and contacts at which the tuning is reviewed

@@ -3,36 +3,28 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <unordered_map>
 
-#include "hardball/world/world.hpp"
+#include "hardball/events/event.hpp"
 
 namespace hardball {
 
 /// A number of the caller's for each sphere, by id: zero until it is set, and kept until the sphere is
-/// removed. Takes no memory until the first is set.
+/// removed. Takes memory only for those set. Cost: O(1).
 class UserData {
  public:
-  /// Cost: O(log n).
-  std::uint64_t get(SphereId id) const;
-  /// Precondition: the world has the sphere. Cost: O(log n); O(n) where spheres have been added since the
-  /// last number was set.
-  void set(const World& world, SphereId id, std::uint64_t data);
-  /// Cost: O(n).
-  void remove(SphereId id);
+  std::uint64_t get(SphereId id) const {
+    const auto found = numbers_.find(id);
+    return found != numbers_.end() ? found->second : 0;
+  }
+  void set(SphereId id, std::uint64_t data) { numbers_[id] = data; }
+  void remove(SphereId id) { numbers_.erase(id); }
 
  private:
   friend class Persistence;
-  static void persist(auto& archive, auto& self) { archive(self.entries_); }
-  bool restored() const;
+  static void persist(auto& archive, auto& self) { archive(self.numbers_); }
 
-  struct Entry {
-    SphereId id;
-    std::uint64_t data;
-    static void persist(auto& archive, auto& self) { archive(self.id, self.data); }
-  };
-
-  std::vector<Entry> entries_;  // in the order of ids
+  std::unordered_map<SphereId, std::uint64_t> numbers_;
 };
 
 }  // namespace hardball

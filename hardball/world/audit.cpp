@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/world/static_hash_grid.hpp"
@@ -32,12 +33,28 @@ void note_escape(const World& world, Slot slot, const Vec3& position, const Time
   note(radius - distance_to_surfaces(world, position, moment));
 }
 
+// From one center to the nearest image of another, from folded positions.
+Vec3 nearest_separation(const World& world, Slot from, Slot to, const Time& moment) {
+  Vec3 separation = world.position(to, moment) - world.position(from, moment);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!world.box().is_periodic(axis)) continue;
+    const double size = world.box().size()[axis];
+    separation[axis] -= size * std::round(separation[axis] / size);
+  }
+  return separation;
+}
+
 }  // namespace
+
+std::vector<Slot> all_slots(const World& world) {
+  std::vector<Slot> slots(world.size());
+  std::iota(slots.begin(), slots.end(), Slot{0});
+  return slots;
+}
 
 Audit audit(const World& world, const Time& moment, const Progress& progress) {
   Audit found;
-  std::vector<Slot> by_size(world.size());
-  std::iota(by_size.begin(), by_size.end(), Slot{0});
+  std::vector<Slot> by_size = all_slots(world);
   if (!world.radii().is_common()) {
     std::stable_sort(by_size.begin(), by_size.end(),
                      [&](Slot a, Slot b) { return world.radius(a) > world.radius(b); });
@@ -87,27 +104,44 @@ void require_no_overlap(const World& world, const Time& moment, const Progress& 
               "start state", "move them apart or shrink them");
 }
 
-void refuse_overlap(const World& world, const Sphere& sphere, const Time& moment) {
-  const double through = sphere.radius - distance_to_surfaces(world, sphere.position, moment);
-  if (through > 2 * sphere.radius * kOverlapTolerance) {
+void require_room(const World& world, Slot added, std::span<const Slot> others, const Time& moment) {
+  const double through =
+      world.radius(added) - distance_to_surfaces(world, world.position(added, moment), moment);
+  if (through > 2 * world.radius(added) * kOverlapTolerance) {
     throw Error("the new sphere reaches through a wall by " + to_text(through), "sphere to add",
                 "place it elsewhere or shrink it");
   }
-  for (Slot slot = 0; slot < world.size(); ++slot) {
-    Vec3 separation = world.position(slot, moment) - sphere.position;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      if (!world.box().is_periodic(axis)) continue;
-      const double size = world.box().size()[axis];
-      separation[axis] -= size * std::round(separation[axis] / size);
-    }
-    const double overlap = 1 - length(separation) / (sphere.radius + world.radius(slot));
-    const bool passes = world.may_pass(sphere.species, world.species(slot)) ||
-                        (std::isinf(sphere.mass) && world.is_kinematic(slot));
-    if (overlap <= kOverlapTolerance || passes) continue;
-    throw Error("the new sphere overlaps sphere " + to_text(world.id(slot)) + " by " + to_text(overlap) +
-                    " of the sum of their radii",
-                "sphere to add", "place it elsewhere or shrink it");
+  std::optional<SphereId> in_the_way;
+  double its_overlap = 0;
+  for (const Slot other : others) {
+    if (other == added || world.pass(added, other)) continue;
+    const double reach = world.radius(added) + world.radius(other);
+    const double overlap = 1 - length(nearest_separation(world, added, other, moment)) / reach;
+    if (overlap <= kOverlapTolerance || (in_the_way && world.id(other) >= *in_the_way)) continue;
+    in_the_way = world.id(other);
+    its_overlap = overlap;
   }
+  if (!in_the_way) return;
+  throw Error("the new sphere overlaps sphere " + to_text(*in_the_way) + " by " + to_text(its_overlap) +
+                  " of the sum of their radii",
+              "sphere to add", "place it elsewhere or shrink it");
+}
+
+std::vector<Event> overlaps_of(const World& world, Slot slot, std::span<const Slot> others, const Time& now) {
+  std::vector<Event> overlaps;
+  for (const Slot other : others) {
+    if (other == slot || world.pass(slot, other)) continue;
+    const Image image = nearest_image(world, slot, other, now);
+    const Vec3 separation =
+        separation_at(world.motion(), world.path(slot), world.path(other), world.box().shift(image), now);
+    const double reach = world.radius(slot) + world.radius(other);
+    if (!(dot(separation, separation) < reach * reach)) continue;
+    overlaps.push_back(make_collision(now, world.id(slot), world.id(other), image));
+  }
+  std::ranges::sort(overlaps);
+  const auto repeated = std::ranges::unique(overlaps);
+  overlaps.erase(repeated.begin(), repeated.end());
+  return overlaps;
 }
 
 }  // namespace hardball

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
 
@@ -35,8 +38,16 @@ Audit audit(const World& world, const Time& moment, const Progress& progress = {
 /// `moment`. Error: names the worst pair, or the sphere.
 void require_no_overlap(const World& world, const Time& moment, const Progress& progress = {});
 
-/// Refuses a sphere that would overlap one in the world, or reach through a surface, by more than
-/// kOverlapTolerance. Cost: O(n). Error: names the sphere in the way.
-void refuse_overlap(const World& world, const Sphere& sphere, const Time& moment);
+/// All slots of a world, for those that do not know which spheres are near.
+std::vector<Slot> all_slots(const World& world);
+
+/// Refuses a new sphere that overlaps one of these others, or reaches through a surface, by more than
+/// kOverlapTolerance. Cost: O(others). Error: names the sphere in the way, of several the one with the lowest
+/// id.
+void require_room(const World& world, Slot added, std::span<const Slot> others, const Time& moment);
+
+/// The collisions, at `now`, of a sphere with those of these others that it overlaps, however little, and does
+/// not pass through, in order. Cost: O(others).
+std::vector<Event> overlaps_of(const World& world, Slot slot, std::span<const Slot> others, const Time& now);
 
 }  // namespace hardball

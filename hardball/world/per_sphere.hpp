@@ -27,7 +27,7 @@ class PerSphere {
   std::span<const double> each() const { return each_; }
 
   /// Precondition: not is_common().
-  void prefetch(Slot slot) const { hardball::prefetch(&each_[slot]); }
+  void prefetch(Slot slot) const { hardball::prefetch(each_.data() + slot); }
 
   void push_back(double value) {
     if (size_ == 0) common_ = value;
@@ -45,8 +45,12 @@ class PerSphere {
     if (!each_.empty()) each_[slot] = value;
   }
 
+  /// Removes the number of a slot; that of the last slot takes its place.
   void erase(Slot slot) {
-    if (!each_.empty()) each_.erase(each_.begin() + static_cast<std::ptrdiff_t>(slot));
+    if (!each_.empty()) {
+      each_[slot] = each_.back();
+      each_.pop_back();
+    }
     if (--size_ == 0) common_ = 0;
   }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -59,7 +58,7 @@ SphereId World::add(const Sphere& sphere, const Time& moment) {
   check(sphere);
   check_moment(moment, name_of(next_id_));
   const Image beyond = box_.boxes_beyond(sphere.position);
-  if (!slots_by_id_.empty()) slots_by_id_.push_back(static_cast<Slot>(size()));
+  order_.append();
   ids_.push_back(next_id_);
   paths_.push_back({sphere.position - box_.shift(beyond), sphere.velocity, moment});
   radii_.push_back(sphere.radius);
@@ -142,17 +141,28 @@ void World::check_velocity(SphereId id, const Vec3& velocity) const {
 
 void World::remove(SphereId id) {
   const Slot slot = slot_of(id);
-  const auto at = static_cast<std::ptrdiff_t>(slot);
-  ids_.erase(ids_.begin() + at);
-  paths_.erase(paths_.begin() + at);
+  const auto last = static_cast<Slot>(size() - 1);
+  const std::size_t rank = rank_of(id);
+  if (slot != last) order_.move(rank_of(ids_[last]), slot);
+  order_.erase(rank);
   if (is_kinematic(slot)) --kinematic_count_;
+  const auto erase = [slot](auto& values) {
+    if (values.empty()) return;
+    values[slot] = values.back();
+    values.pop_back();
+  };
+  erase(ids_);
+  erase(paths_);
   radii_.erase(slot);
   masses_.erase(slot);
   moments_.erase(slot);
-  if (!spins_.empty()) spins_.erase(spins_.begin() + at);
-  if (!species_.empty()) species_.erase(species_.begin() + at);
-  folded_.erase(folded_.begin() + at);
-  sort_slots_by_id();
+  erase(spins_);
+  erase(species_);
+  erase(folded_);
+}
+
+void World::undo_add() {
+  remove(--next_id_);
 }
 
 void World::reorder(std::span<const Slot> order) {
@@ -171,25 +181,7 @@ void World::reorder(std::span<const Slot> order) {
   moments_.reorder(order);
   spins_ = reordered(spins_);
   species_ = reordered(species_);
-  sort_slots_by_id();
-}
-
-void World::sort_slots_by_id() {
-  if (std::is_sorted(ids_.begin(), ids_.end())) {
-    slots_by_id_ = {};
-    return;
-  }
-  constexpr std::size_t kFew = 16;
-  if (next_id_ > kFew * size()) {
-    slots_by_id_.resize(size());
-    std::iota(slots_by_id_.begin(), slots_by_id_.end(), Slot{0});
-    std::ranges::sort(slots_by_id_, {}, [this](Slot slot) { return ids_[slot]; });
-    return;
-  }
-  constexpr Slot kNone = std::numeric_limits<Slot>::max();
-  slots_by_id_.assign(next_id_, kNone);
-  for (Slot slot = 0; slot < size(); ++slot) slots_by_id_[ids_[slot]] = slot;
-  std::erase(slots_by_id_, kNone);
+  order_.sort(ids_, next_id_);
 }
 
 Image World::change_velocity(Slot slot, const Time& moment, const Vec3& velocity) {
@@ -224,6 +216,7 @@ void World::reshape(Slot slot, double radius, double mass, double moment) {
   }
   if (is_kinematic(slot)) --kinematic_count_;
   if (std::isinf(mass)) ++kinematic_count_;
+  has_grown_ |= radius > radii_[slot];
   radii_.set(slot, radius);
   masses_.set(slot, mass);
   moments_.set(slot, moment);
@@ -240,8 +233,13 @@ bool World::may_pass(SpeciesId a, SpeciesId b) const {
 }
 
 std::size_t World::rank_of(SphereId id) const {
-  std::size_t low = 0;
-  std::size_t high = size();
+  if (size() == 0) return 0;
+  const SphereId first = ids_[slot_of_rank(0)];
+  const SphereId last = ids_[slot_of_rank(size() - 1)];
+  if (id <= first || id > last) return id <= first ? 0 : size();
+  // Ids differ, so that few are missing where few spheres have been removed.
+  std::size_t low = size() - std::min(size(), std::size_t{last} - id + 1);
+  std::size_t high = std::min(size(), std::size_t{id} - first);
   while (low < high) {
     const std::size_t middle = low + (high - low) / 2;
     if (ids_[slot_of_rank(middle)] < id) {
@@ -318,7 +316,7 @@ double World::largest_radius() const {
 
 std::size_t World::memory_bytes() const {
   return paths_.capacity() * sizeof(Path) + radii_.memory_bytes() + masses_.memory_bytes() +
-         ids_.capacity() * sizeof(SphereId) + slots_by_id_.capacity() * sizeof(Slot) +
+         ids_.capacity() * sizeof(SphereId) + order_.memory_bytes() +
          moments_.memory_bytes() + spins_.capacity() * sizeof(Vec3) +
          species_.capacity() * sizeof(SpeciesId) + folded_.capacity() * sizeof(Image) +
          surfaces_.capacity() * sizeof(Surface);
@@ -383,7 +381,7 @@ bool World::restored() {
     check_spin(spin(slot), where);
     if (std::isinf(masses_[slot])) ++kinematic_count_;
   }
-  sort_slots_by_id();
+  order_.sort(ids_, next_id_);
   note_traits();
   return true;
 }

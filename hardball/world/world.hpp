@@ -16,6 +16,7 @@
 #include "hardball/memory/prefetch.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/box.hpp"
+#include "hardball/world/id_order.hpp"
 #include "hardball/world/per_sphere.hpp"
 
 namespace hardball {
@@ -75,8 +76,12 @@ class World {
   /// Error: `change_velocity` would refuse this velocity.
   void check_velocity(SphereId id, const Vec3& velocity) const;
 
-  /// Removes a sphere. Cost: O(n). Error: no sphere has this id.
+  /// Removes a sphere; the one in the last slot takes its place. Cost: O(log n) amortized. Error: no sphere
+  /// has this id.
   void remove(SphereId id);
+
+  /// Takes back the sphere added last, and its id. Precondition: no other has been removed since.
+  void undo_add();
 
   /// Gives a sphere a new velocity [L/T] from `moment` on; returns what rewrite_path does.
   /// Error: a number, or moment, that is NaN, infinite or out of range; a velocity out of the plane in two
@@ -98,6 +103,13 @@ class World {
 
   /// Gives a sphere a new radius [L], mass [M] and moment [1]. Error: as for `add`; then nothing has changed.
   void reshape(Slot slot, double radius, double mass, double moment);
+
+  /// How much larger spheres may be expected to become [1]: if some have grown, others may, too, and structures
+  /// that are made for the largest leave room.
+  double room_to_grow() const {
+    constexpr double kRoom = 1.25;
+    return has_grown_ ? kRoom : 1;
+  }
 
   /// Lets spheres of these species pass through each other: their contacts are events, and change nothing.
   void let_pass(SpeciesId a, SpeciesId b);
@@ -133,8 +145,8 @@ class World {
   Vec3 velocity(Slot slot, const Time& moment) const { return motion_.velocity_at(paths_[slot], moment); }
   std::span<const Path> paths() const { return paths_; }
 
-  /// Prefetches a sphere's path.
-  void prefetch(Slot slot) const { hardball::prefetch(&paths_[slot]); }
+  /// Prefetches a sphere's path. The slot need not be in use.
+  void prefetch(Slot slot) const { hardball::prefetch(paths_.data() + slot); }
   /// The same for its radius and mass, of which each has its own.
   void prefetch_size(Slot slot) const {
     if (!radii_.is_common()) radii_.prefetch(slot);
@@ -151,14 +163,12 @@ class World {
 
   /// Where the sphere is stored that has `rank` lower ids before it. Precondition: `rank` is less than
   /// size().
-  Slot slot_of_rank(std::size_t rank) const {
-    return slots_by_id_.empty() ? static_cast<Slot>(rank) : slots_by_id_[rank];
-  }
+  Slot slot_of_rank(std::size_t rank) const { return order_[rank]; }
 
   /// Calls visit(slot) for every sphere, in the order of ids. Cost: O(n).
   template <class Visit>
   void for_each_by_id(Visit&& visit) const {
-    for (std::size_t rank = 0; rank < size(); ++rank) visit(slot_of_rank(rank));
+    order_.for_each(visit);
   }
 
   /// Stores the sphere of slot order[k] in slot k; ids stay. `order` holds every slot once. Cost: O(ids ever
@@ -211,7 +221,6 @@ class World {
   void note_traits();
   void check_mass(double mass, const std::string& where) const;
   void check_fits(double radius, std::size_t axis, const std::string& where) const;
-  void sort_slots_by_id();
   // How many spheres have lower ids.
   std::size_t rank_of(SphereId id) const;
 
@@ -220,7 +229,7 @@ class World {
   std::vector<Surface> surfaces_;
   SphereId next_id_ = 0;
   LargeVector<SphereId> ids_;
-  std::vector<Slot> slots_by_id_;  // all slots in the order of ids; empty while slots are in that order
+  IdOrder order_;
   LargeVector<Path> paths_;
   PerSphere radii_;
   PerSphere masses_;
@@ -231,6 +240,7 @@ class World {
   std::vector<std::pair<SpeciesId, SpeciesId>> passing_;  // the lower species first
   std::size_t kinematic_count_ = 0;
   bool has_traits_ = false;
+  bool has_grown_ = false;
   Event last_passage_{Time(-std::numeric_limits<double>::infinity()), EventKind::collision, 0, 0, {}};
 };
 
@@ -250,6 +260,11 @@ double energy(const World& world, Slot slot, const Time& moment);
 /// More than the rounding error of the coordinates of a center [L], which shows in spheres very far away.
 inline double coordinate_error(const World& world, Slot slot, const Time& now) {
   return 0x1p-50 * length(world.unfolded_position(slot, now));
+}
+
+/// The image of `b` nearest to `a` at `moment`.
+inline Image nearest_image(const World& world, Slot a, Slot b, const Time& moment) {
+  return world.box().nearest_image(world.unfolded_position(a, moment) - world.unfolded_position(b, moment));
 }
 
 /// The moment at which two spheres touch, `image` being that of `b` which `a` meets; kNever if never.

@@ -56,10 +56,10 @@ TEST(ParticipantsOf, AreTheSlotsOfTheIdsThatAnEventNames) {
   world.remove(1);
   world.reorder(std::array<Slot, 3>{2, 0, 1});
   const Participants collision = participants_of(world, make_collision(Time(1), 3, 2, {}));
-  EXPECT_EQ(collision.first, 2U) << "the sphere with the lower id";
-  EXPECT_EQ(collision.second, 0U);
+  EXPECT_EQ(collision.first, 0U) << "the sphere with the lower id";
+  EXPECT_EQ(collision.second, 2U);
   // Face 1 is not a slot.
-  EXPECT_EQ(participants_of(world, {Time(1), EventKind::wall, 3, 1, {}}).first, 0U);
+  EXPECT_EQ(participants_of(world, {Time(1), EventKind::wall, 3, 1, {}}).first, 2U);
   EXPECT_THROW(participants_of(world, make_collision(Time(1), 1, 2, {})), Error) << "it has been removed";
 }
 

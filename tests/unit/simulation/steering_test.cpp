@@ -187,7 +187,7 @@ TEST(UserDataOfSpheres, IsAssignedAndForgottenWithTheSpheres) {
   EXPECT_EQ(other.user_data(0), 0U);
 
   UserData data;
-  data.set(simulation.world(), 1, 5);
+  data.set(1, 5);
   data.remove(0);
   EXPECT_EQ(data.get(1), 5U);
   data.remove(1);

@@ -100,13 +100,33 @@ TEST(Audit, SeesOverlapsBetweenVeryUnequalSpheres) {
   EXPECT_EQ(found.overlap_second, 1U);
 }
 
-TEST(RefuseOverlap, ChecksAllSpheresAndTheirImages) {
+TEST(RequireRoom, ChecksAllOthersAndTheirImages) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{1, 5, 5}, {1, 0, 0}, 1, 1});
-  EXPECT_THROW(refuse_overlap(world, {{9.5, 5, 5}, {}, 1, 1}, Time(0)), Error);
-  EXPECT_NO_THROW(refuse_overlap(world, {{9, 5, 5}, {}, 1, 1}, Time(0))) << "touching";
-  EXPECT_NO_THROW(refuse_overlap(world, {{9.5, 5, 5}, {}, 1, 1}, Time(1))) << "it has moved";
-  EXPECT_THROW(refuse_overlap(world, {{-28.5, 5, 35}, {}, 1, 1}, Time(0)), Error) << "outside the box";
+  const auto is_room = [&world](const Vec3& place, double moment) {
+    World with = world;
+    with.add({place, {}, 1, 1}, Time(moment));
+    try {
+      require_room(with, static_cast<Slot>(world.size()), all_slots(with), Time(moment));
+    } catch (const Error&) {
+      return false;
+    }
+    return true;
+  };
+  EXPECT_FALSE(is_room({9.5, 5, 5}, 0));
+  EXPECT_TRUE(is_room({9, 5, 5}, 0)) << "touching";
+  EXPECT_TRUE(is_room({9.5, 5, 5}, 1)) << "it has moved";
+  EXPECT_FALSE(is_room({-28.5, 5, 35}, 0)) << "outside the box";
+  world.add({{1, 7, 5}, {}, 1, 1});
+  world.reorder(std::vector<Slot>{1, 0});
+  World with = world;
+  with.add({{1, 6, 5}, {}, 1, 1});
+  try {
+    require_room(with, 2, all_slots(with), Time(0));
+    FAIL() << "it overlaps two";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("overlaps sphere 0 by"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace

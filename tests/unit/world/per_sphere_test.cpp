@@ -67,7 +67,8 @@ TEST(PerSphere, AgreesWithAVector) {
       } else if (what < 0.9) {
         const auto slot = static_cast<Slot>(random.bits() % vector.size());
         values.erase(slot);
-        vector.erase(vector.begin() + slot);
+        vector[slot] = vector.back();
+        vector.pop_back();
       } else {
         std::vector<Slot> order(vector.size());
         for (Slot k = 0; k < order.size(); ++k) order[k] = k;

@@ -91,8 +91,8 @@ TEST(World, NumbersSpheresInOrderAndNeverReusesAnId) {
   EXPECT_EQ(world.add({{50, 0, 0}, {}, 1, 2}), 5U);
   EXPECT_EQ(world.size(), 4U);
   EXPECT_EQ(world.slot_of(0), 0U);
-  EXPECT_EQ(world.slot_of(2), 1U);
-  EXPECT_EQ(world.slot_of(3), 2U);
+  EXPECT_EQ(world.slot_of(2), 2U);
+  EXPECT_EQ(world.slot_of(3), 1U);  // in place of sphere 1: with 4 gone, it was the last
   EXPECT_EQ(world.slot_of(5), 3U);
   EXPECT_EQ(world.id(3), 5U);
   EXPECT_EQ(world.mass(3), 2);

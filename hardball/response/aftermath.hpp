@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hardball/response/collapse_guard.hpp"
+#include "hardball/response/merged_spheres.hpp"
+
+namespace hardball {
+
+/// What contacts leave behind besides new paths: kept when one engine replaces another, and saved.
+struct Aftermath {
+  MergedSpheres merged;
+  CollapseGuard collapse;
+};
+
+}  // namespace hardball
