@@ -152,6 +152,7 @@ class Engine {
   /// sphere has this id.
   void remove(SphereId id, const Time& moment) {
     const Slot slot = world().slot_of(id);
+    aftermath_.merged.forget(id);
     if (is_outdated_) return forecast_.world().remove(id);
     HARDBALL_CHECK(moment >= now());
     forecast_.advance(moment);
@@ -269,6 +270,7 @@ class Engine {
   // The first of two spheres that have merged takes the place of both.
   void absorb(const Participants& participants) {
     aftermath_.merged.note(done_.contact.first);
+    aftermath_.merged.forget(done_.contact.second);
     is_outdated_ = !forecast_.admits(participants.first);
     if (is_outdated_) return forecast_.world().remove(done_.contact.second);
     forecast_.erase(participants.first);

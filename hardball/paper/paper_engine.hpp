@@ -143,6 +143,7 @@ class PaperEngine {
   /// As Engine::remove.
   void remove(SphereId id, const Time& moment) {
     const Slot slot = world_.slot_of(id);
+    aftermath_.merged.forget(id);
     if (is_outdated_) return world_.remove(id);
     HARDBALL_CHECK(moment >= now_);
     now_ = moment;
@@ -383,6 +384,7 @@ class PaperEngine {
   // The first of two spheres that have merged takes the place of both.
   void absorb(const Participants& participants) {
     aftermath_.merged.note(done_.contact.first);
+    aftermath_.merged.forget(done_.contact.second);
     is_outdated_ = !admits(participants.first);
     if (is_outdated_) return world_.remove(done_.contact.second);
     erase(participants.first);

@@ -20,6 +20,9 @@ class MergedSpheres {
     if (std::ranges::find(ids_, id) == ids_.end()) ids_.push_back(id);
   }
 
+  /// A sphere is no more.
+  void forget(SphereId id) { std::erase(ids_, id); }
+
   /// Calls overlaps_of(slot) for these spheres, the lowest id first, and merge(event) for what it returns,
   /// until that returns true: then so does this. Otherwise nothing overlaps any more that would merge, and the
   /// list is empty.
@@ -27,12 +30,10 @@ class MergedSpheres {
   bool coalesce(const World& world, OverlapsOf&& overlaps_of, Merge&& merge) {
     while (!ids_.empty()) {
       const SphereId id = *std::ranges::min_element(ids_);
-      if (world.contains(id)) {
-        for (const Event& overlap : overlaps_of(world.slot_of(id))) {
-          if (merge(overlap)) return true;
-        }
+      for (const Event& overlap : overlaps_of(world.slot_of(id))) {
+        if (merge(overlap)) return true;
       }
-      std::erase(ids_, id);
+      forget(id);
     }
     return false;
   }
