@@ -45,8 +45,7 @@ void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) 
   is_single_precise_ = nearest_ && world.motion().is_straight();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double steps = cells_.edge(axis) * copies.steps_per_length()[axis];
-    is_single_precise_ &=
-        largest_built_ <= kLargestInEdges * cells_.edge(axis) && steps >= kFewestSteps;
+    is_single_precise_ &= largest_built_ <= kLargestInEdges * cells_.edge(axis) && steps >= kFewestSteps;
     // More are those of an axis without extent, which no crossing has.
     steps_of_cell_[axis] = static_cast<std::uint64_t>(std::ldexp(std::min(steps, 0x1p31), 32));
     margin_[axis] = static_cast<float>(cells_.reach(axis, 0) / copies.length_unit());

@@ -153,10 +153,10 @@ class NeighborList {
   const Kernels* kernels_;
   double skin_ = 0;
   double largest_built_ = 0;  // the largest radius when lists were made
-  float reach_ = 0;          // of shells beyond the radii, in units of the compact paths
-  float packing_error_ = 0;  // of distances, likewise
-  float room_squared_ = 0;   // likewise, of room_
-  double room_ = 0;          // the distance from its anchor at which a center crosses
+  float reach_ = 0;           // of shells beyond the radii, in units of the compact paths
+  float packing_error_ = 0;   // of distances, likewise
+  float room_squared_ = 0;    // likewise, of room_
+  double room_ = 0;           // the distance from its anchor at which a center crosses
   Subdivision cells_;
   std::array<Packing, kAxes> packing_;
   std::array<float, kAxes> packing_unit_{};  // in units of the compact paths

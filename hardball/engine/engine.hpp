@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "hardball/engine/check_forecast.hpp"
+#include "hardball/engine/engine_journal.hpp"
 #include "hardball/engine/forecast.hpp"
 #include "hardball/engine/prefetching.hpp"
+#include "hardball/engine/rewind.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/engine/standstill_guard.hpp"
 #include "hardball/errors/error.hpp"
@@ -60,8 +62,9 @@ class Engine {
 
   /// Handles events in order, calling observe(contact) after every collision and wall contact. Spheres that
   /// have merged merge at once with those that they overlap, if the response does so. The observer may call
-  /// change_velocities, `add` and `remove`, and stops the run by returning false. Error: RunFailure on inelastic collapse; whatever the
-  /// response or the observer throws. If the response throws, its event has not happened.
+  /// change_velocities, `add` and `remove`, and stops the run by returning false. Error: RunFailure on
+  /// inelastic collapse; whatever the response or the observer throws. If the response throws, its event has
+  /// not happened.
   template <class Observe>
   RunStatus run(const RunLimits& limits, Observe&& observe) {
     std::uint64_t contacts = 0;
@@ -78,7 +81,8 @@ class Engine {
           continue;
         }
       }
-      forecast_.keep_copies_good([this](Slot slot) { queue_.schedule(slot, forecast_); });
+      if (forecast_.keep_copies_good([this](Slot slot) { queue_.schedule(slot, forecast_); })) [[unlikely]]
+        journal_.note_rebuild(now());
       const Slot next = least_until(limits.until);
       if (next == kNoOwner) return RunStatus::time_reached;
       if (step == limits.steps) return RunStatus::steps_reached;
@@ -152,15 +156,46 @@ class Engine {
   /// sphere has this id.
   void remove(SphereId id, const Time& moment) {
     const Slot slot = world().slot_of(id);
+    journal_.note_merged(moment, aftermath_.merged);
     aftermath_.merged.forget(id);
-    if (is_outdated_) return forecast_.world().remove(id);
+    if (is_outdated_) return forecast_.world().remove(id, moment);
     HARDBALL_CHECK(moment >= now());
     forecast_.advance(moment);
     remove_from_forecast(slot);
   }
 
-  /// Whether a sphere has come that does not fit the broad phase: `rebuild` must follow before the next run.
+  /// Whether the broad phase does not fit the spheres, or is of a later time: `rebuild` must follow before
+  /// the next run.
   bool is_outdated() const { return is_outdated_; }
+
+  /// From now on, notes what is needed to rewind to this moment or a later one; forgets what was noted
+  /// before.
+  void begin_journal() {
+    journal_.begin(now());
+    forecast_.world().begin_journal();
+    aftermath_.collapse.begin_journal();
+  }
+  void end_journal() {
+    journal_.end();
+    forecast_.world().end_journal();
+    aftermath_.collapse.end_journal();
+  }
+
+  /// Goes back to `moment`, as if nothing had happened after it; only counters of work keep their values.
+  /// Without a journal since then, nothing but crossings may have happened after it. Cost: as of what was
+  /// done since; but where all has been rebuilt since, and without a journal, the engine is outdated
+  /// afterwards.
+  void rewind(const Time& moment) {
+    if (!(now() > moment)) return;
+    is_outdated_ |= !journal_.reaches(moment);
+    undo(moment, moment);
+  }
+  /// Goes back to where the journal begins, before simultaneous events, too. Precondition: there is a
+  /// journal. Cost: as of `rewind`.
+  void rewind_to_begin() {
+    is_outdated_ |= !journal_.reaches_begin();
+    undo(EngineJournal::kLongAgo, journal_.begin_time());
+  }
 
   /// Discards all predictions and regions and rebuilds them as of `now`, with another broad phase. The motion
   /// is not affected. Cost: O(n).
@@ -185,6 +220,7 @@ class Engine {
  private:
   void rebuild(const Time& now, const Progress& progress) {
     is_outdated_ = false;
+    journal_.note_rebuild(now);
     forecast_.rebuild(now, progress);
     queue_.reset(world().size(), now);
     for (Slot slot = 0; slot < world().size(); ++slot) queue_.schedule(slot, forecast_);
@@ -207,6 +243,7 @@ class Engine {
     // No contact has been missed up to the double before.
     advance(later(now(), Time(double_before(time))));
     queue_.pop();
+    journal_.note_event(EngineJournal::Kind::no_contact, now(), forecast_.id(slot), forecast_.id(slot));
     if (is_crossing) {
       forecast_.cross(slot);
     } else if (is_unknown) {
@@ -234,6 +271,8 @@ class Engine {
     execute(forecast_.world(), aftermath_.collapse, event, participants, respond_, done_);
     forecast_.advance(event.time);
     ++(is_collision ? counters_.collision : counters_.wall);
+    journal_.note_event(is_collision ? EngineJournal::Kind::collision : EngineJournal::Kind::wall, now(), id,
+                        partner_id);
     queue_.pop();
     if (done_.contact.fate == Fate::merge) [[unlikely]] {
       absorb(participants);
@@ -255,6 +294,7 @@ class Engine {
 
   // Merges spheres that overlap since others have merged, if the response does so; false if none do.
   bool coalesce() {
+    journal_.note_merged(now(), aftermath_.merged);
     const auto overlaps = [this](Slot slot) {
       return overlaps_of(world(), slot, forecast_.overlapping(slot), now());
     };
@@ -262,6 +302,7 @@ class Engine {
       const Participants participants = participants_of(world(), overlap);
       if (!merge_if_decided(forecast_.world(), overlap, participants, respond_, done_)) return false;
       ++counters_.collision;
+      journal_.note_event(EngineJournal::Kind::collision, now(), overlap.first, overlap.second);
       absorb(participants);
       return true;
     });
@@ -269,16 +310,30 @@ class Engine {
 
   // The first of two spheres that have merged takes the place of both.
   void absorb(const Participants& participants) {
+    journal_.note_merged(now(), aftermath_.merged);
     aftermath_.merged.note(done_.contact.first);
     aftermath_.merged.forget(done_.contact.second);
     is_outdated_ = !forecast_.admits(participants.first);
-    if (is_outdated_) return forecast_.world().remove(done_.contact.second);
+    if (is_outdated_) return forecast_.world().remove(done_.contact.second, now());
     forecast_.erase(participants.first);
     forecast_.insert(participants.first);
     remove_from_forecast(participants.second);
     const Slot slot = world().slot_of(done_.contact.first);
     forecast_.predict(slot);
     queue_.schedule(slot, forecast_);
+  }
+
+  // What happened up to `last_kept` stays.
+  void undo(const Time& last_kept, const Time& moment) {
+    standstill_guard_ = {};
+    const std::vector<SphereId> handled = journal_.undo_events(last_kept, counters_, aftermath_.merged);
+    aftermath_.collapse.rewind(last_kept);
+    if (is_outdated_) {
+      undo_changes(forecast_.world(), last_kept);
+      return forecast_.advance(moment);
+    }
+    for (const Slot slot : hardball::rewind(forecast_, last_kept, moment, handled))
+      queue_.schedule(slot, forecast_);
   }
 
   void remove_from_forecast(Slot slot) {
@@ -304,6 +359,7 @@ class Engine {
   Respond respond_;
   Aftermath aftermath_;
   StandstillGuard standstill_guard_;
+  EngineJournal journal_;
   Prefetching prefetching_;
   bool is_outdated_ = false;
   Executed done_;  // the last contact

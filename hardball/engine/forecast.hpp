@@ -82,15 +82,15 @@ class Forecast {
   void insert(Slot slot) {
     compact_.insert(world_, slot, now_);
     phase_.insert(world_, slot, now_, compact_);
-    note_revision(slot);
     if (!uses_minimum_image_) images_.resize(std::max(images_.size(), world_.size()));
     are_alike_ = world_.are_alike();
     has_passing_pairs_ = world_.has_passing_pairs();
   }
 
-  /// The sphere has no region any more, and nothing is planned for it.
+  /// The sphere has no region any more, and nothing is planned for it, nor with it.
   void erase(Slot slot) {
     phase_.erase(slot);
+    note_revision(slot);
     phase_.lines()[slot].plan = Plan();
   }
 
@@ -98,8 +98,7 @@ class Forecast {
   void remove(Slot slot) {
     const auto last = static_cast<Slot>(world_.size() - 1);
     erase(slot);
-    note_revision(slot);
-    world_.remove(world_.id(slot));
+    world_.remove(world_.id(slot), now_);
     if (slot == last) return;
     phase_.move(last, slot);
     compact_.move(last, slot);
@@ -116,19 +115,20 @@ class Forecast {
     return {candidates_.slots(), candidates_.size()};
   }
 
-  /// Chooses new units for the copies if speeds have changed. Calls reschedule(slot) for each sphere whose
-  /// next event has become another.
+  /// Chooses new units for the copies if speeds have changed, and returns whether it has done so. Calls
+  /// reschedule(slot) for each sphere whose next event has become another.
   template <class Reschedule>
-  void keep_copies_good(Reschedule&& reschedule) {
+  bool keep_copies_good(Reschedule&& reschedule) {
     if (!compact_.are_outdated()) [[likely]]
-      return;
+      return false;
     compact_.renew(world_, now_);
-    if (!uses_minimum_image_) return;
+    if (!uses_minimum_image_) return true;
     for (Slot slot = 0; slot < world_.size(); ++slot) {
       const double before = plan(slot).time();
       expire(slot);
       if (plan(slot).time() != before) reschedule(slot);
     }
+    return true;
   }
 
   /// Whether the partner's path has changed since the prediction.
@@ -236,8 +236,7 @@ class Forecast {
   Event event(Slot slot) const {
     const Plan& own = plan(slot);
     if (own.crosses_first() || own.is_bound() || is_stale(slot)) {
-      return {
-          {own.time(), -std::numeric_limits<double>::infinity()}, EventKind::enter, id(slot), 0, {}};
+      return {{own.time(), -std::numeric_limits<double>::infinity()}, EventKind::enter, id(slot), 0, {}};
     }
     return contact_of(slot);
   }

@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "hardball/broadphase/subdivision.hpp"
+#include "hardball/engine/engine_journal.hpp"
+#include "hardball/engine/rewind.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/engine/standstill_guard.hpp"
 #include "hardball/errors/error.hpp"
@@ -143,8 +145,9 @@ class PaperEngine {
   /// As Engine::remove.
   void remove(SphereId id, const Time& moment) {
     const Slot slot = world_.slot_of(id);
+    journal_.note_merged(moment, aftermath_.merged);
     aftermath_.merged.forget(id);
-    if (is_outdated_) return world_.remove(id);
+    if (is_outdated_) return world_.remove(id, moment);
     HARDBALL_CHECK(moment >= now_);
     now_ = moment;
     remove(slot);
@@ -152,6 +155,24 @@ class PaperEngine {
 
   /// As Engine::is_outdated.
   bool is_outdated() const { return is_outdated_; }
+
+  /// As Engine::begin_journal and Engine::end_journal.
+  void begin_journal() {
+    journal_.begin(now_);
+    world_.begin_journal();
+    aftermath_.collapse.begin_journal();
+  }
+  void end_journal() {
+    journal_.end();
+    world_.end_journal();
+    aftermath_.collapse.end_journal();
+  }
+
+  /// As Engine::rewind and Engine::rewind_to_begin; the engine is outdated afterwards.
+  void rewind(const Time& moment) {
+    if (now_ > moment) undo(moment, moment);
+  }
+  void rewind_to_begin() { undo(EngineJournal::kLongAgo, journal_.begin_time()); }
 
   /// As Engine::rebuild: the preprocessing of the paper.
   void rebuild(const Time& now, double edge) {
@@ -359,34 +380,47 @@ class PaperEngine {
       records_[slot] = std::move(records_[last]);
     }
     records_.pop_back();
-    world_.remove(world_.id(slot));
+    world_.remove(world_.id(slot), now_);
   }
 
   // The spheres in the subspaces of one.
   std::vector<Slot> nearby(Slot slot) const {
     std::vector<Slot> others;
-    for_each_partner(slot, records_[slot].subspaces, [&](Slot other, const Image&) { others.push_back(other); });
+    for_each_partner(slot, records_[slot].subspaces,
+                     [&](Slot other, const Image&) { others.push_back(other); });
     return others;
   }
 
   // As Engine does.
   bool coalesce() {
+    journal_.note_merged(now_, aftermath_.merged);
     const auto overlaps = [this](Slot slot) { return overlaps_of(world_, slot, nearby(slot), now_); };
     return aftermath_.merged.coalesce(world_, overlaps, [this](const Event& overlap) {
       const Participants participants = participants_of(world_, overlap);
       if (!merge_if_decided(world_, overlap, participants, respond_, done_)) return false;
       ++counters_.collision;
+      journal_.note_event(EngineJournal::Kind::collision, now_, overlap.first, overlap.second);
       absorb(participants);
       return true;
     });
   }
 
+  void undo(const Time& last_kept, const Time& moment) {
+    standstill_guard_ = {};
+    journal_.undo_events(last_kept, counters_, aftermath_.merged);
+    aftermath_.collapse.rewind(last_kept);
+    undo_changes(world_, last_kept);
+    now_ = moment;
+    is_outdated_ = true;
+  }
+
   // The first of two spheres that have merged takes the place of both.
   void absorb(const Participants& participants) {
+    journal_.note_merged(now_, aftermath_.merged);
     aftermath_.merged.note(done_.contact.first);
     aftermath_.merged.forget(done_.contact.second);
     is_outdated_ = !admits(participants.first);
-    if (is_outdated_) return world_.remove(done_.contact.second);
+    if (is_outdated_) return world_.remove(done_.contact.second, now_);
     erase(participants.first);
     insert(participants.first);
     remove(participants.second);
@@ -463,6 +497,8 @@ class PaperEngine {
     execute(world_, aftermath_.collapse, event, participants, respond_, done_);
     now_ = event.time;
     ++(is_collision ? counters_.collision : counters_.wall);
+    journal_.note_event(is_collision ? EngineJournal::Kind::collision : EngineJournal::Kind::wall, now_,
+                        event.first, event.first);
     if (done_.contact.fate == Fate::merge) {
       absorb(participants);
       return done_.contact;
@@ -490,6 +526,7 @@ class PaperEngine {
   bool is_outdated_ = false;
   Executed done_;  // the last contact
   StandstillGuard standstill_guard_;
+  EngineJournal journal_;
   Time now_;
   Counters counters_;
 };

@@ -50,6 +50,7 @@ void CollapseGuard::count(SphereId id, bool is_idle, const Time& now) {
     constexpr std::uint32_t kMadeUp = 100;
     const auto counted = idle_contacts_.find(id);
     if (counted == idle_contacts_.end()) return;
+    if (has_journal_) changes_.push_back({now, id, counted->second});
     if (counted->second <= kMadeUp) {
       idle_contacts_.erase(counted);
     } else {
@@ -57,12 +58,24 @@ void CollapseGuard::count(SphereId id, bool is_idle, const Time& now) {
     }
     return;
   }
+  if (has_journal_) changes_.push_back({now, id, idle_contacts_[id]});
   if (++idle_contacts_[id] < kMostIdleContacts) return;
   throw RunFailure(
       "inelastic collapse: sphere " + to_text(id) + " was hit " + to_text(kMostIdleContacts) +
       " times without parting from what hit it, at time " + to_text(now.value()) +
       "; make slow impacts elastic (elastic_below) or those that follow another at once (contact_duration), "
       "by larger values if they are set, raise the restitution, or end the run before this time");
+}
+
+void CollapseGuard::rewind(const Time& moment) {
+  for (; !changes_.empty() && changes_.back().time > moment; changes_.pop_back()) {
+    const Change& change = changes_.back();
+    if (change.before == 0) {
+      idle_contacts_.erase(change.sphere);
+    } else {
+      idle_contacts_[change.sphere] = change.before;
+    }
+  }
 }
 
 std::size_t CollapseGuard::memory_bytes() const {

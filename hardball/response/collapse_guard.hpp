@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <unordered_map>
+#include <vector>
 
 #include "hardball/response/contact.hpp"
 
@@ -37,6 +38,18 @@ class CollapseGuard {
     count(contact);
   }
 
+  /// From now on notes what is needed to rewind to this moment or a later one.
+  void begin_journal() {
+    changes_.clear();
+    has_journal_ = true;
+  }
+  void end_journal() {
+    changes_.clear();
+    has_journal_ = false;
+  }
+  /// Takes back what was counted after `moment`.
+  void rewind(const Time& moment);
+
   std::size_t memory_bytes() const;
 
  private:
@@ -46,9 +59,17 @@ class CollapseGuard {
   void count(const Contact& contact);
   void count(SphereId id, bool is_idle, const Time& now);
 
+  struct Change {
+    Time time;
+    SphereId sphere;
+    std::uint32_t before;
+  };
+
   // Only of spheres that have not parted from something of late, which are few. Keyed by id, so that counts
   // survive edits and rebuilds.
   std::unordered_map<SphereId, std::uint32_t> idle_contacts_;
+  bool has_journal_ = false;
+  std::vector<Change> changes_;
 };
 
 }  // namespace hardball

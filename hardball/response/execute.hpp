@@ -82,9 +82,9 @@ void merge(World& world, Contact& contact, const Participants& participants);
 
 /// Carries out a collision or wall event: evaluates the paths at its time, calls the response, stores the new
 /// paths. The one place, shared by all engines, where a contact changes the motion. Spheres that pass through
-/// each other keep their paths; if two have merged, the second remains to be removed. Error: check_velocities, check_spins
-/// or settle refuses what the response returned. RunFailure: inelastic collapse, see CollapseGuard. In these
-/// cases, and if the response throws, nothing has changed.
+/// each other keep their paths; if two have merged, the second remains to be removed. Error:
+/// check_velocities, check_spins or settle refuses what the response returned. RunFailure: inelastic
+/// collapse, see CollapseGuard. In these cases, and if the response throws, nothing has changed.
 template <Response R>
 void execute(World& world, CollapseGuard& guard, const Event& event, const Participants& participants,
              const R& response, Executed& done) {

@@ -24,8 +24,8 @@ class MergedSpheres {
   void forget(SphereId id) { std::erase(ids_, id); }
 
   /// Calls overlaps_of(slot) for these spheres, the lowest id first, and merge(event) for what it returns,
-  /// until that returns true: then so does this. Otherwise nothing overlaps any more that would merge, and the
-  /// list is empty.
+  /// until that returns true: then so does this. Otherwise nothing overlaps any more that would merge, and
+  /// the list is empty.
   template <class OverlapsOf, class Merge>
   bool coalesce(const World& world, OverlapsOf&& overlaps_of, Merge&& merge) {
     while (!ids_.empty()) {

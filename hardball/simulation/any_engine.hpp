@@ -107,6 +107,10 @@ class AnyEngine {
   virtual SphereId add(const Sphere& sphere, const Time& moment) = 0;
   virtual void remove(SphereId id, const Time& moment) = 0;
   virtual bool is_outdated() const = 0;
+  virtual void begin_journal() = 0;
+  virtual void end_journal() = 0;
+  virtual void rewind(const Time& moment) = 0;
+  virtual void rewind_to_begin() = 0;
   /// Whether `rebuild` with this length would make what make_engine makes for the world as it is.
   virtual bool supports(double length) const = 0;
   /// Rebuilds all regions and predictions, with this cell edge or skin [L] where there is one.

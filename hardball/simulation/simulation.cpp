@@ -28,6 +28,9 @@ constexpr std::uint64_t kSliceSteps = 1024;
 // Fewer spheres fit in the caches in any order.
 constexpr std::size_t kSpheresToOrder = 10000;
 
+// A flag of the format that says nothing.
+constexpr bool kUnused = false;
+
 // Progress of the set-up after its stages [1].
 constexpr double kOrdered = 0.2;
 constexpr double kAudited = 0.5;
@@ -35,7 +38,8 @@ constexpr double kAudited = 0.5;
 // The paper's engine and all pairs would gain nothing.
 void put_in_order(World& world, EngineKind engine, const Time& moment) {
   const bool gains = engine == EngineKind::cells || engine == EngineKind::neighbors;
-  if (gains && world.size() >= kSpheresToOrder) world.reorder(order_along_curve(world, moment));
+  if (gains && !world.has_journal() && world.size() >= kSpheresToOrder)
+    world.reorder(order_along_curve(world, moment));
 }
 
 Time latest_change(const World& world) {
@@ -94,16 +98,17 @@ void Simulation::start_engine(World world, const Progress& progress) {
 std::string Simulation::save() const {
   if (activity_ == Activity::running) check_idle("save");
   return archived(options_, kind_, world(), now_, hash_, tally_, thermostat_, user_data_,
-                  engine_->aftermath().merged, looks_ahead_apart_, counters(), engine_->aftermath().collapse);
+                  engine_->aftermath().merged, kUnused, counters(), engine_->aftermath().collapse);
 }
 
 Simulation Simulation::load(std::string_view bytes, const std::string& where) {
   Simulation loaded;
   World world(Box::open());
   Aftermath aftermath;
+  bool unused = false;
   restore(bytes, where, loaded.options_, loaded.kind_, world, loaded.now_, loaded.hash_, loaded.tally_,
-          loaded.thermostat_, loaded.user_data_, aftermath.merged, loaded.looks_ahead_apart_,
-          loaded.counters_before_, aftermath.collapse);
+          loaded.thermostat_, loaded.user_data_, aftermath.merged, unused, loaded.counters_before_,
+          aftermath.collapse);
   check(loaded.options_);
   check_moment(loaded.now_, where);
   if (loaded.now_ < latest_change(world) || loaded.tally_.walls().size() != kFaces + world.surfaces().size())
@@ -134,7 +139,6 @@ Simulation::Simulation(const Simulation& other)
       user_data_(other.user_data_),
       watch_(other.watch_),
       is_interrupted_(other.is_interrupted_),
-      looks_ahead_apart_(other.looks_ahead_apart_),
       spheres_at_choice_(other.spheres_at_choice_),
       next_review_(other.next_review_),
       last_review_(other.last_review_),
@@ -159,7 +163,6 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   user_data_ = std::move(other.user_data_);
   watch_ = other.watch_;
   is_interrupted_ = other.is_interrupted_;
-  looks_ahead_apart_ = other.looks_ahead_apart_;
   spheres_at_choice_ = other.spheres_at_choice_;
   next_review_ = other.next_review_;
   last_review_ = other.last_review_;
@@ -255,6 +258,7 @@ RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) 
   RunLimits left = limits;
   for (;;) {
     is_interrupted_ = false;
+    engine_->end_journal();
     rebuild_if_due();
     const std::uint64_t slice = std::max<std::uint64_t>(kSliceSteps, size());
     const Time action = next_action();
@@ -317,43 +321,84 @@ std::optional<NextContact> Simulation::next_contact(double until) {
   check_idle("next_contact");
   check_not_past(Time(until));
   rebuild_if_due();
-  if (!engine_->aftermath().merged.empty()) {
-    const std::vector<Contact> next = contacts_within(0, 1);  // the response is asked
-    if (!next.empty()) return NextContact{next[0].time.value(), next[0].kind, next[0].first, next[0].second};
-  }
   const Time end(until);
-  std::optional<Simulation> ahead;
-  Simulation* at = this;
-  const auto look_apart = [&] {
-    ahead.emplace(*this);
-    ahead->change_listener_ = nullptr;
-    at = &*ahead;
-  };
-  if (looks_ahead_apart_) look_apart();
-  for (;;) {
-    const Time action = at->next_action();
-    const bool acts = action.high <= end.high && action < kNever;
-    const Time limit = acts ? action : end;
-    const std::optional<Event> next = at->engine_->next_contact(limit);
+  const Time action = next_action();
+  const bool acts = action <= end && action < kNever;
+  if (engine_->aftermath().merged.empty()) {
+    if (!world().has_journal()) engine_->begin_journal();
+    const std::optional<Event> next = engine_->next_contact(acts ? action : end);
     if (next) return NextContact{next->time.value(), next->kind, next->first, next->second};
     if (!acts) return std::nullopt;
-    if (!ahead) look_apart();
-    at->now_ = later(at->now_, action);
-    at->act(nullptr);
   }
+  std::optional<NextContact> first;
+  look_ahead(end, 1, [&first](const Contact& contact) {
+    first = {contact.time.value(), contact.kind, contact.first, contact.second};
+    return true;
+  });
+  return first;
 }
 
-std::vector<Contact> Simulation::contacts_within(double duration, std::uint64_t most) const {
+std::vector<Contact> Simulation::contacts_within(double duration, std::uint64_t most) {
   if (activity_ == Activity::running) check_idle("contacts_within");
   const Time until = after(now_, duration);
   check_not_past(until);
   check_moment(until, "duration");
+  // The listener runs in the middle of a run of the engine.
+  if (activity_ != Activity::none) return Simulation(*this).contacts_within(duration, most);
   std::vector<Contact> contacts;
-  Simulation copy(*this);
-  copy.on_contact([&contacts](const Contact& contact) { contacts.push_back(contact); });
-  copy.change_listener_ = nullptr;
-  copy.run({.until = until, .contacts = most});
+  look_ahead(until, most, [&contacts](const Contact& contact) {
+    contacts.push_back(contact);
+    return true;
+  });
   return contacts;
+}
+
+// Runs the engine ahead, up to so many contacts, calling observe(contact); then rewinds it.
+void Simulation::look_ahead(const Time& until, std::uint64_t most, const AnyEngine::Observe& observe) {
+  const During running(activity_, Activity::running);
+  const std::optional<Thermostat> thermostat = thermostat_;
+  const Counters before = counters();
+  end_look_ahead(now_);
+  rebuild_if_due();
+  engine_->begin_journal();
+  const auto take_back = [&] {
+    engine_->rewind_to_begin();
+    engine_->end_journal();
+    thermostat_ = thermostat;
+    const Counters done = counters();
+    counters_before_.collision -= done.collision - before.collision;
+    counters_before_.wall -= done.wall - before.wall;
+  };
+  try {
+    run_ahead(until, most, observe);
+  } catch (...) {
+    take_back();
+    throw;
+  }
+  take_back();
+}
+
+void Simulation::run_ahead(const Time& until, std::uint64_t most, const AnyEngine::Observe& observe) {
+  Time last_change = tally_.last_change();
+  std::uint64_t left = most;
+  const auto note = [&](const Contact& contact) {
+    last_change = contact.time;
+    --left;
+    return observe(contact);
+  };
+  for (;;) {
+    if (engine_->is_outdated()) rebuild(later(now_, engine_->now()));
+    const Time action = next_action();
+    const bool acts = action.high <= until.high && action < kNever;
+    const RunStatus status = engine_->run({.until = acts ? action : until, .contacts = left}, note);
+    if (status == RunStatus::outdated) continue;
+    if (status != RunStatus::time_reached || !acts) return;
+    // An event in the same double may have carried the engine on.
+    last_change = later(action, last_change);
+    const std::span<const NewVelocity> changes = thermostat_->act(world(), last_change);
+    engine_->rewind(last_change);
+    engine_->change_velocities(last_change, changes);
+  }
 }
 
 std::optional<NextContact> Simulation::first_contact(SphereId id, const Vec3& velocity, double until) const {
@@ -584,18 +629,19 @@ void Simulation::check_not_past(const Time& time) const {
   if (time < kNever) check_moment(time, "until");
 }
 
-// An engine that has looked ahead can only be rebuilt.
+// Brings an engine that has looked ahead back to `moment`.
 void Simulation::end_look_ahead(const Time& moment) {
-  if (!(engine_->now() > moment)) return;
-  looks_ahead_apart_ = true;
-  engine_->rebuild(moment, watch_.edge());
+  engine_->rewind(moment);
+  engine_->end_journal();
 }
 
 // Before the engine runs on: it may be outdated, or made for far more or fewer spheres.
 void Simulation::rebuild_if_due() {
   const bool is_new_choice_due =
       16 * std::max(size(), spheres_at_choice_) > 17 * std::min(size(), spheres_at_choice_);
-  if (is_new_choice_due || engine_->is_outdated()) rebuild(now_);
+  if (!is_new_choice_due && !engine_->is_outdated()) return;
+  end_look_ahead(now_);
+  rebuild(now_);
 }
 
 void Simulation::retune_if_due() {

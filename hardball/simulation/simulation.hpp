@@ -106,14 +106,14 @@ class Simulation {
 
   /// The next collision or wall contact up to `until` [T], without carrying it out. In a periodic box spheres
   /// may never meet: then give a finite time. Error: `until`, as for run_until. Cost: that of the events that
-  /// a run would handle up to then, which need not be handled again; where edits follow, spheres have merged,
-  /// or the thermostat acts before, plus an O(n) copy.
+  /// a run would handle up to then, which need not be handled again unless edits follow.
   std::optional<NextContact> next_contact(double until = std::numeric_limits<double>::infinity());
   /// The contacts of the next `duration` [T], in order, up to `most`, if nobody interferes: what run() would
   /// tell the listener. Error: `duration` is negative, NaN, infinite or beyond 1e120; it is called by the
-  /// response; what running throws. Cost: a copy, O(n), and its run.
+  /// response; what running throws. Cost: that of the run and of taking it back; called by the listener, that
+  /// of a copy, O(n), too.
   std::vector<Contact> contacts_within(double duration,
-                                       std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) const;
+                                       std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
   /// What a sphere would hit first up to `until` [T] if it had this velocity [L/T], and no other changed its
   /// motion; see first_contact (queries.hpp). Error: as there. Cost: O(n), as of the three that follow.
@@ -140,7 +140,7 @@ class Simulation {
   std::vector<Vec3> positions_at(double time);
 
   /// Changes the velocity of a sphere [L/T], now. Error: no such sphere; a number that is NaN, infinite or
-  /// out of range. Cost: that of a collision; when it first follows next_contact or positions_at, O(n).
+  /// out of range. Cost: that of a collision; when it follows next_contact or positions_at, as of these.
   void change_velocity(SphereId id, const Vec3& velocity);
   /// The same for many, in the order of ids, whatever their order here: all of them, or on an Error none.
   /// Error: as for one; a sphere is given twice. Cost: at most that of as many collisions.
@@ -231,6 +231,8 @@ class Simulation {
   void check_not_past(const Time& time) const;
   void note(const Contact& contact, Measures* measures);
   void note_merger(const Contact& contact, const Measures* measures);
+  void look_ahead(const Time& until, std::uint64_t most, const AnyEngine::Observe& observe);
+  void run_ahead(const Time& until, std::uint64_t most, const AnyEngine::Observe& observe);
   void end_look_ahead(const Time& moment);
   void rebuild_if_due();
   void retune_if_due();
@@ -252,7 +254,6 @@ class Simulation {
   UserData user_data_;
   CellEdgeWatch watch_;
   bool is_interrupted_ = false;        // the listener has changed what acts next
-  bool looks_ahead_apart_ = false;     // predicts the next contact on a copy, as the caller edits afterwards
   std::size_t spheres_at_choice_ = 0;  // when engine and cells were last chosen
   std::uint64_t next_review_ = 0;      // number of crossings and contacts at which the tuning is reviewed
   Time last_review_;

@@ -46,8 +46,8 @@ std::vector<Slot> all_slots(const World& world);
 /// id.
 void require_room(const World& world, Slot added, std::span<const Slot> others, const Time& moment);
 
-/// The collisions, at `now`, of a sphere with those of these others that it overlaps, however little, and does
-/// not pass through, in order. Cost: O(others).
+/// The collisions, at `now`, of a sphere with those of these others that it overlaps, however little, and
+/// does not pass through, in order. Cost: O(others).
 std::vector<Event> overlaps_of(const World& world, Slot slot, std::span<const Slot> others, const Time& now);
 
 }  // namespace hardball

@@ -63,7 +63,7 @@ class IdOrder {
   void close_gaps();
 
   std::size_t size_ = 0;
-  std::vector<Slot> slots_;  // none while each rank is stored in the slot of the same number
+  std::vector<Slot> slots_;                  // none while each rank is stored in the slot of the same number
   std::vector<std::uint32_t> empty_places_;  // in slots_, ascending
 };
 

@@ -58,19 +58,10 @@ SphereId World::add(const Sphere& sphere, const Time& moment) {
   check(sphere);
   check_moment(moment, name_of(next_id_));
   const Image beyond = box_.boxes_beyond(sphere.position);
+  const Path path{sphere.position - box_.shift(beyond), sphere.velocity, moment};
+  append({next_id_, path, sphere.radius, sphere.mass, sphere.moment, beyond, sphere.spin, sphere.species});
   order_.append();
-  ids_.push_back(next_id_);
-  paths_.push_back({sphere.position - box_.shift(beyond), sphere.velocity, moment});
-  radii_.push_back(sphere.radius);
-  masses_.push_back(sphere.mass);
-  moments_.push_back(sphere.moment);
-  folded_.push_back(beyond);
-  if (!spins_.empty()) spins_.emplace_back();
-  store_spin(static_cast<Slot>(size() - 1), sphere.spin);
-  if (sphere.species != 0 && species_.empty()) species_.assign(size() - 1, 0);
-  if (sphere.species != 0 || !species_.empty()) species_.push_back(sphere.species);
-  if (std::isinf(sphere.mass)) ++kinematic_count_;
-  note_traits();
+  if (has_journal_) record(WorldChange::Kind::birth, moment, static_cast<Slot>(size() - 1));
   return next_id_++;
 }
 
@@ -139,8 +130,9 @@ void World::check_velocity(SphereId id, const Vec3& velocity) const {
   check_in_plane(velocity, "velocity", name_of(id));
 }
 
-void World::remove(SphereId id) {
+void World::remove(SphereId id, const Time& moment) {
   const Slot slot = slot_of(id);
+  if (has_journal_) record(WorldChange::Kind::death, moment, slot);
   const auto last = static_cast<Slot>(size() - 1);
   const std::size_t rank = rank_of(id);
   if (slot != last) order_.move(rank_of(ids_[last]), slot);
@@ -162,10 +154,14 @@ void World::remove(SphereId id) {
 }
 
 void World::undo_add() {
+  if (has_journal_) journal_.pop_back();
+  const bool had_journal = std::exchange(has_journal_, false);
   remove(--next_id_);
+  has_journal_ = had_journal;
 }
 
 void World::reorder(std::span<const Slot> order) {
+  HARDBALL_CHECK(!has_journal_);
   const auto reordered = [order](const auto& values) {
     std::remove_cvref_t<decltype(values)> moved;
     if (values.empty()) return moved;
@@ -206,7 +202,7 @@ void World::store_spin(Slot slot, const Vec3& spin) {
   note_traits();
 }
 
-void World::reshape(Slot slot, double radius, double mass, double moment) {
+void World::reshape(Slot slot, double radius, double mass, double moment, const Time& time) {
   const std::string where = name_of(id(slot));
   check_positive(radius, "radius", where);
   check_mass(mass, where);
@@ -214,6 +210,7 @@ void World::reshape(Slot slot, double radius, double mass, double moment) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (box_.is_bounded(axis)) check_fits(radius, axis, where);
   }
+  if (has_journal_) record(WorldChange::Kind::sphere, time, slot);
   if (is_kinematic(slot)) --kinematic_count_;
   if (std::isinf(mass)) ++kinematic_count_;
   has_grown_ |= radius > radii_[slot];
@@ -233,13 +230,13 @@ bool World::may_pass(SpeciesId a, SpeciesId b) const {
 }
 
 std::size_t World::rank_of(SphereId id) const {
-  if (size() == 0) return 0;
+  if (order_.size() == 0) return 0;
   const SphereId first = ids_[slot_of_rank(0)];
-  const SphereId last = ids_[slot_of_rank(size() - 1)];
-  if (id <= first || id > last) return id <= first ? 0 : size();
+  const SphereId last = ids_[slot_of_rank(order_.size() - 1)];
+  if (id <= first || id > last) return id <= first ? 0 : order_.size();
   // Ids differ, so that few are missing where few spheres have been removed.
-  std::size_t low = size() - std::min(size(), std::size_t{last} - id + 1);
-  std::size_t high = std::min(size(), std::size_t{id} - first);
+  std::size_t low = order_.size() - std::min(order_.size(), std::size_t{last} - id + 1);
+  std::size_t high = std::min(order_.size(), std::size_t{id} - first);
   while (low < high) {
     const std::size_t middle = low + (high - low) / 2;
     if (ids_[slot_of_rank(middle)] < id) {
@@ -316,10 +313,9 @@ double World::largest_radius() const {
 
 std::size_t World::memory_bytes() const {
   return paths_.capacity() * sizeof(Path) + radii_.memory_bytes() + masses_.memory_bytes() +
-         ids_.capacity() * sizeof(SphereId) + order_.memory_bytes() +
-         moments_.memory_bytes() + spins_.capacity() * sizeof(Vec3) +
-         species_.capacity() * sizeof(SpeciesId) + folded_.capacity() * sizeof(Image) +
-         surfaces_.capacity() * sizeof(Surface);
+         ids_.capacity() * sizeof(SphereId) + order_.memory_bytes() + moments_.memory_bytes() +
+         spins_.capacity() * sizeof(Vec3) + species_.capacity() * sizeof(SpeciesId) +
+         folded_.capacity() * sizeof(Image) + surfaces_.capacity() * sizeof(Surface);
 }
 
 double rotational_energy(const World& world, Slot slot) {

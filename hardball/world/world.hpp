@@ -17,29 +17,11 @@
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/box.hpp"
 #include "hardball/world/id_order.hpp"
+#include "hardball/world/journal.hpp"
 #include "hardball/world/per_sphere.hpp"
+#include "hardball/world/sphere.hpp"
 
 namespace hardball {
-
-/// Which kind of sphere one is, where contacts depend on it: a number that programs and scenarios choose.
-using SpeciesId = std::uint8_t;
-
-/// The moments of inertia of a uniform sphere and of a uniform disc, over mass and squared radius [1].
-inline constexpr double kUniformSphereMoment = 0.4;
-inline constexpr double kUniformDiscMoment = 0.5;
-
-/// A sphere as a caller describes it, at one moment.
-struct Sphere {
-  Vec3 position;       ///< Center [L].
-  Vec3 velocity = {};  ///< [L/T]
-  double radius = 1;   ///< [L]
-  /// [M]; infinite for a kinematic sphere, which no collision deflects.
-  double mass = 1;
-  Vec3 spin = {};  ///< Angular velocity [1/T].
-  SpeciesId species = 0;
-  /// Moment of inertia over mass and squared radius [1]; of discs, kUniformDiscMoment is usual.
-  double moment = kUniformSphereMoment;
-};
 
 /// The box, the surfaces and the spheres in it: their stored paths, radii and masses. The state of the motion
 /// and nothing else.
@@ -76,12 +58,20 @@ class World {
   /// Error: `change_velocity` would refuse this velocity.
   void check_velocity(SphereId id, const Vec3& velocity) const;
 
-  /// Removes a sphere; the one in the last slot takes its place. Cost: O(log n) amortized. Error: no sphere
-  /// has this id.
-  void remove(SphereId id);
-
-  /// Takes back the sphere added last, and its id. Precondition: no other has been removed since.
+  /// Removes a sphere; the one in the last slot takes its place. `moment` is for the journal. Cost: O(log n)
+  /// amortized. Error: no sphere has this id.
+  void remove(SphereId id, const Time& moment = Time(0));
+  /// Takes back the sphere added last, and its id. Precondition: nothing else has changed since.
   void undo_add();
+
+  /// From now on records all changes, so that they can be undone; forgets those recorded before.
+  void begin_journal();
+  /// Forgets the changes and records no more.
+  void end_journal();
+  bool has_journal() const { return has_journal_; }
+  const Journal& journal() const { return journal_; }
+  /// Undoes the last change of the journal, to the last bit. Cost: as of the change.
+  void undo();
 
   /// Gives a sphere a new velocity [L/T] from `moment` on; returns what rewrite_path does.
   /// Error: a number, or moment, that is NaN, infinite or out of range; a velocity out of the plane in two
@@ -94,18 +84,22 @@ class World {
 
   /// Replaces a path by one that starts inside the box, `folded` boxes back from where the old one led.
   void store_path(Slot slot, const Path& path, const Image& folded) {
+    if (has_journal_) [[unlikely]]
+      record(WorldChange::Kind::sphere, path.time, slot);
     paths_[slot] = path;
     if (!folded.is_zero()) folded_[slot] = folded_[slot] + folded;
   }
 
-  /// Gives a sphere a new angular velocity [1/T]. Cost: O(n) for the first sphere that spins.
+  /// Gives a sphere a new angular velocity [1/T]. Precondition: if there is a journal, its path has just been
+  /// stored. Cost: O(n) for the first sphere that spins.
   void store_spin(Slot slot, const Vec3& spin);
 
-  /// Gives a sphere a new radius [L], mass [M] and moment [1]. Error: as for `add`; then nothing has changed.
-  void reshape(Slot slot, double radius, double mass, double moment);
+  /// Gives a sphere a new radius [L], mass [M] and moment of inertia [1]; `time` is for the journal. Error:
+  /// as for `add`; then nothing has changed.
+  void reshape(Slot slot, double radius, double mass, double moment, const Time& time = Time(0));
 
-  /// How much larger spheres may be expected to become [1]: if some have grown, others may, too, and structures
-  /// that are made for the largest leave room.
+  /// How much larger spheres may be expected to become [1]: if some have grown, others may, too, and
+  /// structures that are made for the largest leave room.
   double room_to_grow() const {
     constexpr double kRoom = 1.25;
     return has_grown_ ? kRoom : 1;
@@ -203,7 +197,10 @@ class World {
   /// The last contact of spheres that passed through each other; before the first, earlier than any.
   const Event& last_passage() const { return last_passage_; }
   /// Records that two spheres have begun to pass through each other.
-  void note_passage(const Event& contact) { last_passage_ = contact; }
+  void note_passage(const Event& contact) {
+    if (has_journal_) record(WorldChange::Kind::passage, contact.time, 0);
+    last_passage_ = contact;
+  }
 
   std::size_t memory_bytes() const;
 
@@ -216,6 +213,10 @@ class World {
   }
   bool restored();
 
+  void record(WorldChange::Kind kind, const Time& moment, Slot slot);
+  SphereState state_of(Slot slot) const;
+  void set_state(Slot slot, const SphereState& state);
+  void append(const SphereState& state);
   void check_spin(const Vec3& spin, const std::string& where) const;
   void check_in_plane(const Vec3& vector, const char* what, const std::string& where) const;
   void note_traits();
@@ -241,6 +242,8 @@ class World {
   std::size_t kinematic_count_ = 0;
   bool has_traits_ = false;
   bool has_grown_ = false;
+  bool has_journal_ = false;
+  Journal journal_;
   Event last_passage_{Time(-std::numeric_limits<double>::infinity()), EventKind::collision, 0, 0, {}};
 };
 

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hardball/engine/run.hpp"
+#include "hardball/response/merged_spheres.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// What an engine has done since a moment, besides the changes that the world's own journal holds: enough to
+/// go back.
+class EngineJournal {
+ public:
+  /// What an event was.
+  enum class Kind : std::uint8_t { collision, wall, no_contact };
+
+  bool is_kept() const { return is_kept_; }
+  /// Forgets what was before, and begins at `now`.
+  void begin(const Time& now) {
+    *this = EngineJournal();
+    is_kept_ = true;
+    begin_ = now;
+  }
+  void end() { *this = EngineJournal(); }
+  /// Whether it is possible to go back to `moment` by what has been noted.
+  bool reaches(const Time& moment) const { return is_kept_ && begin_ <= moment && !(last_rebuild_ > moment); }
+  /// The same for all of it.
+  bool reaches_begin() const { return is_kept_ && last_rebuild_ == kLongAgo; }
+  const Time& begin_time() const { return begin_; }
+
+  /// An event of one sphere or of two has been handled.
+  void note_event(Kind kind, const Time& moment, SphereId first, SphereId second) {
+    if (is_kept_) [[unlikely]]
+      events_.push_back({kind, moment, first, second});
+  }
+  /// The list of spheres that have merged is about to change.
+  void note_merged(const Time& moment, const MergedSpheres& before) {
+    if (is_kept_) merged_.push_back({moment, before});
+  }
+  /// Regions, predictions or compact copies of all spheres have been made anew.
+  void note_rebuild(const Time& moment) {
+    if (is_kept_) last_rebuild_ = moment;
+  }
+
+  /// Earlier than any event.
+  static constexpr Time kLongAgo{-kNever.high, 0};
+
+  /// Takes the events after `moment` back from the counters and from the list of spheres that have merged,
+  /// and returns the spheres whose events they were.
+  std::vector<SphereId> undo_events(const Time& moment, Counters& counters, MergedSpheres& merged) {
+    std::vector<SphereId> spheres;
+    for (; !events_.empty() && events_.back().time > moment; events_.pop_back()) {
+      const Done& done = events_.back();
+      if (done.kind == Kind::collision) --counters.collision;
+      if (done.kind == Kind::wall) --counters.wall;
+      spheres.push_back(done.first);
+      spheres.push_back(done.second);
+    }
+    for (; !merged_.empty() && merged_.back().time > moment; merged_.pop_back()) {
+      merged = merged_.back().before;
+    }
+    return spheres;
+  }
+
+  std::size_t memory_bytes() const { return events_.capacity() * sizeof(Done); }
+
+ private:
+  struct Done {
+    Kind kind;
+    Time time;
+    SphereId first;
+    SphereId second;
+  };
+  struct MergedBefore {
+    Time time;
+    MergedSpheres before;
+  };
+
+  bool is_kept_ = false;
+  Time begin_;
+  Time last_rebuild_ = kLongAgo;
+  std::vector<Done> events_;
+  std::vector<MergedBefore> merged_;
+};
+
+}  // namespace hardball
