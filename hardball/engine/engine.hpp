@@ -15,6 +15,7 @@
 #include "hardball/engine/standstill_guard.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event_queue.hpp"
+#include "hardball/geometry/inlining.hpp"
 #include "hardball/response/aftermath.hpp"
 #include "hardball/response/execute.hpp"
 #include "hardball/world/audit.hpp"
@@ -68,32 +69,32 @@ class Engine {
   template <class Observe>
   RunStatus run(const RunLimits& limits, Observe&& observe) {
     std::uint64_t contacts = 0;
+    std::uint64_t steps = 0;
     if (limits.contacts == 0) return RunStatus::contacts_reached;
-    for (std::uint64_t step = 0;; ++step) {
+    for (;;) {
       if (is_outdated_) [[unlikely]]
         return RunStatus::outdated;
-      if (!aftermath_.merged.empty()) [[unlikely]] {
-        if (step == limits.steps) return RunStatus::steps_reached;
-        if (coalesce()) {
-          const bool goes_on = notify(observe, std::as_const(done_.contact));
-          if (++contacts == limits.contacts) return RunStatus::contacts_reached;
-          if (!goes_on) return RunStatus::observer_stopped;
-          continue;
-        }
+      if (!aftermath_.merged.empty() && steps == limits.steps) [[unlikely]]
+        return RunStatus::steps_reached;
+      if (aftermath_.merged.empty() || !coalesce()) [[likely]] {
+        Slot next;
+        do {
+          keep_copies_good();
+          next = least_until(limits.until);
+          if (next == kNoOwner) return RunStatus::time_reached;
+          if (steps++ == limits.steps) return RunStatus::steps_reached;
+          prefetching_.prefetch_ahead(forecast_, queue_);
+        } while (handle_without_contact(next));
+        carry_out(next);
+      } else {
+        ++steps;
       }
-      if (forecast_.keep_copies_good([this](Slot slot) { queue_.schedule(slot, forecast_); })) [[unlikely]]
-        journal_.note_rebuild(now());
-      const Slot next = least_until(limits.until);
-      if (next == kNoOwner) return RunStatus::time_reached;
-      if (step == limits.steps) return RunStatus::steps_reached;
-      prefetching_.prefetch_ahead(forecast_, queue_);
-      if (handle_without_contact(next)) continue;
-      const bool goes_on = notify(observe, carry_out(next));
+      const bool continues = notify(observe, std::as_const(done_.contact));
       if constexpr (HARDBALL_VALIDATE) {
-        if (goes_on) validate_now_and_then();
+        if (continues) validate_now_and_then();
       }
       if (++contacts == limits.contacts) return RunStatus::contacts_reached;
-      if (!goes_on) return RunStatus::observer_stopped;
+      if (!continues) return RunStatus::observer_stopped;
     }
   }
 
@@ -255,7 +256,12 @@ class Engine {
     return true;
   }
 
-  const Contact& carry_out(Slot slot) {
+  void keep_copies_good() {
+    if (forecast_.keep_copies_good([this](Slot slot) { queue_.schedule(slot, forecast_); })) [[unlikely]]
+      journal_.note_rebuild(now());
+  }
+
+  HARDBALL_ALWAYS_INLINE void carry_out(Slot slot) {
     const Plan& plan = forecast_.plan(slot);
     const bool is_collision = plan.has_partner();
     const Slot partner = is_collision ? plan.partner() : slot;
@@ -275,8 +281,7 @@ class Engine {
                         partner_id);
     queue_.pop();
     if (done_.contact.fate == Fate::merge) [[unlikely]] {
-      absorb(participants);
-      return done_.contact;
+      return absorb(participants);
     }
     const std::uint64_t predictions_before = forecast_.counters().predictions;
     forecast_.note_new_path(participants.first, done_.folded[0]);
@@ -289,11 +294,10 @@ class Engine {
     counters_.contact_predictions += forecast_.counters().predictions - predictions_before;
     queue_.schedule(participants.first, forecast_);
     if (is_collision) queue_.schedule(participants.second, forecast_);
-    return done_.contact;
   }
 
   // Merges spheres that overlap since others have merged, if the response does so; false if none do.
-  bool coalesce() {
+  HARDBALL_NEVER_INLINE bool coalesce() {
     journal_.note_merged(now(), aftermath_.merged);
     const auto overlaps = [this](Slot slot) {
       return overlaps_of(world(), slot, forecast_.overlapping(slot), now());
@@ -309,7 +313,7 @@ class Engine {
   }
 
   // The first of two spheres that have merged takes the place of both.
-  void absorb(const Participants& participants) {
+  HARDBALL_NEVER_INLINE void absorb(const Participants& participants) {
     journal_.note_merged(now(), aftermath_.merged);
     aftermath_.merged.note(done_.contact.first);
     aftermath_.merged.forget(done_.contact.second);
@@ -357,13 +361,13 @@ class Engine {
   Forecast<Phase> forecast_;
   Queue queue_;
   Respond respond_;
-  Aftermath aftermath_;
   StandstillGuard standstill_guard_;
-  EngineJournal journal_;
   Prefetching prefetching_;
   bool is_outdated_ = false;
   Executed done_;  // the last contact
   Counters counters_;
+  Aftermath aftermath_;
+  EngineJournal journal_;
 };
 
 }  // namespace hardball

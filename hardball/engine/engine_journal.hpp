@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hardball/engine/run.hpp"
+#include "hardball/geometry/inlining.hpp"
 #include "hardball/response/merged_spheres.hpp"
 #include "hardball/world/world.hpp"
 
@@ -35,7 +36,7 @@ class EngineJournal {
   /// An event of one sphere or of two has been handled.
   void note_event(Kind kind, const Time& moment, SphereId first, SphereId second) {
     if (is_kept_) [[unlikely]]
-      events_.push_back({kind, moment, first, second});
+      append(kind, moment, first, second);
   }
   /// The list of spheres that have merged is about to change.
   void note_merged(const Time& moment, const MergedSpheres& before) {
@@ -69,6 +70,11 @@ class EngineJournal {
   std::size_t memory_bytes() const { return events_.capacity() * sizeof(Done); }
 
  private:
+  // Apart, so that it takes no room in the hot loop.
+  HARDBALL_NEVER_INLINE void append(Kind kind, Time moment, SphereId first, SphereId second) {
+    events_.push_back({kind, moment, first, second});
+  }
+
   struct Done {
     Kind kind;
     Time time;

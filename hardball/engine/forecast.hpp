@@ -401,7 +401,7 @@ class Forecast {
   }
 
   // Plans made with the path that was in the slot are stale.
-  void note_revision(Slot slot) {
+  HARDBALL_ALWAYS_INLINE void note_revision(Slot slot) {
     if (compact_.note_change(slot) == 0) [[unlikely]]
       outdate_plans_with(slot);
   }

@@ -215,6 +215,11 @@ void store_spins(World& world, const Contact& contact, const Participants& parti
   if (contact.is_collision()) world.store_spin(participants.second, contact.spins_after.second);
 }
 
+void note_changes(World& world, const Contact& contact, const Participants& participants) {
+  world.note_change(participants.first, contact.time);
+  if (contact.is_collision()) world.note_change(participants.second, contact.time);
+}
+
 void refuse_velocities(const Box& box, const Contact& contact) {
   std::string what = "the velocity " + to_text(contact.after.first) + " is returned";
   if (contact.is_collision()) {

@@ -48,6 +48,9 @@ void check_spins(const Box& box, const Contact& contact);
 /// Stores the spins after a contact.
 void store_spins(World& world, const Contact& contact, const Participants& participants);
 
+/// Notes in the world's journal that the bodies of a contact are about to change.
+void note_changes(World& world, const Contact& contact, const Participants& participants);
+
 /// Throws the Error of check_velocities.
 [[noreturn]] void refuse_velocities(const Box& box, const Contact& contact);
 
@@ -106,6 +109,8 @@ void execute(World& world, CollapseGuard& guard, const Event& event, const Parti
     check_spins(world.box(), contact);
   settle(world, contact);
   guard.note_contact(contact);
+  if (world.has_journal()) [[unlikely]]
+    note_changes(world, contact, participants);
   world.store_path(participants.first, {contact.position, contact.after.first, event.time}, done.folded[0]);
   if (is_collision) {
     world.store_path(participants.second, {contact.second_position, contact.after.second, event.time},

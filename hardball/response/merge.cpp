@@ -58,7 +58,8 @@ void merge(World& world, Contact& contact, const Participants& participants) {
             contact.spins_before.second;
     spin = (1 / inertia(moment, mass, radius)) * angular_momentum;
   }
-  world.reshape(participants.first, radius, mass, moment, contact.time);
+  world.note_change(participants.first, contact.time);
+  world.reshape(participants.first, radius, mass, moment);
   // The path is brought to this time first, so that boxes crossed until then are counted.
   world.rewrite_path(participants.first, contact.time, velocity);
   Vec3 position = contact.position + weight * contact.separation;

@@ -19,7 +19,7 @@ void World::end_journal() {
   has_journal_ = false;
 }
 
-void World::record(WorldChange::Kind kind, const Time& moment, Slot slot) {
+void World::record(WorldChange::Kind kind, Time moment, Slot slot) {
   WorldChange& change = journal_.emplace_back();
   change.kind = kind;
   change.time = moment;

@@ -189,6 +189,7 @@ Image World::change_velocity(Slot slot, const Time& moment, const Vec3& velocity
 Image World::rewrite_path(Slot slot, const Time& moment, const Vec3& velocity) {
   Vec3 position = unfolded_position(slot, moment);
   const Image folded = box_.fold(position);
+  note_change(slot, moment);
   store_path(slot, {position, velocity, moment}, folded);
   return folded;
 }
@@ -202,7 +203,7 @@ void World::store_spin(Slot slot, const Vec3& spin) {
   note_traits();
 }
 
-void World::reshape(Slot slot, double radius, double mass, double moment, const Time& time) {
+void World::reshape(Slot slot, double radius, double mass, double moment) {
   const std::string where = name_of(id(slot));
   check_positive(radius, "radius", where);
   check_mass(mass, where);
@@ -210,7 +211,6 @@ void World::reshape(Slot slot, double radius, double mass, double moment, const 
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (box_.is_bounded(axis)) check_fits(radius, axis, where);
   }
-  if (has_journal_) record(WorldChange::Kind::sphere, time, slot);
   if (is_kinematic(slot)) --kinematic_count_;
   if (std::isinf(mass)) ++kinematic_count_;
   has_grown_ |= radius > radii_[slot];

@@ -82,21 +82,25 @@ class World {
   /// new velocity. Returns by how many boxes the center was folded back.
   Image rewrite_path(Slot slot, const Time& moment, const Vec3& velocity);
 
-  /// Replaces a path by one that starts inside the box, `folded` boxes back from where the old one led.
-  void store_path(Slot slot, const Path& path, const Image& folded) {
+  /// To be called before a sphere changes at `moment`, for the journal.
+  void note_change(Slot slot, const Time& moment) {
     if (has_journal_) [[unlikely]]
-      record(WorldChange::Kind::sphere, path.time, slot);
+      record(WorldChange::Kind::sphere, moment, slot);
+  }
+
+  /// Replaces a path by one that starts inside the box, `folded` boxes back from where the old one led.
+  /// Precondition, as of store_spin and reshape: note_change has been called.
+  void store_path(Slot slot, const Path& path, const Image& folded) {
     paths_[slot] = path;
     if (!folded.is_zero()) folded_[slot] = folded_[slot] + folded;
   }
 
-  /// Gives a sphere a new angular velocity [1/T]. Precondition: if there is a journal, its path has just been
-  /// stored. Cost: O(n) for the first sphere that spins.
+  /// Gives a sphere a new angular velocity [1/T]. Cost: O(n) for the first sphere that spins.
   void store_spin(Slot slot, const Vec3& spin);
 
-  /// Gives a sphere a new radius [L], mass [M] and moment of inertia [1]; `time` is for the journal. Error:
-  /// as for `add`; then nothing has changed.
-  void reshape(Slot slot, double radius, double mass, double moment, const Time& time = Time(0));
+  /// Gives a sphere a new radius [L], mass [M] and moment of inertia [1]. Error: as for `add`; then nothing has
+  /// changed.
+  void reshape(Slot slot, double radius, double mass, double moment);
 
   /// How much larger spheres may be expected to become [1]: if some have grown, others may, too, and
   /// structures that are made for the largest leave room.
@@ -213,7 +217,7 @@ class World {
   }
   bool restored();
 
-  void record(WorldChange::Kind kind, const Time& moment, Slot slot);
+  void record(WorldChange::Kind kind, Time moment, Slot slot);
   SphereState state_of(Slot slot) const;
   void set_state(Slot slot, const SphereState& state);
   void append(const SphereState& state);
