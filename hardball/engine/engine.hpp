@@ -169,10 +169,12 @@ class Engine {
   /// the next run.
   bool is_outdated() const { return is_outdated_; }
 
-  /// From now on, notes what is needed to rewind to this moment or a later one; forgets what was noted
-  /// before.
-  void begin_journal() {
-    journal_.begin(now());
+  /// From now on, notes what is needed to rewind to `moment` or a later one; forgets what was noted before.
+  /// Precondition: as for change_velocities.
+  void begin_journal(const Time& moment) {
+    HARDBALL_CHECK(moment >= now());
+    forecast_.advance(moment);
+    journal_.begin(moment);
     forecast_.world().begin_journal();
     aftermath_.collapse.begin_journal();
   }

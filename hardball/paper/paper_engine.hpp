@@ -157,8 +157,10 @@ class PaperEngine {
   bool is_outdated() const { return is_outdated_; }
 
   /// As Engine::begin_journal and Engine::end_journal.
-  void begin_journal() {
-    journal_.begin(now_);
+  void begin_journal(const Time& moment) {
+    HARDBALL_CHECK(moment >= now_);
+    now_ = moment;
+    journal_.begin(moment);
     world_.begin_journal();
     aftermath_.collapse.begin_journal();
   }

@@ -53,7 +53,7 @@ class EngineModel final : public AnyEngine {
   SphereId add(const Sphere& sphere, const Time& moment) override { return engine_.add(sphere, moment); }
   void remove(SphereId id, const Time& moment) override { engine_.remove(id, moment); }
   bool is_outdated() const override { return engine_.is_outdated(); }
-  void begin_journal() override { engine_.begin_journal(); }
+  void begin_journal(const Time& moment) override { engine_.begin_journal(moment); }
   void end_journal() override { engine_.end_journal(); }
   void rewind(const Time& moment) override { engine_.rewind(moment); }
   void rewind_to_begin() override { engine_.rewind_to_begin(); }

@@ -107,7 +107,7 @@ class AnyEngine {
   virtual SphereId add(const Sphere& sphere, const Time& moment) = 0;
   virtual void remove(SphereId id, const Time& moment) = 0;
   virtual bool is_outdated() const = 0;
-  virtual void begin_journal() = 0;
+  virtual void begin_journal(const Time& moment) = 0;
   virtual void end_journal() = 0;
   virtual void rewind(const Time& moment) = 0;
   virtual void rewind_to_begin() = 0;

@@ -325,7 +325,7 @@ std::optional<NextContact> Simulation::next_contact(double until) {
   const Time action = next_action();
   const bool acts = action <= end && action < kNever;
   if (engine_->aftermath().merged.empty()) {
-    if (!world().has_journal()) engine_->begin_journal();
+    if (!world().has_journal()) engine_->begin_journal(later(now_, engine_->now()));
     const std::optional<Event> next = engine_->next_contact(acts ? action : end);
     if (next) return NextContact{next->time.value(), next->kind, next->first, next->second};
     if (!acts) return std::nullopt;
@@ -360,7 +360,7 @@ void Simulation::look_ahead(const Time& until, std::uint64_t most, const AnyEngi
   const Counters before = counters();
   end_look_ahead(now_);
   rebuild_if_due();
-  engine_->begin_journal();
+  engine_->begin_journal(later(now_, engine_->now()));
   const auto take_back = [&] {
     engine_->rewind_to_begin();
     engine_->end_journal();

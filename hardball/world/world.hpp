@@ -98,8 +98,8 @@ class World {
   /// Gives a sphere a new angular velocity [1/T]. Cost: O(n) for the first sphere that spins.
   void store_spin(Slot slot, const Vec3& spin);
 
-  /// Gives a sphere a new radius [L], mass [M] and moment of inertia [1]. Error: as for `add`; then nothing has
-  /// changed.
+  /// Gives a sphere a new radius [L], mass [M] and moment of inertia [1]. Error: as for `add`; then nothing
+  /// has changed.
   void reshape(Slot slot, double radius, double mass, double moment);
 
   /// How much larger spheres may be expected to become [1]: if some have grown, others may, too, and

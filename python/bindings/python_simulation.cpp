@@ -270,7 +270,7 @@ void PythonSimulation::run_ahead(double end, std::uint64_t contacts, Watch&& wat
 
 std::vector<Contact> PythonSimulation::contacts_within(double duration, std::uint64_t most) {
   // Throws what the library would, and finds nothing.
-  std::vector<Contact> found = simulation().contacts_within(duration, 0);
+  std::vector<Contact> found = simulation_.contacts_within(duration, 0);
   run_ahead(
       simulation_.time() + duration, most,
       [&](Simulation& copy) { copy.on_contact([&](const Contact& contact) { found.push_back(contact); }); },

@@ -44,7 +44,7 @@ class EditedEngine {
     kind_ = choose_engine(world, options_, Time(0));
     length_ = choose_length(world, kind_, options_, Time(0));
     engine_ = make_engine(std::move(world), kind_, options_, length_, Time(0));
-    engine_->begin_journal();
+    engine_->begin_journal(Time(0));
   }
 
   const std::vector<Entry>& log() const { return log_; }
