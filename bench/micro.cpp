@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 // The cost of the parts of an event in isolation, in L1 and L2: contact times with each instruction set, the
-// calendar, and crossings of the broad phases.
+// calendar, and crossings of the broad phases. Also the cost of births and deaths among many spheres, and of
+// drops that merge.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -18,6 +19,8 @@
 #include "hardball/events/ordered_queue.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/placement/placement.hpp"
+#include "hardball/response/response_table.hpp"
+#include "hardball/simulation/simulation.hpp"
 
 namespace {
 
@@ -26,12 +29,12 @@ using namespace hardball;
 constexpr std::size_t kSpheres = 2048;
 constexpr double kRadius = 0.5;
 
-World make_gas(double packing_fraction) {
-  const double edge = std::cbrt(kSpheres * std::numbers::pi / 6 / packing_fraction);
+World make_gas(double packing_fraction, std::size_t spheres = kSpheres) {
+  const double edge = std::cbrt(static_cast<double>(spheres) * std::numbers::pi / 6 / packing_fraction);
   const Vec3 size{edge, edge, edge};
   World world(Box::periodic(size));
   Random random(1);
-  for (const Vec3& center : place_on_lattice(world.box(), {{}, size}, kSpheres, kRadius, "gas")) {
+  for (const Vec3& center : place_on_lattice(world.box(), {{}, size}, spheres, kRadius, "gas")) {
     const Vec3 velocity{random.normal(), random.normal(), random.normal()};
     world.add({.position = center, .velocity = velocity, .radius = kRadius});
   }
@@ -134,6 +137,34 @@ void cross_and_collect(benchmark::State& state, double packing_fraction, double 
   }
 }
 
+// A sphere dies somewhere and is born again, among as many as the argument says.
+void remove_and_add(benchmark::State& state, double packing_fraction) {
+  Simulation simulation(make_gas(packing_fraction, static_cast<std::size_t>(state.range(0))));
+  simulation.run_contacts(simulation.size() / 2);
+  Random random(2);
+  for (auto _ : state) {
+    state.PauseTiming();
+    const World& world = simulation.world();
+    const Slot slot = static_cast<Slot>(random.bits() % world.size());
+    const SphereId id = world.id(slot);
+    const Sphere sphere{
+        .position = simulation.position(id), .velocity = simulation.velocity(id), .radius = kRadius};
+    state.ResumeTiming();
+    simulation.remove(id);
+    simulation.add(sphere);
+  }
+}
+
+// As many drops as the argument says merge to one.
+void merge_drops(benchmark::State& state) {
+  const World world = make_gas(0.1, static_cast<std::size_t>(state.range(0)));
+  for (auto _ : state) {
+    Simulation simulation(world, {.responses = ResponseTable(Merging())});
+    while (simulation.size() > 1) simulation.run_contacts(100);
+    benchmark::DoNotOptimize(simulation.size());
+  }
+}
+
 void register_all() {
   const std::array sets{std::pair{InstructionSet::portable, "portable"},
                         std::pair{InstructionSet::avx2, "avx2"}, std::pair{InstructionSet::avx512, "avx512"}};
@@ -148,6 +179,11 @@ void register_all() {
   benchmark::RegisterBenchmark("cross/cells/dilute", cross_and_collect<CellGrid>, 0.02, 4.5);
   benchmark::RegisterBenchmark("cross/cells/dense", cross_and_collect<CellGrid>, 0.25, 1.4);
   benchmark::RegisterBenchmark("cross/neighbors/dense", cross_and_collect<NeighborList>, 0.49, 0.25);
+  for (const double packing_fraction : {0.02, 0.25, 0.49}) {
+    const std::string title = "remove_and_add/" + to_text(packing_fraction);
+    benchmark::RegisterBenchmark(title.c_str(), remove_and_add, packing_fraction)->Arg(1000000);
+  }
+  benchmark::RegisterBenchmark("merge_drops", merge_drops)->Arg(10000);
 }
 
 }  // namespace
