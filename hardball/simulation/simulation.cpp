@@ -301,13 +301,20 @@ void Simulation::note(const Contact& contact, Measures* measures) {
 }
 
 void Simulation::note_merger(const Contact& contact, const Measures* measures) {
-  if (thermostat_) thermostat_->note_removed(contact.second);
+  forget_at_thermostat(contact.second);
   user_data_.remove(contact.second);
   if (measures && measures->is_any_wanted()) {
     throw Error("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
                     " have merged, and measures need all spheres",
                 "measures", "run without measures");
   }
+}
+
+// The thermostat may act later than it would have: a run up to its next action ends.
+void Simulation::forget_at_thermostat(SphereId id) {
+  if (!thermostat_) return;
+  thermostat_->note_removed(id);
+  is_interrupted_ = true;
 }
 
 void Simulation::call_listener(const Contact& contact, Activity activity) {
@@ -384,14 +391,16 @@ void Simulation::run_ahead(const Time& until, std::uint64_t most, const AnyEngin
   const auto note = [&](const Contact& contact) {
     last_change = contact.time;
     --left;
-    return observe(contact);
+    is_interrupted_ = false;
+    if (contact.fate == Fate::merge) forget_at_thermostat(contact.second);
+    return observe(contact) && !is_interrupted_;
   };
   for (;;) {
     if (engine_->is_outdated()) rebuild(later(now_, engine_->now()));
     const Time action = next_action();
     const bool acts = action.high <= until.high && action < kNever;
     const RunStatus status = engine_->run({.until = acts ? action : until, .contacts = left}, note);
-    if (status == RunStatus::outdated) continue;
+    if (status == RunStatus::outdated || status == RunStatus::observer_stopped) continue;
     if (status != RunStatus::time_reached || !acts) return;
     // An event in the same double may have carried the engine on.
     last_change = later(action, last_change);
@@ -547,7 +556,10 @@ SphereId Simulation::add(const Sphere& sphere) {
   end_look_ahead(now_);
   const SphereId id = engine_->add(sphere, now_);
   tally_.note_edit(kinetic_energy(world(), world().slot_of(id), now_), now_);
-  if (thermostat_) thermostat_->note_added(id, now_);
+  if (thermostat_) {
+    thermostat_->note_added(id, now_);
+    is_interrupted_ = true;
+  }
   return id;
 }
 
@@ -558,7 +570,7 @@ void Simulation::remove(SphereId id) {
   engine_->remove(id, now_);
   user_data_.remove(id);
   tally_.note_edit(-energy, now_);
-  if (thermostat_) thermostat_->note_removed(id);
+  forget_at_thermostat(id);
 }
 
 SphereHandle Simulation::sphere(SphereId id) {

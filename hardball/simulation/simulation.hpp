@@ -230,6 +230,7 @@ class Simulation {
   void check_editable(const char* what) const;
   void check_not_past(const Time& time) const;
   void note(const Contact& contact, Measures* measures);
+  void forget_at_thermostat(SphereId id);
   void note_merger(const Contact& contact, const Measures* measures);
   void look_ahead(const Time& until, std::uint64_t most, const AnyEngine::Observe& observe);
   void run_ahead(const Time& until, std::uint64_t most, const AnyEngine::Observe& observe);
