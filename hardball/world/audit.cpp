@@ -139,8 +139,7 @@ std::vector<Event> overlaps_of(const World& world, Slot slot, std::span<const Sl
     overlaps.push_back(make_collision(now, world.id(slot), world.id(other), image));
   }
   std::ranges::sort(overlaps);
-  const auto repeated = std::ranges::unique(overlaps);
-  overlaps.erase(repeated.begin(), repeated.end());
+  overlaps.erase(std::unique(overlaps.begin(), overlaps.end()), overlaps.end());
   return overlaps;
 }
 
