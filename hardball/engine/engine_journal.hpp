@@ -19,7 +19,6 @@ class EngineJournal {
   /// What an event was.
   enum class Kind : std::uint8_t { collision, wall, no_contact };
 
-  bool is_kept() const { return is_kept_; }
   /// Forgets what was before, and begins at `now`.
   void begin(const Time& now) {
     *this = EngineJournal();
@@ -66,8 +65,6 @@ class EngineJournal {
     }
     return spheres;
   }
-
-  std::size_t memory_bytes() const { return events_.capacity() * sizeof(Done); }
 
  private:
   // Apart, so that it takes no room in the hot loop.

@@ -81,9 +81,9 @@ class PaperEngine {
       if (!aftermath_.merged.empty()) {
         if (step == limits.steps) return RunStatus::steps_reached;
         if (coalesce()) {
-          const bool goes_on = notify(observe, std::as_const(done_.contact));
+          const bool continues = notify(observe, std::as_const(done_.contact));
           if (++contacts == limits.contacts) return RunStatus::contacts_reached;
-          if (!goes_on) return RunStatus::observer_stopped;
+          if (!continues) return RunStatus::observer_stopped;
           continue;
         }
       }
@@ -92,9 +92,9 @@ class PaperEngine {
       if (step == limits.steps) return RunStatus::steps_reached;
       const Event event = *event_tree_.begin();
       if (handle_without_contact(event)) continue;
-      const bool goes_on = notify(observe, carry_out(event));
+      const bool continues = notify(observe, carry_out(event));
       if (++contacts == limits.contacts) return RunStatus::contacts_reached;
-      if (!goes_on) return RunStatus::observer_stopped;
+      if (!continues) return RunStatus::observer_stopped;
     }
   }
 
