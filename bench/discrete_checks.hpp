@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "hardball/response/contact.hpp"
+#include "hardball/interaction/contact.hpp"
 
 namespace hardball::bench {
 

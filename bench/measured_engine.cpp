@@ -23,10 +23,10 @@
 
 #include "bench/hardware_counters.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/geometry/range.hpp"
 #include "hardball/measure/event_log_hash.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/world/range.hpp"
 
 namespace hardball::bench {
 namespace {

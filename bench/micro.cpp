@@ -17,9 +17,9 @@
 #include "hardball/engine/predictor.hpp"
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/events/ordered_queue.hpp"
+#include "hardball/interaction/response_table.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/placement/placement.hpp"
-#include "hardball/response/response_table.hpp"
 #include "hardball/simulation/simulation.hpp"
 
 namespace {
@@ -158,9 +158,10 @@ void remove_and_add(benchmark::State& state, double packing_fraction) {
 // As many drops as the argument says merge to a few: the last may never meet in a periodic box.
 void merge_drops(benchmark::State& state) {
   constexpr std::size_t kFew = 10;
-  const World world = make_gas(0.1, static_cast<std::size_t>(state.range(0)));
+  World world = make_gas(0.1, static_cast<std::size_t>(state.range(0)));
+  world.set_interactions(ResponseTable(Merging()));
   for (auto _ : state) {
-    Simulation simulation(world, {.responses = ResponseTable(Merging())});
+    Simulation simulation(world);
     while (simulation.size() > kFew) simulation.run_contacts(1);
     benchmark::DoNotOptimize(simulation.size());
   }

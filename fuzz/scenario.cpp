@@ -16,7 +16,7 @@ void hardball::fuzz::read(std::string_view bytes) {
     if (group.distribution && group.distribution->kind == RadiusDistribution::Kind::file) return;
   }
   if (scenario.start_file) return;
-  Simulation simulation(make_world(scenario), {.responses = make_responses(scenario)});
+  Simulation simulation{make_world(scenario)};
   if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.seed));
   run_a_little(simulation);
 }

@@ -57,9 +57,7 @@ void write_seeds_of_world(const std::filesystem::path& corpus, const std::string
                           const RandomWorld& made, const std::optional<Thermostat>& thermostat) {
   using support::write_text;
   const support::ScratchFolder folder;
-  Simulation simulation(
-      made.world,
-      {.restitution = made.restitution, .elastic_below = made.elastic_below, .responses = made.responses});
+  Simulation simulation(made.world);
   simulation.set_thermostat(thermostat);
   for (const auto& [target, ending] : kSnapshots) {
     Trajectory frames(corpus / target / (name + ending));

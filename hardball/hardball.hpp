@@ -4,10 +4,9 @@
 
 /// Everything needed by programs that use the library.
 #include "hardball/errors/error.hpp"
+#include "hardball/interaction/interactions.hpp"
 #include "hardball/measure/csv.hpp"
 #include "hardball/measure/measures.hpp"
-#include "hardball/response/contact.hpp"
-#include "hardball/response/restitution.hpp"
 #include "hardball/simulation/measure_unit_costs.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/thermostats/thermostat.hpp"

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "apps/cli/directory_lock.hpp"
+#include "hardball/interaction/contact.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/recording/npy_event_log.hpp"
 #include "hardball/recording/recording_writer.hpp"
-#include "hardball/response/contact.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/trajectory/trajectory.hpp"

@@ -49,12 +49,12 @@ std::vector<std::string> changes(const Options& options) {
 
 // Whether the theory of fluids in equilibrium applies: many elastic spheres, enclosed, below the freezing
 // density.
-bool has_theory(const Moments& moments, const EngineOptions& options) {
+bool has_theory(const World& world, const Moments& moments) {
   constexpr std::size_t kFewSpheres = 100;
   const Box& box = moments.box;
   const double freezing = box.is_flat() ? FluidTheory::kFreezingOfDiscs : FluidTheory::kFreezing;
-  return is_elastic(options) && moments.spheres >= kFewSpheres && moments.packing_fraction() <= freezing &&
-         !box.is_any(Boundary::open);
+  return world.interactions().are_elastic() && moments.spheres >= kFewSpheres &&
+         moments.packing_fraction() <= freezing && !box.is_any(Boundary::open);
 }
 
 bool has_one_mass(const Species& species) {
@@ -78,13 +78,12 @@ double expected_wall_pressure(const Moments& moments, double kinetic_energy) {
 }
 
 // Counts over the whole run.
-std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments,
-                            const EngineOptions& options, const Summary& summary) {
+std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments, const Summary& summary) {
   std::vector<Quantity> all;
   const World& world = simulation.world();
   const Species species(world);
   const FluidTheory fluid(world, species);
-  const bool theory = is_uniform(world) && !simulation.thermostat() && has_theory(moments, options) &&
+  const bool theory = is_uniform(world) && !simulation.thermostat() && has_theory(world, moments) &&
                       (fluid.holds() || has_one_mass(species));
   const auto add = [&](const std::string& name, const std::string& unit, double value, double expected) {
     if (std::isfinite(value)) all.push_back({name, unit, value, kNone, theory ? expected : kNone});
@@ -102,7 +101,7 @@ std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments
       fluid.holds() ? fluid.mean_speed(temperature) / expected_rate : mean_free_path(moments);
   add("collisions per sphere and time", "T^-1", collision_rate, expected_rate);
   add("mean free time", "T", 1 / collision_rate, 1 / expected_rate);
-  if (is_elastic(options)) {
+  if (world.interactions().are_elastic()) {
     add("mean free path", "L", moments.mean_speed / collision_rate, expected_path);
   }
   add("compressibility", "1", summary.compressibility(), fluid.compressibility());
@@ -258,7 +257,7 @@ report::Report run_report(const Options& options, const Scenario& scenario,
   report.peak_bytes = static_cast<double>(summary.peak_rss_bytes());
 
   const Moments moments = moments_of(simulation.world(), simulation.now());
-  report.rates = rates(simulation, moments, engine_options, summary);
+  report.rates = rates(simulation, moments, summary);
   report.choice = choice(simulation, moments, engine_options.unit_costs);
   return report;
 }

@@ -10,13 +10,13 @@
 #include "apps/cli/progress.hpp"
 #include "apps/cli/unit_costs.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/geometry/range.hpp"
 #include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/nearest_name.hpp"
 #include "hardball/theory/moments.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/cell_edge.hpp"
-#include "hardball/world/range.hpp"
 
 namespace hardball::cli {
 namespace {

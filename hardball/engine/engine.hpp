@@ -15,9 +15,9 @@
 #include "hardball/engine/standstill_guard.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event_queue.hpp"
+#include "hardball/execution/aftermath.hpp"
+#include "hardball/execution/execute.hpp"
 #include "hardball/geometry/inlining.hpp"
-#include "hardball/response/aftermath.hpp"
-#include "hardball/response/execute.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/progress.hpp"
@@ -30,19 +30,18 @@ namespace hardball {
 /// the forecast knows. A prospect is a contact computed exactly, or a bound of it; only exact contacts are
 /// ever executed, so that bounds affect the speed and not the history. An engine is a value: it can be
 /// copied, and many can coexist.
-template <EventQueue Queue, BroadPhase Phase, Response Respond>
+template <EventQueue Queue, BroadPhase Phase>
 class Engine {
  public:
   /// Takes over a world as it is at `now`. Precondition: no path starts later, no two spheres overlap.
-  Engine(World world, Phase phase, Respond respond, const Time& now,
-         InstructionSet instructions = widest_instruction_set(), const Progress& progress = {})
-      : forecast_(std::move(world), std::move(phase), instructions), respond_(std::move(respond)) {
+  Engine(World world, Phase phase, const Time& now, InstructionSet instructions = widest_instruction_set(),
+         const Progress& progress = {})
+      : forecast_(std::move(world), std::move(phase), instructions) {
     rebuild(now, progress);
   }
 
   const World& world() const { return forecast_.world(); }
   const Phase& phase() const { return forecast_.phase(); }
-  Respond& response() { return respond_; }
   const Aftermath& aftermath() const { return aftermath_; }
   /// Continues for another engine.
   void take_over(const Aftermath& aftermath) { aftermath_ = aftermath; }
@@ -211,7 +210,7 @@ class Engine {
     rebuild(now, Progress());
   }
 
-  /// The world for editing between runs; `rebuild` must follow.
+  /// The world for editing between runs; unless only the responses change, `rebuild` must follow.
   World& world_to_edit() { return forecast_.world(); }
 
   /// Checks every structure, and that every contact is predicted; throws BrokenInvariant. Cost:
@@ -276,7 +275,7 @@ class Engine {
                             ? make_collision(plan.moment(), id, partner_id, forecast_.image_in_event(slot))
                             : Event{plan.moment(), EventKind::wall, id, plan.wall(), {}};
     standstill_guard_.note_event(now(), event.time, world().size());
-    execute(forecast_.world(), aftermath_.collapse, event, participants, respond_, done_);
+    execute(forecast_.world(), aftermath_.collapse, event, participants, done_);
     forecast_.advance(event.time);
     ++(is_collision ? counters_.collision : counters_.wall);
     journal_.note_event(is_collision ? EngineJournal::Kind::collision : EngineJournal::Kind::wall, now(), id,
@@ -306,7 +305,7 @@ class Engine {
     };
     return aftermath_.merged.coalesce(world(), overlaps, [this](const Event& overlap) {
       const Participants participants = participants_of(world(), overlap);
-      if (!merge_if_decided(forecast_.world(), overlap, participants, respond_, done_)) return false;
+      if (!merge_if_decided(forecast_.world(), overlap, participants, done_)) return false;
       ++counters_.collision;
       journal_.note_event(EngineJournal::Kind::collision, now(), overlap.first, overlap.second);
       absorb(participants);
@@ -362,7 +361,6 @@ class Engine {
 
   Forecast<Phase> forecast_;
   Queue queue_;
-  Respond respond_;
   StandstillGuard standstill_guard_;
   Prefetching prefetching_;
   bool is_outdated_ = false;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "hardball/engine/run.hpp"
+#include "hardball/execution/merged_spheres.hpp"
 #include "hardball/geometry/inlining.hpp"
-#include "hardball/response/merged_spheres.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {

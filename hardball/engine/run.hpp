@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "hardball/geometry/time.hpp"
-#include "hardball/response/contact.hpp"
+#include "hardball/interaction/contact.hpp"
 
 namespace hardball {
 

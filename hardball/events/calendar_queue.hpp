@@ -12,6 +12,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event_queue.hpp"
+#include "hardball/geometry/inlining.hpp"
 #include "hardball/memory/huge_pages.hpp"
 #include "hardball/memory/prefetch.hpp"
 
@@ -275,7 +276,7 @@ class CalendarQueue {
     }
   }
 
-  void insert(Owner owner, Bucket& bucket) {
+  HARDBALL_ALWAYS_INLINE void insert(Owner owner, Bucket& bucket) {
     const std::uint32_t place = bucket.count++ % kRoom;
     if (place == 0) bucket.last_block = new_block(bucket.last_block);
     blocks_[bucket.last_block][place] = owner;

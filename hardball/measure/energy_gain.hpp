@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "hardball/response/contact.hpp"
+#include "hardball/interaction/contact.hpp"
 
 /// The energy that spheres gain at contacts, negative if they lose it; kinematic spheres gain none.
 namespace hardball {

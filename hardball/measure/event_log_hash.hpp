@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "hardball/response/contact.hpp"
+#include "hardball/interaction/contact.hpp"
 
 namespace hardball {
 

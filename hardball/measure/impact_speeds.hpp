@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/interaction/contact.hpp"
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
-#include "hardball/response/contact.hpp"
 #include "hardball/theory/species.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 

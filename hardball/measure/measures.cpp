@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/world/range.hpp"
+#include "hardball/geometry/range.hpp"
 
 namespace hardball {
 namespace {

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "hardball/interaction/contact.hpp"
 #include "hardball/measure/bond_order.hpp"
 #include "hardball/measure/collision_rate.hpp"
 #include "hardball/measure/coordination.hpp"
@@ -29,7 +30,6 @@
 #include "hardball/measure/velocity_autocorrelation.hpp"
 #include "hardball/measure/velocity_distribution.hpp"
 #include "hardball/measure/wall_forces.hpp"
-#include "hardball/response/contact.hpp"
 #include "hardball/world/velocity_change.hpp"
 #include "hardball/world/world.hpp"
 

@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <string_view>
 
+#include "hardball/interaction/contact.hpp"
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
-#include "hardball/response/contact.hpp"
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 #include "hardball/world/velocity_change.hpp"

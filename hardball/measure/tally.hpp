@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "hardball/response/contact.hpp"
+#include "hardball/interaction/contact.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {

@@ -18,8 +18,8 @@
 #include "hardball/engine/run.hpp"
 #include "hardball/engine/standstill_guard.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/response/aftermath.hpp"
-#include "hardball/response/execute.hpp"
+#include "hardball/execution/aftermath.hpp"
+#include "hardball/execution/execute.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/walls.hpp"
@@ -33,15 +33,11 @@ namespace hardball {
 /// subspaces that intersect it and its own candidate events. Each event updates both trees; the least
 /// candidate is always the next event. Not in the paper: mixed radii and masses, periodic and open axes, and
 /// subspaces that admit a sphere slightly early and release it slightly late. Cost: O(log n) per event.
-template <Response Respond>
 class PaperEngine {
  public:
   /// `edge` [L] is the wanted edge of the subspaces. Error: it is less than the largest diameter, so that a
   /// sphere could intersect more than eight subspaces. Precondition: supports(world).
-  PaperEngine(World world, double edge, Respond respond, const Time& now)
-      : world_(std::move(world)), respond_(std::move(respond)) {
-    rebuild(now, edge);
-  }
+  PaperEngine(World world, double edge, const Time& now) : world_(std::move(world)) { rebuild(now, edge); }
 
   /// Whether all paths are straight, and obstacles have no images in a periodic box.
   static bool supports(const World& world) {
@@ -49,7 +45,6 @@ class PaperEngine {
   }
 
   const World& world() const { return world_; }
-  Respond& response() { return respond_; }
   const Aftermath& aftermath() const { return aftermath_; }
   void take_over(const Aftermath& aftermath) { aftermath_ = aftermath; }
   /// The time of the last event.
@@ -399,7 +394,7 @@ class PaperEngine {
     const auto overlaps = [this](Slot slot) { return overlaps_of(world_, slot, nearby(slot), now_); };
     return aftermath_.merged.coalesce(world_, overlaps, [this](const Event& overlap) {
       const Participants participants = participants_of(world_, overlap);
-      if (!merge_if_decided(world_, overlap, participants, respond_, done_)) return false;
+      if (!merge_if_decided(world_, overlap, participants, done_)) return false;
       ++counters_.collision;
       journal_.note_event(EngineJournal::Kind::collision, now_, overlap.first, overlap.second);
       absorb(participants);
@@ -496,7 +491,7 @@ class PaperEngine {
     const bool is_collision = event.kind == EventKind::collision;
     standstill_guard_.note_event(now_, event.time, world_.size());
     const Participants participants = participants_of(world_, event);
-    execute(world_, aftermath_.collapse, event, participants, respond_, done_);
+    execute(world_, aftermath_.collapse, event, participants, done_);
     now_ = event.time;
     ++(is_collision ? counters_.collision : counters_.wall);
     journal_.note_event(is_collision ? EngineJournal::Kind::collision : EngineJournal::Kind::wall, now_,
@@ -519,7 +514,6 @@ class PaperEngine {
   }
 
   World world_;
-  Respond respond_;
   Subdivision subdivision_;
   std::map<std::uint64_t, Members> subspace_tree_;
   std::set<Event> event_tree_;

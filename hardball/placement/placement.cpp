@@ -9,8 +9,8 @@
 #include <string>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/geometry/range.hpp"
 #include "hardball/geometry/spacing.hpp"
-#include "hardball/world/range.hpp"
 #include "hardball/world/static_hash_grid.hpp"
 
 namespace hardball {

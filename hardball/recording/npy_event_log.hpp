@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <optional>
 
+#include "hardball/interaction/contact.hpp"
 #include "hardball/io/npy_header.hpp"
 #include "hardball/io/output_file.hpp"
-#include "hardball/response/contact.hpp"
 
 namespace hardball {
 

@@ -12,7 +12,7 @@
 
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/vec3.hpp"
-#include "hardball/response/contact.hpp"
+#include "hardball/interaction/contact.hpp"
 #include "hardball/world/box.hpp"
 #include "hardball/world/world.hpp"
 

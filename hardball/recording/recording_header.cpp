@@ -41,14 +41,13 @@ RecordedSurface recorded(const Surface& surface, double restitution) {
 // Of all spheres that meet; none if it is not one number.
 std::optional<double> restitution_of(const Simulation& simulation) {
   if (simulation.has_custom_response()) return {};
-  const EngineOptions& options = simulation.options();
-  return options.responses ? options.responses->restitution() : options.restitution.value_or(1);
+  return simulation.world().interactions().table().restitution();
 }
 
 // Whether contacts may turn spheres or merge them.
 bool needs_bodies(const Simulation& simulation) {
-  const std::optional<ResponseTable>& table = simulation.options().responses;
-  return simulation.has_custom_response() || (table && (table->has_merging() || table->is_rough()));
+  const ResponseTable& table = simulation.world().interactions().table();
+  return simulation.has_custom_response() || table.has_merging() || table.is_rough();
 }
 
 }  // namespace

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/interaction/contact.hpp"
 #include "hardball/io/output_file.hpp"
 #include "hardball/recording/recording.hpp"
-#include "hardball/response/contact.hpp"
 #include "hardball/world/velocity_change.hpp"
 #include "hardball/world/world.hpp"
 

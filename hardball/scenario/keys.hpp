@@ -27,7 +27,7 @@ enum class ValueType {
   tables,  ///< One or more tables of the same name, [[name]].
 };
 
-/// Which numbers a value consists of, within the operating range (world/range.hpp).
+/// Which numbers a value consists of, within the operating range (geometry/range.hpp).
 enum class NumberRange {
   finite,
   positive,

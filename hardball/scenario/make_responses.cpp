@@ -12,6 +12,8 @@ ResponseTable make_responses(const Scenario& scenario) {
       table.set_wall(pair.first, Bounce(pair.bounce));
     } else if (pair.fate == Fate::merge) {
       table.set(pair.first, *pair.second, Merging());
+    } else if (pair.fate == Fate::pass) {
+      table.set(pair.first, *pair.second, Passing());
     } else {
       table.set(pair.first, *pair.second, Bounce(pair.bounce));
     }

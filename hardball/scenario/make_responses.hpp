@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "hardball/response/response_table.hpp"
+#include "hardball/interaction/response_table.hpp"
 #include "hardball/scenario/scenario.hpp"
 
 namespace hardball {
 
-/// The responses that a scenario describes. Spheres that pass through each other are known to the world.
+/// The responses that a scenario describes.
 ResponseTable make_responses(const Scenario& scenario);
 
 }  // namespace hardball

@@ -7,9 +7,8 @@
 
 namespace hardball {
 
-/// The simulation of a scenario from its start, which make_world has made, with its response and thermostat.
-/// Options that have a response replace that of the scenario as a whole. Error: see Simulation; its place is
-/// in the scenario, but that of options stays.
+/// The simulation of a scenario from its start, which make_world has made, with its thermostat. Error: see
+/// Simulation; its place is in the scenario, but that of options stays.
 Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options = {},
                            const OnProgress& on_progress = {});
 

@@ -11,6 +11,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/placement/placement.hpp"
+#include "hardball/scenario/make_responses.hpp"
 #include "hardball/scenario/make_surfaces.hpp"
 #include "hardball/scenario/radii.hpp"
 #include "hardball/scenario/velocities.hpp"
@@ -301,9 +302,7 @@ World make_world(const Scenario& scenario, const OnProgress& on_progress) {
   } else if (!scenario.spheres.empty()) {
     add_groups(scenario, world, progress);
   }
-  for (const PairDescription& pair : scenario.pairs) {
-    if (pair.fate == Fate::pass && pair.second) world.let_pass(pair.first, *pair.second);
-  }
+  world.set_interactions(make_responses(scenario));
   progress.note_end();
   return world;
 }

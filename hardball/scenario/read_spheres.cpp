@@ -6,8 +6,8 @@
 #include <string>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/geometry/range.hpp"
 #include "hardball/scenario/read_response.hpp"
-#include "hardball/world/range.hpp"
 
 namespace hardball {
 namespace {

@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/geometry/range.hpp"
 #include "hardball/scenario/document.hpp"
 #include "hardball/scenario/read_response.hpp"
 #include "hardball/scenario/read_spheres.hpp"
 #include "hardball/scenario/read_walls.hpp"
 #include "hardball/scenario/section.hpp"
-#include "hardball/world/range.hpp"
 
 namespace hardball {
 namespace {

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/interaction/bounce.hpp"
 #include "hardball/measure/measure_settings.hpp"
-#include "hardball/response/bounce.hpp"
 #include "hardball/thermostats/thermostat.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
 #include "hardball/trajectory/snapshot_schedule.hpp"

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "hardball/geometry/range.hpp"
 #include "hardball/geometry/vec3.hpp"
 #include "hardball/scenario/keys.hpp"
-#include "hardball/world/range.hpp"
 
 namespace hardball {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/geometry/range.hpp"
 #include "hardball/scenario/nearest_name.hpp"
-#include "hardball/world/range.hpp"
 
 namespace hardball {
 namespace {

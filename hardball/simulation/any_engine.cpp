@@ -16,12 +16,12 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/events/ordered_queue.hpp"
+#include "hardball/geometry/range.hpp"
 #include "hardball/paper/paper_engine.hpp"
 #include "hardball/theory/moments.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
 #include "hardball/tuning/size_classes.hpp"
-#include "hardball/world/range.hpp"
 
 namespace hardball {
 namespace {
@@ -57,8 +57,6 @@ class EngineModel final : public AnyEngine {
   void end_journal() override { engine_.end_journal(); }
   void rewind(const Time& moment) override { engine_.rewind(moment); }
   void rewind_to_begin() override { engine_.rewind_to_begin(); }
-  void replace_response(CustomResponse custom) override { engine_.response().replace(std::move(custom)); }
-  void replace_response(const ResponseTable& table) override { engine_.response().replace(table); }
   const Aftermath& aftermath() const override { return engine_.aftermath(); }
   void take_over(const Aftermath& aftermath) override { engine_.take_over(aftermath); }
   void validate() const override { engine_.validate(); }
@@ -109,29 +107,22 @@ std::unique_ptr<AnyEngine> make_model(Arguments&&... arguments) {
   return std::make_unique<EngineModel<Wrapped>>(Wrapped(std::forward<Arguments>(arguments)...));
 }
 
-AnyResponse response_of(const EngineOptions& options) {
-  return options.responses ? AnyResponse(*options.responses) : AnyResponse(options.plain_response());
-}
-
 template <EventQueue Queue>
 std::unique_ptr<AnyEngine> make_queued(World world, EngineKind engine, const EngineOptions& options,
                                        double length, const Time& now, const Progress& progress) {
-  const AnyResponse response = response_of(options);
   const InstructionSet instructions = options.instructions.value_or(widest_instruction_set());
   if (engine == EngineKind::all_pairs) {
-    return make_model<Engine<Queue, AllPairs, AnyResponse>>(std::move(world), AllPairs(), response, now,
-                                                            instructions, progress);
+    return make_model<Engine<Queue, AllPairs>>(std::move(world), AllPairs(), now, instructions, progress);
   }
   if (engine == EngineKind::neighbors) {
-    return make_model<Engine<Queue, NeighborList, AnyResponse>>(
-        std::move(world), NeighborList(length, instructions), response, now, instructions, progress);
+    return make_model<Engine<Queue, NeighborList>>(std::move(world), NeighborList(length, instructions), now,
+                                                   instructions, progress);
   }
   if (LargeSphereGrid::supports(world, length)) {
-    return make_model<Engine<Queue, LargeSphereGrid, AnyResponse>>(std::move(world), LargeSphereGrid(length),
-                                                                   response, now, instructions, progress);
+    return make_model<Engine<Queue, LargeSphereGrid>>(std::move(world), LargeSphereGrid(length), now,
+                                                      instructions, progress);
   }
-  return make_model<Engine<Queue, CellGrid, AnyResponse>>(std::move(world), CellGrid(length), response, now,
-                                                          instructions, progress);
+  return make_model<Engine<Queue, CellGrid>>(std::move(world), CellGrid(length), now, instructions, progress);
 }
 
 // The edge of the best cells, and what they cost per sphere and time.
@@ -163,7 +154,7 @@ BestCells best_cells(const World& world, const Moments& moments, const UnitCosts
 std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
                                        double length, const Time& now, const Progress& progress) {
   if (engine == EngineKind::paper) {
-    return make_model<PaperEngine<AnyResponse>>(std::move(world), length, response_of(options), now);
+    return make_model<PaperEngine>(std::move(world), length, now);
   }
   if (options.queue == QueueKind::ordered) {
     return make_queued<OrderedQueue>(std::move(world), engine, options, length, now, progress);
@@ -177,12 +168,11 @@ void check(const EngineOptions& options) {
                 "give those of measure_unit_costs, or leave them out");
   }
   if (options.cell_edge) check_positive(*options.cell_edge, "the cell edge", "cell edge");
-  static_cast<void>(options.plain_response());
 }
 
 EngineKind choose_engine(const World& world, const EngineOptions& options, const Time& moment,
                          EngineKind current) {
-  if (options.engine == EngineKind::paper && !PaperEngine<AnyResponse>::supports(world)) {
+  if (options.engine == EngineKind::paper && !PaperEngine::supports(world)) {
     throw Error("the paper's engine knows only straight paths, and no images of obstacles", "engine",
                 "use another engine");
   }

@@ -11,11 +11,9 @@
 #include <type_traits>
 
 #include "hardball/engine/run.hpp"
+#include "hardball/execution/aftermath.hpp"
+#include "hardball/interaction/contact.hpp"
 #include "hardball/kernels/instruction_set.hpp"
-#include "hardball/response/aftermath.hpp"
-#include "hardball/response/contact.hpp"
-#include "hardball/response/response_table.hpp"
-#include "hardball/simulation/any_response.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/progress.hpp"
@@ -48,43 +46,12 @@ struct EngineOptions {
   /// Error: not positive, or so small that a sphere would lie in hundreds of cells; for the paper's engine,
   /// less than the largest diameter.
   std::optional<double> cell_edge = {};
-  /// Coefficient of restitution [1]; one if absent. Error: not between 0 and 1.
-  std::optional<double> restitution = {};
-  /// Slower impacts are elastic, see Restitution [L/T]; none if absent. Error: negative or not finite.
-  std::optional<double> elastic_below = {};
-  /// Responses that depend on species, or on more than these two numbers, which they then replace.
-  std::optional<ResponseTable> responses = {};
   /// From which the cell edge is chosen; measure_unit_costs gives those of this machine. Error: not
   /// are_meaningful.
   UnitCosts unit_costs = {};
   /// Used to compute contact times; if absent, the widest available. Error: not available.
   std::optional<InstructionSet> instructions = {};
-
-  /// Whether any of the three that make up the response are given.
-  bool have_response() const { return restitution || elastic_below || responses; }
-  /// The response without `responses`.
-  Restitution plain_response() const {
-    return Restitution(restitution.value_or(1), elastic_below.value_or(0));
-  }
-
-  /// All but `instructions`: where a saved simulation is loaded, others may be available.
-  static void persist(auto& archive, auto& self) {
-    double coefficient = self.restitution.value_or(1);
-    double elastic = self.elastic_below.value_or(0);
-    archive(self.engine, self.queue, self.cell_edge, coefficient, elastic, self.responses, self.unit_costs);
-    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
-      self.restitution = coefficient;
-      self.elastic_below = elastic;
-    }
-    archive.require(self.engine >= EngineKind::automatic && self.engine <= EngineKind::paper &&
-                    self.queue >= QueueKind::calendar && self.queue <= QueueKind::ordered);
-  }
 };
-
-/// Whether all contacts of these spheres are known to be elastic and smooth.
-inline bool is_elastic(const EngineOptions& options) {
-  return options.restitution.value_or(1) == 1 && !options.responses;
-}
 
 /// The interface that all engines share; see Engine for what its members do.
 class AnyEngine {
@@ -115,8 +82,6 @@ class AnyEngine {
   virtual bool supports(double length) const = 0;
   /// Rebuilds all regions and predictions, with this cell edge or skin [L] where there is one.
   virtual void rebuild(const Time& now, double length) = 0;
-  virtual void replace_response(CustomResponse custom) = 0;
-  virtual void replace_response(const ResponseTable& table) = 0;
   virtual const Aftermath& aftermath() const = 0;
   virtual void take_over(const Aftermath& aftermath) = 0;
   virtual void validate() const = 0;

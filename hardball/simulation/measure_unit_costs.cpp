@@ -14,14 +14,13 @@
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/placement/placement.hpp"
-#include "hardball/response/restitution.hpp"
 #include "hardball/theory/moments.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 
 namespace hardball {
 namespace {
 
-using CellEngine = Engine<CalendarQueue, CellGrid, Restitution>;
+using CellEngine = Engine<CalendarQueue, CellGrid>;
 using Steps = std::array<double, 4>;  // contacts, crossings, cells, predictions
 
 // A cubic crystal has 4 k^3. A smaller box would have so few cells that several images of a sphere are in
@@ -46,7 +45,7 @@ class Trial {
  public:
   Trial(World world, double edge)
       : expected_(expected_counts(moments_of(world, Time(0)), edge)),
-        engine_(std::move(world), CellGrid(edge), Restitution(1), Time(0)) {
+        engine_(std::move(world), CellGrid(edge), Time(0)) {
     run(3 * kSpheres);
   }
 

@@ -10,8 +10,8 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/contact_time.hpp"
 #include "hardball/geometry/inlining.hpp"
+#include "hardball/geometry/range.hpp"
 #include "hardball/surfaces/surface.hpp"
-#include "hardball/world/range.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
@@ -178,11 +178,10 @@ double time_to_enter(const Relative& other) {
 // Spheres that pass through each other, and have begun to, do not touch; see have_met (world.hpp).
 double time_to_begin(const World& world, const Time& now, SphereId id, SphereId other_id,
                      const Relative& other) {
-  if (dot(other.separation, other.separation) <= other.reach * other.reach) return kInfinity;
+  if (are_inside(other.separation, other.reach)) return kInfinity;
   const double wait = time_to_touch(other);
-  Event contact = make_collision(after(now, wait), id, other_id, {});
-  contact.image = world.last_passage().image;
-  return contact <= world.last_passage() ? kInfinity : wait;
+  const Event contact = make_collision(after(now, wait), id, other_id, {});
+  return is_recorded(contact, world.last_passage()) ? kInfinity : wait;
 }
 
 void check_end(const Box& box, double end, const std::string& name, const char* where) {
@@ -374,7 +373,7 @@ std::optional<NextContact> first_contact(const World& world, const Time& now, co
   world.check(sphere);
   const Path path{folded(world.box(), sphere.position, "first_contact"), sphere.velocity, now};
   const auto pass = [&](Slot other) {
-    return world.may_pass(sphere.species, world.species(other)) ||
+    return world.interactions().pass(sphere.species, world.species(other)) ||
            (std::isinf(sphere.mass) && world.is_kinematic(other));
   };
   return first_contact_on(world, kNoSphere, kNoSlot, path, sphere.radius, pass, until);

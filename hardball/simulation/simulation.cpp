@@ -9,12 +9,12 @@
 
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/geometry/range.hpp"
 #include "hardball/measure/measures.hpp"
 #include "hardball/theory/moments.hpp"
 #include "hardball/tuning/size_classes.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/curve_order.hpp"
-#include "hardball/world/range.hpp"
 
 namespace hardball {
 namespace {
@@ -60,6 +60,30 @@ std::uint64_t steps_of(const Counters& done) {
   return done.contacts() + done.enter + done.leave + done.stale;
 }
 
+// The options but for `instructions`: where a saved simulation is loaded, others may be available. Before
+// version 3 the responses were among them.
+struct SavedOptions {
+  EngineOptions options;
+  std::optional<ResponseTable> responses = {};
+
+  static void persist(auto& archive, auto& self) {
+    auto& options = self.options;
+    archive(options.engine, options.queue, options.cell_edge);
+    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
+      if (archive.version() < 3) {
+        double coefficient = 1;
+        double elastic_below = 0;
+        archive(coefficient, elastic_below, self.responses);
+        const Bounce plain(Restitution(coefficient, elastic_below));
+        if (!self.responses) self.responses = ResponseTable(plain, plain);
+      }
+    }
+    archive(options.unit_costs);
+    archive.require(options.engine >= EngineKind::automatic && options.engine <= EngineKind::paper &&
+                    options.queue >= QueueKind::calendar && options.queue <= QueueKind::ordered);
+  }
+};
+
 std::vector<Vec3> centers_at(const World& world, const Time& moment) {
   std::vector<Vec3> centers;
   centers.reserve(world.size());
@@ -97,7 +121,7 @@ void Simulation::start_engine(World world, const Progress& progress) {
 
 std::string Simulation::save() const {
   if (activity_ == Activity::running) check_idle("save");
-  return archived(options_, kind_, world(), now_, hash_, tally_, thermostat_, user_data_,
+  return archived(SavedOptions{options_}, kind_, world(), now_, hash_, tally_, thermostat_, user_data_,
                   engine_->aftermath().merged, kUnused, counters(), engine_->aftermath().collapse);
 }
 
@@ -105,11 +129,17 @@ Simulation Simulation::load(std::string_view bytes, const std::string& where) {
   Simulation loaded;
   World world(Box::open());
   Aftermath aftermath;
+  SavedOptions saved;
   bool unused = false;
-  restore(bytes, where, loaded.options_, loaded.kind_, world, loaded.now_, loaded.hash_, loaded.tally_,
+  restore(bytes, where, saved, loaded.kind_, world, loaded.now_, loaded.hash_, loaded.tally_,
           loaded.thermostat_, loaded.user_data_, aftermath.merged, unused, loaded.counters_before_,
           aftermath.collapse);
+  loaded.options_ = saved.options;
   check(loaded.options_);
+  if (saved.responses) {
+    saved.responses->pass_as_in(world.interactions().table());
+    world.set_interactions(*saved.responses);
+  }
   check_moment(loaded.now_, where);
   if (loaded.now_ < latest_change(world) || loaded.tally_.walls().size() != kFaces + world.surfaces().size())
     refuse_archive(where);
@@ -127,7 +157,6 @@ Simulation::Simulation(const Simulation& other)
     : options_(other.options_),
       kind_(other.kind_),
       engine_(other.engine_->clone()),
-      response_(other.response_),
       counters_before_(other.counters_before_),
       listener_(other.listener_),
       next_listener_(other.next_listener_),
@@ -151,7 +180,6 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   options_ = other.options_;
   kind_ = other.kind_;
   engine_ = std::move(other.engine_);
-  response_ = std::move(other.response_);
   counters_before_ = other.counters_before_;
   listener_ = std::move(other.listener_);
   next_listener_ = std::move(other.next_listener_);
@@ -191,15 +219,16 @@ void Simulation::respond_with(std::function<Velocities(const Contact&)> response
 
 void Simulation::respond_with(std::function<Outcome(const Contact&)> response) {
   check_editable("respond_with");
-  response_ = std::move(response);
-  engine_->replace_response(response_);
+  Interactions changed = world().interactions();
+  changed.set_function(std::move(response));
+  engine_->world_to_edit().set_interactions(changed);
 }
 
 void Simulation::respond_with(const ResponseTable& table) {
   check_editable("respond_with");
-  options_.responses = table;
-  response_ = nullptr;
-  engine_->replace_response(table);
+  ResponseTable changed = table;
+  changed.pass_as_in(world().interactions().table());
+  engine_->world_to_edit().set_interactions(changed);
 }
 
 void Simulation::respond_with(std::nullptr_t) {
@@ -698,7 +727,6 @@ void Simulation::rebuild(const Time& moment) {
     const Aftermath aftermath = engine_->aftermath();
     engine_ = make_engine(std::move(engine_->world_to_edit()), kind, options_, length, moment);
     engine_->take_over(aftermath);
-    if (response_) engine_->replace_response(response_);
     kind_ = kind;
   }
   watch_.restart(length);

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "hardball/engine/run.hpp"
+#include "hardball/interaction/contact.hpp"
 #include "hardball/measure/event_log_hash.hpp"
 #include "hardball/measure/tally.hpp"
-#include "hardball/response/contact.hpp"
 #include "hardball/simulation/any_engine.hpp"
 #include "hardball/simulation/queries.hpp"
 #include "hardball/simulation/sphere_handle.hpp"
@@ -71,12 +71,13 @@ class Simulation {
   /// The same, for a response that changes spins, or merges spheres. It is also asked whether a sphere that
   /// has merged merges with those that it overlaps, which may recede; if not, what it returns then is unused.
   void respond_with(std::function<Outcome(const Contact&)> response);
-  /// Replaces the response of the options, for good: unlike functions, a table is saved.
+  /// Replaces the response of the world, for good: unlike functions, a table is saved. Spheres that pass
+  /// through each other go on to do so. Error: others do in the table.
   void respond_with(const ResponseTable& table);
-  /// Restores the response of the options.
+  /// Restores the response of the world, instead of a function.
   void respond_with(std::nullptr_t);
   /// Whether it is a function.
-  bool has_custom_response() const { return static_cast<bool>(response_); }
+  bool has_custom_response() const { return static_cast<bool>(world().interactions().function()); }
 
   /// Replaces the thermostat, which starts now; none by default. It acts at times of its own, each time after
   /// all contacts that round to the same double as that time, or an earlier one, and before all others:
@@ -242,7 +243,6 @@ class Simulation {
   EngineOptions options_;
   EngineKind kind_ = EngineKind::automatic;  // the one in use
   std::unique_ptr<AnyEngine> engine_;
-  CustomResponse response_;   // the user's own, if there is one
   Counters counters_before_;  // of engines replaced
   std::function<void(const Contact&)> listener_;
   std::optional<std::function<void(const Contact&)>> next_listener_;  // set by the listener itself

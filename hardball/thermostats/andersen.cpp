@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "hardball/geometry/range.hpp"
 #include "hardball/numbers/event_random.hpp"
 #include "hardball/thermostats/resolution.hpp"
-#include "hardball/world/range.hpp"
 
 namespace hardball {
 

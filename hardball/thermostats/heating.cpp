@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "hardball/geometry/range.hpp"
 #include "hardball/numbers/event_random.hpp"
-#include "hardball/world/range.hpp"
 
 namespace hardball {
 

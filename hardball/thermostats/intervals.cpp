@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/thermostats/intervals.hpp"
 
+#include "hardball/geometry/range.hpp"
 #include "hardball/thermostats/resolution.hpp"
-#include "hardball/world/range.hpp"
 
 namespace hardball {
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "hardball/geometry/range.hpp"
 #include "hardball/theory/thermal_motion.hpp"
-#include "hardball/world/range.hpp"
 
 namespace hardball {
 

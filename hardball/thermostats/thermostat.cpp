@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "hardball/world/range.hpp"
+#include "hardball/geometry/range.hpp"
 
 namespace hardball {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "hardball/geometry/range.hpp"
 #include "hardball/trajectory/append_text.hpp"
-#include "hardball/world/range.hpp"
 
 namespace hardball {
 namespace {

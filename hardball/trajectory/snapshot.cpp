@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/world/range.hpp"
+#include "hardball/geometry/range.hpp"
 
 namespace hardball {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/world/range.hpp"
+#include "hardball/geometry/range.hpp"
 
 namespace hardball {
 namespace {

@@ -2,18 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
-
 #include "hardball/geometry/vec3.hpp"
+#include "hardball/interaction/species.hpp"
 
 namespace hardball {
-
-/// Which kind of sphere one is, where contacts depend on it: a number that programs and scenarios choose.
-using SpeciesId = std::uint8_t;
-
-/// The moments of inertia of a uniform sphere and of a uniform disc, over mass and squared radius [1].
-inline constexpr double kUniformSphereMoment = 0.4;
-inline constexpr double kUniformDiscMoment = 0.5;
 
 /// A sphere as a caller describes it, at one moment.
 struct Sphere {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/world/range.hpp"
+#include "hardball/geometry/range.hpp"
 #include "hardball/world/setting.hpp"
 
 namespace hardball {
@@ -106,8 +106,8 @@ void World::check_spin(const Vec3& spin, const std::string& where) const {
 void World::note_traits() {
   const bool have_moments =
       size() > 0 && !(moments_.is_common() && moments_.common() == kUniformSphereMoment);
-  has_traits_ |=
-      have_moments || !spins_.empty() || !species_.empty() || !passing_.empty() || kinematic_count_ > 0;
+  has_traits_ |= have_moments || !spins_.empty() || !species_.empty() || interactions_.has_passing() ||
+                 kinematic_count_ > 0;
 }
 
 void World::check_mass(double mass, const std::string& where) const {
@@ -220,13 +220,9 @@ void World::reshape(Slot slot, double radius, double mass, double moment) {
   note_traits();
 }
 
-void World::let_pass(SpeciesId a, SpeciesId b) {
-  if (!may_pass(a, b)) passing_.emplace_back(std::min(a, b), std::max(a, b));
+void World::set_interactions(const Interactions& interactions) {
+  interactions_ = interactions;
   note_traits();
-}
-
-bool World::may_pass(SpeciesId a, SpeciesId b) const {
-  return std::ranges::find(passing_, std::pair{std::min(a, b), std::max(a, b)}) != passing_.end();
 }
 
 std::size_t World::rank_of(SphereId id) const {
@@ -337,12 +333,9 @@ bool have_met(const World& world, Slot a, Slot b, const Image& image) {
   const Path& second = world.path(b);
   const Vec3 separation =
       separation_at(world.motion(), first, second, world.box().shift(image), later(first.time, second.time));
-  const double reach = world.radius(a) + world.radius(b);
-  if (dot(separation, separation) <= reach * reach) return true;
-  Event contact = make_collision(contact_time(world, a, b, image), world.id(a), world.id(b), {});
-  // A contact is recorded by whichever image the engine knows it; the spheres and the time tell which it is.
-  contact.image = world.last_passage().image;
-  return contact <= world.last_passage();
+  return are_inside(separation, world.radius(a) + world.radius(b)) ||
+         is_recorded(make_collision(contact_time(world, a, b, image), world.id(a), world.id(b), {}),
+                     world.last_passage());
 }
 
 bool World::restored() {

@@ -12,6 +12,7 @@
 
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/contact_time.hpp"
+#include "hardball/interaction/interactions.hpp"
 #include "hardball/memory/huge_pages.hpp"
 #include "hardball/memory/prefetch.hpp"
 #include "hardball/surfaces/surface.hpp"
@@ -109,8 +110,9 @@ class World {
     return has_grown_ ? kRoom : 1;
   }
 
-  /// Lets spheres of these species pass through each other: their contacts are events, and change nothing.
-  void let_pass(SpeciesId a, SpeciesId b);
+  /// What happens when spheres touch each other or a wall: they are smooth and elastic until set otherwise.
+  const Interactions& interactions() const { return interactions_; }
+  void set_interactions(const Interactions& interactions);
 
   SphereId id(Slot slot) const { return ids_[slot]; }
   double radius(Slot slot) const { return radii_[slot]; }
@@ -126,13 +128,11 @@ class World {
   bool has_traits() const { return has_traits_; }
   bool has_spins() const { return !spins_.empty(); }
   /// Whether contacts of some pairs do not deflect them: those let pass, and kinematic spheres.
-  bool has_passing_pairs() const { return !passing_.empty() || kinematic_count_ > 1; }
+  bool has_passing_pairs() const { return interactions_.has_passing() || kinematic_count_ > 1; }
   /// Whether the contacts of two spheres do not deflect them.
   bool pass(Slot a, Slot b) const {
-    return may_pass(species(a), species(b)) || (is_kinematic(a) && is_kinematic(b));
+    return interactions_.pass(species(a), species(b)) || (is_kinematic(a) && is_kinematic(b));
   }
-  /// Whether spheres of these species pass through each other.
-  bool may_pass(SpeciesId a, SpeciesId b) const;
   const PerSphere& radii() const { return radii_; }
   const Path& path(Slot slot) const { return paths_[slot]; }
   /// Where the path leads at `moment`, perhaps out of a periodic box [L]. Precondition: `moment` is finite.
@@ -212,8 +212,23 @@ class World {
   friend class Persistence;
   static void persist(auto& archive, auto& self) {
     archive(self.box_, self.motion_, self.surfaces_, self.next_id_, self.ids_, self.paths_, self.radii_,
-            self.masses_, self.moments_, self.folded_, self.spins_, self.species_, self.passing_,
-            self.last_passage_);
+            self.masses_, self.moments_, self.folded_, self.spins_, self.species_);
+    if (archive.version() < 3) {
+      persist_passing(archive, self);
+    } else {
+      archive(self.interactions_);
+    }
+    archive(self.last_passage_);
+  }
+  // Before version 3, the world knew no other interactions than which species pass through each other.
+  static void persist_passing(auto& archive, auto& self) {
+    std::vector<std::pair<SpeciesId, SpeciesId>> passing;
+    archive(passing);
+    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
+      ResponseTable table;
+      for (const auto& [a, b] : passing) table.set(a, b, Passing());
+      self.interactions_ = table;
+    }
   }
   bool restored();
 
@@ -239,10 +254,10 @@ class World {
   PerSphere radii_;
   PerSphere masses_;
   PerSphere moments_;
-  std::vector<Image> folded_;                             // by how many boxes the center has been folded back
-  std::vector<Vec3> spins_;                               // none if no sphere spins
-  std::vector<SpeciesId> species_;                        // none if all are zero
-  std::vector<std::pair<SpeciesId, SpeciesId>> passing_;  // the lower species first
+  std::vector<Image> folded_;       // by how many boxes the center has been folded back
+  std::vector<Vec3> spins_;         // none if no sphere spins
+  std::vector<SpeciesId> species_;  // none if all are zero
+  Interactions interactions_;
   std::size_t kinematic_count_ = 0;
   bool has_traits_ = false;
   bool has_grown_ = false;
@@ -281,7 +296,8 @@ inline Time contact_time(const World& world, Slot a, Slot b, const Image& image)
 }
 
 /// Whether two spheres that pass through each other have begun to, and so will not touch on their present
-/// paths: they overlap when the later path starts, or their contact has happened. Precondition: pass(a, b).
+/// paths: they are inside each other when the later path starts, or their contact has been recorded.
+/// Precondition: pass(a, b).
 bool have_met(const World& world, Slot a, Slot b, const Image& image);
 
 }  // namespace hardball

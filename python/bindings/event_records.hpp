@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "hardball/response/contact.hpp"
+#include "hardball/interaction/contact.hpp"
 
 namespace hardball::python {
 

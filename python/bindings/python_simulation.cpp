@@ -11,10 +11,10 @@
 
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/geometry/range.hpp"
 #include "hardball/recording/recording_header.hpp"
 #include "hardball/recording/recording_writer.hpp"
 #include "hardball/simulation/slice.hpp"
-#include "hardball/world/range.hpp"
 #include "python/bindings/responses.hpp"
 #include "python/bindings/thermostats.hpp"
 
@@ -330,12 +330,8 @@ void PythonSimulation::set_response(const py::object& response) {
     response_.reset();
     return;
   }
-  EngineOptions options;
-  if (python::set_response(response, options)) {
-    const Restitution plain = options.plain_response();
-    const Bounce simple(
-        {.restitution = ConstantRestitution{plain.coefficient()}, .elastic_below = plain.elastic_below()});
-    simulation.respond_with(options.responses.value_or(ResponseTable(simple, simple)));
+  if (const std::optional<ResponseTable> table = response_table_of(response)) {
+    simulation.respond_with(*table);
     response_.reset();
     return;
   }

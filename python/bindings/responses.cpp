@@ -68,12 +68,6 @@ Rule rule_of(const py::handle& object) {
               "give one of these or a coefficient of restitution");
 }
 
-// A table that says what a constant restitution of smooth spheres says is slower than one.
-bool is_simple(const BounceRules& rules) {
-  return std::holds_alternative<ConstantRestitution>(rules.restitution) && rules.contact_duration == 0 &&
-         !rules.tangential_restitution;
-}
-
 py::tuple pair_of(const Vec3& first, const Vec3& second) {
   return py::make_tuple(array_of(first), array_of(second));
 }
@@ -237,27 +231,13 @@ void bind_contact(py::module_& module) {
 
 }  // namespace
 
-bool set_response(const py::handle& object, EngineOptions& options) {
-  options.responses.reset();
-  options.restitution.reset();
-  options.elastic_below.reset();
-  if (object.is_none()) return true;
-  if (py::isinstance<ResponseTable>(object)) {
-    options.responses = object.cast<ResponseTable>();
-  } else if (py::isinstance<Merging>(object)) {
-    options.responses = ResponseTable(Merging());
-  } else if (is_bounce(object)) {
-    const Bounce bounce = bounce_of(object);
-    if (!is_simple(bounce.rules())) {
-      options.responses = ResponseTable(bounce, bounce);
-    } else {
-      options.restitution = std::get<ConstantRestitution>(bounce.rules().restitution).value;
-      options.elastic_below = bounce.rules().elastic_below;
-    }
-  } else {
-    return false;
-  }
-  return true;
+std::optional<ResponseTable> response_table_of(const py::handle& object) {
+  if (object.is_none()) return ResponseTable();
+  if (py::isinstance<ResponseTable>(object)) return object.cast<ResponseTable>();
+  if (py::isinstance<Merging>(object)) return ResponseTable(Merging());
+  if (!is_bounce(object)) return std::nullopt;
+  const Bounce bounce = bounce_of(object);
+  return ResponseTable(bounce, bounce);
 }
 
 std::function<Outcome(const Contact&)> response_calling(const Callback& function) {

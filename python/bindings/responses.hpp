@@ -5,16 +5,17 @@
 #include <pybind11/pybind11.h>
 
 #include <functional>
+#include <optional>
 
-#include "hardball/response/contact.hpp"
-#include "hardball/simulation/any_engine.hpp"
+#include "hardball/interaction/contact.hpp"
+#include "hardball/interaction/response_table.hpp"
 #include "python/bindings/callback.hpp"
 
 namespace hardball::python {
 
-/// Sets the response of the options to a built-in one: a number, which is a restitution, a Bounce, a Merging
-/// or a ResponseTable. False if the object is none of these.
-bool set_response(const pybind11::handle& object, EngineOptions& options);
+/// The table of a built-in response: a number, which is a restitution, a Bounce, a Merging or a
+/// ResponseTable; None is elastic. Nothing if the object is none of these.
+std::optional<ResponseTable> response_table_of(const pybind11::handle& object);
 
 /// A response that calls a Python function.
 std::function<Outcome(const Contact&)> response_calling(const Callback& function);

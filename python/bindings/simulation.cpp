@@ -69,11 +69,13 @@ std::unique_ptr<PythonSimulation> make(const Box& box, const py::object& positio
       spheres_of(positions, velocities, radius, mass, spin, species, moment, box.is_flat());
   world.reserve(spheres.size());
   for (const Sphere& sphere : spheres) world.add(sphere);
-  for (const auto& [first, second] : passing) world.let_pass(first, second);
-  EngineOptions options{.engine = engine_of(engine), .cell_edge = cell_edge};
-  const bool is_built_in = set_response(response, options);
+  const std::optional<ResponseTable> built_in = response_table_of(response);
+  ResponseTable table = built_in.value_or(ResponseTable());
+  for (const auto& [first, second] : passing) table.set(first, second, Passing());
+  world.set_interactions(table);
+  const EngineOptions options{.engine = engine_of(engine), .cell_edge = cell_edge};
   std::unique_ptr<PythonSimulation> simulation = owned(started(std::move(world), options));
-  if (!is_built_in) simulation->set_response(response);
+  if (!built_in) simulation->set_response(response);
   if (!thermostat.is_none()) simulation->set_thermostat(thermostat, seed);
   return simulation;
 }

@@ -135,12 +135,13 @@ TEST_P(BirthsAndDeaths, GiveTheHistoryOfEnginesMadeAnew) {
                                        : maker.make_responsive_flat();
     if (made.world.size() == 0) continue;
     if (seed / kParts % 2 == 0) {
-      if (!made.responses) made.responses.emplace();
-      made.responses->set(0, 1, Merging());
+      ResponseTable table = made.world.interactions().table();
+      table.set(0, 1, Merging());
+      made.world.set_interactions(table);
     }
     SCOPED_TRACE(made.name);
     const RunLimits limits{.until = Time(made.until), .contacts = 30 + 20 * (seed % 5)};
-    std::vector<support::EngineVariant> variants = support::engine_variants(made);
+    std::vector<support::EngineVariant> variants = support::engine_variants(made.world);
     Simulation reference(made.world, variants.front().options);
     Editor editor_of_reference(made.world, seed);
     const History expected = run_with_edits(reference, editor_of_reference, limits, make_anew);
@@ -194,13 +195,14 @@ World giants_among_dwarfs(std::size_t giants) {
 
 TEST(BirthsAndDeaths, AmongLargeSpheresGiveTheHistoryOfOtherEngines) {
   for (const bool merges : {false, true}) {
-    const World world = giants_among_dwarfs(3);
+    World world = giants_among_dwarfs(3);
     ResponseTable responses;
     if (merges) responses.set(0, 1, Merging());
+    world.set_interactions(responses);
     const RunLimits limits{.until = Time(4), .contacts = support::cases(600)};
     std::vector<History> histories;
     for (const double edge : {0.8, 1.7, 6.0}) {
-      Simulation simulation(world, {.engine = EngineKind::cells, .cell_edge = edge, .responses = responses});
+      Simulation simulation(world, {.engine = EngineKind::cells, .cell_edge = edge});
       Editor editor(world, 5);
       histories.push_back(run_with_edits(simulation, editor, limits, [](Simulation&) {}));
       simulation.validate();

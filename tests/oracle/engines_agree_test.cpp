@@ -42,7 +42,7 @@ class EnginesAgree : public testing::TestWithParam<std::uint64_t> {
       // Contacts are limited too: in a granular world infinitely many may happen in a finite time.
       const RunLimits limits{.until = Time(made.until), .contacts = 60 + 60 * (seed % 5)};
       std::optional<History> expected;
-      for (const support::EngineVariant& variant : support::engine_variants(made)) {
+      for (const support::EngineVariant& variant : support::engine_variants(made.world)) {
         SCOPED_TRACE(variant.name);
         std::optional<History> history;
         ASSERT_NO_THROW(history = history_by(variant, made, limits));
@@ -106,8 +106,9 @@ TEST(InelasticCollapse, IsNoticedByAllEnginesAtTheSameContact) {
     }
     // Another one passes by, so that tuned cells are rebuilt during the collapse.
     world.add({{1, 1, 20}, {0, 0, 1e4}, 0.125, 1});
+    world.set_interactions(Restitution(collapse.restitution));
     std::optional<History> expected;
-    for (const support::EngineVariant& variant : support::engine_variants(world, collapse.restitution)) {
+    for (const support::EngineVariant& variant : support::engine_variants(world)) {
       SCOPED_TRACE(variant.name);
       Simulation simulation(world, variant.options);
       const History history = support::run_on(simulation, {.until = Time(20), .contacts = 200000});
@@ -129,10 +130,10 @@ TEST(InelasticCollapse, IsAvoidedIfSlowOrRapidImpactsAreElastic) {
   for (const bool by_duration : {false, true}) {
     BounceRules rules{.restitution = ConstantRestitution{0.1}};
     (by_duration ? rules.contact_duration : rules.elastic_below) = by_duration ? 0.01 : 1e-3;
+    world.set_interactions(ResponseTable(Bounce(rules), Bounce(rules)));
     std::optional<History> expected;
-    for (support::EngineVariant variant : support::engine_variants(world, 1)) {
+    for (const support::EngineVariant& variant : support::engine_variants(world)) {
       SCOPED_TRACE(variant.name);
-      variant.options.responses = ResponseTable(Bounce(rules), Bounce(rules));
       Simulation simulation(world, variant.options);
       const History history = support::run_on(simulation, {.until = Time(1000)});
       EXPECT_EQ(history.failure, "");

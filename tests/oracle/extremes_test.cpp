@@ -23,7 +23,7 @@ using support::History;
 template <class Run>
 std::uint64_t contacts_in_one_history(const World& world, Run&& run) {
   std::optional<History> expected;
-  for (const support::EngineVariant& variant : support::engine_variants(world, 1)) {
+  for (const support::EngineVariant& variant : support::engine_variants(world)) {
     SCOPED_TRACE(variant.name);
     Simulation simulation(world, variant.options);
     std::optional<History> history;

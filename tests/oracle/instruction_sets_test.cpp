@@ -16,7 +16,6 @@
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/events/ordered_queue.hpp"
 #include "hardball/measure/event_log_hash.hpp"
-#include "hardball/response/restitution.hpp"
 #include "support/effort.hpp"
 #include "support/gas.hpp"
 #include "support/random_world.hpp"
@@ -26,8 +25,8 @@ namespace {
 
 constexpr std::array kAllSets = {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512};
 
-using Cells = Engine<CalendarQueue, CellGrid, Restitution>;
-using Pairs = Engine<OrderedQueue, AllPairs, Restitution>;
+using Cells = Engine<CalendarQueue, CellGrid>;
+using Pairs = Engine<OrderedQueue, AllPairs>;
 
 // An engine and the hash of its history.
 template <class Made>
@@ -44,8 +43,8 @@ struct Recorded {
   }
 };
 
-Cells cells(const World& world, double edge, InstructionSet set, double restitution = 1) {
-  return {world, CellGrid(edge), Restitution(restitution), Time(0), set};
+Cells cells(const World& world, double edge, InstructionSet set) {
+  return {world, CellGrid(edge), Time(0), set};
 }
 
 // Dilute and dense, so that cells are large and small compared with the box; with 40 spheres images are not
@@ -90,8 +89,8 @@ TEST(InstructionSets, GiveOneHistoryOfRandomWorlds) {
     std::optional<EventLogHash> expected;
     for (const InstructionSet set : kAllSets) {
       if (!is_available(set)) continue;
-      Recorded<Cells> by_cells{cells(made.world, 2 * made.world.largest_radius(), set, made.restitution), {}};
-      Recorded<Pairs> by_pairs{{made.world, AllPairs(), Restitution(made.restitution), Time(0), set}, {}};
+      Recorded<Cells> by_cells{cells(made.world, 2 * made.world.largest_radius(), set), {}};
+      Recorded<Pairs> by_pairs{{made.world, AllPairs(), Time(0), set}, {}};
       by_cells.go_on(limits);
       by_pairs.go_on(limits);
       if (!expected) expected = by_pairs.hash;

@@ -69,7 +69,7 @@ TEST_P(LargeWorlds, HaveOneHistory) {
     const RunLimits limits{.until = Time(500), .contacts = support::cases(20000)};
     std::vector<EngineOptions> ways;
     const auto add = [&](EngineKind engine, QueueKind queue, std::optional<double> edge) {
-      ways.push_back({.engine = engine, .queue = queue, .cell_edge = edge, .restitution = made.restitution});
+      ways.push_back({.engine = engine, .queue = queue, .cell_edge = edge});
     };
     add(EngineKind::automatic, QueueKind::calendar, std::nullopt);
     add(EngineKind::cells, QueueKind::ordered, diameter);

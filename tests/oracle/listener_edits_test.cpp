@@ -115,12 +115,12 @@ TEST_P(ListenerEdits, GiveOneHistory) {
     if (made.world.size() == 0) continue;
     SCOPED_TRACE(made.name);
     const RunLimits limits{.until = Time(made.until), .contacts = 40 + 20 * (seed % 5)};
-    EngineOptions reference{.engine = EngineKind::all_pairs, .restitution = made.restitution};
+    EngineOptions reference{.engine = EngineKind::all_pairs};
     Simulation pieces(made.world, reference);
     Editor editor_of_pieces(made, seed);
     const History expected = edited_between_runs(pieces, editor_of_pieces, limits);
     edits += editor_of_pieces.edits();
-    for (const support::EngineVariant& variant : support::engine_variants(made.world, made.restitution)) {
+    for (const support::EngineVariant& variant : support::engine_variants(made.world)) {
       SCOPED_TRACE(variant.name);
       try {
         Simulation simulation(made.world, variant.options);

@@ -33,13 +33,10 @@ EngineOptions some_options(std::uint64_t seed, const RandomWorld& made) {
       (made.world.size() == 0 || !NeighborList::supports(made.world))) {
     options.engine = EngineKind::cells;
   }
-  if (options.engine == EngineKind::paper && !PaperEngine<Restitution>::supports(made.world)) {
+  if (options.engine == EngineKind::paper && !PaperEngine::supports(made.world)) {
     options.engine = EngineKind::all_pairs;
   }
   options.queue = seed % 2 == 0 ? QueueKind::calendar : QueueKind::ordered;
-  options.restitution = made.restitution;
-  options.elastic_below = made.elastic_below;
-  options.responses = made.responses;
   return options;
 }
 
@@ -57,20 +54,11 @@ RandomWorld some_world(std::uint64_t seed) {
 }
 
 bool has_merging(const RandomWorld& made) {
-  return made.responses && made.responses->has_merging();
-}
-
-// Lets spheres of the same species pass through each other.
-void let_pass_as_in(const World& from, World& to) {
-  for (SpeciesId a = 0; a < support::kMostRandomSpecies; ++a) {
-    for (SpeciesId b = a; b < support::kMostRandomSpecies; ++b) {
-      if (from.may_pass(a, b)) to.let_pass(a, b);
-    }
-  }
+  return made.world.interactions().table().has_merging();
 }
 
 Rule scaled(const Rule& rule, double length, double speed) {
-  if (std::holds_alternative<Merging>(rule)) return rule;
+  if (!std::holds_alternative<Bounce>(rule)) return rule;
   BounceRules rules = std::get<Bounce>(rule).rules();
   rules.elastic_below *= speed;
   rules.contact_duration *= length / speed;
@@ -163,7 +151,7 @@ TEST(Renaming, ChangesNothingButNames) {
     World renamed(made.world.box(), made.world.motion().gravity(),
                   {made.world.surfaces().begin(), made.world.surfaces().end()});
     for (const Slot slot : old_name) renamed.add(sphere_of(made.world, slot));
-    let_pass_as_in(made.world, renamed);
+    renamed.set_interactions(made.world.interactions());
 
     const RunLimits limits{.until = Time(made.until), .contacts = kContacts};
     Simulation original(made.world, some_options(seed, made));
@@ -281,12 +269,9 @@ TEST(Units, ThatArePowersOfTwoChangeOnlyExponents) {
       sphere.spin = (speed / length) * sphere.spin;
       changed.add(sphere);
     }
-    let_pass_as_in(made.world, changed);
+    changed.set_interactions(scaled(made.world.interactions().table(), length, speed));
     Simulation original(made.world, some_options(seed, made));
-    EngineOptions options = some_options(seed, made);
-    if (options.elastic_below) *options.elastic_below *= speed;
-    if (options.responses) options.responses = scaled(*options.responses, length, speed);
-    Simulation other(changed, options);
+    Simulation other(changed, some_options(seed, made));
     const std::vector<Contact> log =
         support::record(original, {.until = Time(made.until), .contacts = kContacts});
     const std::vector<Contact> other_log =

@@ -10,6 +10,7 @@
 
 #include "support/effort.hpp"
 #include "support/history.hpp"
+#include "support/interacting.hpp"
 #include "support/random_world.hpp"
 
 namespace hardball::quad_precision_test {
@@ -222,9 +223,7 @@ bool same_bodies(const Touch& a, const Touch& b) {
 
 // Compares the histories of one world; returns how many contacts could be compared.
 std::size_t compare(const World& world, double restitution, double until) {
-  EngineOptions options;
-  options.restitution = restitution;
-  Simulation simulation(world, options);
+  Simulation simulation(support::interacting(world, Restitution(restitution)));
   const std::vector<Contact> log =
       support::record(simulation, {.until = Time(until), .contacts = kMostContacts});
   PlainSimulation plain(world, restitution, false);

@@ -32,9 +32,7 @@ RandomWorld any_world(std::uint64_t seed) {
 
 // A simulation of the world some contacts later.
 Simulation some_time_later(const RandomWorld& made, Random& random) {
-  Simulation simulation(
-      made.world,
-      {.restitution = made.restitution, .elastic_below = made.elastic_below, .responses = made.responses});
+  Simulation simulation(made.world);
   try {
     simulation.run({.until = Time(made.until * random.uniform()), .contacts = 50});
   } catch (const RunFailure&) {

@@ -192,12 +192,13 @@ TEST_P(Rewind, RepeatsTheHistory) {
     support::RandomWorldMaker maker(seed);
     RandomWorld made = seed / kParts % 2 == 0 ? maker.make() : maker.make_responsive();
     if (seed / kParts % 3 == 0) {
-      if (!made.responses) made.responses.emplace();
-      made.responses->set(0, 1, Merging());
+      ResponseTable table = made.world.interactions().table();
+      table.set(0, 1, Merging());
+      made.world.set_interactions(table);
     }
     if (made.world.size() == 0) continue;
     SCOPED_TRACE(made.name);
-    for (const support::EngineVariant& variant : support::engine_variants(made)) {
+    for (const support::EngineVariant& variant : support::engine_variants(made.world)) {
       SCOPED_TRACE(variant.name);
       try {
         EditedEngine engine(made, variant.options, seed);

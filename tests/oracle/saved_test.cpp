@@ -54,7 +54,7 @@ std::optional<Thermostat> any_thermostat(const RandomWorld& made, std::uint64_t 
 }
 
 bool merges(const RandomWorld& made) {
-  return made.responses && made.responses->has_merging();
+  return made.world.interactions().table().has_merging();
 }
 
 void expect_same_bits(double a, double b, const std::string& name) {
@@ -120,7 +120,7 @@ TEST_P(Saved, GoesOnToTheSameHistoryAndMeasures) {
     if (made.world.size() == 0) continue;
     SCOPED_TRACE(made.name);
     const RunLimits limits{.until = Time(made.until), .contacts = kMostContacts, .steps = kMostSteps};
-    const std::vector<support::EngineVariant> variants = support::engine_variants(made);
+    const std::vector<support::EngineVariant> variants = support::engine_variants(made.world);
     const support::EngineVariant& variant = variants[seed / kParts % variants.size()];
     SCOPED_TRACE(variant.name);
     try {

@@ -197,7 +197,7 @@ TEST_P(Steering, GivesOneHistory) {
     const RandomWorld made = any_world(seed);
     if (made.world.size() == 0) continue;
     SCOPED_TRACE(made.name);
-    std::vector<support::EngineVariant> variants = support::engine_variants(made);
+    std::vector<support::EngineVariant> variants = support::engine_variants(made.world);
     EngineOptions reference = variants.front().options;
     ASSERT_EQ(reference.engine, EngineKind::all_pairs);
     const support::EngineVariant& variant = variants[1 + seed / kParts % (variants.size() - 1)];
@@ -235,7 +235,7 @@ TEST(Queries, LeaveNoTrace) {
     const RandomWorld made = any_world(seed);
     if (made.world.size() == 0) continue;
     SCOPED_TRACE(made.name);
-    for (const support::EngineVariant& variant : support::engine_variants(made)) {
+    for (const support::EngineVariant& variant : support::engine_variants(made.world)) {
       SCOPED_TRACE(variant.name);
       try {
         Simulation plain(made.world, variant.options);

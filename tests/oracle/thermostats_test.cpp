@@ -142,7 +142,7 @@ class Thermostats : public testing::TestWithParam<std::uint64_t> {
         ASSERT_EQ(outcome.events, expected->events);
         ASSERT_TRUE(support::same_bits(outcome.energy, expected->energy));
       };
-      for (const support::EngineVariant& variant : support::engine_variants(made)) {
+      for (const support::EngineVariant& variant : support::engine_variants(made.world)) {
         SCOPED_TRACE(variant.name);
         try {
           Simulation simulation(made.world, variant.options);

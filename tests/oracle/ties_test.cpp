@@ -57,7 +57,7 @@ class Scene {
 // Runs a world in every way, and returns how many contacts happened at the moment of the one before.
 std::uint64_t ties_in_one_history(const World& world, const RunLimits& limits) {
   std::optional<History> expected;
-  for (const support::EngineVariant& variant : support::engine_variants(world, 1)) {
+  for (const support::EngineVariant& variant : support::engine_variants(world)) {
     const bool has_kernels = variant.options.engine != EngineKind::paper;
     for (const InstructionSet set : support::available_instruction_sets()) {
       if (!has_kernels && set != InstructionSet::portable) continue;

@@ -15,6 +15,7 @@
 #include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/effort.hpp"
+#include "support/interacting.hpp"
 
 namespace hardball::collapse_test {
 namespace {
@@ -39,8 +40,9 @@ End run(Simulation& simulation, double until, std::uint64_t most_contacts) {
   return end;
 }
 
-End run(const World& world, const EngineOptions& options, double until, std::uint64_t most_contacts) {
-  Simulation simulation(world, options);
+End run(const World& world, const Interactions& interactions, double until, std::uint64_t most_contacts,
+        EngineKind engine = EngineKind::automatic) {
+  Simulation simulation(support::interacting(world, interactions), {.engine = engine});
   return run(simulation, until, most_contacts);
 }
 
@@ -79,7 +81,7 @@ TEST(InelasticSpheres, InCavitiesAndTubesEndByTheMessage) {
   for (int i = 0; i < static_cast<int>(support::cases(64)); ++i) {
     const World world = random_cavity(random, i);
     const double restitution = 0.1 + 0.8 * random.uniform();
-    const End end = run(world, {.restitution = restitution}, kForever, 100'000);
+    const End end = run(world, Restitution(restitution), kForever, 100'000);
     EXPECT_EQ(end.failure.find("inelastic collapse: sphere "), 0U)
         << i << ": " << world.size() << " spheres, restitution " << restitution << ", " << end.contacts
         << " contacts, time " << end.time;
@@ -103,10 +105,10 @@ TEST(InelasticSpheres, ThatSlideEndByTheMessageOrGoOnByTheRule) {
   for (int i = 0; i < 8; ++i) {
     for (const auto& make : {in_a_hollow_sphere, on_a_shaken_floor}) {
       const World world = make(random.direction());
-      const End end = run(world, {.restitution = 0.53}, 1e9, 100'000);
+      const End end = run(world, Restitution(0.53), 1e9, 100'000);
       EXPECT_NE(end.failure.find("inelastic collapse: sphere 0"), std::string::npos)
           << i << " " << end.contacts;
-      const End by_rule = run(world, {.restitution = 0.53, .elastic_below = 1e-2}, 3 * end.time, 1'000'000);
+      const End by_rule = run(world, Restitution(0.53, 1e-2), 3 * end.time, 1'000'000);
       EXPECT_EQ(by_rule.failure, "");
       EXPECT_EQ(by_rule.time, 3 * end.time) << by_rule.contacts;
     }
@@ -117,16 +119,15 @@ TEST(InelasticSpheres, EndAtTheSameContactInEveryEngineAndAfterALoad) {
   Random random(11);
   for (int i = 0; i < 6; ++i) {
     const World world = random_cavity(random, 7 * i);
-    EngineOptions options{.restitution = 0.5};
-    const End expected = run(world, options, 1e9, 100'000);
+    const Restitution restitution(0.5);
+    const End expected = run(world, restitution, 1e9, 100'000);
     ASSERT_NE(expected.failure, "");
     for (const EngineKind engine : {EngineKind::all_pairs, EngineKind::cells}) {
-      options.engine = engine;
-      const End end = run(world, options, 1e9, 100'000);
+      const End end = run(world, restitution, 1e9, 100'000, engine);
       EXPECT_EQ(end.failure, expected.failure);
       EXPECT_EQ(end.hash, expected.hash);
     }
-    Simulation begun(world, options);
+    Simulation begun(support::interacting(world, restitution));
     begun.run_contacts(expected.contacts - 5'000);
     Simulation loaded = Simulation::load(begun.save());
     const End end = run(loaded, 1e9, 100'000);
@@ -136,9 +137,9 @@ TEST(InelasticSpheres, EndAtTheSameContactInEveryEngineAndAfterALoad) {
 }
 
 // Runs that the guard must let pass have more contacts of a sphere than it takes for the message.
-void expect_no_alarm(const World& world, const EngineOptions& options, std::uint64_t contacts,
+void expect_no_alarm(const World& world, const Interactions& interactions, std::uint64_t contacts,
                      const std::string& what) {
-  const End end = run(world, options, std::numeric_limits<double>::infinity(), contacts);
+  const End end = run(world, interactions, std::numeric_limits<double>::infinity(), contacts);
   EXPECT_EQ(end.failure, "") << what;
   EXPECT_EQ(end.contacts, contacts) << what;
 }
@@ -202,7 +203,7 @@ TEST(NoAlarm, ForSpheresThatLoseEnergyAndAreKeptMoving) {
         world.add({{0.7 + 1.2 * x, 0.7 + 1.2 * y, 2}, random.direction(), 0.5, 1});
       }
     }
-    expect_no_alarm(world, {.restitution = restitution}, 80'000, "a shaken gas");
+    expect_no_alarm(world, Restitution(restitution), 80'000, "a shaken gas");
   }
 }
 
@@ -212,7 +213,7 @@ TEST(NoAlarm, ForTinyBouncesByTheRule) {
   world.add({{1, 1, 1}, {0.1, 0, 0}, 0.5, 1});
   world.add({{1.2, 1.1, 2.2}, {0.1, 0, 0}, 0.5, 1});
   for (const double elastic_below : {1e-2, 1e-4, 1e-6}) {
-    expect_no_alarm(world, {.restitution = 0.5, .elastic_below = elastic_below}, 100'000, "a heap");
+    expect_no_alarm(world, Restitution(0.5, elastic_below), 100'000, "a heap");
   }
 }
 

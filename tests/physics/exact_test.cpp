@@ -211,9 +211,8 @@ TEST(NewtonsCradle, WithATableOfPairsIsExact) {
                .radius = 0.5,
                .species = static_cast<SpeciesId>(i == 1 ? 1 : 0)});
   }
-  EngineOptions options;
-  options.responses = table;
-  Simulation simulation(world, options);
+  world.set_interactions(table);
+  Simulation simulation(world);
   std::vector<double> times;
   simulation.on_contact([&](const Contact& contact) { times.push_back(contact.time.value()); });
   simulation.run_until(100);

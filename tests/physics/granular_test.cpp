@@ -8,6 +8,7 @@
 
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
+#include "support/interacting.hpp"
 #include "support/record.hpp"
 #include "support/theory.hpp"
 
@@ -31,7 +32,7 @@ void expect_cooling(double restitution) {
   constexpr double kCollisionsPerSphere = 20;  // before clusters form
   const World world =
       support::settled(support::make_gas({.count = kSpheres, .packing_fraction = kPacking, .seed = 61}), 5);
-  Simulation simulation(world, {.restitution = restitution});
+  Simulation simulation(support::interacting(world, Restitution(restitution)));
   simulation.run_contacts(static_cast<std::uint64_t>(kCollisionsPerSphere * kSpheres / 2));
   const double temperature =
       simulation.world().kinetic_energy(simulation.now()) / world.kinetic_energy(Time(0));
@@ -61,7 +62,7 @@ TEST(GranularGas, CoolsByOneMinusESquaredOverThreePerCollisionAtRestitution90) {
 // Inelastic collisions do not slow the center of mass.
 TEST(GranularGas, ConservesItsMomentum) {
   const World world = support::make_gas({.count = 1000, .packing_fraction = 0.1, .seed = 62});
-  Simulation simulation(world, {.restitution = 0.9});
+  Simulation simulation(support::interacting(world, Restitution(0.9)));
   for (SphereId id = 0; id < world.size(); ++id) {
     simulation.change_velocity(id, simulation.velocity(id) + Vec3{1, 2, 3});
   }

@@ -11,6 +11,7 @@
 
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
+#include "support/interacting.hpp"
 #include "support/random_world.hpp"
 #include "support/record.hpp"
 
@@ -40,8 +41,8 @@ struct VirialBalance {
   double residual() const { return std::fabs(left - right) / scale; }
 };
 
-VirialBalance balance_of(const World& world, const EngineOptions& options, const RunLimits& limits) {
-  Simulation simulation(world, options);
+VirialBalance balance_of(const World& world, const RunLimits& limits) {
+  Simulation simulation(world);
   VirialBalance balance;
   double energy = world.kinetic_energy(Time(0));
   Time last;
@@ -98,21 +99,22 @@ Box cube_of(Boundary x, Boundary y, Boundary z, std::size_t spheres) {
 
 TEST(VirialBalance, IsKeptByAnElasticMixtureBetweenWalls) {
   const World world = mixed_gas(cube_of(Boundary::wall, Boundary::wall, Boundary::wall, 300), 300, 21);
-  const VirialBalance balance = balance_of(world, {}, {.contacts = 20000});
+  const VirialBalance balance = balance_of(world, {.contacts = 20000});
   EXPECT_EQ(balance.contacts, 20000U);
   EXPECT_LT(balance.residual(), kResidual);
 }
 
 TEST(VirialBalance, IsKeptByAnInelasticMixtureBetweenWalls) {
   const World world = mixed_gas(cube_of(Boundary::wall, Boundary::wall, Boundary::wall, 300), 300, 22);
-  const VirialBalance balance = balance_of(world, {.restitution = 0.8}, {.contacts = 20000});
+  const VirialBalance balance =
+      balance_of(support::interacting(world, Restitution(0.8)), {.contacts = 20000});
   EXPECT_EQ(balance.contacts, 20000U);
   EXPECT_LT(balance.residual(), kResidual);
 }
 
 TEST(VirialBalance, IsKeptByAMixtureThatEscapesThroughOpenEnds) {
   const World world = mixed_gas(cube_of(Boundary::wall, Boundary::open, Boundary::open, 300), 300, 23);
-  const VirialBalance balance = balance_of(world, {}, {.until = Time(50)});
+  const VirialBalance balance = balance_of(world, {.until = Time(50)});
   EXPECT_GT(balance.contacts, 1000U);
   EXPECT_LT(balance.residual(), kResidual);
 }
@@ -127,8 +129,8 @@ TEST(VirialBalance, IsKeptByEveryRandomWorldWithoutPeriodicAxes) {
     const Box& box = made.world.box();
     // In a periodic box the sum depends on where each sphere is folded.
     if (box.is_periodic(0) || box.is_periodic(1) || box.is_periodic(2)) continue;
-    const VirialBalance balance = balance_of(made.world, {.restitution = made.restitution},
-                                             {.until = Time(made.until), .contacts = kMostContacts});
+    const VirialBalance balance =
+        balance_of(made.world, {.until = Time(made.until), .contacts = kMostContacts});
     ++worlds;
     contacts += balance.contacts;
     if (balance.scale == 0) continue;
@@ -143,7 +145,7 @@ TEST(VirialBalance, IsWhatTheTallyAddsUp) {
   constexpr double kRadius = support::kDiameter / 2;
   const World world =
       support::make_gas({.count = 400, .packing_fraction = 0.2, .seed = 24, .boundary = Boundary::wall});
-  Simulation simulation(world, {.restitution = 0.9});
+  Simulation simulation(support::interacting(world, Restitution(0.9)));
   simulation.run_contacts(20000);
   const Tally& tally = simulation.tally();
   double walls = 0;

@@ -25,7 +25,7 @@ std::vector<Contact> contacts_of(Simulation& simulation, const RunLimits& limits
 }
 
 std::vector<Contact> contacts_of(const RandomWorld& made) {
-  Simulation simulation(made.world, {.restitution = made.restitution});
+  Simulation simulation(made.world);
   return contacts_of(simulation, {.until = Time(made.until), .contacts = support::kMostContacts});
 }
 
@@ -100,7 +100,7 @@ RC_GTEST_PROP(Contacts, FollowEachOtherInTime, ()) {
 
 RC_GTEST_PROP(TheClock, IsAtTheTimeAtWhichTheRunWasToStop, ()) {
   const RandomWorld made = support::any_world();
-  Simulation simulation(made.world, {.restitution = made.restitution});
+  Simulation simulation(made.world);
   double time = 0;
   for (int stop = 0; stop < 5; ++stop) {
     time += made.until / 50 * *rc::gen::inRange(0, 10);
@@ -116,7 +116,7 @@ RC_GTEST_PROP(TheClock, IsAtTheTimeAtWhichTheRunWasToStop, ()) {
 
 RC_GTEST_PROP(AtAnyTime, NothingOverlapsAndNoSphereHasEscaped, ()) {
   const RandomWorld made = support::any_world();
-  Simulation simulation(made.world, {.restitution = made.restitution});
+  Simulation simulation(made.world);
   for (int stop = 1; stop <= 5; ++stop) {
     const double fraction = (stop + 0.01 * *rc::gen::inRange(0, 100)) / 6;
     simulation.run({.until = Time(std::max(simulation.time(), made.until * fraction)),
@@ -133,7 +133,7 @@ RC_GTEST_PROP(AGasWithoutWalls, KeepsItsMomentumAndLosesOnlyWhatRestitutionTakes
   std::array<Boundary, kAxes> boundary{};
   for (Boundary& each : boundary) each = *rc::gen::element(Boundary::periodic, Boundary::open);
   const RandomWorld made = support::any_gas(boundary);
-  Simulation simulation(made.world, {.restitution = made.restitution});
+  Simulation simulation(made.world);
   const std::vector<Contact> contacts =
       contacts_of(simulation, {.until = Time(made.until), .contacts = support::kMostContacts});
   double momenta = 0;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "property/any_world.hpp"
+#include "support/interacting.hpp"
 
 namespace hardball::symmetry_test {
 namespace {
@@ -23,7 +24,7 @@ using support::RandomWorld;
 std::vector<Contact> first_contacts(const World& world, double restitution, std::uint64_t count,
                                     double until) {
   std::vector<Contact> contacts;
-  Simulation simulation(world, {.restitution = restitution});
+  Simulation simulation(support::interacting(world, Restitution(restitution)));
   simulation.on_contact([&](const Contact& contact) { contacts.push_back(contact); });
   simulation.run({.until = Time(until), .contacts = count});
   return contacts;

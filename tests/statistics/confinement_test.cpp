@@ -11,6 +11,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "support/interacting.hpp"
 
 namespace hardball::confinement_test {
 namespace {
@@ -28,7 +29,7 @@ TEST(BouncingBall, BouncesAtTheTimesOfTheGeometricSeries) {
   constexpr double kHeight = 1.25;
   constexpr double kGravity = 9.5;
   constexpr double kRestitution = 0.75;
-  Simulation simulation(dropped_ball(kHeight, kGravity), {.restitution = kRestitution});
+  Simulation simulation(support::interacting(dropped_ball(kHeight, kGravity), Restitution(kRestitution)));
   const double first = std::sqrt(2 * kHeight / kGravity);
   std::vector<Contact> bounces;
   simulation.on_contact([&](const Contact& contact) { bounces.push_back(contact); });
@@ -46,7 +47,7 @@ TEST(BouncingBall, BouncesAtTheTimesOfTheGeometricSeries) {
 
 // Without a rule for rest the end of the bounces, t_1 (1 + e) / (1 - e), is reported by name.
 TEST(BouncingBall, EndsAtTheLimitOfTheSeries) {
-  Simulation simulation(dropped_ball(2, 1), {.restitution = 0.5});
+  Simulation simulation(support::interacting(dropped_ball(2, 1), Restitution(0.5)));
   try {
     simulation.run_until(100);
     FAIL() << "the ball bounces infinitely often";
@@ -58,7 +59,7 @@ TEST(BouncingBall, EndsAtTheLimitOfTheSeries) {
 
 TEST(BouncingBall, KeepsBouncingInvisiblyIfSlowImpactsAreElastic) {
   constexpr double kSlow = 1e-3;
-  Simulation simulation(dropped_ball(2, 1), {.restitution = 0.5, .elastic_below = kSlow});
+  Simulation simulation(support::interacting(dropped_ball(2, 1), Restitution(0.5, kSlow)));
   simulation.run_until(20);
   const Vec3 velocity = simulation.velocity(0);
   EXPECT_LE(std::fabs(velocity.z), kSlow);
@@ -71,7 +72,7 @@ TEST(Resting, OnAFloorIsReportedOrKeptByTheRule) {
   World world(kOpen, {0, 0, -1}, {Surface(Plane({0, 0, 1}), {})});
   world.add({{0, 0, 0.5}, {}, 0.5, 1});
   EXPECT_THROW(Simulation(world).run_until(1), RunFailure);
-  Simulation simulation(world, {.elastic_below = 1e-2});
+  Simulation simulation(support::interacting(world, Restitution(1, 1e-2)));
   simulation.run_until(10);
   EXPECT_NEAR(simulation.position(0).z, 0.5, 1e-6);
   EXPECT_LE(std::fabs(simulation.velocity(0).z), 1e-3 * (1 + 1e-9)) << "a tenth of the threshold";

@@ -14,6 +14,7 @@
 #include "hardball/numbers/random.hpp"
 #include "hardball/placement/placement.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "support/interacting.hpp"
 
 namespace hardball::faces_test {
 namespace {
@@ -166,7 +167,7 @@ TEST(MovingFaces, ThatAreThermalMakeCouetteFlow) {
 TEST(MovingFaces, ThatAreRoughDragTheGas) {
   const Bounce rough({.tangential_restitution = 0});
   World world = gas_between({.velocity = {-1, 0, 0}}, {.velocity = {1, 0, 0}}, 60, 4);
-  Simulation simulation(world, {.responses = ResponseTable(rough, rough)});
+  Simulation simulation(support::interacting(world, ResponseTable(rough, rough)));
   simulation.run_until(100);
   const WallTally& floor = simulation.tally().walls()[kFloor];
   const WallTally& ceiling = simulation.tally().walls()[kCeiling];

@@ -11,6 +11,7 @@
 #include "hardball/measure/measures.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
+#include "support/interacting.hpp"
 #include "support/measurement.hpp"
 #include "support/record.hpp"
 #include "support/theory.hpp"
@@ -140,7 +141,7 @@ TEST(MeasuredRelaxation, IsLeftOutOfMeans) {
 TEST(MeasuredCooling, HasNoStandardErrorOfATemperature) {
   const World start =
       support::settled(support::make_gas({.count = 1000, .packing_fraction = 0.1, .seed = 56}), 5);
-  Simulation simulation(start, {.restitution = 0.9});
+  Simulation simulation(support::interacting(start, Restitution(0.9)));
   Measures measures({.names = {"temperature", "collision_rate", "velocity_distribution"}, .every = 0.5});
   simulation.run_until(30, measures);
   const std::vector<Measurement> all = measures.results(simulation.world(), simulation.now());

@@ -10,15 +10,14 @@
 #include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
+#include "support/interacting.hpp"
 #include "support/record.hpp"
 
 namespace hardball::rough_test {
 namespace {
 
-EngineOptions all_bounce(const BounceRules& rules) {
-  EngineOptions options;
-  options.responses = ResponseTable(Bounce(rules), Bounce(rules));
-  return options;
+ResponseTable all_bounce(const BounceRules& rules) {
+  return ResponseTable(Bounce(rules), Bounce(rules));
 }
 
 double translational(const Simulation& simulation) {
@@ -33,7 +32,7 @@ double rotational(const Simulation& simulation) {
 TEST(RoughSpheres, ReachEquipartitionIfNoEnergyIsLost) {
   constexpr std::size_t kSpheres = 2000;
   const World world = support::make_gas({.count = kSpheres, .packing_fraction = 0.1, .seed = 71});
-  Simulation simulation(world, all_bounce({.tangential_restitution = 1}));
+  Simulation simulation(support::interacting(world, all_bounce({.tangential_restitution = 1})));
   simulation.run_contacts(30 * kSpheres);
   double translation = 0;
   double rotation = 0;
@@ -80,8 +79,8 @@ TEST(RoughSpheres, KeepAngularMomentumInOpenSpace) {
                .spin = spin,
                .moment = moment});
   }
-  Simulation simulation(world,
-                        all_bounce({.restitution = ConstantRestitution{0.8}, .tangential_restitution = 0.3}));
+  Simulation simulation(support::interacting(
+      world, all_bounce({.restitution = ConstantRestitution{0.8}, .tangential_restitution = 0.3})));
   const Vec3 before = angular_momentum(simulation);
   const Vec3 momentum = simulation.world().momentum(simulation.now());
   simulation.run_until(100);
@@ -107,8 +106,8 @@ void expect_ratio(double e, double b) {
   constexpr std::size_t kSpheres = 4000;
   const World world =
       support::settled(support::make_gas({.count = kSpheres, .packing_fraction = 0.05, .seed = 72}), 5);
-  Simulation simulation(world,
-                        all_bounce({.restitution = ConstantRestitution{e}, .tangential_restitution = b}));
+  Simulation simulation(support::interacting(
+      world, all_bounce({.restitution = ConstantRestitution{e}, .tangential_restitution = b})));
   // The ratio relaxes within some 10 collisions per sphere; clusters take far longer.
   simulation.run_contacts(15 * kSpheres);
   double sum = 0;
@@ -134,7 +133,7 @@ TEST(ContactDuration, LetsAGasCoolByFourOrdersOfMagnitude) {
   const World world = support::make_gas({.count = 500, .packing_fraction = 0.2, .seed = 73});
   const double initial = world.energy(Time(0));
   const auto energy_after = [&](const BounceRules& rules) {
-    Simulation simulation(world, all_bounce(rules));
+    Simulation simulation(support::interacting(world, all_bounce(rules)));
     simulation.run_until(1e4);
     return translational(simulation) / initial;
   };

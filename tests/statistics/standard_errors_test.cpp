@@ -16,6 +16,7 @@
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 #include "support/gas.hpp"
+#include "support/interacting.hpp"
 #include "support/record.hpp"
 
 namespace hardball::standard_errors_test {
@@ -104,7 +105,8 @@ void note(std::vector<Found>& bins, std::size_t bin, double value, double error)
 Findings findings(const State& state, const Length& length) {
   Findings found;
   for (std::size_t run = 0; run < kRuns; ++run) {
-    Simulation simulation(support::settled(state.start(1000 + run), 15), {.restitution = state.restitution});
+    Simulation simulation(
+        support::interacting(support::settled(state.start(1000 + run), 15), Restitution(state.restitution)));
     const double free_time = mean_free_time(Scene(simulation.world(), simulation.now()).moments());
     Measures measures({.every = length.between_samples * free_time});
     simulation.run_until(length.run * free_time, measures);

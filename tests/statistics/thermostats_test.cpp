@@ -9,6 +9,7 @@
 #include "hardball/measure/measures.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
+#include "support/interacting.hpp"
 #include "support/record.hpp"
 #include "support/theory.hpp"
 
@@ -81,9 +82,9 @@ void expect_steady_temperature(double e, double packing_fraction) {
   const double a2 = 16 * (1 - e) * (1 - 2 * e * e) / (241 - 177 * e + 30 * e * e * (1 - e));
   const double rate = support::collision_rate(support::fluid_compressibility(packing_fraction));
   const double strength = (1 - e * e) / 3 * rate * (1 + 3 * a2 / 16);  // for T = 1
-  Simulation simulation(
+  Simulation simulation(support::interacting(
       support::make_gas({.count = kSpheres, .packing_fraction = packing_fraction, .seed = 75}),
-      {.restitution = e});
+      Restitution(e)));
   simulation.set_thermostat(Thermostat(Heating(strength, 0.2 / rate), 76));
   // Deviations decay at the rate (1 - e^2) w / 2, every 11 collisions or faster.
   simulation.run_until(60 / rate);
@@ -110,8 +111,8 @@ TEST(HeatedGranularGas, ReachesTheSteadyTemperatureAtRestitution80) {
 }
 
 TEST(RescaleThermostat, KeepsTheTemperatureOfACoolingGas) {
-  Simulation simulation(support::make_gas({.count = 500, .packing_fraction = 0.1, .seed = 77}),
-                        {.restitution = 0.9});
+  Simulation simulation(support::interacting(
+      support::make_gas({.count = 500, .packing_fraction = 0.1, .seed = 77}), Restitution(0.9)));
   simulation.set_thermostat(Thermostat(Rescale(2, 0.5)));
   for (int k = 1; k <= 40; ++k) {
     simulation.run_until(0.5 * k);

@@ -24,16 +24,13 @@ struct EngineVariant {
 
 /// All engines and queues, cells from half a diameter to larger than the box, and neighbor lists where they
 /// suit the world.
-inline std::vector<EngineVariant> engine_variants(const World& world, double restitution,
-                                                  double elastic_below = 0) {
+inline std::vector<EngineVariant> engine_variants(const World& world) {
   std::vector<EngineVariant> variants;
   const auto add = [&](EngineKind engine, QueueKind queue, std::optional<double> edge) {
     EngineVariant variant;
     variant.options.engine = engine;
     variant.options.queue = queue;
     variant.options.cell_edge = edge;
-    variant.options.restitution = restitution;
-    variant.options.elastic_below = elastic_below;
     variant.name = engine == EngineKind::all_pairs   ? "all pairs"
                    : engine == EngineKind::paper     ? "paper"
                    : engine == EngineKind::neighbors ? "neighbors"
@@ -49,7 +46,7 @@ inline std::vector<EngineVariant> engine_variants(const World& world, double res
   }
   add(EngineKind::all_pairs, QueueKind::calendar, std::nullopt);
   add(EngineKind::all_pairs, QueueKind::ordered, std::nullopt);
-  if (PaperEngine<Restitution>::supports(world)) {
+  if (PaperEngine::supports(world)) {
     add(EngineKind::paper, QueueKind::calendar, diameter);
     add(EngineKind::paper, QueueKind::calendar, 2.5 * diameter);
   }
@@ -63,13 +60,6 @@ inline std::vector<EngineVariant> engine_variants(const World& world, double res
     add(EngineKind::neighbors, QueueKind::calendar, diameter);
   }
   add(EngineKind::automatic, QueueKind::calendar, std::nullopt);
-  return variants;
-}
-
-/// The same for a world with its own responses.
-inline std::vector<EngineVariant> engine_variants(const RandomWorld& made) {
-  std::vector<EngineVariant> variants = engine_variants(made.world, made.restitution, made.elastic_below);
-  for (EngineVariant& variant : variants) variant.options.responses = made.responses;
   return variants;
 }
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "hardball/interaction/response_table.hpp"
 #include "hardball/numbers/random.hpp"
-#include "hardball/response/response_table.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/walls.hpp"
 #include "hardball/world/world.hpp"
@@ -25,10 +25,8 @@ inline constexpr SpeciesId kMostRandomSpecies = 3;
 /// A small world for any test, and how to run it.
 struct RandomWorld {
   World world;
+  /// Where the spheres of all species respond alike.
   double restitution = 1;
-  double elastic_below = 0;
-  /// Instead of these two.
-  std::optional<ResponseTable> responses;
   /// A time in which the spheres cross the world a few times [T]. A granular world may have infinitely many
   /// contacts before it: limit their number too.
   double until = 1;
@@ -71,7 +69,7 @@ class RandomWorldMaker {
     } else {
       make_streams();
     }
-    if (made_.restitution < 1 && chance(0.5)) made_.elastic_below = speed_ * between(0.001, 0.1);
+    if (made_.restitution < 1 && chance(0.5)) elastic_below_ = speed_ * between(0.001, 0.1);
     return finish();
   }
 
@@ -451,17 +449,19 @@ class RandomWorldMaker {
       if (some_spin && chance(0.7)) sphere.spin = (speed_ / largest_radius_) * random_spin();
       if (some_are_kinematic && chance(0.2)) sphere.mass = std::numeric_limits<double>::infinity();
     }
-    made_.responses = ResponseTable(random_rule(may_merge), std::get<Bounce>(random_rule(false)));
+    ResponseTable table(random_rule(may_merge), std::get<Bounce>(random_rule(false)));
     for (SpeciesId a = 0; a < kMostRandomSpecies; ++a) {
-      if (chance(0.3)) made_.responses->set_wall(a, std::get<Bounce>(random_rule(false)));
+      if (chance(0.3)) table.set_wall(a, std::get<Bounce>(random_rule(false)));
       for (SpeciesId b = a; b < kMostRandomSpecies; ++b) {
-        if (chance(0.5)) made_.responses->set(a, b, random_rule(may_merge));
-        if (chance(0.2)) made_.world.let_pass(a, b);
+        if (chance(0.5)) table.set(a, b, random_rule(may_merge));
+        if (chance(0.2)) table.set(a, b, Passing());
       }
     }
+    interactions_ = table;
   }
 
   RandomWorld finish() {
+    made_.world.set_interactions(interactions_.value_or(Restitution(made_.restitution, elastic_below_)));
     double energy = 0;
     for (const Sphere& sphere : spheres_) {
       made_.world.add(sphere);
@@ -492,6 +492,8 @@ class RandomWorldMaker {
   std::size_t wanted_ = 0;
   double largest_radius_ = 0.5;
   double speed_ = 1;
+  double elastic_below_ = 0;
+  std::optional<Interactions> interactions_;
   bool is_furnished_ = false;
   Vec3 size_;  // of the box; along open axes, of the interval in which spheres start
   std::vector<Sphere> spheres_;

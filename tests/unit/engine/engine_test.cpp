@@ -19,7 +19,6 @@
 #include "hardball/numbers/random.hpp"
 #include "hardball/paper/paper_engine.hpp"
 #include "hardball/placement/placement.hpp"
-#include "hardball/response/restitution.hpp"
 
 namespace hardball::engine_test {
 namespace {
@@ -37,38 +36,31 @@ struct EveryEngine : testing::Test {};
 
 struct CellsWithCalendar {
   static auto make(World world) {
-    return Engine<CalendarQueue, CellGrid, Restitution>(std::move(world), CellGrid(1.3), Restitution(1),
-                                                        Time(0));
+    return Engine<CalendarQueue, CellGrid>(std::move(world), CellGrid(1.3), Time(0));
   }
 };
 struct CellsWithTree {
   static auto make(World world) {
-    return Engine<OrderedQueue, CellGrid, Restitution>(std::move(world), CellGrid(0.6), Restitution(1),
-                                                       Time(0));
+    return Engine<OrderedQueue, CellGrid>(std::move(world), CellGrid(0.6), Time(0));
   }
 };
 struct AllPairsWithCalendar {
   static auto make(World world) {
-    return Engine<CalendarQueue, AllPairs, Restitution>(std::move(world), AllPairs(), Restitution(1),
-                                                        Time(0));
+    return Engine<CalendarQueue, AllPairs>(std::move(world), AllPairs(), Time(0));
   }
 };
 struct NeighborsWithCalendar {
   static auto make(World world) {
-    return Engine<CalendarQueue, NeighborList, Restitution>(std::move(world), NeighborList(0.3),
-                                                            Restitution(1), Time(0));
+    return Engine<CalendarQueue, NeighborList>(std::move(world), NeighborList(0.3), Time(0));
   }
 };
 struct NeighborsWithTree {
   static auto make(World world) {
-    return Engine<OrderedQueue, NeighborList, Restitution>(std::move(world), NeighborList(0.1),
-                                                           Restitution(1), Time(0));
+    return Engine<OrderedQueue, NeighborList>(std::move(world), NeighborList(0.1), Time(0));
   }
 };
 struct Paper {
-  static auto make(World world) {
-    return PaperEngine<Restitution>(std::move(world), 1.5, Restitution(1), Time(0));
-  }
+  static auto make(World world) { return PaperEngine(std::move(world), 1.5, Time(0)); }
 };
 using Makers = testing::Types<CellsWithCalendar, CellsWithTree, AllPairsWithCalendar, NeighborsWithCalendar,
                               NeighborsWithTree, Paper>;
@@ -240,11 +232,9 @@ TEST(Engine, KeepsItsStructuresSoundInEveryKindOfBox) {
                                       << static_cast<int>(boundary[2]) << ", " << smallest_radius);
       const World world = mixed_gas(boundary, 5, smallest_radius);
       for (const double skin : {0.02, 0.2, 1.0}) {
-        run_and_validate(Engine<CalendarQueue, NeighborList, Restitution>(world, NeighborList(skin),
-                                                                          Restitution(1), Time(0)));
+        run_and_validate(Engine<CalendarQueue, NeighborList>(world, NeighborList(skin), Time(0)));
       }
-      run_and_validate(
-          Engine<CalendarQueue, CellGrid, Restitution>(world, CellGrid(1.3), Restitution(1), Time(0)));
+      run_and_validate(Engine<CalendarQueue, CellGrid>(world, CellGrid(1.3), Time(0)));
       if (HasFailure()) return;
     }
   }
@@ -262,8 +252,7 @@ void stop_spheres_in_a_large_gas(Phase phase) {
                      1.5 + 3.0 * (i / kPerAxis / kPerAxis)};
     world.add({place, random.direction(), 0.25, 1});
   }
-  Engine<CalendarQueue, Phase, Restitution> engine(std::move(world), std::move(phase), Restitution(1),
-                                                   Time(0));
+  Engine<CalendarQueue, Phase> engine(std::move(world), std::move(phase), Time(0));
   engine.run({.until = Time(0.01)}, kIgnore);
   for (Slot slot = 0; slot < engine.world().size(); slot += 2) {
     change_velocity(engine, slot, Time(0.01), {0, 0, 0});

@@ -30,5 +30,25 @@ TEST(EarlierCheckpoints, OfVersion1GoOn) {
   EXPECT_EQ(measures.results(simulation.world(), simulation.now()).size(), kMeasuresOfVersion1);
 }
 
+// Gases of three species at time 10, of which one passes through itself: all others with one restitution, and
+// with drops that merge, rough grains and walls of their own.
+TEST(EarlierCheckpoints, OfVersion2GoOnWithTheirInteractions) {
+  for (const auto& [name, hash] : {std::pair{"plain", 0x865c238ca80a5ae6}, {"pairs", 0x82241bdf6f599470}}) {
+    SCOPED_TRACE(name);
+    const std::string path = std::string(HARDBALL_TEST_SUPPORT "/checkpoints/version_2_") + name + ".hbc";
+    Simulation simulation = Simulation::load(read_checkpoint_file(path).at("simulation"), path);
+    EXPECT_EQ(simulation.time(), 10);
+    const Interactions& interactions = simulation.world().interactions();
+    EXPECT_TRUE(interactions.pass(1, 1));
+    EXPECT_FALSE(interactions.pass(0, 1));
+    simulation.run_until(20);
+    EXPECT_EQ(simulation.event_log_hash(), hash);
+    Simulation again = Simulation::load(simulation.save());
+    simulation.run_until(21);
+    again.run_until(21);
+    EXPECT_EQ(again.event_log_hash(), simulation.event_log_hash());
+  }
+}
+
 }  // namespace
 }  // namespace hardball::earlier_checkpoints_test

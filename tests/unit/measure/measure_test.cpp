@@ -8,6 +8,7 @@
 #include "hardball/measure/event_log_hash.hpp"
 #include "hardball/measure/tally.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "support/interacting.hpp"
 
 namespace hardball::measure_test {
 namespace {
@@ -98,9 +99,7 @@ TEST(Tally, OfASphereBetweenWallsHasTheImpulseOnEachFace) {
 TEST(Tally, FollowsTheEnergyThroughLossesAndEdits) {
   World world(Box::walls({12, 12, 12}));
   world.add({{6, 6, 6}, {5, 0, 0}, 1, 2});
-  EngineOptions options;
-  options.restitution = 0.5;
-  Simulation simulation(world, options);
+  Simulation simulation(support::interacting(world, Restitution(0.5)));
   simulation.run_until(2);  // after a bounce at 1 its speed is 2.5
   EXPECT_DOUBLE_EQ(simulation.tally().energy_integral(simulation.now()), 25 + 6.25);
   simulation.change_velocity(0, {0, 1, 0});

@@ -8,6 +8,7 @@
 
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
+#include "support/interacting.hpp"
 #include "support/measurement.hpp"
 
 namespace hardball::pressure_test {
@@ -109,8 +110,8 @@ TEST(Pressure, AgreesWithTheTallyOfTheRun) {
 }
 
 TEST(Pressure, HasNoTheoryWhereEnergyIsLost) {
-  Simulation simulation(support::make_gas({.count = 100, .packing_fraction = 0.2, .seed = 6}),
-                        {.restitution = 0.9});
+  Simulation simulation(support::interacting(
+      support::make_gas({.count = 100, .packing_fraction = 0.2, .seed = 6}), Restitution(0.9)));
   Pressure pressure({simulation.world(), simulation.now()});
   EXPECT_GT(quantity(pressure.result({simulation.world(), simulation.now()}), "compressibility").theory, 2);
   simulation.on_contact([&](const Contact& contact) { pressure.note(contact); });

@@ -4,15 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include "hardball/response/restitution.hpp"
-
 namespace hardball::paper_engine_test {
 namespace {
 
 TEST(PaperEngine, CountsEveryEnterAndLeave) {
   World world;
   world.add({{0.75, 0.75, 0.75}, {1, 0, 0}, 0.25, 1});
-  PaperEngine<Restitution> engine(world, 1.5, Restitution(1), Time(0));
+  PaperEngine engine(world, 1.5, Time(0));
   engine.run({.until = Time(30)}, [](const Contact&) {});
   // It moves from 0.75 to 30.75: its front passes 1.5, 3, ... 30 and its back 1.5, ... 30.
   EXPECT_EQ(engine.counters().enter, 20U);
@@ -24,7 +22,7 @@ TEST(PaperEngine, RemovesCandidatesThatNoLongerShareASubspace) {
   World world;
   world.add({{0.5, 0.5, 0.5}, {1, 0, 0}, 0.25, 1});
   world.add({{0.625, 1.5, 0.5}, {1, -0.0625, 0}, 0.25, 1});
-  PaperEngine<Restitution> engine(world, 2, Restitution(1), Time(0));
+  PaperEngine engine(world, 2, Time(0));
   const auto contacts_met = [&] { return engine.counters().contacts(); };
   while (contacts_met() == 0) {
     ASSERT_EQ(engine.run({.until = Time(100), .steps = 1}, [](const Contact&) {}), RunStatus::steps_reached);
@@ -36,8 +34,8 @@ TEST(PaperEngine, RemovesCandidatesThatNoLongerShareASubspace) {
 TEST(PaperEngine, RefusesSubspacesSmallerThanASphere) {
   World world;
   world.add({{0, 0, 0}, {1, 0, 0}, 1, 1});
-  EXPECT_THROW(PaperEngine<Restitution>(world, 1.99, Restitution(1), Time(0)), Error);
-  EXPECT_NO_THROW(PaperEngine<Restitution>(world, 2, Restitution(1), Time(0)));
+  EXPECT_THROW(PaperEngine(world, 1.99, Time(0)), Error);
+  EXPECT_NO_THROW(PaperEngine(world, 2, Time(0)));
 }
 
 }  // namespace

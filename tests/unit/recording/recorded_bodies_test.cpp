@@ -17,6 +17,7 @@
 #include "hardball/recording/recording_writer.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
+#include "support/interacting.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/true_checksums.hpp"
 
@@ -36,6 +37,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 ResponseTable every_fate() {
   ResponseTable table{Merging()};
   table.set(0, 1, Bounce({.tangential_restitution = 0.5}));
+  table.set(1, 1, Passing());
   return table;
 }
 
@@ -51,7 +53,6 @@ World drops_and_mist(std::size_t count) {
                .species = species,
                .moment = slot % 2 == 0 ? 0.4 : 0.6});
   }
-  world.let_pass(1, 1);
   return world;
 }
 
@@ -64,7 +65,7 @@ struct Recorded {
 template <class Check>
 Recorded record(const std::filesystem::path& path, World world, double until, double check_every,
                 const Check& check) {
-  Recorded run{Simulation(std::move(world), {.responses = every_fate()})};
+  Recorded run{Simulation(support::interacting(std::move(world), every_fate()))};
   Simulation& simulation = run.simulation;
   RecordingWriter writer(path, {.has_bodies = true, .until = until, .species_names = {"drop", "mist"}},
                          simulation.world());
@@ -147,7 +148,7 @@ TEST(RecordedBodies, AreThoseOfTheSimulationAtAnyTime) {
 // Ids are missing: some spheres have become part of others, one has been removed, and so has the last.
 TEST(RecordedBodies, MayHaveGapsWhereTheRecordingBeginsMidway) {
   const ScratchFolder folder;
-  Simulation simulation(drops_and_mist(150), {.responses = every_fate()});
+  Simulation simulation(support::interacting(drops_and_mist(150), every_fate()));
   simulation.run_until(3);
   ASSERT_GT(simulation.tally().mergers(), 0U);
   for (const SphereId id : {60U, 149U}) simulation.remove(id);

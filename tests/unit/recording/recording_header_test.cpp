@@ -8,18 +8,16 @@
 #include <vector>
 
 #include "support/gas.hpp"
+#include "support/interacting.hpp"
 
 namespace hardball::recording_header_test {
 namespace {
 
 using support::make_gas;
 
-RecordingHeader header_with(const EngineOptions& options) {
-  return recording_header(Simulation(make_gas({.count = 20, .packing_fraction = 0.05}), options));
-}
-
-RecordingHeader header_with(const ResponseTable& table) {
-  return header_with(EngineOptions{.responses = table});
+RecordingHeader header_with(const Interactions& interactions) {
+  return recording_header(
+      Simulation(support::interacting(make_gas({.count = 20, .packing_fraction = 0.05}), interactions)));
 }
 
 TEST(RecordingHeader, BeginsNow) {
@@ -33,8 +31,8 @@ TEST(RecordingHeader, BeginsNow) {
 }
 
 TEST(RecordingHeader, HasTheRestitutionIfItIsOneNumber) {
-  EXPECT_EQ(header_with(EngineOptions{}).restitution, 1);
-  EXPECT_EQ(header_with(EngineOptions{.restitution = 0.75}).restitution, 0.75);
+  EXPECT_EQ(header_with({}).restitution, 1);
+  EXPECT_EQ(header_with(Restitution(0.75)).restitution, 0.75);
   const auto bounce = [](double restitution) {
     return Bounce({.restitution = ConstantRestitution{restitution}, .contact_duration = 1e-3});
   };
@@ -55,7 +53,7 @@ TEST(RecordingHeader, HasTheRestitutionIfItIsOneNumber) {
 }
 
 TEST(RecordingHeader, HasBodiesWhereContactsMayChangeThem) {
-  EXPECT_EQ(header_with(EngineOptions{}).has_bodies, false);
+  EXPECT_EQ(header_with({}).has_bodies, false);
   EXPECT_EQ(header_with(ResponseTable(Bounce(), Bounce())).has_bodies, false);
   ResponseTable table;
   table.set(0, 3, Merging());
@@ -77,7 +75,7 @@ TEST(RecordingHeader, HasGravityAndSurfaces) {
   };
   World world(Box::open(), {0, 0, -2}, surfaces);
   world.add({.position = {5, 5, 5}});
-  const RecordingHeader header = recording_header(Simulation(world, {.restitution = 0.75}));
+  const RecordingHeader header = recording_header(Simulation(support::interacting(world, Restitution(0.75))));
   EXPECT_EQ(header.gravity, (Vec3{0, 0, -2}));
   using Shape = RecordedSurface::Shape;
   EXPECT_EQ(header.surfaces,

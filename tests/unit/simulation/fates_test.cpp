@@ -12,14 +12,15 @@
 #include "hardball/measure/measures.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "support/interacting.hpp"
 
 namespace hardball::fates_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-EngineOptions merging_by(EngineKind engine) {
-  return {.engine = engine, .responses = ResponseTable(Merging())};
+Simulation merging_by(EngineKind engine, const World& world) {
+  return Simulation(support::interacting(world, ResponseTable(Merging())), {.engine = engine});
 }
 
 class Fates : public testing::TestWithParam<EngineKind> {};
@@ -34,7 +35,7 @@ TEST_P(Fates, OfPassingSpheresIsOneEventForEachMeeting) {
     const double speed = 1 + random.uniform();
     world.add({.position = {}, .velocity = velocity, .radius = 0.5 + random.uniform()});
     world.add({.position = 10 * way, .velocity = velocity - speed * way, .radius = 0.5, .species = 1});
-    world.let_pass(1, 0);
+    world.set_interactions(support::passing({{1, 0}}));
     Simulation simulation(world, {.engine = GetParam()});
     std::vector<Contact> contacts;
     simulation.on_contact([&](const Contact& contact) { contacts.push_back(contact); });
@@ -56,8 +57,7 @@ TEST_P(Fates, OfPassingSpheresDoesNotHideOtherContacts) {
     world.add({.position = {3, 0, 0}, .velocity = {-1, 0, 0}, .radius = 0.5, .species = 1});
     world.add(
         {.position = {has_left ? -8.0 : -6.0, 0, 0}, .velocity = {1, 0, 0}, .radius = 0.5, .species = 2});
-    world.let_pass(0, 1);
-    world.let_pass(0, 2);
+    world.set_interactions(support::passing({{0, 1}, {0, 2}}));
     Simulation simulation(world, {.engine = GetParam()});
     std::vector<std::pair<SphereId, std::uint32_t>> met;
     simulation.on_contact([&](const Contact& contact) {
@@ -76,7 +76,7 @@ TEST_P(Fates, OfSpheresThatOverlapFromTheStartMayBeToPass) {
   world.add({.position = {5, 5, 5}, .velocity = {1, 0, 0}, .radius = 1});
   world.add({.position = {5.5, 5, 5}, .velocity = {-1, 0, 0}, .radius = 1});
   EXPECT_THROW(Simulation{world}, Error);
-  world.let_pass(0, 0);
+  world.set_interactions(support::passing({{0, 0}}));
   Simulation simulation(world, {.engine = GetParam()});
   simulation.run_until(1);
   EXPECT_EQ(simulation.counters().collision, 0U);
@@ -103,7 +103,7 @@ TEST_P(Fates, OfMergingSpheresKeepsMassMomentumVolumeAndAngularMomentum) {
                         .moment = 0.6};
     world.add(first);
     world.add(second);
-    Simulation simulation(world, merging_by(GetParam()));
+    Simulation simulation = merging_by(GetParam(), world);
     simulation.run_until(5);
     ASSERT_EQ(simulation.size(), 1U);
     const World& merged = simulation.world();
@@ -135,7 +135,7 @@ TEST_P(Fates, OfMergingSpheresIsToMergeWithAllThatTheMergedOneOverlaps) {
   world.add({.position = {3, 0, 0}, .radius = 1});
   world.add({.position = {5.5, 0, 0}, .velocity = {0.5, 0, 0}, .radius = 1, .species = 1});
   world.add({.position = {2.5, 2.05, 0}, .radius = 1});
-  Simulation simulation(world, merging_by(GetParam()));
+  Simulation simulation = merging_by(GetParam(), world);
   std::vector<std::uint32_t> partners;
   std::vector<double> times;
   simulation.on_contact([&](const Contact& contact) {
@@ -168,7 +168,7 @@ World world_of_a_drop_beside_another(SpeciesId species) {
 }
 
 TEST_P(Fates, OfMergingSpheresAreAlikeWhetherATableOrAFunctionMergesThem) {
-  Simulation by_table(world_of_a_drop_beside_another(0), merging_by(GetParam()));
+  Simulation by_table = merging_by(GetParam(), world_of_a_drop_beside_another(0));
   by_table.run_until(2);
   EXPECT_EQ(by_table.size(), 1U);
   Simulation by_function(world_of_a_drop_beside_another(0), {.engine = GetParam()});
@@ -214,7 +214,7 @@ TEST_P(Fates, OfATableThatReplacesTheResponseAreThoseOfOneFromTheStart) {
                .velocity = random.direction(),
                .radius = 1 + random.uniform()});
   }
-  Simulation from_start(world, merging_by(GetParam()));
+  Simulation from_start = merging_by(GetParam(), world);
   Simulation later(world, {.engine = GetParam()});
   later.respond_with([](const Contact& contact) { return contact.before; });
   later.respond_with(ResponseTable(Merging()));
@@ -240,7 +240,7 @@ TEST_P(Fates, OfMergingSpheresEndsARunWithMeasures) {
   World world(Box::open());
   world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 1});
   world.add({.position = {3, 0, 0}, .radius = 1});
-  Simulation simulation(world, merging_by(GetParam()));
+  Simulation simulation = merging_by(GetParam(), world);
   Measures measures({.names = {"temperature"}});
   EXPECT_THROW(simulation.run_until(5, measures), Error);
   EXPECT_EQ(simulation.size(), 1U);
@@ -250,7 +250,7 @@ TEST_P(Fates, OfMergingThatFillsTheBoxIsTheEndOfTheRun) {
   World world(Box::walls({2.2, 2.2, 10}));
   world.add({.position = {1.1, 1.1, 2}, .velocity = {0, 0, 1}, .radius = 1});
   world.add({.position = {1.1, 1.1, 8}, .radius = 1});
-  Simulation simulation(world, merging_by(GetParam()));
+  Simulation simulation = merging_by(GetParam(), world);
   EXPECT_THROW(simulation.run_until(10), RunFailure);
   EXPECT_EQ(simulation.size(), 2U) << "nothing has changed";
 }
@@ -285,9 +285,8 @@ TEST_P(Fates, OfRoughSpheresDependsOnTheirMoments) {
     World world(Box::open());
     world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 0.5, .moment = moment});
     world.add({.position = {3, 0.5, 0}, .radius = 0.5, .moment = moment});
-    EngineOptions options{.engine = GetParam()};
-    options.responses = ResponseTable(Bounce({.tangential_restitution = 1}));
-    Simulation simulation(world, options);
+    world.set_interactions(ResponseTable(Bounce({.tangential_restitution = 1})));
+    Simulation simulation(world, {.engine = GetParam()});
     const double before = simulation.world().energy(simulation.now());
     simulation.run_until(10);
     EXPECT_EQ(simulation.counters().collision, 1U);
@@ -303,7 +302,7 @@ TEST_P(Fates, OfMergingSpheresIsFollowedByTheEnergy) {
     world.add({.position = {0, 0, 0}, .velocity = {2, 0, 0}, .radius = 1, .mass = mass});
     world.add({.position = {4, 0, 0}, .velocity = {0, 1, 0}, .radius = 1});
     world.add({.position = {0, 9, 0}, .velocity = {0, 3, 0}, .radius = 1});
-    Simulation simulation(world, merging_by(GetParam()));
+    Simulation simulation = merging_by(GetParam(), world);
     simulation.run_until(3);
     ASSERT_EQ(simulation.size(), 2U);
     const double energy = simulation.world().kinetic_energy(simulation.now());

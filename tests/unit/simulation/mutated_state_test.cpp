@@ -86,7 +86,7 @@ TEST(MutatedState, OfASimulation) {
     SCOPED_TRACE(seed);
     const support::RandomWorld made =
         seed % 2 == 0 ? support::make_furnished_world(seed) : support::make_responsive_flat_world(seed);
-    Simulation simulation(made.world, {.responses = made.responses});
+    Simulation simulation(made.world);
     simulation.set_thermostat(Thermostat(Andersen(1, 5 / made.until), seed));
     simulation.run({.until = Time(made.until), .contacts = 20, .steps = 1000});
     accepted += accepted_of(support::cases(kMutations) / kWorlds, simulation.save(), seed,

@@ -6,9 +6,10 @@
 
 #include <cmath>
 
-#include "hardball/response/restitution.hpp"
+#include "hardball/interaction/restitution.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
+#include "support/interacting.hpp"
 
 namespace hardball::retuning_test {
 namespace {
@@ -43,7 +44,7 @@ TEST(Retuning, ChangesNoContact) {
 // The choice does not depend on speeds, and the density in a closed box is constant.
 TEST(Retuning, DoesNotRebuildForAGasThatOnlyCools) {
   const World world = support::make_gas({.count = 500, .packing_fraction = 0.1, .seed = 402});
-  Simulation simulation(world, {.restitution = 0.7});
+  Simulation simulation(support::interacting(world, Restitution(0.7)));
   simulation.run_contacts(20000);
   EXPECT_LT(simulation.world().kinetic_energy(simulation.now()), 1e-3 * world.kinetic_energy(Time(0)));
   EXPECT_EQ(simulation.counters().rebuilds, 0U);

@@ -104,7 +104,6 @@ TEST(Simulation, RunToTheNextContactCarriesItOut) {
     const support::RandomWorld made = support::make_random_world(seed);
     SCOPED_TRACE(made.name);
     EngineOptions options;
-    options.restitution = made.restitution;
     Simulation simulation(made.world, options);
     for (int i = 0; i < 30; ++i) {
       const std::optional<NextContact> next = simulation.next_contact(made.until);
@@ -124,7 +123,7 @@ TEST(Simulation, RunWithoutEndStopsAtTheLastContact) {
     world.add({{5, 5, 5}, {-1, 0, 0}, 1, 1});
     EngineOptions options;
     options.engine = engine;
-    options.restitution = 0;
+    world.set_interactions(Restitution(0));
     Simulation simulation(world, options);
     EXPECT_EQ(simulation.run({}), RunStatus::time_reached);
     EXPECT_EQ(simulation.time(), 4);
@@ -202,14 +201,12 @@ TEST(Simulation, RefusesOverlapsAndInvalidOptions) {
   overlapping.add({{5, 6, 5}, {}, 1, 1});
   EXPECT_THROW(Simulation{overlapping}, Error);
   for (const EngineOptions& bad :
-       {EngineOptions{EngineKind::cells, QueueKind::calendar, 0.0, 1},
-        EngineOptions{EngineKind::cells, {}, -1.0, 1}, EngineOptions{EngineKind::cells, {}, kNan, 1},
-        EngineOptions{EngineKind::cells, {}, 1e-3, 1}, EngineOptions{EngineKind::paper, {}, 1.9, 1},
-        EngineOptions{EngineKind::cells, {}, {}, 1.5}, EngineOptions{EngineKind::all_pairs, {}, {}, -0.5},
-        EngineOptions{EngineKind::paper, {}, {}, kNan}, EngineOptions{EngineKind::cells, {}, kInfinity, 1},
-        EngineOptions{EngineKind::all_pairs, {}, 1e-70, 1}, EngineOptions{.unit_costs = {.contact = kNan}},
-        EngineOptions{.unit_costs = {.enter = 0, .cell = 0}}, EngineOptions{.unit_costs = {.cell = -1}},
-        EngineOptions{.unit_costs = {.prediction = kInfinity}}}) {
+       {EngineOptions{EngineKind::cells, QueueKind::calendar, 0.0},
+        EngineOptions{EngineKind::cells, {}, -1.0}, EngineOptions{EngineKind::cells, {}, kNan},
+        EngineOptions{EngineKind::cells, {}, 1e-3}, EngineOptions{EngineKind::paper, {}, 1.9},
+        EngineOptions{EngineKind::cells, {}, kInfinity}, EngineOptions{EngineKind::all_pairs, {}, 1e-70},
+        EngineOptions{.unit_costs = {.contact = kNan}}, EngineOptions{.unit_costs = {.enter = 0, .cell = 0}},
+        EngineOptions{.unit_costs = {.cell = -1}}, EngineOptions{.unit_costs = {.prediction = kInfinity}}}) {
     EXPECT_THROW(Simulation(head_on_pair(), bad), Error);
   }
 }

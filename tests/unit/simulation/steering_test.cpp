@@ -12,6 +12,7 @@
 #include "hardball/simulation/simulation.hpp"
 #include "support/gas.hpp"
 #include "support/history.hpp"
+#include "support/interacting.hpp"
 
 namespace hardball::steering_test {
 namespace {
@@ -249,7 +250,7 @@ TEST(FirstContact, TellsWhatASphereWouldHitAndWhen) {
 
 TEST(FirstContact, IsNotWithWhatASphereIsPassingThrough) {
   World world;
-  world.let_pass(0, 1);
+  world.set_interactions(support::passing({{0, 1}}));
   world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}});
   world.add({.position = {4, 0, 0}, .species = 1});
   world.add({.position = {10, 0, 0}});

@@ -13,6 +13,7 @@
 #include "hardball/recording/recording_reader.hpp"
 #include "hardball/recording/recording_writer.hpp"
 #include "support/gas.hpp"
+#include "support/interacting.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::thermostat_test {
@@ -335,8 +336,8 @@ TEST(SimulationWithThermostat, IsFollowedByThePressure) {
 // Even if it has restored the energy of the start.
 TEST(SimulationWithThermostat, IsNoEquilibriumOfAFixedEnergy) {
   for (const bool is_driven : {false, true}) {
-    Simulation simulation(support::make_gas({.count = 200, .packing_fraction = 0.2}),
-                          {.restitution = is_driven ? 0.9 : 1});
+    Simulation simulation(support::interacting(support::make_gas({.count = 200, .packing_fraction = 0.2}),
+                                               Restitution(is_driven ? 0.9 : 1)));
     const double energy = simulation.tally().initial_energy();
     if (is_driven) simulation.set_thermostat(Thermostat(Rescale(2 * energy / (3 * 199), 1)));
     Measures measures({.names = {"pressure", "temperature"}});

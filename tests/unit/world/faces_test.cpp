@@ -12,6 +12,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "support/interacting.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::faces_test {
@@ -61,7 +62,7 @@ TEST(Faces, ArePlainUnlessSaidOtherwise) {
 }
 
 // The state after one contact with the floor: at a face, and at a plane in its place.
-Simulation after_a_bounce(bool at_face, const FaceProperties& floor, const EngineOptions& options) {
+Simulation after_a_bounce(bool at_face, const FaceProperties& floor, const Interactions& interactions = {}) {
   Box box = kSlab;
   std::vector<Surface> planes;
   if (at_face) {
@@ -72,7 +73,7 @@ Simulation after_a_bounce(bool at_face, const FaceProperties& floor, const Engin
   }
   World world(box, {}, planes);
   world.add({.position = {5, 5, 2}, .velocity = {0.5, 0, -1}, .radius = 0.5, .spin = {0.25, 1, 0}});
-  Simulation simulation(world, options);
+  Simulation simulation(support::interacting(world, interactions));
   EXPECT_EQ(simulation.run_contacts(1, 3), 1U);
   return simulation;
 }
@@ -82,10 +83,9 @@ TEST(Faces, DoWhatPlanesDo) {
   for (const FaceProperties& floor :
        {FaceProperties{}, FaceProperties{.material = {.restitution = 0.25}},
         FaceProperties{.material = {.restitution = 0.25}, .velocity = {2, 1, 0}}}) {
-    for (const EngineOptions& options :
-         {EngineOptions{.restitution = 0.5}, EngineOptions{.responses = rough}}) {
-      const Simulation face = after_a_bounce(true, floor, options);
-      const Simulation plane = after_a_bounce(false, floor, options);
+    for (const Interactions& interactions : {Interactions(Restitution(0.5)), Interactions(rough)}) {
+      const Simulation face = after_a_bounce(true, floor, interactions);
+      const Simulation plane = after_a_bounce(false, floor, interactions);
       EXPECT_NEAR(face.time(), plane.time(), 1e-15);
       EXPECT_LE(length(face.velocity(0) - plane.velocity(0)), 1e-15);
       EXPECT_LE(length(face.world().spin(0) - plane.world().spin(0)), 1e-15);
@@ -94,16 +94,16 @@ TEST(Faces, DoWhatPlanesDo) {
     }
   }
   const FaceProperties hot{.material = {.temperature = 4, .seed = 3}, .velocity = {100, 0, 0}};
-  const Vec3 velocity = after_a_bounce(true, hot, {}).velocity(0);
+  const Vec3 velocity = after_a_bounce(true, hot).velocity(0);
   EXPECT_NEAR(velocity.x, 100, 20) << "with the face";
   EXPECT_GT(velocity.z, 0);
 }
 
 TEST(Faces, DragRoughSpheresAndNoSmoothOnes) {
   const FaceProperties belt{.velocity = {2, 0, 0}};
-  EXPECT_EQ(after_a_bounce(true, belt, {}).velocity(0).x, 0.5);
+  EXPECT_EQ(after_a_bounce(true, belt).velocity(0).x, 0.5);
   const Bounce rough({.tangential_restitution = 0});
-  EXPECT_GT(after_a_bounce(true, belt, {.responses = ResponseTable(rough, rough)}).velocity(0).x, 0.5);
+  EXPECT_GT(after_a_bounce(true, belt, ResponseTable(rough, rough)).velocity(0).x, 0.5);
 }
 
 // A disc leaves a thermal wall within its plane.

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/response/restitution.hpp"
+#include "hardball/interaction/restitution.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/response/thermal_wall.hpp"
+#include "hardball/interaction/thermal_wall.hpp"
 
 namespace hardball {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/response/bounce.hpp"
+#include "hardball/interaction/bounce.hpp"
 
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/response/restitution.hpp"
-#include "hardball/response/thermal_wall.hpp"
+#include "hardball/interaction/restitution.hpp"
+#include "hardball/interaction/thermal_wall.hpp"
 
 namespace hardball {
 namespace {
@@ -17,7 +17,7 @@ void check_not_negative(double value, const char* name, const char* remedy) {
 }
 
 // Adds the tangential impulse to what comes after a smooth impact.
-void rub(const Contact& contact, double tangential_restitution, Outcome& outcome) {
+void rub(double tangential_restitution, Contact& contact) {
   const Vec3 normal = contact.normal();
   const double first_radius = contact.first_radius;
   const double second_radius = contact.second_radius;
@@ -32,19 +32,18 @@ void rub(const Contact& contact, double tangential_restitution, Outcome& outcome
   if (inverse == 0) return;  // a kinematic sphere at a wall
   const Vec3 impulse = (-(1 + tangential_restitution) / inverse) * tangential;
   const Vec3 torque = cross(normal, impulse);
-  outcome.velocities.first += first_inverse * impulse;
-  outcome.spins.first += (first_inverse / (contact.first_moment * first_radius)) * torque;
+  contact.after.first += first_inverse * impulse;
+  contact.spins_after.first += (first_inverse / (contact.first_moment * first_radius)) * torque;
   if (!contact.is_collision()) return;
-  outcome.velocities.second -= second_inverse * impulse;
-  outcome.spins.second += (second_inverse / (contact.second_moment * second_radius)) * torque;
+  contact.after.second -= second_inverse * impulse;
+  contact.spins_after.second += (second_inverse / (contact.second_moment * second_radius)) * torque;
 }
 
 }  // namespace
 
 Bounce::Bounce(const BounceRules& rules) : rules_(rules) {
-  if (const auto* constant = std::get_if<ConstantRestitution>(&rules.restitution)) {
-    check_restitution(constant->value);
-  }
+  const auto* const constant = std::get_if<ConstantRestitution>(&rules.restitution);
+  if (constant != nullptr) check_restitution(constant->value);
   check_not_negative(rules.elastic_below, "elastic_below", "give zero or a positive speed");
   check_not_negative(rules.contact_duration, "contact_duration", "give zero or a positive time");
   const double tangential = rules.tangential_restitution.value_or(-1);
@@ -52,7 +51,14 @@ Bounce::Bounce(const BounceRules& rules) : rules_(rules) {
     throw Error("tangential_restitution is " + to_text(tangential), "tangential_restitution",
                 "give a number between -1 and 1");
   }
+  if (constant != nullptr && rules.contact_duration == 0 && !rules.tangential_restitution) {
+    restitution_ = Restitution(constant->value, rules.elastic_below);
+  }
 }
+
+Bounce::Bounce(const Restitution& restitution)
+    : Bounce(BounceRules{.restitution = ConstantRestitution{restitution.coefficient()},
+                         .elastic_below = restitution.elastic_below()}) {}
 
 double Bounce::coefficient_at(const Contact& contact) const {
   const double speed = contact.impact_speed();
@@ -61,20 +67,18 @@ double Bounce::coefficient_at(const Contact& contact) const {
   return std::visit([speed](const auto& law) { return law.at(speed); }, rules_.restitution);
 }
 
-Outcome Bounce::operator()(const Contact& contact) const {
-  if (!contact.is_collision() && contact.wall_material.temperature) {
-    return {contact, {rethermalized(contact), contact.before.second}};
-  }
-  Velocities after = contact.before;
+bool Bounce::decide_by_rules(Contact& contact) const {
   if (contact.is_collision()) {
-    after = velocities_after_impact(contact, coefficient_at(contact));
+    contact.after = velocities_after_impact(contact, coefficient_at(contact));
+  } else if (contact.wall_material.temperature) {
+    contact.after.first = rethermalized(contact);
+    return false;
   } else {
     const double least = least_parting_speed(contact, rules_.elastic_below);
-    after.first = velocity_after_bounce(contact, coefficient_at(contact), least);
+    contact.after.first = velocity_after_bounce(contact, coefficient_at(contact), least);
   }
-  Outcome outcome(contact, after);
-  if (rules_.tangential_restitution) rub(contact, *rules_.tangential_restitution, outcome);
-  return outcome;
+  if (rules_.tangential_restitution) rub(*rules_.tangential_restitution, contact);
+  return rules_.tangential_restitution.has_value();
 }
 
 }  // namespace hardball

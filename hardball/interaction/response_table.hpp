@@ -8,13 +8,14 @@
 #include <variant>
 #include <vector>
 
-#include "hardball/response/bounce.hpp"
-#include "hardball/response/merging.hpp"
+#include "hardball/interaction/bounce.hpp"
+#include "hardball/interaction/merging.hpp"
+#include "hardball/interaction/passing.hpp"
 
 namespace hardball {
 
 /// The built-in responses.
-using Rule = std::variant<Bounce, Merging>;
+using Rule = std::variant<Bounce, Merging, Passing>;
 
 /// A response for each pair of species, and for each species at walls.
 class ResponseTable {
@@ -35,9 +36,20 @@ class ResponseTable {
   bool has_merging() const;
   /// Whether any contacts change spins.
   bool is_rough() const;
-  /// The coefficient of restitution of all spheres that meet [1]; none if it is not one number.
+  /// The coefficient of restitution of all spheres that meet and do not pass [1]; none if it is not one
+  /// number.
   std::optional<double> restitution() const;
-  Outcome operator()(const Contact& contact) const;
+  /// Whether spheres of these species pass through each other.
+  bool pass(SpeciesId a, SpeciesId b) const { return std::holds_alternative<Passing>(rule(a, b)); }
+  /// Whether any do.
+  bool has_passing() const;
+  /// Lets the same pass through each other as in another table. Error: others do in this one.
+  void pass_as_in(const ResponseTable& other);
+  /// The one response of all spheres that do not pass through each other, and of all at walls, if it is that.
+  std::optional<Restitution> one_for_all() const;
+  /// See Response.
+  bool decide(Contact& contact) const;
+  Outcome operator()(const Contact& contact) const { return outcome_of(*this, contact); }
 
  private:
   friend class Persistence;

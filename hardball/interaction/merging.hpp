@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "hardball/response/contact.hpp"
+#include "hardball/interaction/contact.hpp"
 
 namespace hardball {
 
 /// Spheres that become one when they touch, with the mass, momentum, angular momentum and volume of both.
 struct Merging {
-  Outcome operator()(const Contact& contact) const {
-    Outcome outcome(contact, contact.before);
-    outcome.merges = true;
-    return outcome;
+  bool decide(Contact& contact) const {
+    contact.fate = Fate::merge;
+    return false;
   }
+  Outcome operator()(const Contact& contact) const { return outcome_of(*this, contact); }
 
   static void persist(auto& /*archive*/, auto& /*self*/) {}
 };

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/response/execute.hpp"
+#include "hardball/execution/execute.hpp"
 
 namespace hardball {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/world/range.hpp"
+#include "hardball/geometry/range.hpp"
 
 #include <string>
 

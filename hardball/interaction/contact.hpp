@@ -9,8 +9,8 @@
 
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/vec3.hpp"
-#include "hardball/surfaces/surface.hpp"
-#include "hardball/world/world.hpp"
+#include "hardball/interaction/species.hpp"
+#include "hardball/surfaces/surface_material.hpp"
 
 namespace hardball {
 
@@ -146,6 +146,16 @@ bool decide(const R& response, Contact& contact) {
     contact.fate = outcome.merges && contact.is_collision() ? Fate::merge : Fate::bounce;
     return true;
   }
+}
+
+/// What a response decides, for responses of the caller's own that are made of others.
+template <Response R>
+Outcome outcome_of(const R& response, Contact contact) {
+  decide(response, contact);
+  Outcome outcome(contact, contact.after);
+  outcome.spins = contact.spins_after;
+  outcome.merges = contact.fate == Fate::merge;
+  return outcome;
 }
 
 }  // namespace hardball

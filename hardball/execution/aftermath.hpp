@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "hardball/response/collapse_guard.hpp"
-#include "hardball/response/merged_spheres.hpp"
+#include "hardball/execution/collapse_guard.hpp"
+#include "hardball/execution/merged_spheres.hpp"
 
 namespace hardball {
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/response/response_table.hpp"
+#include "hardball/interaction/response_table.hpp"
+#include "hardball/errors/error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -63,6 +64,35 @@ TEST(ResponseTable, RespondsByTheSpeciesOfTheContact) {
   contact.before.second = {};
   EXPECT_FALSE(table(contact).merges);
   EXPECT_EQ(table(contact).velocities.first, (Vec3{-0.5, 0, 0}));
+}
+
+TEST(ResponseTable, LetsTheSamePassAsAnother) {
+  ResponseTable before;
+  before.set(0, 2, Passing());
+  ResponseTable table{Merging()};
+  table.pass_as_in(before);
+  EXPECT_TRUE(table.pass(0, 2));
+  EXPECT_TRUE(table.pass(2, 0));
+  EXPECT_FALSE(table.pass(0, 0));
+  EXPECT_FALSE(table.pass(2, 9));
+  EXPECT_TRUE(std::holds_alternative<Merging>(table.rule(2, 9)));
+  ResponseTable all{Passing()};
+  EXPECT_THROW(all.pass_as_in(before), Error);
+  ResponseTable others{Merging()};
+  others.pass_as_in(all);
+  EXPECT_TRUE(others.pass(7, 9)) << "species that no rule names";
+}
+
+TEST(ResponseTable, KnowsTheOneResponseOfAll) {
+  const Bounce bounce(Restitution(0.5, 0.01));
+  ResponseTable table(bounce, bounce);
+  table.set(0, 1, Passing());
+  EXPECT_EQ(table.one_for_all(), Restitution(0.5, 0.01));
+  EXPECT_EQ(table.restitution(), 0.5);
+  table.set_wall(1, Bounce(Restitution(0.5)));
+  EXPECT_FALSE(table.one_for_all()) << "slow impacts at walls differ";
+  EXPECT_FALSE(ResponseTable(Bounce({.tangential_restitution = 0})).one_for_all());
+  EXPECT_FALSE(ResponseTable(Merging()).one_for_all());
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/response/thermal_wall.hpp"
+#include "hardball/interaction/thermal_wall.hpp"
 
 #include <bit>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/response/collapse_guard.hpp"
+#include "hardball/execution/collapse_guard.hpp"
 
 #include <algorithm>
 #include <cmath>

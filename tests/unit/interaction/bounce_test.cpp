@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/response/bounce.hpp"
+#include "hardball/interaction/bounce.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/interaction/restitution.hpp"
 #include "hardball/numbers/random.hpp"
-#include "hardball/response/restitution.hpp"
 
 namespace hardball::bounce_test {
 namespace {

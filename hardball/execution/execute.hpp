@@ -7,9 +7,9 @@
 #include <limits>
 #include <utility>
 
-#include "hardball/response/collapse_guard.hpp"
-#include "hardball/response/contact.hpp"
-#include "hardball/world/range.hpp"
+#include "hardball/execution/collapse_guard.hpp"
+#include "hardball/geometry/range.hpp"
+#include "hardball/interaction/contact.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -88,9 +88,8 @@ void merge(World& world, Contact& contact, const Participants& participants);
 /// each other keep their paths; if two have merged, the second remains to be removed. Error:
 /// check_velocities, check_spins or settle refuses what the response returned. RunFailure: inelastic
 /// collapse, see CollapseGuard. In these cases, and if the response throws, nothing has changed.
-template <Response R>
-void execute(World& world, CollapseGuard& guard, const Event& event, const Participants& participants,
-             const R& response, Executed& done) {
+inline void execute(World& world, CollapseGuard& guard, const Event& event, const Participants& participants,
+                    Executed& done) {
   Contact& contact = done.contact;
   contact_at(world, event, participants, done);
   if (contact.fate == Fate::pass) [[unlikely]] {
@@ -98,7 +97,7 @@ void execute(World& world, CollapseGuard& guard, const Event& event, const Parti
     return world.note_passage(event);
   }
   done.may_turn = true;  // until the response tells otherwise, and if it throws
-  done.may_turn = decide(response, contact);
+  done.may_turn = world.interactions().decide(contact);
   const bool is_collision = contact.is_collision();
   if (contact.fate == Fate::merge) [[unlikely]]
     return merge(world, contact, participants);
@@ -122,12 +121,11 @@ void execute(World& world, CollapseGuard& guard, const Event& event, const Parti
 
 /// Merges two spheres that overlap if the response does so, whether or not they approach each other; returns
 /// false if it does not, and then nothing has happened. Error: what the response throws, or `merge`.
-template <Response R>
-bool merge_if_decided(World& world, const Event& collision, const Participants& participants,
-                      const R& response, Executed& done) {
+inline bool merge_if_decided(World& world, const Event& collision, const Participants& participants,
+                             Executed& done) {
   contact_at(world, collision, participants, done);
   done.may_turn = true;  // until the response tells otherwise, and if it throws
-  done.may_turn = decide(response, done.contact);
+  done.may_turn = world.interactions().decide(done.contact);
   if (done.contact.fate != Fate::merge) return false;
   merge(world, done.contact, participants);
   return true;

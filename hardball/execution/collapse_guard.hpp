@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "hardball/response/contact.hpp"
+#include "hardball/interaction/contact.hpp"
 
 namespace hardball {
 

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/response/response_table.hpp"
+#include "hardball/interaction/response_table.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
+
+#include "hardball/errors/error.hpp"
 
 namespace hardball {
 namespace {
@@ -64,15 +66,55 @@ std::optional<double> ResponseTable::restitution() const {
     const auto* const constant = std::get_if<ConstantRestitution>(&bounce->rules().restitution);
     return constant ? std::optional(constant->value) : std::nullopt;
   };
-  const std::optional<double> one = constant_of(of_pairs_.front());
-  const bool is_one =
-      std::ranges::all_of(of_pairs_, [&](std::uint32_t index) { return constant_of(index) == one; });
+  std::optional<double> one;
+  for (const std::uint32_t index : of_pairs_) {
+    if (std::holds_alternative<Passing>(rules_[index])) continue;
+    const std::optional<double> constant = constant_of(index);
+    if (!constant || (one && constant != one)) return std::nullopt;
+    one = constant;
+  }
+  return one;
+}
+
+bool ResponseTable::has_passing() const {
+  return std::ranges::any_of(
+      of_pairs_, [this](std::uint32_t index) { return std::holds_alternative<Passing>(rules_[index]); });
+}
+
+void ResponseTable::pass_as_in(const ResponseTable& other) {
+  if (other.species_ > species_) make_room(static_cast<SpeciesId>(other.species_ - 1));
+  for (std::size_t a = 0; a <= species_; ++a) {
+    for (std::size_t b = 0; b <= species_; ++b) {
+      const std::size_t row = std::min(a, other.species_);
+      const std::size_t column = std::min(b, other.species_);
+      const Rule& before = other.rules_[other.of_pairs_[row * (other.species_ + 1) + column]];
+      std::uint32_t& own = of_pairs_[a * (species_ + 1) + b];
+      const bool passed = std::holds_alternative<Passing>(before);
+      if (std::holds_alternative<Passing>(rules_[own]) && !passed) {
+        throw Error("spheres pass through each other that have not done so from the start", "response table",
+                    "let them pass before the simulation starts");
+      }
+      if (passed && !std::holds_alternative<Passing>(rules_[own])) {
+        own = static_cast<std::uint32_t>(rules_.size());
+        rules_.emplace_back(Passing());
+      }
+    }
+  }
+}
+
+std::optional<Restitution> ResponseTable::one_for_all() const {
+  const std::optional<Restitution> one = wall(0).restitution();
+  const auto is_it = [&](std::uint32_t index) {
+    const auto* const bounce = std::get_if<Bounce>(&rules_[index]);
+    return bounce ? bounce->restitution() == one : std::holds_alternative<Passing>(rules_[index]);
+  };
+  const bool is_one = one && std::ranges::all_of(of_pairs_, is_it) && std::ranges::all_of(of_walls_, is_it);
   return is_one ? one : std::nullopt;
 }
 
-Outcome ResponseTable::operator()(const Contact& contact) const {
-  if (!contact.is_collision()) return wall(contact.first_species)(contact);
-  return std::visit([&](const auto& respond) { return respond(contact); },
+bool ResponseTable::decide(Contact& contact) const {
+  if (!contact.is_collision()) return wall(contact.first_species).decide(contact);
+  return std::visit([&](const auto& response) { return response.decide(contact); },
                     rule(contact.first_species, contact.second_species));
 }
 

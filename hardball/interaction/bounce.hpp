@@ -4,8 +4,9 @@
 
 #include <optional>
 
-#include "hardball/response/contact.hpp"
-#include "hardball/response/restitution_law.hpp"
+#include "hardball/interaction/contact.hpp"
+#include "hardball/interaction/restitution.hpp"
+#include "hardball/interaction/restitution_law.hpp"
 
 namespace hardball {
 
@@ -35,9 +36,17 @@ class Bounce {
   /// Error: a restitution is not between 0 and 1; the tangential one is not between -1 and 1; a speed or
   /// duration is negative or not finite.
   explicit Bounce(const BounceRules& rules = {});
+  /// Smooth, with a constant coefficient.
+  explicit Bounce(const Restitution& restitution);
 
   const BounceRules& rules() const { return rules_; }
-  Outcome operator()(const Contact& contact) const;
+  /// The constant coefficient of smooth bodies, if that is all.
+  const std::optional<Restitution>& restitution() const { return restitution_; }
+  /// See Response.
+  bool decide(Contact& contact) const {
+    return restitution_ ? hardball::decide(*restitution_, contact) : decide_by_rules(contact);
+  }
+  Outcome operator()(const Contact& contact) const { return outcome_of(*this, contact); }
 
  private:
   friend class Persistence;
@@ -48,8 +57,10 @@ class Bounce {
   }
 
   double coefficient_at(const Contact& contact) const;
+  bool decide_by_rules(Contact& contact) const;
 
   BounceRules rules_;
+  std::optional<Restitution> restitution_;
 };
 
 static_assert(Response<Bounce>);

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/response/restitution_law.hpp"
+#include "hardball/interaction/restitution_law.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/geometry/range.hpp"
 #include "hardball/numbers/random.hpp"
-#include "hardball/world/range.hpp"
 
 namespace hardball {
 namespace {

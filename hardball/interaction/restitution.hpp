@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "hardball/response/contact.hpp"
+#include "hardball/interaction/contact.hpp"
 
 namespace hardball {
 
@@ -61,6 +61,7 @@ class Restitution {
 
   double coefficient() const { return coefficient_; }
   double elastic_below() const { return elastic_below_; }
+  friend bool operator==(const Restitution&, const Restitution&) = default;
   Velocities operator()(const Contact& contact) const {
     return contact.is_collision() ? collide(contact) : bounce(contact);
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/response/restitution.hpp"
+#include "hardball/interaction/restitution.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/response/execute.hpp"
+#include "hardball/execution/execute.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/world/range.hpp"
+#include "hardball/geometry/range.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {

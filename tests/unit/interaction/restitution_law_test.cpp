@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/response/restitution_law.hpp"
+#include "hardball/interaction/restitution_law.hpp"
 
 #include <gtest/gtest.h>
 

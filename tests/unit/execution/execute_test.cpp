@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/response/execute.hpp"
+#include "hardball/execution/execute.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/interaction/restitution.hpp"
 #include "hardball/numbers/random.hpp"
-#include "hardball/response/restitution.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball::execute_test {
@@ -135,7 +135,7 @@ TEST(Execute, WritesBothPathsAndNothingElse) {
   CollapseGuard guard;
   const Event event = make_collision(contact_time(world, 0, 1, {}), 0, 1, {});
   Executed done;
-  execute(world, guard, event, {0, 1}, Restitution(1), done);
+  execute(world, guard, event, {0, 1}, done);
   EXPECT_EQ(world.path(0), (Path{{2, 0, 0}, {0, 0, 0}, Time(2)}));
   EXPECT_EQ(world.path(1), (Path{{4, 0, 0}, {1, 0, 0}, Time(2)}));
   EXPECT_EQ(world.path(2), bystander);
@@ -150,11 +150,14 @@ TEST(Execute, ChangesNothingIfTheResponseThrows) {
   const std::vector<Path> before(world.paths().begin(), world.paths().end());
   CollapseGuard guard;
   const Event event = make_collision(contact_time(world, 0, 1, {}), 0, 1, {});
-  const auto throws = [](const Contact&) -> Velocities { throw std::runtime_error("no"); };
+  Interactions interactions;
+  interactions.set_function([](const Contact&) -> Outcome { throw std::runtime_error("no"); });
+  world.set_interactions(interactions);
   Executed done;
-  EXPECT_THROW(execute(world, guard, event, {0, 1}, throws, done), std::runtime_error);
-  const auto through = [](const Contact& contact) { return contact.before; };
-  EXPECT_THROW(execute(world, guard, event, {0, 1}, through, done), Error) << "they still approach";
+  EXPECT_THROW(execute(world, guard, event, {0, 1}, done), std::runtime_error);
+  interactions.set_function([](const Contact& contact) { return Outcome(contact, contact.before); });
+  world.set_interactions(interactions);
+  EXPECT_THROW(execute(world, guard, event, {0, 1}, done), Error) << "they still approach";
   EXPECT_TRUE(std::equal(before.begin(), before.end(), world.paths().begin()));
 }
 
@@ -220,9 +223,11 @@ TEST(Execute, RefusesVelocitiesThatAreNotFiniteOrOutOfRange) {
   CollapseGuard guard;
   const auto refused = [&](const Event& event, const Velocities& after) -> std::string {
     Executed done;
+    Interactions interactions;
+    interactions.set_function([&](const Contact& contact) { return Outcome(contact, after); });
+    world.set_interactions(interactions);
     try {
-      execute(
-          world, guard, event, participants_of(world, event), [&](const Contact&) { return after; }, done);
+      execute(world, guard, event, participants_of(world, event), done);
     } catch (const Error& error) {
       return error.what();
     }

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "hardball/interaction/response_table.hpp"
+#include "hardball/interaction/restitution.hpp"
+
+namespace hardball {
+
+/// A response of the caller's own; none if empty.
+using CustomResponse = std::function<Outcome(const Contact&)>;
+
+/// What happens when things touch: a table of the pairs of species, and a function of the caller that is
+/// asked instead of it wherever spheres do not pass through each other. What walls are made of, they know
+/// themselves: see SurfaceMaterial.
+class Interactions {
+ public:
+  Interactions() : Interactions(Restitution()) {}
+  /// The same for all spheres and walls.
+  Interactions(const Restitution& restitution)  // NOLINT(google-explicit-constructor)
+      : Interactions(ResponseTable(Bounce(restitution), Bounce(restitution))) {}
+  Interactions(const ResponseTable& table)  // NOLINT(google-explicit-constructor)
+      : table_(std::make_shared<const ResponseTable>(table)) {
+    choose();
+  }
+
+  const ResponseTable& table() const { return *table_; }
+  const CustomResponse& function() const { return function_; }
+  /// Replaces the function; an empty one leaves it to the table.
+  void set_function(CustomResponse function) {
+    function_ = std::move(function);
+    choose();
+  }
+
+  /// Whether spheres of these species pass through each other.
+  bool pass(SpeciesId a, SpeciesId b) const { return has_passing_ && table_->pass(a, b); }
+  bool has_passing() const { return has_passing_; }
+  /// Whether all contacts are known to be elastic and smooth.
+  bool are_elastic() const { return one_for_all_ && one_for_all_->coefficient() == 1; }
+
+  /// See Response. Precondition: the bodies do not pass through each other.
+  bool decide(Contact& contact) const {
+    if (one_for_all_) [[likely]]
+      return hardball::decide(*one_for_all_, contact);
+    return function_ ? hardball::decide(function_, contact) : table_->decide(contact);
+  }
+
+ private:
+  friend class Persistence;
+  static void persist(auto& archive, auto& self) {
+    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
+      ResponseTable table;
+      archive(table);
+      self = Interactions(table);
+    } else {
+      archive(*self.table_);
+    }
+  }
+
+  void choose() {
+    has_passing_ = table_->has_passing();
+    one_for_all_ = function_ ? std::nullopt : table_->one_for_all();
+  }
+
+  std::shared_ptr<const ResponseTable> table_;  // never changes, so copies share it
+  CustomResponse function_;
+  std::optional<Restitution> one_for_all_;  // the fastest, if it is that
+  bool has_passing_ = false;
+};
+
+static_assert(Response<Interactions>);
+
+}  // namespace hardball

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace hardball {
+
+/// Which kind of sphere one is, where contacts depend on it: a number that programs and scenarios choose.
+using SpeciesId = std::uint8_t;
+
+/// The moments of inertia of a uniform sphere and of a uniform disc, over mass and squared radius [1].
+inline constexpr double kUniformSphereMoment = 0.4;
+inline constexpr double kUniformDiscMoment = 0.5;
+
+}  // namespace hardball
