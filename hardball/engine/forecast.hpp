@@ -58,62 +58,23 @@ class Forecast {
   }
 
   /// Discards everything but the world, and makes new regions and plans as of `now`.
-  void rebuild(const Time& now, const Progress& progress) {
-    now_ = now;
-    phase_.build(world_, now_, compact_);
-    uses_minimum_image_ = phase_.uses_minimum_image();
-    images_.assign(uses_minimum_image_ ? 0 : world_.size(), Image{});
-    is_cached_ = world_.size() <= Phase::kCachedSpheres;
-    are_alike_ = world_.are_alike();
-    has_walls_ = has_walls(world_);
-    has_images_of_obstacles_ = has_images_of_obstacles(world_);
-    has_passing_pairs_ = world_.has_passing_pairs();
-    for (Slot slot = 0; slot < world_.size(); ++slot) {
-      progress.note(slot, world_.size());
-      predict(slot);
-    }
-  }
+  void rebuild(const Time& now, const Progress& progress);
 
   /// Whether a sphere can be inserted without rebuilding.
   bool admits(Slot slot) const { return phase_.admits(world_, slot); }
 
   /// Makes a region for a sphere that has none, as of now. It remains to be predicted. Precondition:
   /// admits(slot).
-  void insert(Slot slot) {
-    compact_.insert(world_, slot, now_);
-    phase_.insert(world_, slot, now_, compact_);
-    if (!uses_minimum_image_) images_.resize(std::max(images_.size(), world_.size()));
-    are_alike_ = world_.are_alike();
-    has_passing_pairs_ = world_.has_passing_pairs();
-  }
+  void insert(Slot slot);
 
   /// The sphere has no region any more, and nothing is planned for it, nor with it.
-  void erase(Slot slot) {
-    phase_.erase(slot);
-    note_revision(slot);
-    phase_.lines()[slot].plan = Plan();
-  }
+  void erase(Slot slot);
 
   /// Removes a sphere from the world. The one in the last slot takes its place, and is predicted anew.
-  void remove(Slot slot) {
-    const auto last = static_cast<Slot>(world_.size() - 1);
-    erase(slot);
-    world_.remove(world_.id(slot), now_);
-    if (slot == last) return;
-    phase_.move(last, slot);
-    compact_.move(last, slot);
-    if (!uses_minimum_image_) images_[slot] = images_[last];
-    phase_.lines()[last].plan = Plan();
-    note_revision(last);
-    compact_.copy(world_, slot, now_);
-    predict(slot);
-  }
+  void remove(Slot slot);
 
   /// Every sphere that one may overlap, also deep inside.
-  std::span<const Slot> overlapping(Slot slot) {
-    phase_.collect_overlapping(world_, slot, candidates_);
-    return {candidates_.slots(), candidates_.size()};
-  }
+  std::span<const Slot> overlapping(Slot slot);
 
   /// Chooses new units for the copies if speeds have changed, and returns whether it has done so. Calls
   /// reschedule(slot) for each sphere whose next event has become another.
@@ -155,7 +116,7 @@ class Forecast {
     if (!plan(slot).is_renewal()) {
       ++counters_.enter;
       phase_.cross(world_, slot, now_, compact_, candidates_);
-      if (has_passing_pairs_) leave_out_met(candidates_);
+      if (has_passing_pairs_) exclude_passing(candidates_);
       counters_.predictions += candidates_.size();
       counters_.enter_predictions += candidates_.size();
       if (is_stale(slot) && plan(slot).is_bound()) postpone(slot);
@@ -285,7 +246,7 @@ class Forecast {
   void collect(Slot slot, Candidates& candidates) const {
     phase_.collect(world_, slot, candidates);
     if (has_passing_pairs_) [[unlikely]]
-      leave_out_met(candidates);
+      exclude_passing(candidates);
   }
 
  private:
@@ -299,17 +260,7 @@ class Forecast {
     return uses_minimum_image_ ? nearest_image(world_, slot, own.partner(), own.moment()) : images_[slot];
   }
 
-  // Leaves out the candidates that the sphere is passing through, or has just begun to.
-  HARDBALL_NEVER_INLINE void leave_out_met(Candidates& candidates) const {
-    const Slot slot = candidates.self();
-    candidates.keep_if([&](std::size_t i) {
-      const Slot other = candidates.slot(i);
-      if (!world_.pass(slot, other)) return true;
-      const Image image =
-          candidates.uses_minimum_image() ? nearest_image(world_, slot, other, now_) : candidates.image(i);
-      return !have_met(world_, slot, other, image);
-    });
-  }
+  void exclude_passing(Candidates& candidates) const;
 
   // Predicts contacts with new candidates, which come with their images, and keeps the prospect if it is
   // earlier. Precondition: the prospect is known.
@@ -406,13 +357,7 @@ class Forecast {
       outdate_plans_with(slot);
   }
 
-  // The counter of revisions has wrapped around: old revisions must not pass for new ones.
-  void outdate_plans_with(Slot slot) {
-    for (auto& line : phase_.lines()) {
-      Plan& other = line.plan;
-      if (other.has_partner() && other.partner() == slot && other.has_seen(0)) other.forget_revision();
-    }
-  }
+  void outdate_plans_with(Slot slot);
 
   void take(Slot slot, const Prospect& prospect) {
     if (!prospect.happens()) return mutable_plan(slot).set_unknown(kNever.high);
@@ -444,3 +389,5 @@ class Forecast {
 };
 
 }  // namespace hardball
+
+#include "hardball/engine/forecast_changes.hpp"

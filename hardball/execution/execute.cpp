@@ -210,14 +210,9 @@ void check_spins(const Box& box, const Contact& contact) {
   if (contact.is_collision()) check(contact.spins_after.second);
 }
 
-void store_spins(World& world, const Contact& contact, const Participants& participants) {
-  world.store_spin(participants.first, contact.spins_after.first);
-  if (contact.is_collision()) world.store_spin(participants.second, contact.spins_after.second);
-}
-
-void note_changes(World& world, const Contact& contact, const Participants& participants) {
-  world.note_change(participants.first, contact.time);
-  if (contact.is_collision()) world.note_change(participants.second, contact.time);
+void store_spins(SphereEdit& edit, const Contact& contact, const Participants& participants) {
+  edit.store_spin(participants.first, contact.spins_after.first);
+  if (contact.is_collision()) edit.store_spin(participants.second, contact.spins_after.second);
 }
 
 void refuse_velocities(const Box& box, const Contact& contact) {

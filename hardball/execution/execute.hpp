@@ -10,6 +10,7 @@
 #include "hardball/execution/collapse_guard.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/interaction/contact.hpp"
+#include "hardball/world/sphere_edit.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -46,10 +47,7 @@ void keep_kinematic(Contact& contact);
 void check_spins(const Box& box, const Contact& contact);
 
 /// Stores the spins after a contact.
-void store_spins(World& world, const Contact& contact, const Participants& participants);
-
-/// Notes in the world's journal that the bodies of a contact are about to change.
-void note_changes(World& world, const Contact& contact, const Participants& participants);
+void store_spins(SphereEdit& edit, const Contact& contact, const Participants& participants);
 
 /// Throws the Error of check_velocities.
 [[noreturn]] void refuse_velocities(const Box& box, const Contact& contact);
@@ -108,15 +106,15 @@ inline void execute(World& world, CollapseGuard& guard, const Event& event, cons
     check_spins(world.box(), contact);
   settle(world, contact);
   guard.note_contact(contact);
-  if (world.has_journal()) [[unlikely]]
-    note_changes(world, contact, participants);
-  world.store_path(participants.first, {contact.position, contact.after.first, event.time}, done.folded[0]);
+  SphereEdit edit(world, event.time, participants.first,
+                  is_collision ? participants.second : participants.first);
+  edit.store_path(participants.first, {contact.position, contact.after.first, event.time}, done.folded[0]);
   if (is_collision) {
-    world.store_path(participants.second, {contact.second_position, contact.after.second, event.time},
-                     done.folded[1]);
+    edit.store_path(participants.second, {contact.second_position, contact.after.second, event.time},
+                    done.folded[1]);
   }
   if (done.may_turn) [[unlikely]]
-    store_spins(world, contact, participants);
+    store_spins(edit, contact, participants);
 }
 
 /// Merges two spheres that overlap if the response does so, whether or not they approach each other; returns

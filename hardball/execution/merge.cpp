@@ -58,14 +58,14 @@ void merge(World& world, Contact& contact, const Participants& participants) {
             contact.spins_before.second;
     spin = (1 / inertia(moment, mass, radius)) * angular_momentum;
   }
-  world.note_change(participants.first, contact.time);
-  world.reshape(participants.first, radius, mass, moment);
+  SphereEdit edit(world, contact.time, participants.first);
+  edit.reshape(participants.first, radius, mass, moment);
   // The path is brought to this time first, so that boxes crossed until then are counted.
   world.rewrite_path(participants.first, contact.time, velocity);
   Vec3 position = contact.position + weight * contact.separation;
   const Image folded = world.box().fold(position);
-  world.store_path(participants.first, {position, velocity, contact.time}, folded);
-  world.store_spin(participants.first, spin);
+  edit.store_path(participants.first, {position, velocity, contact.time}, folded);
+  edit.store_spin(participants.first, spin);
   contact.after = {velocity, velocity};
   contact.spins_after = {spin, spin};
 }

@@ -278,7 +278,7 @@ class PaperEngine {
 
   // Whether two spheres are passing through each other, or have just begun to.
   bool have_passed(Slot slot, Slot other, const Image& image) const {
-    return world_.has_passing_pairs() && world_.pass(slot, other) && have_met(world_, slot, other, image);
+    return world_.has_passing_pairs() && world_.pass(slot, other) && are_passing(world_, slot, other, image);
   }
 
   bool share_a_subspace(const Event& collision) const {

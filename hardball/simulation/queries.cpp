@@ -175,7 +175,7 @@ double time_to_enter(const Relative& other) {
   return is_inside ? kInfinity : time_to_touch(other);
 }
 
-// Spheres that pass through each other, and have begun to, do not touch; see have_met (world.hpp).
+// Spheres that pass through each other, and have begun to, do not touch; see are_passing (world.hpp).
 double time_to_begin(const World& world, const Time& now, SphereId id, SphereId other_id,
                      const Relative& other) {
   if (are_inside(other.separation, other.reach)) return kInfinity;

@@ -28,6 +28,11 @@ void World::record(WorldChange::Kind kind, Time moment, Slot slot) {
   if (kind != WorldChange::Kind::passage) change.before = state_of(slot);
 }
 
+void World::record_spheres(Time moment, Slot first, Slot second) {
+  record(WorldChange::Kind::sphere, moment, first);
+  if (second != first) record(WorldChange::Kind::sphere, moment, second);
+}
+
 SphereState World::state_of(Slot slot) const {
   return {ids_[slot],     paths_[slot],  radii_[slot], masses_[slot],
           moments_[slot], folded_[slot], spin(slot),   species(slot)};

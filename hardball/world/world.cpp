@@ -11,6 +11,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/world/setting.hpp"
+#include "hardball/world/sphere_edit.hpp"
 
 namespace hardball {
 namespace {
@@ -189,8 +190,7 @@ Image World::change_velocity(Slot slot, const Time& moment, const Vec3& velocity
 Image World::rewrite_path(Slot slot, const Time& moment, const Vec3& velocity) {
   Vec3 position = unfolded_position(slot, moment);
   const Image folded = box_.fold(position);
-  note_change(slot, moment);
-  store_path(slot, {position, velocity, moment}, folded);
+  SphereEdit(*this, moment, slot).store_path(slot, {position, velocity, moment}, folded);
   return folded;
 }
 
@@ -328,7 +328,7 @@ double energy(const World& world, Slot slot, const Time& moment) {
   return kinetic - world.mass(slot) * dot(world.motion().gravity(), world.unwrapped_position(slot, moment));
 }
 
-bool have_met(const World& world, Slot a, Slot b, const Image& image) {
+bool are_passing(const World& world, Slot a, Slot b, const Image& image) {
   const Path& first = world.path(a);
   const Path& second = world.path(b);
   const Vec3 separation =

@@ -79,29 +79,9 @@ class World {
   /// dimensions.
   Image change_velocity(Slot slot, const Time& moment, const Vec3& velocity);
 
-  /// Rewrites a path at `moment`: the center where the old path puts it then, folded into the box, and the
-  /// new velocity. Returns by how many boxes the center was folded back.
+  /// Rewrites a path at `moment`, see SphereEdit: the center where the old path puts it then, folded into the
+  /// box, and the new velocity. Returns by how many boxes the center was folded back.
   Image rewrite_path(Slot slot, const Time& moment, const Vec3& velocity);
-
-  /// To be called before a sphere changes at `moment`, for the journal.
-  void note_change(Slot slot, const Time& moment) {
-    if (has_journal_) [[unlikely]]
-      record(WorldChange::Kind::sphere, moment, slot);
-  }
-
-  /// Replaces a path by one that starts inside the box, `folded` boxes back from where the old one led.
-  /// Precondition, as of store_spin and reshape: note_change has been called.
-  void store_path(Slot slot, const Path& path, const Image& folded) {
-    paths_[slot] = path;
-    if (!folded.is_zero()) folded_[slot] = folded_[slot] + folded;
-  }
-
-  /// Gives a sphere a new angular velocity [1/T]. Cost: O(n) for the first sphere that spins.
-  void store_spin(Slot slot, const Vec3& spin);
-
-  /// Gives a sphere a new radius [L], mass [M] and moment of inertia [1]. Error: as for `add`; then nothing
-  /// has changed.
-  void reshape(Slot slot, double radius, double mass, double moment);
 
   /// How much larger spheres may be expected to become [1]: if some have grown, others may, too, and
   /// structures that are made for the largest leave room.
@@ -209,6 +189,7 @@ class World {
   std::size_t memory_bytes() const;
 
  private:
+  friend class SphereEdit;
   friend class Persistence;
   static void persist(auto& archive, auto& self) {
     archive(self.box_, self.motion_, self.surfaces_, self.next_id_, self.ids_, self.paths_, self.radii_,
@@ -233,6 +214,9 @@ class World {
   bool restored();
 
   void record(WorldChange::Kind kind, Time moment, Slot slot);
+  void record_spheres(Time moment, Slot first, Slot second);
+  void store_spin(Slot slot, const Vec3& spin);
+  void reshape(Slot slot, double radius, double mass, double moment);
   SphereState state_of(Slot slot) const;
   void set_state(Slot slot, const SphereState& state);
   void append(const SphereState& state);
@@ -295,9 +279,9 @@ inline Time contact_time(const World& world, Slot a, Slot b, const Image& image)
                       world.radius(a) + world.radius(b));
 }
 
-/// Whether two spheres that pass through each other have begun to, and so will not touch on their present
-/// paths: they are inside each other when the later path starts, or their contact has been recorded.
-/// Precondition: pass(a, b).
-bool have_met(const World& world, Slot a, Slot b, const Image& image);
+/// Whether two spheres are passing through each other, and so will not touch on their present paths: they are
+/// inside each other when the later path starts, or their contact has been recorded. Precondition: pass(a,
+/// b).
+bool are_passing(const World& world, Slot a, Slot b, const Image& image);
 
 }  // namespace hardball

@@ -13,6 +13,7 @@
 #include "hardball/bounds/compact_paths.hpp"
 #include "hardball/engine/predictor.hpp"
 #include "hardball/numbers/random.hpp"
+#include "hardball/world/sphere_edit.hpp"
 #include "support/effort.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/record.hpp"
@@ -166,7 +167,7 @@ class EncounterMaker {
       path.position = path.position - age * (velocity - (0.5 * age) * gravity_);
       path.velocity = path.velocity - age * gravity_;
       path.time = begin;
-      made.world.store_path(slot, path, {});
+      SphereEdit(made.world, begin, slot).store_path(slot, path, {});
     }
     made.meetings.push_back(meeting);
   }

@@ -16,6 +16,7 @@
 #include "hardball/recording/recording_reader.hpp"
 #include "hardball/recording/recording_writer.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/world/sphere_edit.hpp"
 #include "support/gas.hpp"
 #include "support/interacting.hpp"
 #include "support/scratch_folder.hpp"
@@ -249,10 +250,10 @@ TEST(RecordedBodies, TurnAsTheySpin) {
   VelocityChange change;
   change.time = Time(1);
   change.position = {5, 5, 5};
-  world.store_spin(0, {kQuarter, 0, 0});
+  SphereEdit(world, change.time, 0).store_spin(0, {kQuarter, 0, 0});
   writer.note(change, world);
   change.time = Time(3);
-  world.store_spin(0, {});
+  SphereEdit(world, change.time, 0).store_spin(0, {});
   writer.note(change, world);
   writer.close(4);
   RecordingReader reader(folder / "recording.hbr");

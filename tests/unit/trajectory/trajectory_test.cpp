@@ -15,6 +15,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/trajectory/gsd_file.hpp"
+#include "hardball/world/sphere_edit.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace hardball::trajectory_test {
@@ -118,11 +119,11 @@ TEST_P(EveryFormat, KeepsFramesOfChangingSpheres) {
     trajectory.append(written.back());
   };
   append();
-  world.reshape(1, 0.25, 2, 0.4);
+  SphereEdit(world, Time(1), 1).reshape(1, 0.25, 2, 0.4);
   append();
   world.remove(3);
   append();
-  world.store_spin(0, {1, 2, 3});
+  SphereEdit(world, Time(3), 0).store_spin(0, {1, 2, 3});
   append();
   for (const SphereId id : {0U, 1U, 2U, 4U}) world.remove(id);
   append();

@@ -12,6 +12,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/numbers/random.hpp"
+#include "hardball/world/sphere_edit.hpp"
 #include "hardball/world/walls.hpp"
 #include "support/effort.hpp"
 #include "support/history.hpp"
@@ -75,10 +76,10 @@ TEST(World, StoresAPathAndCountsTheBoxesItHasLeft) {
   World world(Box::periodic({10, 10, 10}));
   world.add({{9, 5, 5}, {1, 0, 0}, 0.5, 1});
   const Path path{{1, 5, 5}, {-1, 0, 0}, Time(2)};
-  world.store_path(0, path, {{1, 0, 0}});
+  SphereEdit(world, path.time, 0).store_path(0, path, {{1, 0, 0}});
   EXPECT_EQ(world.path(0), path);
   EXPECT_EQ(world.image(0, Time(2)), (Image{{1, 0, 0}}));
-  world.store_path(0, path, {});
+  SphereEdit(world, path.time, 0).store_path(0, path, {});
   EXPECT_EQ(world.image(0, Time(3)), (Image{{1, 0, 0}}));
   EXPECT_EQ(world.image(0, Time(4)), Image{});
 }

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// The one way to change spheres that a world holds: an edit of one or two of them at a moment. If the world
+/// keeps a journal, it records first what they were.
+class SphereEdit {
+ public:
+  SphereEdit(World& world, const Time& moment, Slot slot) : SphereEdit(world, moment, slot, slot) {}
+  SphereEdit(World& world, const Time& moment, Slot first, Slot second) : world_(world) {
+    if (world.has_journal()) [[unlikely]]
+      world.record_spheres(moment, first, second);
+  }
+
+  /// Replaces a path by one that starts inside the box, `folded` boxes back from where the old one led.
+  void store_path(Slot slot, const Path& path, const Image& folded) {
+    world_.paths_[slot] = path;
+    if (!folded.is_zero()) world_.folded_[slot] = world_.folded_[slot] + folded;
+  }
+  /// Stores a new angular velocity [1/T]. Cost: O(n) for the first sphere that spins.
+  void store_spin(Slot slot, const Vec3& spin) { world_.store_spin(slot, spin); }
+  /// Gives a sphere a new radius [L], mass [M] and moment of inertia over mass and squared radius [1]. Error:
+  /// as for World::add; then nothing has changed.
+  void reshape(Slot slot, double radius, double mass, double moment) {
+    world_.reshape(slot, radius, mass, moment);
+  }
+
+ private:
+  World& world_;
+};
+
+}  // namespace hardball
