@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
+
+#include "hardball/geometry/grazing_time.hpp"
 #include "hardball/geometry/motion.hpp"
 
 namespace hardball {
@@ -12,7 +15,41 @@ namespace hardball {
 /// Within reach and approaching means now (zero); receding or at relative rest means never; touching `reach`
 /// without falling below it means never. The result is accurate to four units in the last place of
 /// |separation|/|velocity|, grazing contacts included; beyond four reaches, to 2^-50 of it. Negating both
-/// vectors changes no bit of the result. Source: Bannerman et al., Comp. Part. Mech. 1 (2014) 191, section 2.
+/// vectors changes no bit of the result, which is the same in each lane of the numbers (number.hpp).
+/// Source: Bannerman et al., Comp. Part. Mech. 1 (2014) 191, section 2.
+template <class Number>
+HARDBALL_ALWAYS_INLINE Number time_to_reach(const VectorOf<Number>& separation,
+                                            const VectorOf<Number>& velocity, const Number& reach) {
+  const Number zero(0.0);
+  const Number forever(std::numeric_limits<double>::infinity());
+  // Distance squared minus reach squared is excess + 2 approach t + speed_squared t^2.
+  const Number approach = dot(separation, velocity);
+  const auto approaches = approach < zero;
+  if (ends(!approaches)) return forever;
+  const Number reach_squared = reach * reach;
+  const Number distance_squared = dot(separation, separation);
+  const Number excess = distance_squared - reach_squared;
+  const auto is_apart = excess > zero;
+  if (ends(!is_apart)) return zero;
+  // Lagrange's identity gives approach^2 - speed_squared * excess without its cancellation between far
+  // spheres.
+  const Number speed_squared = dot(velocity, velocity);
+  const Number closest = speed_squared * reach_squared;
+  const VectorOf<Number> moment = cross(separation, velocity);
+  const Number discriminant = closest - dot(moment, moment);
+  const auto may_touch = Number(-kCertainMiss) * (speed_squared * distance_squared) <= discriminant;
+  if (ends(!may_touch)) return forever;
+  const auto meets_steeply = discriminant > Number(kGrazingCosineSquared) * closest;
+  const auto grazes = approaches && is_apart && may_touch && !meets_steeply;
+  const auto meets = approaches && (meets_steeply || !is_apart);
+  // The smaller root, in the form that does not cancel when the spheres are close.
+  const Number root = square_root(maximum(discriminant, zero));
+  const Number wait = select(meets, maximum(excess, zero) / (root - approach), forever);
+  if (!any(grazes)) return wait;
+  return select(grazes, grazing_time_to_reach(separation, velocity, reach), wait);
+}
+
+/// The same for one pair, compiled once.
 double time_to_reach(const Vec3& separation, const Vec3& velocity, double reach);
 
 /// The time until a point at signed distance `distance` [L] from a plane, moving towards it with `speed`
@@ -22,24 +59,37 @@ inline double time_to_plane(double distance, double speed) {
   return distance <= 0 ? 0 : distance / speed;
 }
 
-/// The separation [L] of the point on path `b`, displaced by `shift` [L], from the point on path `a`, at
-/// `moment`. Exchanging the paths and negating the shift negates the result exactly.
+/// Where the point on path `b`, displaced by `shift` [L], is as seen from the point on path `a`, and how fast
+/// it moves, at `moment`; `motion` is a Motion or one of its two kinds. Exchanging the paths and negating the
+/// shift negates the result exactly.
+template <class AnyMotion, class Number>
+HARDBALL_ALWAYS_INLINE StateOf<Number> relative_state_at(const AnyMotion& motion, const PathOf<Number>& a,
+                                                         const PathOf<Number>& b,
+                                                         const VectorOf<Number>& shift,
+                                                         const TimeOf<Number>& moment) {
+  const StateOf<Number> of_a = motion.state_at(a, moment);
+  const StateOf<Number> of_b = motion.state_at(b, moment);
+  return {(of_b.position - of_a.position) + shift, of_b.velocity - of_a.velocity};
+}
+
+/// Its position: the separation [L].
 inline Vec3 separation_at(const Motion& motion, const Path& a, const Path& b, const Vec3& shift,
                           const Time& moment) {
-  return (motion.position_at(b, moment) - motion.position_at(a, moment)) + shift;
+  return relative_state_at(motion, a, b, shift, moment).position;
 }
 
 /// The time at which the centers on two paths, the second displaced by `shift` [L], first come within `reach`
 /// [L] while approaching; kNever if they never do.
 ///
 /// A function of the two paths alone, computed from the later of their start times: the same bits whenever it
-/// is called, and in either order of the paths.
-inline Time contact_time(const Motion& motion, const Path& a, const Path& b, const Vec3& shift,
-                         double reach) {
-  const Time start = later(a.time, b.time);
-  const Vec3 separation = separation_at(motion, a, b, shift, start);
-  const Vec3 velocity = motion.velocity_at(b, start) - motion.velocity_at(a, start);
-  return after(start, time_to_reach(separation, velocity, reach));
+/// is called, in either order of the paths, and in each lane of the numbers.
+template <class AnyMotion, class Number>
+HARDBALL_ALWAYS_INLINE TimeOf<Number> contact_time(const AnyMotion& motion, const PathOf<Number>& a,
+                                                   const PathOf<Number>& b, const VectorOf<Number>& shift,
+                                                   const Number& reach) {
+  const TimeOf<Number> start = later(a.time, b.time);
+  const StateOf<Number> relative = relative_state_at(motion, a, b, shift, start);
+  return after(start, time_to_reach(relative.position, relative.velocity, reach));
 }
 
 }  // namespace hardball

@@ -4,14 +4,9 @@
 
 #include <cmath>
 
-#include "hardball/geometry/inlining.hpp"
+#include "hardball/geometry/number.hpp"
 
 namespace hardball {
-
-/// a b - c, rounded once. std::fma rounds once on every platform, in hardware or in software.
-HARDBALL_ALWAYS_INLINE double multiply_subtract(double a, double b, double c) {
-  return std::fma(a, b, -c);
-}
 
 /// A number held as the unevaluated sum of two: about 106 bits. The numbers are doubles, or vectors of them
 /// (kernels/).

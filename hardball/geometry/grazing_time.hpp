@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
 #include <limits>
 
 #include "hardball/geometry/double_double.hpp"
+#include "hardball/geometry/vec3.hpp"
 
 namespace hardball {
 
@@ -18,28 +18,20 @@ inline constexpr double kGrazingCosineSquared = 5.0 / 16;
 /// products and their differences make at worst 15 * 2^-53, as the separation exceeds reach.
 inline constexpr double kCertainMiss = 0x1p-48;
 
-HARDBALL_ALWAYS_INLINE double select(bool condition, double a, double b) {
-  return condition ? a : b;
-}
-HARDBALL_ALWAYS_INLINE double square_root(double a) {
-  return std::sqrt(a);
-}
-
 /// As time_to_reach (contact_time.hpp) for approaching points, with the coefficients of the quadratic
 /// computed to 106 bits: for grazing contacts.
 template <class Number>
-HARDBALL_ALWAYS_INLINE Number grazing_time_to_reach(const Number& rx, const Number& ry, const Number& rz,
-                                                    const Number& vx, const Number& vy, const Number& vz,
+HARDBALL_ALWAYS_INLINE Number grazing_time_to_reach(const VectorOf<Number>& r, const VectorOf<Number>& v,
                                                     const Number& reach) {
   const Number zero(0.0);
-  const auto x = difference_of_products(ry, vz, rz, vy);
-  const auto y = difference_of_products(rz, vx, rx, vz);
-  const auto z = difference_of_products(rx, vy, ry, vx);
+  const auto x = difference_of_products(r.y, v.z, r.z, v.y);
+  const auto y = difference_of_products(r.z, v.x, r.x, v.z);
+  const auto z = difference_of_products(r.x, v.y, r.y, v.x);
   const auto reach_squared = product(reach, reach);
-  const auto speed_squared = sum_of_three(product(vx, vx), product(vy, vy), product(vz, vz));
+  const auto speed_squared = sum_of_three(product(v.x, v.x), product(v.y, v.y), product(v.z, v.z));
   const auto discriminant = speed_squared * reach_squared - sum_of_three(x * x, y * y, z * z);
-  const auto excess = sum_of_three(product(rx, rx), product(ry, ry), product(rz, rz)) - reach_squared;
-  const auto approach = sum_of_three(product(rx, vx), product(ry, vy), product(rz, vz));
+  const auto excess = sum_of_three(product(r.x, r.x), product(r.y, r.y), product(r.z, r.z)) - reach_squared;
+  const auto approach = sum_of_three(product(r.x, v.x), product(r.y, v.y), product(r.z, v.z));
   const auto touches = discriminant.high > zero;
   const Number root = square_root(select(touches, discriminant.high, zero));
   const Number wait = select(excess.high > zero, excess.high / (root - approach.high), zero);

@@ -11,16 +11,44 @@
 
 namespace hardball {
 
-/// Where a center is at some moment, and how fast it moves.
-struct State {
-  Vec3 position;  ///< [L]
-  Vec3 velocity;  ///< [L/T]
+/// Where a center is at some moment, and how fast it moves; or one in each lane of the
+/// numbers (number.hpp).
+template <class Number>
+struct StateOf {
+  VectorOf<Number> position;  ///< [L]
+  VectorOf<Number> velocity;  ///< [L/T]
+};
+
+/// The state of one center.
+using State = StateOf<double>;
+
+/// Motion along straight paths.
+struct StraightMotion {
+  template <class Number>
+  HARDBALL_ALWAYS_INLINE StateOf<Number> state_at(const PathOf<Number>& path,
+                                                  const TimeOf<Number>& moment) const {
+    return {path.position + duration(path.time, moment) * path.velocity, path.velocity};
+  }
+};
+
+/// Free fall, along parabolas.
+template <class Number>
+struct FallingMotion {
+  HARDBALL_ALWAYS_INLINE StateOf<Number> state_at(const PathOf<Number>& path,
+                                                  const TimeOf<Number>& moment) const {
+    const Number age = duration(path.time, moment);
+    return {path.position + age * (path.velocity + (Number(0.5) * age) * gravity),
+            path.velocity + age * gravity};
+  }
+
+  VectorOf<Number> gravity;  ///< The acceleration [L/T^2].
 };
 
 /// How the centers of all spheres move along their paths between contacts: uniformly, or along parabolas.
 ///
 /// The same for all, so that the separation of two centers always changes uniformly. Whether there is gravity
-/// is a branch that the processor predicts; kernels, where it would cost, are compiled for both.
+/// is a branch that the processor predicts; kernels, where it would cost, are compiled for StraightMotion and
+/// for FallingMotion.
 class Motion {
  public:
   /// Straight paths.
@@ -34,10 +62,9 @@ class Motion {
 
   /// The state at `moment`; the center may lie outside a periodic box. Precondition: `moment` is finite.
   HARDBALL_ALWAYS_INLINE State state_at(const Path& path, const Time& moment) const {
-    const double age = duration(path.time, moment);
     if (is_straight_) [[likely]]
-      return {path.position + age * path.velocity, path.velocity};
-    return falling_state_at(path, age);
+      return StraightMotion{}.state_at(path, moment);
+    return falling_state_at(path, moment);
   }
   /// Its parts.
   Vec3 position_at(const Path& path, const Time& moment) const { return state_at(path, moment).position; }
@@ -51,8 +78,8 @@ class Motion {
     return true;
   }
 
-  HARDBALL_NEVER_INLINE State falling_state_at(const Path& path, double age) const {
-    return {path.position + age * (path.velocity + (0.5 * age) * gravity_), path.velocity + age * gravity_};
+  HARDBALL_NEVER_INLINE State falling_state_at(const Path& path, const Time& moment) const {
+    return FallingMotion<double>{gravity_}.state_at(path, moment);
   }
 
   Vec3 gravity_;

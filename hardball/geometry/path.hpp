@@ -2,23 +2,30 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <type_traits>
+
 #include "hardball/geometry/time.hpp"
 #include "hardball/geometry/vec3.hpp"
 
 namespace hardball {
 
-/// The motion of a sphere's center since its last change: position, velocity and time.
+/// The motion of a sphere's center since its last change: position, velocity and time; or one in each lane of
+/// the numbers (number.hpp). A single path is a cache line.
 ///
 /// A path is rewritten only when the motion itself changes. Along it the center moves as Motion says, and may
 /// leave a periodic box without being folded back: Image counts the boxes.
-struct alignas(64) Path {
+template <class Number>
+struct alignas(std::is_same_v<Number, double> ? 64 : alignof(Number)) PathOf {
   static constexpr bool kIsPlain = true;  ///< To archives.
 
-  Vec3 position;  ///< Center at `time` [L].
-  Vec3 velocity;  ///< At `time` [L/T].
-  Time time;      ///< Of the last change.
+  VectorOf<Number> position;  ///< Center at `time` [L].
+  VectorOf<Number> velocity;  ///< At `time` [L/T].
+  TimeOf<Number> time;        ///< Of the last change.
 
-  friend bool operator==(const Path&, const Path&) = default;
+  friend bool operator==(const PathOf&, const PathOf&) = default;
 };
+
+/// The path of one sphere.
+using Path = PathOf<double>;
 
 }  // namespace hardball

@@ -7,50 +7,61 @@
 #include <compare>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "hardball/errors/language.hpp"
+#include "hardball/geometry/double_double.hpp"
 
 namespace hardball {
 
-/// A point in time [T], held as the unevaluated sum of two doubles; `high` is the double nearest to the sum.
+/// A point in time [T], or one in each lane of the numbers (number.hpp), held as the unevaluated sum of two;
+/// `high` is the number nearest to the sum.
 ///
 /// A single double would resolve a time t only to t * 2^-53, so that contacts blur in long runs. The pair
 /// resolves t * 2^-106: after 1e12 units of time it is still more precise than a single double near one. The
 /// representation is unique, so times compare by their parts.
-struct Time {
+template <class Number>
+struct TimeOf {
   static constexpr bool kIsPlain = true;  ///< To archives.
 
-  double high = 0;
-  double low = 0;
+  Number high{};
+  Number low{};
 
-  constexpr Time() = default;
-  constexpr explicit Time(double moment) : high(moment) {}
-  constexpr Time(double high_part, double low_part) : high(high_part), low(low_part) {}
+  constexpr TimeOf() = default;
+  constexpr explicit TimeOf(const Number& moment) : high(moment) {}
+  constexpr TimeOf(const Number& high_part, const Number& low_part) : high(high_part), low(low_part) {}
 
-  /// The double nearest to this time.
-  constexpr double value() const { return high; }
+  /// The number nearest to this time.
+  constexpr Number value() const { return high; }
 
-  friend constexpr bool operator==(const Time&, const Time&) = default;
-  friend constexpr std::partial_ordering operator<=>(const Time& a, const Time& b) {
+  friend constexpr bool operator==(const TimeOf&, const TimeOf&) = default;
+  friend constexpr std::partial_ordering operator<=>(const TimeOf& a, const TimeOf& b) {
     return a.high != b.high ? a.high <=> b.high : a.low <=> b.low;
   }
   // These four follow from the order; through three-way comparison compilers generate worse code.
-  friend constexpr bool operator<(const Time& a, const Time& b) {
+  HARDBALL_ALWAYS_INLINE friend constexpr auto operator<(const TimeOf& a, const TimeOf& b) {
     return a.high < b.high || (a.high == b.high && a.low < b.low);
   }
-  friend constexpr bool operator>(const Time& a, const Time& b) { return b < a; }
-  friend constexpr bool operator<=(const Time& a, const Time& b) {
+  friend constexpr auto operator>(const TimeOf& a, const TimeOf& b) { return b < a; }
+  friend constexpr auto operator<=(const TimeOf& a, const TimeOf& b) {
     return a.high < b.high || (a.high == b.high && a.low <= b.low);
   }
-  friend constexpr bool operator>=(const Time& a, const Time& b) { return b <= a; }
+  friend constexpr auto operator>=(const TimeOf& a, const TimeOf& b) { return b <= a; }
 };
+
+/// A point in time [T], a pair of doubles.
+using Time = TimeOf<double>;
 
 /// Later than any other time: that of an event that does not happen.
 inline constexpr Time kNever{std::numeric_limits<double>::infinity(), 0};
 
-inline Time later(const Time& a, const Time& b) {
-  return a < b ? b : a;
+/// The later of two times; the first if they are alike.
+template <class Number>
+HARDBALL_ALWAYS_INLINE TimeOf<Number> later(const TimeOf<Number>& a, const TimeOf<Number>& b) {
+  const auto b_is_later = a < b;
+  return {select(b_is_later, b.high, a.high), select(b_is_later, b.low, a.low)};
 }
+/// The earlier of two times.
 inline Time earlier(const Time& a, const Time& b) {
   return b < a ? b : a;
 }
@@ -74,20 +85,20 @@ inline double rounded_down(const Time& time) {
 
 /// The time from `start` to `end` [T], accurate to two units in the last place of the result, or to 2^-106 of
 /// the arguments if that is more. Precondition: both are finite.
-inline double duration(const Time& start, const Time& end) {
+template <class Number>
+HARDBALL_ALWAYS_INLINE Number duration(const TimeOf<Number>& start, const TimeOf<Number>& end) {
   return (end.high - start.high) + (end.low - start.low);
 }
 
 /// The time `wait` [T] after `start`; kNever if `wait` is infinite.
-/// Source: Knuth, The Art of Computer Programming 2, section 4.2.2, theorem B (exact sum of two doubles).
-inline Time after(const Time& start, double wait) {
-  const double sum = start.high + wait;
-  if (!std::isfinite(sum)) return kNever;
-  const double wait_part = sum - start.high;
-  const double error = (start.high - (sum - wait_part)) + (wait - wait_part);
-  const double rest = error + start.low;
-  const double high = sum + rest;
-  return {high, rest - (high - sum)};
+template <class Number>
+HARDBALL_ALWAYS_INLINE TimeOf<Number> after(const TimeOf<Number>& start,
+                                            const std::type_identity_t<Number>& wait) {
+  const Number forever(kNever.high);
+  const DoubleDouble<Number> end = sum(start.high, wait);
+  const DoubleDouble<Number> time = normalized(end.high, end.low + start.low);
+  const auto happens = time.high < forever;  // of infinity the error is NaN
+  return {select(happens, time.high, forever), select(happens, time.low, Number(kNever.low))};
 }
 
 }  // namespace hardball

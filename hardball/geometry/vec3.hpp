@@ -9,31 +9,41 @@
 #include <type_traits>
 
 #include "hardball/errors/language.hpp"
-#include "hardball/geometry/inlining.hpp"
+#include "hardball/geometry/number.hpp"
 
 namespace hardball {
 
-/// A vector in space; its dimension is that of the quantity it holds.
-struct Vec3 {
+/// A vector in space of such numbers (number.hpp): of vectors of doubles it has one in each lane.
+template <class Number>
+struct VectorOf {
   static constexpr bool kIsPlain = true;  ///< To archives.
 
-  double x = 0;
-  double y = 0;
-  double z = 0;
+  Number x{};
+  Number y{};
+  Number z{};
 
-  double& operator[](std::size_t axis) { return axis == 0 ? x : axis == 1 ? y : z; }
-  double operator[](std::size_t axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+  Number& operator[](std::size_t axis) { return axis == 0 ? x : axis == 1 ? y : z; }
+  Number operator[](std::size_t axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
 
-  Vec3& operator+=(const Vec3& o) { return x += o.x, y += o.y, z += o.z, *this; }
-  Vec3& operator-=(const Vec3& o) { return x -= o.x, y -= o.y, z -= o.z, *this; }
+  VectorOf& operator+=(const VectorOf& o) { return *this = *this + o; }
+  VectorOf& operator-=(const VectorOf& o) { return *this = *this - o; }
 
-  friend Vec3 operator+(Vec3 a, const Vec3& b) { return a += b; }
-  friend Vec3 operator-(Vec3 a, const Vec3& b) { return a -= b; }
-  friend Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
-  friend Vec3 operator*(double s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
-  friend Vec3 operator*(const Vec3& a, double s) { return s * a; }
-  friend bool operator==(const Vec3&, const Vec3&) = default;
+  HARDBALL_ALWAYS_INLINE friend VectorOf operator+(const VectorOf& a, const VectorOf& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  HARDBALL_ALWAYS_INLINE friend VectorOf operator-(const VectorOf& a, const VectorOf& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  HARDBALL_ALWAYS_INLINE friend VectorOf operator*(const Number& s, const VectorOf& a) {
+    return {s * a.x, s * a.y, s * a.z};
+  }
+  HARDBALL_ALWAYS_INLINE friend VectorOf operator*(const VectorOf& a, const Number& s) { return s * a; }
+  friend VectorOf operator-(const VectorOf& a) { return {-a.x, -a.y, -a.z}; }
+  friend bool operator==(const VectorOf&, const VectorOf&) = default;
 };
+
+/// A vector in space; its dimension is that of the quantity it holds.
+using Vec3 = VectorOf<double>;
 
 inline constexpr std::size_t kAxes = 3;
 inline constexpr const char* kAxisNames[kAxes] = {"x", "y", "z"};
@@ -47,11 +57,13 @@ HARDBALL_ALWAYS_INLINE void for_each_axis(Visit&& visit) {
   visit(std::integral_constant<std::size_t, 2>());
 }
 
-inline double dot(const Vec3& a, const Vec3& b) {
+template <class Number>
+HARDBALL_ALWAYS_INLINE Number dot(const VectorOf<Number>& a, const VectorOf<Number>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-inline Vec3 cross(const Vec3& a, const Vec3& b) {
+template <class Number>
+HARDBALL_ALWAYS_INLINE VectorOf<Number> cross(const VectorOf<Number>& a, const VectorOf<Number>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
@@ -79,5 +91,14 @@ struct Image {
   // Member by member: a comparison by memcmp would stall on members just written.
   friend bool operator==(const Image& a, const Image& b) { return (a - b).is_zero(); }
 };
+
+/// By how many boxes along each axis one body lies beyond another, to the nearest integer, `apart` [L] being
+/// the vector between them. Along axes that are not periodic `inverse_period` [1/L] is zero.
+template <class Number>
+HARDBALL_ALWAYS_INLINE VectorOf<Number> nearest_boxes(const VectorOf<Number>& apart,
+                                                      const VectorOf<Number>& inverse_period) {
+  return {round_to_integer(apart.x * inverse_period.x), round_to_integer(apart.y * inverse_period.y),
+          round_to_integer(apart.z * inverse_period.z)};
+}
 
 }  // namespace hardball

@@ -9,16 +9,15 @@
 #include <cstdint>
 #include <limits>
 
-#include "hardball/geometry/inlining.hpp"
+#include "hardball/geometry/vec3.hpp"
 #include "hardball/kernels/bound_kernel.hpp"
-#include "hardball/kernels/vector_of_lanes.hpp"
 
 namespace hardball {
 
 template <class Floats>
 struct CompactPathsOfLanes {
   typename Floats::Integers x, y, z, tick, revision;
-  VectorOfLanes<Floats> velocity;
+  VectorOf<Floats> velocity;
 };
 
 /// A sphere in every lane.
@@ -39,7 +38,7 @@ struct BoundedSphere {
                         scale.reach_allowance) {}
 
   Integers x, y, z, tick, self;
-  VectorOfLanes<Floats> velocity;
+  VectorOf<Floats> velocity;
   Floats reach;  // the sum of both radii if all are equal, otherwise the sphere's own
 };
 
@@ -66,14 +65,13 @@ HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& s
   const auto apart = [&](const Integers& steps, const Floats& velocity, std::size_t axis) {
     return multiply_add(at_age(velocity, half_age, axis), age, to_floats(steps) * Floats(scale.grid[axis]));
   };
-  const VectorOfLanes<Floats> r{apart(other.x - own.x, other.velocity.x, 0),
-                                apart(other.y - own.y, other.velocity.y, 1),
-                                apart(other.z - own.z, other.velocity.z, 2)};
-  const VectorOfLanes<Floats> v{at_age(other.velocity.x, age, 0) - own.velocity.x,
-                                at_age(other.velocity.y, age, 1) - own.velocity.y,
-                                at_age(other.velocity.z, age, 2) - own.velocity.z};
-  const auto dot_plus = [](const VectorOfLanes<Floats>& a, const VectorOfLanes<Floats>& b,
-                           const Floats& addend) {
+  const VectorOf<Floats> r{apart(other.x - own.x, other.velocity.x, 0),
+                           apart(other.y - own.y, other.velocity.y, 1),
+                           apart(other.z - own.z, other.velocity.z, 2)};
+  const VectorOf<Floats> v{at_age(other.velocity.x, age, 0) - own.velocity.x,
+                           at_age(other.velocity.y, age, 1) - own.velocity.y,
+                           at_age(other.velocity.z, age, 2) - own.velocity.z};
+  const auto dot_plus = [](const VectorOf<Floats>& a, const VectorOf<Floats>& b, const Floats& addend) {
     return multiply_add(a.x, b.x, multiply_add(a.y, b.y, multiply_add(a.z, b.z, addend)));
   };
   Floats reach = own.reach;
@@ -91,8 +89,8 @@ HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& s
       approach, approach,
       multiply_add(speed_squared, Floats(scale.excess_allowance) - excess, Floats(scale.least_discriminant)));
   // NaN, of a candidate too fast to be bounded, passes as touching at once.
-  const auto never = (discriminant < zero) | ((approach >= zero) & (speed_squared >= zero)) |
-                     (Integers::load(others) == own.self);
+  const auto never = discriminant < zero || (approach >= zero && speed_squared >= zero) ||
+                     Integers::load(others) == own.self;
   constexpr float kRoundedDown = 1 - 0x1p-21F;
   constexpr float kNotZero = 0x1p-100F;
   const Floats distance = maximum(excess * Floats(kRoundedDown), zero);

@@ -49,7 +49,7 @@ struct PairQuery {
   const Vec3* gravity;  ///< Of all spheres [L/T^2]; null if paths are straight.
 };
 
-/// Computes the contact time of each pair, bit for bit as contact_time (geometry/contact_time.hpp), in two
+/// Computes the contact time of each pair, as contact_time (geometry/contact_time.hpp) does, in two
 /// parts, the first infinite if there is no contact; arrays are padded like those of the query.
 using PairKernel = void (*)(const PairQuery& query, double* high, double* low);
 

@@ -22,8 +22,8 @@ struct Floats {
 
   struct Mask {
     __m256 v;
-    friend Mask operator&(const Mask& a, const Mask& b) { return {_mm256_and_ps(a.v, b.v)}; }
-    friend Mask operator|(const Mask& a, const Mask& b) { return {_mm256_or_ps(a.v, b.v)}; }
+    friend Mask operator&&(const Mask& a, const Mask& b) { return {_mm256_and_ps(a.v, b.v)}; }
+    friend Mask operator||(const Mask& a, const Mask& b) { return {_mm256_or_ps(a.v, b.v)}; }
   };
 
   struct Integers {
@@ -153,7 +153,7 @@ Floats::Mask operator>=(const Floats& a, const Floats& b) {
 Floats::Mask operator==(const Floats::Integers& a, const Floats::Integers& b) {
   return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(a.v, b.v))};
 }
-Floats::Mask not_(const Floats::Mask& mask) {
+Floats::Mask operator!(const Floats::Mask& mask) {
   return {_mm256_xor_ps(mask.v, _mm256_castsi256_ps(_mm256_set1_epi32(-1)))};
 }
 unsigned bits(const Floats::Mask& mask) {

@@ -37,12 +37,12 @@ struct Lanes {
     first = _mm256_unpacklo_pd(even, odd);
     second = _mm256_unpackhi_pd(even, odd);
   }
-  static void load(const Path* paths, const std::uint32_t* at, PathsOfLanes<Lanes>& out) {
+  static void load(const Path* paths, const std::uint32_t* at, PathOf<Lanes>& out) {
     static_assert(sizeof(Path) == 8 * sizeof(double));
     load_pair(paths, at, 0, out.position.x, out.position.y);
     load_pair(paths, at, 2, out.position.z, out.velocity.x);
     load_pair(paths, at, 4, out.velocity.y, out.velocity.z);
-    load_pair(paths, at, 6, out.high, out.low);
+    load_pair(paths, at, 6, out.time.high, out.time.low);
   }
   void store(double* out) const { _mm256_storeu_pd(out, v); }
 

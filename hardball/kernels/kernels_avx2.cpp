@@ -11,8 +11,8 @@ namespace {
 
 struct Lanes::Mask {
   __m256d v;
-  friend Mask operator&(const Mask& a, const Mask& b) { return {_mm256_and_pd(a.v, b.v)}; }
-  friend Mask operator|(const Mask& a, const Mask& b) { return {_mm256_or_pd(a.v, b.v)}; }
+  friend Mask operator&&(const Mask& a, const Mask& b) { return {_mm256_and_pd(a.v, b.v)}; }
+  friend Mask operator||(const Mask& a, const Mask& b) { return {_mm256_or_pd(a.v, b.v)}; }
 };
 
 Lanes::Mask operator<(const Lanes& a, const Lanes& b) {
@@ -27,7 +27,7 @@ Lanes::Mask operator<=(const Lanes& a, const Lanes& b) {
 Lanes::Mask operator==(const Lanes& a, const Lanes& b) {
   return {_mm256_cmp_pd(a.v, b.v, _CMP_EQ_OQ)};
 }
-Lanes::Mask not_(const Lanes::Mask& mask) {
+Lanes::Mask operator!(const Lanes::Mask& mask) {
   return {_mm256_xor_pd(mask.v, _mm256_castsi256_pd(_mm256_set1_epi64x(-1)))};
 }
 unsigned bits(const Lanes::Mask& mask) {

@@ -13,8 +13,8 @@ namespace {
 
 struct Lanes::Mask {
   __mmask8 v;
-  friend Mask operator&(const Mask& a, const Mask& b) { return {_kand_mask8(a.v, b.v)}; }
-  friend Mask operator|(const Mask& a, const Mask& b) { return {_kor_mask8(a.v, b.v)}; }
+  friend Mask operator&&(const Mask& a, const Mask& b) { return {_kand_mask8(a.v, b.v)}; }
+  friend Mask operator||(const Mask& a, const Mask& b) { return {_kor_mask8(a.v, b.v)}; }
 };
 
 Lanes::Mask operator<(const Lanes& a, const Lanes& b) {
@@ -29,7 +29,7 @@ Lanes::Mask operator<=(const Lanes& a, const Lanes& b) {
 Lanes::Mask operator==(const Lanes& a, const Lanes& b) {
   return {_mm256_cmp_pd_mask(a.v, b.v, _CMP_EQ_OQ)};
 }
-Lanes::Mask not_(const Lanes::Mask& mask) {
+Lanes::Mask operator!(const Lanes::Mask& mask) {
   return {_knot_mask8(mask.v)};
 }
 unsigned bits(const Lanes::Mask& mask) {

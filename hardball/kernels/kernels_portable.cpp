@@ -18,8 +18,8 @@ struct Lanes {
   using Bits = long long __attribute__((vector_size(16)));
   struct Mask {
     Bits v;  // all bits of a number, or none
-    friend Mask operator&(const Mask& a, const Mask& b) { return {a.v & b.v}; }
-    friend Mask operator|(const Mask& a, const Mask& b) { return {a.v | b.v}; }
+    friend Mask operator&&(const Mask& a, const Mask& b) { return {a.v & b.v}; }
+    friend Mask operator||(const Mask& a, const Mask& b) { return {a.v | b.v}; }
   };
 
   Lanes() = default;
@@ -30,7 +30,7 @@ struct Lanes {
   static Lanes gather(const double* values, const std::uint32_t* at) {
     return Vector{values[at[0]], values[at[1]]};
   }
-  static void load(const Path* paths, const std::uint32_t* at, PathsOfLanes<Lanes>& out) {
+  static void load(const Path* paths, const std::uint32_t* at, PathOf<Lanes>& out) {
     const Path& a = paths[at[0]];
     const Path& b = paths[at[1]];
     out.position.x = Vector{a.position.x, b.position.x};
@@ -39,8 +39,8 @@ struct Lanes {
     out.velocity.x = Vector{a.velocity.x, b.velocity.x};
     out.velocity.y = Vector{a.velocity.y, b.velocity.y};
     out.velocity.z = Vector{a.velocity.z, b.velocity.z};
-    out.high = Vector{a.time.high, b.time.high};
-    out.low = Vector{a.time.low, b.time.low};
+    out.time.high = Vector{a.time.high, b.time.high};
+    out.time.low = Vector{a.time.low, b.time.low};
   }
   void store(double* out) const { out[0] = v[0], out[1] = v[1]; }
 
@@ -74,7 +74,7 @@ Lanes::Mask operator<=(const Lanes& a, const Lanes& b) {
 Lanes::Mask operator==(const Lanes& a, const Lanes& b) {
   return {a.v == b.v};
 }
-Lanes::Mask not_(const Lanes::Mask& mask) {
+Lanes::Mask operator!(const Lanes::Mask& mask) {
   return {~mask.v};
 }
 unsigned bits(const Lanes::Mask& mask) {
@@ -95,11 +95,6 @@ Lanes square_root(const Lanes& a) {
 double least_of(const Lanes& a) {
   return a.v[0] < a.v[1] ? a.v[0] : a.v[1];
 }
-// Adding and subtracting this number rounds to the nearest integer. Precondition: |a| < 2^51.
-Lanes round_to_integer(const Lanes& a) {
-  const Lanes pusher(0x1.8p52);
-  return (a + pusher) - pusher;
-}
 
 // Four numbers of single precision at a time.
 struct Floats {
@@ -108,8 +103,8 @@ struct Floats {
   using Bits = std::int32_t __attribute__((vector_size(16)));
   struct Mask {
     Bits v;  // all bits of a number, or none
-    friend Mask operator&(const Mask& a, const Mask& b) { return {a.v & b.v}; }
-    friend Mask operator|(const Mask& a, const Mask& b) { return {a.v | b.v}; }
+    friend Mask operator&&(const Mask& a, const Mask& b) { return {a.v & b.v}; }
+    friend Mask operator||(const Mask& a, const Mask& b) { return {a.v | b.v}; }
   };
 
   struct Integers {
@@ -196,7 +191,7 @@ Floats::Mask operator<(const Floats& a, const Floats& b) {
 Floats::Mask operator>=(const Floats& a, const Floats& b) {
   return {a.v >= b.v};
 }
-Floats::Mask not_(const Floats::Mask& mask) {
+Floats::Mask operator!(const Floats::Mask& mask) {
   return {~mask.v};
 }
 unsigned bits(const Floats::Mask& mask) {

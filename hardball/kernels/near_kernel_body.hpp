@@ -48,7 +48,7 @@ class NearPoints {
         select(is_gap, Integers(0U), slots).store(owners);
         reach = reach + (Floats(query_.margin) + Floats::gather(query_.radii, owners));
       }
-      const unsigned is_near = bits((x * x + y * y + z * z < reach * reach) & not_(is_gap));
+      const unsigned is_near = bits(x * x + y * y + z * z < reach * reach && !is_gap);
       gaps |= bits(is_gap) << lane;
       // Branchless: which points are near is unpredictable.
       slots.keep(is_near, near_ + (found_ < query_.room ? found_ : query_.room));
@@ -107,7 +107,7 @@ Differences find_differences(const std::uint32_t* before, std::size_t lanes, std
   const std::size_t vectors = lanes / Floats::kWidth;
   for (std::size_t i = 0; i < vectors; ++i) {
     old[i] = Integers::load(before + i * Floats::kWidth);
-    gone[i] = bits(not_(old[i] == Integers(self)));
+    gone[i] = bits(!(old[i] == Integers(self)));
   }
   // Branchless: which are in both is unpredictable.
   std::uint32_t* end_of_gained = gained;

@@ -21,8 +21,8 @@ struct Floats {
 
   struct Mask {
     __mmask16 v;
-    friend Mask operator&(const Mask& a, const Mask& b) { return {_kand_mask16(a.v, b.v)}; }
-    friend Mask operator|(const Mask& a, const Mask& b) { return {_kor_mask16(a.v, b.v)}; }
+    friend Mask operator&&(const Mask& a, const Mask& b) { return {_kand_mask16(a.v, b.v)}; }
+    friend Mask operator||(const Mask& a, const Mask& b) { return {_kor_mask16(a.v, b.v)}; }
   };
 
   struct Integers {
@@ -138,7 +138,7 @@ Floats::Mask operator>=(const Floats& a, const Floats& b) {
 Floats::Mask operator==(const Floats::Integers& a, const Floats::Integers& b) {
   return {_mm512_cmpeq_epi32_mask(a.v, b.v)};
 }
-Floats::Mask not_(const Floats::Mask& mask) {
+Floats::Mask operator!(const Floats::Mask& mask) {
   return {_knot_mask16(mask.v)};
 }
 unsigned bits(const Floats::Mask& mask) {

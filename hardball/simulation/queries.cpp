@@ -39,11 +39,6 @@ struct Relative {
   double reach;     // their distance when they touch [L]
 };
 
-double nearest_integer(double number) {
-  constexpr double kPusher = 0x1.8p52;
-  return (number + kPusher) - kPusher;
-}
-
 bool is_periodic(const Box& box) {
   return box.period() != Vec3{};
 }
@@ -75,7 +70,7 @@ HARDBALL_ALWAYS_INLINE Sweep sweep_of(double separation, double velocity, double
 HARDBALL_ALWAYS_INLINE bool is_missed_along(std::size_t axis, const Box& box, const Relative& other,
                                             const Interval& during) {
   const Sweep sweep = sweep_of(other.separation[axis], other.velocity[axis], other.reach, during);
-  const double boxes = nearest_integer(sweep.middle * box.inverse_period()[axis]);
+  const double boxes = round_to_integer(sweep.middle * box.inverse_period()[axis]);
   // False if the interval has no end, and products are NaN.
   return std::fabs(sweep.middle - boxes * box.period()[axis]) > sweep.half;
 }
@@ -335,7 +330,7 @@ std::optional<Clearance> clearance_of(const World& world, const Time& now, const
     if (slot == self) continue;
     Vec3 apart = world.unfolded_position(slot, now) - center;
     for_each_axis([&](auto axis) {
-      apart[axis] -= nearest_integer(apart[axis] * box.inverse_period()[axis]) * box.period()[axis];
+      apart[axis] -= round_to_integer(apart[axis] * box.inverse_period()[axis]) * box.period()[axis];
     });
     const double reach = radius + world.radius(slot);
     const double square = dot(apart, apart);

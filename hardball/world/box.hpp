@@ -145,8 +145,9 @@ class Box {
   /// The image of a body that is nearest to another, `apart` [L] being the vector from the body to the other;
   /// zero along axes that are not periodic. Precondition: they are fewer than 2^31 boxes apart.
   Image nearest_image(const Vec3& apart) const {
-    return {{nearest_integer(apart.x * inverse_period_.x), nearest_integer(apart.y * inverse_period_.y),
-             nearest_integer(apart.z * inverse_period_.z)}};
+    const Vec3 boxes = nearest_boxes(apart, inverse_period_);
+    return {{static_cast<std::int32_t>(boxes.x), static_cast<std::int32_t>(boxes.y),
+             static_cast<std::int32_t>(boxes.z)}};
   }
 
  private:
@@ -158,12 +159,6 @@ class Box {
   bool restored();
 
   static constexpr std::uint32_t kVersionOfFaces = 2;  // of archives
-
-  // As in the kernels: adding this number rounds the fraction away.
-  static std::int32_t nearest_integer(double number) {
-    constexpr double kPusher = 0x1.8p52;
-    return static_cast<std::int32_t>((number + kPusher) - kPusher);
-  }
 
   // Most centers lie in the box, which takes no division to find out.
   bool needs_no_folding(const Vec3& position) const {

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "hardball/geometry/inlining.hpp"
+
+namespace hardball {
+
+// The formulas of vectors, times, motions and contacts are templates on the number: a double, or a vector of
+// doubles, one of each pair (kernels/). All that they use besides + - * / is here, for doubles. Comparisons
+// of vectors give masks, of which &&, || and ! take lane by lane; a vector has its own select, maximum,
+// square_root, multiply_subtract, round_to_integer, and bits of a mask.
+//
+// Such templates are always inlined: they are compiled for wider instructions too, and the linker would take
+// one copy for all.
+
+HARDBALL_ALWAYS_INLINE double select(bool condition, double a, double b) {
+  return condition ? a : b;
+}
+
+HARDBALL_ALWAYS_INLINE double maximum(double a, double b) {
+  return a > b ? a : b;
+}
+
+HARDBALL_ALWAYS_INLINE double square_root(double a) {
+  return std::sqrt(a);
+}
+
+/// a b - c, rounded once. std::fma rounds once on every platform, in hardware or in software.
+HARDBALL_ALWAYS_INLINE double multiply_subtract(double a, double b, double c) {
+  return std::fma(a, b, -c);
+}
+
+/// The nearest integer, or of two the even one: adding this number rounds the fraction away. Precondition:
+/// |a| < 2^51.
+template <class Number>
+HARDBALL_ALWAYS_INLINE Number round_to_integer(const Number& a) {
+  const Number pusher(0x1.8p52);
+  return (a + pusher) - pusher;
+}
+
+/// Whether a condition holds for any lane.
+HARDBALL_ALWAYS_INLINE bool any(bool condition) {
+  return condition;
+}
+template <class Mask>
+HARDBALL_ALWAYS_INLINE bool any(const Mask& mask) {
+  return bits(mask) != 0;
+}
+
+/// Whether a formula may end where a condition holds: that of a single number may. The lanes of a vector
+/// seldom agree, so that it goes on, and masks choose.
+HARDBALL_ALWAYS_INLINE bool ends(bool condition) {
+  return condition;
+}
+template <class Mask>
+HARDBALL_ALWAYS_INLINE bool ends(const Mask&) {
+  return false;
+}
+
+}  // namespace hardball
