@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-
 #include "hardball/geometry/double_double.hpp"
 #include "hardball/geometry/time.hpp"
 #include "hardball/geometry/vec3.hpp"
@@ -12,7 +10,7 @@
 namespace hardball {
 
 /// A vector in twice the precision.
-using PreciseVector = std::array<DoubleDouble<>, kAxes>;
+using PreciseVector = VectorOf<DoubleDouble<>>;
 
 /// a - b, exactly.
 inline PreciseVector precise_difference(const Vec3& a, const Vec3& b) {
@@ -20,15 +18,12 @@ inline PreciseVector precise_difference(const Vec3& a, const Vec3& b) {
 }
 
 inline PreciseVector precise(const Vec3& a) {
-  return {{{a.x, 0}, {a.y, 0}, {a.z, 0}}};
+  return {{a.x, 0}, {a.y, 0}, {a.z, 0}};
 }
 
+/// More precise than the sum of two sums.
 inline DoubleDouble<> dot(const PreciseVector& a, const PreciseVector& b) {
-  return sum_of_three(a[0] * b[0], a[1] * b[1], a[2] * b[2]);
-}
-
-inline PreciseVector cross(const PreciseVector& a, const PreciseVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return sum_of_three(a.x * b.x, a.y * b.y, a.z * b.z);
 }
 
 /// The motion of a sphere's center past a surface, from the start of its path on: where it is relative to the
@@ -42,7 +37,7 @@ struct Passage {
 
 /// The high parts of a vector.
 inline Vec3 rounded(const PreciseVector& a) {
-  return {a[0].high, a[1].high, a[2].high};
+  return {a.x.high, a.y.high, a.z.high};
 }
 
 /// The square of the distance from the origin, along the curve a + b t + c t^2.
@@ -52,9 +47,10 @@ inline Polynomial squared_distance(const PreciseVector& a, const PreciseVector& 
 }
 
 inline PreciseVector half(const PreciseVector& a) {
-  PreciseVector halved = a;
-  for (DoubleDouble<>& component : halved) component = {0.5 * component.high, 0.5 * component.low};
-  return halved;
+  const auto of = [](const DoubleDouble<>& component) {
+    return DoubleDouble<>{0.5 * component.high, 0.5 * component.low};
+  };
+  return {of(a.x), of(a.y), of(a.z)};
 }
 
 /// What is left of a squared distance to a greatest one: positive inside.
