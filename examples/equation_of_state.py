@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""The pressure of hard spheres against their density, with standard errors and theory: equation_of_state.png."""
+"""Plots the pressure of hard spheres against their density, with standard errors and theory: equation_of_state.png."""
 
 import matplotlib
 

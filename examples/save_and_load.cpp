@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// A run that is saved to a file halfway, and goes on in what might be another process, a week later.
+// A run that is saved to a file halfway, and continues in what might be another process, a week later.
 #include <cstdio>
 #include <filesystem>
 #include <map>

@@ -54,7 +54,7 @@ struct CellCrossing {
   double wait =
       std::numeric_limits<double>::infinity();  ///< From the start of the path [T]; infinite if never.
   std::uint8_t axis = 0;
-  bool up = false;  ///< Towards the cells with higher indices.
+  bool up = false;  ///< Toward the cells with higher indices.
 };
 
 /// The most cells that a sphere of this diameter touches along an axis.

@@ -52,7 +52,7 @@ HARDBALL_ALWAYS_INLINE Number time_to_reach(const VectorOf<Number>& separation,
 /// The same for one pair, compiled once.
 double time_to_reach(const Vec3& separation, const Vec3& velocity, double reach);
 
-/// The time until a point at signed distance `distance` [L] from a plane, moving towards it with `speed`
+/// The time until a point at signed distance `distance` [L] from a plane, moving toward it with `speed`
 /// [L/T], arrives; zero if it is already there or beyond, infinity if it does not approach (`speed` <= 0).
 inline double time_to_plane(double distance, double speed) {
   if (!(speed > 0)) return std::numeric_limits<double>::infinity();

@@ -75,12 +75,12 @@ struct Contact {
   SpeciesId first_species = 0;
   SpeciesId second_species = 0;  ///< Zero for a wall.
   Fate fate = Fate::bounce;
-  Vec3 wall_normal;               ///< Wall: the unit vector from the center towards it [1].
-  double pressing = 0;            ///< Wall: the acceleration of the sphere towards it [L/T^2].
+  Vec3 wall_normal;               ///< Wall: the unit vector from the center toward it [1].
+  double pressing = 0;            ///< Wall: the acceleration of the sphere toward it [L/T^2].
   SurfaceMaterial wall_material;  ///< Wall: what it does.
 
   bool is_collision() const { return kind == EventKind::collision; }
-  /// Unit vector along `separation`, or towards the wall [1].
+  /// Unit vector along `separation`, or toward the wall [1].
   Vec3 normal() const { return is_collision() ? (1 / length(separation)) * separation : wall_normal; }
   /// Where the surfaces touch, in the coordinates of `position` [L].
   Vec3 point() const { return position + first_radius * normal(); }

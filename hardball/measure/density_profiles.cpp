@@ -49,7 +49,7 @@ double walled_axes(const Box& box) {
   return axes;
 }
 
-// kT of the motion towards walls [M L^2 T^-2]: along other axes the spheres may stream.
+// kT of the motion toward walls [M L^2 T^-2]: along other axes the spheres may stream.
 double temperature_between_walls(const World& world, const Time& moment) {
   double sum = 0;
   world.for_each_by_id([&](Slot slot) {

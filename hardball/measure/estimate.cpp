@@ -80,7 +80,7 @@ double independent_parts(std::span<const double> shares) {
   const auto parts = static_cast<double>(shares.size());
   const double squares = autocovariance(shares, 0);
   if (squares == 0) return parts;
-  // Sums of two successive autocorrelations fall towards zero; from the first negative one there is only
+  // Sums of two successive autocorrelations fall toward zero; from the first negative one there is only
   // noise.
   double least = std::numeric_limits<double>::infinity();
   double sum = -1;

@@ -99,7 +99,7 @@ struct WallDescription {
 
   Shape shape = Shape::plane;
   Vec3 point;         ///< Of the plane, on the axis, or the center [L].
-  Vec3 direction;     ///< The normal of a plane, towards the spheres, or the axis; of any length.
+  Vec3 direction;     ///< The normal of a plane, toward the spheres, or the axis; of any length.
   double radius = 0;  ///< Of a cylinder or sphere [L].
   std::optional<double> restitution;  ///< Instead of Scenario::restitution [1].
   std::optional<double> temperature;  ///< k T of a thermal wall [M L^2 T^-2].

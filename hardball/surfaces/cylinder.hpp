@@ -29,7 +29,7 @@ class Cylinder {
   }
   /// The distance from a point to the surface [L]; negative beyond it.
   double distance(const Vec3& place) const { return radius_ - length(towards(place)); }
-  /// A vector of any length from a point towards the surface.
+  /// A vector of any length from a point toward the surface.
   Vec3 towards(const Vec3& place) const { return place - dot(place, axis_) * axis_; }
 
  private:

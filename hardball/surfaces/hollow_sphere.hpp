@@ -26,7 +26,7 @@ class HollowSphere {
   }
   /// The distance from a point to the surface [L]; negative beyond it.
   double distance(const Vec3& place) const { return radius_ - length(place); }
-  /// A vector of any length from a point towards the surface.
+  /// A vector of any length from a point toward the surface.
   Vec3 towards(const Vec3& place) const { return place; }
 
  private:

@@ -44,7 +44,7 @@ class Obstacle {
   }
   /// The distance from a point to the surface [L]; negative beyond it.
   double distance(const Vec3& place) const { return length(place) - radius_; }
-  /// A vector of any length from a point towards the surface.
+  /// A vector of any length from a point toward the surface.
   Vec3 towards(const Vec3& place) const { return -place; }
 
  private:

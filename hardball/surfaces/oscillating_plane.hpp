@@ -15,7 +15,7 @@ class OscillatingPlane {
  public:
   static constexpr std::string_view kName = "oscillating plane";
 
-  /// `normal` is a unit vector, towards the spheres; amplitude [L], frequency [1/T].
+  /// `normal` is a unit vector, toward the spheres; amplitude [L], frequency [1/T].
   OscillatingPlane(const Vec3& normal, double amplitude, double frequency)
       : rest_(normal), amplitude_(amplitude), frequency_(frequency) {}
 

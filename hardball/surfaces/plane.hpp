@@ -13,7 +13,7 @@ class Plane {
  public:
   static constexpr std::string_view kName = "plane";
 
-  /// `normal` is a unit vector, towards the spheres.
+  /// `normal` is a unit vector, toward the spheres.
   explicit Plane(const Vec3& normal) : normal_(normal) {}
 
   const Vec3& normal() const { return normal_; }
@@ -26,7 +26,7 @@ class Plane {
   }
   /// The distance from a point to the surface [L]; negative beyond it.
   double distance(const Vec3& place) const { return dot(place, normal_); }
-  /// A vector of any length from a point towards the surface.
+  /// A vector of any length from a point toward the surface.
   Vec3 towards(const Vec3&) const { return -normal_; }
 
  private:

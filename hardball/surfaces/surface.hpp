@@ -49,7 +49,7 @@ class Surface {
 
   /// The distance of a point from the surface at `moment` [L]; negative beyond it.
   double distance(const Vec3& position, const Time& moment) const;
-  /// The unit vector from a point towards the surface at `moment` [1].
+  /// The unit vector from a point toward the surface at `moment` [1].
   Vec3 direction(const Vec3& position, const Time& moment) const;
   /// The velocity of the surface at `moment` [L/T].
   Vec3 velocity_at(const Time& moment) const;

@@ -205,7 +205,7 @@ void bind_surface(py::module_& module) {
           py::arg("normal"), py::arg("point") = origin, py::kw_only(), py::arg("velocity") = origin,
           py::arg("amplitude") = 0.0, py::arg("frequency") = 0.0, py::arg("restitution") = py::none(),
           py::arg("temperature") = py::none(), py::arg("seed") = 0,
-          "A plane through `point` [L]; `normal`, of any length, points towards the spheres. It may move, or "
+          "A plane through `point` [L]; `normal`, of any length, points toward the spheres. It may move, or "
           "oscillate along the normal with `amplitude` [L] and `frequency` [1/T].")
       .def_static(
           "cylinder",

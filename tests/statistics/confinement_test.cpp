@@ -159,7 +159,7 @@ TEST(MovingWall, DoesTheWorkThatSpheresGain) {
   }
 }
 
-// A sphere whose motion towards the floor has nearly died away.
+// A sphere whose motion toward the floor has nearly died away.
 TEST(MovingWall, MayMeetASphereInAges) {
   World world(Box::open(), {}, {Surface(OscillatingPlane({0, 0, 1}, 0.1, 0.3), {})});
   world.add({{0, 0, 3}, {0, 0, -1e-14}, 0.5, 1});

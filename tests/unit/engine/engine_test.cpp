@@ -167,7 +167,7 @@ TYPED_TEST(EveryEngine, GoesOnAfterAnObserverThrew) {
 TYPED_TEST(EveryEngine, TakesANewVelocityInBetween) {
   auto engine = TypeParam::make(newtons_cradle());
   engine.run({.until = Time(1.5)}, kIgnore);
-  // Sphere 2 has moved from 3 to 3.5; it turns back towards sphere 1, at rest at 2.
+  // Sphere 2 has moved from 3 to 3.5; it turns back toward sphere 1, at rest at 2.
   change_velocity(engine, 2, Time(1.5), {-0.5, 0, 0});
   std::vector<Time> times;
   engine.run({.until = Time(3)}, [&](const Contact& contact) { times.push_back(contact.time); });

@@ -363,7 +363,7 @@ TEST(Ray, SeesMovingWallsWhereTheyAre) {
   const auto up = simulation.ray({0, 0, 10}, {0, 0, 1}, 100);
   ASSERT_TRUE(up);
   EXPECT_EQ(up->body, kFaces + 1);
-  EXPECT_NEAR(up->distance, 10 - 1, 1e-12) << "a quarter of a period later it is one unit towards its normal";
+  EXPECT_NEAR(up->distance, 10 - 1, 1e-12) << "a quarter of a period later it is one unit toward its normal";
   EXPECT_NEAR(simulation.clearance({0, 0, 12})->distance, 7, 1e-12);
 }
 

@@ -76,7 +76,7 @@ TEST(OscillatingPlane, IsNotMetBySpheresThatStayBeyondItsReach) {
     // It stays where the crests of the floor touch it, to the last bit.
     EXPECT_EQ(contact_of(straight_up(0.625, speed), 0, 0.125), kNever) << speed;
   }
-  // It falls towards the floor and turns back before, however far away.
+  // It falls toward the floor and turns back before, however far away.
   for (const double acceleration : {1e-3, 1e-14, 1e-28}) {
     const double speed = -std::sqrt(2 * acceleration * 2.39);
     EXPECT_EQ(contact_of(straight_up(3, speed), acceleration), kNever) << acceleration;

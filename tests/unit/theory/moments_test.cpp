@@ -35,7 +35,7 @@ TEST(Moments, VolumeOfOpenSpaceFollowsTheCloudAndNotAFewStrays) {
     world.add({{100 * random.uniform(), 100 * random.uniform(), 100 * random.uniform()}, {}, 0.1, 1});
   }
   for (int i = 0; i < 10; ++i) world.add({{1e9, -1e12, 1e30}, {}, 0.1, 1});
-  // The middle half of a uniform distribution, doubled, has a standard error of 2 per cent along each axis.
+  // The middle half of a uniform distribution, doubled, has a standard error of 2 percent along each axis.
   EXPECT_NEAR(moments_of(world, Time(0)).volume(), 1e6, 2e5);
 }
 
