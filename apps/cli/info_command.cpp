@@ -95,7 +95,7 @@ std::string about_recording(const std::filesystem::path& path) {
   text += line("time", range(to_text(reader.header().begin), to_text(reader.reached())));
   if (!reader.damage()) return text;
   write_output(text);
-  throw Error(*reader.damage(), path.string(), "hardball view and replay show what comes before");
+  throw Error(*reader.damage(), path.string(), "hardball view and replay show the part before");
 }
 
 // As far as a simulation goes.

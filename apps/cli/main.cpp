@@ -27,7 +27,7 @@ CLI::App* add_command(CLI::App& app, Options& options, const std::string& name,
                       const std::string& description) {
   CLI::App* command = app.add_subcommand(name, description);
   command->add_option("SCENARIO", options.scenario, "Scenario file (TOML)")->required();
-  command->add_option("--until", options.until, "Time at which the run ends, instead of the scenario's")
+  command->add_option("--until", options.until, "End time, instead of the scenario's")
       ->type_name("TIME");
   command->add_option("--set", options.overrides, "Replaces or adds a value, as in run.until=5")
       ->type_name("KEY=VALUE")
@@ -43,7 +43,7 @@ CLI::App* add_command(CLI::App& app, Options& options, const std::string& name,
 void add_unit_costs_option(CLI::App& command, Options& options) {
   command
       .add_option("--unit-costs", options.unit_costs,
-                  "Unit costs for choosing the cells, by name or all four of them")
+                  "Unit costs for choosing the cells: a name, or all four costs")
       ->type_name("auto|measured|standard|COSTS");
 }
 
@@ -87,12 +87,12 @@ void refuse_leftovers(const CLI::App& app, const CLI::App* command) {
   const std::vector<std::string> leftovers = app.remaining(true);
   if (leftovers.empty()) {
     if (command) return;
-    throw Error("there is no command", "command line", "see hardball --help");
+    throw Error("no command is given", "command line", "see hardball --help");
   }
   const std::string word = leftovers.front().substr(0, leftovers.front().find('='));
   std::vector<std::string> names;
   if (command && !word.starts_with('-')) {
-    throw Error("'" + word + "' is one argument too many", "command line",
+    throw Error("unexpected argument '" + word + "'", "command line",
                 "see hardball " + command->get_name() + " --help");
   }
   if (command) {
@@ -103,7 +103,7 @@ void refuse_leftovers(const CLI::App& app, const CLI::App* command) {
     for (const CLI::App* each : app.get_subcommands(nullptr)) names.push_back(each->get_name());
   }
   const bool is_known = std::find(names.begin(), names.end(), word) != names.end();
-  throw Error(std::string("there is no ") + (command ? "option" : "command") + " '" + word + "'",
+  throw Error(std::string("unknown ") + (command ? "option" : "command") + " '" + word + "'",
               "command line",
               is_known ? "write it after the command"
                        : suggestion(word, std::vector<std::string_view>(names.begin(), names.end())));
@@ -122,7 +122,7 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   add_overwrite_flag(*run_command, options, "Replace the files of an earlier run in the directory");
   CLI::App* resume_command = app.add_subcommand("resume", "Resume a run from its last checkpoint");
   resume_command->add_option("DIRECTORY", options.scenario, "Output directory of the run")->required();
-  resume_command->add_option("--until", options.until, "Time at which the run ends, instead of before")
+  resume_command->add_option("--until", options.until, "End time, instead of the previous one")
       ->type_name("TIME");
   resume_command
       ->add_option("--from", options.checkpoint, "Checkpoint in the directory, instead of the last one")
@@ -146,20 +146,20 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   CLI::App* tune_command =
       add_command(app, options, "tune", "Compare cell sizes: predicted and measured cost");
   add_unit_costs_option(*tune_command, options);
-  tune_command->add_option("--budget", options.budget, "Seconds after which it ends, instead of 10")
+  tune_command->add_option("--budget", options.budget, "Time limit in seconds, 10 if not given")
       ->type_name("SECONDS");
   tune_command->add_option("--out", options.out, "Directory for the table and its figure")
       ->type_name("DIRECTORY");
   add_quiet_flag(*tune_command, options);
-  CLI::App* convert_command = app.add_subcommand("convert", "Write the frames of a file in another format");
-  convert_command->add_option("IN", options.in, "File with frames: its name says in what format")
+  CLI::App* convert_command = app.add_subcommand("convert", "Convert the frames of a file to another format");
+  convert_command->add_option("IN", options.in, "Input file; its extension selects the format")
       ->required()
       ->type_name("FILE");
-  convert_command->add_option("OUT", options.out, "File to write: likewise")->required()->type_name("FILE");
+  convert_command->add_option("OUT", options.out, "Output file; its extension selects the format")->required()->type_name("FILE");
   convert_command
-      ->add_option("--frame", options.frame, "Number of the only frame to write, from 0, instead of all")
+      ->add_option("--frame", options.frame, "Write only this frame, counted from 0")
       ->type_name("NUMBER");
-  add_overwrite_flag(*convert_command, options, "Replace the file if there is one");
+  add_overwrite_flag(*convert_command, options, "Replace an existing file");
   convert_command->allow_extras();
   CLI::App* info_command = app.add_subcommand("info", "Describe files");
   info_command
@@ -171,23 +171,23 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
 #if HARDBALL_VIEWER
   CLI::App* view_command =
       add_showing_command(app, options, "view", "Show a run in the browser, live or recorded");
-  view_command->add_option("--port", options.port, "Port of the server, instead of any free one")
+  view_command->add_option("--port", options.port, "Port of the server, any free one if not given")
       ->type_name("PORT");
   view_command->add_flag("--no-open", options.no_open, "Only print the address, do not open a browser")
       ->disable_flag_override();
   view_command
       ->add_option("--recording-limit", options.recording_limit,
-                   "Bytes of recording at which a live run stops, instead of 4e9")
+                   "Size of the recording at which a live run stops, 4e9 bytes if not given")
       ->type_name("BYTES");
   CLI::App* replay_command =
       add_showing_command(app, options, "replay", "Write a run as a single HTML file for offline viewing");
   replay_command->add_option("--out", options.out, "The HTML file")->type_name("FILE");
-  add_overwrite_flag(*replay_command, options, "Replace the file if there is one");
+  add_overwrite_flag(*replay_command, options, "Replace an existing file");
 #endif
-  CLI::App* manual_command = app.add_subcommand("manual", "Print the manual page, as for man -l -");
+  CLI::App* manual_command = app.add_subcommand("manual", "Print the manual page, for man -l -");
   manual_command->allow_extras();
   CLI::App* completion_command =
-      app.add_subcommand("completion", "Print the script by which a shell completes command lines");
+      app.add_subcommand("completion", "Print a completion script for a shell");
   completion_command->add_option("SHELL", options.shell, "The shell")->required()->type_name("bash|zsh|fish");
   completion_command->allow_extras();
   try {

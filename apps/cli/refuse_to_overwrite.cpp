@@ -11,7 +11,7 @@ namespace hardball::cli {
 void refuse_to_overwrite(const std::filesystem::path& file, const Options& options) {
   std::error_code missing;
   if (options.overwrite || !std::filesystem::is_regular_file(file, missing)) return;
-  throw Error("there is such a file", file.string(), "name another file, or replace it with --overwrite");
+  throw Error("the file exists already", file.string(), "name another file, or replace it with --overwrite");
 }
 
 }  // namespace hardball::cli

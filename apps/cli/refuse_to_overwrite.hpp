@@ -8,7 +8,7 @@
 
 namespace hardball::cli {
 
-/// Error: there is such a file, and the command line does not say that it is to be replaced. Devices and
+/// Error: the file exists already, and the command line does not say that it is to be replaced. Devices and
 /// pipes may always be written to.
 void refuse_to_overwrite(const std::filesystem::path& file, const Options& options);
 

@@ -19,7 +19,7 @@ namespace hardball::cli {
 ExitCode replay(const Options& options) {
   using namespace std::chrono_literals;
   if (!options.out) {
-    throw Error("no output file is given", "--out", "name it, such as --out replay.html");
+    throw Error("no output file is given", "--out", "give one, such as --out replay.html");
   }
   refuse_to_overwrite(*options.out, options);
   catch_signals();

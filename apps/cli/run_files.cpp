@@ -65,7 +65,7 @@ void refuse_files_of_a_run(const std::filesystem::path& directory) {
   for (const std::filesystem::path& name : names) {
     if (!holds(name)) continue;
     throw Error("holds " + name.string() + " of another run", directory.string(),
-                "name another directory, go on with that run by 'hardball resume', or replace its files with "
+                "name another directory, resume that run with 'hardball resume', or replace its files with "
                 "--overwrite");
   }
 }
@@ -85,7 +85,7 @@ std::vector<std::pair<std::string, TrajectoryPosition>> named_trajectories(
     const char* const name = kTrajectories[static_cast<std::size_t>(format)];
     if (std::ranges::count(named, name, [](const auto& each) { return each.first; }) == 1) continue;
     throw Error(std::string("the checkpoint does not say how far ") + name + " was written",
-                directory.string(), "start the run anew in another directory");
+                directory.string(), "start the run again in another directory");
   }
   return named;
 }

@@ -27,7 +27,7 @@ class TemporaryFile {
     std::string name = (directory / "hardball-XXXXXX").string();
     const int file = mkstemp(name.data());
     if (file < 0) {
-      throw Error(std::string("no temporary file can be made: ") + std::strerror(errno), directory.string(),
+      throw Error(std::string("cannot create a temporary file: ") + std::strerror(errno), directory.string(),
                   "name another directory in the environment variable TMPDIR");
     }
     close(file);
@@ -60,7 +60,7 @@ void ShownRun::open_directory(const Options& options) {
                 "leave them out, or name a scenario");
   }
   if (!std::filesystem::exists(path)) {
-    throw Error("there is no recording.hbr in it", options.scenario,
+    throw Error("it has no recording.hbr", options.scenario,
                 "run the scenario with recording = true in [output], or name the scenario itself");
   }
   recording_ = std::make_unique<viewer::SharedRecording>(path, OnDamage::keep_what_comes_before);

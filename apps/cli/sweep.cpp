@@ -89,7 +89,7 @@ Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options, Bu
   const double chosen_edge = choose_length(start.world(), EngineKind::cells, options, start.now());
   const std::optional<std::size_t> added = add(contenders, start, options, chosen_edge);
   if (!added) {
-    throw Error("no cells suit the spheres as they are at time " + to_text(start.time()), "tune",
+    throw Error("no cells fit the spheres at time " + to_text(start.time()), "tune",
                 "end the run earlier, with --until, or enlarge the spheres or shrink the box");
   }
   const std::size_t chosen = *added;

@@ -85,7 +85,7 @@ class Comparison {
   }
 
   void leave_out(const std::string& name, const std::string& reason) {
-    write_output(fmt::format("{:<22}left out: {}\n", name, reason));
+    write_output(fmt::format("{:<22}skipped: {}\n", name, reason));
   }
 
   const World& start() const { return start_; }
@@ -193,7 +193,7 @@ ExitCode verify(const Options& options) {
   } else {
     comparison.leave_out("all-pairs", fmt::format("{:.1g} predictions would take too long", pairs));
   }
-  write_output(comparison.is_good() ? "all runs are the same\n" : "THE RUNS DIFFER, OR SPHERES OVERLAP\n");
+  write_output(comparison.is_good() ? "all runs agree\n" : "THE RUNS DIFFER, OR SPHERES OVERLAP\n");
   return comparison.is_good() ? ExitCode::done : ExitCode::failed;
 }
 

@@ -122,7 +122,7 @@ std::string transient_sentence(const Report& report) {
     longest = std::max(longest, measurement.transient);
   }
   if (longest == 0) return {};
-  return fmt::format(" Initial transients are left out of means, the longest up to {} after measuring began.",
+  return fmt::format(" Means exclude initial transients, the longest up to {} after measuring began.",
                      number_text(longest, 3));
 }
 
@@ -221,7 +221,7 @@ std::string certificate(const Report& report) {
   conserved.add_row("energy at the start", {in_unit(number_text(report.initial_energy, 10), "M L^2 T^-2")});
   conserved.add_row("energy at the end", {in_unit(number_text(report.final_energy, 10), "M L^2 T^-2")});
   if (std::isfinite(report.rotational_energy)) {
-    conserved.add_row("of it rotation", {in_unit(number_text(report.rotational_energy, 10), "M L^2 T^-2")});
+    conserved.add_row("rotational part", {in_unit(number_text(report.rotational_energy, 10), "M L^2 T^-2")});
   }
   conserved.add_row("relative change", {typeset(number_text(energy_change(report), 2))});
   if (!report.surfaces.empty()) {

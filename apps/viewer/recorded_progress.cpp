@@ -46,7 +46,7 @@ RunProgress recorded_progress(SharedRecording& recording, const std::filesystem:
       progress.walls += contact.is_wall() ? 1U : 0U;
     }
   });
-  if (recording.damage()) progress.damage = *recording.damage() + "; what comes before is shown";
+  if (recording.damage()) progress.damage = *recording.damage() + "; the part before is shown";
   const json said = read_summary(summary);
   if (!said.is_object()) return progress;
   progress.hash = hash_in(said);

@@ -32,7 +32,7 @@ Replay::Replay(const SharedRecording& recording, const Page& page)
   if (recorded_ <= kMostReplayedBytes) return;
   throw Error("the recording has " + to_text(recorded_) + " bytes, and a replay holds at most " +
                   to_text(kMostReplayedBytes),
-              "replay of " + recording.header().name, "end the run earlier or take fewer spheres");
+              "replay of " + recording.header().name, "end the run earlier or use fewer spheres");
 }
 
 std::uint64_t Replay::length() const {

@@ -8,7 +8,7 @@ namespace hardball {
 
 void refuse_archive(const std::string& where) {
   throw Error("is damaged, or was not written by this program", where,
-              "use an undamaged copy, or start the run anew");
+              "use an undamaged copy, or start the run again");
 }
 
 void ArchiveReader::read_version() {

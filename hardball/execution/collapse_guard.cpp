@@ -62,7 +62,7 @@ void CollapseGuard::count(SphereId id, bool is_idle, const Time& now) {
   if (++idle_contacts_[id] < kMostIdleContacts) return;
   throw RunFailure(
       "inelastic collapse: sphere " + to_text(id) + " was hit " + to_text(kMostIdleContacts) +
-      " times without parting from what hit it, at time " + to_text(now.value()) +
+      " times without separating from what hit it, at time " + to_text(now.value()) +
       "; make slow impacts elastic (elastic_below) or those that follow another at once (contact_duration), "
       "by larger values if they are set, raise the restitution, or end the run before this time");
 }

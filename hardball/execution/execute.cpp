@@ -26,8 +26,8 @@ constexpr double kRounding = 1e-12;
 }
 
 void refuse_approach(const Contact& contact) {
-  refuse_response(contact, "the bodies are left approaching each other",
-                  "return velocities with which they separate or keep their distance");
+  refuse_response(contact, "the bodies still approach each other",
+                  "return velocities with which they separate or stay in contact");
 }
 
 std::string to_text(const Vec3& vector) {

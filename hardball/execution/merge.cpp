@@ -40,7 +40,7 @@ void merge(World& world, Contact& contact, const Participants& participants) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_bounded(axis) || 2 * radius <= world.box().size()[axis]) continue;
     throw RunFailure("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
-                     " would merge to a sphere larger than the box, at time " +
+                     " would merge into a sphere larger than the box, at time " +
                      to_text(contact.time.value()) + "; enlarge the box, or end the run before this time");
   }
   const bool is_kinematic = std::isinf(mass);

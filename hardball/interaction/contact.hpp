@@ -32,7 +32,7 @@ struct Spins {
 
 /// What becomes of the bodies of a contact.
 enum class Fate : std::uint8_t {
-  bounce,  ///< They part.
+  bounce,  ///< They separate.
   pass,    ///< They pass through each other, on unchanged paths.
   merge,   ///< They become one: the first, in the place and with the mass of both.
 };
@@ -116,10 +116,10 @@ struct Outcome {
   bool merges = false;
 };
 
-/// What a contact does to motions: given the contact with `after` still equal to `before`, the new
-/// velocities, or the whole Outcome; or `decide` sets what comes after in the contact itself, which spares
-/// copies, and returns whether it may have changed spins. What is returned for a wall or a kinematic sphere
-/// is ignored. The bodies must not approach each other afterwards.
+/// What a contact does to motions. A response takes the contact with `after` still equal to `before`, and
+/// returns the new velocities or the whole Outcome. Or it has `decide`, which sets the state after the contact
+/// in the contact itself, which saves copies, and returns whether it may have changed spins. Velocities
+/// returned for a wall or a kinematic sphere are ignored. The bodies must not approach each other afterwards.
 template <class R>
 concept Response = requires(const R& response, const Contact& contact) {
   { response(contact) } -> std::convertible_to<Velocities>;
@@ -131,7 +131,7 @@ concept Response = requires(const R& response, const Contact& contact) {
   { response.decide(contact) } -> std::same_as<bool>;
 };
 
-/// Lets a response decide what comes after a contact, and returns whether it may have changed spins.
+/// Applies a response to a contact, and returns whether it may have changed spins.
 template <Response R>
 bool decide(const R& response, Contact& contact) {
   if constexpr (requires { response.decide(contact); }) {
@@ -148,7 +148,7 @@ bool decide(const R& response, Contact& contact) {
   }
 }
 
-/// What a response decides, for responses of the caller's own that are made of others.
+/// The outcome of a response, for custom responses that are composed of others.
 template <Response R>
 Outcome outcome_of(const R& response, Contact contact) {
   decide(response, contact);

@@ -13,12 +13,12 @@
 
 namespace hardball {
 
-/// A response of the caller's own; none if empty.
+/// A custom response; none if empty.
 using CustomResponse = std::function<Outcome(const Contact&)>;
 
-/// What happens when things touch: a table of the pairs of species, and a function of the caller that is
-/// asked instead of it wherever spheres do not pass through each other. What walls are made of, they know
-/// themselves: see SurfaceMaterial.
+/// What happens when bodies touch: a table of the pairs of species, and a custom response that is called
+/// instead of it wherever spheres do not pass through each other. Walls have their own materials: see
+/// SurfaceMaterial.
 class Interactions {
  public:
   Interactions() : Interactions(Restitution()) {}

@@ -7,8 +7,8 @@
 
 namespace hardball {
 
-/// Spheres that pass through each other: their contact is recorded, and deflects neither. No caller's
-/// function is asked about them.
+/// Spheres that pass through each other: their contact is recorded, and deflects neither. A custom response
+/// is not called for them.
 struct Passing {
   bool decide(Contact& contact) const {
     contact.fate = Fate::pass;

@@ -91,8 +91,8 @@ void ResponseTable::pass_as_in(const ResponseTable& other) {
       std::uint32_t& own = of_pairs_[a * (species_ + 1) + b];
       const bool passed = std::holds_alternative<Passing>(before);
       if (std::holds_alternative<Passing>(rules_[own]) && !passed) {
-        throw Error("spheres pass through each other that have not done so from the start", "response table",
-                    "let them pass before the simulation starts");
+        throw Error("spheres may pass through each other only if they do so from the start", "response table",
+                    "set Passing before the simulation starts");
       }
       if (passed && !std::holds_alternative<Passing>(rules_[own])) {
         own = static_cast<std::uint32_t>(rules_.size());

@@ -49,7 +49,7 @@ Packed packed(const std::string& bytes) {
 }
 
 [[noreturn]] void refuse(const std::string& what, const std::string& where) {
-  throw Error(what, where, "use an undamaged copy, or start the run anew");
+  throw Error(what, where, "use an undamaged copy, or start the run again");
 }
 
 // The parts of a file, one after the other.
@@ -141,7 +141,7 @@ std::map<std::string, std::string> read_checkpoint(std::string_view file, const 
   for (const Entry& entry : entries) {
     sections[entry.name] = unpacked(entry, parts.take(entry.packed), where);
   }
-  if (!parts.is_end()) refuse("goes on after its end", where);
+  if (!parts.is_end()) refuse("continues after its end", where);
   return sections;
 }
 

@@ -38,13 +38,13 @@ OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
 
 OutputFile::OutputFile(std::filesystem::path path, const FilePosition& position, std::uint64_t head)
     : path_(std::move(path)), written_(position.bytes), complete_(position.bytes) {
-  constexpr const char* kRemedy = "restore the file, or start anew in another directory";
+  constexpr const char* kRemedy = "restore the file, or start again in another directory";
   const std::uint64_t bytes = position.bytes;
   open("rb+");
   std::error_code failure;
   const std::uintmax_t present = std::filesystem::file_size(path_, failure);
   if (failure || present < bytes || std::fseek(file_.get(), static_cast<long>(bytes), SEEK_SET) != 0) {
-    throw Error(failure ? "cannot be gone on with: " + failure.message()
+    throw Error(failure ? "cannot be continued: " + failure.message()
                         : "has " + std::to_string(present) + " bytes, not the " + std::to_string(bytes) +
                               " or more that were written",
                 path_.string(), kRemedy);

@@ -46,7 +46,7 @@ void replace_file(const std::filesystem::path& path, std::string_view bytes) {
   }
   const int reason = errno;
   std::remove(unfinished.c_str());
-  throw RunFailure("cannot write " + path.string() + ": " + std::strerror(reason) + "; it is as before");
+  throw RunFailure("cannot write " + path.string() + ": " + std::strerror(reason) + "; it is unchanged");
 }
 
 }  // namespace hardball

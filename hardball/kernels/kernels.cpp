@@ -9,7 +9,7 @@ namespace hardball {
 const Kernels& kernels_of(InstructionSet instructions) {
   if (!is_available(instructions)) {
     throw Error("this machine does not support the requested vector instructions", "instructions",
-                "let the widest be chosen, or use the portable ones");
+                "use the default, or the portable ones");
   }
 #if defined(__x86_64__) && defined(__GNUC__)
   if (instructions == InstructionSet::avx512) return kAvx512Kernels;

@@ -231,7 +231,7 @@ Measurement StructureFactor::result(const Scene& /*scene*/) const {
     const auto add = [&](const char* name, const char* unit, double number, double deviation) {
       found.quantities.push_back({.name = name, .unit = unit});
       Quantity& quantity = found.quantities.back();
-      if (!is_peak) quantity.reason = "no peak is beyond chance";
+      if (!is_peak) quantity.reason = "no peak is statistically significant";
       if (is_peak) quantity.value = number;
       if (is_peak) quantity.error = deviation;
     };

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-constexpr const char* kBegunEarlier = "the run was begun by a version that did not follow places";
+constexpr const char* kBegunEarlier = "the run was begun by a version that did not follow positions";
 
 // Of each sphere: velocity and place. Of each lag: the product of the velocities; and the displacement times
 // the mean of both velocities, which is the integral of the former up to the lag.

@@ -337,7 +337,7 @@ std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span
     throw Error("a packing fraction of " + to_text(packing) + " cannot exist", where,
                 "equal " + std::string(box.is_flat() ? "discs" : "spheres") + " fill at most " +
                     to_text(std::floor(1e4 * densest.closest + 0.5) / 1e4) +
-                    "; enlarge the box, or take fewer or smaller ones");
+                    "; enlarge the box, or use fewer or smaller ones");
   }
   if (packing > densest.most_random && are_equal) {
     throw Error("random placement cannot reach a packing fraction of " + to_text(packing), where,

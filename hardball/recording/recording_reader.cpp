@@ -87,7 +87,7 @@ RecordingReader::RecordingReader(const std::filesystem::path& path, OnDamage on_
     const std::string checksum = read_bytes({spheres_.offset + spheres_.length, layout.checksum_bytes()});
     if (read_little_endian<std::uint64_t>(checksum.data()) != crc.value()) {
       refuse("is damaged: the header and the spheres, its first " +
-             to_text(spheres_.offset + spheres_.length) + " bytes, have another checksum");
+             to_text(spheres_.offset + spheres_.length) + " bytes, do not match their checksum");
     }
   }
   Numbers numbers(bytes);
@@ -134,7 +134,7 @@ void RecordingReader::find_chunks() {
     chunk.end = numbers.take<double>();
     if (layout.has_checksums()) {
       const std::uint32_t crc = crc32_of(std::string_view(bytes).substr(0, Layout::kHeadBytes));
-      refuse_unless(numbers.take<std::uint64_t>() == crc, "has a head with another checksum");
+      refuse_unless(numbers.take<std::uint64_t>() == crc, "has a head that does not match its checksum");
     }
     refuse_unless(chunk.bytes.length == layout.chunk_bytes(header_.spheres, chunk.contacts),
                   "has a length that does not match its contacts");
@@ -154,7 +154,7 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
   const ChunkExtent& extent = chunks_[chunk];
   const std::size_t walls = kFaces + header_.surfaces.size();
   const auto refuse_unless = [&](bool condition) {
-    if (!condition) refuse_chunk(chunk, "contains what no run can produce");
+    if (!condition) refuse_chunk(chunk, "contains data that no run can produce");
   };
   const Layout layout = header_.layout();
   const std::uint64_t head = layout.head_bytes();
@@ -162,7 +162,7 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
   if (layout.has_checksums()) {
     const std::size_t end = bytes.size() - layout.checksum_bytes();
     if (read_little_endian<std::uint64_t>(&bytes[end]) != crc32_of(std::string_view(bytes).substr(0, end)))
-      refuse_chunk(chunk, "has another checksum");
+      refuse_chunk(chunk, "does not match its checksum");
   }
   Numbers numbers(bytes);
   RecordedChunk recorded{extent.begin, extent.end, {}, {}, {}};

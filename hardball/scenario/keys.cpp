@@ -222,7 +222,7 @@ TableDescription spheres_keys() {
                           "equal spheres and 0.54 for equal discs, "
                           "more for unequal ones; "
                           "`\"fcc\"`: on a face-centered cubic lattice that fills the box; "
-                          "`\"hexagonal\"`: the same of discs",
+                          "`\"hexagonal\"`: the same for discs",
                .example = "\"random\""},
               {.name = "positions",
                .type = vectors,
@@ -352,7 +352,7 @@ std::vector<KeyDescription> bounce_keys() {
        .range = not_negative,
        .dimension = "L/T",
        .meaning = "impacts slower than this are elastic; under gravity a sphere pressed against a surface "
-                  "parts from it with at least a tenth of it",
+                  "leaves it with at least a tenth of this speed",
        .example = "0.01"},
       {.name = "contact_duration",
        .range = not_negative,
@@ -403,7 +403,7 @@ TableDescription response_keys() {
                         .example = "\"merge\""});
   table.keys.push_back({.name = "pairs",
                         .type = tables,
-                        .meaning = "other rules for pairs of species; what they leave open is as for all",
+                        .meaning = "other rules for pairs of species; keys that they do not give are as for all",
                         .table = make(pairs_keys())});
   return table;
 }
@@ -489,7 +489,7 @@ TableDescription obstacles_keys() {
                                    {.name = "positions",
                                     .type = vectors,
                                     .dimension = "L",
-                                    .meaning = "instead of `position`: the centers of several, alike",
+                                    .meaning = "instead of `position`: the centers of several identical obstacles",
                                     .example = "[[3.0, 5.0, 5.0], [7.0, 5.0, 5.0]]"},
                                    {.name = "radius",
                                     .range = positive,
@@ -616,7 +616,7 @@ TableDescription output_keys() {
                {.name = "checkpoint_at",
                 .type = numbers,
                 .dimension = "T",
-                .meaning = "times at which there is a checkpoint, too; each is kept as `checkpoints/T.hbc`",
+                .meaning = "times at which a checkpoint is also written; each is kept as `checkpoints/T.hbc`",
                 .example = "[10.0, 100.0]"},
                {.name = "report",
                 .type = truth,
@@ -730,9 +730,9 @@ std::string type_of(const KeyDescription& key) {
     case truth:
       return "`true` or `false`";
     case text:
-      return "text";
+      return "string";
     case texts:
-      return "list of texts";
+      return "list of strings";
     case choice:
       return listed(key.choices);
     case choices:

@@ -114,7 +114,7 @@ void check_room(const Box& box, Groups groups, const Region& region) {
   const double packing = sphere_volume(groups) / box.volume_of(size);
   if (packing > 1) {
     throw Error("a packing fraction of " + to_text(packing) + " cannot exist", largest.where,
-                "enlarge the box, or take fewer or smaller spheres");
+                "enlarge the box, or use fewer or smaller spheres");
   }
 }
 

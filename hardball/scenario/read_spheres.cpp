@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 4> kVelocityKeys{"mean_speed", "temperatu
 void read_placement(const Section& section, SphereGroup& group) {
   if (const auto positions = section.find("positions")) {
     if (const auto placement = section.find("placement")) {
-      throw Error("there are both placement and positions", placement->place(), "remove one of the two");
+      throw Error("both placement and positions are given", placement->place(), "remove one of the two");
     }
     group.placement = Placement::listed;
     group.positions = positions->vectors(group.dimensions);
@@ -41,7 +41,7 @@ void read_velocities(const Section& section, SphereGroup& group) {
     if (!value) continue;
     if (rule) {
       const std::string_view first = kVelocityKeys[static_cast<std::size_t>(*rule)];
-      throw Error("there are both " + std::string(first) + " and " + std::string(kVelocityKeys[i]),
+      throw Error("both " + std::string(first) + " and " + std::string(kVelocityKeys[i]) + " are given",
                   value->place(), "keep one of mean_speed, temperature, speed and velocities");
     }
     rule = static_cast<VelocityRule>(i);
@@ -139,7 +139,7 @@ void read_spins(const Section& section, SphereGroup& group) {
   if (temperature) group.rotational_temperature = temperature->number();
   if (!spins) return;
   if (temperature) {
-    throw Error("there are both rotational_temperature and spins", spins->place(), "remove one of the two");
+    throw Error("both rotational_temperature and spins are given", spins->place(), "remove one of the two");
   }
   group.spins = spins->vectors(kAxes);
   if (group.spins.size() != group.count) {
@@ -162,7 +162,7 @@ SphereGroup read_spheres(const Section& section, const std::filesystem::path& fo
   if (const auto name = section.find("species")) group.species = species_named(*name, species);
   if (const auto kinematic = section.find("kinematic")) group.is_kinematic = kinematic->truth();
   if (group.is_kinematic && section.find("mass")) {
-    throw Error("there are both mass and kinematic", section.need("mass").place(),
+    throw Error("both mass and kinematic are given", section.need("mass").place(),
                 "remove one of the two: the mass of kinematic spheres is infinite");
   }
   return group;

@@ -26,7 +26,7 @@ void read_surface(const Section& section, Description& surface) {
     surface.temperature = temperature->number();
     if (surface.restitution) {
       throw Error(
-          "there are both restitution and temperature", temperature->place(),
+          "both restitution and temperature are given", temperature->place(),
           "remove one of the two: the velocities with which spheres leave a thermal wall do not depend on "
           "those before");
     }
@@ -41,7 +41,7 @@ void read_motion(const Section& section, std::size_t dimensions, WallDescription
   const std::optional<Value> frequency = section.find("frequency");
   if (!amplitude && !frequency) return;
   if (velocity) {
-    throw Error("there are both velocity and " + std::string(amplitude ? "amplitude" : "frequency"),
+    throw Error("both velocity and " + std::string(amplitude ? "amplitude" : "frequency") + " are given",
                 velocity->place(), "a plane either moves evenly or oscillates; remove one of the two");
   }
   wall.amplitude = section.need("amplitude").number();
@@ -66,7 +66,7 @@ std::vector<Vec3> read_positions(const Section& section, std::size_t dimensions)
   const std::optional<Value> position = section.find("position");
   const std::optional<Value> positions = section.find("positions");
   if (position && positions) {
-    throw Error("there are both position and positions", positions->place(), "remove one of the two");
+    throw Error("both position and positions are given", positions->place(), "remove one of the two");
   }
   if (positions) return positions->vectors(dimensions);
   return {section.need("position").vector(dimensions)};

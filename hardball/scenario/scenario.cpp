@@ -77,7 +77,7 @@ void read_start_velocities(const Section& start, Scenario& scenario) {
   const std::optional<Value> mean_speed = start.find("mean_speed");
   const std::optional<Value> temperature = start.find("temperature");
   if (mean_speed && temperature) {
-    throw Error("there are both mean_speed and temperature", temperature->place(), "remove one of the two");
+    throw Error("both mean_speed and temperature are given", temperature->place(), "remove one of the two");
   }
   if (!mean_speed && !temperature) return;
   scenario.start_velocity_rule = mean_speed ? VelocityRule::mean_speed : VelocityRule::temperature;
@@ -90,7 +90,7 @@ void read_start(const Section& root, Scenario& scenario) {
   const std::optional<Section> start = root.section("start");
   if (start) {
     if (!groups.empty()) {
-      throw Error("there are both [[spheres]] and [start]", start->place(), "remove one of the two");
+      throw Error("both [[spheres]] and [start] are given", start->place(), "remove one of the two");
     }
     const Value file = start->need("file");
     scenario.start_file = folder / file.text();
@@ -133,12 +133,12 @@ void read_snapshots(const Section& section, Scenario& scenario) {
   const std::optional<Value> first = section.find("first_snapshot");
   const std::optional<Value> trajectory = section.find("trajectory");
   if ((every && per_decade) || (every_contacts && (every || per_decade))) {
-    throw Error(std::string("there are both ") + (every ? "snapshots_every" : "snapshots_per_decade") +
-                    " and " + (every_contacts ? "snapshots_every_contacts" : "snapshots_per_decade"),
+    throw Error(std::string("both ") + (every ? "snapshots_every" : "snapshots_per_decade") +
+                    " and " + (every_contacts ? "snapshots_every_contacts" : "snapshots_per_decade") + " are given",
                 (every_contacts ? every_contacts : per_decade)->place(), "remove one of the two");
   }
   if (first && !per_decade) {
-    throw Error("there is first_snapshot without snapshots_per_decade", first->place(),
+    throw Error("first_snapshot is given without snapshots_per_decade", first->place(),
                 "add snapshots_per_decade = 10, say, or remove it");
   }
   if (every) {
@@ -149,7 +149,7 @@ void read_snapshots(const Section& section, Scenario& scenario) {
   } else if (every_contacts) {
     scenario.snapshots = SnapshotSchedule::every_contacts(every_contacts->integer());
   } else if (trajectory) {
-    throw Error("there is trajectory, but no snapshots are taken", trajectory->place(),
+    throw Error("trajectory is given, but no snapshots are taken", trajectory->place(),
                 "add snapshots_every, snapshots_per_decade or snapshots_every_contacts");
   }
   if (trajectory) {
@@ -188,8 +188,8 @@ void leave_out_measures(const Section& root, Scenario& scenario) {
   if (!scenario.has_merging() && !is_kinematic) return;
   const std::optional<Section> measures = root.section("measures");
   if (measures && measures->find("names") && !scenario.measures.names.empty()) {
-    throw Error(is_kinematic ? "there are measures, and kinematic spheres"
-                             : "there are measures, and spheres that merge",
+    throw Error(is_kinematic ? "measures do not support kinematic spheres"
+                             : "measures do not support spheres that merge",
                 measures->need("names").place(), "give names = [], for no measures");
   }
   scenario.measures.names.clear();

@@ -180,7 +180,8 @@ double time_to_begin(const World& world, const Time& now, SphereId id, SphereId 
 }
 
 void check_end(const Box& box, double end, const std::string& name, const char* where) {
-  if (!(end >= 0)) throw Error("the " + name + " lies behind, or is NaN", where, "give one that lies ahead");
+  if (!(end >= 0)) throw Error("the search would end before it begins, or the " + name + " is NaN", where,
+                               "give a " + name + " ahead of the start");
   if (std::isfinite(end) || !is_periodic(box)) return;
   throw Error("the box is periodic, and the search may have no end", where, "give a finite " + name);
 }
@@ -382,7 +383,7 @@ std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origi
   const double norm = length(direction);
   if (!(norm >= kSmallestMagnitude)) {
     throw Error("the direction has the length " + to_text(norm), kWhere,
-                "give a vector that points somewhere");
+                "give a finite vector that is not zero");
   }
   check_end(box, most, "distance", kWhere);
   const Path path{folded(box, origin, kWhere), (1 / norm) * direction, Time(0)};

@@ -9,9 +9,9 @@
 #include "hardball/events/event.hpp"
 #include "hardball/world/world.hpp"
 
-/// Questions about a world at one moment, answered by looking at every sphere once: they need no structures
-/// and change nothing. In all of them `now` is finite and not before the start of any path, and a sphere
-/// never meets its own periodic images.
+/// Queries of a world at one moment, which look at every sphere once: they need no structures and change
+/// nothing. In all of them `now` is finite and not before the start of any path, and a sphere never meets its
+/// own periodic images.
 namespace hardball {
 
 /// The id of a sphere that is not in the world.
@@ -44,9 +44,9 @@ struct Clearance {
 };
 
 /// What a sphere would hit first up to `until` if it took this velocity [L/T] at `now`, and all others kept
-/// to their paths: to the last bit what an engine would predict after such a change. The sphere asked about
-/// is `first`; of simultaneous contacts that with the sphere of the lowest id comes first, and walls come
-/// last. A sphere that passes through others touches them when it begins to.
+/// their paths: to the last bit what an engine would predict after such a change. The sphere in question is
+/// `first`. Of simultaneous contacts, that with the sphere of the lowest id comes first, and walls come last.
+/// A sphere that passes through others touches them when it begins to.
 ///
 /// Error: no such sphere; a velocity that is not finite or out of range; `until` is before `now` or NaN, or
 /// in a periodic box infinite. Cost: O(n), and in a periodic box as often as the fastest sphere would cross

@@ -474,14 +474,14 @@ std::vector<Vec3> Simulation::positions() const {
 std::vector<Vec3> Simulation::positions_at(double time) {
   check_moment(Time(time), "positions_at");
   if (next_action().value() < time) {
-    throw Error("the thermostat acts at " + to_text(next_action().value()) + ", before the time asked for, " +
+    throw Error("the thermostat acts at " + to_text(next_action().value()) + ", before the requested time, " +
                     to_text(time),
                 "positions_at", "run_until that time first");
   }
   const std::optional<NextContact> next = next_contact(time);
   if (next && next->time < time) {
     throw Error(
-        "there is a contact at " + to_text(next->time) + ", before the time asked for, " + to_text(time),
+        "there is a contact at " + to_text(next->time) + ", before the requested time, " + to_text(time),
         "positions_at", "run_until that contact first");
   }
   return centers_at(world(), Time(time));
@@ -657,7 +657,7 @@ void Simulation::check_editable(const char* what) const {
                 "edit it from the listener, which is called after the contact");
   }
   if (activity_ == Activity::measuring) {
-    throw Error("the run takes measures, which need the spheres and velocities left by contacts", what,
+    throw Error("the run takes measures, which do not allow edits", what,
                 "run without measures, or edit the simulation when the run has ended");
   }
 }

@@ -39,80 +39,79 @@ struct VelocityEdit {
 
 /// Spheres in motion: the interface to Hardball.
 ///
-/// Every collision happens at its exact time and in order; the history does not depend on the options, on how
-/// a run is split, or on queries in between. Copies are independent of each other, and share only what their
-/// listeners and responses refer to.
+/// Every collision happens at its exact time and in order. The history does not depend on the options, on how
+/// a run is split, or on queries in between. Copies are independent, and share only what their listeners and
+/// responses refer to.
 class Simulation {
  public:
   /// Starts at the latest time at which a sphere was added to the world, or zero. Spheres added earlier have
   /// moved freely until then and start a new path there; to continue a history, copy the simulation. Reports
-  /// to `on_progress` how much of the set-up is done. Error: spheres that overlap or reach through a wall at
-  /// the start; invalid options (see EngineOptions).
+  /// the progress of the set-up to `on_progress`. Error: spheres that overlap or reach through a wall at the
+  /// start; invalid options (see EngineOptions).
   explicit Simulation(World world, const EngineOptions& options = {}, const OnProgress& on_progress = {});
   Simulation(const Simulation& other);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation other) noexcept;
   ~Simulation();
 
-  /// Sets a listener, called after every collision and wall contact: the contact has been carried out, and
-  /// time() is its time. If it throws, the run ends after that contact, and the simulation can be run on.
+  /// Sets a listener, called after every collision and wall contact: the contact has been executed, and
+  /// time() is its time. If it throws, the run ends after that contact, and the simulation can be run further.
   ///
-  /// The listener may query the simulation, copy it, and edit it: change_velocity, change_velocities, add,
-  /// remove, on_contact, respond_with. An edit takes effect before any other event, simultaneous ones
-  /// included, so that the history is the same for every engine. Error, from the calls in question: it runs
-  /// the simulation, asks for future contacts or positions, or edits it during a run with measures. It must
-  /// not move it, assign to it or destroy it.
+  /// The listener may query, copy and edit the simulation: change_velocity, change_velocities, add, remove,
+  /// on_contact, respond_with. An edit takes effect before any other event, simultaneous ones included, so
+  /// the history is the same for every engine. The listener must not move, assign to or destroy the
+  /// simulation. Error, from the call in question: it runs the simulation, asks for future contacts or
+  /// positions, or edits it during a run with measures.
   void on_contact(std::function<void(const Contact&)> listener);
 
-  /// Replaces the response, which gives the velocities after a contact; see Response. Error, from running:
+  /// Replaces the response, which returns the velocities after a contact; see Response. Error, from running:
   /// the bodies still approach with the velocities returned; a velocity is not finite or exceeds 1e60; the
   /// response runs or edits the simulation. The contact has then not happened.
   void respond_with(std::function<Velocities(const Contact&)> response);
   /// The same, for a response that changes spins, or merges spheres. It is also asked whether a sphere that
-  /// has merged merges with those that it overlaps, which may recede; if not, what it returns then is unused.
+  /// has merged also merges with those that it overlaps, which may recede; if not, its result is ignored.
   void respond_with(std::function<Outcome(const Contact&)> response);
-  /// Replaces the response of the world, for good: unlike functions, a table is saved. Spheres that pass
-  /// through each other go on to do so. Error: others do in the table.
+  /// Replaces the response of the world permanently: unlike functions, a table is saved. Spheres that pass
+  /// through each other continue to do so. Error: other species pass in the table.
   void respond_with(const ResponseTable& table);
   /// Restores the response of the world, instead of a function.
   void respond_with(std::nullptr_t);
-  /// Whether it is a function.
+  /// Whether the response is a function.
   bool has_custom_response() const { return static_cast<bool>(world().interactions().function()); }
 
-  /// Replaces the thermostat, which starts now; none by default. It acts at times of its own, each time after
-  /// all contacts that round to the same double as that time, or an earlier one, and before all others:
-  /// whoever asks for the state at that time sees the velocities after it. With a thermostat a run has no end
-  /// of its own: give a finite time or a number of contacts that will happen. Cost: O(n). Error: as for
-  /// change_velocity.
+  /// Replaces the thermostat, which starts now; none by default. It acts at its own times, each time after
+  /// all contacts that round to the same double as that time, or an earlier one, and before all others: the
+  /// state at that time has the velocities after the action. With a thermostat a run never ends by itself:
+  /// give a finite time or a number of contacts that will happen. Cost: O(n). Error: as for change_velocity.
   void set_thermostat(std::optional<Thermostat> thermostat);
   const std::optional<Thermostat>& thermostat() const { return thermostat_; }
 
   /// Sets a listener, called after every change of a velocity without a contact: by the thermostat, or by
-  /// change_velocity. It may query the simulation; Error, from the calls in question: it runs or edits it.
+  /// change_velocity. It may query the simulation. Error, from the call in question: it runs or edits it.
   void on_velocity_change(std::function<void(const VelocityChange&)> listener);
 
   /// Runs to `time` [T], events at that time included. Error: `time` is in the past, NaN, or finite and
   /// beyond 1e120.
   void run_until(double time);
-  /// The same, with `measures` taken; see Measures.
+  /// The same, and takes `measures`; see Measures.
   void run_until(double time, Measures& measures);
-  /// Runs until `count` contacts have happened, but not beyond `until` [T]; returns how many happened. Where
+  /// Runs until `count` contacts have happened, but not beyond `until` [T]; returns how many happened. If
   /// spheres may never meet again, in open space or a periodic box, give a finite time.
   std::uint64_t run_contacts(std::uint64_t count, double until = std::numeric_limits<double>::infinity());
-  /// Runs until the first of the limits is met. Error: RunLimits::until, as for run_until.
+  /// Runs until the first of the limits is reached. Error: RunLimits::until, as for run_until.
   RunStatus run(const RunLimits& limits);
-  /// The same, with `measures` taken. Error: spheres have been added or removed since the measures began, or
+  /// The same, and takes `measures`. Error: spheres have been added or removed since the measures began, or
   /// merge.
   RunStatus run(const RunLimits& limits, Measures& measures);
 
-  /// The next collision or wall contact up to `until` [T], without carrying it out. In a periodic box spheres
+  /// The next collision or wall contact up to `until` [T], without executing it. In a periodic box spheres
   /// may never meet: then give a finite time. Error: `until`, as for run_until. Cost: that of the events that
-  /// a run would handle up to then, which need not be handled again unless edits follow.
+  /// a run would handle up to then; the next run does not repeat them unless edits follow.
   std::optional<NextContact> next_contact(double until = std::numeric_limits<double>::infinity());
-  /// The contacts of the next `duration` [T], in order, up to `most`, if nobody interferes: what run() would
-  /// tell the listener. Error: `duration` is negative, NaN, infinite or beyond 1e120; it is called by the
-  /// response; what running throws. Cost: that of the run and of taking it back; called by the listener, that
-  /// of a copy, O(n), too.
+  /// The contacts of the next `duration` [T], in order, up to `most`, if nobody interferes: those that run()
+  /// would pass to the listener. Error: `duration` is negative, NaN, infinite or beyond 1e120; it is called by
+  /// the response; errors of the run. Cost: that of the run and of rewinding it; called by the listener, plus
+  /// an O(n) copy.
   std::vector<Contact> contacts_within(double duration,
                                        std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
@@ -143,10 +142,10 @@ class Simulation {
   /// Changes the velocity of a sphere [L/T], now. Error: no such sphere; a number that is NaN, infinite or
   /// out of range. Cost: that of a collision; when it follows next_contact or positions_at, as of these.
   void change_velocity(SphereId id, const Vec3& velocity);
-  /// The same for many, in the order of ids, whatever their order here: all of them, or on an Error none.
+  /// The same for many, in the order of ids, whatever their order here; on an Error, none is changed.
   /// Error: as for one; a sphere is given twice. Cost: at most that of as many collisions.
   void change_velocities(std::span<const VelocityEdit> edits);
-  /// The same between runs with `measures`, which see it as the action of a thermostat; see Measures.
+  /// The same between runs with `measures`, which treat it as the action of a thermostat; see Measures.
   void change_velocities(std::span<const VelocityEdit> edits, Measures& measures);
   /// Adds a sphere, now. Cost: that of a collision, amortized; O(n) for the first of a larger radius than all
   /// others. Error: see World::add; it overlaps another sphere.
@@ -158,18 +157,18 @@ class Simulation {
   SphereHandle sphere(SphereId id);
   /// Whether a sphere has this id. Cost: O(log n).
   bool contains(SphereId id) const { return world().contains(id); }
-  /// A number of the caller's for each sphere, zero at first; copies have their own, and a sphere that
+  /// A number that the caller attaches to a sphere, zero at first. Copies have their own; a sphere that
   /// absorbs another keeps its own. Error: no sphere has this id. Cost: O(log n).
   std::uint64_t user_data(SphereId id) const;
   void set_user_data(SphereId id, std::uint64_t data);
 
   /// The whole state as bytes, from which `load` makes a simulation that continues to the same history: paths
-  /// as they are stored, the clock, the hash, the tally, the thermostat, the numbers of the caller, the
-  /// options. Only functions are missing: the listeners, and a response of the caller's own. Error: called by
-  /// the response or a velocity listener. Cost: O(n).
+  /// as they are stored, the clock, the hash, the tally, the thermostat, the user data, the options.
+  /// Listeners and custom responses are not saved; set them again. Error: called by the response or a
+  /// velocity listener. Cost: O(n).
   std::string save() const;
-  /// A simulation from what `save` returned, of this version of the library or an earlier one; `where` names
-  /// the bytes in errors. Error: they are damaged, or not from `save`, or of a later version. Cost: as of a
+  /// A simulation from the bytes of `save`, by this version of the library or an earlier one; `where` names
+  /// the bytes in errors. Error: they are damaged, or not from `save`, or of a later version. Cost: that of a
   /// new simulation, without its audit.
   static Simulation load(std::string_view bytes, const std::string& where = "the saved simulation");
 

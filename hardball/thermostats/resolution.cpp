@@ -12,7 +12,7 @@ void refuse_unresolved(double interval, double time) {
   constexpr double kMostIntervals = 0x1p50;
   if (std::fabs(time) / interval < kMostIntervals) return;
   throw Error("actions every " + to_text(interval) + " cannot be resolved at time " + to_text(time),
-              "thermostat", "let it act less often");
+              "thermostat", "make it act less often");
 }
 
 }  // namespace hardball

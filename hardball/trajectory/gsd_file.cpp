@@ -24,7 +24,7 @@ File::File(const std::filesystem::path& path) : name_(path.string()), file_(path
   if (!file_ || unknown) throw Error("the file cannot be read", name_, "name a GSD file");
   if (length_ < kHeaderBytes) refuse("the file has no header");
   const std::string header = read_bytes(0, kHeaderBytes);
-  if (read_little_endian<std::uint64_t>(header.data()) != kMagic) refuse("the file is no GSD file");
+  if (read_little_endian<std::uint64_t>(header.data()) != kMagic) refuse("the file is not a GSD file");
   header_ = header_at(header.data());
   const auto version = read_little_endian<std::uint32_t>(&header[44]) >> 16;
   if (version != 1 && version != 2) refuse("the file has version " + to_text(version) + " of the format");

@@ -22,7 +22,7 @@ using gsd::Chunk;
 using gsd::Type;
 
 constexpr std::uint64_t kFirstEntries = 128;
-constexpr const char* kRestore = "restore the file, or start anew in another directory";
+constexpr const char* kRestore = "restore the file, or start again in another directory";
 
 float single(double number) {
   constexpr double kMost = std::numeric_limits<float>::max();

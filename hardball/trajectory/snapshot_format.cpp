@@ -94,7 +94,7 @@ std::unique_ptr<SnapshotReader> open_snapshots(const std::filesystem::path& path
     case SnapshotFormat::vtp:
       break;
   }
-  throw Error("VTP files are only written", path.string(), "name a file of another format");
+  throw Error("VTP files cannot be read", path.string(), "name a file of another format");
 }
 
 Snapshot read_snapshot(const std::filesystem::path& path) {

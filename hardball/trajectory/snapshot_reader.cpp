@@ -23,7 +23,7 @@ Snapshot TextSnapshotReader::read(std::size_t frame) {
   }
   for (;; ++next_) {
     if (!lines_->next_text())
-      throw Error("the file has become shorter", name_, "leave it alone while it is read");
+      throw Error("the file has become shorter", name_, "do not change it while it is read");
     if (next_ == frame) break;
     format_.skip(*lines_);
   }

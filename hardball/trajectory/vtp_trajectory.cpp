@@ -182,7 +182,7 @@ void VtpTrajectory::remove(const std::filesystem::path& path) {
 
 // Reads the entries of the first frames from the collection.
 void VtpTrajectory::find_first(const TrajectoryPosition& position) {
-  constexpr const char* kRemedy = "restore the files, or start anew in another directory";
+  constexpr const char* kRemedy = "restore the files, or start again in another directory";
   const std::uint64_t frames = position.frames;
   std::ifstream in(path_, std::ios::binary);
   if (!in) throw Error(std::string("cannot be read: ") + std::strerror(errno), path_.string(), kRemedy);

@@ -18,7 +18,7 @@ namespace hardball {
 /// What lies at the two ends of the box along one axis.
 enum class Boundary {
   wall,      ///< Hard faces at 0 and at the size.
-  periodic,  ///< What leaves at one end enters at the other.
+  periodic,  ///< Spheres that leave at one end enter at the other.
   open,      ///< Nothing: space is unbounded.
   flat,      ///< There is no such axis, and everything lies at 0: z in two dimensions.
 };
@@ -27,10 +27,10 @@ enum class Boundary {
 inline constexpr std::array<std::string_view, kFaces> kFaceNames{"x_min", "x_max", "y_min",
                                                                  "y_max", "z_min", "z_max"};
 
-/// What a face of the box that is a wall does to spheres that touch it; by default, what the response does.
+/// How a face of the box that is a wall reflects spheres; by default as the response says.
 struct FaceProperties {
   SurfaceMaterial material = {};
-  /// Along the face [L/T]; it matters where the face is thermal, or rubs against rough spheres.
+  /// Along the face [L/T]; it matters if the face is thermal, or the spheres are rough.
   Vec3 velocity = {};
 
   friend bool operator==(const FaceProperties&, const FaceProperties&) = default;
@@ -68,7 +68,7 @@ class Box {
   bool is_open(std::size_t axis) const { return boundary_[axis] == Boundary::open; }
   /// Whether the box has two ends along an axis: walls, or those of a period.
   bool is_bounded(std::size_t axis) const { return is_wall(axis) || is_periodic(axis); }
-  /// Whether all axes that there are have this boundary, or any.
+  /// Whether all existing axes have this boundary.
   bool is_all(Boundary boundary) const {
     return boundary_[0] == boundary && boundary_[1] == boundary && (is_flat() || boundary_[2] == boundary);
   }
@@ -76,14 +76,14 @@ class Box {
     return boundary_[0] == boundary || boundary_[1] == boundary || boundary_[2] == boundary;
   }
 
-  /// Gives a face properties of its own. Error, with its place: it is no wall; a restitution or temperature
+  /// Gives a face its own properties. Error, with its location: it is not a wall; a restitution or temperature
   /// that Surface would refuse; a velocity that is out of range, leads out of the face, or out of the plane
   /// in two dimensions.
   void set_face(Face face, const FaceProperties& properties);
   const FaceProperties& face(Face face) const { return faces_[face]; }
   /// Whether a face is a wall with properties of its own.
   bool has_own_properties(Face face) const { return !(faces_[face] == FaceProperties()); }
-  /// Whether all faces that are walls do what the response does.
+  /// Whether all faces that are walls reflect spheres as the response says.
   bool has_plain_faces() const;
 
   /// Whether this is a plane: everything has z = 0.

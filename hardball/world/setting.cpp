@@ -28,7 +28,7 @@ void refuse_out_of_plane(const Surface& surface) {
   if (const auto* cylinder = std::get_if<Cylinder>(&surface.shape())) {
     if (cylinder->axis().x == 0 && cylinder->axis().y == 0) return;
     throw Error("the axis of " + name + " is not z in a box of two dimensions", "walls",
-                "let it be (0, 0, 1): a circle around the discs");
+                "make it (0, 0, 1): a circle around the discs");
   }
   if (const Vec3* const normal = normal_of(surface))
     refuse_out_of_plane(*normal, "the normal of " + name, "walls");
@@ -61,7 +61,7 @@ void refuse_in_periodic_box(const Surface& surface, const Box& box) {
       if (surface.velocity() == Vec3{}) continue;
       // Its images would come from any distance.
       throw Error("an obstacle moves in a periodic box", "walls",
-                  "keep it at rest, or take a kinematic sphere");
+                  "keep it at rest, or use a kinematic sphere");
     }
     if (const Vec3* const normal = normal_of(surface)) {
       if ((*normal)[axis] != 0) refuse(axis, "make it parallel to the axis, or the axis not periodic");
@@ -70,7 +70,7 @@ void refuse_in_periodic_box(const Surface& surface, const Box& box) {
     const auto* cylinder = std::get_if<Cylinder>(&surface.shape());
     if (cylinder != nullptr && std::fabs(cylinder->axis()[axis]) == 1) continue;
     if (cylinder != nullptr && cylinder->axis()[axis] != 0)
-      refuse(axis, "let it run along an axis of the box");
+      refuse(axis, "make it parallel to an axis of the box");
     const double radius =
         cylinder != nullptr ? cylinder->radius() : std::get<HollowSphere>(surface.shape()).radius();
     const double center = surface.point()[axis];

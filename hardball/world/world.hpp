@@ -62,12 +62,12 @@ class World {
   /// Removes a sphere; the one in the last slot takes its place. `moment` is for the journal. Cost: O(log n)
   /// amortized. Error: no sphere has this id.
   void remove(SphereId id, const Time& moment = Time(0));
-  /// Takes back the sphere added last, and its id. Precondition: nothing else has changed since.
+  /// Undoes the last addition, and releases its id. Precondition: nothing else has changed since.
   void undo_add();
 
-  /// From now on records all changes, so that they can be undone; forgets those recorded before.
+  /// Starts to record all changes, so that they can be undone; discards those recorded before.
   void begin_journal();
-  /// Forgets the changes and records no more.
+  /// Discards the changes and stops recording.
   void end_journal();
   bool has_journal() const { return has_journal_; }
   const Journal& journal() const { return journal_; }
@@ -90,7 +90,7 @@ class World {
     return has_grown_ ? kRoom : 1;
   }
 
-  /// What happens when spheres touch each other or a wall: they are smooth and elastic until set otherwise.
+  /// What happens when spheres touch each other or a wall; by default they are smooth and elastic.
   const Interactions& interactions() const { return interactions_; }
   void set_interactions(const Interactions& interactions);
 
@@ -107,7 +107,7 @@ class World {
   /// through each other: in one flag, as every contact asks.
   bool has_traits() const { return has_traits_; }
   bool has_spins() const { return !spins_.empty(); }
-  /// Whether contacts of some pairs do not deflect them: those let pass, and kinematic spheres.
+  /// Whether contacts of some pairs do not deflect them: species that pass, and kinematic spheres.
   bool has_passing_pairs() const { return interactions_.has_passing() || kinematic_count_ > 1; }
   /// Whether the contacts of two spheres do not deflect them.
   bool pass(Slot a, Slot b) const {
@@ -164,12 +164,12 @@ class World {
   /// as for position().
   Image image(Slot slot, const Time& moment) const;
 
-  /// Sum of m v^2 / 2 at `moment` [M L^2 T^-2]; of these sums kinematic spheres are no part. Cost: O(n).
+  /// Sum of m v^2 / 2 at `moment` [M L^2 T^-2]; these sums exclude kinematic spheres. Cost: O(n).
   double kinetic_energy(const Time& moment) const;
   /// Sum of I w^2 / 2, with the spin w [M L^2 T^-2]. Cost: O(n).
   double rotational_energy() const;
-  /// Kinetic and rotational energy and, with gravity, potential energy, which is zero at the origin: a center
-  /// that has crossed a periodic box is as far away as it has come [M L^2 T^-2]. Cost: O(n).
+  /// Kinetic and rotational energy and, with gravity, potential energy, which is zero at the origin and uses
+  /// unwrapped positions in a periodic box [M L^2 T^-2]. Cost: O(n).
   double energy(const Time& moment) const;
   /// Sum of m v at `moment` [M L/T]. Cost: O(n).
   Vec3 momentum(const Time& moment) const;

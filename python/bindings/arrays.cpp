@@ -35,7 +35,7 @@ bool is_vector(const py::array& array, const std::string& name, bool is_flat) {
   if (columns == 2 && !is_flat) {
     throw Error("the array has the shape " + shape_of(array) +
                     ": vectors of two coordinates, and the box has three dimensions",
-                name, "give three coordinates, or take a flat box");
+                name, "give three coordinates, or use a flat box");
   }
   return columns == 2 || columns == 3;
 }
@@ -59,7 +59,7 @@ void refuse_truths(const py::handle& object, const std::string& name) {
   const py::array array = py::array::ensure(object);
   if (!array) PyErr_Clear();
   if (!array || array.dtype().kind() != 'b') return;
-  throw Error("it is made of truth values", name, "give numbers, such as ids[mask]");
+  throw Error("it is an array of booleans", name, "give numbers, such as ids[mask]");
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ void refuse_truths(const py::handle& object, const std::string& name) {
 Doubles doubles(const py::handle& object, const std::string& name) {
   constexpr std::string_view kRealNumbers = "fiub";  // as NumPy calls them
   if (py::module_::import("numpy.ma").attr("is_masked")(object).cast<bool>()) {
-    throw Error("it has masked entries", name, "give the numbers that are meant, such as array.filled(...)");
+    throw Error("it has masked entries", name, "fill them, as array.filled(...) does");
   }
   const py::array array = py::array::ensure(object);
   if (!array || kRealNumbers.find(array.dtype().kind()) == std::string_view::npos) {

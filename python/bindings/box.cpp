@@ -69,7 +69,7 @@ double number_of(const py::handle& given, const std::string& name) {
 FaceProperties properties_of(const py::handle& given, const std::string& face) {
   const std::string where = "face " + face;
   if (!py::isinstance<py::dict>(given)) {
-    throw Error("it is no dict", where, "give one such as {'temperature': 2.0}");
+    throw Error("it is not a dict", where, "give one such as {'temperature': 2.0}");
   }
   FaceProperties properties;
   for (const auto& [key, value] : given.cast<py::dict>()) {
@@ -93,7 +93,7 @@ FaceProperties properties_of(const py::handle& given, const std::string& face) {
 Box with_faces(Box box, const py::object& faces) {
   if (faces.is_none()) return box;
   if (!py::isinstance<py::dict>(faces)) {
-    throw Error("it is no dict", "faces", "give one such as {'z_min': {'temperature': 2.0}}");
+    throw Error("it is not a dict", "faces", "give one such as {'z_min': {'temperature': 2.0}}");
   }
   for (const auto& [key, value] : faces.cast<py::dict>()) {
     const std::string name = py::str(key);
@@ -177,7 +177,7 @@ std::string text_of(const Surface& surface) {
 Vec3 unit(const Vec3& direction) {
   const double norm = length(direction);
   if (!(norm > 0 && norm < std::numeric_limits<double>::infinity())) {
-    throw Error("the direction has no length", "surface", "give a vector that is not zero");
+    throw Error("the direction has length zero", "surface", "give a vector that is not zero");
   }
   return (1 / norm) * direction;
 }
@@ -216,7 +216,7 @@ void bind_surface(py::module_& module) {
           },
           py::arg("axis"), py::arg("radius"), py::arg("point") = origin, py::kw_only(),
           py::arg("restitution") = py::none(), py::arg("temperature") = py::none(), py::arg("seed") = 0,
-          "A tube of `radius` [L], in which spheres move, around an axis of any length through `point` [L].")
+          "A tube of `radius` [L] in which spheres move; `axis`, of any length, passes through `point` [L].")
       .def_static(
           "sphere",
           [](double radius, const py::object& point, std::optional<double> restitution,
@@ -253,8 +253,8 @@ void bind_box(py::module_& module) {
              return with_faces({boundaries, vector_of(size, "size", kMayBeFlat)}, faces);
            }),
            py::arg("boundary"), py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
-           "With a boundary for each axis: 'wall', 'periodic', 'open' or, for z, 'flat'; and edge lengths "
-           "[L], which do not matter along open and flat axes. `faces` gives walls properties of their own: "
+           "`boundary` has one of 'wall', 'periodic', 'open' or, for z, 'flat' for each axis. `size` has the "
+           "edge lengths [L]; those of open and flat axes are ignored. `faces` gives walls their own properties: "
            "{'z_min': {'temperature': 2.0, 'velocity': [1, 0, 0]}, 'z_max': {'restitution': 0.8}}.")
       .def_static(
           "walls",
@@ -266,7 +266,7 @@ void bind_box(py::module_& module) {
       .def_static(
           "periodic", [](const py::object& size) { return box_of(Boundary::periodic, size, false); },
           py::arg("size"),
-          "What leaves at one end enters at the other. `size` is the edge [L], or one length for each axis.")
+          "Spheres that leave at one end enter at the other. `size` is the edge [L], or one length for each axis.")
       .def_static("open", &Box::open, "Unbounded space.")
       .def_static(
           "flat_walls",
@@ -274,10 +274,10 @@ void bind_box(py::module_& module) {
             return with_faces(box_of(Boundary::wall, size, true), faces);
           },
           py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
-          "As walls, in two dimensions: spheres are discs.")
+          "Like walls, in two dimensions: spheres are discs.")
       .def_static(
           "flat_periodic", [](const py::object& size) { return box_of(Boundary::periodic, size, true); },
-          py::arg("size"), "As periodic, in two dimensions: spheres are discs.")
+          py::arg("size"), "Like periodic, in two dimensions: spheres are discs.")
       .def_static("flat_open", &Box::flat_open, "The whole plane: spheres are discs.")
       .def_property_readonly(
           "boundary",
@@ -288,7 +288,7 @@ void bind_box(py::module_& module) {
           doc::Boundary)
       .def_property_readonly(
           "size", [](const Box& self) { return read_only(array_of(self.size())); }, doc::Box_size)
-      .def_property_readonly("faces", &faces_of, "Their properties, of those that have some of their own.")
+      .def_property_readonly("faces", &faces_of, "The properties of faces that have their own.")
       .def_property_readonly("dimensions", &Box::dimensions, "3, or 2 if the box is flat.")
       .def_property_readonly("volume", &Box::volume, doc::Box_volume)
       .def(

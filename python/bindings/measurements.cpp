@@ -100,8 +100,8 @@ void bind_measurements(py::module_& module) {
       .def_readonly("source", &Measurement::source, doc::Measurement_source)
       .def_property_readonly("quantities", &quantities_of, "The measured numbers by their names.")
       .def_property_readonly("columns", &columns_of,
-                             "The measured function as a table: arrays by their names, the first being the "
-                             "argument; errors and theory follow what they belong to. May be empty.")
+                             "The measured function as a table: arrays by their names. The first is the "
+                             "argument; errors and theory follow their values. May be empty.")
       .def_property_readonly(
           "units",
           [](const Measurement& self) {

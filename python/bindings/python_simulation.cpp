@@ -83,7 +83,7 @@ PythonSimulation::PythonSimulation(PythonSimulation&& other)
 
 const Simulation& PythonSimulation::simulation() const {
   if (!is_made_) {
-    throw Error("it has not been made", "Simulation", "call super().__init__(...) before anything else");
+    throw Error("it has not been initialized", "Simulation", "call super().__init__(...) before anything else");
   }
   if (runner_ && *runner_ != std::this_thread::get_id()) {
     throw RunFailure("the simulation is running in another thread; wait until it ends");
@@ -316,7 +316,7 @@ void PythonSimulation::set_listener(const py::object& listener) {
   if (listener.is_none()) {
     listener_.reset();
   } else if (PyCallable_Check(listener.ptr()) == 0) {
-    throw Error("it cannot be called", "on_contact", "give a function of a Contact, or None");
+    throw Error("it is not callable", "on_contact", "give a function of a Contact, or None");
   } else {
     listener_.emplace(listener);
   }
@@ -383,8 +383,8 @@ void PythonSimulation::warn_of_edit(const char* what) {
 
 void PythonSimulation::check_spheres_may_change(const char* what) const {
   if (!measures_.is_any_wanted()) return;
-  throw Error("measures are on, which need the spheres as they are", what,
-              "take the results, and end measuring by measure([])");
+  throw Error("measures are on, which do not allow this", what,
+              "take the results, and end measuring with measure([])");
 }
 
 std::string PythonSimulation::save_measures() const {

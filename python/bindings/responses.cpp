@@ -80,7 +80,7 @@ bool is_in_plane(const Contact& contact) {
 
 std::pair<Vec3, Vec3> vectors_of_both(const Contact& contact, const py::handle& object, const char* name) {
   if (!py::isinstance<py::sequence>(object) || py::len(object) != 2) {
-    throw Error("the response has not returned two vectors", name,
+    throw Error("the response did not return two vectors", name,
                 "return the velocities of both bodies, as in contact.before, or an Outcome");
   }
   const auto both = py::reinterpret_borrow<py::sequence>(object);

@@ -36,7 +36,7 @@ std::unique_ptr<PythonSimulation> loaded(const std::map<std::string, std::string
                                          const std::string& where) {
   const auto simulation = sections.find(kSimulationSection);
   if (simulation == sections.end()) {
-    throw Error("there is no simulation in it", where, "give what save has returned or written");
+    throw Error("it contains no simulation", where, "give the bytes or the file of save");
   }
   auto made = std::make_unique<PythonSimulation>(Simulation::load(simulation->second, where));
   if (const auto measures = sections.find(kMeasuresSection); measures != sections.end()) {

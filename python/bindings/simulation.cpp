@@ -36,7 +36,7 @@ EngineKind engine_of(const std::string& name) {
     if (name == kEngineNames[i]) return static_cast<EngineKind>(i);
     all += (i == 0 ? "'" : ", '") + std::string(kEngineNames[i]) + "'";
   }
-  throw Error("there is no '" + name + "'", "engine", "choose one of " + all);
+  throw Error("unknown engine '" + name + "'", "engine", "choose one of " + all);
 }
 
 OnProgress interruptible() {

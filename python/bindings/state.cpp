@@ -139,7 +139,7 @@ void bind_arrays(SimulationClass& simulation) {
       [](const World& world, const Time&) {
         return numbers_by_id<double>(world, [&](Slot slot) { return world.moment(slot); });
       },
-      "Of inertia, over mass and squared radius, in the order of ids [1].");
+      "Moments of inertia over mass and squared radius, in the order of ids [1].");
   of_world(
       "species",
       [](const World& world, const Time&) {
@@ -161,7 +161,7 @@ void bind_numbers(SimulationClass& simulation) {
         name, [get](const PythonSimulation& self) { return get(self.simulation()); }, documentation);
   };
   number(
-      "time", [](const Simulation& self) { return self.time(); }, "Now [T].");
+      "time", [](const Simulation& self) { return self.time(); }, "The present time [T].");
   number(
       "box", [](const Simulation& self) { return self.world().box(); }, doc::Box);
   number(
@@ -173,20 +173,20 @@ void bind_numbers(SimulationClass& simulation) {
       "machine, from the command line or from C++.");
   number(
       "collisions", [](const Simulation& self) { return self.counters().collision; },
-      "How many collisions of two spheres have happened.");
+      "The number of collisions of two spheres so far.");
   number(
       "wall_contacts", [](const Simulation& self) { return self.counters().wall; },
-      "How many contacts with walls have happened.");
+      "The number of contacts with walls so far.");
   number(
       "energy", [](const Simulation& self) { return self.world().energy(self.now()); }, doc::World_energy);
   number(
       "kinetic_energy", [](const Simulation& self) { return self.world().kinetic_energy(self.now()); },
-      "Sum of m v^2 / 2 [M L^2 T^-2]; kinematic spheres are no part. Cost: O(n).");
+      "Sum of m v^2 / 2 [M L^2 T^-2]; without kinematic spheres. Cost: O(n).");
   number(
       "temperature",
       [](const Simulation& self) { return thermal_motion(self.world(), self.now()).temperature(); },
-      "k T [M L^2 T^-2]: twice the kinetic energy relative to a common drift along axes without walls, by "
-      "the degrees of freedom, as of the measure of this name; NaN if there are none. Cost: O(n).");
+      "k T [M L^2 T^-2]: twice the kinetic energy relative to a common drift along axes without walls, over "
+      "the degrees of freedom, like the measure of this name; NaN if there are none. Cost: O(n).");
   number(
       "packing_fraction", [](const Simulation& self) { return packing_fraction(self.world()); },
       doc::packing_fraction);
@@ -204,7 +204,7 @@ void bind_numbers(SimulationClass& simulation) {
       "cell_edge", [](const Simulation& self) { return self.cell_edge(); }, doc::Simulation_cell_edge);
   number(
       "memory_bytes", [](const Simulation& self) { return self.memory_bytes(); },
-      "Memory that the simulation takes.");
+      "The memory that the simulation uses.");
 }
 
 }  // namespace
@@ -214,7 +214,7 @@ void bind_state(SimulationClass& simulation) {
   bind_numbers(simulation);
   simulation
       .def_property_readonly("certificate", &certificate,
-                             "What shows that the run is sound: hash, conserved quantities, and the "
+                             "The evidence that the run is sound: hash, conserved quantities, and the "
                              "deepest overlap of two bodies so far, in diameters. Cost: O(n).")
       .def(
           "results",
@@ -226,12 +226,12 @@ void bind_state(SimulationClass& simulation) {
             }
             return all;
           },
-          "What has been measured up to now, by the names of the measures. Cost: that of a copy of the "
+          "The results so far, by the names of the measures. Cost: that of a copy of the "
           "measures.")
       .def("index_of", &indices_of, py::arg("ids"),
            "The row in positions, velocities and all other arrays of the sphere with this id, or of several: "
-           "velocities[index_of(7)] is that of sphere 7. Rows are ids until spheres are removed or merge; "
-           "then only this is right. Cost: O(log size) each. Error: no such sphere.")
+           "velocities[index_of(7)] is that of sphere 7. Rows equal ids only until spheres are removed or "
+           "merge. Cost: O(log size) each. Error: no such sphere.")
       .def_property_readonly(
           "thermostat",
           [](const PythonSimulation& self) {
@@ -239,11 +239,11 @@ void bind_state(SimulationClass& simulation) {
             if (!thermostat) return py::object(py::none());
             return std::visit([](const auto& kind) { return py::cast(kind); }, thermostat->kind());
           },
-          "The Andersen, Rescale or Heating at work; None without one.")
+          "The Andersen, Rescale or Heating in use, or None.")
       .def_property(
           "until", &PythonSimulation::until,
           [](PythonSimulation& self, const py::object& time) { self.set_until(time_or_none(time)); },
-          "Where a run ends that is given no limit [T].")
+          "The time at which a run without limits ends [T].")
       .def("__len__", [](const PythonSimulation& self) { return self.simulation().size(); })
       .def(
           "__contains__",

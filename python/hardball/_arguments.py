@@ -14,7 +14,7 @@ Item = TypeVar("Item")
 
 
 def whole_number(value: Any, name: str) -> int:
-    """A number of things; 1e4 is one, too. Error: it is negative, or no whole number."""
+    """A count; 1e4 is allowed. Error: it is negative, or not a whole number."""
     try:
         number = operator.index(value)
     except TypeError:
@@ -27,7 +27,7 @@ def whole_number(value: Any, name: str) -> int:
 
 
 def real_number(value: Any, name: str) -> float:
-    """Error: it is no number."""
+    """Error: it is not a number."""
     try:
         if not isinstance(value, (str, bytes)):
             return float(value)
@@ -56,7 +56,7 @@ def species_pairs(values: Any, name: str) -> list[tuple[int, int]]:
 
 
 def engine_name(value: Any) -> str:
-    """Error: it is no text."""
+    """Error: it is not a string."""
     if not isinstance(value, str):
         raise _hardball.Error(f"engine: it is {value!r}; give a name such as 'auto'")
     return value

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""What an ASE Atoms object says to a simulation."""
+"""Reads an ASE Atoms object."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ _KINEMATIC = 1e60  # in files, for ASE, the mass of spheres that no collision de
 
 
 def arguments_of(atoms: ase.Atoms, radius: ArrayLike | None) -> dict[str, Any]:
-    """The arguments of Simulation. Error: the cell has other than right angles; there are no radii."""
+    """The arguments of Simulation. Error: the cell is not rectangular; there are no radii."""
     if not hasattr(atoms, "get_momenta"):
-        raise _hardball.Error(f"it is {type(atoms).__name__}: give an Atoms object of ASE")
+        raise _hardball.Error(f"it is {type(atoms).__name__}: give an ASE Atoms object")
     cell = np.asarray(atoms.cell)
     size = np.diag(cell)
     # Programs that turn cells leave rounding errors.
     slanted = np.abs(cell - np.diag(size)) > 1e-12 * np.max(np.abs(cell))
     if np.any(slanted[atoms.pbc]) or np.any(slanted[:, atoms.pbc]) or np.any(atoms.pbc & (size <= 0)):
         raise _hardball.Error(
-            "the cell of the atoms has other than right angles: align its edges with the axes"
+            "the cell of the atoms is not rectangular: align its edges with the axes"
         )
     if radius is None:
         if "radius" not in atoms.arrays:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""Calls whose arguments do not fit: what is said of them."""
+"""Error messages for calls with unsuitable arguments."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ _UNFIT = re.compile(r"incompatible (function|constructor) arguments")
 
 
 class ArgumentError(_hardball.Error, TypeError):
-    """A call with arguments that a function does not have, or of other types."""
+    """A call with unknown arguments, or with arguments of other types."""
 
 
 def explain_calls(kind: type) -> None:
-    """Lets the functions of a class, in Python or C++, say what they would take instead of unfit arguments."""
+    """Makes the functions of a class, in Python or C++, explain which arguments they take."""
     for name, value in list(vars(kind).items()):
         if name.startswith("_") and name not in _OPERATORS:
             continue
@@ -40,7 +40,7 @@ def _explained(function: Callable[..., Any], title: str) -> Callable[..., Any]:
         if names is not None:
             for name in options:
                 if name not in names:
-                    raise ArgumentError(f"{title}: there is no argument {name}=; {_suggestion(name, names)}")
+                    raise ArgumentError(f"{title}: unknown argument {name}=; {_suggestion(name, names)}")
         try:
             return function(*arguments, **options)
         except TypeError as error:
@@ -71,7 +71,7 @@ def _names_of(function: Callable[..., Any]) -> Optional[list[str]]:
 
 
 def _signature_of(function: Callable[..., Any]) -> Optional[str]:
-    """What a function of C++ takes, as in (size: float); it is the first line of its docstring."""
+    """The parameters of a C++ function, as in (size: float), from the first line of its docstring."""
     first, _, _ = (function.__doc__ or "").partition("\n")
     found = re.fullmatch(rf"{function.__name__}(\(.*\)) -> .*", first)
     if found is None or "*args" in first:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""How a simulation looks in a notebook: a picture of the spheres and the certificate of the run."""
+"""The picture of a simulation in a notebook: the spheres and the certificate of the run."""
 
 from __future__ import annotations
 

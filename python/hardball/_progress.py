@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""A bar that shows how far a run has come."""
+"""A progress bar for runs."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Callable, Iterator
 
 @contextmanager
 def shown_progress(begin: float, until: float | None) -> Iterator[Callable[[float], object] | None]:
-    """Shows a bar of tqdm, and gives the function that is told the time; None where tqdm is missing."""
+    """Shows a tqdm bar and yields the function that updates it; None if tqdm is missing."""
     try:
         from tqdm.auto import tqdm
     except ImportError:

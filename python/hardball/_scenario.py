@@ -15,7 +15,7 @@ from . import _hardball
 
 
 def toml_of(value: Any) -> str:
-    """A value as TOML has it, in one line. Error: TOML has no such value."""
+    """A value in TOML, on one line. Error: TOML has no such value."""
     if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
     if isinstance(value, Integral):
@@ -32,5 +32,5 @@ def toml_of(value: Any) -> str:
     if isinstance(value, (list, tuple, np.ndarray)):
         return "[" + ", ".join(toml_of(item) for item in value) + "]"
     raise _hardball.Error(
-        f"a scenario has no value such as {value!r}: give a number, a text, a list or a dict"
+        f"a scenario has no value such as {value!r}: give a number, a string, a list or a dict"
     )

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""The class Simulation: what the C++ part has, and what only Python needs."""
+"""The class Simulation: the C++ class, and what only Python needs."""
 
 from __future__ import annotations
 
@@ -55,20 +55,21 @@ class Simulation(_hardball.Simulation):
         :param velocities: [L/T], of the same shape, or one vector for all. Vectors have three numbers, in two
             dimensions also two.
         :param radius: [L], of shape (n,), or one number for all.
-        :param mass: [M], likewise. A sphere of infinite mass is kinematic: no collision deflects it.
-        :param spin: angular velocity [1/T], as velocities.
-        :param species: a number from 0 to 255, as radius.
-        :param moment: of inertia, over mass and squared radius, as radius; by default that of uniform spheres or discs.
+        :param mass: [M], of the same shape as radius. A sphere of infinite mass is kinematic: no collision deflects it.
+        :param spin: angular velocity [1/T], of the same shape as velocities.
+        :param species: a number from 0 to 255, of the same shape as radius.
+        :param moment: the moment of inertia over mass and squared radius, of the same shape as radius; by default that
+            of uniform spheres or discs.
         :param gravity: acceleration of all spheres [L/T^2].
         :param surfaces: walls inside the box, and obstacles.
         :param passing: pairs of species that pass through each other.
         :param response: what contacts do: a coefficient of restitution, a Bounce, a Merging, a ResponseTable, or a
-            function that is given a Contact and returns the velocities of both bodies, or an Outcome; elastic by default.
+            function that takes a Contact and returns the velocities of both bodies, or an Outcome; elastic by default.
         :param thermostat: an Andersen, a Rescale or a Heating.
-        :param seed: of the thermostat's random numbers.
+        :param seed: the seed of the thermostat's random numbers.
         :param engine: how collisions are found: 'auto', 'cells', 'neighbors', 'all-pairs' or 'paper'. The choice changes
             the speed and never the history.
-        :param cell_edge: of its cells [L]; likewise.
+        :param cell_edge: the edge of its cells [L]; also changes only the speed.
 
         Error: spheres that overlap or reach through a wall; numbers that are not finite or out of range.
         """
@@ -112,11 +113,11 @@ class Simulation(_hardball.Simulation):
     ) -> Self:
         """The simulation of a scenario: the path of a file, or the same keys and values as a dict.
 
-        `overrides` replaces values or adds them: {'run.seed': 7, 'spheres.0.count': 100}. A run without a limit ends
-        where the scenario says. Error: as the command line has it, with its place.
+        `overrides` replaces or adds values: {'run.seed': 7, 'spheres.0.count': 100}. A run without a limit ends
+        where the scenario says. Error: the same as on the command line, with its location.
         """
         if overrides is not None and not isinstance(overrides, Mapping):
-            raise _hardball.Error("overrides: it is no dict; give one such as {'run.seed': 7}")
+            raise _hardball.Error("overrides: it is not a dict; give one such as {'run.seed': 7}")
         changes = [f"{key}={toml_of(value)}" for key, value in (overrides or {}).items()]
         engine = engine_name(engine)
         cell_edge = None if cell_edge is None else real_number(cell_edge, "cell_edge")
@@ -137,7 +138,7 @@ class Simulation(_hardball.Simulation):
         """Starts from the last frame of a file: extended XYZ, GSD, a LAMMPS dump, CSV, NumPy or .sph.
 
         The box is that of the file: periodic where the file says so, otherwise open. `overrides` changes it or adds
-        what else a scenario may say: {'box.boundary': ['wall'] * 3, 'response.restitution': 0.9}.
+        other keys of a scenario: {'box.boundary': ['wall'] * 3, 'response.restitution': 0.9}.
         """
         scenario = {"box": cls._box_of_file(os.fspath(path)), "start": {"file": os.path.abspath(path)}}
         return cls.from_scenario(scenario, overrides=overrides, engine=engine, cell_edge=cell_edge)
@@ -146,9 +147,9 @@ class Simulation(_hardball.Simulation):
     def from_ase(cls: type[Self], atoms: ase.Atoms, *, radius: ArrayLike | None = None, **options: Any) -> Self:
         """The simulation of an ASE Atoms object: its cell, positions, masses and velocities.
 
-        Axes of the cell along which it is periodic are periodic, the others open, and the cell has right angles.
-        `radius` [L] is that of the atoms, if they have no array 'radius'. `options` are those of Simulation, and come
-        before what the atoms say.
+        Periodic axes of the cell stay periodic, the others are open; the cell must be rectangular.
+        `radius` [L] is needed if the atoms have no array 'radius'. `options` are those of Simulation, and override the
+        values of the atoms.
         """
         from ._ase import arguments_of
 
@@ -156,7 +157,7 @@ class Simulation(_hardball.Simulation):
 
     @classmethod
     def load(cls: type[Self], saved: bytes | bytearray | memoryview | str | os.PathLike[str]) -> Self:
-        """A simulation from what `save` has returned or written, or from a checkpoint of the command line.
+        """A simulation from the bytes or the file of `save`, or from a checkpoint of the command line.
 
         Error: it is damaged, or of a later version.
         """
@@ -171,11 +172,11 @@ class Simulation(_hardball.Simulation):
     def save(self, path: str | os.PathLike[str]) -> None: ...
 
     def save(self, path: str | os.PathLike[str] | None = None) -> bytes | None:
-        """The whole state as bytes, or into a file, with what has been measured.
+        """Saves the whole state, with the measures, as bytes or to a file.
 
-        From either, `load` makes a simulation that continues to the same history. Missing are functions, listeners and a
-        response written in Python, and attributes of your own; `pickle` and `copy` have these, but for listeners
-        that pickle leaves out. The file is either as before or complete. Cost: O(size).
+        From either, `load` makes a simulation that continues to the same history. Listeners, custom responses and your
+        own attributes are not saved. `pickle` keeps custom responses and attributes, `copy` also listeners. The file
+        is either unchanged or complete. Cost: O(size).
         """
         if path is None:
             return self._saved()
@@ -229,13 +230,13 @@ class Simulation(_hardball.Simulation):
         record: bool = False,
         progress: bool = False,
     ) -> int | NDArray[np.void]:
-        """Runs to the time `until` [T], events at that time included, or for so many collisions or contacts more.
+        """Runs to the time `until` [T], events at that time included, or for a number of collisions or contacts.
 
-        The first limit that is met counts; a contact is a collision of two spheres or a contact with a wall. Where
-        spheres may never meet again, in open space or a periodic box, give a finite time. Returns the number of
-        contacts or, with `record`, all of them as an array with the fields time, kind (0 a collision, 1 a wall), first,
-        second, normal_speed and impulse, which are those of events.npy. With `progress`, shows a bar if tqdm is there. Ctrl-C ends the run between
-        two events; the simulation can be run on.
+        The run ends at the first limit that it reaches. A contact is a collision of two spheres or a contact with a
+        wall. If spheres may never meet again, in open space or a periodic box, give a finite time. Returns the number
+        of contacts or, with `record`, all of them as an array with the fields of events.npy: time, kind (0 a collision,
+        1 a wall), first, second, normal_speed and impulse. `progress` shows a bar if tqdm is installed. Releases the
+        GIL. Ctrl-C stops the run cleanly between two events; the simulation can be run further.
         """
         if until is not None:
             until = real_number(until, "until")
@@ -261,11 +262,11 @@ class Simulation(_hardball.Simulation):
             yield contact
 
     def measure(self, names: str | Iterable[str] = "all", *, every: float | None = None, start: float = 0.0) -> None:
-        """Measures from now on in all runs: some of measure_names(), or "all".
+        """Starts measures for all further runs: some of measure_names(), or "all".
 
-        `every` is the time between samples [T], by default each measure's own choice; `start` when measuring begins
-        [T]. What was measured before is forgotten. While measures are on, spheres cannot be added or removed; other
-        edits are taken into account, with a warning, as results then average over the states before and after. No
+        `every` is the time between samples [T], by default each measure's own choice; `start` is when measuring begins
+        [T]. Earlier results are discarded. While measures are on, spheres cannot be added or removed. Other
+        edits are accounted for, with a warning, as results then average over the states before and after. No
         measure changes the history.
         """
         chosen = [names] if isinstance(names, str) else list_of(str, names, "names")
@@ -277,9 +278,10 @@ class Simulation(_hardball.Simulation):
     def view(self, until: float | None = None, *, contacts: int | None = None) -> View:
         """Shows what happens next: inline in a notebook, elsewhere in the browser.
 
-        Up to the time `until` [T], or for so many contacts; without a limit, for about ten contacts of each sphere,
-        but not beyond the end of the scenario. The simulation stays as it is: what is shown is what a run would do,
-        without listeners. The page can be saved as a file. Error: the page grows beyond what browsers open, 200 MB.
+        The view ends at the time `until` [T], or after `contacts` contacts; without a limit, after about ten contacts
+        of each sphere, but not beyond the end of the scenario. The simulation does not change: the page shows what a
+        run would do without listeners. It can be saved as a file. Error: the page exceeds 200 MB, more than browsers
+        open.
         """
         end = None if until is None else real_number(until, "until")
         page = view_of(self, end, None if contacts is None else whole_number(contacts, "contacts"))

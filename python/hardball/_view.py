@@ -26,9 +26,9 @@ _HEIGHT = 600  # pixels, in a notebook
 
 
 class View:
-    """A page that shows a part of a simulation's history: a single file of HTML, which needs no server.
+    """A page that shows a part of a simulation's history: a single HTML file that needs no server.
 
-    As the result of a cell of a notebook, it is shown inline.
+    As the result of a notebook cell, it is shown inline.
     """
 
     def __init__(self, page: bytes) -> None:
@@ -39,7 +39,7 @@ class View:
         Path(path).write_bytes(self._page)
 
     def open(self) -> Path:
-        """Opens the page in the browser, where there is one, and returns the temporary file that it is in."""
+        """Opens the page in the browser, if there is one, and returns its temporary file."""
         with tempfile.NamedTemporaryFile(prefix="hardball-", suffix=".html", delete=False) as file:
             file.write(self._page)
         path = Path(file.name)

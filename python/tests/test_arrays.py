@@ -203,7 +203,7 @@ class ArraysGiven(unittest.TestCase):
             self.assertEqual(copy, box)
         for wrong, message in [
             ({"floor": {}}, "z_min"),
-            ({"z_min": 2.0}, "z_min: it is no dict"),
+            ({"z_min": 2.0}, "z_min: it is not a dict"),
             ({"z_min": {"temprature": 2.0}}, "'temprature'"),
             ({"z_min": {"temperature": "hot"}}, "temperature"),
             ({"z_min": {"velocity": [0, 0, 1]}}, "along z"),
@@ -227,13 +227,13 @@ class Calls(unittest.TestCase):
         simulation = gas()
         contact = simulation.contacts_within(1, most=1)[0]
         for call, message in [
-            (lambda: gas(radii=0.5), "Simulation: there is no argument radii=; did you mean radius=?"),
-            (lambda: gas(masses=1), "Simulation: there is no argument masses=; did you mean mass=?"),
-            (lambda: gas(temperature=1), "Simulation: there is no argument temperature=; it takes box, positions, "),
-            (lambda: simulation.run(untill=1), "Simulation.run: there is no argument untill=; did you mean until=?"),
+            (lambda: gas(radii=0.5), "Simulation: unknown argument radii=; did you mean radius=?"),
+            (lambda: gas(masses=1), "Simulation: unknown argument masses=; did you mean mass=?"),
+            (lambda: gas(temperature=1), "Simulation: unknown argument temperature=; it takes box, positions, "),
+            (lambda: simulation.run(untill=1), "Simulation.run: unknown argument untill=; did you mean until=?"),
             (lambda: simulation.set_velocity(1, velocity=[0, 0, 0]), "did you mean velocities=?"),
             (lambda: simulation.add([1, 1, 1], radii=1), "did you mean radius=?"),
-            (lambda: hardball.Box.periodic(sise=1), "Box.periodic: there is no argument sise=; did you mean size=?"),
+            (lambda: hardball.Box.periodic(sise=1), "Box.periodic: unknown argument sise=; did you mean size=?"),
             (lambda: hardball.Box(boundaries=5, size=5), "did you mean boundary=?"),
             (lambda: hardball.Bounce(restitutions=0.5), "did you mean restitution=?"),
             (lambda: hardball.Surface.plane([0, 0, 1], amplitud=1), "did you mean amplitude=?"),

@@ -98,7 +98,7 @@ TEST_F(Convert, ReplacesAFileOnlyIfItIsTold) {
     ASSERT_EQ(convert("out/trajectory.xyz", name).exit_code, 0);
     const std::string before = text(name);
     expect_refusal(convert("out/trajectory.xyz", name, {"--frame", "0"}),
-                   name + ": there is such a file; name another file, or replace it with --overwrite");
+                   name + ": the file exists already; name another file, or replace it with --overwrite");
     EXPECT_TRUE(text(name) == before);
     EXPECT_EQ(convert("out/trajectory.xyz", name, {"--frame", "0", "--overwrite"}).exit_code, 0);
     EXPECT_FALSE(text(name) == before);

@@ -76,7 +76,7 @@ class DiskFull(FaultTest):
                 full.parent.mkdir(parents=True)
                 full.symlink_to("/dev/full")
                 end = run(["run", "gas.toml", "--quiet", "--out", out], self.folder)
-                self.assert_failed(end, f"cannot write {out / name}: No space left on device; it is as before")
+                self.assert_failed(end, f"cannot write {out / name}: No space left on device; it is unchanged")
                 self.assert_sound(out)
                 self.assertFalse((out / "summary.json").exists(), "which says that the run has ended")
                 if (out / "checkpoint.hbc").exists():

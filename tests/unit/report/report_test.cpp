@@ -309,7 +309,7 @@ TEST(Report, AccountsForTheEnergyOfTheThermostat) {
 TEST(Report, TellsWhatBecomesOfSpheresThatTouch) {
   Report report = sample_report();
   expect_not_in(to_html(report), "mergers");
-  expect_not_in(to_html(report), "of it rotation");
+  expect_not_in(to_html(report), "rotational part");
   report.restitution = std::numeric_limits<double>::quiet_NaN();
   report.responses = {{"all contacts", "spheres merge"}, {"mist & mist", "pass through each other"}};
   report.species = {{.name = "drop", .spheres = 3}, {.name = "mist", .spheres = 4}};
@@ -324,7 +324,7 @@ TEST(Report, TellsWhatBecomesOfSpheresThatTouch) {
   expect_in(html, "<th scope=\"row\">species drop</th><td>3 spheres</td>");
   expect_in(html, "<dt>mergers</dt><dd>12,345</dd>");
   expect_in(html, "<th scope=\"row\">of them passes</th><td>678</td>");
-  expect_in(html, "<th scope=\"row\">of it rotation</th><td>0.125");
+  expect_in(html, "<th scope=\"row\">rotational part</th><td>0.125");
   expect_in(html, "<dt>area fraction</dt>");
 }
 

@@ -115,7 +115,7 @@ TEST(RecordedProgress, OfADamagedRecordingIsThatBeforeTheDamage) {
   EXPECT_TRUE(status["failed"].is_null());
   EXPECT_EQ(status["damaged"], "the recording is damaged after time " + to_text(second.begin) +
                                    ": chunk 1, at byte " + to_text(second.bytes.offset) +
-                                   ", has another checksum; what comes before is shown");
+                                   ", does not match its checksum; the part before is shown");
 }
 
 TEST(RecordedProgress, IsThatOfTheRunAndItsSummary) {

@@ -402,7 +402,7 @@ export class Viewer {
     this.plots.mark(this.playback.time);
     const { player } = this;
     if (player.isBuffering)
-      this.notices.show('wait', this.isLost ? 'This part was not loaded' : 'Buffering …');
+      this.notices.show('wait', this.isLost ? 'This part could not be loaded' : 'Buffering …');
     else if (player.isPlaying && player.isAtEnd && !this.source.status.finished)
       this.notices.show('wait', 'Waiting for the run …');
     else this.notices.hide('wait');
@@ -443,7 +443,7 @@ export class Viewer {
   lose() {
     if (this.isLost) return;
     this.isLost = this.store.isSuspended = true;
-    this.notices.show('lost', 'The program does not answer. The part loaded can still be viewed.', {
+    this.notices.show('lost', 'The program does not answer. The loaded part can still be viewed.', {
       kind: 'bad',
     });
     this.pollIn(kRetrySeconds);

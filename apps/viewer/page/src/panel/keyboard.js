@@ -29,7 +29,7 @@ export function keyGroups(viewer) {
           n: (event) => viewer.step(1, event.shiftKey),
           p: (event) => viewer.step(-1, event.shiftKey),
         }),
-        binding('Home End', 'to the start, to the latest time', {
+        binding('Home End', 'go to the start, go to the latest time', {
           Home: () => viewer.goToBegin(),
           End: () => viewer.goToEnd(),
         }),

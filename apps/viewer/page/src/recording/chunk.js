@@ -72,7 +72,7 @@ export class Chunk {
     const keyframe = offset + kHeadBytes + checksum;
     if (checksum > 0 && !hasItsChecksum(buffer, keyframe, offset + length - checksum)) {
       const begin = view.getFloat64(16, true);
-      throw new Error(`the recording is damaged after time ${begin}: another checksum at byte ${offset}`);
+      throw new Error(`the recording is damaged after time ${begin}: wrong checksum at byte ${offset}`);
     }
     const bodies = keyframe + 8 * kPathNumbers * sphereCount;
     const first = bodies + 8 * this.layout.bodies * sphereCount;

@@ -25,7 +25,7 @@ export function readRecording(buffer) {
   const checksum = checksumBytes(version);
   const spheresEnd = massesStart + 8 * header.spheres;
   if (buffer.byteLength - spheresEnd < checksum || (checksum > 0 && !hasItsChecksum(buffer, 0, spheresEnd))) {
-    throw new Error('the recording is damaged: its header or its spheres have another checksum');
+    throw new Error('the recording is damaged: its header or its spheres do not match their checksum');
   }
   const radii = new Float64Array(buffer, radiiStart, header.spheres);
   const masses = new Float64Array(buffer, massesStart, header.spheres);

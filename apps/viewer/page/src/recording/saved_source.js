@@ -38,7 +38,7 @@ export class SavedSource {
     this.status = {
       finished: true,
       failed: null,
-      damaged: damage && `${damage}; what comes before is shown`,
+      damaged: damage && `${damage}; the part before is shown`,
       reached: this.ends.at(-1) ?? header.begin,
       collisions,
       mergers,
