@@ -228,9 +228,10 @@ ExitCode check(const Options& options) {
   for (const std::string& warning : warnings_of(scenario, moments)) add("note", warning);
   if (outlook.is_sample) {
     add("note",
-        fmt::format("so many spheres are not placed here: the memory is that of a sample of {}, and that all "
-                    "fit is not checked",
-                    simulation.size()));
+        fmt::format(
+            "too many spheres to place here: the memory is estimated from a sample of {}, and whether "
+            "all fit is not checked",
+            simulation.size()));
   }
   write_output(text);
   return ExitCode::done;

@@ -27,8 +27,7 @@ CLI::App* add_command(CLI::App& app, Options& options, const std::string& name,
                       const std::string& description) {
   CLI::App* command = app.add_subcommand(name, description);
   command->add_option("SCENARIO", options.scenario, "Scenario file (TOML)")->required();
-  command->add_option("--until", options.until, "End time, instead of the scenario's")
-      ->type_name("TIME");
+  command->add_option("--until", options.until, "End time, instead of the scenario's")->type_name("TIME");
   command->add_option("--set", options.overrides, "Replaces or adds a value, as in run.until=5")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
@@ -103,8 +102,7 @@ void refuse_leftovers(const CLI::App& app, const CLI::App* command) {
     for (const CLI::App* each : app.get_subcommands(nullptr)) names.push_back(each->get_name());
   }
   const bool is_known = std::find(names.begin(), names.end(), word) != names.end();
-  throw Error(std::string("unknown ") + (command ? "option" : "command") + " '" + word + "'",
-              "command line",
+  throw Error(std::string("unknown ") + (command ? "option" : "command") + " '" + word + "'", "command line",
               is_known ? "write it after the command"
                        : suggestion(word, std::vector<std::string_view>(names.begin(), names.end())));
 }
@@ -155,9 +153,10 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   convert_command->add_option("IN", options.in, "Input file; its extension selects the format")
       ->required()
       ->type_name("FILE");
-  convert_command->add_option("OUT", options.out, "Output file; its extension selects the format")->required()->type_name("FILE");
-  convert_command
-      ->add_option("--frame", options.frame, "Write only this frame, counted from 0")
+  convert_command->add_option("OUT", options.out, "Output file; its extension selects the format")
+      ->required()
+      ->type_name("FILE");
+  convert_command->add_option("--frame", options.frame, "Write only this frame, counted from 0")
       ->type_name("NUMBER");
   add_overwrite_flag(*convert_command, options, "Replace an existing file");
   convert_command->allow_extras();
@@ -186,8 +185,7 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
 #endif
   CLI::App* manual_command = app.add_subcommand("manual", "Print the manual page, for man -l -");
   manual_command->allow_extras();
-  CLI::App* completion_command =
-      app.add_subcommand("completion", "Print a completion script for a shell");
+  CLI::App* completion_command = app.add_subcommand("completion", "Print a completion script for a shell");
   completion_command->add_option("SHELL", options.shell, "The shell")->required()->type_name("bash|zsh|fish");
   completion_command->allow_extras();
   try {

@@ -33,7 +33,7 @@ struct Options {
   bool no_open = false;
   bool overwrite = false;
 
-  /// What decides how a run goes on.
+  /// What decides how a run continues.
   static void persist(auto& archive, auto& self) {
     archive(self.scenario, self.overrides, self.until, self.seed);
   }

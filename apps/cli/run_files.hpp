@@ -69,7 +69,7 @@ class RunFiles {
   RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const Simulation& simulation,
            bool overwrites);
 
-  /// Opens the files of a run to go on where a checkpoint was written; what follows is cut off once something
+  /// Opens the files of a run to continue from a checkpoint; what follows is cut off once something
   /// is written. Error: a file is missing, shorter than it was then, contains something else, or cannot be
   /// written to; then none is changed.
   RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const FilesState& state);

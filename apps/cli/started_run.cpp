@@ -64,7 +64,7 @@ class Course {
   // False if interrupted by a signal.
   bool complete() {
     try {
-      // So that a run can go on whenever it fails.
+      // So that a run can be resumed whenever it fails.
       if (run_.files && !std::filesystem::exists(run_.files->directory() / kCheckpoint)) write_current();
       const bool is_complete = run_to_end();
       note_seconds();

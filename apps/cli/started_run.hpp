@@ -49,7 +49,7 @@ ExitCode carry_out(StartedRun& run);
 /// cannot be written; the one before is kept.
 void write_checkpoint(StartedRun& run, const std::filesystem::path& path);
 
-/// The run that has written a checkpoint into a directory, with its files cut back to then. `until` [T]
+/// The run that has written a checkpoint into a directory, with its files truncated to then. `until` [T]
 /// replaces the end of the run. Error: the checkpoint is missing or damaged, or the files are; the run has
 /// reached its end; another run is writing to the directory.
 StartedRun resumed_run(const std::filesystem::path& directory, const std::filesystem::path& checkpoint,

@@ -142,8 +142,8 @@ std::vector<std::string> warnings_of(const Scenario& scenario, const Moments& mo
     warnings.push_back(
         fmt::format("spheres that lose energy come to rest under gravity: the run {} {}", when, unless));
   } else if (std::ranges::any_of(scenario.walls, is_round)) {
-    warnings.push_back(
-        fmt::format("spheres that lose energy end up sliding along round walls: the run {} {}", when, unless));
+    warnings.push_back(fmt::format("spheres that lose energy end up sliding along round walls: the run {} {}",
+                                   when, unless));
   }
   return warnings;
 }

@@ -15,7 +15,7 @@ namespace {
 
 using chart::escaped;
 
-constexpr int kDeepest = 30;  // groups within groups; what is deeper is left out
+constexpr int kDeepest = 30;  // groups within groups; deeper ones are omitted
 
 struct Symbol {
   std::string_view command;

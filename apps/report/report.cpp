@@ -355,11 +355,11 @@ std::string reading() {
   return paragraph(
       "note",
       "A standard error is given in parentheses, in units of the last digit: 1.234(56) is 1.234 ± 0.056. "
-      "The true value is within two of them in 95% of runs; there is none where the run is too short to "
-      "determine it. "
-      "Deviations from theory are in standard errors, σ, or in percent where no error is known; those "
-      "of which chance allows none in a hundred runs are bold. ± after a theory is by how much it may be off "
-      "itself.");
+      "The true value is within two of them in 95% of runs. If a run is too short to estimate an error, none "
+      "is given. "
+      "Deviations from theory are in standard errors, σ, or in percent where no error is known. Bold "
+      "deviations are so large that chance allows none in a hundred runs. ± after a theory is the tolerance "
+      "of the theory itself.");
 }
 
 std::string rates(const Report& report, const Agreement& agreement) {
@@ -379,7 +379,7 @@ std::string transient_note(const Measurement& measurement) {
   }
   if (measurement.transient <= 0) return {};
   return paragraph("note",
-                   fmt::format("The first {} of {} are left out of the means as a transient.",
+                   fmt::format("The first {} of {} are excluded from the means as a transient.",
                                number_text(measurement.transient, 3), number_text(measurement.duration, 3)));
 }
 

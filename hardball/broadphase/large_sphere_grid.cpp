@@ -286,7 +286,7 @@ double LargeSphereGrid::next_crossing_of_large(const World& world, Slot slot, co
 
 // Calls visit(cell) for each cell, folded into the box, that a large sphere may touch, but for those within
 // `hollow` of its anchor, in columns along the last axis. Cells at the ends of the box or of open space reach
-// on for ever.
+// on forever.
 template <class Visit>
 void LargeSphereGrid::for_each_cell(const LargeSphere& large, double hollow, Visit&& visit) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -28,7 +28,7 @@ namespace hardball {
 ///
 /// The queue holds one event per sphere: the earlier of its crossing (broad phase) and its prospect, which
 /// the forecast knows. A prospect is a contact computed exactly, or a bound of it; only exact contacts are
-/// ever executed, so that bounds affect the speed and not the history. An engine is a value: it can be
+/// ever executed, so bounds affect the speed and not the history. An engine is a value: it can be
 /// copied, and many can coexist.
 template <EventQueue Queue, BroadPhase Phase>
 class Engine {
@@ -97,7 +97,7 @@ class Engine {
     }
   }
 
-  /// The next collision or wall contact up to `until`, without carrying it out, and without asking
+  /// The next collision or wall contact up to `until`, without executing it, and without asking
   /// whether spheres that have just merged do so again. Precondition: not is_outdated().
   std::optional<Event> next_contact(const Time& until) {
     for (;;) {
@@ -168,7 +168,7 @@ class Engine {
   /// the next run.
   bool is_outdated() const { return is_outdated_; }
 
-  /// From now on, notes what is needed to rewind to `moment` or a later one; forgets what was noted before.
+  /// Starts to record what is needed to rewind to `moment` or a later one; discards earlier records.
   /// Precondition: as for change_velocities.
   void begin_journal(const Time& moment) {
     HARDBALL_CHECK(moment >= now());

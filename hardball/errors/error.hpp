@@ -35,7 +35,7 @@ class RunFailure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A fault of Hardball itself: a state that its own rules exclude.
+/// A bug in Hardball: a state that its own rules exclude.
 class BrokenInvariant : public std::logic_error {
  public:
   using std::logic_error::logic_error;

@@ -19,14 +19,14 @@ inline constexpr double kHardlyMoved = 1e-4;
 bool have_not_parted(const Contact& contact);
 
 /// Detects inelastic collapse: bodies that lose energy may collide at an ever higher rate, infinitely often
-/// in a finite time. The rounding of places bounds the rate, so that spheres would creep along for ever. A
+/// in a finite time. The rounding of places bounds the rate, so that spheres would creep along forever. A
 /// sphere that is hit again and again by what it does not part from ends the run with a message instead. What
 /// happens depends on the contacts alone, and so is the same for every engine.
 /// Source: McNamara and Young, Phys. Fluids A 4 (1992) 496.
 class CollapseGuard {
  public:
   /// To be called at every contact, after the response. Error (RunFailure): a sphere has had 10,000 contacts
-  /// with bodies that it has not parted from, less 100 for every other contact.
+  /// with bodies that it has not separated from, less 100 for every other contact.
   void note_contact(const Contact& contact) {
     // Most bodies have moved on, which is soon seen.
     const double flight = contact.flight();

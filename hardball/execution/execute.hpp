@@ -15,7 +15,7 @@
 
 namespace hardball {
 
-/// A contact that has been carried out, and what only engines need to know about it.
+/// A contact that has been executed, and what only engines need to know about it.
 struct Executed {
   Contact contact;
   /// By how many boxes the centers were folded back into a periodic box.

@@ -117,9 +117,10 @@ struct Outcome {
 };
 
 /// What a contact does to motions. A response takes the contact with `after` still equal to `before`, and
-/// returns the new velocities or the whole Outcome. Or it has `decide`, which sets the state after the contact
-/// in the contact itself, which saves copies, and returns whether it may have changed spins. Velocities
-/// returned for a wall or a kinematic sphere are ignored. The bodies must not approach each other afterwards.
+/// returns the new velocities or the whole Outcome. Or it has `decide`, which sets the state after the
+/// contact in the contact itself, which saves copies, and returns whether it may have changed spins.
+/// Velocities returned for a wall or a kinematic sphere are ignored. The bodies must not approach each other
+/// afterwards.
 template <class R>
 concept Response = requires(const R& response, const Contact& contact) {
   { response(contact) } -> std::convertible_to<Velocities>;

@@ -12,7 +12,7 @@
 
 namespace hardball {
 
-/// Part of a checkpoint: whatever bytes its owner needs to go on.
+/// Part of a checkpoint: the bytes that its owner needs to continue.
 struct CheckpointSection {
   std::string name;
   std::string bytes;

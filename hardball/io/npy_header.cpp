@@ -183,7 +183,8 @@ NpyHeader read_npy_header(const std::filesystem::path& path) {
   std::string text(std::min<std::uint64_t>(length, kLongestHeader), '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (static_cast<std::size_t>(file.gcount()) != text.size()) refuse(name, "the file has become shorter");
-  if (!text.starts_with(kMagic) || text.size() < kPrefixBytes + 2) refuse(name, "the file is not a NumPy file");
+  if (!text.starts_with(kMagic) || text.size() < kPrefixBytes + 2)
+    refuse(name, "the file is not a NumPy file");
   const auto version = static_cast<unsigned char>(text[kMagic.size()]);
   if (version < 1 || version > 3)
     refuse(name, "the file has version " + to_text(int{version}) + " of the format");

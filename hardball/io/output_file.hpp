@@ -12,7 +12,7 @@
 
 namespace hardball {
 
-/// How far a file has been written, and what its end contains: what must be known to go on with it.
+/// How far a file has been written, and what its end contains: what is needed to continue it.
 struct FilePosition {
   std::uint64_t bytes = 0;  ///< Its length.
   std::optional<std::uint64_t> checksum =
@@ -34,7 +34,7 @@ class OutputFile {
   /// Creates the file, or empties it if there is one. Error: it cannot be opened for writing.
   explicit OutputFile(std::filesystem::path path);
 
-  /// Opens a file written before to go on from a position; the rest is cut off as soon as something is
+  /// Opens an existing file to continue from a position; the rest is cut off as soon as something is
   /// appended, and not before: so that several files can be opened, or none is changed. The first `head`
   /// bytes are those that are overwritten as the file grows. Error: it cannot be opened for writing, is
   /// shorter, or contains something else there.
@@ -61,7 +61,7 @@ class OutputFile {
   /// Marks the file as complete, and waits until it is on the disk. Error (RunFailure): as for append.
   void sync();
 
-  /// The same, and says how to go on from here. Error (RunFailure): likewise.
+  /// The same, and returns how to continue from here. Error (RunFailure): likewise.
   FilePosition position(std::uint64_t head = 0);
 
   /// Flushes the file as complete and closes it; does nothing if it is closed. Error (RunFailure): as for

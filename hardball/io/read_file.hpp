@@ -9,7 +9,7 @@
 
 namespace hardball {
 
-/// All bytes of a file. Error: it cannot be read, or is no file.
+/// All bytes of a file. Error: it cannot be read, or is not a file.
 std::string read_file(const std::filesystem::path& path);
 
 /// The bytes of an open file from `offset` on, fewer than `length` where it ends before.

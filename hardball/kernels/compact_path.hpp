@@ -12,7 +12,7 @@
 namespace hardball {
 
 /// A copy of a path from a recent moment on, of half its size, from which contact times are bounded: see
-/// CompactPaths (bounds/compact_paths.hpp), which also defines the units. It is no part of the motion.
+/// CompactPaths (bounds/compact_paths.hpp), which also defines the units. It is not part of the motion.
 struct alignas(32) CompactPath {
   std::array<std::int32_t, 3> place{};  ///< Of the center at `tick`, modulo 2^32 steps of the grid.
   std::int32_t tick = 0;                ///< When, modulo 2^32 ticks.

@@ -59,7 +59,7 @@ struct Measurement {
   std::vector<Quantity> quantities = {};  ///< May be empty.
   std::vector<Column> columns = {};       ///< May be empty; all of one length, the first an argument.
   double duration = std::numeric_limits<double>::quiet_NaN();  ///< For how long it was measured [T].
-  double transient = 0;                     ///< The initial part of this that was left out of means [T].
+  double transient = 0;                     ///< The initial part of this that is excluded from means [T].
   bool is_transient_over = true;            ///< Whether the means settled; if not, they have no errors.
   bool is_logarithmic_in_argument = false;  ///< How the function is best drawn.
   bool is_logarithmic_in_value = false;

@@ -40,7 +40,7 @@ namespace hardball {
 /// They receive every contact, and the world at times of their choice; Simulation provides both. They see the
 /// world as const and compute where spheres are without storing it, so that no contact changes. The spheres
 /// must stay those of the start, and only contacts, thermostats and Simulation::change_velocities with these
-/// measures may change velocities: of other changes nobody tells them, and they would be wrong. Results
+/// measures may change velocities: they do not notice other changes, and would be wrong. Results
 /// depend only on the scenario: they are the same bits for every engine.
 class Measures {
  public:

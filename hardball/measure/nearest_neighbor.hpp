@@ -14,7 +14,7 @@ namespace hardball {
 /// The gap between a sphere and the one whose surface is nearest.
 ///
 /// Gaps are known up to the distance within which a sphere of the mean density would find ten others, in an
-/// open box up to ten diameters; wider ones are left out of the mean.
+/// open box up to ten diameters; the mean excludes wider ones.
 class NearestNeighbor {
  public:
   static constexpr std::string_view kName = "nearest_neighbor";
@@ -26,7 +26,8 @@ class NearestNeighbor {
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;
 
-  /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
+  /// Whether it can continue with this world, which is one that it has seen before unless its state is
+  /// damaged.
   bool matches(const World& world) const;
 
  private:

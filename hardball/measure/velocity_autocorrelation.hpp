@@ -25,12 +25,13 @@ class VelocityAutocorrelation {
   VelocityAutocorrelation(const Scene& scene, double interval,
                           std::size_t most_spheres = TimeCorrelation::kMostSpheres);
 
-  /// A time that is no multiple of the interval after the start is ignored. Cost: see TimeCorrelation.
+  /// A time that is not a multiple of the interval after the start is ignored. Cost: see TimeCorrelation.
   void sample(const Scene& scene);
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
-  /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
+  /// Whether it can continue with this world, which is one that it has seen before unless its state is
+  /// damaged.
   bool matches(const World& world) const { return average_.matches(world); }
 
  private:

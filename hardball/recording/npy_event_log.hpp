@@ -15,7 +15,7 @@ namespace hardball {
 /// The field that holds the times, if the array of a NumPy file is an event log; otherwise null.
 const NpyField* time_in_event_log(const NpyHeader& header);
 
-/// How far an event log has been written: what must be known to cut it back and go on.
+/// How far an event log has been written: what is needed to truncate and continue it.
 struct EventLogPosition {
   std::uint64_t records = 0;
   std::optional<std::uint64_t> checksum = {};  ///< Of the last records; not known of devices.
@@ -46,7 +46,7 @@ class NpyEventLog {
  public:
   /// Creates the file. Error: it cannot be opened for writing.
   explicit NpyEventLog(std::filesystem::path path);
-  /// Opens a file written before to go on from a position; the rest is cut off as soon as anything is called,
+  /// Opens an existing file to continue from a position; the rest is cut off as soon as anything is called,
   /// and not before. Error: it cannot be opened for writing, is shorter, contains something else there, or is
   /// no NumPy file.
   NpyEventLog(const std::filesystem::path& path, const EventLogPosition& position);
@@ -58,8 +58,8 @@ class NpyEventLog {
   /// it more often. Error (RunFailure): as for append.
   void flush();
 
-  /// The same, waits until all is on the disk, and says how to go on from here. Error (RunFailure): as for
-  /// append.
+  /// The same, waits until all is on the disk, and returns how to continue from here. Error (RunFailure): as
+  /// for append.
   EventLogPosition position();
 
   /// Completes and closes the file; does nothing if it is closed. Error (RunFailure): as for append.
@@ -76,7 +76,7 @@ class NpyEventLog {
   bool is_of_earlier_version_ = false;
   std::uint64_t size_ = 0;
   std::uint64_t counted_ = 0;        // by the header
-  bool may_count_too_many_ = false;  // the header, if the file goes on beyond the position
+  bool may_count_too_many_ = false;  // the header, if the file continues beyond the position
 };
 
 }  // namespace hardball

@@ -98,7 +98,7 @@ struct RecordingHeader {
   recording_format::Layout layout() const { return {version, has_bodies}; }
 };
 
-/// One JSON object; the version is no part of it.
+/// One JSON object; the version is not part of it.
 std::string to_json(const RecordingHeader& header);
 
 /// The header described by a JSON object in a recording of this version; unknown keys are ignored. `where`

@@ -32,13 +32,13 @@ class RecordingWriter {
   /// writing.
   RecordingWriter(std::filesystem::path path, RecordingHeader header, const World& world);
 
-  /// Opens a file written before to go on from what `save` returned then; what follows in it is cut off as
+  /// Opens an existing file to continue from what `save` returned then; what follows in it is cut off as
   /// soon as anything is called, and not before.
   /// Error: it cannot be opened for writing, is shorter, or contains something else there; `saved` is
   /// damaged, or of a later version.
   RecordingWriter(std::filesystem::path path, std::string_view saved);
 
-  /// Waits until all chunks are on the disk, and returns what is needed to go on from here, the open chunk
+  /// Waits until all chunks are on the disk, and returns what is needed to continue from here, the open chunk
   /// included. Error (RunFailure): as for note.
   std::string save();
 
@@ -97,7 +97,7 @@ class RecordingWriter {
 
   OutputFile file_;
   State state_;
-  bool is_untouched_ = false;  // since it was opened to go on
+  bool is_untouched_ = false;  // since it was opened to continue
 };
 
 }  // namespace hardball

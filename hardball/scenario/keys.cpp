@@ -401,10 +401,11 @@ TableDescription response_keys() {
                             "what spheres do when they touch: bounce, or merge into one with the mass, "
                             "momentum, angular momentum and volume of both; at walls they bounce",
                         .example = "\"merge\""});
-  table.keys.push_back({.name = "pairs",
-                        .type = tables,
-                        .meaning = "other rules for pairs of species; keys that they do not give are as for all",
-                        .table = make(pairs_keys())});
+  table.keys.push_back(
+      {.name = "pairs",
+       .type = tables,
+       .meaning = "other rules for pairs of species; keys that they do not give are as for all",
+       .table = make(pairs_keys())});
   return table;
 }
 
@@ -481,22 +482,23 @@ TableDescription walls_keys() {
 }
 
 TableDescription obstacles_keys() {
-  std::vector<KeyDescription> keys{{.name = "position",
-                                    .type = vector,
-                                    .dimension = "L",
-                                    .meaning = "the center of an obstacle",
-                                    .example = "[5.0, 5.0, 5.0]"},
-                                   {.name = "positions",
-                                    .type = vectors,
-                                    .dimension = "L",
-                                    .meaning = "instead of `position`: the centers of several identical obstacles",
-                                    .example = "[[3.0, 5.0, 5.0], [7.0, 5.0, 5.0]]"},
-                                   {.name = "radius",
-                                    .range = positive,
-                                    .dimension = "L",
-                                    .is_required = true,
-                                    .meaning = "their radius",
-                                    .example = "1.0"}};
+  std::vector<KeyDescription> keys{
+      {.name = "position",
+       .type = vector,
+       .dimension = "L",
+       .meaning = "the center of an obstacle",
+       .example = "[5.0, 5.0, 5.0]"},
+      {.name = "positions",
+       .type = vectors,
+       .dimension = "L",
+       .meaning = "instead of `position`: the centers of several identical obstacles",
+       .example = "[[3.0, 5.0, 5.0], [7.0, 5.0, 5.0]]"},
+      {.name = "radius",
+       .range = positive,
+       .dimension = "L",
+       .is_required = true,
+       .meaning = "their radius",
+       .example = "1.0"}};
   for (const KeyDescription& key : surface_keys()) keys.push_back(key);
   return {.title = "[[obstacles]]", .keys = keys, .one_of = {{"position", "positions"}}};
 }

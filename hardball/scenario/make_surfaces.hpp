@@ -11,7 +11,7 @@
 
 namespace hardball {
 
-/// The walls of a scenario, then its obstacles, in the order of the file. Error, with its place: one that
+/// The walls of a scenario, then its obstacles, in the order of the file. Error, with its location: one that
 /// cannot be in this box, see World.
 std::vector<Surface> make_surfaces(const Scenario& scenario, const Box& box);
 

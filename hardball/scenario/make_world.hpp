@@ -19,7 +19,7 @@ Box make_box(const Scenario& scenario);
 ///
 /// One sequence of random numbers, from the scenario's seed, gives first the radii that are distributed, then
 /// all positions, then all velocities. Along open axes without a size, placement uses an interval around 0 of
-/// which the spheres fill a tenth. Error, with its place in the scenario or the start file: the spheres do
+/// which the spheres fill a tenth. Error, with its location in the scenario or the start file: the spheres do
 /// not fit; groups on a lattice have several radii; what draw_radii refuses; what World::add refuses.
 /// Overlaps among listed or read positions are not checked here.
 World make_world(const Scenario& scenario, const OnProgress& on_progress = {});

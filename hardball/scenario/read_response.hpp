@@ -10,14 +10,14 @@
 
 namespace hardball {
 
-/// What the tables [[species]] of a scenario describe. Error, with the place of the value: a name is given
-/// twice or means walls, or a value is out of range.
+/// The species that the tables [[species]] of a scenario describe. Error, with the location of the value: a
+/// name is given twice or means walls, or a value is out of range.
 std::vector<SpeciesDescription> read_species(const Section& root);
 
-/// The species of this name. Error, with the place of the name: there is none.
+/// The species of this name. Error, with the location of the name: there is none.
 SpeciesId species_named(const Value& name, std::span<const SpeciesDescription> species);
 
-/// Reads the table [response]. Error, with the place of the value: a species is unknown, a key does not go
+/// Reads the table [response]. Error, with the location of the value: a species is unknown, a key does not go
 /// with others, or a value is out of range.
 void read_response(const Section& root, Scenario& scenario);
 

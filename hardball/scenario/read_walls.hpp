@@ -9,11 +9,11 @@
 
 namespace hardball {
 
-/// What the table [box.faces] of [box] describes. Error, with the place of the value: a key contradicts
+/// What the table [box.faces] of [box] describes. Error, with the location of the value: a key contradicts
 /// another or is out of range.
 std::vector<FaceDescription> read_faces(const Section& box, std::size_t dimensions);
 
-/// What the tables [[walls]] of a scenario describe. Error, with the place of the value: a key is missing,
+/// What the tables [[walls]] of a scenario describe. Error, with the location of the value: a key is missing,
 /// contradicts another or is out of range.
 std::vector<WallDescription> read_walls(const Section& root, std::size_t dimensions);
 

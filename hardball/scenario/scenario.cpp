@@ -133,8 +133,8 @@ void read_snapshots(const Section& section, Scenario& scenario) {
   const std::optional<Value> first = section.find("first_snapshot");
   const std::optional<Value> trajectory = section.find("trajectory");
   if ((every && per_decade) || (every_contacts && (every || per_decade))) {
-    throw Error(std::string("both ") + (every ? "snapshots_every" : "snapshots_per_decade") +
-                    " and " + (every_contacts ? "snapshots_every_contacts" : "snapshots_per_decade") + " are given",
+    throw Error(std::string("both ") + (every ? "snapshots_every" : "snapshots_per_decade") + " and " +
+                    (every_contacts ? "snapshots_every_contacts" : "snapshots_per_decade") + " are given",
                 (every_contacts ? every_contacts : per_decade)->place(), "remove one of the two");
   }
   if (first && !per_decade) {

@@ -40,7 +40,7 @@ enum class VelocityRule {
 struct RadiusDistribution {
   enum class Kind {
     uniform,    ///< Evenly from min to max.
-    lognormal,  ///< ln(radius) is normal; radii outside min to max are drawn again.
+    lognormal,  ///< ln(radius) is normal; radii outside min to max are redrawn.
     powerlaw,   ///< From min to max, with a density that is proportional to radius^exponent.
     discrete,   ///< Each of the values as often as its weight says, exactly, in random order.
     file,       ///< As the lines of a file say.
@@ -49,13 +49,13 @@ struct RadiusDistribution {
   Kind kind = Kind::uniform;
   double min = 0;               ///< [L]
   double max = 0;               ///< [L]
-  double mean = 0;              ///< Of the radius, before any is drawn again [L]: lognormal.
+  double mean = 0;              ///< Of the radius, before any is redrawn [L]: lognormal.
   double sigma = 0;             ///< The standard deviation of ln(radius) [1]: lognormal.
   double exponent = 0;          ///< [1]: powerlaw.
   std::vector<double> values;   ///< [L]: discrete.
   std::vector<double> weights;  ///< Of the values [1]: discrete.
   std::filesystem::path file;
-  std::string where;  ///< Its place in the scenario, for messages.
+  std::string where;  ///< Its location in the scenario, for messages.
 };
 
 /// Spheres of one kind: a table [[spheres]] of a scenario.
@@ -76,7 +76,7 @@ struct SphereGroup {
   std::vector<Vec3> spins;            ///< Instead, each one, shape (count, 3) [1/T]; empty otherwise.
   SpeciesId species = 0;              ///< An index into Scenario::species, if there are any.
   bool is_kinematic = false;          ///< Of infinite mass.
-  std::string where;                  ///< Its place in the scenario, for messages.
+  std::string where;                  ///< Its location in the scenario, for messages.
 
   /// The radius of a sphere of the group [L].
   double radius_of(std::size_t index) const { return radii.empty() ? radius : radii[index]; }
@@ -90,7 +90,7 @@ struct FaceDescription {
   std::optional<double> restitution;  ///< Instead of Scenario::restitution [1].
   std::optional<double> temperature;  ///< k T of a thermal face [M L^2 T^-2].
   Vec3 velocity;                      ///< Along the face [L/T].
-  std::string where;                  ///< Its place in the scenario, for messages.
+  std::string where;                  ///< Its location in the scenario, for messages.
 };
 
 /// A wall inside the box or around it: a table [[walls]] of a scenario.
@@ -106,7 +106,7 @@ struct WallDescription {
   Vec3 velocity;                      ///< [L/T]
   double amplitude = 0;               ///< Of an oscillation along the normal of a plane [L].
   double frequency = 0;               ///< Of this oscillation [1/T].
-  std::string where;                  ///< Its place in the scenario, for messages.
+  std::string where;                  ///< Its location in the scenario, for messages.
 };
 
 /// A sphere that never moves: one position of a table [[obstacles]] of a scenario.
@@ -115,7 +115,7 @@ struct ObstacleDescription {
   double radius = 0;                  ///< [L]
   std::optional<double> restitution;  ///< Instead of Scenario::restitution [1].
   std::optional<double> temperature;  ///< k T of a thermal surface [M L^2 T^-2].
-  std::string where;                  ///< Its place in the scenario, for messages.
+  std::string where;                  ///< Its location in the scenario, for messages.
 };
 
 /// A species: a table [[species]] of a scenario.
@@ -183,7 +183,7 @@ struct Scenario {
 /// Reads a scenario file. A start file is named relative to the scenario file, an output directory relative
 /// to the current directory.
 ///
-/// Each of `overrides` is a text key=value that replaces a value or adds one, as in `run.until=5` or
+/// Each of `overrides` is a string key=value that replaces a value or adds one, as in `run.until=5` or
 /// `spheres.0.count=10`. Values are written as in TOML; the quotes around a plain word may be left out.
 /// Error, with file:line:column or `--set key` as its place: the file cannot be read; it is not TOML; a key
 /// is unknown, missing or contradicts another; a value has the wrong type or is out of range.

@@ -6,7 +6,7 @@
 
 namespace hardball {
 
-/// A JSON Schema (draft 7) of scenario files, by which editors complete keys, describe them and mark
+/// A JSON Schema (draft 7) of scenario files, with which editors complete keys, describe them and mark
 /// mistakes.
 std::string scenario_schema();
 

@@ -16,7 +16,7 @@ namespace hardball {
 class Section;
 
 /// A value of a scenario. Each function reads it as one type and checks it against the description of its
-/// key. Error, with the value's place: the wrong type, or out of range.
+/// key. Error, with the value's location: the wrong type, or out of range.
 class Value {
  public:
   Value(const Document& document, const Node& node, const KeyDescription& key)

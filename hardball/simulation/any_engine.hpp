@@ -56,7 +56,7 @@ struct EngineOptions {
 /// The interface that all engines share; see Engine for what its members do.
 class AnyEngine {
  public:
-  /// Returns whether the run goes on; see notify (run.hpp).
+  /// Returns whether the run continues; see notify (run.hpp).
   using Observe = std::function<bool(const Contact&)>;
 
   virtual ~AnyEngine() = default;

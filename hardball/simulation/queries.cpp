@@ -180,8 +180,9 @@ double time_to_begin(const World& world, const Time& now, SphereId id, SphereId 
 }
 
 void check_end(const Box& box, double end, const std::string& name, const char* where) {
-  if (!(end >= 0)) throw Error("the search would end before it begins, or the " + name + " is NaN", where,
-                               "give a " + name + " ahead of the start");
+  if (!(end >= 0))
+    throw Error("the search would end before it begins, or the " + name + " is NaN", where,
+                "give a " + name + " ahead of the start");
   if (std::isfinite(end) || !is_periodic(box)) return;
   throw Error("the box is periodic, and the search may have no end", where, "give a finite " + name);
 }

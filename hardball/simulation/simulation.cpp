@@ -317,7 +317,7 @@ RunStatus Simulation::run_observed(const RunLimits& limits, Measures* measures) 
   }
 }
 
-// To be called with every contact when it has been carried out.
+// To be called with every contact when it has been executed.
 void Simulation::note(const Contact& contact, Measures* measures) {
   now_ = contact.time;
   tally_.note(contact);

@@ -55,7 +55,8 @@ class Simulation {
   ~Simulation();
 
   /// Sets a listener, called after every collision and wall contact: the contact has been executed, and
-  /// time() is its time. If it throws, the run ends after that contact, and the simulation can be run further.
+  /// time() is its time. If it throws, the run ends after that contact, and the simulation can be run
+  /// further.
   ///
   /// The listener may query, copy and edit the simulation: change_velocity, change_velocities, add, remove,
   /// on_contact, respond_with. An edit takes effect before any other event, simultaneous ones included, so
@@ -109,9 +110,9 @@ class Simulation {
   /// a run would handle up to then; the next run does not repeat them unless edits follow.
   std::optional<NextContact> next_contact(double until = std::numeric_limits<double>::infinity());
   /// The contacts of the next `duration` [T], in order, up to `most`, if nobody interferes: those that run()
-  /// would pass to the listener. Error: `duration` is negative, NaN, infinite or beyond 1e120; it is called by
-  /// the response; errors of the run. Cost: that of the run and of rewinding it; called by the listener, plus
-  /// an O(n) copy.
+  /// would pass to the listener. Error: `duration` is negative, NaN, infinite or beyond 1e120; it is called
+  /// by the response; errors of the run. Cost: that of the run and of rewinding it; called by the listener,
+  /// plus an O(n) copy.
   std::vector<Contact> contacts_within(double duration,
                                        std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
@@ -198,7 +199,7 @@ class Simulation {
   // Decides what may be called.
   enum class Activity {
     none,
-    running,    // events are being handled; the response, or who hears of velocities, may be running
+    running,    // events are being handled; the response, or a velocity listener, may be running
     listening,  // the listener is running
     measuring,  // the listener is running, and measures depend on the spheres
   };

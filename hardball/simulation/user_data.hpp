@@ -9,8 +9,8 @@
 
 namespace hardball {
 
-/// A number of the caller's for each sphere, by id: zero until it is set, and kept until the sphere is
-/// removed. Takes memory only for those set. Cost: O(1).
+/// A number that the caller attaches to each sphere, by id: zero until it is set, and kept until the sphere
+/// is removed. Uses memory only for those set. Cost: O(1).
 class UserData {
  public:
   std::uint64_t get(SphereId id) const {

@@ -53,7 +53,7 @@ inline PreciseVector half(const PreciseVector& a) {
   return {of(a.x), of(a.y), of(a.z)};
 }
 
-/// What is left of a squared distance to a greatest one: positive inside.
+/// The difference between the greatest squared distance and this one: positive inside.
 inline Polynomial room_within(double distance, const Polynomial& squared) {
   Polynomial room;
   for (std::size_t i = 0; i <= Polynomial::kMostDegree; ++i) room.coefficients[i] = -squared.coefficients[i];

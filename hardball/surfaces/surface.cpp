@@ -9,7 +9,7 @@
 namespace hardball {
 namespace {
 
-// Numbers of a surface are checked by whoever describes it; here, that the shape can be computed with.
+// The caller checks the numbers of a surface; here, that the shape can be computed with.
 void check_direction(const Vec3& direction, const char* name) {
   constexpr double kRounding = 1e-12;
   if (std::fabs(dot(direction, direction) - 1) <= kRounding) return;

@@ -24,11 +24,11 @@ namespace hardball {
 /// are relative to the surface's point.
 using Shape = std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle>;
 
-/// A wall or an obstacle in the way of spheres: at rest, in uniform motion, or oscillating.
+/// A wall or an obstacle that spheres bounce off: at rest, in uniform motion, or oscillating.
 class Surface {
  public:
   /// `point` [L]: of the plane, on the axis, or the center, at time zero; `velocity` [L/T]: of the whole
-  /// surface. Error: a number out of range; a direction that is no unit vector.
+  /// surface. Error: a number out of range; a direction that is not a unit vector.
   Surface(const Shape& shape, const Vec3& point, const Vec3& velocity = {},
           const SurfaceMaterial& material = {});
 

@@ -8,7 +8,7 @@
 
 namespace hardball {
 
-/// What a surface or a face of the box does to spheres that touch it.
+/// How a surface or a face of the box reflects spheres that touch it.
 struct SurfaceMaterial {
   std::optional<double> restitution = {};  ///< [1]; that of the response if absent.
   /// k T of a thermal wall [M L^2 T^-2], from which spheres return with random velocities; if absent, the

@@ -39,7 +39,8 @@ class Species {
   /// on.
   std::string suffix(std::size_t species) const;
 
-  /// Whether it can go on with this world, which is one that it has seen before unless its state is damaged.
+  /// Whether it can continue with this world, which is one that it has seen before unless its state is
+  /// damaged.
   bool matches(const World& world) const;
 
  private:

@@ -34,7 +34,7 @@ class Heating {
     seed_ = seed;
   }
   double next() const { return times_.next(); }
-  /// Appends the new velocities in the order of ids, and goes on to the next time. Cost: O(n).
+  /// Appends the new velocities in the order of ids, and advances to the next time. Cost: O(n).
   void act(const World& world, const Time& moment, std::vector<NewVelocity>& changes);
 
  private:

@@ -14,7 +14,7 @@ namespace hardball {
 
 /// At equal intervals all velocities are scaled so that the temperature is exact: that of the measure
 /// `temperature`, 2 E / f, with E relative to the common drift along axes on which nothing outside acts. The
-/// drift stays, and with it the momentum of a periodic box. Spheres without relative motion stay as they are.
+/// drift stays, and with it the momentum of a periodic box. Spheres without relative motion do not change.
 /// Source: Woodcock, Chem. Phys. Lett. 10 (1971) 257.
 class Rescale {
  public:
@@ -29,7 +29,7 @@ class Rescale {
   /// Starts at `now` [T].
   void begin(const World& /*world*/, double now, std::uint64_t /*seed*/) { times_.begin(now); }
   double next() const { return times_.next(); }
-  /// Appends the new velocities in the order of ids, and goes on to the next time. Cost: O(n).
+  /// Appends the new velocities in the order of ids, and advances to the next time. Cost: O(n).
   void act(const World& world, const Time& moment, std::vector<NewVelocity>& changes);
 
  private:

@@ -16,16 +16,17 @@
 
 namespace hardball {
 
-/// What exchanges energy with the spheres between contacts. Kinematic spheres and spins stay as they are.
+/// A thermostat exchanges energy with the spheres between contacts. Kinematic spheres and spins do not
+/// change.
 using ThermostatKind = std::variant<Andersen, Rescale, Heating>;
 
 /// The name of a kind in scenarios.
 std::string_view name_of(const ThermostatKind& kind);
 
-/// A thermostat at work: when it acts next, what it does then, and what it has done so far.
+/// A thermostat in use: when it acts next, what it does then, and what it has done so far.
 ///
 /// Its times and random numbers are functions of the seed, of the spheres' ids and of the times at which it
-/// was started and spheres were added: how a run is carried out does not affect them. It acts at a time once
+/// was started and spheres were added: how a run is executed does not affect them. It acts at a time once
 /// no contact that rounds to that time, or an earlier one, remains.
 class Thermostat {
  public:
@@ -38,7 +39,7 @@ class Thermostat {
   /// The energy it has given to the spheres, negative if it has taken more [M L^2 T^-2].
   double energy() const { return energy_; }
 
-  /// Starts anew. Cost: O(n).
+  /// Restarts. Cost: O(n).
   void begin(const World& world, const Time& now);
   /// Spheres have been added or removed. Cost: as for World.
   void note_added(SphereId sphere, const Time& now);

@@ -10,7 +10,7 @@
 
 namespace hardball {
 
-/// How far a trajectory has been written: what must be known to cut it back and go on.
+/// How far a trajectory has been written: what is needed to truncate and continue it.
 struct TrajectoryPosition {
   std::uint64_t frames = 0;
   FilePosition file = {};  ///< Without bytes, where frames are in files of their own.
@@ -24,7 +24,7 @@ struct TrajectoryPosition {
   }
 };
 
-/// Writes the frames of a file, whatever its format. One that goes on with a file changes nothing in it
+/// Writes the frames of a file, whatever its format. One that continues a file changes nothing in it
 /// before the first call.
 class FrameWriter {
  public:
@@ -36,7 +36,7 @@ class FrameWriter {
   /// Makes what tells readers of the frames complete, where that is not done with every frame. Error: as
   /// above.
   virtual void flush() {}
-  /// Waits until all frames are on the disk, flushes, and says how to go on from here. Error: as above.
+  /// Waits until all frames are on the disk, flushes, and returns how to continue from here. Error: as above.
   virtual TrajectoryPosition position() = 0;
   /// Completes and closes the file; does nothing if it is closed. Error: as above.
   virtual void close() = 0;

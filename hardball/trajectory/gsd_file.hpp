@@ -17,7 +17,7 @@ namespace hardball::gsd {
 class File {
  public:
   /// Reads header, names and index. Memory: some times that of the index. Error: the file cannot be read; it
-  /// is no GSD file of version 1 or 2 with the schema hoomd; its header points out of the file.
+  /// is not a GSD file of version 1 or 2 with the schema hoomd; its header points out of the file.
   explicit File(const std::filesystem::path& path);
 
   const std::string& name() const { return name_; }

@@ -21,11 +21,11 @@ namespace hardball {
 /// `log/particles/position64`, `velocity64`, `radius64`, `mass64`, `angular_velocity64`, `moment64` and `id`,
 /// `log/time` (NaN if it is not known), `log/pbc`, `log/box/origin`, `log/box/size` and `log/box/unbounded`.
 /// The step is the number of the frame. What is as in the first frame is not repeated. The bytes of the file
-/// follow from its frames alone, however often it was cut back. Memory: 64 bytes for each sphere between
+/// follow from its frames alone, however often it was truncated. Memory: 64 bytes for each sphere between
 /// frames.
 class GsdTrajectory final : public FrameWriter {
  public:
-  /// Creates the file, or goes on from a position in one that hardball has written. Error: it cannot be
+  /// Creates the file, or continues from a position in one that hardball has written. Error: it cannot be
   /// written; it has fewer frames, or others.
   explicit GsdTrajectory(std::filesystem::path path, const std::optional<TrajectoryPosition>& position = {});
 

@@ -51,11 +51,11 @@ Snapshot snapshot_of(const World& world, const Time& moment);
 /// The snapshot's box or, if it has none, one without bounds that spans its spheres. Cost: O(n).
 SnapshotBox box_of(const Snapshot& snapshot);
 
-/// Sorts the spheres by id. Error, at its place in the file of this name: an id occurs twice.
+/// Sorts the spheres by id. Error, at its location in the file of this name: an id occurs twice.
 void sort_by_id(Snapshot& snapshot, const std::string& name);
 
-/// Error, with its place in the file of this name: a number is NaN or infinite, but for a mass; a radius or
-/// mass is not positive.
+/// Error, with its location in the file of this name: a number is NaN or infinite, but for a mass; a radius
+/// or mass is not positive.
 void check_numbers(const Snapshot& snapshot, const std::string& name);
 
 }  // namespace hardball

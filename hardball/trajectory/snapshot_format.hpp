@@ -18,13 +18,13 @@ enum class SnapshotFormat {
   extended_xyz_zst,
   gsd,
   lammps,
-  vtp,  ///< Only written.
+  vtp,  ///< Written but not read.
   csv,
   npy,
   sph,
 };
 
-/// The format of a file by its name. Error: the name ends in none of the known ways.
+/// The format of a file by its name. Error: the extension is unknown.
 SnapshotFormat format_of(const std::filesystem::path& path);
 
 /// Whether a file of this format has a single frame.
@@ -34,7 +34,7 @@ bool has_single_frame(SnapshotFormat format);
 std::string_view name_of(SnapshotFormat format);
 
 /// Opens a file to read its frames, in the format that its name says. Error: it cannot be read; it is not
-/// what its name says; it contains no frame; its format is only written.
+/// what its name says; it contains no frame; its format cannot be read.
 std::unique_ptr<SnapshotReader> open_snapshots(const std::filesystem::path& path);
 
 /// The last frame of a file, from which a run can start. Error: as for open_snapshots and reading.

@@ -36,7 +36,7 @@ struct TextFormat {
 /// Reads the frames of a text.
 class TextSnapshotReader final : public SnapshotReader {
  public:
-  /// Counts the frames. Error, with its place: there are none, or one is incomplete.
+  /// Counts the frames. Error, with its location: there are none, or one is incomplete.
   TextSnapshotReader(OpenText open, std::string name, TextFormat format);
 
   std::size_t frames() const override { return frames_; }

@@ -52,8 +52,8 @@ class SphereColumns {
   /// `where`: the place of the names. Error: a column is missing, or occurs twice.
   SphereColumns(std::span<const Token> names, const TextPlace& where);
 
-  /// Appends the sphere of a line. Error, with its place: there are not as many values as columns, or one is
-  /// not what it should be.
+  /// Appends the sphere of a line. Error, with its location: there are not as many values as columns, or one
+  /// is not what it should be.
   void add(std::span<const Token> values, const TextPlace& place, Snapshot& snapshot) const;
 
   /// Appends a sphere from real(column) and integer(column), the values of a column as such. Error, at

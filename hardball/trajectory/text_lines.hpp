@@ -48,7 +48,7 @@ bool parse(std::string_view text, Number& number) {
   return status == std::errc() && end == text.data() + text.size();
 }
 
-/// The token as a finite number, named in messages. Error, at its place: it is none.
+/// The token as a finite number, named in messages. Error, at its location: it is not one.
 double parse_real(const Token& token, std::string_view name, const TextPlace& place);
 /// The same of an integer.
 std::int64_t parse_integer(const Token& token, std::string_view name, const TextPlace& place);

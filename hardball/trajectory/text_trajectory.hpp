@@ -25,7 +25,7 @@ using AppendFrame = void (*)(const Snapshot& snapshot, std::uint64_t frame, cons
 /// frames do not depend on each other, so that the file can be cut after any.
 class TextTrajectory final : public FrameWriter {
  public:
-  /// Creates the file, or goes on from a position. Error: see OutputFile.
+  /// Creates the file, or continues from a position. Error: see OutputFile.
   TextTrajectory(std::filesystem::path path, AppendFrame append_frame, bool is_compressed,
                  const std::optional<TrajectoryPosition>& position = {});
   ~TextTrajectory() override;

@@ -21,7 +21,7 @@ class Trajectory {
   /// Creates the file, or replaces it if there is one. Error: it cannot be opened for writing; its name does
   /// not say what format it has.
   explicit Trajectory(const std::filesystem::path& path);
-  /// Goes on where the trajectory was at `position`; what follows is cut off as soon as anything is called,
+  /// Continues where the trajectory was at `position`; what follows is cut off as soon as anything is called,
   /// and not before. Error: likewise; it is shorter, or contains something else there.
   Trajectory(const std::filesystem::path& path, const TrajectoryPosition& position);
 

@@ -20,8 +20,8 @@ namespace hardball {
 /// first, later by every eighth part of them, and by flush().
 class VtpTrajectory final : public FrameWriter {
  public:
-  /// `path`: of the collection; the folder bears its name without extension. Creates both, or goes on from a
-  /// position. Error: they cannot be written; there are fewer frames, or others.
+  /// `path`: of the collection; the folder bears its name without extension. Creates both, or continues from
+  /// a position. Error: they cannot be written; there are fewer frames, or others.
   explicit VtpTrajectory(std::filesystem::path path, const std::optional<TrajectoryPosition>& position = {});
   ~VtpTrajectory() override;
 

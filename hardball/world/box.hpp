@@ -76,9 +76,9 @@ class Box {
     return boundary_[0] == boundary || boundary_[1] == boundary || boundary_[2] == boundary;
   }
 
-  /// Gives a face its own properties. Error, with its location: it is not a wall; a restitution or temperature
-  /// that Surface would refuse; a velocity that is out of range, leads out of the face, or out of the plane
-  /// in two dimensions.
+  /// Gives a face its own properties. Error, with its location: it is not a wall; a restitution or
+  /// temperature that Surface would refuse; a velocity that is out of range, leads out of the face, or out of
+  /// the plane in two dimensions.
   void set_face(Face face, const FaceProperties& properties);
   const FaceProperties& face(Face face) const { return faces_[face]; }
   /// Whether a face is a wall with properties of its own.

@@ -87,24 +87,25 @@ void remove(PythonSimulation& self, const py::object& ids) {
 void bind_edits(SimulationClass& simulation) {
   const py::tuple zero = py::make_tuple(0.0, 0.0, 0.0);
   simulation
-      .def("set_velocity", &set_velocities, py::arg("ids"), py::arg("velocities"),
-           "Changes the velocity of a sphere, or of several [L/T], now: ids of shape (n,), velocities of "
-           "shape (n, 3), or one for all; in two dimensions also (n, 2). Ids are not rows of arrays once "
-           "spheres have been removed or have merged: see index_of. Measures that have begun treat the change "
-           "like the action of a thermostat, and a UserWarning says once that their results average over the "
-           "states before and after. Error, and nothing changes: no such sphere; a sphere is given twice; "
-           "velocities have another shape.")
+      .def(
+          "set_velocity", &set_velocities, py::arg("ids"), py::arg("velocities"),
+          "Changes the velocity of a sphere, or of several [L/T], now: ids of shape (n,), velocities of "
+          "shape (n, 3), or one for all; in two dimensions also (n, 2). Ids are not rows of arrays once "
+          "spheres have been removed or have merged: see index_of. Measures that have begun treat the change "
+          "like the action of a thermostat, and a UserWarning says once that their results average over the "
+          "states before and after. Error, and nothing changes: no such sphere; a sphere is given twice; "
+          "velocities have another shape.")
       .def("add", &add, py::arg("position"), py::arg("velocity") = zero, py::arg("radius") = 1.0,
            py::arg("mass") = 1.0, py::arg("spin") = zero, py::arg("species") = 0,
            py::arg("moment") = py::none(),
            "Adds a sphere, now, and returns its id; or several, with positions of shape (n, 3), or in two "
            "dimensions (n, 2). Cost: O(size) each. Error: a sphere overlaps another, and those before it "
            "stay added; measures are on.")
-      .def(
-          "remove", &remove, py::arg("ids"),
-          "Removes the sphere with this id, now, or several. The others keep their ids, but in arrays those "
-          "above move up a row: see index_of. Cost: O(size) each. Error, and nothing changes: no such sphere; "
-          "one is given twice; measures are on.")
+      .def("remove", &remove, py::arg("ids"),
+           "Removes the sphere with this id, now, or several. The others keep their ids, but in arrays those "
+           "above move up a row: see index_of. Cost: O(size) each. Error, and nothing changes: no such "
+           "sphere; "
+           "one is given twice; measures are on.")
       .def("set_thermostat", &set_thermostat, py::arg("thermostat"), py::arg("seed") = 1,
            "Replaces the thermostat, which starts now; None removes it. Warns as set_velocity does.")
       .def("respond_with", &respond_with, py::arg("response"),
@@ -113,9 +114,10 @@ void bind_edits(SimulationClass& simulation) {
            "restores the last one that was not a function. A Python function costs a few microseconds for "
            "each contact. Warns as set_velocity does.")
       .def("_set_response", &PythonSimulation::set_response)
-      .def("on_contact", &PythonSimulation::set_listener, py::arg("listener"),
-           "Sets a function that is called with the Contact after every collision and wall contact; None "
-           "removes it. It may query and edit the simulation. If it raises, the run ends after that contact.");
+      .def(
+          "on_contact", &PythonSimulation::set_listener, py::arg("listener"),
+          "Sets a function that is called with the Contact after every collision and wall contact; None "
+          "removes it. It may query and edit the simulation. If it raises, the run ends after that contact.");
 }
 
 }  // namespace hardball::python

@@ -83,7 +83,8 @@ PythonSimulation::PythonSimulation(PythonSimulation&& other)
 
 const Simulation& PythonSimulation::simulation() const {
   if (!is_made_) {
-    throw Error("it has not been initialized", "Simulation", "call super().__init__(...) before anything else");
+    throw Error("it has not been initialized", "Simulation",
+                "call super().__init__(...) before anything else");
   }
   if (runner_ && *runner_ != std::this_thread::get_id()) {
     throw RunFailure("the simulation is running in another thread; wait until it ends");

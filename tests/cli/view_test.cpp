@@ -215,7 +215,8 @@ TEST_F(View, ReplayReplacesAFileOnlyIfItIsTold) {
   write_text(folder_ / "mine.html", "mine");
   const Outcome outcome = run_program(folder_, {"replay", "gas.toml", "--out", "mine.html"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.messages.find("mine.html: the file exists already"), std::string::npos) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("mine.html: the file exists already"), std::string::npos)
+      << outcome.messages;
   EXPECT_EQ(read_text(folder_ / "mine.html"), "mine");
   EXPECT_EQ(run_program(folder_, {"replay", "gas.toml", "--out", "mine.html", "--overwrite"}).exit_code, 0);
   EXPECT_TRUE(read_text(folder_ / "mine.html") != "mine");

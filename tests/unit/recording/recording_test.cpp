@@ -456,10 +456,10 @@ TEST(Recording, TellsWhereItIsDamagedAndShowsWhatComesBefore) {
   };
   const std::string where = "damaged after time " + to_text(second.begin) + ": chunk 1, at byte " +
                             to_text(second.bytes.offset) + ", has ";
-  for (const auto& [at, what] :
-       {std::pair<std::uint64_t, std::string>{second.bytes.offset + 9, "a head that does not match its checksum"},
-        {second.bytes.offset + 100, "does not match its checksum"},
-        {bytes.size() - 1, "does not match its checksum"}}) {
+  for (const auto& [at, what] : {std::pair<std::uint64_t, std::string>{
+                                     second.bytes.offset + 9, "a head that does not match its checksum"},
+                                 {second.bytes.offset + 100, "does not match its checksum"},
+                                 {bytes.size() - 1, "does not match its checksum"}}) {
     damaged_at(at);
     RecordingReader reader(folder / "damaged.hbr", OnDamage::keep_what_comes_before);
     std::size_t taken = 0;

@@ -9,7 +9,7 @@ const kFewestContacts = 50; // a chunk that was closed early may hold too few fo
 /**
  * What happens in a chunk, in intervals of equal length: a list of {time, collisions, walls, energy}, the rates
  * [1/T] about `time` and the energy [M L^2 T^-2] there: that of translation and rotation, and of the height under
- * `gravity` [L/T²]; kinematic spheres have none. Spheres that pass through each other are no collision. `begin` [T]
+ * `gravity` [L/T²]; kinematic spheres have none. Spheres that pass through each other do not count as a collision. `begin` [T]
  * is that of the recording.
  * Cost: O(spheres + contacts).
  */
