@@ -121,7 +121,7 @@ test('a saved page with a damaged recording says so and shows what comes before'
   const textOf = (buffer) => ({ textContent: Buffer.from(buffer).toString('base64') });
   assert.equal(new SavedSource(textOf(bytes)).status.damaged, null);
   const source = new SavedSource(textOf(flipped(bytes, bytes.byteLength - 30, 3)));
-  assert.match(source.status.damaged, /damaged after time 1.5: wrong checksum at byte \d+; what comes before/);
+  assert.match(source.status.damaged, /damaged after time 1.5: wrong checksum at byte \d+; the part before/);
   assert.deepEqual(source.ends, [1.5]);
 });
 
