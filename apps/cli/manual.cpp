@@ -26,7 +26,7 @@ hardball \- {purpose}
 .SH DESCRIPTION
 A scenario, a TOML file, describes a box, the spheres in it, and how long they move.
 Hardball finds all their collisions, in order, by going from event to event; no time step can miss one.
-The history does not depend on options that affect only the speed, and its hash is printed, so that runs can be compared.
+Options that affect only the speed do not change the history. Runs can be compared by its hash, which is printed.
 .PP
 Scenarios to start from are in
 .IR share/doc/hardball/examples ,
@@ -46,7 +46,7 @@ A run did not reach its end, or runs that should be equal differ.
 2
 The scenario or the command line is wrong. One line says what is wrong, where, and what to write instead.
 .SH EXAMPLES
-Print how many collisions there were, and more; write snapshots, measures and a report into a directory:
+Print a table of results; write snapshots, measures and a report into a directory:
 .PP
 .in +4n
 .EX
