@@ -32,8 +32,7 @@ class FlowProfiles {
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;
 
-  /// Whether it can continue with this world, which is one that it has seen before unless its state is
-  /// damaged.
+  /// Whether it can continue with this world; false only if its state is damaged.
   bool matches(const World& world) const;
 
  private:

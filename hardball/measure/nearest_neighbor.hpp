@@ -26,8 +26,7 @@ class NearestNeighbor {
   void sample(const Scene& scene);
   Measurement result(const Scene& scene) const;
 
-  /// Whether it can continue with this world, which is one that it has seen before unless its state is
-  /// damaged.
+  /// Whether it can continue with this world; false only if its state is damaged.
   bool matches(const World& world) const;
 
  private:

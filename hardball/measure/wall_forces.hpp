@@ -39,8 +39,7 @@ class WallForces {
   /// The result up to the time of the scene.
   Measurement result(const Scene& scene) const;
 
-  /// Whether it can continue with this world, which is one that it has seen before unless its state is
-  /// damaged.
+  /// Whether it can continue with this world; false only if its state is damaged.
   bool matches(const World& world) const;
 
  private:

@@ -39,8 +39,7 @@ class Species {
   /// on.
   std::string suffix(std::size_t species) const;
 
-  /// Whether it can continue with this world, which is one that it has seen before unless its state is
-  /// damaged.
+  /// Whether it can continue with this world; false only if its state is damaged.
   bool matches(const World& world) const;
 
  private:

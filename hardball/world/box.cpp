@@ -49,8 +49,7 @@ void Box::set_face(Face face, const FaceProperties& properties) {
       throw Error("the velocity along " + std::string(kAxisNames[axis]) + " is " + to_text(velocity) +
                       ", and a face of the box moves only along itself",
                   where,
-                  "make it zero; for a wall that moves this way, open the axis and use a plane, in scenarios "
-                  "[[walls]]");
+                  "make it zero; for such a wall, open the axis and use a plane, in scenarios [[walls]]");
     }
     if (axis >= dimensions()) {
       throw Error("the velocity along z is " + to_text(velocity) + " in a box of two dimensions", where,

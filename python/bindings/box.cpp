@@ -254,8 +254,7 @@ void bind_box(py::module_& module) {
            }),
            py::arg("boundary"), py::arg("size"), py::kw_only(), py::arg("faces") = py::none(),
            "`boundary` has one of 'wall', 'periodic', 'open' or, for z, 'flat' for each axis. `size` has the "
-           "edge lengths [L]; those of open and flat axes are ignored. `faces` gives walls their own "
-           "properties: "
+           "edge lengths [L], ignored for open and flat axes. `faces` gives walls their own properties: "
            "{'z_min': {'temperature': 2.0, 'velocity': [1, 0, 0]}, 'z_max': {'restitution': 0.8}}.")
       .def_static(
           "walls",
@@ -267,8 +266,8 @@ void bind_box(py::module_& module) {
       .def_static(
           "periodic", [](const py::object& size) { return box_of(Boundary::periodic, size, false); },
           py::arg("size"),
-          "Spheres that leave at one end enter at the other. `size` is the edge [L], or one length for each "
-          "axis.")
+          "Spheres that leave at one end enter at the other. `size` is the edge [L], or one length "
+          "for each axis.")
       .def_static("open", &Box::open, "Unbounded space.")
       .def_static(
           "flat_walls",

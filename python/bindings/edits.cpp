@@ -100,14 +100,11 @@ void bind_edits(SimulationClass& simulation) {
            py::arg("moment") = py::none(),
            "Adds a sphere, now, and returns its id; or several, with positions of shape (n, 3), or in two "
            "dimensions (n, 2). Cost: that of a collision each. Error: a sphere overlaps another, and those "
-           "before it "
-           "stay added; measures are on.")
+           "before it stay added; measures are on.")
       .def("remove", &remove, py::arg("ids"),
            "Removes the sphere with this id, now, or several. The others keep their ids, but in arrays those "
            "above move up a row: see index_of. Cost: that of a collision each. Error, and nothing changes: "
-           "no such "
-           "sphere; "
-           "one is given twice; measures are on.")
+           "no such sphere; one is given twice; measures are on.")
       .def("set_thermostat", &set_thermostat, py::arg("thermostat"), py::arg("seed") = 1,
            "Replaces the thermostat, which starts now; None removes it. Warns as set_velocity does.")
       .def("respond_with", &respond_with, py::arg("response"),
