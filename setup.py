@@ -32,5 +32,5 @@ class BuildWithCMake(build_ext):
         )
 
 
-version = re.search(r"project\(hardball VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
+version = ".".join(re.findall(r"#define HARDBALL_VERSION_\w+ (\d+)", (ROOT / "hardball/version.hpp").read_text()))
 setup(version=version, ext_modules=[Extension("hardball._hardball", [])], cmdclass={"build_ext": BuildWithCMake})

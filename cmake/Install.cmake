@@ -8,32 +8,22 @@ include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/hardball)
 set(pkg_config_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-install(TARGETS ${HARDBALL_LIBRARY_TARGETS} EXPORT hardball ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/hardball DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN "*.hpp")
+install(TARGETS hardball_library EXPORT hardball LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(CODE "set(source \"${PROJECT_SOURCE_DIR}\")
+set(destination \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")")
+install(SCRIPT cmake/install_headers.cmake)
 install(EXPORT hardball NAMESPACE hardball:: FILE hardballConfig.cmake DESTINATION ${package_folder})
 
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/hardballConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/hardballConfigVersion.cmake DESTINATION ${package_folder})
 
-# A linker wants a library before those that it uses: rooms from the highest floor down, then those of others.
-set(libraries "")
-set(others "")
-foreach(target IN LISTS HARDBALL_LIBRARY_TARGETS)
-  get_target_property(type ${target} TYPE)
-  if(type STREQUAL STATIC_LIBRARY)
-    string(PREPEND libraries "-l${target} ")
-    get_target_property(used ${target} LINK_LIBRARIES)
-    list(FILTER used EXCLUDE REGEX "^hardball_|NOTFOUND$")
-    list(APPEND others ${used})
-  endif()
-endforeach()
-list(REMOVE_DUPLICATES others)
-foreach(other IN LISTS others)
-  string(APPEND libraries "-l${other} ")
-endforeach()
-string(STRIP "${libraries}" libraries)
+# A shared library knows what it needs.
+set(libraries "-lhardball")
+if(NOT BUILD_SHARED_LIBS)
+  string(APPEND libraries " -lzstd")
+endif()
 set(validation "")
 if(HARDBALL_VALIDATE)
   set(validation " -DHARDBALL_VALIDATE=1")

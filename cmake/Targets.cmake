@@ -27,29 +27,25 @@ function(hardball_compile_exactly target scope)
   endif()
 endfunction()
 
-# hardball_add_room(NAME room USES lower rooms...): the target hardball_<room>, alias hardball::<room>, of all
-# sources in the room's folder. A header-only room is an INTERFACE library.
-function(hardball_add_room)
-  cmake_parse_arguments(PARSE_ARGV 0 room "" "NAME" "USES")
-  set(target hardball_${room_NAME})
-  file(GLOB sources CONFIGURE_DEPENDS ${room_NAME}/*.cpp)
-  if(sources)
-    set(scope PUBLIC)
-    add_library(${target} STATIC ${sources})
-    hardball_compile_strictly(${target})
-  else()
-    set(scope INTERFACE)
-    add_library(${target} INTERFACE)
-  endif()
-  add_library(hardball::${room_NAME} ALIAS ${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${room_NAME})
-  if(sources)
-    # So that shared libraries, such as the Python module, can contain it.
-    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  endif()
-  hardball_compile_exactly(${target} ${scope})
-  target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+# hardball_include_as_installed(TARGET): whoever links the library includes its headers by the path "hardball/...".
+function(hardball_include_as_installed target)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  list(TRANSFORM room_USES PREPEND hardball_)
-  target_link_libraries(${target} ${scope} ${room_USES})
+endfunction()
+
+# hardball_add_room(NAME): the objects hardball_<room> of all sources in the room's folder; none of a room that consists
+# of headers.
+function(hardball_add_room room)
+  file(GLOB sources CONFIGURE_DEPENDS ${room}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  set(target hardball_${room})
+  add_library(${target} OBJECT ${sources})
+  hardball_compile_strictly(${target})
+  hardball_compile_exactly(${target} PUBLIC)
+  hardball_include_as_installed(${target})
+  # So that shared libraries, such as the Python module, can contain it; users see what is marked by HARDBALL_EXPORT.
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
+                        VISIBILITY_INLINES_HIDDEN ON)
 endfunction()

@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "hardball/archive/archive.hpp"
-#include "hardball/hardball.hpp"
-#include "hardball/io/checkpoint_file.hpp"
+#include "hardball/checkpoint.hpp"
+#include "hardball/measures.hpp"
+#include "hardball/simulation.hpp"
+#include "hardball/world.hpp"
 
 namespace {
 
@@ -36,7 +37,7 @@ int main() {
 
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "hardball_example.hbc";
   const std::vector<hardball::CheckpointSection> sections{{"simulation", simulation.save()},
-                                                          {"measures", hardball::archived(measures)}};
+                                                          {"measures", measures.save()}};
   hardball::write_checkpoint_file(file, sections);
 
   simulation.run_until(40, measures);
@@ -44,8 +45,7 @@ int main() {
 
   const std::map<std::string, std::string> saved = hardball::read_checkpoint_file(file);
   hardball::Simulation loaded = hardball::Simulation::load(saved.at("simulation"), file.string());
-  hardball::Measures its_measures;
-  hardball::restore(saved.at("measures"), file.string(), its_measures);
+  hardball::Measures its_measures = hardball::Measures::load(saved.at("measures"), file.string());
   loaded.run_until(40, its_measures);
   print("resumed", loaded, its_measures);
   std::filesystem::remove(file);

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "hardball/hardball.hpp"
-#include "hardball/numbers/random.hpp"
 
 namespace {
 

@@ -4,7 +4,8 @@
 // Two spheres in a box: all their collisions.
 #include <cstdio>
 
-#include "hardball/hardball.hpp"
+#include "hardball/simulation.hpp"
+#include "hardball/world.hpp"
 
 int main() {
   hardball::World world(hardball::Box::walls({10, 10, 10}));

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "fuzz/target.hpp"
-#include "hardball/trajectory/snapshot_reader.hpp"
+#include "hardball/trajectory/text_snapshot_reader.hpp"
 
 namespace hardball::fuzz {
 

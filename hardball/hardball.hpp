@@ -2,13 +2,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Everything needed by programs that use the library.
-#include "hardball/errors/error.hpp"
-#include "hardball/interaction/interactions.hpp"
-#include "hardball/measure/csv.hpp"
-#include "hardball/measure/measures.hpp"
-#include "hardball/simulation/measure_unit_costs.hpp"
-#include "hardball/simulation/simulation.hpp"
-#include "hardball/thermostats/thermostat.hpp"
-#include "hardball/world/audit.hpp"
-#include "hardball/world/world.hpp"
+/// Everything that programs need to use the library. A program that compiles often includes just what it
+/// uses: hardball/simulation.hpp and the other headers beside this one take half the time.
+#include "hardball/checkpoint.hpp"
+#include "hardball/contact.hpp"
+#include "hardball/error.hpp"
+#include "hardball/event_log.hpp"
+#include "hardball/measures.hpp"
+#include "hardball/placement.hpp"
+#include "hardball/random.hpp"
+#include "hardball/recording.hpp"
+#include "hardball/responses.hpp"
+#include "hardball/scenario.hpp"
+#include "hardball/simulation.hpp"
+#include "hardball/surfaces.hpp"
+#include "hardball/thermostats.hpp"
+#include "hardball/trajectory.hpp"
+#include "hardball/version.hpp"
+#include "hardball/world.hpp"

@@ -23,6 +23,7 @@ def comments_of(lines):
     outer = None
     text = []
     for line in lines:
+        line = line.replace("HARDBALL_EXPORT ", "")
         stripped = line.strip()
         indentation = len(line) - len(line.lstrip())
         if stripped.startswith("/// ") or stripped == "///":

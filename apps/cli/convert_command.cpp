@@ -10,6 +10,7 @@
 #include "apps/cli/terminal.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
+#include "hardball/trajectory/snapshot_reader.hpp"
 #include "hardball/trajectory/trajectory.hpp"
 
 namespace hardball::cli {

@@ -25,6 +25,7 @@
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
+#include "hardball/trajectory/snapshot_reader.hpp"
 
 namespace hardball::cli {
 namespace {

@@ -14,6 +14,7 @@
 #include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/nearest_name.hpp"
+#include "hardball/simulation/any_engine.hpp"
 #include "hardball/theory/moments.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/cell_edge.hpp"

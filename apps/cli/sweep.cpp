@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/simulation/any_engine.hpp"
 #include "hardball/theory/moments.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 

@@ -16,6 +16,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
+#include "hardball/simulation/any_engine.hpp"
 #include "hardball/theory/moments.hpp"
 #include "hardball/world/audit.hpp"
 

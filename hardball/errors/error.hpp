@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "hardball/errors/language.hpp"
+#include "hardball/errors/export.hpp"
 
 namespace hardball {
 
@@ -14,7 +14,7 @@ namespace hardball {
 ///
 /// Thrown by every public function whose doc comment names a precondition on its caller's data. Nothing has
 /// changed when it is thrown.
-class Error : public std::invalid_argument {
+class HARDBALL_EXPORT Error : public std::invalid_argument {
  public:
   /// `where` is file:line:column, an option or an argument; `remedy` says what would be accepted.
   Error(std::string what, std::string where, std::string remedy);
@@ -30,22 +30,22 @@ class Error : public std::invalid_argument {
 };
 
 /// A run that started from good input and cannot continue, because of inelastic collapse or a full disk, say.
-class RunFailure : public std::runtime_error {
+class HARDBALL_EXPORT RunFailure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 /// A bug in Hardball: a state that its own rules exclude.
-class BrokenInvariant : public std::logic_error {
+class HARDBALL_EXPORT BrokenInvariant : public std::logic_error {
  public:
   using std::logic_error::logic_error;
 };
 
 /// Throws BrokenInvariant, naming the failed condition and its source location.
-[[noreturn]] void report_broken_invariant(const char* condition, const char* file, int line);
+[[noreturn]] HARDBALL_EXPORT void report_broken_invariant(const char* condition, const char* file, int line);
 
 /// The shortest decimal text that reads back as the same number, as in messages and text files.
-std::string to_text(double number);
+HARDBALL_EXPORT std::string to_text(double number);
 template <std::integral Integer>
 std::string to_text(Integer number) {
   return std::to_string(number);

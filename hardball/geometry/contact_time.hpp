@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/geometry/grazing_time.hpp"
 #include "hardball/geometry/motion.hpp"
 
@@ -18,8 +19,9 @@ namespace hardball {
 /// vectors changes no bit of the result, which is the same in each lane of the numbers (number.hpp).
 /// Source: Bannerman et al., Comp. Part. Mech. 1 (2014) 191, section 2.
 template <class Number>
-HARDBALL_ALWAYS_INLINE Number time_to_reach(const VectorOf<Number>& separation,
-                                            const VectorOf<Number>& velocity, const Number& reach) {
+HARDBALL_EXPORT HARDBALL_ALWAYS_INLINE Number time_to_reach(const VectorOf<Number>& separation,
+                                                            const VectorOf<Number>& velocity,
+                                                            const Number& reach) {
   const Number zero(0.0);
   const Number forever(std::numeric_limits<double>::infinity());
   // Distance squared minus reach squared is excess + 2 approach t + speed_squared t^2.
@@ -50,7 +52,7 @@ HARDBALL_ALWAYS_INLINE Number time_to_reach(const VectorOf<Number>& separation,
 }
 
 /// The same for one pair, compiled once.
-double time_to_reach(const Vec3& separation, const Vec3& velocity, double reach);
+HARDBALL_EXPORT double time_to_reach(const Vec3& separation, const Vec3& velocity, double reach);
 
 /// The time until a point at signed distance `distance` [L] from a plane, moving toward it with `speed`
 /// [L/T], arrives; zero if it is already there or beyond, infinity if it does not approach (`speed` <= 0).

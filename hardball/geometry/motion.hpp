@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -100,7 +99,9 @@ inline double time_to_pass(double distance, double v, double a) {
 /// The time until such a point first leaves the interval from `below` >= 0 behind it to `above` >= 0 ahead of
 /// it [L]; infinity if it never does.
 inline double time_to_leave(double below, double above, double v, double a) {
-  return std::min(time_to_pass(above, v, a), time_to_pass(below, -v, -a));
+  const double ahead = time_to_pass(above, v, a);
+  const double behind = time_to_pass(below, -v, -a);
+  return behind < ahead ? behind : ahead;
 }
 
 }  // namespace hardball

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
 #include "hardball/interaction/restitution.hpp"
 #include "hardball/interaction/restitution_law.hpp"
@@ -30,7 +31,7 @@ struct BounceRules {
 /// rough bodies changes their spins, too. Energy is conserved if the restitution is 1 and the tangential one
 /// 1 or -1, momentum and angular momentum always. Source: Huthmann and Zippelius, Phys. Rev. E 56 (1997)
 /// R6275, for spheres of equal size; here each sphere has a radius, mass and moment of its own.
-class Bounce {
+class HARDBALL_EXPORT Bounce {
  public:
   /// Error: a restitution is not between 0 and 1; the tangential one is not between -1 and 1; a speed or
   /// duration is negative or not finite.

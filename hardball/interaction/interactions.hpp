@@ -2,19 +2,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
 
 #include "hardball/interaction/response_table.hpp"
 #include "hardball/interaction/restitution.hpp"
+#include "hardball/memory/function.hpp"
 
 namespace hardball {
 
 /// A custom response; none if empty.
-using CustomResponse = std::function<Outcome(const Contact&)>;
+using CustomResponse = Function<Outcome(const Contact&)>;
 
 /// What happens when bodies touch: a table of the pairs of species, and a custom response that is called
 /// instead of it wherever spheres do not pass through each other. Walls have their own materials: see
@@ -26,11 +25,11 @@ class Interactions {
   Interactions(const Restitution& restitution)  // NOLINT(google-explicit-constructor)
       : Interactions(ResponseTable(Bounce(restitution), Bounce(restitution))) {}
   Interactions(const ResponseTable& table)  // NOLINT(google-explicit-constructor)
-      : table_(std::make_shared<const ResponseTable>(table)) {
+      : table_(table) {
     choose();
   }
 
-  const ResponseTable& table() const { return *table_; }
+  const ResponseTable& table() const { return table_; }
   const CustomResponse& function() const { return function_; }
   /// Replaces the function; an empty one leaves it to the table.
   void set_function(CustomResponse function) {
@@ -39,7 +38,7 @@ class Interactions {
   }
 
   /// Whether spheres of these species pass through each other.
-  bool pass(SpeciesId a, SpeciesId b) const { return has_passing_ && table_->pass(a, b); }
+  bool pass(SpeciesId a, SpeciesId b) const { return has_passing_ && table_.pass(a, b); }
   bool has_passing() const { return has_passing_; }
   /// Whether all contacts are known to be elastic and smooth.
   bool are_elastic() const { return one_for_all_ && one_for_all_->coefficient() == 1; }
@@ -48,7 +47,7 @@ class Interactions {
   bool decide(Contact& contact) const {
     if (one_for_all_) [[likely]]
       return hardball::decide(*one_for_all_, contact);
-    return function_ ? hardball::decide(function_, contact) : table_->decide(contact);
+    return function_ ? hardball::decide(function_, contact) : table_.decide(contact);
   }
 
  private:
@@ -59,16 +58,16 @@ class Interactions {
       archive(table);
       self = Interactions(table);
     } else {
-      archive(*self.table_);
+      archive(self.table_);
     }
   }
 
   void choose() {
-    has_passing_ = table_->has_passing();
-    one_for_all_ = function_ ? std::nullopt : table_->one_for_all();
+    has_passing_ = table_.has_passing();
+    one_for_all_ = function_ ? std::nullopt : table_.one_for_all();
   }
 
-  std::shared_ptr<const ResponseTable> table_;  // never changes, so copies share it
+  ResponseTable table_;
   CustomResponse function_;
   std::optional<Restitution> one_for_all_;  // the fastest, if it is that
   bool has_passing_ = false;

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/interaction/bounce.hpp"
 #include "hardball/interaction/merging.hpp"
 #include "hardball/interaction/passing.hpp"
@@ -18,7 +19,7 @@ namespace hardball {
 using Rule = std::variant<Bounce, Merging, Passing>;
 
 /// A response for each pair of species, and for each species at walls.
-class ResponseTable {
+class HARDBALL_EXPORT ResponseTable {
  public:
   /// The same for all spheres, and for all at walls.
   explicit ResponseTable(const Rule& spheres = Bounce(), const Bounce& walls = Bounce());

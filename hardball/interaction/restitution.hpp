@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
 
 namespace hardball {
@@ -36,7 +37,7 @@ inline Velocities velocities_after_impact(const Contact& contact, double coeffic
 
 /// The velocity of a smooth sphere after a contact with a wall [L/T], which it leaves with at least
 /// `least_speed` [L/T].
-Vec3 velocity_after_bounce(const Contact& contact, double coefficient, double least_speed);
+HARDBALL_EXPORT Vec3 velocity_after_bounce(const Contact& contact, double coefficient, double least_speed);
 
 /// The least speed with which a sphere leaves a wall that gravity presses it against, if impacts slower than
 /// `elastic_below` are elastic [L/T].
@@ -52,7 +53,7 @@ inline double least_parting_speed(const Contact& contact, double elastic_below) 
 /// Slow impacts may be elastic: then spheres that lose energy collide at a bounded rate, and those that come
 /// to rest under gravity keep bouncing by a height too small to matter. Source: Luding and McNamara, Granular
 /// Matter 1 (1998) 113, on why restitution tends to one for slow impacts.
-class Restitution {
+class HARDBALL_EXPORT Restitution {
  public:
   /// `elastic_below` [L/T]: slower impacts are elastic, and a sphere that gravity presses against a wall
   /// leaves it with at least a tenth of this speed. Error: `coefficient` [1] is not between 0 and 1, or

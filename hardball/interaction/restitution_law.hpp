@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "hardball/errors/language.hpp"
+#include "hardball/errors/export.hpp"
 
 namespace hardball {
 
@@ -20,7 +20,7 @@ struct ConstantRestitution {
 
 /// The coefficient of restitution of viscoelastic spheres, which is one at zero impact speed and decreases as
 /// 1 - 1.15344 b u^(1/5) at first. Source: Mueller and Poeschel, Phys. Rev. E 84 (2011) 021302.
-class ViscoelasticRestitution {
+class HARDBALL_EXPORT ViscoelasticRestitution {
  public:
   /// With the coefficient `value` [1] at the impact speed `speed` [L/T]. Error: `value` is not between 0 and
   /// 1, or too small to be reached; `speed` is not positive.
@@ -46,7 +46,7 @@ class ViscoelasticRestitution {
 
 /// A coefficient of restitution that is linear between given points, and constant before the first and after
 /// the last.
-class TabulatedRestitution {
+class HARDBALL_EXPORT TabulatedRestitution {
  public:
   struct Point {
     double speed;  ///< Impact speed [L/T].
@@ -78,6 +78,6 @@ class TabulatedRestitution {
 using RestitutionLaw = std::variant<ConstantRestitution, ViscoelasticRestitution, TabulatedRestitution>;
 
 /// Error: `value` [1] is not between 0 and 1.
-void check_restitution(double value);
+HARDBALL_EXPORT void check_restitution(double value);
 
 }  // namespace hardball

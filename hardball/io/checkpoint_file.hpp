@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "hardball/errors/language.hpp"
+#include "hardball/errors/export.hpp"
 
 namespace hardball {
 
@@ -25,17 +25,19 @@ struct CheckpointSection {
 /// of its name, 4 bytes, its name, how it is compressed, 4 bytes (0 not at all, 1 zstd), its length, its
 /// length as compressed and the XXH64 of the compressed bytes, 8 bytes each; the XXH64 of all before; then
 /// the compressed sections.
-std::string checkpoint_of(std::span<const CheckpointSection> sections);
+HARDBALL_EXPORT std::string checkpoint_of(std::span<const CheckpointSection> sections);
 
 /// Writes a checkpoint, which under its own name is always complete: the one before, or this one. Error
 /// (RunFailure): it cannot be written; the one before is kept. Cost: as of checkpoint_of.
-void write_checkpoint_file(const std::filesystem::path& path, std::span<const CheckpointSection> sections);
+HARDBALL_EXPORT void write_checkpoint_file(const std::filesystem::path& path,
+                                           std::span<const CheckpointSection> sections);
 
 /// The sections of a checkpoint, by name. Error: there is no such file, or it is damaged. Memory: no more
 /// than 256 times the length of the file.
-std::map<std::string, std::string> read_checkpoint_file(const std::filesystem::path& path);
+HARDBALL_EXPORT std::map<std::string, std::string> read_checkpoint_file(const std::filesystem::path& path);
 
 /// The same, of the bytes of a file; `where` names it in errors.
-std::map<std::string, std::string> read_checkpoint(std::string_view file, const std::string& where);
+HARDBALL_EXPORT std::map<std::string, std::string> read_checkpoint(std::string_view file,
+                                                                   const std::string& where);
 
 }  // namespace hardball

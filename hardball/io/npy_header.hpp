@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
+
 namespace hardball {
 
 /// A field of a structured NumPy array, or the only one of a plain array.
@@ -19,7 +21,7 @@ struct NpyField {
 };
 
 /// What a NumPy file holds.
-struct NpyHeader {
+struct HARDBALL_EXPORT NpyHeader {
   std::vector<NpyField> fields;
   bool is_fortran_order = false;
   std::vector<std::uint64_t> shape;
@@ -33,6 +35,6 @@ struct NpyHeader {
 /// Reads the header of a NumPy file. Error: it cannot be read; it is none; its items are not little-endian
 /// numbers, or rows of them; it is shorter than it says. Source: NumPy enhancement proposal 1, format
 /// versions 1 to 3.
-NpyHeader read_npy_header(const std::filesystem::path& path);
+HARDBALL_EXPORT NpyHeader read_npy_header(const std::filesystem::path& path);
 
 }  // namespace hardball

@@ -6,30 +6,19 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 
+#include "hardball/errors/export.hpp"
+#include "hardball/io/file_position.hpp"
+
 namespace hardball {
-
-/// How far a file has been written, and what its end contains: what is needed to continue it.
-struct FilePosition {
-  std::uint64_t bytes = 0;  ///< Its length.
-  std::optional<std::uint64_t> checksum =
-      {};  ///< Of its last bytes, kSummedBytes at most; not known of devices.
-
-  friend bool operator==(const FilePosition&, const FilePosition&) = default;
-  static void persist(auto& archive, auto& self) {
-    archive(self.bytes);
-    if (archive.version() > 1) archive(self.checksum);
-  }
-};
 
 /// A file being written that keeps no partial record when writing fails.
 ///
 /// Its writer marks when the file is complete. If something cannot be written, because the disk is full, say,
 /// the file is truncated to the last complete state and closed.
-class OutputFile {
+class HARDBALL_EXPORT OutputFile {
  public:
   /// Creates the file, or empties it if there is one. Error: it cannot be opened for writing.
   explicit OutputFile(std::filesystem::path path);

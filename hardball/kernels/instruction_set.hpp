@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "hardball/errors/export.hpp"
+
 namespace hardball {
 
 /// The vector instructions of the kernels. All give the same bits.
@@ -22,12 +24,12 @@ inline constexpr std::array<std::string_view, 3> kInstructionSetNames{"portable"
 inline constexpr std::size_t kWidestVector = 16;
 
 /// Whether this program has kernels with these instructions.
-bool is_compiled_in(InstructionSet instructions);
+HARDBALL_EXPORT bool is_compiled_in(InstructionSet instructions);
 
 /// Whether this program and this machine support these instructions.
-bool is_available(InstructionSet instructions);
+HARDBALL_EXPORT bool is_available(InstructionSet instructions);
 
 /// The widest instructions available.
-InstructionSet widest_instruction_set();
+HARDBALL_EXPORT InstructionSet widest_instruction_set();
 
 }  // namespace hardball

@@ -5,17 +5,18 @@
 #include <span>
 #include <string>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/measure/measurement.hpp"
 
 namespace hardball {
 
 /// The columns of a measurement as comma-separated values. The first line names them, each with its unit, as
 /// in "radius [L]"; numbers read back to the same bits, and "nan" where there is none.
-std::string columns_csv(const Measurement& measurement);
+HARDBALL_EXPORT std::string columns_csv(const Measurement& measurement);
 
 /// The quantities of all measurements, a line for each: measure, name, value, error, theory, unit, the
 /// length of the transient left out, which is that of the whole run if the transient is not over, the
 /// tolerance of the theory, and why there is no value.
-std::string quantities_csv(std::span<const Measurement> measurements);
+HARDBALL_EXPORT std::string quantities_csv(std::span<const Measurement> measurements);
 
 }  // namespace hardball

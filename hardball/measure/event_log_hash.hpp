@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
 
 namespace hardball {
@@ -41,6 +42,6 @@ class EventLogHash {
 };
 
 /// A hash as it is shown: 16 hexadecimal digits.
-std::string hash_text(std::uint64_t hash);
+HARDBALL_EXPORT std::string hash_text(std::uint64_t hash);
 
 }  // namespace hardball

@@ -8,12 +8,12 @@
 #include <string_view>
 #include <vector>
 
-#include "hardball/errors/language.hpp"
+#include "hardball/errors/export.hpp"
 
 namespace hardball {
 
 /// The names of all measures, in the order of their results.
-std::span<const std::string_view> measure_names();
+HARDBALL_EXPORT std::span<const std::string_view> measure_names();
 
 /// What to measure in a run, and when.
 struct MeasureSettings {

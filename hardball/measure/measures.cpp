@@ -4,10 +4,34 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
 #include <type_traits>
 
+#include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/measure/bond_order.hpp"
+#include "hardball/measure/collision_rate.hpp"
+#include "hardball/measure/coordination.hpp"
+#include "hardball/measure/density_profiles.hpp"
+#include "hardball/measure/flow_profiles.hpp"
+#include "hardball/measure/impact_speeds.hpp"
+#include "hardball/measure/mean_square_displacement.hpp"
+#include "hardball/measure/nearest_neighbor.hpp"
+#include "hardball/measure/pressure.hpp"
+#include "hardball/measure/radial_distribution.hpp"
+#include "hardball/measure/sampling_schedule.hpp"
+#include "hardball/measure/scene.hpp"
+#include "hardball/measure/structure_factor.hpp"
+#include "hardball/measure/temperature.hpp"
+#include "hardball/measure/velocity_autocorrelation.hpp"
+#include "hardball/measure/velocity_distribution.hpp"
+#include "hardball/measure/wall_forces.hpp"
+#include "hardball/world/world.hpp"
 
 namespace hardball {
 namespace {
@@ -36,26 +60,98 @@ concept FollowsSpheres = requires {
   Measure::kCostPerSphereFollowed;
 };
 
+template <class M>
+struct Entry {
+  using Measure = M;
+  bool is_wanted = false;
+  std::optional<Measure> measure;  // once it has started
+  bool has_sample = false;
+  SamplingSchedule schedule;
+  static void persist(auto& archive, auto& self) {
+    // A measure that the archive is too old to have is not wanted.
+    if constexpr (requires { Measure::kSinceVersion; }) {
+      if (archive.version() < Measure::kSinceVersion) return;
+    }
+    archive(self.is_wanted, self.measure, self.has_sample, self.schedule);
+  }
+  bool restored() const { return measure || schedule.next() == kNever; }
+};
+
+// In the order of results.
+template <class... Measure>
+struct All {
+  static constexpr std::array<std::string_view, sizeof...(Measure)> kNames{Measure::kName...};
+  std::tuple<Entry<Measure>...> entries;
+
+  // Calls visit(entry) for every entry.
+  void for_each(auto&& visit) {
+    std::apply([&](auto&... each) { (visit(each), ...); }, entries);
+  }
+  void for_each(auto&& visit) const {
+    std::apply([&](const auto&... each) { (visit(each), ...); }, entries);
+  }
+};
+using AllMeasures = All<Pressure, WallForces, Temperature, CollisionRate, ImpactSpeeds, VelocityDistribution,
+                        MeanSquareDisplacement, VelocityAutocorrelation, RadialDistribution, StructureFactor,
+                        DensityProfiles, FlowProfiles, Coordination, NearestNeighbor, BondOrder>;
+
+template <class Entry>
+using MeasureOf = typename std::remove_cvref_t<Entry>::Measure;
+
 SphereId last_id_of(const World& world) {
   return world.size() > 0 ? world.id(world.slot_of_rank(world.size() - 1)) : 0;
 }
 
-}  // namespace
-
-std::span<const std::string_view> measure_names() {
-  static constexpr auto kNames = []<class... Entry>(std::type_identity<std::tuple<Entry...>>) {
-    return std::array<std::string_view, sizeof...(Entry)>{Entry::Type::kName...};
-  }(std::type_identity<Measures::Entries>());
-  return kNames;
+template <class Measure>
+void begin(Entry<Measure>& entry, const Scene& scene, const std::optional<double>& every, const Pace& pace) {
+  const Time& now = scene.now();
+  if constexpr (FollowsSpheres<Measure>) {
+    // So many samples in a mean free time resolve the decay of velocities; windows of so many have lags that
+    // are long enough for diffusion; and following so many spheres leaves enough windows.
+    constexpr double kSamplesPerFreeTime = 4;
+    constexpr std::int64_t kWindow = 256;
+    constexpr std::size_t kMostFollowed = 1000;
+    const std::size_t most = every ? TimeCorrelation::kMostSpheres : kMostFollowed;
+    const std::size_t spheres = std::min(scene.world().size(), most);
+    const double cost = kFixedCost + Measure::kCostPerSphereFollowed * static_cast<double>(spheres);
+    const double finest = pace.free_time / kSamplesPerFreeTime;
+    entry.schedule =
+        every ? SamplingSchedule(now, *every) : SamplingSchedule(now, finest, kWindow, cost, pace);
+    entry.measure.emplace(scene, entry.schedule.interval(), spheres);
+  } else {
+    entry.measure.emplace(scene);
+    if constexpr (Samples<Measure>) {
+      const double cost = kFixedCost + entry.measure->sample_cost();
+      entry.schedule =
+          every ? SamplingSchedule(now, *every) : SamplingSchedule(now, pace.free_time, 1, cost, pace);
+    }
+  }
 }
 
-Measures::Measures(const MeasureSettings& settings) : settings_(settings) {
+template <class Measure>
+void take_sample(Entry<Measure>& entry, const Scene& scene) {
+  if constexpr (Samples<Measure>) entry.measure->sample(scene);
+  entry.has_sample = true;
+}
+
+}  // namespace
+
+struct Measures::Entries : AllMeasures {
+  static void persist(auto& archive, auto& self) { archive(self.entries); }
+};
+
+std::span<const std::string_view> measure_names() {
+  return AllMeasures::kNames;
+}
+
+Measures::Measures(const MeasureSettings& settings)
+    : settings_(settings), entries_(ValuePointer<Entries>::make()) {
   if (settings.every) check_positive(*settings.every, "every", "measures");
   check_finite(settings.from, "from", "measures");
   for (const std::string& name : settings.names) {
     bool is_known = name == "all";
-    for_each([&](auto& entry) {
-      if (name != "all" && name != std::remove_reference_t<decltype(entry)>::Type::kName) return;
+    entries_->for_each([&](auto& entry) {
+      if (name != "all" && name != MeasureOf<decltype(entry)>::kName) return;
       entry.is_wanted = true;
       is_known = true;
     });
@@ -69,9 +165,15 @@ Measures::Measures(const MeasureSettings& settings) : settings_(settings) {
   }
 }
 
+Measures::Measures(const Measures& other) = default;
+Measures::Measures(Measures&& other) noexcept = default;
+Measures& Measures::operator=(const Measures& other) = default;
+Measures& Measures::operator=(Measures&& other) noexcept = default;
+Measures::~Measures() = default;
+
 void Measures::check_spheres(const World& world) const {
   bool matches = !has_begun_ || (world.size() == spheres_ && last_id_of(world) == last_id_);
-  for_each([&](const auto& entry) {
+  entries_->for_each([&](const auto& entry) {
     if constexpr (requires { entry.measure->matches(world); }) {
       matches = matches && (!entry.measure || entry.measure->matches(world));
     }
@@ -84,8 +186,8 @@ void Measures::check_spheres(const World& world) const {
 void Measures::note(const Contact& contact) {
   if (!has_begun_) return;
   ++contacts_;
-  for_each([&](auto& entry) {
-    if constexpr (NotesContacts<typename std::remove_reference_t<decltype(entry)>::Type>) {
+  entries_->for_each([&](auto& entry) {
+    if constexpr (NotesContacts<MeasureOf<decltype(entry)>>) {
       if (entry.measure) entry.measure->note(contact);
     }
   });
@@ -94,8 +196,8 @@ void Measures::note(const Contact& contact) {
 void Measures::note(const VelocityChange& change) {
   if (!has_begun_) return;
   is_driven_ = true;
-  for_each([&](auto& entry) {
-    if constexpr (NotesChanges<typename std::remove_reference_t<decltype(entry)>::Type>) {
+  entries_->for_each([&](auto& entry) {
+    if constexpr (NotesChanges<MeasureOf<decltype(entry)>>) {
       if (entry.measure) entry.measure->note(change);
     }
   });
@@ -105,34 +207,8 @@ Time Measures::next_sample() const {
   if (!is_any_wanted_) return kNever;
   if (!has_begun_) return Time(settings_.from);
   Time next = kNever;
-  for_each([&](const auto& entry) { next = earlier(next, entry.schedule.next()); });
+  entries_->for_each([&](const auto& entry) { next = earlier(next, entry.schedule.next()); });
   return next;
-}
-
-template <class Measure>
-void Measures::begin(Entry<Measure>& entry, const Scene& scene, const Pace& pace) const {
-  const Time& now = scene.now();
-  if constexpr (FollowsSpheres<Measure>) {
-    // So many samples in a mean free time resolve the decay of velocities; windows of so many have lags that
-    // are long enough for diffusion; and following so many spheres leaves enough windows.
-    constexpr double kSamplesPerFreeTime = 4;
-    constexpr std::int64_t kWindow = 256;
-    constexpr std::size_t kMostFollowed = 1000;
-    const std::size_t most = settings_.every ? TimeCorrelation::kMostSpheres : kMostFollowed;
-    const std::size_t spheres = std::min(scene.world().size(), most);
-    const double cost = kFixedCost + Measure::kCostPerSphereFollowed * static_cast<double>(spheres);
-    const double finest = pace.free_time / kSamplesPerFreeTime;
-    entry.schedule = settings_.every ? SamplingSchedule(now, *settings_.every)
-                                     : SamplingSchedule(now, finest, kWindow, cost, pace);
-    entry.measure.emplace(scene, entry.schedule.interval(), spheres);
-  } else {
-    entry.measure.emplace(scene);
-    if constexpr (Samples<Measure>) {
-      const double cost = kFixedCost + entry.measure->sample_cost();
-      entry.schedule = settings_.every ? SamplingSchedule(now, *settings_.every)
-                                       : SamplingSchedule(now, pace.free_time, 1, cost, pace);
-    }
-  }
 }
 
 void Measures::sample(const World& world, const Time& now) {
@@ -140,15 +216,15 @@ void Measures::sample(const World& world, const Time& now) {
   const Scene scene(world, now);
   if (!has_begun_) {
     const Pace pace = expected_pace(scene.moments());
-    for_each([&](auto& entry) {
-      if (entry.is_wanted) begin(entry, scene, pace);
+    entries_->for_each([&](auto& entry) {
+      if (entry.is_wanted) begin(entry, scene, settings_.every, pace);
     });
     has_begun_ = true;
     spheres_ = world.size();
     last_id_ = last_id_of(world);
     begin_ = now;
   }
-  for_each([&](auto& entry) {
+  entries_->for_each([&](auto& entry) {
     if (entry.schedule.next() > now) return;
     take_sample(entry, scene);
     entry.schedule.advance(now, contacts_);
@@ -157,21 +233,15 @@ void Measures::sample(const World& world, const Time& now) {
 
 void Measures::sample_the_rest(const World& world, const Time& now) {
   const Scene scene(world, now);
-  for_each([&](auto& entry) {
+  entries_->for_each([&](auto& entry) {
     if (entry.measure && !entry.has_sample) take_sample(entry, scene);
   });
-}
-
-template <class Measure>
-void Measures::take_sample(Entry<Measure>& entry, const Scene& scene) const {
-  if constexpr (Samples<Measure>) entry.measure->sample(scene);
-  entry.has_sample = true;
 }
 
 std::vector<Measurement> Measures::results(const World& world, const Time& now) const {
   const Scene scene(world, now, is_driven_);
   std::vector<Measurement> results;
-  for_each([&](const auto& entry) {
+  entries_->for_each([&](const auto& entry) {
     if (!entry.measure) return;
     results.push_back(entry.measure->result(scene));
     results.back().duration = duration(begin_, now);
@@ -179,9 +249,32 @@ std::vector<Measurement> Measures::results(const World& world, const Time& now) 
   return results;
 }
 
+std::string Measures::save() const {
+  return archived(*this);
+}
+
+Measures Measures::load(std::string_view bytes, const std::string& where) {
+  Measures loaded;
+  restore(bytes, where, loaded);
+  return loaded;
+}
+
+void Measures::persist_parts(auto& archive, auto& self) {
+  archive(self.settings_, self.is_any_wanted_, self.has_begun_, self.is_driven_, self.spheres_, self.last_id_,
+          self.begin_, self.contacts_, *self.entries_);
+}
+
+void Measures::persist(ArchiveWriter& archive, const Measures& self) {
+  persist_parts(archive, self);
+}
+
+void Measures::persist(ArchiveReader& archive, Measures& self) {
+  persist_parts(archive, self);
+}
+
 bool Measures::restored() const {
   bool is_any_there = false;
-  for_each([&](const auto& entry) { is_any_there |= entry.measure.has_value(); });
+  entries_->for_each([&](const auto& entry) { is_any_there |= entry.measure.has_value(); });
   return has_begun_ || !is_any_there;
 }
 

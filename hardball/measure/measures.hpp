@@ -2,38 +2,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <span>
+#include <string>
 #include <string_view>
-#include <tuple>
-#include <type_traits>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
-#include "hardball/measure/bond_order.hpp"
-#include "hardball/measure/collision_rate.hpp"
-#include "hardball/measure/coordination.hpp"
-#include "hardball/measure/density_profiles.hpp"
-#include "hardball/measure/flow_profiles.hpp"
-#include "hardball/measure/impact_speeds.hpp"
-#include "hardball/measure/mean_square_displacement.hpp"
 #include "hardball/measure/measure_settings.hpp"
 #include "hardball/measure/measurement.hpp"
-#include "hardball/measure/nearest_neighbor.hpp"
-#include "hardball/measure/pressure.hpp"
-#include "hardball/measure/radial_distribution.hpp"
-#include "hardball/measure/sampling_schedule.hpp"
-#include "hardball/measure/scene.hpp"
-#include "hardball/measure/structure_factor.hpp"
-#include "hardball/measure/temperature.hpp"
-#include "hardball/measure/velocity_autocorrelation.hpp"
-#include "hardball/measure/velocity_distribution.hpp"
-#include "hardball/measure/wall_forces.hpp"
+#include "hardball/memory/value_pointer.hpp"
 #include "hardball/world/velocity_change.hpp"
-#include "hardball/world/world.hpp"
 
 namespace hardball {
+
+class ArchiveReader;
+class ArchiveWriter;
+class World;
 
 /// The measures that are switched on for a run.
 ///
@@ -42,10 +28,15 @@ namespace hardball {
 /// must stay those of the start, and only contacts, thermostats and Simulation::change_velocities with these
 /// measures may change velocities: they do not notice other changes, and would be wrong. Results
 /// depend only on the scenario: they are the same bits for every engine.
-class Measures {
+class HARDBALL_EXPORT Measures {
  public:
   /// Error: no measure has this name; `every` is not positive, or `from` not finite.
   explicit Measures(const MeasureSettings& settings = {});
+  Measures(const Measures& other);
+  Measures(Measures&& other) noexcept;
+  Measures& operator=(const Measures& other);
+  Measures& operator=(Measures&& other) noexcept;
+  ~Measures();
 
   /// Whether any measure is switched on.
   bool is_any_wanted() const { return is_any_wanted_; }
@@ -72,56 +63,20 @@ class Measures {
   /// before the start. Precondition: as for sample().
   std::vector<Measurement> results(const World& world, const Time& now) const;
 
+  /// The whole state as bytes, from which `load` makes measures that continue to the same results.
+  std::string save() const;
+  /// Measures from what `save` returned, of this version of the library or an earlier one; `where` names the
+  /// bytes in errors. Error: they are damaged, or not from `save`, or of a later version.
+  static Measures load(std::string_view bytes, const std::string& where = "the saved measures");
+
  private:
   friend class Persistence;
-  static void persist(auto& archive, auto& self) {
-    archive(self.settings_, self.is_any_wanted_, self.has_begun_, self.is_driven_, self.spheres_,
-            self.last_id_, self.begin_, self.contacts_);
-    std::apply([&](auto&... entries) { (persist_entry(archive, entries), ...); }, self.entries_);
-  }
-  // A measure that the archive is too old to have is not wanted.
-  static void persist_entry(auto& archive, auto& entry) {
-    using Measure = typename std::remove_cvref_t<decltype(entry)>::Type;
-    if constexpr (requires { Measure::kSinceVersion; }) {
-      if (archive.version() < Measure::kSinceVersion) return;
-    }
-    archive(entry);
-  }
+  static void persist(ArchiveWriter& archive, const Measures& self);
+  static void persist(ArchiveReader& archive, Measures& self);
+  static void persist_parts(auto& archive, auto& self);
   bool restored() const;
 
-  template <class Measure>
-  struct Entry {
-    using Type = Measure;
-    bool is_wanted = false;
-    std::optional<Measure> measure;  // once it has started
-    bool has_sample = false;
-    SamplingSchedule schedule;
-    static void persist(auto& archive, auto& self) {
-      archive(self.is_wanted, self.measure, self.has_sample, self.schedule);
-    }
-    bool restored() const { return measure || schedule.next() == kNever; }
-  };
-  using Entries = std::tuple<Entry<Pressure>, Entry<WallForces>, Entry<Temperature>, Entry<CollisionRate>,
-                             Entry<ImpactSpeeds>, Entry<VelocityDistribution>, Entry<MeanSquareDisplacement>,
-                             Entry<VelocityAutocorrelation>, Entry<RadialDistribution>,
-                             Entry<StructureFactor>, Entry<DensityProfiles>, Entry<FlowProfiles>,
-                             Entry<Coordination>, Entry<NearestNeighbor>, Entry<BondOrder>>;
-  friend std::span<const std::string_view> measure_names();
-
-  // Calls visit(entry) for every entry.
-  template <class Visit>
-  void for_each(Visit&& visit) {
-    std::apply([&](auto&... entries) { (visit(entries), ...); }, entries_);
-  }
-  template <class Visit>
-  void for_each(Visit&& visit) const {
-    std::apply([&](const auto&... entries) { (visit(entries), ...); }, entries_);
-  }
-  template <class Measure>
-  void begin(Entry<Measure>& entry, const Scene& scene, const Pace& pace) const;
-
-  template <class Measure>
-  void take_sample(Entry<Measure>& entry, const Scene& scene) const;
+  struct Entries;  // a measure of each kind
 
   MeasureSettings settings_;
   bool is_any_wanted_ = false;
@@ -131,7 +86,7 @@ class Measures {
   SphereId last_id_ = 0;     // at the start; of spheres added later all ids are higher
   Time begin_;
   std::uint64_t contacts_ = 0;
-  Entries entries_;
+  ValuePointer<Entries> entries_;
 };
 
 }  // namespace hardball

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
 #include "hardball/world/world.hpp"
 
@@ -23,7 +24,7 @@ struct WallTally {
 };
 
 /// Sums over the contacts of a run from which pressures and the certificate follow.
-class Tally {
+class HARDBALL_EXPORT Tally {
  public:
   /// Starts counting at `now` with the energy of the world. Cost: O(n).
   void begin(const World& world, const Time& now);

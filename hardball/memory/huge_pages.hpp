@@ -5,12 +5,14 @@
 #include <cstddef>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
+
 namespace hardball {
 
 /// Memory for a large array, on huge pages where the system offers them: events access memory at random, and
 /// with small pages every access also misses the TLB. Error: std::bad_alloc.
-void* allocate_on_huge_pages(std::size_t bytes, std::size_t alignment);
-void free_from_huge_pages(void* memory, std::size_t bytes, std::size_t alignment) noexcept;
+HARDBALL_EXPORT void* allocate_on_huge_pages(std::size_t bytes, std::size_t alignment);
+HARDBALL_EXPORT void free_from_huge_pages(void* memory, std::size_t bytes, std::size_t alignment) noexcept;
 
 /// The standard allocator, with allocate_on_huge_pages.
 template <class T>

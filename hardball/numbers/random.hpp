@@ -5,13 +5,14 @@
 #include <array>
 #include <cstdint>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/geometry/vec3.hpp"
 
 namespace hardball {
 
 /// Random numbers that are the same on every platform, compiler and library.
 /// Source: Blackman and Vigna, ACM Trans. Math. Softw. 47 (2021) 36, xoshiro256++ seeded by SplitMix64.
-class Random {
+class HARDBALL_EXPORT Random {
  public:
   explicit Random(std::uint64_t seed);
 
@@ -36,9 +37,9 @@ class Random {
 /// The natural logarithm of a positive normal number, to about one unit in the last place, from additions,
 /// multiplications and divisions alone: the C library's may differ in the last bit from one platform to the
 /// next.
-double portable_log(double x);
+HARDBALL_EXPORT double portable_log(double x);
 
 /// The exponential function of a number, likewise; zero or infinite where the result is out of range.
-double portable_exp(double x);
+HARDBALL_EXPORT double portable_exp(double x);
 
 }  // namespace hardball

@@ -10,15 +10,10 @@
 #include "hardball/memory/huge_pages.hpp"
 #include "hardball/memory/prefetch.hpp"
 #include "hardball/numbers/random.hpp"
+#include "hardball/placement/region.hpp"
 #include "hardball/world/box.hpp"
 
 namespace hardball {
-
-/// A box-shaped part of space.
-struct Region {
-  Vec3 low;   ///< [L]
-  Vec3 high;  ///< [L]
-};
 
 /// Where among resting spheres the center of one more may lie, for placement: a region divided into voxels,
 /// some of which are known to have no room.

@@ -11,6 +11,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/geometry/spacing.hpp"
+#include "hardball/placement/free_space.hpp"
 #include "hardball/world/static_hash_grid.hpp"
 
 namespace hardball {

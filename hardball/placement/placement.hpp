@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
+#include "hardball/memory/function.hpp"
 #include "hardball/numbers/random.hpp"
-#include "hardball/placement/free_space.hpp"
+#include "hardball/placement/region.hpp"
 #include "hardball/world/box.hpp"
 #include "hardball/world/progress.hpp"
 
@@ -16,7 +17,7 @@ namespace hardball {
 
 /// Whether the center of a sphere of this radius [L] may lie there [L]. Where this holds in less than about a
 /// ten-thousandth of a region, no place may be found.
-using IsAllowed = std::function<bool(const Vec3& center, double radius)>;
+using IsAllowed = Function<bool(const Vec3& center, double radius)>;
 
 /// The densest packing of equal spheres, pi / sqrt(18), or of equal discs, pi / sqrt(12).
 inline constexpr double kClosePacking = 0.74048048969306104;
@@ -28,14 +29,15 @@ inline constexpr double kClosePackingOfDiscs = 0.90689968211710893;
 /// open ones; without `is_allowed` all of it is allowed. Error, with `where` as its place: a number out of
 /// range; they do not fit; random placement cannot reach this density. Cost: O(n), also where the region is
 /// nearly full; in inverse proportion to the part of the region that is allowed.
-std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span<const double> radii,
-                                 Random& random, const std::string& where, const Progress& progress = {},
-                                 const IsAllowed& is_allowed = {});
+HARDBALL_EXPORT std::vector<Vec3> place_randomly(const Box& box, const Region& region,
+                                                 std::span<const double> radii, Random& random,
+                                                 const std::string& where, const Progress& progress = {},
+                                                 const IsAllowed& is_allowed = {});
 
 /// Centers for `count` spheres of one radius [L] on a lattice stretched to fill the region, face-centered
 /// cubic or, in two dimensions, hexagonal, with vacancies spread evenly. Cost: O(n). Error, with `where` as
 /// its place: a number out of range; no such lattice leaves room for the spheres.
-std::vector<Vec3> place_on_lattice(const Box& box, const Region& region, std::size_t count, double radius,
-                                   const std::string& where);
+HARDBALL_EXPORT std::vector<Vec3> place_on_lattice(const Box& box, const Region& region, std::size_t count,
+                                                   double radius, const std::string& where);
 
 }  // namespace hardball

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
 #include "hardball/io/npy_header.hpp"
 #include "hardball/io/output_file.hpp"
@@ -13,7 +14,7 @@
 namespace hardball {
 
 /// The field that holds the times, if the array of a NumPy file is an event log; otherwise null.
-const NpyField* time_in_event_log(const NpyHeader& header);
+HARDBALL_EXPORT const NpyField* time_in_event_log(const NpyHeader& header);
 
 /// How far an event log has been written: what is needed to truncate and continue it.
 struct EventLogPosition {
@@ -42,7 +43,7 @@ struct EventLogPosition {
 ///
 /// The file can be read while it grows, and after a run that failed: every flush updates the record count in
 /// the header, which has 256 bytes. Source: NumPy enhancement proposal 1, format version 1.0.
-class NpyEventLog {
+class HARDBALL_EXPORT NpyEventLog {
  public:
   /// Creates the file. Error: it cannot be opened for writing.
   explicit NpyEventLog(std::filesystem::path path);

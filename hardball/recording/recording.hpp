@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/vec3.hpp"
 #include "hardball/interaction/contact.hpp"
@@ -99,16 +100,16 @@ struct RecordingHeader {
 };
 
 /// One JSON object; the version is not part of it.
-std::string to_json(const RecordingHeader& header);
+HARDBALL_EXPORT std::string to_json(const RecordingHeader& header);
 
 /// The header described by a JSON object in a recording of this version; unknown keys are ignored. `where`
 /// names the recording in messages. Error: it is not such an object, or describes an impossible box or
 /// surface.
-RecordingHeader parse_recording_header(std::string_view json, const std::string& where,
-                                       int version = recording_format::kVersion);
+HARDBALL_EXPORT RecordingHeader parse_recording_header(std::string_view json, const std::string& where,
+                                                       int version = recording_format::kVersion);
 
 /// The motion of a sphere from a contact, or from the start, on.
-struct RecordedPath {
+struct HARDBALL_EXPORT RecordedPath {
   static constexpr bool kIsPlain = true;  ///< To archives.
 
   Vec3 position;    ///< Center at `time`, folded into the box [L].
@@ -124,7 +125,7 @@ struct RecordedPath {
 };
 
 /// How a sphere is turned: a unit quaternion. Turned upright, a sphere is as it was at the start.
-struct Orientation {
+struct HARDBALL_EXPORT Orientation {
   static constexpr bool kIsPlain = true;  ///< To archives.
 
   Vec3 imaginary;   ///< [1]
@@ -153,7 +154,7 @@ struct RecordedBody {
 
 /// A collision, a contact with a surface, or a change of one sphere's velocity without a contact, and the
 /// motion after it.
-struct RecordedContact {
+struct HARDBALL_EXPORT RecordedContact {
   double time = 0;  ///< [T]
   SphereId first = 0;
   /// The id of the other sphere; `first` where there is no contact; or -(k + 1) for surface k: 0 to 5 are the
@@ -196,7 +197,7 @@ struct RecordedContact {
 };
 
 /// A part of a recording that can be shown by itself.
-struct RecordedChunk {
+struct HARDBALL_EXPORT RecordedChunk {
   double begin = 0;                       ///< [T]
   double end = 0;                         ///< [T]
   std::vector<RecordedPath> keyframe;     ///< By id: the paths at `begin`, before any contact of the chunk.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/io/crc32.hpp"
@@ -60,9 +61,11 @@ bool is_finite(const Vec3& vector) {
 }  // namespace
 
 RecordingReader::RecordingReader(const std::filesystem::path& path, OnDamage on_damage)
-    : name_(path.string()), file_(path, std::ios::binary), on_damage_(on_damage) {
+    : name_(path.string()),
+      file_(std::make_unique<std::ifstream>(path, std::ios::binary)),
+      on_damage_(on_damage) {
   // On some systems a directory can be opened, and only reading fails.
-  if (!file_ || std::filesystem::is_directory(path)) {
+  if (!*file_ || std::filesystem::is_directory(path)) {
     throw Error("the file cannot be read", name_, "name a recording");
   }
   const std::uint64_t available = file_length();
@@ -227,7 +230,7 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
   return recorded;
 }
 
-void RecordingReader::verify(const std::function<void(const RecordedChunk&)>& take) {
+void RecordingReader::verify(const Function<void(const RecordedChunk&)>& take) {
   for (std::size_t k = 0; k < chunks_.size(); ++k) {
     RecordedChunk chunk;
     try {
@@ -244,9 +247,9 @@ void RecordingReader::verify(const std::function<void(const RecordedChunk&)>& ta
 }
 
 std::uint64_t RecordingReader::file_length() {
-  file_.clear();
-  file_.seekg(0, std::ios::end);
-  const auto end = static_cast<std::streamoff>(file_.tellg());
+  file_->clear();
+  file_->seekg(0, std::ios::end);
+  const auto end = static_cast<std::streamoff>(file_->tellg());
   if (end < 0) refuse("cannot be read");
   return static_cast<std::uint64_t>(end);
 }
@@ -254,9 +257,9 @@ std::uint64_t RecordingReader::file_length() {
 // Precondition: the extent lies within the file.
 std::string RecordingReader::read_bytes(const FileExtent& extent) {
   std::string bytes(extent.length, '\0');
-  file_.clear();
-  file_.seekg(static_cast<std::streamoff>(extent.offset));
-  if (!file_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) refuse("cannot be read");
+  file_->clear();
+  file_->seekg(static_cast<std::streamoff>(extent.offset));
+  if (!file_->read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) refuse("cannot be read");
   return bytes;
 }
 

@@ -5,12 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <functional>
+#include <istream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
+#include "hardball/memory/function.hpp"
 #include "hardball/recording/recording.hpp"
 
 namespace hardball {
@@ -40,7 +42,7 @@ enum class OnDamage {
 ///
 /// Damage is told by the checksums of files of version 3; in earlier ones, only where a value is impossible.
 /// Whatever the file contains, no more memory is allocated than its length justifies.
-class RecordingReader {
+class HARDBALL_EXPORT RecordingReader {
  public:
   /// Opens the file and finds its chunks by their heads. Error: it cannot be read; it is not a recording; its
   /// first part is damaged; or the head of a chunk, unless what comes before is to be kept.
@@ -73,7 +75,7 @@ class RecordingReader {
 
   /// Reads all chunks found, and hands them to `take`, if there is one. Error: one of them is damaged, unless
   /// what comes before is to be kept. Cost: that of reading the file.
-  void verify(const std::function<void(const RecordedChunk&)>& take = {});
+  void verify(const Function<void(const RecordedChunk&)>& take = {});
   /// What is damaged after the chunks that are kept, and where; nothing if no damage is known.
   const std::optional<std::string>& damage() const { return damage_; }
 
@@ -85,7 +87,7 @@ class RecordingReader {
   void find_chunks();
 
   std::string name_;
-  std::ifstream file_;
+  std::unique_ptr<std::istream> file_;
   RecordingHeader header_;
   std::string header_text_;
   std::vector<double> radii_;

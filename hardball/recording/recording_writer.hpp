@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
 #include "hardball/io/output_file.hpp"
 #include "hardball/recording/recording.hpp"
@@ -23,7 +24,7 @@ namespace hardball {
 /// spheres, or 1000 if that is more, or 64 MB of them; at flush(); and at close(). Contacts at the same time
 /// are never split between chunks. Memory: 56 bytes per sphere, and
 /// 192 per contact of the open chunk; with bodies also 80 per sphere.
-class RecordingWriter {
+class HARDBALL_EXPORT RecordingWriter {
  public:
   /// Creates the file and records the spheres of `world`, whose number, box and species replace those of
   /// `header`. It must have bodies where contacts may turn spheres or merge them; where spheres spin or may

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "hardball/errors/export.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
 
@@ -9,7 +10,8 @@ namespace hardball {
 
 /// The simulation of a scenario from its start, which make_world has made, with its thermostat. Error: see
 /// Simulation; its place is in the scenario, but that of options stays.
-Simulation make_simulation(const Scenario& scenario, World start, const EngineOptions& options = {},
-                           const OnProgress& on_progress = {});
+HARDBALL_EXPORT Simulation make_simulation(const Scenario& scenario, World start,
+                                           const EngineOptions& options = {},
+                                           const OnProgress& on_progress = {});
 
 }  // namespace hardball

@@ -15,7 +15,7 @@
 #include "hardball/scenario/make_surfaces.hpp"
 #include "hardball/scenario/radii.hpp"
 #include "hardball/scenario/velocities.hpp"
-#include "hardball/trajectory/snapshot_format.hpp"
+#include "hardball/trajectory/snapshot_reader.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {

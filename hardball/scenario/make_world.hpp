@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "hardball/errors/export.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
@@ -12,7 +13,7 @@ namespace hardball {
 inline constexpr double kOpenPackingFraction = 0.1;
 
 /// The box of a scenario. Error: see Box.
-Box make_box(const Scenario& scenario);
+HARDBALL_EXPORT Box make_box(const Scenario& scenario);
 
 /// The world that a scenario describes, at time zero: places the spheres and gives them velocities, or reads
 /// the start file.
@@ -22,6 +23,6 @@ Box make_box(const Scenario& scenario);
 /// which the spheres fill a tenth. Error, with its location in the scenario or the start file: the spheres do
 /// not fit; groups on a lattice have several radii; what draw_radii refuses; what World::add refuses.
 /// Overlaps among listed or read positions are not checked here.
-World make_world(const Scenario& scenario, const OnProgress& on_progress = {});
+HARDBALL_EXPORT World make_world(const Scenario& scenario, const OnProgress& on_progress = {});
 
 }  // namespace hardball

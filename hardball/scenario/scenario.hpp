@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/interaction/bounce.hpp"
 #include "hardball/measure/measure_settings.hpp"
 #include "hardball/thermostats/thermostat.hpp"
@@ -59,7 +60,7 @@ struct RadiusDistribution {
 };
 
 /// Spheres of one kind: a table [[spheres]] of a scenario.
-struct SphereGroup {
+struct HARDBALL_EXPORT SphereGroup {
   std::size_t dimensions = 3;  ///< Of the box: 3, or 2 for discs.
   std::size_t count = 0;
   double radius = 1;                               ///< Of all, unless they are distributed [L].
@@ -134,7 +135,7 @@ struct PairDescription {
 };
 
 /// A description of a run: the contents of a scenario file, each value checked by itself.
-struct Scenario {
+struct HARDBALL_EXPORT Scenario {
   /// The box along an axis.
   struct Axis {
     Boundary boundary = Boundary::open;
@@ -187,10 +188,11 @@ struct Scenario {
 /// `spheres.0.count=10`. Values are written as in TOML; the quotes around a plain word may be left out.
 /// Error, with file:line:column or `--set key` as its place: the file cannot be read; it is not TOML; a key
 /// is unknown, missing or contradicts another; a value has the wrong type or is out of range.
-Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> overrides = {});
+HARDBALL_EXPORT Scenario load_scenario(const std::filesystem::path& path,
+                                       std::span<const std::string> overrides = {});
 
 /// The same from a text; `name` stands for the file in messages and in the path of the start file.
-Scenario parse_scenario(std::string_view text, const std::string& name,
-                        std::span<const std::string> overrides = {});
+HARDBALL_EXPORT Scenario parse_scenario(std::string_view text, const std::string& name,
+                                        std::span<const std::string> overrides = {});
 
 }  // namespace hardball

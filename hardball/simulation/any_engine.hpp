@@ -2,62 +2,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
-#include <string_view>
-#include <type_traits>
 
 #include "hardball/engine/run.hpp"
 #include "hardball/execution/aftermath.hpp"
 #include "hardball/interaction/contact.hpp"
-#include "hardball/kernels/instruction_set.hpp"
-#include "hardball/tuning/cell_edge.hpp"
+#include "hardball/memory/function.hpp"
+#include "hardball/simulation/engine_options.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
 
-/// How collisions are found. The choice changes the speed and never the motion.
-enum class EngineKind {
-  automatic,  ///< The fastest for the world.
-  cells,      ///< The cell grid.
-  neighbors,  ///< A neighbor list for each sphere; in a box too small for that, the cell grid.
-  all_pairs,  ///< Every sphere against every other: slow, and obviously correct.
-  paper,      ///< The algorithm of the paper to the letter.
-};
-/// By the number of the kind: what users call them.
-inline constexpr std::array<std::string_view, 5> kEngineNames{"auto", "cells", "neighbors", "all-pairs",
-                                                              "paper"};
-
-/// How events are kept in order. The choice changes the speed and never the motion.
-enum class QueueKind {
-  calendar,  ///< Buckets of time.
-  ordered,   ///< A balanced tree.
-};
-
-struct EngineOptions {
-  EngineKind engine = EngineKind::automatic;
-  QueueKind queue = QueueKind::calendar;  ///< The paper's engine has its own.
-  /// Edge of the cells [L], for engines that have them; if absent, chosen by `tuning` and adapted.
-  /// Error: not positive, or so small that a sphere would lie in hundreds of cells; for the paper's engine,
-  /// less than the largest diameter.
-  std::optional<double> cell_edge = {};
-  /// From which the cell edge is chosen; measure_unit_costs gives those of this machine. Error: not
-  /// are_meaningful.
-  UnitCosts unit_costs = {};
-  /// Used to compute contact times; if absent, the widest available. Error: not available.
-  std::optional<InstructionSet> instructions = {};
-};
-
 /// The interface that all engines share; see Engine for what its members do.
 class AnyEngine {
  public:
   /// Returns whether the run continues; see notify (run.hpp).
-  using Observe = std::function<bool(const Contact&)>;
+  using Observe = Function<bool(const Contact&)>;
 
   virtual ~AnyEngine() = default;
   virtual std::unique_ptr<AnyEngine> clone() const = 0;
@@ -91,9 +55,6 @@ class AnyEngine {
 /// that choose_engine has chosen.
 std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
                                        double length, const Time& now, const Progress& progress = {});
-
-/// Error: options that are valid for no world; see EngineOptions.
-void check(const EngineOptions& options);
 
 /// The engine for a world as it is at `moment`: the one that the options fix, if it suits the world, or the
 /// one that kinetic theory predicts to be the fastest; never `automatic`. `current` is the one in use;

@@ -50,7 +50,7 @@ class Trial {
   }
 
   // Runs for `enough` seconds, once its data are in cache again.
-  void measure(const std::function<double()>& seconds, double enough) {
+  void measure(const Function<double()>& seconds, double enough) {
     constexpr std::uint64_t kStepsPerReading = 100;
     run(kSpheres);
     const Counters before = engine_.counters();
@@ -127,7 +127,7 @@ Steps fit(const std::vector<Trial>& trials) {
 
 }  // namespace
 
-UnitCosts measure_unit_costs(const std::function<double()>& seconds) {
+UnitCosts measure_unit_costs(const Function<double()>& seconds) {
   constexpr int kPieces = 3;
   constexpr double kSecondsOfPiece = 0.003;
   std::vector<Trial> trials;

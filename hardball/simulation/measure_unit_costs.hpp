@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
-
+#include "hardball/errors/export.hpp"
+#include "hardball/memory/function.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 
 namespace hardball {
@@ -11,6 +11,6 @@ namespace hardball {
 /// Measures what the steps of the event loop cost on this machine, by running small gases of several
 /// densities with cells of several sizes. `seconds` reads a monotonic clock [s]. Cost: less than
 /// 0.5 s.
-UnitCosts measure_unit_costs(const std::function<double()>& seconds);
+HARDBALL_EXPORT UnitCosts measure_unit_costs(const Function<double()>& seconds);
 
 }  // namespace hardball

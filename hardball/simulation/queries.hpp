@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/world/world.hpp"
 
@@ -51,27 +52,27 @@ struct Clearance {
 /// Error: no such sphere; a velocity that is not finite or out of range; `until` is before `now` or NaN, or
 /// in a periodic box infinite. Cost: O(n), and in a periodic box as often as the fastest sphere would cross
 /// half of it before the contact.
-std::optional<NextContact> first_contact(const World& world, const Time& now, SphereId id,
-                                         const Vec3& velocity, const Time& until);
+HARDBALL_EXPORT std::optional<NextContact> first_contact(const World& world, const Time& now, SphereId id,
+                                                         const Vec3& velocity, const Time& until);
 
 /// The same for a sphere that is not in the world; `first` is kNoSphere. What it overlaps and approaches, it
 /// hits now. Error: see World::add.
-std::optional<NextContact> first_contact(const World& world, const Time& now, const Sphere& sphere,
-                                         const Time& until);
+HARDBALL_EXPORT std::optional<NextContact> first_contact(const World& world, const Time& now,
+                                                         const Sphere& sphere, const Time& until);
 
 /// What a ray hits first, the world being at rest as it is at `now`, up to `most` [L] from its origin. A ray
 /// that starts inside a sphere or an obstacle does not hit it. Of bodies at the same distance, spheres come
 /// before walls, and low numbers before high ones. Error: a number that is not finite, or out of range; a
 /// direction of length zero; `most` is negative or NaN, or in a periodic box infinite. Cost: O(n), and in a
 /// periodic box as often as the ray crosses half of it.
-std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origin, const Vec3& direction,
-                          double most);
+HARDBALL_EXPORT std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origin,
+                                          const Vec3& direction, double most);
 
 /// The body nearest to a point; of several, as for `ray`; none if the world is empty. Error: a coordinate
 /// that is not finite or out of range. Cost: O(n).
-std::optional<Clearance> clearance(const World& world, const Time& now, const Vec3& point);
+HARDBALL_EXPORT std::optional<Clearance> clearance(const World& world, const Time& now, const Vec3& point);
 
 /// The body nearest to a sphere, from surface to surface. Error: no such sphere. Cost: O(n).
-std::optional<Clearance> clearance(const World& world, const Time& now, SphereId id);
+HARDBALL_EXPORT std::optional<Clearance> clearance(const World& world, const Time& now, SphereId id);
 
 }  // namespace hardball

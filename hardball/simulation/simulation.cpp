@@ -11,6 +11,8 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/measure/measures.hpp"
+#include "hardball/simulation/any_engine.hpp"
+#include "hardball/simulation/user_data.hpp"
 #include "hardball/theory/moments.hpp"
 #include "hardball/tuning/size_classes.hpp"
 #include "hardball/world/audit.hpp"
@@ -94,7 +96,7 @@ std::vector<Vec3> centers_at(const World& world, const Time& moment) {
 }  // namespace
 
 Simulation::Simulation(World world, const EngineOptions& options, const OnProgress& on_progress)
-    : options_(options), watch_(options.unit_costs) {
+    : options_(options), user_data_(ValuePointer<UserData>::make()), watch_(options.unit_costs) {
   check(options_);
   const Progress progress(on_progress);
   progress.note(0, 1);
@@ -121,7 +123,7 @@ void Simulation::start_engine(World world, const Progress& progress) {
 
 std::string Simulation::save() const {
   if (activity_ == Activity::running) check_idle("save");
-  return archived(SavedOptions{options_}, kind_, world(), now_, hash_, tally_, thermostat_, user_data_,
+  return archived(SavedOptions{options_}, kind_, world(), now_, hash_, tally_, thermostat_, *user_data_,
                   engine_->aftermath().merged, kUnused, counters(), engine_->aftermath().collapse);
 }
 
@@ -132,7 +134,7 @@ Simulation Simulation::load(std::string_view bytes, const std::string& where) {
   SavedOptions saved;
   bool unused = false;
   restore(bytes, where, saved, loaded.kind_, world, loaded.now_, loaded.hash_, loaded.tally_,
-          loaded.thermostat_, loaded.user_data_, aftermath.merged, unused, loaded.counters_before_,
+          loaded.thermostat_, *loaded.user_data_, aftermath.merged, unused, loaded.counters_before_,
           aftermath.collapse);
   loaded.options_ = saved.options;
   check(loaded.options_);
@@ -156,7 +158,7 @@ Simulation Simulation::load(std::string_view bytes, const std::string& where) {
 Simulation::Simulation(const Simulation& other)
     : options_(other.options_),
       kind_(other.kind_),
-      engine_(other.engine_->clone()),
+      engine_(other.engine_),
       counters_before_(other.counters_before_),
       listener_(other.listener_),
       next_listener_(other.next_listener_),
@@ -172,6 +174,8 @@ Simulation::Simulation(const Simulation& other)
       next_review_(other.next_review_),
       last_review_(other.last_review_),
       reviewed_(other.reviewed_) {}
+
+Simulation::Simulation() : user_data_(ValuePointer<UserData>::make()) {}
 
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
@@ -198,7 +202,7 @@ Simulation& Simulation::operator=(Simulation other) noexcept {
   return *this;
 }
 
-void Simulation::on_contact(std::function<void(const Contact&)> listener) {
+void Simulation::on_contact(Function<void(const Contact&)> listener) {
   next_listener_ = std::move(listener);
   const bool is_at_work = activity_ == Activity::listening || activity_ == Activity::measuring;
   if (!is_at_work) take_next_listener();
@@ -210,14 +214,14 @@ void Simulation::take_next_listener() {
   next_listener_.reset();
 }
 
-void Simulation::respond_with(std::function<Velocities(const Contact&)> response) {
+void Simulation::respond_with(Function<Velocities(const Contact&)> response) {
   if (!response) return respond_with(nullptr);
   respond_with([response = std::move(response)](const Contact& contact) {
     return Outcome(contact, response(contact));
   });
 }
 
-void Simulation::respond_with(std::function<Outcome(const Contact&)> response) {
+void Simulation::respond_with(Function<Outcome(const Contact&)> response) {
   check_editable("respond_with");
   Interactions changed = world().interactions();
   changed.set_function(std::move(response));
@@ -232,7 +236,7 @@ void Simulation::respond_with(const ResponseTable& table) {
 }
 
 void Simulation::respond_with(std::nullptr_t) {
-  respond_with(std::function<Outcome(const Contact&)>());
+  respond_with(Function<Outcome(const Contact&)>());
 }
 
 void Simulation::run_until(double time) {
@@ -331,7 +335,7 @@ void Simulation::note(const Contact& contact, Measures* measures) {
 
 void Simulation::note_merger(const Contact& contact, const Measures* measures) {
   forget_at_thermostat(contact.second);
-  user_data_.remove(contact.second);
+  user_data_->remove(contact.second);
   if (measures && measures->is_any_wanted()) {
     throw Error("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +
                     " have merged, and measures need all spheres",
@@ -390,7 +394,8 @@ std::vector<Contact> Simulation::contacts_within(double duration, std::uint64_t 
 }
 
 // Runs the engine ahead, up to so many contacts, calling observe(contact); then rewinds it.
-void Simulation::look_ahead(const Time& until, std::uint64_t most, const AnyEngine::Observe& observe) {
+void Simulation::look_ahead(const Time& until, std::uint64_t most,
+                            const Function<bool(const Contact&)>& observe) {
   const During running(activity_, Activity::running);
   const std::optional<Thermostat> thermostat = thermostat_;
   const Counters before = counters();
@@ -414,7 +419,8 @@ void Simulation::look_ahead(const Time& until, std::uint64_t most, const AnyEngi
   take_back();
 }
 
-void Simulation::run_ahead(const Time& until, std::uint64_t most, const AnyEngine::Observe& observe) {
+void Simulation::run_ahead(const Time& until, std::uint64_t most,
+                           const Function<bool(const Contact&)>& observe) {
   Time last_change = tally_.last_change();
   std::uint64_t left = most;
   const auto note = [&](const Contact& contact) {
@@ -514,7 +520,7 @@ void Simulation::tell_of_changes(const Time& moment, std::span<const NewVelocity
   }
 }
 
-void Simulation::on_velocity_change(std::function<void(const VelocityChange&)> listener) {
+void Simulation::on_velocity_change(Function<void(const VelocityChange&)> listener) {
   check_editable("on_velocity_change");
   change_listener_ = std::move(listener);
 }
@@ -597,7 +603,7 @@ void Simulation::remove(SphereId id) {
   const double energy = kinetic_energy(world(), world().slot_of(id), now_);
   end_look_ahead(now_);
   engine_->remove(id, now_);
-  user_data_.remove(id);
+  user_data_->remove(id);
   tally_.note_edit(-energy, now_);
   forget_at_thermostat(id);
 }
@@ -609,12 +615,12 @@ SphereHandle Simulation::sphere(SphereId id) {
 
 std::uint64_t Simulation::user_data(SphereId id) const {
   static_cast<void>(world().slot_of(id));
-  return user_data_.get(id);
+  return user_data_->get(id);
 }
 
 void Simulation::set_user_data(SphereId id, std::uint64_t data) {
   static_cast<void>(world().slot_of(id));
-  user_data_.set(id, data);
+  user_data_->set(id, data);
 }
 
 const World& Simulation::world() const {

@@ -3,9 +3,7 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,13 +11,15 @@
 #include <vector>
 
 #include "hardball/engine/run.hpp"
+#include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
 #include "hardball/measure/event_log_hash.hpp"
 #include "hardball/measure/tally.hpp"
-#include "hardball/simulation/any_engine.hpp"
+#include "hardball/memory/function.hpp"
+#include "hardball/memory/value_pointer.hpp"
+#include "hardball/simulation/engine_options.hpp"
 #include "hardball/simulation/queries.hpp"
 #include "hardball/simulation/sphere_handle.hpp"
-#include "hardball/simulation/user_data.hpp"
 #include "hardball/theory/moments.hpp"
 #include "hardball/thermostats/thermostat.hpp"
 #include "hardball/tuning/cell_edge.hpp"
@@ -29,7 +29,9 @@
 
 namespace hardball {
 
+class AnyEngine;
 class Measures;
+class UserData;
 
 /// A new velocity for a sphere.
 struct VelocityEdit {
@@ -42,7 +44,7 @@ struct VelocityEdit {
 /// Every collision happens at its exact time and in order. The history does not depend on the options, on how
 /// a run is split, or on queries in between. Copies are independent, and share only what their listeners and
 /// responses refer to.
-class Simulation {
+class HARDBALL_EXPORT Simulation {
  public:
   /// Starts at the latest time at which a sphere was added to the world, or zero. Spheres added earlier have
   /// moved freely until then and start a new path there; to continue a history, copy the simulation. Reports
@@ -63,15 +65,15 @@ class Simulation {
   /// the history is the same for every engine. The listener must not move, assign to or destroy the
   /// simulation. Error, from the call in question: it runs the simulation, asks for future contacts or
   /// positions, or edits it during a run with measures.
-  void on_contact(std::function<void(const Contact&)> listener);
+  void on_contact(Function<void(const Contact&)> listener);
 
   /// Replaces the response, which returns the velocities after a contact; see Response. Error, from running:
   /// the bodies still approach with the velocities returned; a velocity is not finite or exceeds 1e60; the
   /// response runs or edits the simulation. The contact has then not happened.
-  void respond_with(std::function<Velocities(const Contact&)> response);
+  void respond_with(Function<Velocities(const Contact&)> response);
   /// The same, for a response that changes spins, or merges spheres. It is also asked whether a sphere that
   /// has merged also merges with those that it overlaps, which may recede; if not, its result is ignored.
-  void respond_with(std::function<Outcome(const Contact&)> response);
+  void respond_with(Function<Outcome(const Contact&)> response);
   /// Replaces the response of the world permanently: unlike functions, a table is saved. Spheres that pass
   /// through each other continue to do so. Error: other species pass in the table.
   void respond_with(const ResponseTable& table);
@@ -89,7 +91,7 @@ class Simulation {
 
   /// Sets a listener, called after every change of a velocity without a contact: by the thermostat, or by
   /// change_velocity. It may query the simulation. Error, from the call in question: it runs or edits it.
-  void on_velocity_change(std::function<void(const VelocityChange&)> listener);
+  void on_velocity_change(Function<void(const VelocityChange&)> listener);
 
   /// Runs to `time` [T], events at that time included. Error: `time` is in the past, NaN, or finite and
   /// beyond 1e120.
@@ -217,7 +219,7 @@ class Simulation {
     Activity before_;
   };
 
-  Simulation() = default;
+  Simulation();
   void start_engine(World world, const Progress& progress = {});
   RunStatus run_observed(const RunLimits& limits, Measures* measures);
   void take_next_listener();
@@ -233,8 +235,8 @@ class Simulation {
   void note(const Contact& contact, Measures* measures);
   void forget_at_thermostat(SphereId id);
   void note_merger(const Contact& contact, const Measures* measures);
-  void look_ahead(const Time& until, std::uint64_t most, const AnyEngine::Observe& observe);
-  void run_ahead(const Time& until, std::uint64_t most, const AnyEngine::Observe& observe);
+  void look_ahead(const Time& until, std::uint64_t most, const Function<bool(const Contact&)>& observe);
+  void run_ahead(const Time& until, std::uint64_t most, const Function<bool(const Contact&)>& observe);
   void end_look_ahead(const Time& moment);
   void rebuild_if_due();
   void retune_if_due();
@@ -242,17 +244,17 @@ class Simulation {
 
   EngineOptions options_;
   EngineKind kind_ = EngineKind::automatic;  // the one in use
-  std::unique_ptr<AnyEngine> engine_;
+  ValuePointer<AnyEngine> engine_;
   Counters counters_before_;  // of engines replaced
-  std::function<void(const Contact&)> listener_;
-  std::optional<std::function<void(const Contact&)>> next_listener_;  // set by the listener itself
-  std::function<void(const VelocityChange&)> change_listener_;
+  Function<void(const Contact&)> listener_;
+  std::optional<Function<void(const Contact&)>> next_listener_;  // set by the listener itself
+  Function<void(const VelocityChange&)> change_listener_;
   std::optional<Thermostat> thermostat_;
   Activity activity_ = Activity::none;
   Time now_;
   EventLogHash hash_;
   Tally tally_;
-  UserData user_data_;
+  ValuePointer<UserData> user_data_;
   CellEdgeWatch watch_;
   bool is_interrupted_ = false;        // the listener has changed what acts next
   std::size_t spheres_at_choice_ = 0;  // when engine and cells were last chosen

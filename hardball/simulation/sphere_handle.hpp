@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/vec3.hpp"
 
@@ -14,7 +15,7 @@ class Simulation;
 /// One sphere of a simulation: as light as a pointer, copied freely. It must not outlive the simulation, and
 /// stays with it when that is moved from or assigned to. Error, from all but id() and exists(): the sphere
 /// has been removed; and as the members of Simulation do.
-class SphereHandle {
+class HARDBALL_EXPORT SphereHandle {
  public:
   SphereHandle(Simulation& simulation, SphereId id) : simulation_(&simulation), id_(id) {}
 

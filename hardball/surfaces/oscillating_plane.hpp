@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/surfaces/passage.hpp"
 #include "hardball/surfaces/plane.hpp"
 
@@ -11,7 +12,7 @@ namespace hardball {
 
 /// A plane that oscillates along its normal about the origin: at time t it is amplitude * sin(2 pi frequency
 /// t) away.
-class OscillatingPlane {
+class HARDBALL_EXPORT OscillatingPlane {
  public:
   static constexpr std::string_view kName = "oscillating plane";
 

@@ -5,13 +5,14 @@
 #include <array>
 #include <cstddef>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/geometry/double_double.hpp"
 
 namespace hardball {
 
 /// A polynomial in time of degree four at most, its coefficients in twice the precision: how a squared
 /// distance changes along a parabola, for one.
-struct Polynomial {
+struct HARDBALL_EXPORT Polynomial {
   static constexpr std::size_t kMostDegree = 4;
 
   std::array<DoubleDouble<>, kMostDegree + 1> coefficients{};  ///< Of t^0, t^1, and so on.
@@ -28,6 +29,6 @@ struct Polynomial {
 /// turns, and a gap that is only grazed is not met. Up to degree two accurate to a few units in the last
 /// place; beyond, the least double at which the polynomial, evaluated in twice the precision, is not
 /// positive. Source: Bannerman et al., Comp. Part. Mech. 1 (2014) 191, section 2.
-double earliest_descent(const Polynomial& polynomial);
+HARDBALL_EXPORT double earliest_descent(const Polynomial& polynomial);
 
 }  // namespace hardball

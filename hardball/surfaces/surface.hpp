@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/geometry/motion.hpp"
 #include "hardball/surfaces/cylinder.hpp"
 #include "hardball/surfaces/hollow_sphere.hpp"
@@ -25,7 +26,7 @@ namespace hardball {
 using Shape = std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle>;
 
 /// A wall or an obstacle that spheres bounce off: at rest, in uniform motion, or oscillating.
-class Surface {
+class HARDBALL_EXPORT Surface {
  public:
   /// `point` [L]: of the plane, on the axis, or the center, at time zero; `velocity` [L/T]: of the whole
   /// surface. Error: a number out of range; a direction that is not a unit vector.

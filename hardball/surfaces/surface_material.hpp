@@ -6,6 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "hardball/errors/export.hpp"
+
 namespace hardball {
 
 /// How a surface or a face of the box reflects spheres that touch it.
@@ -26,6 +28,6 @@ struct SurfaceMaterial {
 
 /// Error, with `where` as its place: a restitution that is not between 0 and 1; a temperature that is
 /// negative or not finite.
-void check_material(const SurfaceMaterial& material, std::string_view where);
+HARDBALL_EXPORT void check_material(const SurfaceMaterial& material, std::string_view where);
 
 }  // namespace hardball

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -13,7 +14,7 @@ namespace hardball {
 inline constexpr std::size_t kVeryManySpheres = 300000;
 
 /// What kinetic theory needs of a world: averages over its spheres, and its box.
-struct Moments {
+struct HARDBALL_EXPORT Moments {
   std::size_t spheres = 0;
   Box box;
   /// Of the box; along open axes, of the interval that holds most spheres [L]. Zero along z in two
@@ -33,10 +34,10 @@ struct Moments {
 };
 
 /// Cost: O(n).
-Moments moments_of(const World& world, const Time& moment);
+HARDBALL_EXPORT Moments moments_of(const World& world, const Time& moment);
 
 /// Whether choices for one world hold for the other: as many spheres, moving, of about the same size in about
 /// the same space.
-bool are_alike(const Moments& a, const Moments& b);
+HARDBALL_EXPORT bool are_alike(const Moments& a, const Moments& b);
 
 }  // namespace hardball

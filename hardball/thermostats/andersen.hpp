@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/world.hpp"
@@ -16,7 +17,7 @@ namespace hardball {
 /// of a Poisson process of its own. Elastic spheres so sample the canonical ensemble. Total momentum is not
 /// conserved.
 /// Source: Andersen, J. Chem. Phys. 72 (1980) 2384.
-class Andersen {
+class HARDBALL_EXPORT Andersen {
  public:
   static constexpr std::string_view kName = "andersen";
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/thermostats/intervals.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/world.hpp"
@@ -17,7 +18,7 @@ namespace hardball {
 /// total momentum stays; for n equal spheres this lowers the variance by one part in n.
 /// Source: Williams and MacKintosh, Phys. Rev. E 54 (1996) R9; van Noije and Ernst, Granular Matter 1 (1998)
 /// 57.
-class Heating {
+class HARDBALL_EXPORT Heating {
  public:
   static constexpr std::string_view kName = "heating";
 

@@ -4,12 +4,12 @@
 
 #include <cstdint>
 
-#include "hardball/errors/language.hpp"
+#include "hardball/errors/export.hpp"
 
 namespace hardball {
 
 /// Times at equal intervals: start + k * every, for k = 1, 2, ...
-class Intervals {
+class HARDBALL_EXPORT Intervals {
  public:
   /// Error: `every` [T] is not positive.
   explicit Intervals(double every);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/thermostats/intervals.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/world.hpp"
@@ -16,7 +17,7 @@ namespace hardball {
 /// `temperature`, 2 E / f, with E relative to the common drift along axes on which nothing outside acts. The
 /// drift stays, and with it the momentum of a periodic box. Spheres without relative motion do not change.
 /// Source: Woodcock, Chem. Phys. Lett. 10 (1971) 257.
-class Rescale {
+class HARDBALL_EXPORT Rescale {
  public:
   static constexpr std::string_view kName = "rescale";
 

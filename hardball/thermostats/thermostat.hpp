@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/thermostats/andersen.hpp"
 #include "hardball/thermostats/heating.hpp"
 #include "hardball/thermostats/rescale.hpp"
@@ -21,14 +22,14 @@ namespace hardball {
 using ThermostatKind = std::variant<Andersen, Rescale, Heating>;
 
 /// The name of a kind in scenarios.
-std::string_view name_of(const ThermostatKind& kind);
+HARDBALL_EXPORT std::string_view name_of(const ThermostatKind& kind);
 
 /// A thermostat in use: when it acts next, what it does then, and what it has done so far.
 ///
 /// Its times and random numbers are functions of the seed, of the spheres' ids and of the times at which it
 /// was started and spheres were added: how a run is executed does not affect them. It acts at a time once
 /// no contact that rounds to that time, or an earlier one, remains.
-class Thermostat {
+class HARDBALL_EXPORT Thermostat {
  public:
   explicit Thermostat(ThermostatKind kind, std::uint64_t seed = 1) : kind_(kind), seed_(seed) {}
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "hardball/trajectory/snapshot_reader.hpp"
+#include "hardball/trajectory/text_snapshot_reader.hpp"
 
 namespace hardball {
 

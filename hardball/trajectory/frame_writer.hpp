@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "hardball/io/output_file.hpp"
+#include "hardball/errors/export.hpp"
+#include "hardball/io/file_position.hpp"
 #include "hardball/trajectory/snapshot.hpp"
 
 namespace hardball {
@@ -26,7 +27,7 @@ struct TrajectoryPosition {
 
 /// Writes the frames of a file, whatever its format. One that continues a file changes nothing in it
 /// before the first call.
-class FrameWriter {
+class HARDBALL_EXPORT FrameWriter {
  public:
   virtual ~FrameWriter() = default;
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/trajectory/text_lines.hpp"
 
 namespace hardball {
 namespace {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -25,7 +26,7 @@ struct SnapshotBox {
 };
 
 /// The spheres at one moment: what a frame of a trajectory holds, whatever its format.
-struct Snapshot {
+struct HARDBALL_EXPORT Snapshot {
   std::vector<Sphere> spheres;     ///< By ascending id, if they have ids.
   std::vector<std::int64_t> ids;   ///< Of the spheres; none if the file has none.
   std::vector<Image> images;       ///< By how many boxes each was folded back; none if the file has none.
@@ -46,16 +47,16 @@ struct Snapshot {
 /// The spheres of a world at `moment`, centers folded into a periodic box. Along open axes the box spans the
 /// spheres; in two dimensions it is as thick as they are. The world is not changed. Precondition: no contact
 /// lies between the stored paths and `moment`. Cost: O(n).
-Snapshot snapshot_of(const World& world, const Time& moment);
+HARDBALL_EXPORT Snapshot snapshot_of(const World& world, const Time& moment);
 
 /// The snapshot's box or, if it has none, one without bounds that spans its spheres. Cost: O(n).
-SnapshotBox box_of(const Snapshot& snapshot);
+HARDBALL_EXPORT SnapshotBox box_of(const Snapshot& snapshot);
 
 /// Sorts the spheres by id. Error, at its location in the file of this name: an id occurs twice.
-void sort_by_id(Snapshot& snapshot, const std::string& name);
+HARDBALL_EXPORT void sort_by_id(Snapshot& snapshot, const std::string& name);
 
 /// Error, with its location in the file of this name: a number is NaN or infinite, but for a mass; a radius
 /// or mass is not positive.
-void check_numbers(const Snapshot& snapshot, const std::string& name);
+HARDBALL_EXPORT void check_numbers(const Snapshot& snapshot, const std::string& name);
 
 }  // namespace hardball

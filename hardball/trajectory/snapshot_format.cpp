@@ -3,17 +3,10 @@
 #include "hardball/trajectory/snapshot_format.hpp"
 
 #include <array>
-#include <fstream>
-#include <system_error>
+#include <cstddef>
+#include <string>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/io/zstd.hpp"
-#include "hardball/trajectory/extended_xyz_reader.hpp"
-#include "hardball/trajectory/gsd_reader.hpp"
-#include "hardball/trajectory/lammps_dump.hpp"
-#include "hardball/trajectory/npy_snapshot.hpp"
-#include "hardball/trajectory/sph.hpp"
-#include "hardball/trajectory/sphere_csv.hpp"
 
 namespace hardball {
 namespace {
@@ -34,12 +27,6 @@ constexpr std::array<Ending, 10> kEndings{{{".xyz", SnapshotFormat::extended_xyz
                                            {".csv", SnapshotFormat::csv},
                                            {".npy", SnapshotFormat::npy},
                                            {".sph", SnapshotFormat::sph}}};
-
-std::unique_ptr<std::istream> open_plain(const std::filesystem::path& path) {
-  auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
-  if (!*file) throw Error("the file cannot be read", path.string(), "name a file that you may read");
-  return file;
-}
 
 }  // namespace
 
@@ -63,43 +50,6 @@ std::string_view name_of(SnapshotFormat format) {
                                                    "VTP collection",    "CSV table",
                                                    "NumPy array",       "EDMD snapshots"};
   return kNames[static_cast<std::size_t>(format)];
-}
-
-std::unique_ptr<SnapshotReader> open_snapshots(const std::filesystem::path& path) {
-  const SnapshotFormat format = format_of(path);
-  // Files are read more than once, to their ends: a pipe cannot be, and a device may have no end.
-  std::error_code unknown;
-  if (std::filesystem::exists(path, unknown) && !std::filesystem::is_regular_file(path, unknown)) {
-    throw Error("it is not a regular file", path.string(), "name a file with snapshots");
-  }
-  const auto text = [&](TextFormat text_format, auto open) {
-    return std::make_unique<TextSnapshotReader>([path, open] { return open(path); }, path.string(),
-                                                text_format);
-  };
-  switch (format) {
-    case SnapshotFormat::extended_xyz:
-      return text(extended_xyz_format(), open_plain);
-    case SnapshotFormat::extended_xyz_zst:
-      return text(extended_xyz_format(), open_zstd);
-    case SnapshotFormat::gsd:
-      return std::make_unique<GsdReader>(path);
-    case SnapshotFormat::lammps:
-      return text(lammps_dump_format(), open_plain);
-    case SnapshotFormat::csv:
-      return text(csv_format(), open_plain);
-    case SnapshotFormat::npy:
-      return std::make_unique<NpySnapshotReader>(path);
-    case SnapshotFormat::sph:
-      return text(sph_format(), open_plain);
-    case SnapshotFormat::vtp:
-      break;
-  }
-  throw Error("VTP files cannot be read", path.string(), "name a file of another format");
-}
-
-Snapshot read_snapshot(const std::filesystem::path& path) {
-  const std::unique_ptr<SnapshotReader> reader = open_snapshots(path);
-  return reader->read(reader->frames() - 1);
 }
 
 }  // namespace hardball

@@ -2,36 +2,65 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/trajectory/snapshot_reader.hpp"
 
-#include <utility>
+#include <fstream>
+#include <system_error>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/io/zstd.hpp"
+#include "hardball/trajectory/extended_xyz_reader.hpp"
+#include "hardball/trajectory/gsd_reader.hpp"
+#include "hardball/trajectory/lammps_dump.hpp"
+#include "hardball/trajectory/npy_snapshot.hpp"
+#include "hardball/trajectory/snapshot_format.hpp"
+#include "hardball/trajectory/sph.hpp"
+#include "hardball/trajectory/sphere_csv.hpp"
 
 namespace hardball {
+namespace {
 
-TextSnapshotReader::TextSnapshotReader(OpenText open, std::string name, TextFormat format)
-    : open_(std::move(open)), name_(std::move(name)), format_(format) {
-  Lines lines(open_(), name_);
-  for (; lines.next_text(); ++frames_) format_.skip(lines);
-  if (frames_ == 0) throw Error("the file contains no frame", name_, format_.remedy);
+std::unique_ptr<std::istream> open_plain(const std::filesystem::path& path) {
+  auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
+  if (!*file) throw Error("the file cannot be read", path.string(), "name a file that you may read");
+  return file;
 }
 
-Snapshot TextSnapshotReader::read(std::size_t frame) {
-  HARDBALL_CHECK(frame < frames_);
-  if (!lines_ || frame < next_) {
-    lines_ = std::make_unique<Lines>(open_(), name_);
-    next_ = 0;
+}  // namespace
+
+std::unique_ptr<SnapshotReader> open_snapshots(const std::filesystem::path& path) {
+  const SnapshotFormat format = format_of(path);
+  // Files are read more than once, to their ends: a pipe cannot be, and a device may have no end.
+  std::error_code unknown;
+  if (std::filesystem::exists(path, unknown) && !std::filesystem::is_regular_file(path, unknown)) {
+    throw Error("it is not a regular file", path.string(), "name a file with snapshots");
   }
-  for (;; ++next_) {
-    if (!lines_->next_text())
-      throw Error("the file has become shorter", name_, "do not change it while it is read");
-    if (next_ == frame) break;
-    format_.skip(*lines_);
+  const auto text = [&](TextFormat text_format, auto open) {
+    return std::make_unique<TextSnapshotReader>([path, open] { return open(path); }, path.string(),
+                                                text_format);
+  };
+  switch (format) {
+    case SnapshotFormat::extended_xyz:
+      return text(extended_xyz_format(), open_plain);
+    case SnapshotFormat::extended_xyz_zst:
+      return text(extended_xyz_format(), open_zstd);
+    case SnapshotFormat::gsd:
+      return std::make_unique<GsdReader>(path);
+    case SnapshotFormat::lammps:
+      return text(lammps_dump_format(), open_plain);
+    case SnapshotFormat::csv:
+      return text(csv_format(), open_plain);
+    case SnapshotFormat::npy:
+      return std::make_unique<NpySnapshotReader>(path);
+    case SnapshotFormat::sph:
+      return text(sph_format(), open_plain);
+    case SnapshotFormat::vtp:
+      break;
   }
-  ++next_;
-  Snapshot snapshot = format_.read(*lines_);
-  if (!snapshot.ids.empty()) sort_by_id(snapshot, name_);
-  check_numbers(snapshot, name_);
-  return snapshot;
+  throw Error("VTP files cannot be read", path.string(), "name a file of another format");
+}
+
+Snapshot read_snapshot(const std::filesystem::path& path) {
+  const std::unique_ptr<SnapshotReader> reader = open_snapshots(path);
+  return reader->read(reader->frames() - 1);
 }
 
 }  // namespace hardball

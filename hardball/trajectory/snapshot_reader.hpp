@@ -3,18 +3,18 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <memory>
-#include <string>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/trajectory/snapshot.hpp"
-#include "hardball/trajectory/text_lines.hpp"
 
 namespace hardball {
 
 /// Reads the frames of a file, whatever its format.
 ///
 /// Whatever the file contains, no more memory is allocated than its length justifies.
-class SnapshotReader {
+class HARDBALL_EXPORT SnapshotReader {
  public:
   virtual ~SnapshotReader() = default;
 
@@ -25,30 +25,11 @@ class SnapshotReader {
   virtual Snapshot read(std::size_t frame) = 0;
 };
 
-/// How the frames of a text follow each other. Both functions find the first line of a frame already read,
-/// and leave its last one.
-struct TextFormat {
-  void (*skip)(Lines& lines);
-  Snapshot (*read)(Lines& lines);
-  const char* remedy;  ///< For a file without frames: what to give.
-};
+/// Opens a file to read its frames, in the format that its name says. Error: it cannot be read; it is not
+/// what its name says; it contains no frame; its format cannot be read.
+HARDBALL_EXPORT std::unique_ptr<SnapshotReader> open_snapshots(const std::filesystem::path& path);
 
-/// Reads the frames of a text.
-class TextSnapshotReader final : public SnapshotReader {
- public:
-  /// Counts the frames. Error, with its location: there are none, or one is incomplete.
-  TextSnapshotReader(OpenText open, std::string name, TextFormat format);
-
-  std::size_t frames() const override { return frames_; }
-  Snapshot read(std::size_t frame) override;
-
- private:
-  OpenText open_;
-  std::string name_;
-  TextFormat format_;
-  std::size_t frames_ = 0;
-  std::unique_ptr<Lines> lines_;  // before frame next_
-  std::size_t next_ = 0;
-};
+/// The last frame of a file, from which a run can start. Error: as for open_snapshots and reading.
+HARDBALL_EXPORT Snapshot read_snapshot(const std::filesystem::path& path);
 
 }  // namespace hardball

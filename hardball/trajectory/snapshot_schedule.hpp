@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <limits>
 
+#include "hardball/errors/export.hpp"
+
 namespace hardball {
 
 /// When snapshots are taken. The next one follows from its index alone, so that a run can be taken up at any.
-class SnapshotSchedule {
+class HARDBALL_EXPORT SnapshotSchedule {
  public:
   static constexpr double kNoTime = std::numeric_limits<double>::infinity();
   static constexpr std::uint64_t kNoContacts = std::numeric_limits<std::uint64_t>::max();

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "hardball/trajectory/snapshot.hpp"
-#include "hardball/trajectory/snapshot_reader.hpp"
+#include "hardball/trajectory/text_snapshot_reader.hpp"
 #include "hardball/trajectory/text_trajectory.hpp"
 
 namespace hardball {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/trajectory/frame_writer.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
 
@@ -16,7 +17,7 @@ namespace hardball {
 ///
 /// After every frame the file is complete; if a frame cannot be written, it ends with the one before. Writing
 /// looks at the world and changes nothing.
-class Trajectory {
+class HARDBALL_EXPORT Trajectory {
  public:
   /// Creates the file, or replaces it if there is one. Error: it cannot be opened for writing; its name does
   /// not say what format it has.

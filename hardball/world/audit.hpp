@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
 
@@ -32,22 +33,25 @@ struct Audit {
 };
 
 /// Finds overlaps, escapes and numbers that are not finite, without the broad phases. Cost: O(n log n).
-Audit audit(const World& world, const Time& moment, const Progress& progress = {});
+HARDBALL_EXPORT Audit audit(const World& world, const Time& moment, const Progress& progress = {});
 
 /// Refuses an unsound start: spheres that overlap or reach through a wall by more than kOverlapTolerance at
 /// `moment`. Error: names the worst pair, or the sphere.
-void require_no_overlap(const World& world, const Time& moment, const Progress& progress = {});
+HARDBALL_EXPORT void require_no_overlap(const World& world, const Time& moment,
+                                        const Progress& progress = {});
 
 /// All slots of a world, for those that do not know which spheres are near.
-std::vector<Slot> all_slots(const World& world);
+HARDBALL_EXPORT std::vector<Slot> all_slots(const World& world);
 
 /// Refuses a new sphere that overlaps one of these others, or reaches through a surface, by more than
 /// kOverlapTolerance. Cost: O(others). Error: names the sphere in the way, of several the one with the lowest
 /// id.
-void require_room(const World& world, Slot added, std::span<const Slot> others, const Time& moment);
+HARDBALL_EXPORT void require_room(const World& world, Slot added, std::span<const Slot> others,
+                                  const Time& moment);
 
 /// The collisions, at `now`, of a sphere with those of these others that it overlaps, however little, and
 /// does not pass through, in order. Cost: O(others).
-std::vector<Event> overlaps_of(const World& world, Slot slot, std::span<const Slot> others, const Time& now);
+HARDBALL_EXPORT std::vector<Event> overlaps_of(const World& world, Slot slot, std::span<const Slot> others,
+                                               const Time& now);
 
 }  // namespace hardball

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/vec3.hpp"
 #include "hardball/surfaces/surface_material.hpp"
@@ -39,7 +40,7 @@ struct FaceProperties {
 
 /// The space in which spheres move: along each axis from 0 to a size, or unbounded; or the plane z = 0, in
 /// which they are discs. Source: docs/decisions/0015-discs-are-spheres-in-a-plane.md.
-class Box {
+class HARDBALL_EXPORT Box {
  public:
   /// Open space.
   Box() : Box({Boundary::open, Boundary::open, Boundary::open}, {}) {}

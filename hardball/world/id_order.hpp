@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/events/event.hpp"
 
 namespace hardball {
@@ -15,7 +16,7 @@ namespace hardball {
 ///
 /// Places of spheres removed stay empty until they are many, so that removing one moves no others. Takes no
 /// memory while slots are in the order of ids.
-class IdOrder {
+class HARDBALL_EXPORT IdOrder {
  public:
   std::size_t size() const { return size_; }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -62,7 +61,11 @@ class PerSphere {
     each_.swap(moved);
   }
 
-  double largest() const { return each_.empty() ? common_ : *std::max_element(each_.begin(), each_.end()); }
+  double largest() const {
+    double largest = each_.empty() ? common_ : each_.front();
+    for (const double value : each_) largest = value > largest ? value : largest;
+    return largest;
+  }
   std::size_t size() const { return size_; }
   std::size_t memory_bytes() const { return each_.capacity() * sizeof(double); }
 

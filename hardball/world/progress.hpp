@@ -3,13 +3,14 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+
+#include "hardball/memory/function.hpp"
 
 namespace hardball {
 
 /// Called from time to time during a long operation with the fraction done, which rises from 0 to 1. An
 /// exception that it throws ends the operation, of which nothing remains.
-using OnProgress = std::function<void(double fraction)>;
+using OnProgress = Function<void(double fraction)>;
 
 /// Reports the progress of a loop, as part of a longer operation. Refers to the function that it calls.
 class Progress {

@@ -4,32 +4,34 @@
 
 #include <cmath>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
 
 /// Whether there is anything but spheres to be met: faces of the box, or surfaces.
-bool has_walls(const World& world);
+HARDBALL_EXPORT bool has_walls(const World& world);
 
 /// Whether nothing but contacts of spheres and plain faces of the box, which all reflect alike, changes
 /// motions: no gravity, no surface, no face with properties of its own. Then a fluid is the same everywhere.
-bool is_uniform(const World& world);
+HARDBALL_EXPORT bool is_uniform(const World& world);
 
 /// Whether obstacles have images in a periodic box: then a sphere's contact with them must be predicted again
 /// at each of its crossings.
-bool has_images_of_obstacles(const World& world);
+HARDBALL_EXPORT bool has_images_of_obstacles(const World& world);
 
 /// The next contact of a sphere with a face of the box or a surface, where none has come before `now`; if
 /// there is none, an event that never happens. In a periodic box, images of obstacles count that are up to
 /// `boxes` box lengths away along each axis from where the sphere is now.
-Event next_wall_event(const World& world, Slot slot, const Time& now, double boxes);
+HARDBALL_EXPORT Event next_wall_event(const World& world, Slot slot, const Time& now, double boxes);
 
 /// The same for a sphere on any path: the event is that of sphere `id`.
-Event next_wall_event(const World& world, SphereId id, const Path& path, double radius, const Time& now,
-                      double boxes);
+HARDBALL_EXPORT Event next_wall_event(const World& world, SphereId id, const Path& path, double radius,
+                                      const Time& now, double boxes);
 
 /// What may_meet_wall does for surfaces, and for faces of the box if there is gravity.
-bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const Time& now, double boxes);
+HARDBALL_EXPORT bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const Time& now,
+                                               double boxes);
 
 /// Whether a sphere may meet a wall before `time`, from products instead of quotients: if not, the high part
 /// of the time of next_wall_event is no less than `time`. Precondition: its path does not start later.
@@ -54,17 +56,17 @@ inline bool may_meet_wall(const World& world, Slot slot, double time, const Time
 
 /// The distance from a point to the nearest surface at `moment`, or its nearest image [L]; negative beyond
 /// it, and infinite if there are none.
-double distance_to_surfaces(const World& world, const Vec3& position, const Time& moment);
+HARDBALL_EXPORT double distance_to_surfaces(const World& world, const Vec3& position, const Time& moment);
 
 /// The volume that spheres share: that of the box less the obstacles, or of the one hollow sphere or tube
 /// along an axis that encloses them [L^3]; infinite in open space, NaN between other surfaces.
-double accessible_volume(const World& world);
+HARDBALL_EXPORT double accessible_volume(const World& world);
 
 /// The volume of the spheres over the accessible volume [1]; NaN in unbounded space, and without spheres.
-double packing_fraction(const World& world);
+HARDBALL_EXPORT double packing_fraction(const World& world);
 
 /// The displacement of the image of a surface nearest to `position`, in a periodic box [L]; zero if the
 /// surface has none.
-Vec3 nearest_image_of(const World& world, const Surface& surface, const Vec3& position);
+HARDBALL_EXPORT Vec3 nearest_image_of(const World& world, const Surface& surface, const Vec3& position);
 
 }  // namespace hardball

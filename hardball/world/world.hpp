@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "hardball/errors/export.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/contact_time.hpp"
 #include "hardball/interaction/interactions.hpp"
@@ -26,7 +27,7 @@ namespace hardball {
 
 /// The box, the surfaces and the spheres in it: their stored paths, radii and masses. The state of the motion
 /// and nothing else.
-class World {
+class HARDBALL_EXPORT World {
  public:
   explicit World(const Box& box = Box::open()) : box_(box) {}
   /// With an acceleration that acts on all spheres [L/T^2], and walls and obstacles, which are numbered from
@@ -258,10 +259,10 @@ inline double kinetic_energy(const World& world, Slot slot, const Time& moment) 
 }
 
 /// I w^2 / 2 of one sphere [M L^2 T^-2]; zero of a kinematic one.
-double rotational_energy(const World& world, Slot slot);
+HARDBALL_EXPORT double rotational_energy(const World& world, Slot slot);
 
 /// The sum of both, with potential energy; see World::energy.
-double energy(const World& world, Slot slot, const Time& moment);
+HARDBALL_EXPORT double energy(const World& world, Slot slot, const Time& moment);
 
 /// More than the rounding error of the coordinates of a center [L], which shows in spheres very far away.
 inline double coordinate_error(const World& world, Slot slot, const Time& now) {
@@ -282,6 +283,6 @@ inline Time contact_time(const World& world, Slot a, Slot b, const Image& image)
 /// Whether two spheres are passing through each other, and so will not touch on their present paths: they are
 /// inside each other when the later path starts, or their contact has been recorded. Precondition: pass(a,
 /// b).
-bool are_passing(const World& world, Slot a, Slot b, const Image& image);
+HARDBALL_EXPORT bool are_passing(const World& world, Slot a, Slot b, const Image& image);
 
 }  // namespace hardball

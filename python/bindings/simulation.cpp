@@ -16,7 +16,6 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
-#include "hardball/trajectory/snapshot_format.hpp"
 #include "hardball/trajectory/snapshot_reader.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"

@@ -12,7 +12,7 @@
 
 #include "cli/program.hpp"
 #include "hardball/recording/recording_reader.hpp"
-#include "hardball/trajectory/snapshot_format.hpp"
+#include "hardball/trajectory/snapshot_reader.hpp"
 #include "support/effort.hpp"
 
 namespace hardball::failure_test {

@@ -14,7 +14,7 @@
 #include "hardball/io/little_endian.hpp"
 #include "hardball/io/npy_header.hpp"
 #include "hardball/recording/recording_reader.hpp"
-#include "hardball/trajectory/snapshot_format.hpp"
+#include "hardball/trajectory/snapshot_reader.hpp"
 
 namespace hardball::run_test {
 namespace {

@@ -4,6 +4,7 @@
 // Spheres are born, die, merge and change their velocities: engines that take note of it have the same
 // history as engines that are made anew after every change.
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <cmath>
 #include <string>

@@ -5,6 +5,7 @@
 // pairs, images and walls, and all spheres are moved there. It shares nothing with the library but the
 // initial state, and computes with 113 bits, so that its history is the true one.
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 

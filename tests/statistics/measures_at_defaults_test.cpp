@@ -15,6 +15,7 @@
 
 #include "hardball/measure/agreement.hpp"
 #include "hardball/measure/measures.hpp"
+#include "hardball/measure/scene.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 #include "support/gas.hpp"

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "hardball/measure/measures.hpp"
+#include "hardball/measure/scene.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 #include "support/gas.hpp"

@@ -19,7 +19,8 @@ attic   2  cellar hall
 
 HOUSE = {
     "floors.txt": TABLE,
-    "hardball.hpp": '#include "hardball/attic/attic.hpp"\n',
+    "hardball.hpp": '#include "hardball/view.hpp"\n',
+    "view.hpp": '#include "hardball/attic/attic.hpp"\n',
     "cellar/cellar.hpp": "#include <vector>\n",
     "cellar/cellar.cpp": '#include "hardball/cellar/cellar.hpp"\n#include <toml++/toml.h>\n',
     "hall/hall.hpp": '#include "hardball/cellar/cellar.hpp"\n',
@@ -30,10 +31,13 @@ HOUSE = {
 
 class CheckFloors(unittest.TestCase):
     def faults(self, **changes):
-        """The faults of the sample rooms with some files replaced, where `room__file` stands for room/file.hpp."""
+        """The faults of the sample rooms with some files replaced, where `room__file` stands for room/file.hpp, and
+        `file_cpp` for file.cpp."""
         files = dict(HOUSE)
         for name, text in changes.items():
-            files["floors.txt" if name == "table" else name.replace("__", "/") + ".hpp"] = text
+            file = name.replace("__", "/")
+            file = file[:-4] + ".cpp" if file.endswith("_cpp") else file + ".hpp"
+            files["floors.txt" if name == "table" else file] = text
         with tempfile.TemporaryDirectory() as folder:
             for name, text in files.items():
                 path = Path(folder, "hardball", name)
@@ -71,8 +75,8 @@ class CheckFloors(unittest.TestCase):
     def test_missing_file(self):
         self.expect("is not the full path", hall__stairs='#include "hardball/hall/lift.hpp"')
 
-    def test_umbrella_header(self):
-        self.expect("is for users", hall__stairs='#include "hardball/hardball.hpp"')
+    def test_header_for_users(self):
+        self.expect("is for users", hall__stairs='#include "hardball/view.hpp"')
 
     def test_package_in_a_header(self):
         self.expect("would be needed by every user", hall__stairs="#include <toml++/toml.h>")
@@ -81,7 +85,7 @@ class CheckFloors(unittest.TestCase):
         self.expect("room 'shed' is missing", shed__shed="")
 
     def test_file_outside_the_rooms(self):
-        self.expect("outside the rooms", doormat="")
+        self.expect("outside the rooms", doormat_cpp="")
 
     def test_table_with_a_leak(self):
         self.expect("'garden' on floor 1 uses 'hall' on floor 1", table=TABLE + "garden 1 hall")

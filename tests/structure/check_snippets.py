@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
 """Checks that the C++ and CMake shown on the pages is taken from programs that are built: the examples and the project
-of tests/structure/consumer, indentation and the names of targets aside.
+of tests/structure, indentation and the names of targets and folders aside.
 
 usage: check_snippets.py PROJECT_FOLDER
 """
@@ -12,18 +12,19 @@ import sys
 from pathlib import Path
 
 
-LANGUAGES = {"cpp": "examples/*.cpp", "cmake": "tests/structure/consumer/CMakeLists.txt"}
+LANGUAGES = {"cpp": "examples/*.cpp", "cmake": "tests/structure/*/CMakeLists.txt"}
 
 
 def normal(code):
     code = re.sub(r"find_package\(hardball [\d.]+ ", "find_package(hardball ", code)
+    code = re.sub(r"(\$\{CMAKE_CURRENT_SOURCE_DIR\}/)?third_party/hardball|\$\{HARDBALL_SOURCE\}( hardball)?", "SOURCE", code)
     code = re.sub(r"target_link_libraries\(\w+", "target_link_libraries(program", code)
     return [line.strip() for line in code.splitlines() if line.strip()]
 
 
 def contains(program, snippet):
     """Whether the lines of the snippet follow each other in the program; CMake's may have others in between."""
-    if any(line.startswith("find_package") for line in snippet):
+    if any(line.startswith("target_link_libraries") for line in snippet):
         return all(line in program for line in snippet)
     return any(program[k : k + len(snippet)] == snippet for k in range(len(program)))
 

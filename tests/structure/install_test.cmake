@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: MIT
 
 # Installs the build folder BUILD under SCRATCH, then configures, builds and runs the project consumer/ with it, and
-# builds and runs its only file by the flags of pkg-config.
+# builds and runs its only file by the flags of pkg-config. Of the headers of rooms, those are installed that it reaches.
 macro(run)
   execute_process(COMMAND ${ARGV} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 endmacro()
 
 file(REMOVE_RECURSE ${SCRATCH})
 run(${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${SCRATCH}/prefix)
+if(EXISTS ${SCRATCH}/prefix/include/hardball/engine/engine.hpp)
+  message(FATAL_ERROR "A header is installed that no public header reaches")
+endif()
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${SCRATCH}/build -G ${GENERATOR}
     -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=${CONFIG} "-DCMAKE_CXX_FLAGS=${FLAGS}"
     -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix)

@@ -3,6 +3,7 @@
 #include "hardball/execution/execute.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <array>
 #include <limits>

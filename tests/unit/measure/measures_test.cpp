@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/measure/measures.hpp"
+#include "hardball/measure/sampling_schedule.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,6 +11,7 @@
 
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/scenario.hpp"
+#include "hardball/trajectory/snapshot_reader.hpp"
 #include "hardball/trajectory/trajectory.hpp"
 #include "hardball/world/audit.hpp"
 #include "support/scratch_folder.hpp"

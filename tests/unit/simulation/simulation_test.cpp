@@ -3,6 +3,8 @@
 #include "hardball/simulation/simulation.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <functional>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/hardball.hpp"

@@ -10,6 +10,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/simulation/user_data.hpp"
 #include "support/gas.hpp"
 #include "support/history.hpp"
 #include "support/interacting.hpp"

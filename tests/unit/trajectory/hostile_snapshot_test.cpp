@@ -14,6 +14,7 @@
 #include "hardball/io/little_endian.hpp"
 #include "hardball/io/zstd.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
+#include "hardball/trajectory/snapshot_reader.hpp"
 #include "hardball/trajectory/trajectory.hpp"
 #include "support/scratch_folder.hpp"
 

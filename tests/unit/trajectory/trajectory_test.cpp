@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/trajectory/trajectory.hpp"
+#include "hardball/trajectory/snapshot_reader.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What listeners and responses are told of a collision or a wall contact, and what a response returns.
+#include "hardball/interaction/contact.hpp"

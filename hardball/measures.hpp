@@ -1,0 +1,8 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What is measured during a run: pressure, rates, distributions, diffusion, each with its error and its
+/// theory; and these results as text.
+#include "hardball/measure/csv.hpp"
+#include "hardball/measure/measures.hpp"

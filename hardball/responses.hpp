@@ -1,0 +1,7 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What happens when spheres touch: restitution, roughness, merging, passing, by pairs of species, or a
+/// function of the caller.
+#include "hardball/interaction/interactions.hpp"

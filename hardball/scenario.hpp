@@ -1,0 +1,8 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Scenario files: read, checked, and made into a world and a simulation.
+#include "hardball/scenario/make_simulation.hpp"
+#include "hardball/scenario/make_world.hpp"
+#include "hardball/scenario/scenario.hpp"

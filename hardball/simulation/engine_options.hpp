@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "hardball/errors/export.hpp"
+#include "hardball/kernels/instruction_set.hpp"
+#include "hardball/tuning/cell_edge.hpp"
+
+namespace hardball {
+
+/// How collisions are found. The choice changes the speed and never the motion.
+enum class EngineKind {
+  automatic,  ///< The fastest for the world.
+  cells,      ///< The cell grid.
+  neighbors,  ///< A neighbor list for each sphere; in a box too small for that, the cell grid.
+  all_pairs,  ///< Every sphere against every other: slow, and obviously correct.
+  paper,      ///< The algorithm of the paper to the letter.
+};
+/// By the number of the kind: what users call them.
+inline constexpr std::array<std::string_view, 5> kEngineNames{"auto", "cells", "neighbors", "all-pairs",
+                                                              "paper"};
+
+/// How events are kept in order. The choice changes the speed and never the motion.
+enum class QueueKind {
+  calendar,  ///< Buckets of time.
+  ordered,   ///< A balanced tree.
+};
+
+struct EngineOptions {
+  EngineKind engine = EngineKind::automatic;
+  QueueKind queue = QueueKind::calendar;  ///< The paper's engine has its own.
+  /// Edge of the cells [L], for engines that have them; if absent, chosen by `tuning` and adapted.
+  /// Error: not positive, or so small that a sphere would lie in hundreds of cells; for the paper's engine,
+  /// less than the largest diameter.
+  std::optional<double> cell_edge = {};
+  /// From which the cell edge is chosen; measure_unit_costs gives those of this machine. Error: not
+  /// are_meaningful.
+  UnitCosts unit_costs = {};
+  /// Used to compute contact times; if absent, the widest available. Error: not available.
+  std::optional<InstructionSet> instructions = {};
+};
+
+/// Error: options that are valid for no world; see EngineOptions.
+HARDBALL_EXPORT void check(const EngineOptions& options);
+
+}  // namespace hardball

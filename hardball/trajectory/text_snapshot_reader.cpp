@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/trajectory/text_snapshot_reader.hpp"
+
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+
+TextSnapshotReader::TextSnapshotReader(OpenText open, std::string name, TextFormat format)
+    : open_(std::move(open)), name_(std::move(name)), format_(format) {
+  Lines lines(open_(), name_);
+  for (; lines.next_text(); ++frames_) format_.skip(lines);
+  if (frames_ == 0) throw Error("the file contains no frame", name_, format_.remedy);
+}
+
+Snapshot TextSnapshotReader::read(std::size_t frame) {
+  HARDBALL_CHECK(frame < frames_);
+  if (!lines_ || frame < next_) {
+    lines_ = std::make_unique<Lines>(open_(), name_);
+    next_ = 0;
+  }
+  for (;; ++next_) {
+    if (!lines_->next_text())
+      throw Error("the file has become shorter", name_, "leave it alone while it is read");
+    if (next_ == frame) break;
+    format_.skip(*lines_);
+  }
+  ++next_;
+  Snapshot snapshot = format_.read(*lines_);
+  if (!snapshot.ids.empty()) sort_by_id(snapshot, name_);
+  check_numbers(snapshot, name_);
+  return snapshot;
+}
+
+}  // namespace hardball

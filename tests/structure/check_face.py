@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+"""Checks the public headers, hardball/*.hpp, and that what users see includes no others.
+
+usage: check_face.py PROJECT_FOLDER
+
+Each public header says in a comment what it is for, and hardball.hpp includes them all. Examples, pages and the
+projects in tests/structure include no headers of rooms.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+INCLUDE = re.compile(r'^#include [<"](hardball/[^>"]+)[>"]', re.MULTILINE)
+OF_USERS = ["README.md", "docs/*.md", "examples/*.cpp", "tests/structure/*/*.cpp"]
+
+
+def check(project):
+    """All faults, one line of text each."""
+    public = {f"hardball/{file.name}": file.read_text() for file in (project / "hardball").glob("*.hpp")}
+    umbrella = "hardball/hardball.hpp"
+    for header, text in public.items():
+        if "\n/// " not in text:
+            yield f"{header}: no comment says what it is for"
+        if header != umbrella and header not in INCLUDE.findall(public[umbrella]):
+            yield f"{umbrella}: does not include {header}"
+    for file in sorted(file for pattern in OF_USERS for file in project.glob(pattern)):
+        for header in INCLUDE.findall(file.read_text()):
+            if header not in public:
+                yield f"{file}: includes {header}, which is no public header"
+
+
+def main():
+    faults = list(check(Path(sys.argv[1])))
+    print(*faults, sep="\n")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
