@@ -145,11 +145,8 @@ std::string engine_for(const Options& options, const Moments& moments) {
   if (options.engine != "auto" || options.cell_edge != "auto" || are_sizes_spread(moments))
     return options.engine;
   const UnitCosts costs;
-  const double edge = optimal_cell_edge(moments, costs);
-  const double cells = cost_rate(expected_counts(moments, edge), costs_with_memory(moments, costs));
-  const double skin = optimal_skin(moments, costs);
-  const double lists = cost_rate(expected_neighbor_counts(moments, skin), costs);
-  return name_of(lists < cells ? EngineKind::neighbors : EngineKind::cells);
+  const bool has_lists = best_skin(moments, costs).cost < best_cell_edge(moments, costs).cost;
+  return name_of(has_lists ? EngineKind::neighbors : EngineKind::cells);
 }
 
 }  // namespace

@@ -14,8 +14,14 @@ namespace hardball {
 /// Along periodic axes a sphere's region is an interval of a quarter box to either side of where it was when
 /// the region was made; it determines which images of the other spheres it can meet before it leaves the
 /// interval. Cost: O(n) per collision.
-class AllPairs {
+class AllPairs : public WithSphereLines<Vec3> {  // the middles of the intervals
  public:
+  /// There is nothing to set.
+  explicit AllPairs(const PhaseSettings& = {}) {}
+
+  static bool supports(const World&, double) { return true; }
+  PhaseLengths lengths() const { return {}; }
+
   void build(const World& world, const Time& now, CompactPaths& copies);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
   bool admits(const World&, Slot) const { return true; }
@@ -28,8 +34,6 @@ class AllPairs {
   void collect(const World& world, Slot slot, Candidates& candidates) const;
   double next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths&) const;
   bool are_candidates(Slot, Slot) const { return true; }
-  auto& lines() { return lines_; }
-  const auto& lines() const { return lines_; }
   bool uses_minimum_image() const { return false; }
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths&, Candidates& candidates);
   static constexpr std::size_t kCachedSpheres = SIZE_MAX;
@@ -48,8 +52,6 @@ class AllPairs {
 
   Images images_within_reach(const World& world, Slot slot, Slot other) const;
   void center_interval(const World& world, Slot slot, const Time& now);
-
-  SphereLines<Vec3> lines_;  // with the middles of the intervals
 };
 
 static_assert(BroadPhase<AllPairs>);

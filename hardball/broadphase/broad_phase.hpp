@@ -9,9 +9,26 @@
 #include "hardball/bounds/compact_paths.hpp"
 #include "hardball/broadphase/candidates.hpp"
 #include "hardball/events/plan.hpp"
+#include "hardball/kernels/instruction_set.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
+
+/// What a broad phase is made with; each takes what it needs.
+struct PhaseSettings {
+  double length = 1;  ///< The wanted edge of cells, or the skin of lists; of no use to all pairs [L].
+  InstructionSet instructions = widest_instruction_set();  ///< For kernels.
+
+  PhaseSettings() = default;
+  PhaseSettings(double wanted_length, InstructionSet available = widest_instruction_set())
+      : length(wanted_length), instructions(available) {}
+};
+
+/// The lengths that follow from the settings and the world; zero where there are none.
+struct PhaseLengths {
+  Vec3 cell_edges = {};  ///< Of a cell, along the axes [L].
+  double skin = 0;       ///< Of neighbor lists [L].
+};
 
 /// Knows, for every sphere, which others it may meet next.
 ///
@@ -21,6 +38,9 @@ namespace hardball {
 /// out those that it cannot meet before its next crossing, if they have it as a candidate. A broad phase
 /// reads paths and never changes them.
 ///
+/// - `Phase(settings)`, and `supports(world, length)`: whether one with this length can find the candidates
+///   in such a world.
+/// - `lengths()`: those in use since `build`.
 /// - `build(world, now, copies)` gives every sphere a region, and resets the compact copies of paths with the
 ///   distance [L] that candidates are at most apart and that no sphere exceeds between two crossings.
 /// - `refresh(world, slot, now, folded)` updates the region of a sphere whose path was rewritten at `now`;
@@ -49,10 +69,15 @@ namespace hardball {
 ///   of that event.
 /// - `left_count()` counts the cells, or rows of cells, that spheres have left since `build`.
 /// - `validate(world, now, copies)` checks the whole structure and throws BrokenInvariant.
+///
+/// Which length costs least, and how much, is predicted in tuning/; see BestLength.
 template <class Phase>
 concept BroadPhase = requires(Phase phase, const Phase& view, const World& world, Slot slot, const Time& now,
                               const Image& image, CompactPaths& copies, const CompactPaths& copied,
-                              Candidates& candidates, bool crosses) {
+                              Candidates& candidates, bool crosses, const PhaseSettings& settings) {
+  Phase(settings);
+  { Phase::supports(world, settings.length) } -> std::same_as<bool>;
+  { view.lengths() } -> std::same_as<PhaseLengths>;
   phase.build(world, now, copies);
   phase.refresh(world, slot, now, image);
   { view.admits(world, slot) } -> std::same_as<bool>;

@@ -12,7 +12,6 @@ namespace hardball {
 namespace {
 
 constexpr double kMostCellsPerSphere = 1000;
-constexpr std::int32_t kMostCellsPerAxis = 1 << 28;
 
 std::int32_t divide_down(std::int32_t a, std::int32_t b) {
   return a >= 0 ? a / b : -((b - 1 - a) / b);
@@ -20,15 +19,8 @@ std::int32_t divide_down(std::int32_t a, std::int32_t b) {
 
 }  // namespace
 
-void CellGrid::Region::take(const CellRange& range) {
-  low = range.low;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    more[axis] = static_cast<std::uint16_t>(range.high[axis] - range.low[axis]);
-  }
-}
-
 void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) {
-  cells_ = Subdivision(world.box(), wanted_edge_, kMostCellsPerAxis);
+  cells_ = Subdivision(world.box(), wanted_edge_);
   refuse_tiny_cells(world);
   const double largest = std::min(world.largest_radius(), largest_radius_);
   largest_built_ = std::min(world.room_to_grow() * largest, largest_radius_);
@@ -37,7 +29,7 @@ void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) 
   table_ = CellTable(cells_.shape(), world.size());
   lists_.reset(table_.size());
   blocks_ = nearest_ && fits_into_cells(largest);
-  copies.reset(world, std::max(farthest_candidates(), farthest_of_others_), now);
+  copies.reset(world, std::max(farthest_candidates(), farthest_of_guests_), now);
   // The errors of single precision grow with the spheres and with the grid of the copies; the margin is a
   // fraction of the edge.
   constexpr double kLargestInEdges = 4;
@@ -68,7 +60,7 @@ bool CellGrid::admits(const World& world, Slot slot) const {
   if (blocks_) return fits_into_cells(radius);
   if (radius <= largest_built_) return true;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (most_touched(radius, axis) > most_touched(largest_built_, axis)) return false;
+    if (cells_.most_touched(axis, radius) > cells_.most_touched(axis, largest_built_)) return false;
   }
   return !is_single_precise_;
 }
@@ -107,8 +99,7 @@ void CellGrid::refuse_tiny_cells(const World& world) const {
 
 bool CellGrid::images_are_nearest() const {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const std::int32_t period = cells_.period(axis);
-    if (period > 0 && !has_nearest_images(period, most_touched(largest_built_, axis))) return false;
+    if (!cells_.has_nearest_images(axis, largest_built_)) return false;
   }
   return true;
 }
@@ -118,7 +109,7 @@ bool CellGrid::images_are_nearest() const {
 double CellGrid::farthest_candidates() const {
   Vec3 farthest;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double most_cells = blocks_ ? 2 : most_touched(largest_built_, axis) + 1;
+    const double most_cells = blocks_ ? 2 : cells_.most_touched(axis, largest_built_) + 1;
     farthest[axis] = (2 * most_cells - 1) * cells_.edge(axis);
   }
   return length(farthest);
@@ -158,7 +149,7 @@ void CellGrid::refresh_range(const World& world, Slot slot, const Time& now, con
 double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
   // Slower components may have been rounded to zero.
   constexpr float kSlow = 0x1p-100F;
-  Region& region = lines_[slot].region;
+  CellRegion& region = lines_[slot].region;
   const CompactPath& path = copies.paths()[slot];
   const float radius = copies.radius(slot);
   float least = std::numeric_limits<float>::infinity();
@@ -186,7 +177,7 @@ double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, c
 }
 
 double CellGrid::next_crossing_of_any(const World& world, Slot slot, const Time& now) {
-  Region& region = lines_[slot].region;
+  CellRegion& region = lines_[slot].region;
   const CellCrossing next = cells_.next_enter(world.unfolded_position(slot, now), world.velocity(slot, now),
                                               world.motion().gravity(), world.radius(slot), region.range());
   region.crossed_face = static_cast<std::uint8_t>(face_of(next.axis, next.up));
@@ -205,7 +196,7 @@ void CellGrid::cross(const World& world, Slot slot, const Time& now, const Compa
 }
 
 void CellGrid::cross_range(const World& world, Slot slot, const Time& now, Candidates& candidates) {
-  Region& region = lines_[slot].region;
+  CellRegion& region = lines_[slot].region;
   const CellRange exact = range_at(world, slot, now);
   const Vec3 velocity = world.velocity(slot, now);
   const CellRange old = region.range();
@@ -237,7 +228,7 @@ void CellGrid::cross_range(const World& world, Slot slot, const Time& now, Candi
 
 // As refresh, where regions are blocks: the sphere lies within its region, and keeps the cells it touches.
 void CellGrid::refresh_block(const World& world, Slot slot, const Time& now, const Image& folded) {
-  Region& region = lines_[slot].region;
+  CellRegion& region = lines_[slot].region;
   const Vec3 position = world.unfolded_position(slot, now);
   const double radius = world.radius(slot);
   std::uint32_t below = 0;  // axes along which it touches the lower half of the block
@@ -254,7 +245,7 @@ void CellGrid::refresh_block(const World& world, Slot slot, const Time& now, con
 // As cross, where regions are blocks. Whatever the rounding, of two cells along the axis of the crossing it
 // leaves one.
 void CellGrid::cross_block(const World& world, Slot slot, const Time& now, Candidates& candidates) {
-  Region& region = lines_[slot].region;
+  CellRegion& region = lines_[slot].region;
   const Vec3 position = world.unfolded_position(slot, now);
   const Vec3 velocities = world.velocity(slot, now);
   const double radius = world.radius(slot);
@@ -284,7 +275,7 @@ void CellGrid::cross_block(const World& world, Slot slot, const Time& now, Candi
 // Releases half of a block along each of `axes`: the lower half along `up`, the upper one along the others.
 void CellGrid::leave_halves(Slot slot, std::uint32_t axes, std::uint32_t up) {
   if (axes == 0) return;
-  Region& region = lines_[slot].region;
+  CellRegion& region = lines_[slot].region;
   const std::uint32_t wide = region.wide_axes();
   const std::uint32_t kept = CellBlock::cells_above(axes & up, wide & ~axes);
   block_of(region).for_each_list(CellBlock::cells_above(0, wide) & ~kept,

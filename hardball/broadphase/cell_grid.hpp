@@ -10,6 +10,7 @@
 
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/broadphase/cell_block.hpp"
+#include "hardball/broadphase/cell_region.hpp"
 #include "hardball/broadphase/cell_table.hpp"
 #include "hardball/broadphase/slot_lists.hpp"
 #include "hardball/broadphase/sphere_lines.hpp"
@@ -23,15 +24,18 @@ namespace hardball {
 ///
 /// Leaving needs no events: cells behind a sphere are released at its next crossing or change of path.
 /// Source: Kim, Guibas and Shin (1997), section 2.
-class CellGrid {
+class CellGrid : public WithSphereLines<CellRegion> {
  public:
-  /// `edge` [L] is the wanted length of a cell's edge; see Subdivision.
-  explicit CellGrid(double edge) : wanted_edge_(edge) {}
+  /// The length is the wanted edge of a cell; see Subdivision.
+  explicit CellGrid(const PhaseSettings& settings) : wanted_edge_(settings.length) {}
 
-  /// A grid of spheres whose radius is at most `largest_radius` [L]. Another broad phase adds the others to
-  /// its cells; their candidates are at most `farthest` [L] away.
+  /// A grid of spheres whose radius is at most `largest_radius` [L]. Another broad phase adds the others as
+  /// guests; their candidates are at most `farthest` [L] away.
   CellGrid(double edge, double largest_radius, double farthest)
-      : wanted_edge_(edge), largest_radius_(largest_radius), farthest_of_others_(farthest) {}
+      : wanted_edge_(edge), largest_radius_(largest_radius), farthest_of_guests_(farthest) {}
+
+  static bool supports(const World&, double) { return true; }
+  PhaseLengths lengths() const { return {.cell_edges = cells_.edges()}; }
 
   /// Error: the edge is not positive, or so small that a sphere would lie in hundreds of cells.
   void build(const World& world, const Time& now, CompactPaths& copies);
@@ -63,7 +67,7 @@ class CellGrid {
   }
   void prefetch_candidates(Slot slot, bool crosses, const CompactPaths& copies) const {
     if (!is_prefetched(slot)) return;
-    const Region& region = lines_[slot].region;
+    const CellRegion& region = lines_[slot].region;
     // Gathered first: in one loop the processor need not guess how long each list is.
     constexpr std::size_t kMost = 8 * SlotLists::kRoom;
     Slot found[kMost + SlotLists::kRoom];
@@ -77,44 +81,26 @@ class CellGrid {
   std::size_t memory_bytes() const;
   void validate(const World& world, const Time& now, const CompactPaths&) const;
 
-  /// The length of a cell's edge along an axis [L].
-  double edge(std::size_t axis) const { return cells_.edge(axis); }
   /// Whether images that share a cell are always the nearest images.
   bool uses_minimum_image() const { return nearest_; }
   bool are_candidates(Slot a, Slot b) const;
-  auto& lines() { return lines_; }
-  const auto& lines() const { return lines_; }
+
+  const Subdivision& cells() const { return cells_; }
   /// Whether a sphere's region contains a cell folded into the box.
   bool is_in(Slot slot, const CellIndex& cell) const;
-
-  /// The cells, and the list of the spheres in each.
-  const Subdivision& cells() const { return cells_; }
-  std::uint32_t list(const CellIndex& cell) const { return table_.list(cell); }
-  const SlotLists& lists() const { return lists_; }
+  /// Whether cells share lists, so that a cell also has the spheres of others.
   bool shares_lists() const { return table_.is_shared(); }
-  /// To add spheres that the grid itself leaves out.
-  SlotLists& lists_to_edit() { return lists_; }
+  /// Calls visit(slots, count) for the spheres and guests in a cell folded into the box, as many as fit into
+  /// a cache line at a time; the array is longer than count.
+  template <class Visit>
+  void for_each_line(const CellIndex& cell, Visit&& visit) const {
+    lists_.for_each_line(table_.list(cell), visit);
+  }
+  /// Adds a sphere that the grid itself leaves out to a cell folded into the box, or removes it.
+  void insert_guest(const CellIndex& cell, Slot slot) { lists_.insert(table_.list(cell), slot); }
+  void erase_guest(const CellIndex& cell, Slot slot) { lists_.erase(table_.list(cell), slot); }
 
  private:
-  // A sphere's region, a range of cells, and the face through which it will be left.
-  struct Region {
-    CellIndex low{};
-    std::array<std::uint16_t, kAxes> more{};  // cells beyond the lowest
-    std::uint8_t crossed_face = 0;
-
-    CellRange range() const { return {low, {low[0] + more[0], low[1] + more[1], low[2] + more[2]}}; }
-    // The row of cells that the sphere enters next.
-    CellRange row_ahead() const {
-      CellRange row = range();
-      const std::size_t axis = axis_of(crossed_face);
-      row.low[axis] = row.high[axis] = is_upper(crossed_face) ? row.high[axis] + 1 : row.low[axis] - 1;
-      return row;
-    }
-    void take(const CellRange& range);
-    // If regions are blocks: the axes along which this one is two cells wide.
-    std::uint32_t wide_axes() const { return (more[0] * 4U + more[1] * 2U) + more[2]; }
-  };
-
   // Large spheres in small cells touch too many.
   bool is_prefetched(Slot slot) const {
     constexpr std::uint32_t kMostCells = 27;
@@ -139,10 +125,6 @@ class CellGrid {
     return static_cast<std::int32_t>(steps >> 32);
   }
   void refuse_tiny_cells(const World& world) const;
-  // The cells that a sphere of this radius touches at most along an axis.
-  double most_touched(double radius, std::size_t axis) const {
-    return most_cells_touched(2 * cells_.reach(axis, radius), cells_.edge(axis));
-  }
   bool images_are_nearest() const;
   double farthest_candidates() const;
   void enter(const World& world, Slot slot, const Time& now);
@@ -152,7 +134,7 @@ class CellGrid {
   void collect_from(const World& world, Slot slot, const CellRange& range, Candidates& candidates) const;
   void collect_images(const World& world, Slot other, Candidates& candidates) const;
   bool fits_into_cells(double radius) const;
-  CellBlock block_of(const Region& region) const { return CellBlock(cells_, region.low, table_); }
+  CellBlock block_of(const CellRegion& region) const { return CellBlock(cells_, region.low, table_); }
   void collect_list(std::uint32_t list, Candidates& candidates) const {
     lists_.for_each_line(list, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {
       candidates.add(slots, count);
@@ -165,14 +147,14 @@ class CellGrid {
 
   // Whether the grid has a region for the sphere.
   bool holds(const World& world, Slot slot) const { return world.radius(slot) <= largest_radius_; }
+
   double wanted_edge_;
   double largest_radius_ = std::numeric_limits<double>::infinity();
-  double farthest_of_others_ = 0;
+  double farthest_of_guests_ = 0;
   double largest_built_ = 0;  // the largest radius in the grid when it was built
   Subdivision cells_;
   CellTable table_;
   SlotLists lists_;
-  SphereLines<Region> lines_;
   std::array<std::uint64_t, kAxes> steps_of_cell_{};  // of the grid of CompactPaths, times 2^32
   std::array<float, kAxes> margin_{};                 // of the cells, in units of the compact paths
   bool is_single_precise_ = false;

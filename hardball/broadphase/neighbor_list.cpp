@@ -36,8 +36,6 @@ constexpr double kLargestShare = 0.33;
 // The skin is at least this fraction of the largest radius.
 constexpr double kLeastSkin = 0.02;
 
-constexpr std::int32_t kMostCellsPerAxis = 1 << 28;
-
 // The largest distance between the centers of two neighbors: shells in contact, and both displaced from
 // their anchors.
 double farthest_neighbors(double largest_radius, double skin) {
@@ -60,8 +58,12 @@ bool fits(const Box& box, double largest_radius) {
 
 }  // namespace
 
-bool NeighborList::supports(const World& world) {
+bool NeighborList::supports(const World& world, double) {
   return fits(world.box(), world.largest_radius());
+}
+
+double NeighborList::cell_edge(double largest_radius, double skin) {
+  return farthest_neighbors(largest_radius, skin) - 2 * skin;
 }
 
 void NeighborList::build(const World& world, const Time& now, CompactPaths& copies) {
@@ -71,10 +73,11 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   const double largest = (kLargestShare * smallest_period(world.box()) - 2 * radius) / 4;
   skin_ = std::max(kLeastSkin * radius, std::min(wanted_skin_, largest));
   // Without spheres any distance will do.
-  const double farthest = farthest_neighbors(world.size() > 0 ? radius : 1, skin_);
+  const double any_radius = world.size() > 0 ? radius : 1;
+  const double farthest = farthest_neighbors(any_radius, skin_);
   const double margin = kShellMargin * farthest;
   room_ = skin_ - kCrossingMargin * farthest;
-  cells_ = Subdivision(world.box(), farthest - 2 * skin_ + 2 * margin, kMostCellsPerAxis);
+  cells_ = Subdivision(world.box(), cell_edge(any_radius, skin_) + 2 * margin);
   copies.reset(world, farthest + 2 * margin, now);
   reach_ = static_cast<float>((2 * skin_ + margin) / copies.length_unit());
   room_squared_ = static_cast<float>(room_ * room_ / (copies.length_unit() * copies.length_unit()));

@@ -34,16 +34,20 @@ struct Anchor {
 /// sphere reaches the edge of its ball, its anchor moves to its center, and its list and those of its
 /// neighbors are updated. Anchors are found by a cell list. Source: Donev, Torquato and Stillinger, J.
 /// Comput. Phys. 202 (2005) 737, section 3.
-class NeighborList {
+class NeighborList : public WithSphereLines<Anchor> {
  public:
-  /// `skin` [L] is the wanted radius of the ball in which a sphere's center moves; small boxes reduce it.
-  /// Precondition: supports(world). Error: the instruction set is not available.
-  explicit NeighborList(double skin, InstructionSet instructions = widest_instruction_set())
-      : wanted_skin_(skin), instructions_(instructions), kernels_(&kernels_of(instructions)) {}
+  /// The length is the skin, the wanted radius of the ball in which a sphere's center moves; small boxes
+  /// reduce it. Precondition: supports(world). Error: the instruction set is not available.
+  explicit NeighborList(const PhaseSettings& settings)
+      : wanted_skin_(settings.length), kernels_(&kernels_of(settings.instructions)) {}
 
-  /// Whether neighbors can be listed: a periodic box must be so large that of a neighbor only one image is
-  /// near.
-  static bool supports(const World& world);
+  /// Whether neighbors can be listed, with any skin: a periodic box must be so large that of a neighbor only
+  /// one image is near.
+  static bool supports(const World& world, double skin = 0);
+  PhaseLengths lengths() const { return {.skin = skin_}; }
+
+  /// The edge of the cells in which anchors are found [L]: shells that overlap are in adjacent ones.
+  static double cell_edge(double largest_radius, double skin);
 
   void build(const World& world, const Time& now, CompactPaths& copies);
   bool admits(const World& world, Slot slot) const { return world.radius(slot) <= largest_built_; }
@@ -81,8 +85,6 @@ class NeighborList {
     return rounded_down(now) + copies.time_unit() * static_cast<double>((root - outwards) / speed_squared);
   }
   bool are_candidates(Slot, Slot) const { return true; }
-  auto& lines() { return lines_; }
-  const auto& lines() const { return lines_; }
   bool uses_minimum_image() const { return true; }
   void cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
              Candidates& candidates);
@@ -103,9 +105,6 @@ class NeighborList {
   std::uint64_t left_count() const { return 0; }
   std::size_t memory_bytes() const;
   void validate(const World& world, const Time& now, const CompactPaths& copies) const;
-
-  double skin() const { return skin_; }
-  InstructionSet instructions() const { return instructions_; }
 
  private:
   double next_crossing_of_any(const World& world, Slot slot, const Time& now,
@@ -149,7 +148,6 @@ class NeighborList {
   };
 
   double wanted_skin_;
-  InstructionSet instructions_;
   const Kernels* kernels_;
   double skin_ = 0;
   double largest_built_ = 0;  // the largest radius when lists were made
@@ -161,9 +159,8 @@ class NeighborList {
   std::array<Packing, kAxes> packing_;
   std::array<float, kAxes> packing_unit_{};  // in units of the compact paths
   CellTable table_;
-  PointLists points_;          // anchors, by cell
-  SphereLines<Anchor> lines_;  // by slot
-  PaddedLists neighbors_;      // by slot
+  PointLists points_;      // anchors, by cell
+  PaddedLists neighbors_;  // by slot
   // Of the current sphere:
   Nearby near_;                      // its new neighbors
   std::vector<Slot> gained_, lost_;  // changes to its list

@@ -21,6 +21,18 @@ struct alignas(64) SphereLine {
 template <class Region>
 using SphereLines = LargeVector<SphereLine<Region>>;
 
+/// What broad phases with lines of their own have in common.
+template <class Region>
+class WithSphereLines {
+ public:
+  /// See BroadPhase.
+  auto& lines() { return lines_; }
+  const auto& lines() const { return lines_; }
+
+ protected:
+  SphereLines<Region> lines_;
+};
+
 /// A line without plan or region for a sphere that had none. Cost: O(1) amortized.
 template <class Region>
 void reset(SphereLines<Region>& lines, const World& world, Slot slot) {

@@ -57,18 +57,6 @@ struct CellCrossing {
   bool up = false;  ///< Toward the cells with higher indices.
 };
 
-/// The most cells that a sphere of this diameter touches along an axis.
-inline double most_cells_touched(double diameter, double edge) {
-  return std::floor(diameter / edge * (1 + 1e-6)) + 2;
-}
-
-/// Whether spheres that touch at most `touched` cells and share one are always the nearest images of each
-/// other, along a periodic axis of so many cells: a center lies in one of the cells that the sphere touches,
-/// so that two are less than 2 * touched - 1 cells apart, nearer than half the box.
-inline bool has_nearest_images(double cells, double touched) {
-  return cells >= 2 * (2 * touched - 1) + 1;
-}
-
 /// Space divided into uniform cells: which cells a sphere touches, and when it touches others.
 ///
 /// Cells admit a sphere slightly before it touches them and release it slightly after, by far more than
@@ -76,14 +64,18 @@ inline bool has_nearest_images(double cells, double touched) {
 /// Guibas and Shin (1997), equation 1.
 class Subdivision {
  public:
+  /// The most cells along an axis, unless fewer are wanted.
+  static constexpr std::int32_t kMostCells = 1 << 28;
+
   Subdivision() = default;
   /// `edge` [L] is the wanted edge; along bounded axes it is adjusted so that a whole number of cells fills
   /// the box. There are at most `most_cells` along an axis: spheres beyond the outermost cells belong to
   /// these. Error: not positive and finite.
-  Subdivision(const Box& box, double edge, std::int32_t most_cells);
+  Subdivision(const Box& box, double edge, std::int32_t most_cells = kMostCells);
 
   /// Edge of a cell along an axis [L].
   double edge(std::size_t axis) const { return axes_[axis].edge; }
+  Vec3 edges() const { return {edge(0), edge(1), edge(2)}; }
   /// The lowest and highest index along an axis; along periodic axes no sphere reaches them.
   std::int32_t first(std::size_t axis) const { return axes_[axis].first; }
   std::int32_t last(std::size_t axis) const { return axes_[axis].last; }
@@ -98,6 +90,16 @@ class Subdivision {
   CellRange range_at(const Vec3& position, double radius) const;
   /// The distance from its center within which a sphere touches cells, along an axis [L].
   double reach(std::size_t axis, double radius) const { return radius + axes_[axis].margin; }
+  /// The most cells that a sphere of this radius touches along an axis.
+  double most_touched(std::size_t axis, double radius) const {
+    return std::floor(2 * reach(axis, radius) / edge(axis) * (1 + 1e-6)) + 2;
+  }
+  /// Whether spheres of up to this radius that share a cell are always nearest images of each other along an
+  /// axis: a center lies in one of the cells that the sphere touches, so that two are less than 2 *
+  /// most_touched - 1 cells apart, nearer than half the box.
+  bool has_nearest_images(std::size_t axis, double radius) const {
+    return period(axis) == 0 || period(axis) >= 2 * (2 * most_touched(axis, radius) - 1) + 1;
+  }
   /// How far a coordinate lies above the lower face of cell `index` along an axis [L].
   double beyond_face(std::size_t axis, std::int32_t index, double coordinate) const {
     return coordinate - axes_[axis].edge * index;

@@ -42,6 +42,9 @@ class Engine {
 
   const World& world() const { return forecast_.world(); }
   const Phase& phase() const { return forecast_.phase(); }
+  /// See BroadPhase.
+  static bool supports(const World& world, double length) { return Phase::supports(world, length); }
+  PhaseLengths lengths() const { return phase().lengths(); }
   const Aftermath& aftermath() const { return aftermath_; }
   /// Continues for another engine.
   void take_over(const Aftermath& aftermath) { aftermath_ = aftermath; }
@@ -199,14 +202,14 @@ class Engine {
     undo(EngineJournal::kLongAgo, journal_.begin_time());
   }
 
-  /// Discards all predictions and regions and rebuilds them as of `now`, with another broad phase. The motion
-  /// is not affected. Cost: O(n).
-  void rebuild(const Time& now, Phase phase) {
+  /// Discards all predictions and regions and rebuilds them as of `now`, with a broad phase of these
+  /// settings. The motion is not affected. Cost: O(n).
+  void rebuild(const Time& now, const PhaseSettings& settings) {
     const QueueCounters queue = queue_.counters();
     counters_.leave += forecast_.phase().left_count();
     counters_.queue_operations += queue.scheduled + queue.taken;
     ++counters_.rebuilds;
-    forecast_.replace(std::move(phase));
+    forecast_.replace(Phase(settings));
     rebuild(now, Progress());
   }
 

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/broadphase/subdivision.hpp"
 #include "hardball/engine/engine_journal.hpp"
 #include "hardball/engine/rewind.hpp"
@@ -35,14 +36,22 @@ namespace hardball {
 /// subspaces that admit a sphere slightly early and release it slightly late. Cost: O(log n) per event.
 class PaperEngine {
  public:
-  /// `edge` [L] is the wanted edge of the subspaces. Error: it is less than the largest diameter, so that a
-  /// sphere could intersect more than eight subspaces. Precondition: supports(world).
-  PaperEngine(World world, double edge, const Time& now) : world_(std::move(world)) { rebuild(now, edge); }
+  /// The length is the wanted edge of the subspaces. Error: it is less than least_edge. Precondition:
+  /// supports(world).
+  PaperEngine(World world, const PhaseSettings& settings, const Time& now) : world_(std::move(world)) {
+    rebuild(now, settings);
+  }
 
   /// Whether all paths are straight, and obstacles have no images in a periodic box.
   static bool supports(const World& world) {
     return world.motion().is_straight() && !has_images_of_obstacles(world);
   }
+  /// As BroadPhase has it.
+  static bool supports(const World& world, double edge) {
+    return supports(world) && edge >= least_edge(world);
+  }
+  /// The largest diameter [L]: in smaller subspaces a sphere could intersect more than eight.
+  static double least_edge(const World& world) { return 2 * world.largest_radius(); }
 
   const World& world() const { return world_; }
   const Aftermath& aftermath() const { return aftermath_; }
@@ -50,8 +59,8 @@ class PaperEngine {
   /// The time of the last event.
   const Time& now() const { return now_; }
   const Counters& counters() const { return counters_; }
-  /// Edge of a subspace along an axis [L].
-  double edge(std::size_t axis) const { return subdivision_.edge(axis); }
+  /// Those of the subspaces.
+  PhaseLengths lengths() const { return {.cell_edges = subdivision_.edges()}; }
 
   std::size_t memory_bytes() const {
     constexpr std::size_t kTreeLinks = 4 * sizeof(void*);
@@ -172,10 +181,11 @@ class PaperEngine {
   void rewind_to_begin() { undo(EngineJournal::kLongAgo, journal_.begin_time()); }
 
   /// As Engine::rebuild: the preprocessing of the paper.
-  void rebuild(const Time& now, double edge) {
-    if (edge < 2 * world_.largest_radius()) {
+  void rebuild(const Time& now, const PhaseSettings& settings) {
+    const double edge = settings.length;
+    if (edge < least_edge(world_)) {
       throw Error("the cell edge " + to_text(edge) + " is less than the largest diameter", "cell edge",
-                  "the paper's engine needs at least " + to_text(2 * world_.largest_radius()));
+                  "the paper's engine needs at least " + to_text(least_edge(world_)));
     }
     now_ = now;
     is_outdated_ = false;
@@ -352,7 +362,8 @@ class PaperEngine {
   // Whether a sphere intersects no more than eight subspaces.
   bool admits(Slot slot) const {
     const double diameter = 2 * world_.radius(slot);
-    return diameter <= edge(0) && diameter <= edge(1) && diameter <= edge(2);
+    const Vec3 edges = subdivision_.edges();
+    return diameter <= edges.x && diameter <= edges.y && diameter <= edges.z;
   }
 
   // Puts a sphere into the subspaces that intersect it; its events remain to be predicted.

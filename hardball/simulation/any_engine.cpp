@@ -3,10 +3,7 @@
 #include "hardball/simulation/any_engine.hpp"
 
 #include <algorithm>
-#include <concepts>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "hardball/broadphase/all_pairs.hpp"
 #include "hardball/broadphase/cell_grid.hpp"
@@ -19,23 +16,19 @@
 #include "hardball/geometry/range.hpp"
 #include "hardball/paper/paper_engine.hpp"
 #include "hardball/theory/moments.hpp"
-#include "hardball/tuning/cell_counts.hpp"
+#include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
 #include "hardball/tuning/size_classes.hpp"
 
 namespace hardball {
 namespace {
 
-template <class Model>
-Vec3 edges_of(const Model& cells) {
-  return {cells.edge(0), cells.edge(1), cells.edge(2)};
-}
-
-// Gives any engine the common interface.
-template <class Wrapped>
+// Gives any engine the common interface. The preferred ones take its place in worlds that they support.
+template <class Wrapped, class... Preferred>
 class EngineModel final : public AnyEngine {
  public:
-  explicit EngineModel(Wrapped engine) : engine_(std::move(engine)) {}
+  EngineModel(Wrapped engine, const PhaseSettings& settings)
+      : engine_(std::move(engine)), settings_(settings) {}
 
   std::unique_ptr<AnyEngine> clone() const override { return std::make_unique<EngineModel>(*this); }
   const World& world() const override { return engine_.world(); }
@@ -43,6 +36,7 @@ class EngineModel final : public AnyEngine {
   const Time& now() const override { return engine_.now(); }
   Counters counters() const override { return engine_.counters(); }
   std::size_t memory_bytes() const override { return engine_.memory_bytes(); }
+  PhaseLengths lengths() const override { return engine_.lengths(); }
   RunStatus run(const RunLimits& limits, const Observe& observe) override {
     return engine_.run(limits, observe);
   }
@@ -57,109 +51,87 @@ class EngineModel final : public AnyEngine {
   void end_journal() override { engine_.end_journal(); }
   void rewind(const Time& moment) override { engine_.rewind(moment); }
   void rewind_to_begin() override { engine_.rewind_to_begin(); }
+  bool supports(double length) const override {
+    return !(Preferred::supports(world(), length) || ...) && Wrapped::supports(world(), length);
+  }
+  void rebuild(const Time& now, double length) override {
+    settings_.length = length;
+    engine_.rebuild(now, settings_);
+  }
   const Aftermath& aftermath() const override { return engine_.aftermath(); }
   void take_over(const Aftermath& aftermath) override { engine_.take_over(aftermath); }
   void validate() const override { engine_.validate(); }
 
-  bool supports(double length) const override {
-    if constexpr (requires { engine_.phase(); }) {
-      using Phase = std::remove_cvref_t<decltype(engine_.phase())>;
-      if constexpr (std::same_as<Phase, NeighborList>) return NeighborList::supports(world());
-      if constexpr (std::same_as<Phase, CellGrid>) return !LargeSphereGrid::supports(world(), length);
-      if constexpr (std::same_as<Phase, LargeSphereGrid>) return LargeSphereGrid::supports(world(), length);
-    } else {
-      return length >= 2 * world().largest_radius();
-    }
-    return true;
-  }
-
-  Vec3 cell_edges() const override {
-    if constexpr (requires { engine_.phase().edge(0); }) return edges_of(engine_.phase());
-    if constexpr (requires { engine_.edge(0); }) return edges_of(engine_);
-    return {};
-  }
-
-  double skin() const override {
-    if constexpr (requires { engine_.phase().skin(); }) return engine_.phase().skin();
-    return 0;
-  }
-
-  void rebuild(const Time& now, double length) override {
-    if constexpr (requires { engine_.rebuild(now, AllPairs()); }) {
-      engine_.rebuild(now, AllPairs());
-    } else if constexpr (requires { engine_.rebuild(now, NeighborList(length)); }) {
-      engine_.rebuild(now, NeighborList(length, engine_.phase().instructions()));
-    } else if constexpr (requires { engine_.rebuild(now, CellGrid(length)); }) {
-      engine_.rebuild(now, CellGrid(length));
-    } else if constexpr (requires { engine_.rebuild(now, LargeSphereGrid(length)); }) {
-      engine_.rebuild(now, LargeSphereGrid(length));
-    } else {
-      engine_.rebuild(now, length);
-    }
-  }
-
  private:
   Wrapped engine_;
+  PhaseSettings settings_;
 };
 
-template <class Wrapped, class... Arguments>
-std::unique_ptr<AnyEngine> make_model(Arguments&&... arguments) {
-  return std::make_unique<EngineModel<Wrapped>>(Wrapped(std::forward<Arguments>(arguments)...));
+template <EventQueue Queue, BroadPhase Phase, BroadPhase... Preferred>
+std::unique_ptr<AnyEngine> make_queued(World world, const PhaseSettings& settings, const Time& now,
+                                       const Progress& progress) {
+  return std::make_unique<EngineModel<Engine<Queue, Phase>, Preferred...>>(
+      Engine<Queue, Phase>(std::move(world), Phase(settings), now, settings.instructions, progress),
+      settings);
 }
 
-template <EventQueue Queue>
-std::unique_ptr<AnyEngine> make_queued(World world, EngineKind engine, const EngineOptions& options,
-                                       double length, const Time& now, const Progress& progress) {
-  const InstructionSet instructions = options.instructions.value_or(widest_instruction_set());
-  if (engine == EngineKind::all_pairs) {
-    return make_model<Engine<Queue, AllPairs>>(std::move(world), AllPairs(), now, instructions, progress);
-  }
-  if (engine == EngineKind::neighbors) {
-    return make_model<Engine<Queue, NeighborList>>(std::move(world), NeighborList(length, instructions), now,
-                                                   instructions, progress);
-  }
-  if (LargeSphereGrid::supports(world, length)) {
-    return make_model<Engine<Queue, LargeSphereGrid>>(std::move(world), LargeSphereGrid(length), now,
-                                                      instructions, progress);
-  }
-  return make_model<Engine<Queue, CellGrid>>(std::move(world), CellGrid(length), now, instructions, progress);
+template <BroadPhase Phase, BroadPhase... Preferred>
+std::unique_ptr<AnyEngine> make(World world, QueueKind queue, const PhaseSettings& settings, const Time& now,
+                                const Progress& progress) {
+  const auto make_it = queue == QueueKind::ordered ? make_queued<OrderedQueue, Phase, Preferred...>
+                                                   : make_queued<CalendarQueue, Phase, Preferred...>;
+  return make_it(std::move(world), settings, now, progress);
 }
 
-// The edge of the best cells, and what they cost per sphere and time.
-struct BestCells {
-  double edge;
-  double cost;
+std::unique_ptr<AnyEngine> make_cells(World world, QueueKind queue, const PhaseSettings& settings,
+                                      const Time& now, const Progress& progress) {
+  const auto make_it = LargeSphereGrid::supports(world, settings.length) ? make<LargeSphereGrid>
+                                                                         : make<CellGrid, LargeSphereGrid>;
+  return make_it(std::move(world), queue, settings, now, progress);
+}
+
+std::unique_ptr<AnyEngine> make_paper(World world, QueueKind, const PhaseSettings& settings, const Time& now,
+                                      const Progress&) {
+  return std::make_unique<EngineModel<PaperEngine>>(PaperEngine(std::move(world), settings, now), settings);
+}
+
+// An engine to choose.
+struct Choice {
+  EngineKind kind;
+  std::unique_ptr<AnyEngine> (*make)(World, QueueKind, const PhaseSettings&, const Time&, const Progress&);
+  // The best length for a world with these moments, and its predicted cost.
+  BestLength (*best)(const World&, const Time&, const Moments&, const UnitCosts&);
+  bool has_cells;
 };
 
-BestCells best_cells(const World& world, const Moments& moments, const UnitCosts& costs, const Time& moment) {
-  if (are_sizes_spread(moments)) {
-    const std::vector<SizeClass> classes = size_classes(world, moment);
-    // In a small box, candidates must come from smaller cells to be nearest images.
-    constexpr double kStep = 1.15;
-    constexpr int kSteps = 20;
-    double edge = optimal_edge_by_class(moments, classes, costs);
-    for (int i = 0; i < kSteps; ++i, edge /= kStep) {
-      const bool has_large = edge < moments.largest_radius / LargeSphereGrid::kLargestInGrid;
-      if (!has_large || LargeSphereGrid::supports(world, edge)) {
-        return {edge, cost_rate_by_class(moments, classes, edge, costs)};
-      }
-    }
-  }
-  const double edge = optimal_cell_edge(moments, costs);
-  return {edge, cost_rate(expected_counts(moments, edge), costs)};
+// All engines.
+constexpr Choice kChoices[] = {
+    {EngineKind::cells, make_cells, best_edge, true},
+    {EngineKind::neighbors, make<NeighborList>,
+     [](const World&, const Time&, const Moments& moments, const UnitCosts& costs) {
+       return best_skin(moments, costs);
+     },
+     false},
+    {EngineKind::all_pairs, make<AllPairs>,
+     [](const World&, const Time&, const Moments&, const UnitCosts&) { return BestLength(); }, false},
+    {EngineKind::paper, make_paper,
+     [](const World&, const Time&, const Moments& moments, const UnitCosts& costs) {
+       return best_cell_edge(moments, costs);
+     },
+     true},
+};
+
+// Precondition: not automatic.
+const Choice& choice(EngineKind kind) {
+  return *std::ranges::find(kChoices, kind, &Choice::kind);
 }
 
 }  // namespace
 
 std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
                                        double length, const Time& now, const Progress& progress) {
-  if (engine == EngineKind::paper) {
-    return make_model<PaperEngine>(std::move(world), length, now);
-  }
-  if (options.queue == QueueKind::ordered) {
-    return make_queued<OrderedQueue>(std::move(world), engine, options, length, now, progress);
-  }
-  return make_queued<CalendarQueue>(std::move(world), engine, options, length, now, progress);
+  const PhaseSettings settings{length, options.instructions.value_or(widest_instruction_set())};
+  return choice(engine).make(std::move(world), options.queue, settings, now, progress);
 }
 
 void check(const EngineOptions& options) {
@@ -180,29 +152,26 @@ EngineKind choose_engine(const World& world, const EngineOptions& options, const
   if (options.engine != EngineKind::automatic) return options.engine;
   if (options.cell_edge || !NeighborList::supports(world)) return EngineKind::cells;
   const Moments moments = moments_of(world, moment);
-  const UnitCosts& costs = options.unit_costs;
-  const double cells = best_cells(world, moments, costs, moment).cost;
-  const double neighbors = cost_rate(expected_neighbor_counts(moments, optimal_skin(moments, costs)), costs);
-  constexpr double kSurpass = 0.9;
-  if (current == EngineKind::cells) return neighbors < kSurpass * cells ? EngineKind::neighbors : current;
-  if (current == EngineKind::neighbors) return cells < kSurpass * neighbors ? EngineKind::cells : current;
-  return neighbors < cells ? EngineKind::neighbors : EngineKind::cells;
+  const auto cost_of = [&](EngineKind kind) {
+    return choice(kind).best(world, moment, moments, options.unit_costs).cost;
+  };
+  const bool has_lists = current == EngineKind::neighbors;
+  const EngineKind used = has_lists ? EngineKind::neighbors : EngineKind::cells;
+  const EngineKind other = has_lists ? EngineKind::cells : EngineKind::neighbors;
+  const double surpass = current == EngineKind::automatic ? 1 : 0.9;
+  return cost_of(other) < surpass * cost_of(used) ? other : used;
 }
 
 double choose_length(const World& world, EngineKind engine, const EngineOptions& options,
                      const Time& moment) {
-  if (engine == EngineKind::all_pairs) return 1;
-  if (engine == EngineKind::neighbors) return optimal_skin(moments_of(world, moment), options.unit_costs);
-  if (options.cell_edge) return *options.cell_edge;
-  const Moments moments = moments_of(world, moment);
-  const double edge = engine == EngineKind::cells
-                          ? best_cells(world, moments, options.unit_costs, moment).edge
-                          : optimal_cell_edge(moments, options.unit_costs);
-  return allowed_cell_edge(world, engine, edge);
+  const Choice& chosen = choice(engine);
+  if (chosen.has_cells && options.cell_edge) return *options.cell_edge;
+  const BestLength best = chosen.best(world, moment, moments_of(world, moment), options.unit_costs);
+  return allowed_cell_edge(world, engine, best.length);
 }
 
 double allowed_cell_edge(const World& world, EngineKind engine, double edge) {
-  return engine == EngineKind::paper ? std::max(edge, 2 * world.largest_radius()) : edge;
+  return engine == EngineKind::paper ? std::max(edge, PaperEngine::least_edge(world)) : edge;
 }
 
 }  // namespace hardball

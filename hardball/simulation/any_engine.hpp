@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/execution/aftermath.hpp"
 #include "hardball/interaction/contact.hpp"
@@ -30,8 +31,7 @@ class AnyEngine {
   virtual const Time& now() const = 0;
   virtual Counters counters() const = 0;
   virtual std::size_t memory_bytes() const = 0;
-  virtual Vec3 cell_edges() const = 0;
-  virtual double skin() const = 0;
+  virtual PhaseLengths lengths() const = 0;
   virtual RunStatus run(const RunLimits& limits, const Observe& observe) = 0;
   virtual std::optional<Event> next_contact(const Time& until) = 0;
   virtual void change_velocities(const Time& moment, std::span<const NewVelocity> changes) = 0;

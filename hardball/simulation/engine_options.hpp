@@ -8,7 +8,7 @@
 
 #include "hardball/errors/export.hpp"
 #include "hardball/kernels/instruction_set.hpp"
-#include "hardball/tuning/cell_edge.hpp"
+#include "hardball/tuning/unit_costs.hpp"
 
 namespace hardball {
 

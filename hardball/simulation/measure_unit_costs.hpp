@@ -4,7 +4,7 @@
 
 #include "hardball/errors/export.hpp"
 #include "hardball/memory/function.hpp"
-#include "hardball/tuning/cell_edge.hpp"
+#include "hardball/tuning/unit_costs.hpp"
 
 namespace hardball {
 

@@ -632,7 +632,7 @@ Counters Simulation::counters() const {
 }
 
 Vec3 Simulation::cell_edges() const {
-  return engine_->cell_edges();
+  return engine_->lengths().cell_edges;
 }
 
 double Simulation::cell_edge() const {
@@ -641,7 +641,7 @@ double Simulation::cell_edge() const {
 }
 
 double Simulation::skin() const {
-  return engine_->skin();
+  return engine_->lengths().skin;
 }
 
 std::size_t Simulation::memory_bytes() const {

@@ -48,10 +48,7 @@ CellAxis cell_axis(const Moments& moments, const Subdivision& cells, std::size_t
   CellAxis result{.edge = edge, .room = moments.extent[axis], .crossings = 1 / edge};
   // Along an open axis cells may reach far beyond the spheres.
   if (moments.box.is_open(axis)) result.candidates = std::min(1.0, result.room / far_from_walls);
-  if (moments.box.is_periodic(axis)) {
-    result.has_nearest_images =
-        has_nearest_images(cells.period(axis), most_cells_touched(2 * moments.largest_radius, edge));
-  }
+  result.has_nearest_images = cells.has_nearest_images(axis, moments.largest_radius);
   if (!moments.box.is_wall(axis)) return result;
   const double rows = cells.last(axis) + 1;
   const double rows_at_wall = std::floor(diameter / edge) + 1;  // touched by a sphere there
@@ -70,8 +67,7 @@ CellAxis cell_axis(const Moments& moments, const Subdivision& cells, std::size_t
 }  // namespace
 
 CellAxes cell_axes(const Moments& moments, double edge) {
-  constexpr std::int32_t kMostCellsPerAxis = 1 << 28;
-  const Subdivision cells(moments.box, edge, kMostCellsPerAxis);
+  const Subdivision cells(moments.box, edge);
   CellAxes axes;
   for (std::size_t axis = 0; axis < kAxes; ++axis) axes[axis] = cell_axis(moments, cells, axis);
   return axes;

@@ -89,8 +89,7 @@ double shared_cells_in_row(const CellAxes& axes, double diameter, const Separati
 // The spheres of other cells in the list of a cell, each in so many cells. Cells are spread over lists so
 // that the variance of their number in a list is about a fifth of its mean, except in long and narrow boxes.
 double found_elsewhere(const Moments& moments, double edge, double cells) {
-  constexpr std::int32_t kMostCellsPerAxis = 1 << 28;
-  const Subdivision subdivision(moments.box, edge, kMostCellsPerAxis);
+  const Subdivision subdivision(moments.box, edge);
   const CellTable table(subdivision.shape(), moments.spheres);
   if (!table.is_shared()) return 0;
   const auto lists = static_cast<double>(table.size());

@@ -7,7 +7,7 @@
 
 namespace hardball {
 
-/// The work of a cell grid in a gas, as predicted by kinetic theory.
+/// The work of a CellGrid in a gas, as predicted by kinetic theory.
 ///
 /// Contacts with all candidates of a sphere are predicted after each of its contacts, and when its prospect
 /// turns out stale. Source: docs/theory.md.

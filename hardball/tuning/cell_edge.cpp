@@ -19,13 +19,6 @@ double spacing_of(const Moments& moments) {
 
 }  // namespace
 
-bool are_meaningful(const UnitCosts& costs) {
-  for (const double cost : {costs.contact, costs.enter, costs.cell, costs.prediction}) {
-    if (!(cost >= 0) || !std::isfinite(cost)) return false;
-  }
-  return costs.prediction > 0 && costs.enter + costs.cell > 0;
-}
-
 double cost_rate(const CellCounts& counts, const UnitCosts& costs) {
   // Images must be found, and contact times computed exactly: measured, docs/theory.md.
   constexpr double kListedPrediction = 12;
@@ -39,16 +32,6 @@ double cost_rate(const CellCounts& counts, const UnitCosts& costs) {
 
 double rebuild_cost(const CellCounts& counts, const UnitCosts& costs) {
   return costs.enter + costs.cell * counts.cells + costs.prediction * counts.candidates_at_any_time;
-}
-
-UnitCosts costs_with_memory(const Moments& moments, UnitCosts costs) {
-  // Measured, docs/theory.md.
-  constexpr double kFar = 2;
-  if (moments.spheres > kVeryManySpheres) {
-    costs.cell *= kFar;
-    costs.prediction *= kFar;
-  }
-  return costs;
 }
 
 double optimal_cell_edge(const Moments& moments, const UnitCosts& unit_costs) {
@@ -76,6 +59,11 @@ double optimal_cell_edge(const Moments& moments, const UnitCosts& unit_costs) {
   const double coarse = best;
   scan(std::max(smallest, coarse / kStep), std::pow(kStep, 0.25), 8);
   return best;
+}
+
+BestLength best_cell_edge(const Moments& moments, const UnitCosts& costs) {
+  const double edge = optimal_cell_edge(moments, costs);
+  return {edge, cost_rate(expected_counts(moments, edge), costs)};
 }
 
 double paper_cell_edge(const Moments& moments, const UnitCosts& costs) {

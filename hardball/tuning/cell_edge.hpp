@@ -6,26 +6,9 @@
 
 #include "hardball/theory/moments.hpp"
 #include "hardball/tuning/cell_counts.hpp"
+#include "hardball/tuning/unit_costs.hpp"
 
 namespace hardball {
-
-/// The costs of the steps of the event loop, in nanoseconds; only their ratios matter for the choice of the
-/// cell edge. The defaults were measured on one core at 2.6 GHz with 4,000 spheres.
-struct UnitCosts {
-  double contact = 350;     ///< Independent of cells: new velocities, two new regions, two queue entries.
-  double enter = 165;       ///< A crossing without its cells and pairs: taken from the queue and rescheduled.
-  double cell = 4;          ///< Each cell searched or entered.
-  double prediction = 2.2;  ///< Each candidate found in a cell.
-
-  friend bool operator==(const UnitCosts&, const UnitCosts&) = default;
-  static void persist(auto& archive, auto& self) {
-    archive(self.contact, self.enter, self.cell, self.prediction);
-  }
-};
-
-/// Whether a choice can be based on these costs: none is negative or infinite, and predictions and crossings
-/// are not free.
-bool are_meaningful(const UnitCosts& costs);
 
 /// The cost per sphere and time [cost/T]. Source: docs/theory.md.
 double cost_rate(const CellCounts& counts, const UnitCosts& costs);
@@ -33,15 +16,14 @@ double cost_rate(const CellCounts& counts, const UnitCosts& costs);
 /// The cost per sphere of rebuilding cells and predictions [cost].
 double rebuild_cost(const CellCounts& counts, const UnitCosts& costs);
 
-/// The unit costs where so many spheres are far away in memory: every cell and every candidate is another
-/// line of it.
-UnitCosts costs_with_memory(const Moments& moments, UnitCosts costs);
-
 /// The edge [L] of the cells at which the event loop costs least: smaller cells are crossed more often,
 /// larger ones hold more candidates. Bounded below so that large spheres do not lie in hundreds of cells.
 /// Cost: O(1), less than a millisecond. Source: Kim, Guibas and Shin (1997), section 3, completed in
 /// docs/theory.md.
 double optimal_cell_edge(const Moments& moments, const UnitCosts& costs = {});
+
+/// The same with its cost, for a CellGrid of spheres of about one size.
+BestLength best_cell_edge(const Moments& moments, const UnitCosts& costs);
 
 /// The edge [L] by the paper's own equation, where c1 and c3 are the cost of a prediction and c4 that of
 /// crossing into one cell. Cost: O(1). Source: Kim, Guibas and Shin (1997), section 3.

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "hardball/broadphase/neighbor_list.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 
 namespace hardball {
@@ -26,7 +27,7 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double skin) {
   const double diffusion = moments.is_flat() ? 0.3 : 0.2;
   counts.rebuild = moments.mean_speed / (skin * (1 + diffusion * skin / path));
   counts.is_far = moments.spheres > kVeryManySpheres;
-  const double searched_edge = 6 * (moments.largest_radius + skin);
+  const double searched_edge = 3 * NeighborList::cell_edge(moments.largest_radius, skin);
   // The mean of (sum of two radii + 2 skin) cubed, or in two dimensions squared.
   const double sum = 2 * m[1];
   const double sum_squared = 2 * m[2] + 2 * m[1] * m[1];
@@ -77,6 +78,11 @@ double optimal_skin(const Moments& moments, const UnitCosts& costs) {
     best = skin;
   }
   return best;
+}
+
+BestLength best_skin(const Moments& moments, const UnitCosts& costs) {
+  const double skin = optimal_skin(moments, costs);
+  return {skin, cost_rate(expected_neighbor_counts(moments, skin), costs)};
 }
 
 }  // namespace hardball

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "hardball/theory/moments.hpp"
-#include "hardball/tuning/cell_edge.hpp"
+#include "hardball/tuning/unit_costs.hpp"
 
 namespace hardball {
 
-/// The work of neighbor lists in a gas, as predicted by kinetic theory. Source: docs/theory.md.
+/// The work of a NeighborList in a gas, as predicted by kinetic theory. Source: docs/theory.md.
 struct NeighborCounts {
   // Rates per sphere [1/T].
   double collision = 0;
@@ -31,5 +31,8 @@ double cost_rate(const NeighborCounts& counts, const UnitCosts& costs);
 /// The ball radius [L] at which neighbor lists cost least: small balls are left more often, large ones make
 /// longer lists. Cost: O(1).
 double optimal_skin(const Moments& moments, const UnitCosts& costs = {});
+
+/// The same with its cost.
+BestLength best_skin(const Moments& moments, const UnitCosts& costs);
 
 }  // namespace hardball

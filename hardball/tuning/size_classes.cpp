@@ -10,6 +10,7 @@
 
 #include "hardball/broadphase/large_sphere_grid.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/tuning/cell_edge.hpp"
 
 namespace hardball {
 namespace {
@@ -51,24 +52,24 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
   const bool is_flat = moments.is_flat();
   const std::size_t dimensions = moments.box.dimensions();
   const double cells = moments.volume() / (is_flat ? edge * edge : edge * edge * edge);
+  const auto fits = [&](const SizeClass& one) { return one.radius <= LargeSizes::kLargestInCell * edge; };
   double surfaces = 0;  // of those that do not fit into cells
-  bool all_fit = true;
   for (const SizeClass& one : classes) {
-    if (2 * one.radius <= edge) continue;
-    surfaces += one.spheres * LargeSphereGrid::cells_of_surface(one.radius / edge, dimensions);
-    all_fit &= one.radius > LargeSphereGrid::kLargestInGrid * edge;
+    if (!fits(one)) surfaces += one.spheres * LargeSizes::cells_of_surface(one.radius / edge, dimensions);
   }
-  const bool are_few = surfaces <= LargeSphereGrid::kFewSurfaces * static_cast<double>(moments.spheres);
-  const double largest_in_grid = are_few ? edge / 2 : LargeSphereGrid::kLargestInGrid * edge;
+  const double largest_in_grid =
+      LargeSizes::largest_in_edges(surfaces, static_cast<double>(moments.spheres)) * edge;
   const auto is_large = [&](const SizeClass& one) { return one.radius > largest_in_grid; };
   // Where regions are no blocks, crossings and searches cost more: measured, docs/theory.md.
   constexpr double kRows = 1.15;
-  const double in_rows = are_few || all_fit ? 1 : kRows;
+  const bool has_blocks =
+      std::ranges::all_of(classes, [&](const SizeClass& one) { return fits(one) || is_large(one); });
+  const double in_rows = has_blocks ? 1 : kRows;
   // A sphere is still in cells that it has left.
   constexpr double kReleasedLate = 1.3;
   const auto cells_held = [&](const SizeClass& one) {
     const double rows = 1 + 2 * one.radius / edge;
-    return is_large(one) ? LargeSphereGrid::cells_of_surface(one.radius / edge, dimensions)
+    return is_large(one) ? LargeSizes::cells_of_surface(one.radius / edge, dimensions)
                          : kReleasedLate * rows * rows * (is_flat ? 1 : rows);
   };
   double occupants = 0;  // of a cell
@@ -94,7 +95,7 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
     } else {
       const double touched = cells_held(one);
       const double search_of_large = search + kLargeCell * costs.cell;
-      const double skin = LargeSphereGrid::kSkin * edge;
+      const double skin = LargeSizes::kSkin * edge;
       const double path = collisions > 0 ? one.mean_speed / collisions : skin;
       const double candidates = touched * occupants;
       each += one.mean_speed / (skin * (1 + kDiffusion * skin / std::max(path, 0x1p-60 * skin))) *
@@ -103,7 +104,7 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
       const double nearby = candidates / edge * LargeSphereGrid::kUsualSpeed * moments.mean_speed /
                             std::max(collisions, 1e-300);
       const double listed = 2 * std::sqrt(candidates * nearby) * costs.prediction;
-      each += collisions * (candidates < LargeSphereGrid::kFewestToList
+      each += collisions * (candidates < ApproachList::kFewestToList
                                 ? touched * search_of_large
                                 : std::min(listed, touched * search_of_large));
     }
@@ -140,6 +141,22 @@ double optimal_edge_by_class(const Moments& moments, const std::vector<SizeClass
     best = edge;
   }
   return best;
+}
+
+BestLength best_edge(const World& world, const Time& moment, const Moments& moments, const UnitCosts& costs) {
+  if (!are_sizes_spread(moments)) return best_cell_edge(moments, costs);
+  const std::vector<SizeClass> classes = size_classes(world, moment);
+  // In a small box, candidates must come from smaller cells to be nearest images.
+  constexpr double kStep = 1.15;
+  constexpr int kSteps = 20;
+  double edge = optimal_edge_by_class(moments, classes, costs);
+  for (int i = 0; i < kSteps; ++i, edge /= kStep) {
+    const bool has_large = edge < moments.largest_radius / LargeSizes::kLargestInRows;
+    if (!has_large || LargeSphereGrid::supports(world, edge)) {
+      return {edge, cost_rate_by_class(moments, classes, edge, costs)};
+    }
+  }
+  return best_cell_edge(moments, costs);
 }
 
 }  // namespace hardball

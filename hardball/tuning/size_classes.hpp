@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hardball/theory/moments.hpp"
-#include "hardball/tuning/cell_edge.hpp"
+#include "hardball/tuning/unit_costs.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -33,5 +33,9 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
 /// O(classes squared), less than a millisecond.
 double optimal_edge_by_class(const Moments& moments, const std::vector<SizeClass>& classes,
                              const UnitCosts& costs = {});
+
+/// The best edge for a world as it is at `moment`, with a LargeSphereGrid where it supports the world, and
+/// otherwise with a CellGrid. Cost: O(n).
+BestLength best_edge(const World& world, const Time& moment, const Moments& moments, const UnitCosts& costs);
 
 }  // namespace hardball

@@ -52,6 +52,18 @@ TEST(Subdivision, OfAFlatBoxIsOneLayer) {
   }
 }
 
+TEST(Subdivision, KnowsHowManyCellsASphereTouchesAndWhereImagesAreNearest) {
+  const Subdivision cells(Box({Boundary::periodic, Boundary::wall, Boundary::open}, {7, 7, 0}), 1);
+  EXPECT_EQ(cells.most_touched(0, 0), 2) << "a point between two";
+  EXPECT_EQ(cells.most_touched(0, 0.49), 2);
+  EXPECT_EQ(cells.most_touched(0, 0.5), 3);
+  EXPECT_EQ(cells.most_touched(0, 2.2), 6);
+  EXPECT_TRUE(cells.has_nearest_images(0, 0.49)) << "less than three cells apart";
+  EXPECT_FALSE(cells.has_nearest_images(0, 0.5)) << "less than five";
+  EXPECT_TRUE(cells.has_nearest_images(1, 100)) << "there are no images";
+  EXPECT_TRUE(cells.has_nearest_images(2, 100));
+}
+
 TEST(Subdivision, RefusesEdgesThatAreNotPositiveAndFinite) {
   for (const double edge :
        {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {

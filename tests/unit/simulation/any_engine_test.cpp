@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/simulation/any_engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/theory/moments.hpp"
+#include "hardball/tuning/cell_edge.hpp"
+#include "hardball/tuning/neighbor_counts.hpp"
+#include "support/gas.hpp"
+
+namespace hardball::any_engine_test {
+namespace {
+
+World gas(double packing_fraction) {
+  return support::make_gas({.count = 500, .packing_fraction = packing_fraction, .seed = 501});
+}
+
+// One sphere of radius 4 among others of radius .2.
+World mixture() {
+  World world(Box::periodic({40, 40, 40}));
+  world.add({{20, 20, 20}, {1, 0, 0}, 4, 1});
+  for (int i = 0; i < 600; ++i) {
+    world.add({{1.0 + i % 10, 1.0 + i / 10 % 10, 1.0 + i / 100}, {0, 1, 0}, 0.2, 1});
+  }
+  return world;
+}
+
+std::unique_ptr<AnyEngine> make(const World& world, EngineKind kind, double length) {
+  return make_engine(world, kind, {}, length, Time(0));
+}
+
+TEST(AnyEngine, ReportsTheLengthsThatItHas) {
+  const World world = gas(0.1);
+  const PhaseLengths cells = make(world, EngineKind::cells, 2)->lengths();
+  EXPECT_GE(cells.cell_edges.x, 2);
+  EXPECT_EQ(cells.skin, 0);
+  const PhaseLengths lists = make(world, EngineKind::neighbors, 0.3)->lengths();
+  EXPECT_EQ(lists.cell_edges, Vec3{});
+  EXPECT_EQ(lists.skin, 0.3);
+  const PhaseLengths pairs = make(world, EngineKind::all_pairs, 1)->lengths();
+  EXPECT_EQ(pairs.cell_edges, Vec3{});
+  EXPECT_EQ(pairs.skin, 0);
+  EXPECT_GE(make(world, EngineKind::paper, 2)->lengths().cell_edges.x, 2);
+}
+
+TEST(AnyEngine, RebuildsWithAnotherLength) {
+  const World world = gas(0.1);
+  const auto cells = make(world, EngineKind::cells, 2);
+  cells->rebuild(Time(0), 3);
+  EXPECT_GE(cells->lengths().cell_edges.x, 3);
+  const auto lists = make(world, EngineKind::neighbors, 0.3);
+  lists->rebuild(Time(0), 0.2);
+  EXPECT_EQ(lists->lengths().skin, 0.2);
+  EXPECT_EQ(lists->counters().rebuilds, 1U);
+}
+
+TEST(AnyEngine, KnowsForWhichLengthsItWouldBeMade) {
+  const World equal = gas(0.1);
+  EXPECT_TRUE(make(equal, EngineKind::cells, 2)->supports(0.5));
+  EXPECT_TRUE(make(equal, EngineKind::neighbors, 0.3)->supports(0.1));
+  EXPECT_TRUE(make(equal, EngineKind::all_pairs, 1)->supports(1));
+  const double least = 2 * equal.largest_radius();
+  EXPECT_TRUE(make(equal, EngineKind::paper, 2)->supports(least));
+  EXPECT_FALSE(make(equal, EngineKind::paper, 2)->supports(0.99 * least));
+  // Cells in which a sphere is large, and others.
+  for (const double edge : {1.0, 9.0}) {
+    const auto engine = make(mixture(), EngineKind::cells, edge);
+    EXPECT_EQ(engine->supports(1), edge == 1);
+    EXPECT_EQ(engine->supports(9), edge == 9);
+  }
+}
+
+TEST(AnyEngine, IsTheOneThatCostsLeast) {
+  EXPECT_EQ(choose_engine(gas(0.01), {}, Time(0)), EngineKind::cells);
+  EXPECT_EQ(choose_engine(gas(0.45), {}, Time(0)), EngineKind::neighbors);
+  EXPECT_EQ(choose_engine(gas(0.45), {.cell_edge = 2}, Time(0)), EngineKind::cells);
+  for (const double packing_fraction : {0.1, 0.15, 0.2, 0.22, 0.25, 0.3}) {
+    const World world = gas(packing_fraction);
+    const Moments moments = moments_of(world, Time(0));
+    const double cells = best_cell_edge(moments, {}).cost;
+    const double lists = best_skin(moments, {}).cost;
+    EXPECT_EQ(choose_engine(world, {}, Time(0)), lists < cells ? EngineKind::neighbors : EngineKind::cells);
+    EXPECT_EQ(choose_engine(world, {}, Time(0), EngineKind::cells),
+              lists < 0.9 * cells ? EngineKind::neighbors : EngineKind::cells);
+    EXPECT_EQ(choose_engine(world, {}, Time(0), EngineKind::neighbors),
+              cells < 0.9 * lists ? EngineKind::cells : EngineKind::neighbors);
+  }
+}
+
+TEST(AnyEngine, StaysWhereNothingMoves) {
+  World world(Box::periodic({40, 40, 40}));
+  for (int i = 0; i < 10; ++i) world.add({{3.0 + 3 * i, 5, 5}, {}, 0.5, 1});
+  for (const EngineKind kind : {EngineKind::cells, EngineKind::neighbors}) {
+    EXPECT_EQ(choose_engine(world, {}, Time(0), kind), kind);
+  }
+}
+
+TEST(AnyEngine, HasTheBestLengthOfItsKind) {
+  const World world = gas(0.1);
+  const Moments moments = moments_of(world, Time(0));
+  EXPECT_EQ(choose_length(world, EngineKind::cells, {}, Time(0)), optimal_cell_edge(moments));
+  EXPECT_EQ(choose_length(world, EngineKind::neighbors, {}, Time(0)), optimal_skin(moments));
+  EXPECT_GE(choose_length(world, EngineKind::paper, {}, Time(0)), 2 * world.largest_radius());
+  for (const EngineKind kind : {EngineKind::cells, EngineKind::paper}) {
+    EXPECT_EQ(choose_length(world, kind, {.cell_edge = 7}, Time(0)), 7);
+  }
+  EXPECT_EQ(choose_length(world, EngineKind::neighbors, {.cell_edge = 7}, Time(0)), optimal_skin(moments));
+  EXPECT_EQ(allowed_cell_edge(world, EngineKind::cells, 0.1), 0.1);
+  EXPECT_EQ(allowed_cell_edge(world, EngineKind::paper, 0.1), 2 * world.largest_radius());
+}
+
+TEST(AnyEngine, RefusesThePapersAlgorithmForCurvedPaths) {
+  const World world(Box::open(), {0, 0, -1});
+  EXPECT_THROW(choose_engine(world, {.engine = EngineKind::paper}, Time(0)), Error);
+}
+
+}  // namespace
+}  // namespace hardball::any_engine_test
