@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "apps/cli/interruption.hpp"
@@ -21,7 +22,6 @@
 #include "hardball/io/checkpoint_file.hpp"
 #include "hardball/io/read_file.hpp"
 #include "hardball/io/replace_file.hpp"
-#include "hardball/simulation/slice.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -83,9 +83,9 @@ class Course {
       const double snapshot = next_snapshot_time(run_);
       const double checkpoint = next_kept_checkpoint();
       const double next = std::min({snapshot, checkpoint, until});
-      const std::optional<RunStatus> status = run_to(next, next_snapshot_contacts(run_));
-      if (!status) return false;
-      const bool has_counted = *status == RunStatus::contacts_reached;
+      const RunStatus status = run_to(next, next_snapshot_contacts(run_));
+      if (status == RunStatus::stopped) return false;
+      const bool has_counted = status == RunStatus::contacts_reached;
       if (snapshot <= next || has_counted) {
         run_.files->write_snapshot(run_.simulation);
         ++run_.next_snapshot;
@@ -96,19 +96,25 @@ class Course {
     }
   }
 
-  // Until `time`, or until there have been `contacts` in all; no status if interrupted by a signal.
-  std::optional<RunStatus> run_to(double time, std::uint64_t contacts) {
-    while (!is_interrupted()) {
-      if (run_.files && seconds_since(last_checkpoint_) >= run_.scenario.checkpoint_every) write_current();
-      const RunLimits slice{.until = Time(time),
-                            .contacts = contacts - run_.simulation.counters().contacts(),
-                            .steps = steps_per_slice(run_.simulation)};
-      const RunStatus status = run_.simulation.run(slice, run_.measures);
-      if (run_.files) run_.files->keep_current();
-      progress_.show(run_.simulation);
-      if (status != RunStatus::steps_reached) return status;
+  // Until `time`, or until there have been `contacts` in all, or a signal stops it.
+  RunStatus run_to(double time, std::uint64_t contacts) {
+    for (;;) {
+      if (is_checkpoint_due()) write_current();
+      bool has_advanced = false;  // however often checkpoints are wanted
+      const auto stop = [&] {
+        if (run_.files) run_.files->keep_current();
+        progress_.show(run_.simulation);
+        return is_interrupted() || (std::exchange(has_advanced, true) && is_checkpoint_due());
+      };
+      const RunLimits limits{
+          .until = Time(time), .contacts = contacts - run_.simulation.counters().contacts(), .stop = stop};
+      const RunStatus status = run_.simulation.run(limits, run_.measures);
+      if (status != RunStatus::stopped || is_interrupted()) return status;
     }
-    return std::nullopt;
+  }
+
+  bool is_checkpoint_due() const {
+    return run_.files && seconds_since(last_checkpoint_) >= run_.scenario.checkpoint_every;
   }
 
   // The first time after the present one at which a checkpoint is to be kept; infinity if there is none.

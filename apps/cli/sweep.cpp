@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "apps/cli/interruption.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/simulation/any_engine.hpp"
 #include "hardball/theory/moments.hpp"
@@ -37,7 +38,7 @@ struct Contender {
 
 double run_timed(Simulation& simulation, double until) {
   const auto begin = std::chrono::steady_clock::now();
-  simulation.run_until(until);
+  simulation.run({.until = Time(until), .stop = [] { return is_interrupted(); }});
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return seconds;
 }

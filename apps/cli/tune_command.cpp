@@ -25,7 +25,6 @@
 #include "hardball/io/output_file.hpp"
 #include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
-#include "hardball/simulation/slice.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 #include "hardball/theory/moments.hpp"
 
@@ -202,11 +201,10 @@ Simulation start(const Scenario& scenario, const EngineOptions& options, bool is
 void settle(Simulation& simulation, const Scenario& scenario, Budget& budget) {
   constexpr double kShare = 0.25;
   const std::uint64_t enough = simulation.size();
-  while (simulation.tally().collisions() < enough && budget.spent() < kShare) {
-    budget.show("settling");
-    const RunLimits slice{.until = Time(*scenario.until), .steps = steps_per_slice(simulation)};
-    if (simulation.run(slice) == RunStatus::time_reached) break;
-  }
+  simulation.run({.until = Time(*scenario.until), .stop = [&] {
+                    budget.show("settling");
+                    return simulation.tally().collisions() >= enough || budget.spent() >= kShare;
+                  }});
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace hardball::viewer {
 namespace {
 
-// Steps between two checks of the clock: milliseconds.
+// Steps between two looks at the clock and the size of the recording: milliseconds.
 constexpr std::uint64_t kStepsPerSlice = 1 << 14;
 
 // Between two updates for clients: short to the eye, but long enough that keyframes do not keep the disk
@@ -61,14 +61,15 @@ void LiveRun::advance(const std::stop_token& stop) {
   const std::uint64_t most_bytes_of_slice =
       2 * (kStepsPerSlice + simulation_.size()) * writer_.contact_bytes() + writer_.keyframe_bytes();
   Clock::time_point next = begin_;
-  while (!stop.stop_requested()) {
+  for (;;) {
     if (writer_.bytes() + most_bytes_of_slice > most_bytes_) {
       progress_.failure = "the recording has reached its limit of " + to_text(most_bytes_) +
                           " bytes at time " + to_text(simulation_.time());
       return;
     }
-    const RunStatus status = simulation_.run({.until = Time(until_), .steps = kStepsPerSlice});
-    if (status == RunStatus::time_reached) return;
+    const RunStatus status = simulation_.run(
+        {.until = Time(until_), .steps = kStepsPerSlice, .stop = [&stop] { return stop.stop_requested(); }});
+    if (status != RunStatus::steps_reached) return;
     if (Clock::now() < next) continue;
     writer_.flush();
     publish();

@@ -9,6 +9,7 @@
 
 #include "hardball/geometry/time.hpp"
 #include "hardball/interaction/contact.hpp"
+#include "hardball/memory/function.hpp"
 
 namespace hardball {
 
@@ -20,6 +21,12 @@ struct RunLimits {
   /// Events of any kind, stale ones included, velocities changed by a thermostat, and samples of measures: a
   /// bound on the work.
   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
+  /// Whether to stop: asked by Simulation at the start and some hundred times a second, between events, in
+  /// the thread that runs; if it throws, the run ends, too. A run that was stopped can be run on, to the same
+  /// history. It may query the simulation, whose time() is up to date, but not edit it. A function and not a
+  /// flag, as what to look at differs: an atomic variable, a std::stop_token, a signal that Python has to
+  /// look up itself, a clock.
+  Function<bool()> stop = {};
 };
 
 /// Why a run stopped.
@@ -27,6 +34,7 @@ enum class RunStatus {
   time_reached,      ///< No event remains up to RunLimits::until.
   contacts_reached,  ///< RunLimits::contacts have happened.
   steps_reached,     ///< RunLimits::steps have been taken.
+  stopped,           ///< RunLimits::stop asked for it.
   observer_stopped,  ///< The observer asked for it.
   outdated,          ///< Of engines: a sphere does not fit their structures, and `rebuild` must follow.
 };

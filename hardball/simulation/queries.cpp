@@ -4,171 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <type_traits>
 #include <variant>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/geometry/contact_time.hpp"
-#include "hardball/geometry/inlining.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/simulation/image_search.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr Slot kNoSlot = std::numeric_limits<Slot>::max();
-
-// More than sums and products of a few numbers are rounded by.
-constexpr double kRounding = 0x1p-40;
-
-// After so many intervals a search is given up, as is a sphere that crosses so many boxes.
-constexpr double kMostIntervals = 1 << 30;
-
-// A part of the way: from so much time after the moment of the query to so much [T], or for rays [L].
-struct Interval {
-  double begin;
-  double end;
-};
-
-// Another body as seen from the one that the query is about.
-struct Relative {
-  Vec3 separation;  // from it to the other, some image [L]
-  Vec3 velocity;    // [L/T]
-  double reach;     // their distance when they touch [L]
-};
-
-bool is_periodic(const Box& box) {
-  return box.period() != Vec3{};
-}
-
-double shortest_period(const Box& box) {
-  double shortest = kInfinity;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (box.is_periodic(axis)) shortest = std::min(shortest, box.size()[axis]);
-  }
-  return shortest;
-}
-
-// Where the separation can be within reach along an axis during an interval, with a margin for rounding: this
-// far from the middle.
-struct Sweep {
-  double middle;
-  double half;
-};
-
-HARDBALL_ALWAYS_INLINE Sweep sweep_of(double separation, double velocity, double reach,
-                                      const Interval& during) {
-  const double speed = std::fabs(velocity);
-  const double margin = kRounding * (std::fabs(separation) + speed * during.end + reach);
-  return {separation + velocity * (0.5 * (during.begin + during.end)),
-          speed * (0.5 * (during.end - during.begin)) + reach + margin};
-}
-
-// Whether no image comes within reach along an axis during an interval.
-HARDBALL_ALWAYS_INLINE bool is_missed_along(std::size_t axis, const Box& box, const Relative& other,
-                                            const Interval& during) {
-  const Sweep sweep = sweep_of(other.separation[axis], other.velocity[axis], other.reach, during);
-  const double boxes = round_to_integer(sweep.middle * box.inverse_period()[axis]);
-  // False if the interval has no end, and products are NaN.
-  return std::fabs(sweep.middle - boxes * box.period()[axis]) > sweep.half;
-}
-
-// Whether one axis shows that no image comes within reach during an interval. Most do not.
-HARDBALL_ALWAYS_INLINE bool is_missed(const Box& box, const Relative& other, const Interval& during) {
-  return is_missed_along(0, box, other, during) || is_missed_along(1, box, other, during) ||
-         is_missed_along(2, box, other, during);
-}
-
-// Calls visit(separation) for all images that may come within reach during an interval.
-template <class Visit>
-void for_each_image(const Box& box, const Relative& other, const Interval& during, Visit&& visit) {
-  Image low;
-  Image high;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!box.is_periodic(axis)) continue;
-    const Sweep sweep = sweep_of(other.separation[axis], other.velocity[axis], other.reach, during);
-    low[axis] = static_cast<std::int32_t>(std::ceil((-sweep.half - sweep.middle) / box.size()[axis]));
-    high[axis] = static_cast<std::int32_t>(std::floor((sweep.half - sweep.middle) / box.size()[axis]));
-  }
-  Image image;
-  for (image[0] = low[0]; image[0] <= high[0]; ++image[0]) {
-    for (image[1] = low[1]; image[1] <= high[1]; ++image[1]) {
-      for (image[2] = low[2]; image[2] <= high[2]; ++image[2]) visit(other.separation + box.shift(image));
-    }
-  }
-}
-
-// Calls visit(slot, other) for every sphere but `self`, as seen from a body at `state`.
-template <class Visit>
-void for_each_other(const World& world, const Time& now, const State& from, double radius, Slot self,
-                    Visit&& visit) {
-  const Motion& motion = world.motion();
-  for (Slot slot = 0; slot < world.size(); ++slot) {
-    if (slot == self) continue;
-    const State state = motion.state_at(world.path(slot), now);
-    visit(slot, Relative{state.position - from.position, state.velocity - from.velocity,
-                         radius + world.radius(slot)});
-  }
-}
-
-// What is met first: of simultaneous contacts, by the order of events.
-struct First {
-  Time time = kNever;
-  EventKind kind = EventKind::collision;
-  std::uint32_t body = kNoSphere;
-  Vec3 separation;  // when it all begins, of the image that is met [L]
-
-  void note(const First& other) {
-    const bool is_earlier =
-        other.time != time ? other.time < time : (other.kind != kind ? other.kind < kind : other.body < body);
-    if (is_earlier) *this = other;
-  }
-};
-
-// Divides the way to `end` into intervals, in each of which nothing moves farther than half a periodic box,
-// and calls search(interval) for one after the other until it returns true.
-template <class Stride, class Search>
-void search_in_intervals(Stride&& stride, double end, Search&& search) {
-  double begin = 0;
-  for (double intervals = 0; intervals < kMostIntervals; ++intervals) {
-    const Interval during{begin, std::min(begin + stride(begin), end)};
-    if (search(during) || !(during.end < end)) return;
-    begin = during.end;
-  }
-  throw RunFailure("a search has crossed half the periodic box 2^30 times; search less far");
-}
-
-// Notes other spheres that are touched in an interval, as seen from a body at `from`; `wait_of(slot, other)`
-// is the time until an image is touched.
-template <class StateOf, class WaitOf>
-void note_spheres(const World& world, const Time& start, const State& from, double radius, Slot self,
-                  const StateOf& state_of, const WaitOf& wait_of, Interval during, First& first) {
-  for (Slot slot = 0; slot < world.size(); ++slot) {
-    if (slot == self) continue;
-    const State state = state_of(slot);
-    const Relative other{state.position - from.position, state.velocity - from.velocity,
-                         radius + world.radius(slot)};
-    if (is_missed(world.box(), other, during)) continue;
-    for_each_image(world.box(), other, during, [&](const Vec3& separation) {
-      const double wait = wait_of(slot, Relative{separation, other.velocity, other.reach});
-      if (wait > during.end) return;
-      during.end = wait;
-      first.note({after(start, wait), EventKind::collision, world.id(slot), separation});
-    });
-  }
-}
-
-double time_to_touch(const Relative& other) {
-  return time_to_reach(other.separation, other.velocity, other.reach);
-}
-
-// A ray leaves what it starts in.
-double time_to_enter(const Relative& other) {
-  const bool is_inside = dot(other.separation, other.separation) < other.reach * other.reach;
-  return is_inside ? kInfinity : time_to_touch(other);
-}
+using namespace image_search;
 
 // Spheres that pass through each other, and have begun to, do not touch; see are_passing (world.hpp).
 double time_to_begin(const World& world, const Time& now, SphereId id, SphereId other_id,
@@ -177,14 +26,6 @@ double time_to_begin(const World& world, const Time& now, SphereId id, SphereId 
   const double wait = time_to_touch(other);
   const Event contact = make_collision(after(now, wait), id, other_id, {});
   return is_recorded(contact, world.last_passage()) ? kInfinity : wait;
-}
-
-void check_end(const Box& box, double end, const std::string& name, const char* where) {
-  if (!(end >= 0))
-    throw Error("the search would end before it begins, or the " + name + " is NaN", where,
-                "give a " + name + " ahead of the start");
-  if (std::isfinite(end) || !is_periodic(box)) return;
-  throw Error("the box is periodic, and the search may have no end", where, "give a finite " + name);
 }
 
 // What a sphere on a path that starts now meets first; `pass(slot)` tells through which others it passes.
@@ -230,6 +71,12 @@ std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slo
   });
   if (!(first.time < kNever) || first.time.high > until.high) return std::nullopt;
   return NextContact{first.time.value(), first.kind, id, first.body};
+}
+
+// A ray leaves what it starts in.
+double time_to_enter(const Relative& other) {
+  const bool is_inside = dot(other.separation, other.separation) < other.reach * other.reach;
+  return is_inside ? kInfinity : time_to_touch(other);
 }
 
 // The surface at rest as it is at this moment.
@@ -315,12 +162,8 @@ Vec3 normal_of(const World& world, const Time& now, const First& hit, const Vec3
 
 // What is nearest: of several bodies, by the order of events.
 void note_nearer(const Clearance& other, std::optional<Clearance>& nearest) {
-  const bool is_nearer =
-      !nearest ||
-      (other.distance != nearest->distance
-           ? other.distance < nearest->distance
-           : (other.kind != nearest->kind ? other.kind < nearest->kind : other.body < nearest->body));
-  if (is_nearer) nearest = other;
+  const auto order = [](const Clearance& body) { return std::tie(body.distance, body.kind, body.body); };
+  if (!nearest || order(other) < order(*nearest)) nearest = other;
 }
 
 std::optional<Clearance> clearance_of(const World& world, const Time& now, const Vec3& center, double radius,
@@ -368,7 +211,8 @@ std::optional<NextContact> first_contact(const World& world, const Time& now, Sp
 std::optional<NextContact> first_contact(const World& world, const Time& now, const Sphere& sphere,
                                          const Time& until) {
   world.check(sphere);
-  const Path path{folded(world.box(), sphere.position, "first_contact"), sphere.velocity, now};
+  Path path{sphere.position, sphere.velocity, now};
+  world.box().fold(path.position);
   const auto pass = [&](Slot other) {
     return world.interactions().pass(sphere.species, world.species(other)) ||
            (std::isinf(sphere.mass) && world.is_kinematic(other));

@@ -17,20 +17,20 @@
 #include "hardball/measure/tally.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/memory/value_pointer.hpp"
+#include "hardball/simulation/activity.hpp"
 #include "hardball/simulation/engine_options.hpp"
 #include "hardball/simulation/queries.hpp"
 #include "hardball/simulation/sphere_handle.hpp"
-#include "hardball/theory/moments.hpp"
 #include "hardball/thermostats/thermostat.hpp"
-#include "hardball/tuning/cell_edge.hpp"
+#include "hardball/world/new_velocity.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/velocity_change.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
 
-class AnyEngine;
 class Measures;
+class Tuner;
 class UserData;
 
 /// A new velocity for a sphere.
@@ -51,9 +51,10 @@ class HARDBALL_EXPORT Simulation {
   /// the progress of the set-up to `on_progress`. Error: spheres that overlap or reach through a wall at the
   /// start; invalid options (see EngineOptions).
   explicit Simulation(World world, const EngineOptions& options = {}, const OnProgress& on_progress = {});
-  Simulation(const Simulation& other);
+  Simulation(const Simulation&);
   Simulation(Simulation&&) noexcept;
-  Simulation& operator=(Simulation other) noexcept;
+  Simulation& operator=(const Simulation&);
+  Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
 
   /// Sets a listener, called after every collision and wall contact: the contact has been executed, and
@@ -95,14 +96,14 @@ class HARDBALL_EXPORT Simulation {
 
   /// Runs to `time` [T], events at that time included. Error: `time` is in the past, NaN, or finite and
   /// beyond 1e120.
-  void run_until(double time);
+  void run_until(double time) { run({.until = Time(time)}); }
   /// The same, and takes `measures`; see Measures.
-  void run_until(double time, Measures& measures);
+  void run_until(double time, Measures& measures) { run({.until = Time(time)}, measures); }
   /// Runs until `count` contacts have happened, but not beyond `until` [T]; returns how many happened. If
   /// spheres may never meet again, in open space or a periodic box, give a finite time.
   std::uint64_t run_contacts(std::uint64_t count, double until = std::numeric_limits<double>::infinity());
   /// Runs until the first of the limits is reached. Error: RunLimits::until, as for run_until.
-  RunStatus run(const RunLimits& limits);
+  RunStatus run(const RunLimits& limits) { return run_with(limits, nullptr); }
   /// The same, and takes `measures`. Error: spheres have been added or removed since the measures began, or
   /// merge.
   RunStatus run(const RunLimits& limits, Measures& measures);
@@ -120,14 +121,22 @@ class HARDBALL_EXPORT Simulation {
 
   /// What a sphere would hit first up to `until` [T] if it had this velocity [L/T], and no other changed its
   /// motion; see first_contact (queries.hpp). Error: as there. Cost: O(n), as of the three that follow.
-  std::optional<NextContact> first_contact(SphereId id, const Vec3& velocity, double until) const;
+  std::optional<NextContact> first_contact(SphereId id, const Vec3& velocity, double until) const {
+    return hardball::first_contact(world(), now_, id, velocity, Time(until));
+  }
   /// The same for a sphere that is not among them.
-  std::optional<NextContact> first_contact(const Sphere& sphere, double until) const;
+  std::optional<NextContact> first_contact(const Sphere& sphere, double until) const {
+    return hardball::first_contact(world(), now_, sphere, Time(until));
+  }
   /// What a ray hits first now, up to `most` [L] from its origin; see ray (queries.hpp).
-  std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double most) const;
+  std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double most) const {
+    return hardball::ray(world(), now_, origin, direction, most);
+  }
   /// The sphere or wall nearest to a point now, or to a sphere; see clearance (queries.hpp).
-  std::optional<Clearance> clearance(const Vec3& point) const;
-  std::optional<Clearance> clearance(SphereId id) const;
+  std::optional<Clearance> clearance(const Vec3& point) const {
+    return hardball::clearance(world(), now_, point);
+  }
+  std::optional<Clearance> clearance(SphereId id) const { return hardball::clearance(world(), now_, id); }
 
   double time() const { return now_.value(); }  ///< [T]
   const Time& now() const { return now_; }
@@ -178,13 +187,13 @@ class HARDBALL_EXPORT Simulation {
   const World& world() const;
   std::size_t size() const { return world().size(); }
 
-  const EngineOptions& options() const { return options_; }
+  const EngineOptions& options() const;
   Counters counters() const;
   /// Hash of all contacts so far, see EventLogHash.
   std::uint64_t event_log_hash() const { return hash_.value(); }
   const Tally& tally() const { return tally_; }
   /// The engine in use, never `automatic`.
-  EngineKind engine() const { return kind_; }
+  EngineKind engine() const;
   /// Edges of a cell along each axis [L], a corner of one lying at the origin; zero if the engine has no
   /// cells.
   Vec3 cell_edges() const;
@@ -198,69 +207,35 @@ class HARDBALL_EXPORT Simulation {
   void validate() const;
 
  private:
-  // Decides what may be called.
-  enum class Activity {
-    none,
-    running,    // events are being handled; the response, or a velocity listener, may be running
-    listening,  // the listener is running
-    measuring,  // the listener is running, and measures depend on the spheres
-  };
-
-  // Sets an activity until the end of the scope.
-  class During {
-   public:
-    During(Activity& activity, Activity now) : activity_(activity), before_(activity) { activity = now; }
-    ~During() { activity_ = before_; }
-    During(const During&) = delete;
-    During& operator=(const During&) = delete;
-
-   private:
-    Activity& activity_;
-    Activity before_;
-  };
-
   Simulation();
-  void start_engine(World world, const Progress& progress = {});
-  RunStatus run_observed(const RunLimits& limits, Measures* measures);
+  static Time latest_change(const World& world);
+  RunStatus run_with(const RunLimits& limits, Measures* measures);
+  void note(const Contact& contact, Measures* measures);
+  void note_merger(const Contact& contact, const Measures* measures);
   void take_next_listener();
-  void call_listener(const Contact& contact, Activity activity);
+  void call_listener(const Contact& contact, Activity::Kind activity);
   Time next_action() const;
-  std::uint64_t act(Measures* measures);
-  void rewrite_velocities(const Time& moment, std::span<const NewVelocity> changes);
+  std::uint64_t act(const Time& moment, Measures* measures);
+  std::span<const NewVelocity> let_thermostat_act(const Time& moment);
+  void forget_at_thermostat(SphereId id);
+  void look_ahead(const Time& until, std::uint64_t most, const Function<void(const Contact&)>& observe);
   void edit_velocities(std::span<const VelocityEdit> edits, Measures* measures);
   void tell_of_changes(const Time& moment, std::span<const NewVelocity> changes, Measures* measures);
   void check_idle(const char* what) const;
   void check_editable(const char* what) const;
   void check_not_past(const Time& time) const;
-  void note(const Contact& contact, Measures* measures);
-  void forget_at_thermostat(SphereId id);
-  void note_merger(const Contact& contact, const Measures* measures);
-  void look_ahead(const Time& until, std::uint64_t most, const Function<bool(const Contact&)>& observe);
-  void run_ahead(const Time& until, std::uint64_t most, const Function<bool(const Contact&)>& observe);
-  void end_look_ahead(const Time& moment);
-  void rebuild_if_due();
-  void retune_if_due();
-  void rebuild(const Time& moment);
 
-  EngineOptions options_;
-  EngineKind kind_ = EngineKind::automatic;  // the one in use
-  ValuePointer<AnyEngine> engine_;
-  Counters counters_before_;  // of engines replaced
-  Function<void(const Contact&)> listener_;
-  std::optional<Function<void(const Contact&)>> next_listener_;  // set by the listener itself
-  Function<void(const VelocityChange&)> change_listener_;
-  std::optional<Thermostat> thermostat_;
-  Activity activity_ = Activity::none;
+  ValuePointer<Tuner> tuner_;  // with the engine
   Time now_;
   EventLogHash hash_;
   Tally tally_;
   ValuePointer<UserData> user_data_;
-  CellEdgeWatch watch_;
-  bool is_interrupted_ = false;        // the listener has changed what acts next
-  std::size_t spheres_at_choice_ = 0;  // when engine and cells were last chosen
-  std::uint64_t next_review_ = 0;      // number of crossings and contacts at which the tuning is reviewed
-  Time last_review_;
-  Moments reviewed_;  // for which the kind of engine was last reviewed
+  std::optional<Thermostat> thermostat_;
+  Function<void(const Contact&)> listener_;
+  std::optional<Function<void(const Contact&)>> next_listener_;  // set by the listener itself
+  Function<void(const VelocityChange&)> change_listener_;
+  Activity activity_;
+  bool is_rescheduled_ = false;  // when the thermostat acts next has changed during a stretch of a run
 };
 
 }  // namespace hardball

@@ -14,7 +14,6 @@
 #include "hardball/geometry/range.hpp"
 #include "hardball/recording/recording_header.hpp"
 #include "hardball/recording/recording_writer.hpp"
-#include "hardball/simulation/slice.hpp"
 #include "python/bindings/responses.hpp"
 #include "python/bindings/thermostats.hpp"
 
@@ -127,9 +126,16 @@ void PythonSimulation::listen() {
   });
 }
 
-RunStatus PythonSimulation::run_slice(const RunLimits& slice) {
+// Runs without the lock; calls look() with it, if given, several times a second, and ends at Ctrl-C.
+RunStatus PythonSimulation::run_interruptibly(RunLimits limits, Function<void()> look) {
+  limits.stop = [&look] {
+    const py::gil_scoped_acquire lock;
+    throw_if_interrupted();
+    if (look) look();
+    return false;
+  };
   const py::gil_scoped_release release;
-  return measures_.is_any_wanted() ? simulation_.run(slice, measures_) : simulation_.run(slice);
+  return measures_.is_any_wanted() ? simulation_.run(limits, measures_) : simulation_.run(limits);
 }
 
 py::object PythonSimulation::run(std::optional<double> end, std::optional<std::uint64_t> collisions,
@@ -146,21 +152,21 @@ py::object PythonSimulation::run(std::optional<double> end, std::optional<std::u
   const Setting<std::optional<EventRecords>> recording(
       records_, record ? std::optional<EventRecords>(std::in_place) : std::nullopt);
   listen();
-  const Counters before = simulation_.counters();
-  for (;;) {
-    const Counters done = simulation_.counters() - before;
-    const std::uint64_t left = std::min(contacts.value_or(kNoLimit) - done.contacts(),
-                                        collisions.value_or(kNoLimit) - done.collision);
-    const RunStatus status =
-        run_slice({.until = last, .contacts = left, .steps = steps_per_slice(simulation_)});
-    throw_if_interrupted();
+  const auto show = [&] {
     of_state_.clear();
     if (!on_progress.is_none()) on_progress(simulation_.time());
-    if (status == RunStatus::time_reached) break;
-    const Counters reached = simulation_.counters() - before;
-    if (contacts && reached.contacts() >= *contacts) break;
-    if (collisions && reached.collision >= *collisions) break;
-  }
+  };
+  const Counters before = simulation_.counters();
+  const auto left = [&] {
+    const Counters done = simulation_.counters() - before;
+    return std::min(contacts.value_or(kNoLimit) - done.contacts(),
+                    collisions.value_or(kNoLimit) - done.collision);
+  };
+  RunStatus status = RunStatus::contacts_reached;
+  do {
+    status = run_interruptibly({.until = last, .contacts = left()}, show);
+  } while (status == RunStatus::contacts_reached && left() > 0);
+  show();
   if (record) return records_->take();
   return py::int_((simulation_.counters() - before).contacts());
 }
@@ -172,11 +178,7 @@ py::object PythonSimulation::step(double end) {
   last_.reset();
   const Setting<bool> stepping(is_stepping_, true);
   listen();
-  RunStatus status = RunStatus::steps_reached;
-  while (status == RunStatus::steps_reached && !last_) {
-    status = run_slice({.until = Time(end), .contacts = 1, .steps = steps_per_slice(simulation_)});
-    throw_if_interrupted();
-  }
+  run_interruptibly({.until = Time(end), .contacts = 1});
   of_state_.clear();
   return last_ ? py::cast(*last_) : py::none();
 }
@@ -259,14 +261,8 @@ void PythonSimulation::run_ahead(double end, std::uint64_t contacts, Watch&& wat
   Simulation& simulation = copy.simulation_;
   const Claim claim(copy);
   watch(simulation);
-  const Counters before = simulation.counters();
-  RunStatus status = RunStatus::steps_reached;
-  while (status == RunStatus::steps_reached) {
-    const std::uint64_t left = contacts - (simulation.counters() - before).contacts();
-    status = copy.run_slice({.until = Time(end), .contacts = left, .steps = steps_per_slice(simulation)});
-    throw_if_interrupted();
-    check(simulation);
-  }
+  copy.run_interruptibly({.until = Time(end), .contacts = contacts}, [&] { check(simulation); });
+  check(simulation);
 }
 
 std::vector<Contact> PythonSimulation::contacts_within(double duration, std::uint64_t most) {

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "hardball/measure/measures.hpp"
+#include "hardball/memory/function.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "python/bindings/callback.hpp"
 #include "python/bindings/event_records.hpp"
@@ -120,7 +121,7 @@ class PythonSimulation {
 
   void check_idle(const char* what) const;
   void listen();
-  RunStatus run_slice(const RunLimits& slice);
+  RunStatus run_interruptibly(RunLimits limits, Function<void()> look = {});
   double usual_wait() const;
   template <class Query>
   auto search(double begin, double span, double end, Query&& query) const;

@@ -263,6 +263,14 @@ class Signals(unittest.TestCase):
             simulation.run(contacts=5)
             self.assertGreater(simulation.time, stopped)
 
+    def test_control_c_ends_a_run_in_which_nothing_ever_meets(self):
+        for engine in ("cells", "neighbors", "paper"):
+            lone = hardball.Simulation(hardball.Box.periodic(10), positions=[[5, 5, 5]], velocities=[1, 0, 0], engine=engine)
+            threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+            with self.assertRaises(KeyboardInterrupt):
+                lone.run(until=1e12)
+            self.assertGreater(lone.time, 0)
+
     def test_control_c_ends_the_search_for_an_event_that_never_comes(self):
         box = hardball.Box.periodic(10)
         simulation = hardball.Simulation(box, positions=[[1, 1, 1], [5, 5, 5]], velocities=[1, 0, 0])

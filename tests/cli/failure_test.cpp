@@ -131,6 +131,19 @@ TEST_P(Interruption, LeavesCompleteFiles) {
   EXPECT_EQ(recorded, contacts);
 }
 
+TEST_P(Interruption, EndsARunInWhichNothingEverMeets) {
+  using namespace std::chrono_literals;
+  write_text(folder_ / "lone.toml",
+             "[box]\nsize = [10.0, 10.0, 10.0]\nboundary = [\"periodic\", \"periodic\", \"periodic\"]\n"
+             "[[spheres]]\ncount = 1\nradius = 0.5\nplacement = \"random\"\nmean_speed = 1.0\n"
+             "[run]\nuntil = 1e12\n[output]\ndirectory = \"out\"\n");
+  const Program program(folder_, {"run", "lone.toml", "--engine", "cells"});
+  const std::filesystem::path checkpoint = folder_ / "out/checkpoint.hbc";
+  for (int i = 0; i < 2000 && !std::filesystem::exists(checkpoint); ++i) std::this_thread::sleep_for(10ms);
+  kill(program.process(), GetParam());
+  expect_message(program.wait(), " of 1e+12; 'hardball resume out' resumes it");
+}
+
 INSTANTIATE_TEST_SUITE_P(Signals, Interruption, testing::Values(SIGINT, SIGTERM));
 
 // So slow a run that its records fill no buffer for a long time.

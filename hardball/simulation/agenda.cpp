@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/simulation/agenda.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "hardball/simulation/tuner.hpp"
+
+namespace hardball {
+namespace {
+
+// The most steps of a stretch: some milliseconds, and few for each sphere.
+std::uint64_t steps_of_slice(const Tuner& tuner) {
+  constexpr std::uint64_t kFewest = 1 << 10;
+  constexpr std::uint64_t kMost = 1 << 14;
+  constexpr std::uint64_t kPairs = 1 << 23;
+  const std::uint64_t spheres = std::max<std::size_t>(tuner.engine().world().size(), 1);
+  if (tuner.kind() == EngineKind::all_pairs) return std::clamp<std::uint64_t>(kPairs / spheres, 1, kMost);
+  return std::clamp(spheres, kFewest, kMost);
+}
+
+std::uint64_t steps_of(const Counters& done) {
+  return done.contacts() + done.enter + done.leave + done.stale;
+}
+
+}  // namespace
+
+Agenda::Item Agenda::advance(Tuner& tuner, const Time& action, const Time& sample,
+                             const AnyEngine::Observe& observe) {
+  const std::uint64_t slice = steps_of_slice(tuner);
+  if (is_told_to_stop(slice)) return Item::nothing;
+  const Time due = later(sample, begin_);
+  const bool is_due = due <= left_.until && due < kNever;
+  const Time end = is_due ? due : left_.until;
+  const bool acts = action.high <= end.high && action < kNever;
+  const RunLimits stretch{
+      .until = acts ? action : end, .contacts = left_.contacts, .steps = std::min(left_.steps, slice)};
+  AnyEngine& engine = tuner.engine();
+  const Counters before = engine.counters();
+  status_ = engine.run(stretch, observe);
+  const Counters done = engine.counters() - before;
+  left_.contacts -= done.contacts();
+  const bool is_slice = status_ == RunStatus::steps_reached;
+  spend(is_slice ? stretch.steps : steps_of(done));
+  // Only here may the time reached depend on the engine.
+  if (is_slice && (left_.steps == 0 || left_.stop)) reached_ = engine.now();
+  if (status_ != RunStatus::time_reached) return Item::nothing;
+  if (std::isfinite(stretch.until.high)) reached_ = stretch.until;
+  if (!acts && !is_due) return Item::nothing;
+  status_ = RunStatus::steps_reached;
+  if (acts) return Item::action;
+  // A sample looks at all spheres.
+  steps_to_question_ -= std::min<std::uint64_t>(steps_to_question_, engine.world().size());
+  return Item::sample;
+}
+
+void Agenda::spend(std::uint64_t steps) {
+  left_.steps -= std::min(left_.steps, steps);
+  steps_to_question_ -= std::min(steps_to_question_, steps);
+}
+
+bool Agenda::is_told_to_stop(std::uint64_t slice) {
+  if (!left_.stop || steps_to_question_ > 0) return false;
+  steps_to_question_ = slice;
+  if (!left_.stop()) return false;
+  status_ = RunStatus::stopped;
+  return true;
+}
+
+}  // namespace hardball

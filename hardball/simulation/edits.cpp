@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// What callers change, between runs or from the listener.
+#include <algorithm>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/measure/measures.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "hardball/simulation/tuner.hpp"
+#include "hardball/simulation/user_data.hpp"
+
+namespace hardball {
+
+void Simulation::respond_with(Function<Velocities(const Contact&)> response) {
+  if (!response) return respond_with(nullptr);
+  respond_with([response = std::move(response)](const Contact& contact) {
+    return Outcome(contact, response(contact));
+  });
+}
+
+void Simulation::respond_with(Function<Outcome(const Contact&)> response) {
+  check_editable("respond_with");
+  Interactions changed = world().interactions();
+  changed.set_function(std::move(response));
+  tuner_->engine().world_to_edit().set_interactions(changed);
+}
+
+void Simulation::respond_with(const ResponseTable& table) {
+  check_editable("respond_with");
+  ResponseTable changed = table;
+  changed.pass_as_in(world().interactions().table());
+  tuner_->engine().world_to_edit().set_interactions(changed);
+}
+
+void Simulation::respond_with(std::nullptr_t) {
+  respond_with(Function<Outcome(const Contact&)>());
+}
+
+void Simulation::set_thermostat(std::optional<Thermostat> thermostat) {
+  check_editable("set_thermostat");
+  thermostat_ = std::move(thermostat);
+  if (thermostat_) thermostat_->begin(world(), now_);
+  is_rescheduled_ = true;
+}
+
+void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
+  check_editable("change_velocity");
+  const VelocityEdit edit{id, velocity};
+  edit_velocities({&edit, 1}, nullptr);
+}
+
+void Simulation::change_velocities(std::span<const VelocityEdit> edits) {
+  check_editable("change_velocities");
+  edit_velocities(edits, nullptr);
+}
+
+void Simulation::change_velocities(std::span<const VelocityEdit> edits, Measures& measures) {
+  check_editable("change_velocities");
+  measures.check_spheres(world());
+  edit_velocities(edits, &measures);
+}
+
+void Simulation::edit_velocities(std::span<const VelocityEdit> edits, Measures* measures) {
+  std::vector<VelocityEdit> sorted(edits.begin(), edits.end());
+  std::ranges::sort(sorted, {}, &VelocityEdit::id);
+  const auto twice = std::ranges::adjacent_find(sorted, {}, &VelocityEdit::id);
+  if (twice != sorted.end()) {
+    throw Error("sphere " + to_text(twice->id) + " is given two velocities", "change_velocities",
+                "give each sphere once");
+  }
+  std::vector<NewVelocity> changes;
+  std::vector<double> energies;
+  for (const VelocityEdit& edit : sorted) {
+    const Slot slot = world().slot_of(edit.id);
+    static_cast<void>(world().image(slot, now_));  // whether it is where it can be changed
+    world().check_velocity(edit.id, edit.velocity);
+    changes.push_back({slot, world().velocity(slot, now_), edit.velocity});
+    energies.push_back(kinetic_energy(world(), slot, now_));
+  }
+  tuner_->end_look_ahead(now_);
+  tuner_->engine().change_velocities(now_, changes);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    tally_.note_edit(kinetic_energy(world(), changes[i].slot, now_) - energies[i], now_);
+  }
+  tell_of_changes(now_, changes, measures);
+}
+
+SphereId Simulation::add(const Sphere& sphere) {
+  check_editable("add");
+  tuner_->end_look_ahead(now_);
+  const SphereId id = tuner_->engine().add(sphere, now_);
+  tally_.note_edit(kinetic_energy(world(), world().slot_of(id), now_), now_);
+  if (thermostat_) {
+    thermostat_->note_added(id, now_);
+    is_rescheduled_ = true;
+  }
+  return id;
+}
+
+void Simulation::remove(SphereId id) {
+  check_editable("remove");
+  const double energy = kinetic_energy(world(), world().slot_of(id), now_);
+  tuner_->end_look_ahead(now_);
+  tuner_->engine().remove(id, now_);
+  user_data_->remove(id);
+  tally_.note_edit(-energy, now_);
+  forget_at_thermostat(id);
+}
+
+}  // namespace hardball

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// A simulation as bytes.
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "hardball/archive/archive.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/geometry/range.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "hardball/simulation/tuner.hpp"
+#include "hardball/simulation/user_data.hpp"
+
+namespace hardball {
+namespace {
+
+// Before version 3, a flag that says nothing.
+struct UnusedFlag {
+  static void persist(auto& archive, auto& /*self*/) {
+    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
+      bool flag = false;
+      if (archive.version() < 3) archive(flag);
+    }
+  }
+};
+
+// The options but for `instructions`: where a saved simulation is loaded, others may be available. Before
+// version 3 the responses were among them.
+struct SavedOptions {
+  EngineOptions options;
+  std::optional<ResponseTable> responses = {};
+
+  static void persist(auto& archive, auto& self) {
+    auto& options = self.options;
+    archive(options.engine, options.queue, options.cell_edge);
+    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
+      if (archive.version() < 3) {
+        double coefficient = 1;
+        double elastic_below = 0;
+        archive(coefficient, elastic_below, self.responses);
+        const Bounce plain(Restitution(coefficient, elastic_below));
+        if (!self.responses) self.responses = ResponseTable(plain, plain);
+      }
+    }
+    archive(options.unit_costs);
+    archive.require(options.engine >= EngineKind::automatic && options.engine <= EngineKind::paper &&
+                    options.queue >= QueueKind::calendar && options.queue <= QueueKind::ordered);
+  }
+};
+
+}  // namespace
+
+std::string Simulation::save() const {
+  if (activity_.kind() == Activity::Kind::running) check_idle("save");
+  const Aftermath& aftermath = tuner_->engine().aftermath();
+  return archived(SavedOptions{options()}, engine(), world(), now_, hash_, tally_, thermostat_, *user_data_,
+                  aftermath.merged, UnusedFlag(), counters(), aftermath.collapse);
+}
+
+Simulation Simulation::load(std::string_view bytes, const std::string& where) {
+  Simulation loaded;
+  SavedOptions saved;
+  EngineKind kind = EngineKind::automatic;
+  World world(Box::open());
+  Aftermath aftermath;
+  UnusedFlag unused;
+  Counters counters;
+  restore(bytes, where, saved, kind, world, loaded.now_, loaded.hash_, loaded.tally_, loaded.thermostat_,
+          *loaded.user_data_, aftermath.merged, unused, counters, aftermath.collapse);
+  if (saved.responses) {
+    saved.responses->pass_as_in(world.interactions().table());
+    world.set_interactions(*saved.responses);
+  }
+  check_moment(loaded.now_, where);
+  if (loaded.now_ < latest_change(world) || loaded.tally_.walls().size() != kFaces + world.surfaces().size())
+    refuse_archive(where);
+  for (const SphereId merged : aftermath.merged.ids()) static_cast<void>(world.slot_of(merged));
+  ++counters.rebuilds;
+  loaded.tuner_ = ValuePointer<Tuner>::make(saved.options, kind, counters);
+  loaded.tuner_->prepare(world, loaded.now_);
+  loaded.tuner_->start(std::move(world), loaded.now_);
+  loaded.tuner_->engine().take_over(aftermath);
+  return loaded;
+}
+
+}  // namespace hardball

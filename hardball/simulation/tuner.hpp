@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "hardball/engine/run.hpp"
+#include "hardball/memory/value_pointer.hpp"
+#include "hardball/simulation/any_engine.hpp"
+#include "hardball/theory/moments.hpp"
+#include "hardball/tuning/cell_edge.hpp"
+#include "hardball/world/progress.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// Keeps the engine that suits the world: chooses its kind and the size of its cells or lists, and again
+/// where the spheres have changed so much that others would be faster.
+class Tuner {
+ public:
+  /// `kind` and `counters` are those of an engine to be continued. Error: invalid options; see EngineOptions.
+  explicit Tuner(const EngineOptions& options, EngineKind kind = EngineKind::automatic,
+                 const Counters& counters = {});
+
+  /// Chooses the kind of engine, and puts the spheres into its order. Error: see choose_engine.
+  void prepare(World& world, const Time& now);
+  /// Makes the engine for a world that has been prepared.
+  void start(World world, const Time& now, const Progress& progress = {});
+
+  AnyEngine& engine() { return *engine_; }
+  const AnyEngine& engine() const { return *engine_; }
+  /// Of the engine in use, never `automatic`.
+  EngineKind kind() const { return kind_; }
+  const EngineOptions& options() const { return options_; }
+  /// Of all engines so far.
+  Counters counters() const { return counters_before_ + engine_->counters(); }
+
+  /// Brings an engine that has looked ahead back to `moment`.
+  void end_look_ahead(const Time& moment);
+  /// Undoes all since the engine began its journal, when these were the counters.
+  void undo_look_ahead(const Counters& before);
+
+  /// To be called before the engine runs on at `now`: rebuilds it if a sphere does not fit it, or if it was
+  /// chosen for far more or fewer.
+  void make_ready(const Time& now);
+  /// To be called now and then during a run: every few events for each sphere, rebuilds the engine if another
+  /// size of cells or another kind would be faster.
+  void review_if_due(const Time& now);
+  /// Rebuilds all regions and predictions as of `moment`, with the engine that suits the world best.
+  void rebuild(const Time& moment);
+
+ private:
+  void note_choice(double length, const Time& moment);
+
+  EngineOptions options_;
+  EngineKind kind_;
+  ValuePointer<AnyEngine> engine_;
+  Counters counters_before_;  // of engines replaced
+  CellEdgeWatch watch_;
+  std::size_t spheres_at_choice_ = 0;  // when engine and cells were last chosen
+  std::uint64_t next_review_ = 0;      // at so many crossings and contacts
+  Time last_review_;
+  Moments reviewed_;  // for which the kind of engine was last reviewed
+};
+
+}  // namespace hardball
