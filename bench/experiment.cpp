@@ -57,7 +57,7 @@ void run_collisions(Simulation& simulation, double per_sphere) {
 // The paper's spheres in equilibrium. What steps would miss is counted during the second half of
 // equilibration.
 World settled_world(std::size_t spheres, double box_edge, MissedCounter& missed) {
-  const bool is_random = spheres <= kMostPlacedAtRandom || box_edge > kBoxEdge;
+  const bool is_random = spheres <= kMaxPlacedAtRandom || box_edge > kBoxEdge;
   Scenario scenario;
   scenario.box.fill({Boundary::wall, box_edge});
   SphereGroup group;

@@ -21,7 +21,7 @@ inline constexpr double kSpread = 10;  ///< Standard deviation of each component
 inline constexpr double kFreezing = 0.494;
 
 /// More spheres start from a face-centered cubic lattice, and take longer to equilibrate.
-inline constexpr std::size_t kMostPlacedAtRandom = 50'000;
+inline constexpr std::size_t kMaxPlacedAtRandom = 50'000;
 inline constexpr int kCollisionsToSettle = 10;  ///< Mean collisions per sphere before measuring.
 /// The same from a lattice, which below freezing has melted after nine.
 inline constexpr int kCollisionsToMelt = 15;

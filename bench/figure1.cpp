@@ -79,7 +79,7 @@ void run(const Options& options) {
   const std::vector<std::string> header = where_measured(options);
   const std::vector<std::string> figure_notes = {
       fmt::format("start: up to {} spheres random places and {} collisions per sphere, else a lattice and {}",
-                  kMostPlacedAtRandom, kCollisionsToSettle, kCollisionsToMelt),
+                  kMaxPlacedAtRandom, kCollisionsToSettle, kCollisionsToMelt),
       "all methods start from the same state; set-up is excluded",
       "seconds_per_unit_time: median of the repetitions; span: simulated in each of them",
       "events: collisions + walls + enters + leaves; with cells, leaves are not events but cells released",

@@ -34,8 +34,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kRadius = 0.5;
-constexpr std::size_t kFewestSpheres = 2;
-constexpr std::size_t kMostSpheres = 1'000'000'000;
+constexpr std::size_t kMinSpheres = 2;
+constexpr std::size_t kMaxSpheres = 1'000'000'000;
 
 template <class Value>
 struct Named {
@@ -241,9 +241,9 @@ void obey(Simulation& simulation) {
 }
 
 void run(const Options& options) {
-  if (options.spheres < kFewestSpheres || options.spheres > kMostSpheres) {
+  if (options.spheres < kMinSpheres || options.spheres > kMaxSpheres) {
     throw Error("the number is " + to_text(options.spheres), "--spheres",
-                "give a number from " + to_text(kFewestSpheres) + " to " + to_text(kMostSpheres));
+                "give a number from " + to_text(kMinSpheres) + " to " + to_text(kMaxSpheres));
   }
   check_finite(options.equilibration, "the number", "--equilibration");
   if (options.equilibration < 0) {

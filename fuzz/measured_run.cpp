@@ -56,10 +56,10 @@ void hardball::fuzz::read(std::string_view bytes) {
   const Saved& saved = found->second;
   std::string measured = saved.measures;
   for (std::size_t at = 1; at + kChange <= bytes.size(); at += kChange) {
-    const std::size_t place =
+    const std::size_t location =
         saved.places[read_little_endian<std::uint16_t>(&bytes[at]) % saved.places.size()];
-    const std::string_view change = bytes.substr(at + 2, std::min(kChange - 2, measured.size() - place));
-    measured.replace(place, change.size(), change);
+    const std::string_view change = bytes.substr(at + 2, std::min(kChange - 2, measured.size() - location));
+    measured.replace(location, change.size(), change);
   }
   Measures measures;
   restore(measured, "measures", measures);

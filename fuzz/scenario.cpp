@@ -12,7 +12,7 @@ void hardball::fuzz::read(std::string_view bytes) {
   for (const SphereGroup& group : scenario.spheres) {
     spheres += group.count;
     // A fuzzer must not name files.
-    if (group.count > kMostSpheres || spheres > kMostSpheres) return;
+    if (group.count > kMaxSpheres || spheres > kMaxSpheres) return;
     if (group.distribution && group.distribution->kind == RadiusDistribution::Kind::file) return;
   }
   if (scenario.start_file) return;

@@ -19,7 +19,7 @@ inline void read_frames(SnapshotReader& reader) {
   constexpr std::size_t kFrames = 3;
   for (std::size_t frame = 0; frame < std::min(kFrames, reader.frames()); ++frame) reader.read(frame);
   const Snapshot last = reader.read(reader.frames() - 1);
-  if (last.spheres.size() > kMostSpheres) return;
+  if (last.spheres.size() > kMaxSpheres) return;
   World world(Box::open());
   for (const Sphere& sphere : last.spheres) world.add(sphere);
   Simulation simulation(std::move(world));

@@ -19,17 +19,17 @@ namespace hardball::fuzz {
 void read(std::string_view bytes);
 
 /// More spheres are not simulated: to take long is no fault.
-inline constexpr std::size_t kMostSpheres = 200;
+inline constexpr std::size_t kMaxSpheres = 200;
 
 /// Runs a simulation for a few steps.
 inline void run_a_little(Simulation& simulation) {
-  if (simulation.size() <= kMostSpheres) simulation.run({.steps = 300});
+  if (simulation.size() <= kMaxSpheres) simulation.run({.steps = 300});
 }
 
 /// The same for a simulation from a saved state, with all that reads the state of the measures. Such a state
 /// may be one that no run reaches: then it is enough that this is noticed.
 inline void run_saved(Simulation& simulation, Measures& measures) {
-  if (simulation.size() > kMostSpheres) return;
+  if (simulation.size() > kMaxSpheres) return;
   try {
     simulation.run({.steps = 100}, measures);
     measures.sample_the_rest(simulation.world(), simulation.now());

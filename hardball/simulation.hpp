@@ -3,6 +3,6 @@
 #pragma once
 
 /// Spheres in motion: runs, listeners, edits, and questions about what comes next.
+#include "hardball/queries/queries.hpp"
 #include "hardball/simulation/measure_unit_costs.hpp"
-#include "hardball/simulation/queries.hpp"
 #include "hardball/simulation/simulation.hpp"

@@ -39,7 +39,7 @@ constexpr int kSmallFontSize = 13;
 constexpr double kPadding = 0.04;  // between the points and the frame, of the range
 constexpr double kErrorRoom = 1;   // by which error bars may widen the range, of that of the points
 constexpr double kTicksWanted = 6;
-constexpr int kMostDecadeLabels = 8;
+constexpr int kMaxDecadeLabels = 8;
 
 // Of dashed lines; references cycle through them.
 constexpr std::array<std::string_view, 3> kDashes = {"6 4", "2 3", "9 3 2 3"};
@@ -181,7 +181,7 @@ class Scale {
     const int first = static_cast<int>(std::floor(low_));
     const int last = static_cast<int>(std::ceil(high_));
     const int decades = static_cast<int>(std::floor(high_)) - static_cast<int>(std::ceil(low_)) + 1;
-    const int stride = (std::max(decades, 1) - 1) / kMostDecadeLabels + 1;
+    const int stride = (std::max(decades, 1) - 1) / kMaxDecadeLabels + 1;
     // Powers of ten alone would give too few labels.
     const bool is_short = decades < 2;
     std::vector<Tick> ticks;
@@ -414,15 +414,15 @@ double panel_height(const Chart& chart) {
 // Names are set in rows below the frame, where they cover nothing.
 void add_legend(std::string& svg, const Chart& chart, const Palette& palette) {
   const std::size_t columns = legend_columns(chart);
-  std::size_t place = 0;
+  std::size_t location = 0;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const Series& series = chart.series[i];
     if (series.name.empty()) continue;
     const Attributes attributes(chart, i, palette);
-    const double left = kFrameLeft + kFrameWidth / 2 * static_cast<double>(place % columns);
-    const std::size_t row = place / columns;
+    const double left = kFrameLeft + kFrameWidth / 2 * static_cast<double>(location % columns);
+    const std::size_t row = location / columns;
     const double middle = kFrameTop + kFrameHeight + kLegendGap + kLegendRow * static_cast<double>(row);
-    ++place;
+    ++location;
     if (series.error_band && has_errors(series)) {
       svg += fmt::format("<path d=\"M{:.2f} {:.2f}h26v10h-26Z\"{}/>\n", left, middle - 5, attributes.band);
     }

@@ -21,6 +21,7 @@
 #include "hardball/scenario/make_surfaces.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
 #include "hardball/tuning/cell_counts.hpp"
+#include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
 
 namespace hardball::cli {
@@ -146,13 +147,14 @@ Kinds kinds_of(const Scenario& scenario, const Outlook& outlook) {
 
 // The cost of a run by theory [s].
 double expected_seconds(const Outlook& outlook, double until, double length) {
-  const Moments& moments = outlook.moments;
+  const GasStatistics& statistics = outlook.statistics;
   const UnitCosts& costs = outlook.options.unit_costs;
   constexpr double kNanosecond = 1e-9;
-  const double rate = outlook.simulation.engine() == EngineKind::neighbors
-                          ? cost_rate(expected_neighbor_counts(moments, length), costs)
-                          : cost_rate(expected_counts(moments, length), costs_with_memory(moments, costs));
-  return kNanosecond * static_cast<double>(moments.spheres) * until * rate;
+  const double rate =
+      outlook.simulation.engine() == EngineKind::neighbors
+          ? cost_rate(expected_neighbor_counts(statistics, length), costs)
+          : cost_rate(expected_counts(statistics, length), costs_with_memory(statistics, costs));
+  return kNanosecond * static_cast<double>(statistics.spheres) * until * rate;
 }
 
 // The edge of the cells, or the skin of lists; zero if the engine has neither.
@@ -162,8 +164,9 @@ double length_of(const Outlook& outlook) {
   if (!outlook.is_sample || simulation.engine() == EngineKind::all_pairs) {
     return simulation.engine() == EngineKind::neighbors ? simulation.skin() : simulation.cell_edge();
   }
-  if (simulation.engine() == EngineKind::neighbors) return optimal_skin(outlook.moments, options.unit_costs);
-  return options.cell_edge.value_or(optimal_cell_edge(outlook.moments, options.unit_costs));
+  if (simulation.engine() == EngineKind::neighbors)
+    return optimal_skin(outlook.statistics, options.unit_costs);
+  return options.cell_edge.value_or(optimal_cell_edge(outlook.statistics, options.unit_costs));
 }
 
 }  // namespace
@@ -173,18 +176,18 @@ ExitCode check(const Options& options) {
   const Scenario scenario = read_scenario(options);
   const Outlook outlook = look_ahead(options, scenario);
   const Simulation& simulation = outlook.simulation;
-  const Moments& moments = outlook.moments;
-  const auto spheres = static_cast<double>(moments.spheres);
+  const GasStatistics& statistics = outlook.statistics;
+  const auto spheres = static_cast<double>(statistics.spheres);
   const double until = *scenario.until;
   const bool has_lists = simulation.engine() == EngineKind::neighbors;
   const double length = length_of(outlook);
   const double bytes_per_sphere =
       static_cast<double>(simulation.memory_bytes()) / static_cast<double>(simulation.size());
-  const World space(moments.box, scenario.gravity, make_surfaces(scenario, moments.box));
+  const World space(statistics.box, scenario.gravity, make_surfaces(scenario, statistics.box));
   std::string text;
   const auto add = [&](std::string_view name, const std::string& value) { text += table_line(name, value); };
   add("scenario", scenario.name);
-  add("spheres", to_text(moments.spheres));
+  add("spheres", to_text(statistics.spheres));
   add("box", describe(space.box()));
   const Vec3& gravity = space.motion().gravity();
   if (gravity != Vec3{}) {
@@ -205,27 +208,27 @@ ExitCode check(const Options& options) {
     add("kinematic", to_text(kinds.kinematic) + (kinds.kinematic == 1 ? " sphere" : " spheres"));
   }
   add("radius", describe_radii(simulation.world()));
-  add(moments.is_flat() ? "area fraction" : "packing fraction", readable(moments.packing_fraction()));
-  add("mean speed", readable(moments.mean_speed));
-  add("mean free path", readable(mean_free_path(moments)));
-  add("mean free time", readable(mean_free_time(moments)));
+  add(statistics.is_flat() ? "area fraction" : "packing fraction", readable(statistics.packing_fraction()));
+  add("mean speed", readable(statistics.mean_speed));
+  add("mean free path", readable(mean_free_path(statistics)));
+  add("mean free time", readable(mean_free_time(statistics)));
   add("engine", name_of(simulation.engine()));
   if (length > 0) add(has_lists ? "skin of lists" : "cell edge", readable(length));
   add("memory",
       fmt::format("{:.4g} MB, {:.0f} bytes per sphere", bytes_per_sphere * spheres / 1e6, bytes_per_sphere));
   add("until", readable(until));
   text += "expected from the density and speed at the start:\n";
-  add("  collisions", readable(spheres * until / mean_free_time(moments) / 2));
-  add("  wall contacts", readable(spheres * until * wall_rate(moments)));
+  add("  collisions", readable(spheres * until / mean_free_time(statistics) / 2));
+  add("  wall contacts", readable(spheres * until * wall_rate(statistics)));
   if (length > 0 && !has_lists) {
-    const CellCounts counts = expected_counts(moments, length);
+    const CellCounts counts = expected_counts(statistics, length);
     add("  cells entered", readable(spheres * until * counts.enter));
     add("  pair predictions", readable(spheres * until * counts.predictions()));
   }
-  if (length > 0 && moments.mean_speed > 0) {
+  if (length > 0 && statistics.mean_speed > 0) {
     add("  time on one core", "about " + to_one_digit(expected_seconds(outlook, until, length)) + " s");
   }
-  for (const std::string& warning : warnings_of(scenario, moments)) add("note", warning);
+  for (const std::string& warning : warnings_of(scenario, statistics)) add("note", warning);
   if (outlook.is_sample) {
     add("note",
         fmt::format(

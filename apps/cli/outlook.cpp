@@ -56,43 +56,43 @@ std::vector<SphereGroup> sample(const Scenario& scenario) {
 }
 
 // What the radii and speeds of a sample say of all spheres, each group counting as often as it has spheres.
-Moments moments_of_all(const Scenario& scenario, std::span<const SphereGroup> sampled) {
-  Moments moments;
-  moments.box = make_box(scenario);
-  moments.spheres = sphere_count(scenario);
-  moments.radius_power = {};
+GasStatistics statistics_of_all(const Scenario& scenario, std::span<const SphereGroup> sampled) {
+  GasStatistics statistics;
+  statistics.box = make_box(scenario);
+  statistics.spheres = sphere_count(scenario);
+  statistics.radius_power = {};
   Random random(scenario.seed);
   const std::vector<Vec3> velocities = draw_velocities(sampled, false, random);
   std::size_t next = 0;
   for (std::size_t k = 0; k < sampled.size(); ++k) {
     const double weight = static_cast<double>(scenario.spheres[k].count) /
-                          (static_cast<double>(sampled[k].count) * static_cast<double>(moments.spheres));
+                          (static_cast<double>(sampled[k].count) * static_cast<double>(statistics.spheres));
     for (std::size_t i = 0; i < sampled[k].count; ++i, ++next) {
       const double radius = sampled[k].radius_of(i);
       double power = weight;
-      for (double& sum : moments.radius_power) {
+      for (double& sum : statistics.radius_power) {
         sum += power;
         power *= radius;
       }
-      moments.largest_radius = std::max(moments.largest_radius, radius);
-      moments.mean_speed += weight * length(velocities[next]);
+      statistics.largest_radius = std::max(statistics.largest_radius, radius);
+      statistics.mean_speed += weight * length(velocities[next]);
     }
   }
-  return moments;
+  return statistics;
 }
 
-double content(const Moments& moments) {
-  const double spheres = static_cast<double>(moments.spheres);
-  return spheres * (moments.is_flat() ? std::numbers::pi * moments.radius_power[2]
-                                      : 4 * std::numbers::pi / 3 * moments.radius_power[3]);
+double content(const GasStatistics& statistics) {
+  const double spheres = static_cast<double>(statistics.spheres);
+  return spheres * (statistics.is_flat() ? std::numbers::pi * statistics.radius_power[2]
+                                         : 4 * std::numbers::pi / 3 * statistics.radius_power[3]);
 }
 
 // Where the spheres are placed: in the box, between surfaces, and along the other axes as far as they fill a
 // tenth.
-Vec3 extent_of(const Scenario& scenario, const Moments& moments) {
-  const std::vector<Surface> surfaces = make_surfaces(scenario, moments.box);
+Vec3 extent_of(const Scenario& scenario, const GasStatistics& statistics) {
+  const std::vector<Surface> surfaces = make_surfaces(scenario, statistics.box);
   Vec3 extent;
-  double free = content(moments) / kOpenPackingFraction;
+  double free = content(statistics) / kOpenPackingFraction;
   int open = 0;
   for (std::size_t axis = 0; axis < scenario.dimensions(); ++axis) {
     const Interval between = interval_between(surfaces, axis);
@@ -141,11 +141,11 @@ double edge_of_sample(std::span<const SphereGroup> groups, std::size_t dimension
 }
 
 // The engine that so many spheres would get, where the sample alone might get another.
-std::string engine_for(const Options& options, const Moments& moments) {
-  if (options.engine != "auto" || options.cell_edge != "auto" || are_sizes_spread(moments))
+std::string engine_for(const Options& options, const GasStatistics& statistics) {
+  if (options.engine != "auto" || options.cell_edge != "auto" || are_sizes_spread(statistics))
     return options.engine;
   const UnitCosts costs;
-  const bool has_lists = best_skin(moments, costs).cost < best_cell_edge(moments, costs).cost;
+  const bool has_lists = best_skin(statistics, costs).cost < best_cell_edge(statistics, costs).cost;
   return name_of(has_lists ? EngineKind::neighbors : EngineKind::cells);
 }
 
@@ -154,21 +154,21 @@ std::string engine_for(const Options& options, const Moments& moments) {
 Outlook look_ahead(const Options& options, const Scenario& scenario) {
   if (sphere_count(scenario) <= kManySpheres || !std::ranges::all_of(scenario.spheres, can_be_sampled)) {
     Start start = set_up(options, scenario);
-    const Moments moments = moments_of(start.simulation.world(), start.simulation.now());
-    return {start.options, std::move(start.simulation), moments, false};
+    const GasStatistics statistics = gas_statistics(start.simulation.world(), start.simulation.now());
+    return {start.options, std::move(start.simulation), statistics, false};
   }
   const std::vector<SphereGroup> groups = sample(scenario);
-  Moments moments = moments_of_all(scenario, groups);
-  moments.extent = extent_of(scenario, moments);
-  if (moments.packing_fraction() > 1) {
-    throw Error("a packing fraction of " + to_text(moments.packing_fraction()) + " cannot exist",
+  GasStatistics statistics = statistics_of_all(scenario, groups);
+  statistics.extent = extent_of(scenario, statistics);
+  if (statistics.packing_fraction() > 1) {
+    throw Error("a packing fraction of " + to_text(statistics.packing_fraction()) + " cannot exist",
                 scenario.spheres.front().where, "enlarge the box or shrink the spheres");
   }
-  const double edge = edge_of_sample(groups, scenario.dimensions(), moments.packing_fraction());
+  const double edge = edge_of_sample(groups, scenario.dimensions(), statistics.packing_fraction());
   Options its_options = options;
-  its_options.engine = engine_for(options, moments);
+  its_options.engine = engine_for(options, statistics);
   Start start = set_up(its_options, sampled_scenario(scenario, groups, edge));
-  return {start.options, std::move(start.simulation), moments, true};
+  return {start.options, std::move(start.simulation), statistics, true};
 }
 
 }  // namespace hardball::cli

@@ -5,16 +5,16 @@
 #include "apps/cli/options.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/theory/moments.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 
 namespace hardball::cli {
 
 /// The start of a scenario, as far as it can be known in seconds.
 struct Outlook {
   EngineOptions options;
-  Simulation simulation;   ///< Of the scenario, or of a sample.
-  Moments moments;         ///< Of all spheres.
-  bool is_sample = false;  ///< Whether the spheres were not placed.
+  Simulation simulation;     ///< Of the scenario, or of a sample.
+  GasStatistics statistics;  ///< Of all spheres.
+  bool is_sample = false;    ///< Whether the spheres were not placed.
 };
 
 /// Sets up the simulation of a scenario; if it has more than a million spheres that are not listed one by one

@@ -23,7 +23,7 @@ ExitCode replay(const Options& options) {
   }
   refuse_to_overwrite(*options.out, options);
   catch_signals();
-  const ShownRun shown(options, viewer::kMostReplayedBytes);
+  const ShownRun shown(options, viewer::kMaxReplayedBytes);
   while (!shown.recording().progress().is_finished) {
     if (is_interrupted()) throw RunFailure("interrupted; no replay has been written");
     std::this_thread::sleep_for(20ms);

@@ -38,12 +38,12 @@ std::string describe(const BounceRules& rules) {
 }
 
 std::string describe(const PairDescription& pair) {
-  switch (pair.fate) {
-    case Fate::pass:
+  switch (pair.outcome) {
+    case ContactOutcome::pass:
       return "pass through each other";
-    case Fate::merge:
+    case ContactOutcome::merge:
       return "merge";
-    case Fate::bounce:
+    case ContactOutcome::bounce:
       break;
   }
   return describe(pair.bounce);

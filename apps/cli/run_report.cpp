@@ -16,11 +16,12 @@
 #include "apps/cli/start.hpp"
 #include "hardball/measure/units.hpp"
 #include "hardball/theory/fluid_theory.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
-#include "hardball/theory/moments.hpp"
-#include "hardball/theory/species.hpp"
+#include "hardball/theory/species_list.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 #include "hardball/tuning/cell_counts.hpp"
+#include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
 #include "hardball/world/walls.hpp"
 
@@ -49,15 +50,15 @@ std::vector<std::string> changes(const Options& options) {
 
 // Whether the theory of fluids in equilibrium applies: many elastic spheres, enclosed, below the freezing
 // density.
-bool has_theory(const World& world, const Moments& moments) {
+bool has_theory(const World& world, const GasStatistics& statistics) {
   constexpr std::size_t kFewSpheres = 100;
-  const Box& box = moments.box;
+  const Box& box = statistics.box;
   const double freezing = box.is_flat() ? FluidTheory::kFreezingOfDiscs : FluidTheory::kFreezing;
-  return world.interactions().are_elastic() && moments.spheres >= kFewSpheres &&
-         moments.packing_fraction() <= freezing && !box.is_any(Boundary::open);
+  return world.interactions().are_elastic() && statistics.spheres >= kFewSpheres &&
+         statistics.packing_fraction() <= freezing && !box.is_any(Boundary::open);
 }
 
-bool has_one_mass(const Species& species) {
+bool has_one_mass(const SpeciesList& species) {
   for (std::size_t s = 0; s < species.size(); ++s) {
     if (species.mass(s) != species.mass(0)) return false;  // or it is NaN
   }
@@ -66,24 +67,27 @@ bool has_one_mass(const Species& species) {
 
 // The mean pressure on the walls [M L^-1 T^-2]: each contact transfers 4 k T / v on average, in two
 // dimensions pi k T / v.
-double expected_wall_pressure(const Moments& moments, double kinetic_energy) {
+double expected_wall_pressure(const GasStatistics& statistics, double kinetic_energy) {
   double area = 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (moments.box.is_wall(axis)) area += 2 * moments.box.face_area(axis);
+    if (statistics.box.is_wall(axis)) area += 2 * statistics.box.face_area(axis);
   }
-  const auto spheres = static_cast<double>(moments.spheres);
-  const double temperature = 2 * kinetic_energy / (static_cast<double>(moments.box.dimensions()) * spheres);
-  const double transferred = (moments.is_flat() ? std::numbers::pi : 4) * temperature / moments.mean_speed;
-  return spheres * wall_rate(moments) * transferred / area;
+  const auto spheres = static_cast<double>(statistics.spheres);
+  const double temperature =
+      2 * kinetic_energy / (static_cast<double>(statistics.box.dimensions()) * spheres);
+  const double transferred =
+      (statistics.is_flat() ? std::numbers::pi : 4) * temperature / statistics.mean_speed;
+  return spheres * wall_rate(statistics) * transferred / area;
 }
 
 // Counts over the whole run.
-std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments, const Summary& summary) {
+std::vector<Quantity> rates(const Simulation& simulation, const GasStatistics& statistics,
+                            const Summary& summary) {
   std::vector<Quantity> all;
   const World& world = simulation.world();
-  const Species species(world);
+  const SpeciesList species(world);
   const FluidTheory fluid(world, species);
-  const bool theory = is_uniform(world) && !simulation.thermostat() && has_theory(world, moments) &&
+  const bool theory = is_uniform(world) && !simulation.thermostat() && has_theory(world, statistics) &&
                       (fluid.holds() || has_one_mass(species));
   const auto add = [&](const std::string& name, const std::string& unit, double value, double expected) {
     if (std::isfinite(value)) all.push_back({name, unit, value, kNone, theory ? expected : kNone});
@@ -96,22 +100,22 @@ std::vector<Quantity> rates(const Simulation& simulation, const Moments& moments
   // do.
   const double temperature = thermal_motion(world, simulation.now()).temperature();
   const double expected_rate =
-      fluid.holds() ? fluid.collision_rate(temperature) : 1 / mean_free_time(moments);
+      fluid.holds() ? fluid.collision_rate(temperature) : 1 / mean_free_time(statistics);
   const double expected_path =
-      fluid.holds() ? fluid.mean_speed(temperature) / expected_rate : mean_free_path(moments);
+      fluid.holds() ? fluid.mean_speed(temperature) / expected_rate : mean_free_path(statistics);
   add("collisions per sphere and time", "T^-1", collision_rate, expected_rate);
   add("mean free time", "T", 1 / collision_rate, 1 / expected_rate);
   if (world.interactions().are_elastic()) {
-    add("mean free path", "L", moments.mean_speed / collision_rate, expected_path);
+    add("mean free path", "L", statistics.mean_speed / collision_rate, expected_path);
   }
   add("compressibility", "1", summary.compressibility(), fluid.compressibility());
   if (std::isfinite(summary.wall_pressure())) {
-    add("wall contacts per sphere and time", "T^-1", rate(counters.wall), wall_rate(moments));
-    add("pressure on the walls", pressure_unit(moments.box), summary.wall_pressure(),
-        expected_wall_pressure(moments, simulation.world().kinetic_energy(simulation.now())));
+    add("wall contacts per sphere and time", "T^-1", rate(counters.wall), wall_rate(statistics));
+    add("pressure on the walls", pressure_unit(statistics.box), summary.wall_pressure(),
+        expected_wall_pressure(statistics, simulation.world().kinetic_energy(simulation.now())));
   }
   if (simulation.engine() == EngineKind::cells && counters.rebuilds == 0) {
-    const CellCounts expected = expected_counts(moments, simulation.cell_edge());
+    const CellCounts expected = expected_counts(statistics, simulation.cell_edge());
     add("cells entered per sphere and time", "T^-1", rate(counters.enter), expected.enter);
     add("stale events per sphere and time", "T^-1", rate(counters.stale), expected.stale);
     add("pair predictions per sphere and time", "T^-1", rate(counters.predictions), expected.predictions());
@@ -137,12 +141,13 @@ report::CostCurve cost_curve(const std::function<double(double)>& cost, double c
   return curve;
 }
 
-report::CostCurve choice(const Simulation& simulation, const Moments& moments, const UnitCosts& costs) {
-  if (!(moments.mean_speed > 0)) return {};
+report::CostCurve choice(const Simulation& simulation, const GasStatistics& statistics,
+                         const UnitCosts& costs) {
+  if (!(statistics.mean_speed > 0)) return {};
   if (simulation.skin() > 0) {
-    const double best = optimal_skin(moments, costs);
+    const double best = optimal_skin(statistics, costs);
     report::CostCurve curve =
-        cost_curve([&](double skin) { return cost_rate(expected_neighbor_counts(moments, skin), costs); },
+        cost_curve([&](double skin) { return cost_rate(expected_neighbor_counts(statistics, skin), costs); },
                    simulation.skin(), best);
     curve.title = "Choice of the neighbor lists";
     curve.quantity = "skin of the lists";
@@ -153,11 +158,11 @@ report::CostCurve choice(const Simulation& simulation, const Moments& moments, c
     return curve;
   }
   if (simulation.cell_edge() > 0) {
-    const double best = optimal_cell_edge(moments, costs);
+    const double best = optimal_cell_edge(statistics, costs);
     report::CostCurve curve =
-        cost_curve([&](double edge) { return cost_rate(expected_counts(moments, edge), costs); },
+        cost_curve([&](double edge) { return cost_rate(expected_counts(statistics, edge), costs); },
                    simulation.cell_edge(), best);
-    curve.marks.push_back({.x = paper_cell_edge(moments, costs), .name = "paper"});
+    curve.marks.push_back({.x = paper_cell_edge(statistics, costs), .name = "paper"});
     curve.title = "Choice of the cells";
     curve.quantity = "edge of the cells";
     curve.explanation =
@@ -181,7 +186,7 @@ void make_names_unique(std::vector<report::SpeciesReport>& species) {
 // Those that measures distinguish; otherwise those of the scenario.
 std::vector<report::SpeciesReport> species(const Scenario& scenario, const World& world) {
   std::vector<report::SpeciesReport> all;
-  const Species measured(world);
+  const SpeciesList measured(world);
   if (measured.size() > 1) {
     for (std::size_t k = 0; k < measured.size(); ++k) {
       const std::string name = scenario.species.empty() ? "" : scenario.species[measured.label(k)].name;
@@ -256,9 +261,9 @@ report::Report run_report(const Options& options, const Scenario& scenario,
   report.bytes_per_sphere = summary.bytes_per_sphere();
   report.peak_bytes = static_cast<double>(summary.peak_rss_bytes());
 
-  const Moments moments = moments_of(simulation.world(), simulation.now());
-  report.rates = rates(simulation, moments, summary);
-  report.choice = choice(simulation, moments, engine_options.unit_costs);
+  const GasStatistics statistics = gas_statistics(simulation.world(), simulation.now());
+  report.rates = rates(simulation, statistics, summary);
+  report.choice = choice(simulation, statistics, engine_options.unit_costs);
   return report;
 }
 

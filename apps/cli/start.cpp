@@ -15,7 +15,7 @@
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/scenario/nearest_name.hpp"
 #include "hardball/simulation/any_engine.hpp"
-#include "hardball/theory/moments.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 
@@ -40,8 +40,8 @@ std::size_t choose(const std::string& text, std::span<const std::string_view> na
 // Whether the run will be so long that measuring takes less than a hundredth of it.
 bool is_worth_measuring(const World& start, const Scenario& scenario) {
   constexpr double kLong = 10e9;  // nanoseconds
-  const Moments moments = moments_of(start, Time(0));
-  const double rate = cost_rate(expected_counts(moments, optimal_cell_edge(moments)), UnitCosts{});
+  const GasStatistics statistics = gas_statistics(start, Time(0));
+  const double rate = cost_rate(expected_counts(statistics, optimal_cell_edge(statistics)), UnitCosts{});
   return rate * static_cast<double>(start.size()) * *scenario.until > kLong;
 }
 
@@ -83,7 +83,7 @@ EngineOptions read_engine_options(const Options& options, const Scenario& scenar
     engine_options.unit_costs = read_unit_costs("measured");
   }
   if (options.cell_edge == "paper") {
-    const double edge = paper_cell_edge(moments_of(start, Time(0)), engine_options.unit_costs);
+    const double edge = paper_cell_edge(gas_statistics(start, Time(0)), engine_options.unit_costs);
     engine_options.cell_edge = allowed_cell_edge(start, engine_options.engine, edge);
   } else if (options.cell_edge != "auto") {
     const double edge =

@@ -13,7 +13,7 @@
 #include "apps/cli/interruption.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/simulation/any_engine.hpp"
-#include "hardball/theory/moments.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 
 namespace hardball::cli {
@@ -56,13 +56,13 @@ std::optional<std::size_t> add(std::vector<Contender>& contenders, const Simulat
   for (std::size_t i = 0; i < contenders.size(); ++i) {
     if (contenders[i].point.edge == simulation->cell_edge()) return i;
   }
-  const Moments moments = moments_of(start.world(), start.now());
+  const GasStatistics statistics = gas_statistics(start.world(), start.now());
   SweepPoint point;
   point.edge = simulation->cell_edge();
-  point.expected = expected_counts(moments, edge);
+  point.expected = expected_counts(statistics, edge);
   constexpr double kNanosecond = 1e-9;
   point.predicted_seconds =
-      kNanosecond * static_cast<double>(moments.spheres) * cost_rate(point.expected, options.unit_costs);
+      kNanosecond * static_cast<double>(statistics.spheres) * cost_rate(point.expected, options.unit_costs);
   contenders.push_back({std::move(point), std::move(*simulation), {}});
   return contenders.size() - 1;
 }
@@ -84,8 +84,8 @@ const SweepPoint& Sweep::best() const {
 }
 
 Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options, Budget& budget) {
-  const Moments moments = moments_of(start.world(), start.now());
-  if (!(moments.mean_speed > 0)) throw Error("nothing moves", "tune", "give the spheres velocities");
+  const GasStatistics statistics = gas_statistics(start.world(), start.now());
+  if (!(statistics.mean_speed > 0)) throw Error("nothing moves", "tune", "give the spheres velocities");
   std::vector<Contender> contenders;
   budget.show("preparing");
   const double chosen_edge = choose_length(start.world(), EngineKind::cells, options, start.now());
@@ -97,7 +97,7 @@ Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options, Bu
   const std::size_t chosen = *added;
   contenders[chosen].point.is_chosen = true;
   const std::optional<std::size_t> paper =
-      add(contenders, start, options, paper_cell_edge(moments, options.unit_costs));
+      add(contenders, start, options, paper_cell_edge(statistics, options.unit_costs));
   contenders[paper.value_or(chosen)].point.is_paper = true;
 
   // Long enough for the number of rows left behind to become stationary.

@@ -25,8 +25,8 @@
 #include "hardball/io/output_file.hpp"
 #include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
-#include "hardball/theory/moments.hpp"
 
 namespace hardball::cli {
 namespace {
@@ -77,17 +77,17 @@ std::string marks_of(const Sweep& sweep, const SweepPoint& point) {
   return marks;
 }
 
-std::string table(const Sweep& sweep, const Moments& moments, const UnitCosts& costs) {
+std::string table(const Sweep& sweep, const GasStatistics& statistics, const UnitCosts& costs) {
   const SweepPoint& chosen = sweep.chosen();
-  const std::size_t spheres = moments.spheres;
+  const std::size_t spheres = statistics.spheres;
   const auto both = [&](double expected, std::uint64_t counted) {
     return fmt::format("{:.4g} predicted, {:.4g} counted", expected, rate(sweep, spheres, counted));
   };
   std::string text;
   text += table_line("spheres", fmt::format("{}", spheres));
-  text += table_line(moments.is_flat() ? "area fraction" : "packing fraction",
-                     fmt::format("{:.4g}", moments.packing_fraction()));
-  text += table_line("mean free path [L]", fmt::format("{:.4g}", mean_free_path(moments)));
+  text += table_line(statistics.is_flat() ? "area fraction" : "packing fraction",
+                     fmt::format("{:.4g}", statistics.packing_fraction()));
+  text += table_line("mean free path [L]", fmt::format("{:.4g}", mean_free_path(statistics)));
   text += table_line("unit costs [ns]", to_option(costs));
   text += table_line("rounds", fmt::format("{}", chosen.seconds.size()));
   text += "for each sphere in a unit of time, [1/T]:\n";
@@ -219,20 +219,21 @@ ExitCode tune(const Options& options) {
   if (options.out) make_directory(*options.out);
   Simulation simulation = start(scenario, engine_options, !options.quiet);
   std::string notes;
-  for (const std::string& warning : warnings_of(scenario, moments_of(simulation.world(), simulation.now()))) {
+  for (const std::string& warning :
+       warnings_of(scenario, gas_statistics(simulation.world(), simulation.now()))) {
     notes += table_line("note", warning);
   }
   std::optional<Budget> budget(std::in_place, seconds, !options.quiet);
   settle(simulation, scenario, *budget);
-  const Moments moments = moments_of(simulation.world(), simulation.now());
+  const GasStatistics statistics = gas_statistics(simulation.world(), simulation.now());
   const Sweep sweep = sweep_cell_edges(simulation, simulation.options(), *budget);
   budget.reset();
   if (options.out) {
     const std::filesystem::path directory = *options.out;
-    write_file(directory / "tune.csv", csv(sweep, moments.spheres));
-    write_file(directory / "tune.svg", figure(sweep, scenario, moments.spheres));
+    write_file(directory / "tune.csv", csv(sweep, statistics.spheres));
+    write_file(directory / "tune.svg", figure(sweep, scenario, statistics.spheres));
   }
-  write_output(table(sweep, moments, engine_options.unit_costs) + notes);
+  write_output(table(sweep, statistics, engine_options.unit_costs) + notes);
   return ExitCode::done;
 }
 

@@ -17,7 +17,7 @@
 #include "hardball/scenario/make_simulation.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/simulation/any_engine.hpp"
-#include "hardball/theory/moments.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 #include "hardball/world/audit.hpp"
 
 namespace hardball::cli {
@@ -136,7 +136,7 @@ void compare_instruction_sets(Comparison& comparison, EngineOptions options) {
 double all_pairs_work(const Comparison& comparison, double until) {
   const World& world = comparison.start();
   const Counters& counters = comparison.first().counters;
-  const double mean_speed = moments_of(world, Time(0)).mean_speed;
+  const double mean_speed = gas_statistics(world, Time(0)).mean_speed;
   const auto spheres = static_cast<double>(world.size());
   double images = 1;
   double passes_per_sphere = 1;
@@ -176,20 +176,20 @@ ExitCode verify(const Options& options) {
   engine_options.engine = EngineKind::cells;
   compare_instruction_sets(comparison, engine_options);
 
-  constexpr std::uint64_t kMostPaperChanges = 1'000'000;
+  constexpr std::uint64_t kMaxPaperChanges = 1'000'000;
   const std::uint64_t changes = comparison.first().counters.contacts() + comparison.first().changes;
   engine_options.engine = EngineKind::paper;
-  if (changes <= kMostPaperChanges) {
+  if (changes <= kMaxPaperChanges) {
     run_or_leave_out(comparison, "paper", engine_options);
   } else {
     comparison.leave_out(
         "paper", fmt::format("{} contacts and other changes of velocity would take too long", changes));
   }
 
-  constexpr double kMostPairs = 5e8;
+  constexpr double kMaxPairs = 5e8;
   const double pairs = all_pairs_work(comparison, *scenario.until);
   engine_options.engine = EngineKind::all_pairs;
-  if (pairs <= kMostPairs) {
+  if (pairs <= kMaxPairs) {
     comparison.run("all-pairs", engine_options);
   } else {
     comparison.leave_out("all-pairs", fmt::format("{:.1g} predictions would take too long", pairs));

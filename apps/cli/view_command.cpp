@@ -31,11 +31,11 @@ int read_port(const Options& options) {
 }
 
 std::uint64_t read_recording_limit(const Options& options) {
-  constexpr double kMost = 1e18;
+  constexpr double kMax = 1e18;
   if (!options.recording_limit) return 4'000'000'000;
   const std::string remedy = "give a number of bytes such as 4e9";
   const double limit = parse_number<double>(*options.recording_limit, "--recording-limit", remedy);
-  if (!(limit > 0 && limit <= kMost))
+  if (!(limit > 0 && limit <= kMax))
     throw Error("the limit is " + to_text(limit), "--recording-limit", remedy);
   return static_cast<std::uint64_t>(limit);
 }

@@ -32,7 +32,7 @@ bool loses_energy(const Scenario& scenario) {
   return loses_energy(scenario.bounce) || has_lossy_wall(scenario.faces) || has_lossy_wall(scenario.walls) ||
          has_lossy_wall(scenario.obstacles) ||
          std::ranges::any_of(scenario.pairs, [](const PairDescription& pair) {
-           return pair.fate == Fate::bounce && loses_energy(pair.bounce);
+           return pair.outcome == ContactOutcome::bounce && loses_energy(pair.bounce);
          });
 }
 
@@ -72,7 +72,8 @@ bool do_all_pass(const Scenario& scenario) {
   if (scenario.spheres.empty() || scenario.species.empty()) return false;
   std::set<std::pair<SpeciesId, SpeciesId>> passing;
   for (const PairDescription& pair : scenario.pairs) {
-    if (pair.fate == Fate::pass && pair.second) passing.insert(std::minmax(pair.first, *pair.second));
+    if (pair.outcome == ContactOutcome::pass && pair.second)
+      passing.insert(std::minmax(pair.first, *pair.second));
   }
   for (const SphereGroup& a : scenario.spheres) {
     for (const SphereGroup& b : scenario.spheres) {
@@ -100,14 +101,14 @@ std::string open_axes(const Scenario& scenario, const Box& box) {
 }
 
 // Why there will be no contact at all, if that is certain.
-std::optional<std::string> why_nothing_touches(const Scenario& scenario, const Moments& moments) {
+std::optional<std::string> why_nothing_touches(const Scenario& scenario, const GasStatistics& statistics) {
   const bool falls = scenario.gravity != Vec3{};
-  if (moments.mean_speed == 0 && !are_kept_moving(scenario)) {
+  if (statistics.mean_speed == 0 && !are_kept_moving(scenario)) {
     if (!falls) return "nothing moves";
     if (!has_walls(scenario)) return "all spheres fall alike, and nothing is in their way";
   }
   if (has_walls(scenario)) return std::nullopt;
-  if (moments.spheres == 1 && !moments.box.is_all(Boundary::periodic))
+  if (statistics.spheres == 1 && !statistics.box.is_all(Boundary::periodic))
     return "there is one sphere, and no wall";
   if (do_all_pass(scenario)) return "all spheres pass through each other, and there are no walls";
   return std::nullopt;
@@ -115,22 +116,23 @@ std::optional<std::string> why_nothing_touches(const Scenario& scenario, const M
 
 }  // namespace
 
-std::vector<std::string> warnings_of(const Scenario& scenario, const Moments& moments) {
+std::vector<std::string> warnings_of(const Scenario& scenario, const GasStatistics& statistics) {
   std::vector<std::string> warnings;
   const double until = *scenario.until;
-  if (const auto reason = why_nothing_touches(scenario, moments)) {
+  if (const auto reason = why_nothing_touches(scenario, statistics)) {
     warnings.push_back(*reason + ": there will be no contact");
-  } else if (moments.mean_speed > 0 && !are_kept_moving(scenario) && scenario.gravity == Vec3{}) {
-    const double spheres = static_cast<double>(moments.spheres);
-    const double contacts = spheres * until * (0.5 / mean_free_time(moments) + wall_rate(moments));
+  } else if (statistics.mean_speed > 0 && !are_kept_moving(scenario) && scenario.gravity == Vec3{}) {
+    const double spheres = static_cast<double>(statistics.spheres);
+    const double contacts = spheres * until * (0.5 / mean_free_time(statistics) + wall_rate(statistics));
     const bool is_known = scenario.walls.empty() && scenario.obstacles.empty();
     if (is_known && contacts < 1) {
       warnings.push_back(fmt::format("only {:.2g} contacts are expected until then", contacts));
     }
   }
-  const std::string axes = open_axes(scenario, moments.box);
-  const double apart = std::max({moments.extent.x, moments.extent.y, moments.extent.z}) / moments.mean_speed;
-  if (!axes.empty() && moments.spheres > 1 && apart < until) {
+  const std::string axes = open_axes(scenario, statistics.box);
+  const double apart =
+      std::max({statistics.extent.x, statistics.extent.y, statistics.extent.z}) / statistics.mean_speed;
+  if (!axes.empty() && statistics.spheres > 1 && apart < until) {
     warnings.push_back(fmt::format(
         "the space is open along {}: after a time of {:.2g} the spheres have flown apart and hardly meet",
         axes, apart));

@@ -10,7 +10,7 @@
 namespace hardball::report {
 namespace {
 
-constexpr std::size_t kMostMarks = 60;
+constexpr std::size_t kMaxMarks = 60;
 constexpr std::size_t kLongestLabel = 38;  // with its unit; longer ones are not joined of names
 
 std::string label_of(const std::string& name, const std::string& unit) {
@@ -80,7 +80,7 @@ std::vector<chart::Chart> charts_of(const Measurement& measurement, const Specie
         if (!argument) break;
         group = &group_of(groups, argument, column.unit);
         group->values.push_back(&column);
-        const bool is_sparse = column.values.size() <= kMostMarks;
+        const bool is_sparse = column.values.size() <= kMaxMarks;
         measured = group->chart.series.size();
         group->chart.series.push_back({.name = species.readable(column.name),
                                        .x = argument->values,

@@ -16,8 +16,8 @@ constexpr std::string_view kMinus = "−";
 
 // Beyond these, a power of ten is split off.
 constexpr int kLeastExponent = -4;
-constexpr int kMostExponent = 5;
-constexpr int kMostExactExponent = 8;  // of a number all of whose digits count
+constexpr int kMaxExponent = 5;
+constexpr int kMaxExactExponent = 8;  // of a number all of whose digits count
 
 std::string raised(std::string_view digits) {
   constexpr std::array<std::string_view, 10> kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -58,7 +58,7 @@ std::string number_text(double value, int digits) {
   if (std::isinf(value)) return value > 0 ? "∞" : std::string(kMinus) + "∞";
   if (value == 0) return "0";
   const int exponent = exponent_of(value, digits);
-  if (exponent >= kLeastExponent && exponent <= kMostExponent) {
+  if (exponent >= kLeastExponent && exponent <= kMaxExponent) {
     return with_true_minus(
         without_end_zeros(fmt::format("{:.{}f}", value, std::max(0, digits - 1 - exponent))));
   }
@@ -86,7 +86,7 @@ std::string measured_text(double value, double error) {
       value == 0 ? error_exponent : std::max(exponent_of(value, kErrorDigits), error_exponent);
   // Split off as well if the last digit of the error is left of the point.
   const bool is_plain =
-      exponent >= kLeastExponent && exponent <= kMostExactExponent && error_exponent < kErrorDigits;
+      exponent >= kLeastExponent && exponent <= kMaxExactExponent && error_exponent < kErrorDigits;
   const int shift = is_plain ? 0 : exponent;
   const int decimals = std::max(0, kErrorDigits - 1 - (error_exponent - shift));
   const double scale = std::pow(10, shift);

@@ -27,8 +27,8 @@ using chart::escaped;
 // Rounding changes the energy of elastic spheres by less, however long the run.
 constexpr double kEnergyTolerance = 1e-10;
 constexpr double kManyTimes = 4;  // beyond this costs are best compared on a logarithmic axis
-constexpr std::size_t kMostSurfaceArticles = 12;
-constexpr std::size_t kMostScenarioBytes = 20'000;
+constexpr std::size_t kMaxSurfaceArticles = 12;
+constexpr std::size_t kMaxScenarioBytes = 20'000;
 
 // One of our files without its license header.
 std::string_view without_license(std::string_view file) {
@@ -321,7 +321,7 @@ std::string gravity_and_surfaces(const Report& report) {
                 "The force is that of all contacts along the normal, averaged over the run; pressure is the "
                 "force per area. Moving, thermal and inelastic surfaces do work: it is negative where they "
                 "take energy from the spheres.");
-  if (report.surfaces.size() > kMostSurfaceArticles) return html + surfaces_table(report.surfaces);
+  if (report.surfaces.size() > kMaxSurfaceArticles) return html + surfaces_table(report.surfaces);
   for (std::size_t i = 0; i < report.surfaces.size(); ++i) {
     html += surface_article(report.surfaces[i], i, report.is_flat);
   }
@@ -484,8 +484,8 @@ std::string speed(const Report& report) {
 
 // A text up to a line end near the most bytes shown.
 std::string_view beginning_of(std::string_view text) {
-  if (text.size() <= kMostScenarioBytes) return text;
-  return text.substr(0, std::min(text.rfind('\n', kMostScenarioBytes), kMostScenarioBytes));
+  if (text.size() <= kMaxScenarioBytes) return text;
+  return text.substr(0, std::min(text.rfind('\n', kMaxScenarioBytes), kMaxScenarioBytes));
 }
 
 std::string scenario(const Report& report) {

@@ -9,7 +9,7 @@
 namespace hardball::report {
 
 /// The names of measured quantities for people. Where there are several species, those of their own end in
-/// the numbers of the species (Species::suffix), for which this puts the names.
+/// the numbers of the species (SpeciesList::suffix), for which this puts the names.
 class SpeciesNames {
  public:
   /// `names`: of the species that measures distinguish, in their order; empty for one without a name.

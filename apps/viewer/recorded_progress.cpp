@@ -41,8 +41,8 @@ RunProgress recorded_progress(SharedRecording& recording, const std::filesystem:
   progress.is_finished = true;
   recording.verify([&](const RecordedChunk& chunk) {
     for (const RecordedContact& contact : chunk.contacts) {
-      progress.collisions += contact.is_collision() && contact.fate != Fate::pass ? 1U : 0U;
-      progress.mergers += contact.fate == Fate::merge ? 1U : 0U;
+      progress.collisions += contact.is_collision() && contact.outcome != ContactOutcome::pass ? 1U : 0U;
+      progress.mergers += contact.outcome == ContactOutcome::merge ? 1U : 0U;
       progress.walls += contact.is_wall() ? 1U : 0U;
     }
   });

@@ -29,9 +29,9 @@ std::string base64(std::string_view bytes) {
 
 Replay::Replay(const SharedRecording& recording, const Page& page)
     : recording_(&recording), page_(page), recorded_(recording.length()) {
-  if (recorded_ <= kMostReplayedBytes) return;
+  if (recorded_ <= kMaxReplayedBytes) return;
   throw Error("the recording has " + to_text(recorded_) + " bytes, and a replay holds at most " +
-                  to_text(kMostReplayedBytes),
+                  to_text(kMaxReplayedBytes),
               "replay of " + recording.header().name, "end the run earlier or use fewer spheres");
 }
 

@@ -11,13 +11,13 @@
 namespace hardball::viewer {
 
 /// Longer recordings exceed what browsers allow for one string.
-inline constexpr std::uint64_t kMostReplayedBytes = 200'000'000;
+inline constexpr std::uint64_t kMaxReplayedBytes = 200'000'000;
 
 /// A recording and the page that shows it in one HTML file, which needs no server and no network. It contains
 /// the chunks known when it is created.
 class Replay {
  public:
-  /// `recording` must outlive it. Error: the recording is longer than kMostReplayedBytes.
+  /// `recording` must outlive it. Error: the recording is longer than kMaxReplayedBytes.
   Replay(const SharedRecording& recording, const Page& page);
 
   /// Of the HTML file, in bytes.

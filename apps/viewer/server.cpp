@@ -25,7 +25,7 @@ using httplib::Response;
 constexpr const char* kHost = "127.0.0.1";
 
 // Fewer than the files that a process may usually open.
-constexpr std::size_t kMostConnections = 512;
+constexpr std::size_t kMaxConnections = 512;
 
 constexpr std::size_t kPieceBytes = 1 << 16;
 
@@ -58,9 +58,9 @@ bool clip_ranges(const Request& request, std::uint64_t length) {
   }
   std::erase_if(ranges, [](const httplib::Range& range) { return range.first > range.second; });
   // A request for many small ranges is answered with the whole content.
-  constexpr std::size_t kMostRanges = 8;
+  constexpr std::size_t kMaxRanges = 8;
   const bool is_satisfiable = !ranges.empty();
-  if (ranges.size() > kMostRanges) ranges.clear();
+  if (ranges.size() > kMaxRanges) ranges.clear();
   return is_satisfiable;
 }
 
@@ -146,7 +146,7 @@ Server::Server(const SharedRecording& recording, const Page& page, int port, std
     port_ = port;
   }
   // The library lets five wait, and a connection that finds no room is tried again only after a second.
-  listen(socket_, static_cast<int>(kMostConnections));
+  listen(socket_, static_cast<int>(kMaxConnections));
   thread_ = std::thread([this] { server_->listen_after_bind(); });
   // It cannot be stopped before it runs.
   while (!server_->is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -162,7 +162,7 @@ std::string Server::url() const {
 }
 
 void Server::set_rules(std::chrono::seconds patience) {
-  server_->new_task_queue = [] { return new ConnectionThreads(kMostConnections); };
+  server_->new_task_queue = [] { return new ConnectionThreads(kMaxConnections); };
   // Clients that send nothing, read nothing or have gone release their thread soon.
   server_->set_keep_alive_max_count(1000);
   server_->set_keep_alive_timeout(1);

@@ -18,9 +18,9 @@ constexpr double kLongestAge = 0x1.cp30;
 // The steps of the grid are at most this fraction of the greatest distance l of candidates.
 constexpr double kGridStep = 0x1p-26;
 // Beyond, in units of l, coordinates in double precision are too coarse.
-constexpr double kFarthestPlace = 0x1p24;
+constexpr double kFarthestPosition = 0x1p24;
 // The largest coordinate in steps of the grid that converts exactly.
-constexpr double kMostSteps = 0x1p50;
+constexpr double kMaxSteps = 0x1p50;
 
 // The speed V up to which copies are good, over the root mean square of those copied.
 constexpr double kSpeedMargin = 8;
@@ -94,7 +94,7 @@ void CompactPaths::choose_units(const World& world) {
     }
     step_[axis] = step;
     steps_per_length_[axis] = 1 / step;
-    farthest_place_[axis] = std::min(kFarthestPlace * farthest_, kMostSteps * step);
+    farthest_position_[axis] = std::min(kFarthestPosition * farthest_, kMaxSteps * step);
     scale_.grid[axis] = static_cast<float>(step / length_unit);
     scale_.gravity[axis] = static_cast<float>(world.motion().gravity()[axis] / speed_unit * time_unit_);
   }
@@ -164,13 +164,14 @@ double CompactPaths::longest_age_of_falling(Slot slot) const {
   return std::min(longest_age_, time_unit_ * static_cast<double>(age));
 }
 
-// A place may be too far away for the fast conversion to an integer.
-void CompactPaths::note_unbounded(CompactPath& copy, const Vec3& place) {
+// A position may be too far away for the fast conversion to an integer.
+void CompactPaths::note_unbounded(CompactPath& copy, const Vec3& position) {
   ++unbounded_;
   copy.velocity.fill(std::numeric_limits<float>::quiet_NaN());
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     constexpr double kRing = 0x1p32;
-    copy.place[axis] = to_integer(std::remainder(place[axis], kRing * step_[axis]) * steps_per_length_[axis]);
+    copy.position[axis] =
+        to_integer(std::remainder(position[axis], kRing * step_[axis]) * steps_per_length_[axis]);
   }
 }
 

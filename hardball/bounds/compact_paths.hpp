@@ -40,22 +40,22 @@ class CompactPaths {
 
   /// Copies one path as it is at `now`.
   void copy(const World& world, Slot slot, const Time& now) {
-    const auto [place, v] = world.motion().state_at(world.path(slot), now);
+    const auto [position, v] = world.motion().state_at(world.path(slot), now);
     const double ticks = duration(epoch_, now) * ticks_per_time_;
     const double speed_squared = dot(v, v);
     CompactPath& copy = paths_[slot];
-    copy.store({to_integer(place.x * steps_per_length_.x), to_integer(place.y * steps_per_length_.y),
-                to_integer(place.z * steps_per_length_.z)},
+    copy.store({to_integer(position.x * steps_per_length_.x), to_integer(position.y * steps_per_length_.y),
+                to_integer(position.z * steps_per_length_.z)},
                to_integer(ticks),
                {static_cast<float>(v.x * per_speed_), static_cast<float>(v.y * per_speed_),
                 static_cast<float>(v.z * per_speed_)});
     ++copies_;
     squares_ += speed_squared;
-    if (std::fabs(place.x) <= farthest_place_.x && std::fabs(place.y) <= farthest_place_.y &&
-        std::fabs(place.z) <= farthest_place_.z && std::fabs(ticks) <= kMostTicks &&
+    if (std::fabs(position.x) <= farthest_position_.x && std::fabs(position.y) <= farthest_position_.y &&
+        std::fabs(position.z) <= farthest_position_.z && std::fabs(ticks) <= kMaxTicks &&
         speed_squared <= greatest_speed_squared_) [[likely]]
       return;
-    note_unbounded(copy, place);
+    note_unbounded(copy, position);
   }
 
   /// Whether the last copy says anything of the contacts of the sphere.
@@ -96,10 +96,10 @@ class CompactPaths {
   float radius(Slot slot) const {
     return are_radii_few_ ? scale_.radii[paths_[slot].revision % CompactPath::kRadii] : radii_[slot];
   }
-  /// From a point to the place of a copy along an axis: the nearest image [L].
+  /// From a point to the position of a copy along an axis: the nearest image [L].
   double apart(const std::array<std::int32_t, 3>& from, Slot slot, std::size_t axis) const {
     const auto steps =
-        static_cast<std::uint32_t>(paths_[slot].place[axis]) - static_cast<std::uint32_t>(from[axis]);
+        static_cast<std::uint32_t>(paths_[slot].position[axis]) - static_cast<std::uint32_t>(from[axis]);
     return static_cast<std::int32_t>(steps) * step_[axis];
   }
 
@@ -110,7 +110,7 @@ class CompactPaths {
 
  private:
   // Beyond, adding the pusher of to_integer loses digits.
-  static constexpr double kMostTicks = 0x1p50;
+  static constexpr double kMaxTicks = 0x1p50;
 
   // The nearest integer, modulo 2^32. Precondition: |number| < 2^51.
   static std::int32_t to_integer(double number) {
@@ -122,7 +122,7 @@ class CompactPaths {
   void copy_radii(const World& world);
   void copy_radius(Slot slot, double radius);
   double longest_age_of_falling(Slot slot) const;
-  void note_unbounded(CompactPath& copy, const Vec3& place);
+  void note_unbounded(CompactPath& copy, const Vec3& position);
 
   LargeVector<CompactPath> paths_;  // by slot, also of slots that are not in use any more
   LargeVector<float> radii_;        // by slot, in units, rounded up; empty if all are alike
@@ -138,7 +138,7 @@ class CompactPaths {
   double longest_age_of_all_ = 0;
   Vec3 step_;  // of the grid [L]
   Vec3 steps_per_length_;
-  Vec3 farthest_place_;
+  Vec3 farthest_position_;
   double greatest_speed_squared_ = 0;
   Time epoch_;
   // Since units were chosen:

@@ -17,16 +17,16 @@ constexpr double kDepthMargin = 0x1p-19;
 
 // A list must last for this fraction of the time, and its skin show in coordinates, so that rounding does not
 // matter.
-constexpr double kFewestDigits = 0x1p-38;
+constexpr double kMinDigits = 0x1p-38;
 
 }  // namespace
 
-void ApproachList::make(const Sources& sources, Slot owner, const Vec3& place, const Time& now,
+void ApproachList::make(const Sources& sources, Slot owner, const Vec3& position, const Time& now,
                         const Candidates& all) {
   const auto& [world, copies, large, usual_speed, skin] = sources;
   owner_ = owner;
   // Under gravity speeds change between contacts: nobody could say who comes from where in time.
-  const bool pays = world.motion().is_straight() && all.size() >= kFewestToList && copies.is_bounded(owner);
+  const bool pays = world.motion().is_straight() && all.size() >= kMinToList && copies.is_bounded(owner);
   if (pays) choose_depth(skin, all.size());
   const double begin = rounded_down(now);
   // At rest, it may be hit and move.
@@ -35,10 +35,10 @@ void ApproachList::make(const Sources& sources, Slot owner, const Vec3& place, c
   const double speed = length(world.path(owner).velocity);
   skin_ = depth_ * std::min(1.0, kAtRest + kChange * speed / usual_speed);
   expiry_ = begin + depth_ / usual_speed;
-  exists_ = pays && usual_speed > 0 && expiry_ > begin + kFewestDigits * std::fabs(begin) &&
+  exists_ = pays && usual_speed > 0 && expiry_ > begin + kMinDigits * std::fabs(begin) &&
             0x1p-12 * skin_ > coordinate_error(world, owner, now);
   if (!exists_) return;
-  middle_ = place;
+  middle_ = position;
   contacts_ = 0;
   const double unit = copies.length_unit();
   const CompactPath& own = copies.paths()[owner];
@@ -58,7 +58,7 @@ void ApproachList::make(const Sources& sources, Slot owner, const Vec3& place, c
     float speed_squared = 0;
     for_each_axis([&](auto axis) {
       const auto steps =
-          static_cast<std::uint32_t>(path.place[axis]) - static_cast<std::uint32_t>(own.place[axis]);
+          static_cast<std::uint32_t>(path.position[axis]) - static_cast<std::uint32_t>(own.position[axis]);
       const float apart = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis] +
                           path.velocity[axis] * age;
       distance_squared += apart * apart;

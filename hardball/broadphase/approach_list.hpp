@@ -23,7 +23,7 @@ namespace hardball {
 class ApproachList {
  public:
   /// Fewer candidates are not worth a list.
-  static constexpr std::size_t kFewestToList = 256;
+  static constexpr std::size_t kMinToList = 256;
   /// A list reaches no farther than this fraction of the skin of the large sphere's cells, nor does its own.
   static constexpr double kGreatestDepth = 0.25;
 
@@ -48,9 +48,9 @@ class ApproachList {
   double skin() const { return skin_; }
 
   /// Lists those of all candidates that can reach the sphere in `owner`, each once, if that pays; otherwise
-  /// there is no list. `place` is the sphere's center, relative to its anchor. Precondition: the sphere has
-  /// been copied at `now`. Cost: O(n log n) for n candidates.
-  void make(const Sources& sources, Slot owner, const Vec3& place, const Time& now, const Candidates& all);
+  /// there is no list. `position` is the sphere's center, relative to its anchor. Precondition: the sphere
+  /// has been copied at `now`. Cost: O(n log n) for n candidates.
+  void make(const Sources& sources, Slot owner, const Vec3& position, const Time& now, const Candidates& all);
   /// The sphere has had a contact.
   void note_contact() { ++contacts_; }
   /// Adds a sphere, if there is a list.

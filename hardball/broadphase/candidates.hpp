@@ -100,9 +100,9 @@ class Candidates {
 
   /// Removes all marks but that of the sphere itself, and makes room to mark `count` candidates.
   void start_round(std::size_t count) {
-    constexpr std::size_t kMost = std::size_t{1} << 16;
-    if (2 * count > seen_.size() && seen_.size() < kMost)
-      seen_.resize(std::min(kMost, std::bit_ceil(4 * count)));
+    constexpr std::size_t kMax = std::size_t{1} << 16;
+    if (2 * count > seen_.size() && seen_.size() < kMax)
+      seen_.resize(std::min(kMax, std::bit_ceil(4 * count)));
     if (++round_ == 0) {
       // The counter has wrapped around: old marks must not pass for new ones.
       std::fill(seen_.begin(), seen_.end(), 0);

@@ -11,7 +11,7 @@
 namespace hardball {
 namespace {
 
-constexpr double kMostCellsPerSphere = 1000;
+constexpr double kMaxCellsPerSphere = 1000;
 
 std::int32_t divide_down(std::int32_t a, std::int32_t b) {
   return a >= 0 ? a / b : -((b - 1 - a) / b);
@@ -33,11 +33,11 @@ void CellGrid::build(const World& world, const Time& now, CompactPaths& copies) 
   // The errors of single precision grow with the spheres and with the grid of the copies; the margin is a
   // fraction of the edge.
   constexpr double kLargestInEdges = 4;
-  constexpr double kFewestSteps = 0x1.ap20;
+  constexpr double kMinSteps = 0x1.ap20;
   is_single_precise_ = nearest_ && world.motion().is_straight();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double steps = cells_.edge(axis) * copies.steps_per_length()[axis];
-    is_single_precise_ &= largest_built_ <= kLargestInEdges * cells_.edge(axis) && steps >= kFewestSteps;
+    is_single_precise_ &= largest_built_ <= kLargestInEdges * cells_.edge(axis) && steps >= kMinSteps;
     // More are those of an axis without extent, which no crossing has.
     steps_of_cell_[axis] = static_cast<std::uint64_t>(std::ldexp(std::min(steps, 0x1p31), 32));
     margin_[axis] = static_cast<float>(cells_.reach(axis, 0) / copies.length_unit());
@@ -90,7 +90,7 @@ void CellGrid::refuse_tiny_cells(const World& world) const {
     for (std::size_t axis = 0; axis < kAxes; ++axis) own *= 2 * world.radius(slot) / cells_.edge(axis) + 1;
     cells += own;
   }
-  if (cells <= kMostCellsPerSphere * static_cast<double>(world.size())) return;
+  if (cells <= kMaxCellsPerSphere * static_cast<double>(world.size())) return;
   throw Error("with a cell edge of " + to_text(wanted_edge_) + " each sphere would lie in " +
                   to_text(std::round(cells / static_cast<double>(world.size()))) + " cells",
               "cell edge",
@@ -144,7 +144,7 @@ void CellGrid::refresh_range(const World& world, Slot slot, const Time& now, con
   lines_[slot].region.take(range);
 }
 
-// From the copy of the path, in single precision: for spheres of up to four edges, place, differences and
+// From the copy of the path, in single precision: for spheres of up to four edges, position, differences and
 // quotient err by less than 2^-19 of an edge, half the margin.
 double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
   // Slower components may have been rounded to zero.
@@ -159,8 +159,8 @@ double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, c
     const float velocity = path.velocity[axis];
     const bool up = !std::signbit(velocity);
     const std::int32_t plane = region.low[axis] + (up ? region.more[axis] + 1 : 0);
-    const auto steps =
-        static_cast<std::uint32_t>(path.place[axis]) - static_cast<std::uint32_t>(face_place(axis, plane));
+    const auto steps = static_cast<std::uint32_t>(path.position[axis]) -
+                       static_cast<std::uint32_t>(face_position(axis, plane));
     const float beyond = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis];
     const float ahead = (up ? -beyond : beyond) - (radius + margin_[axis]);
     const bool is_end = plane == (up ? cells_.last(axis) + 1 : cells_.first(axis));

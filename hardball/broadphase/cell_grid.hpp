@@ -69,11 +69,11 @@ class CellGrid : public WithSphereLines<CellRegion> {
     if (!is_prefetched(slot)) return;
     const CellRegion& region = lines_[slot].region;
     // Gathered first: in one loop the processor need not guess how long each list is.
-    constexpr std::size_t kMost = 8 * SlotLists::kRoom;
-    Slot found[kMost + SlotLists::kRoom];
+    constexpr std::size_t kMax = 8 * SlotLists::kRoom;
+    Slot found[kMax + SlotLists::kRoom];
     std::size_t count = 0;
     for_each_list(crosses ? region.row_ahead() : region.range(), [&](std::uint32_t list) {
-      count = std::min(kMost, count + lists_.copy_first(list, found + count));
+      count = std::min(kMax, count + lists_.copy_first(list, found + count));
     });
     for (std::size_t i = 0; i < count; ++i) copies.prefetch(found[i]);
   }
@@ -103,9 +103,9 @@ class CellGrid : public WithSphereLines<CellRegion> {
  private:
   // Large spheres in small cells touch too many.
   bool is_prefetched(Slot slot) const {
-    constexpr std::uint32_t kMostCells = 27;
+    constexpr std::uint32_t kMaxCells = 27;
     const auto& more = lines_[slot].region.more;
-    return (more[0] + 1U) * (more[1] + 1U) * (more[2] + 1U) <= kMostCells;
+    return (more[0] + 1U) * (more[1] + 1U) * (more[2] + 1U) <= kMaxCells;
   }
   // Calls visit(list) for each cell of a range, which is part of a block if regions are blocks.
   template <class Visit>
@@ -119,8 +119,8 @@ class CellGrid : public WithSphereLines<CellRegion> {
     CellBlock(cells_, range.low, table_).for_each_list(CellBlock::cells_above(0, wide), visit);
   }
   double next_crossing_of_any(const World& world, Slot slot, const Time& now);
-  // The place on the grid of CompactPaths of the lower face of the cells with this index.
-  std::int32_t face_place(std::size_t axis, std::int32_t index) const {
+  // The position on the grid of CompactPaths of the lower face of the cells with this index.
+  std::int32_t face_position(std::size_t axis, std::int32_t index) const {
     const std::uint64_t steps = static_cast<std::uint64_t>(std::int64_t{index}) * steps_of_cell_[axis];
     return static_cast<std::int32_t>(steps >> 32);
   }

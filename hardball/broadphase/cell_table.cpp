@@ -12,14 +12,14 @@ namespace hardball {
 namespace {
 
 // With more cells per sphere than this, a list for each would take more memory than the spheres.
-constexpr double kMostPerSphere = 2;
+constexpr double kMaxPerSphere = 2;
 constexpr std::size_t kAlways = 4096;
 
 }  // namespace
 
 CellTable::CellTable(const CellIndex& shape, std::size_t spheres) {
   const double cells = static_cast<double>(shape[0]) * shape[1] * shape[2];
-  if (cells > 0 && cells <= kMostPerSphere * static_cast<double>(spheres) + kAlways) {
+  if (cells > 0 && cells <= kMaxPerSphere * static_cast<double>(spheres) + kAlways) {
     size_ = static_cast<std::size_t>(cells);
     strides_ = {static_cast<std::uint32_t>(shape[1] * shape[2]), static_cast<std::uint32_t>(shape[2]), 1};
     return;

@@ -9,7 +9,7 @@
 namespace hardball {
 namespace {
 
-constexpr double kMostCellsPerSphere = 1000;
+constexpr double kMaxCellsPerSphere = 1000;
 
 // The least skin over the edge of a cell [1].
 constexpr double kLeastSkin = 0.01;
@@ -41,7 +41,7 @@ std::optional<LargeSizes> sizes_above(double largest_in_edges, const World& worl
     largest = std::max(largest, radius);
   }
   const auto spheres = static_cast<double>(world.size());
-  if (count == 0 || 2 * count > world.size() || sizes.surfaces > kMostCellsPerSphere * spheres)
+  if (count == 0 || 2 * count > world.size() || sizes.surfaces > kMaxCellsPerSphere * spheres)
     return std::nullopt;
   sizes.skin = LargeSizes::kSkin * edge;
   sizes.largest = largest;

@@ -132,19 +132,19 @@ void LargeSphereGrid::move_anchor(const World& world, LargeSphere& large, const 
 }
 
 // The center, relative to the anchor.
-Vec3 LargeSphereGrid::place_of(const World& world, const LargeSphere& large, const Time& now) const {
+Vec3 LargeSphereGrid::position_of(const World& world, const LargeSphere& large, const Time& now) const {
   return world.unfolded_position(large.slot, now) + world.box().shift(large.boxes) - large.anchor;
 }
 
 double LargeSphereGrid::next_crossing_of_large(const World& world, Slot slot, const Time& now) const {
   const LargeSphere& large = large_of(slot);
-  const Vec3 place = place_of(world, large, now);
+  const Vec3 position = position_of(world, large, now);
   const Vec3 velocity = world.velocity(slot, now);
   const double error = coordinate_error(world, slot, now);
   const double begin = rounded_down(now);
   const auto time_within = [&](const Vec3& middle, double skin) {
     const double reach = std::max(skin / 2, skin - error);
-    return begin + wait_in_ball(world.motion(), place - middle, velocity, reach);
+    return begin + wait_in_ball(world.motion(), position - middle, velocity, reach);
   };
   const double left = time_within({}, skin_);
   const ApproachList& list = large.list;
@@ -203,7 +203,7 @@ void LargeSphereGrid::cross_large(const World& world, Slot slot, const Time& now
                                   Candidates& candidates) {
   LargeSphere& large = large_of(slot);
   const double most = large.list.exists() ? (1 - 2 * ApproachList::kGreatestDepth) * skin_ : 0;
-  const bool moves = !(length(place_of(world, large, now)) < most);
+  const bool moves = !(length(position_of(world, large, now)) < most);
   if (moves) {
     erase_guest(large);
     ++left_count_;
@@ -232,8 +232,8 @@ void LargeSphereGrid::list_fast(const World& world, Slot slot) {
 
 void LargeSphereGrid::make_list(const World& world, LargeSphere& large, const Time& now,
                                 const CompactPaths& copies, const Candidates& all) const {
-  large.list.make({world, copies, are_large_, usual_speed_, skin_}, large.slot, place_of(world, large, now),
-                  now, all);
+  large.list.make({world, copies, are_large_, usual_speed_, skin_}, large.slot,
+                  position_of(world, large, now), now, all);
 }
 
 std::size_t LargeSphereGrid::memory_bytes() const {
@@ -246,7 +246,8 @@ void LargeSphereGrid::validate(const World& world, const Time& now, const Compac
   grid_.validate(world, now, copies);
   for (const LargeSphere& large : large_) {
     HARDBALL_CHECK(is_large(large.slot) && large.radius == world.radius(large.slot));
-    HARDBALL_CHECK(length(place_of(world, large, now)) <= skin_ + coordinate_error(world, large.slot, now));
+    HARDBALL_CHECK(length(position_of(world, large, now)) <=
+                   skin_ + coordinate_error(world, large.slot, now));
     for_each_cell(large, [&](const CellIndex& cell) {
       std::size_t found = 0;
       grid_.for_each_line(cell, [&](const SlotLists::LineOfSlots& slots, std::uint32_t count) {

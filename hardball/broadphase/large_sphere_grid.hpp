@@ -98,7 +98,7 @@ class LargeSphereGrid {
   LargeSphere& large_of(Slot slot) { return large_[large_numbers_[slot]]; }
   const LargeSphere& large_of(Slot slot) const { return large_[large_numbers_[slot]]; }
   void move_anchor(const World& world, LargeSphere& large, const Time& now) const;
-  Vec3 place_of(const World& world, const LargeSphere& large, const Time& now) const;
+  Vec3 position_of(const World& world, const LargeSphere& large, const Time& now) const;
   double next_crossing_of_large(const World& world, Slot slot, const Time& now) const;
   void collect_of_large(const World& world, Slot slot, Candidates& candidates) const;
   void collect_all(const World& world, const LargeSphere& large, Candidates& candidates) const;
@@ -142,7 +142,7 @@ class LargeSphereGrid {
   double usual_speed_ = 0;
   std::vector<LargeSphere> large_;
   SlotSet are_large_;
-  std::vector<std::uint32_t> large_numbers_;  // by slot: places in large_
+  std::vector<std::uint32_t> large_numbers_;  // by slot: indices in large_
   std::uint64_t left_count_ = 0;
   Candidates found_;  // around the sphere in question
 };

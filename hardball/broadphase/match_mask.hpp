@@ -27,9 +27,9 @@ std::uint32_t match_mask(Slot slot, const Slot* slots) {
   const auto last = count == 16 ? eight(count - 8) : first ^ first;
   return static_cast<std::uint32_t>(__builtin_ia32_pmovmskb128(__builtin_ia32_packsswb128(first, last)));
 #else
-  std::uint32_t places = 0;
-  for (std::uint32_t i = 0; i < count; ++i) places |= static_cast<std::uint32_t>(slots[i] == slot) << i;
-  return places;
+  std::uint32_t matches = 0;
+  for (std::uint32_t i = 0; i < count; ++i) matches |= static_cast<std::uint32_t>(slots[i] == slot) << i;
+  return matches;
 #endif
 }
 

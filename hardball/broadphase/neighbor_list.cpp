@@ -17,13 +17,13 @@ namespace hardball {
 namespace {
 
 // By which shells are larger than they need to be, and centers cross earlier, as fractions of the farthest
-// distance of neighbors: far more than the errors of places on the grid and of distances in single
+// distance of neighbors: far more than the errors of positions on the grid and of distances in single
 // precision.
 constexpr double kShellMargin = 0x1p-19;
 constexpr double kCrossingMargin = 0x1p-21;
 
-// How far an estimate from packed places is off at most along an axis, in units: each place is rounded down,
-// the distance of two cells is rounded, and places just outside of their cells are moved into them.
+// How far an estimate from packed positions is off at most along an axis, in units: each position is rounded
+// down, the distance of two cells is rounded, and positions just outside of their cells are moved into them.
 constexpr float kPackingError = 2.5F;
 
 // With more long lists than this share, all get room for twice as many neighbors.
@@ -152,7 +152,7 @@ void NeighborList::choose_packing(const CompactPaths& copies) {
     }
     packing.steps_of_cell = static_cast<std::uint64_t>(std::ldexp(steps, 32));
     const auto in_units = [&] { return std::ldexp(steps, -static_cast<int>(packing.shift)); };
-    while (in_units() > PackedPlace::kMost - 1) ++packing.shift;
+    while (in_units() > PackedPosition::kMax - 1) ++packing.shift;
     packing.units_of_cell = static_cast<std::int32_t>(std::lround(in_units()));
     if (cells_.shape()[axis] == 0) {
       packing.below = cells_.first(axis);
@@ -171,22 +171,22 @@ std::array<std::int32_t, 3> NeighborList::in_cell(const Anchor& anchor) const {
     const Packing& packing = packing_[axis];
     const std::int32_t cell = anchor.cell[axis];
     const std::uint64_t corner = static_cast<std::uint64_t>(std::int64_t{cell}) * packing.steps_of_cell;
-    const auto steps = static_cast<std::int32_t>(static_cast<std::uint32_t>(anchor.place[axis]) -
+    const auto steps = static_cast<std::int32_t>(static_cast<std::uint32_t>(anchor.position[axis]) -
                                                  static_cast<std::uint32_t>(corner >> 32));
-    constexpr auto kMost = static_cast<std::int32_t>(PackedPlace::kMost);
-    const std::int32_t inside = std::clamp(steps >> packing.shift, 0, kMost);
-    units[axis] = cell == packing.below ? kMost : cell == packing.above ? 0 : inside;
+    constexpr auto kMax = static_cast<std::int32_t>(PackedPosition::kMax);
+    const std::int32_t inside = std::clamp(steps >> packing.shift, 0, kMax);
+    units[axis] = cell == packing.below ? kMax : cell == packing.above ? 0 : inside;
   });
   return units;
 }
 
 double NeighborList::next_crossing_of_any(const World& world, Slot slot, const Time& now,
                                           const CompactPaths& copies) const {
-  const auto& anchor = lines_[slot].region.place;
-  const Vec3 place{copies.apart(anchor, slot, 0), copies.apart(anchor, slot, 1),
-                   copies.apart(anchor, slot, 2)};
+  const auto& anchor = lines_[slot].region.position;
+  const Vec3 position{copies.apart(anchor, slot, 0), copies.apart(anchor, slot, 1),
+                      copies.apart(anchor, slot, 2)};
   const double reach = std::max(0.0, room_ - coordinate_error(world, slot, now));
-  return rounded_down(now) + wait_in_ball(world.motion(), place, world.velocity(slot, now), reach);
+  return rounded_down(now) + wait_in_ball(world.motion(), position, world.velocity(slot, now), reach);
 }
 
 void NeighborList::cross(const World& world, Slot slot, const Time& now, const CompactPaths& copies,
@@ -212,7 +212,7 @@ void NeighborList::find_changes(Slot slot) {
   const std::span<const Slot> near = near_.slots();
   gained_.resize(near.size() + kWidestVector);
   lost_.resize(list.size() + kWidestVector);
-  if (list.size() <= kMostCompared) [[likely]] {
+  if (list.size() <= kMaxCompared) [[likely]] {
     const Differences found = kernels_->find_differences(list.data(), list.size(), slot, near.data(),
                                                          near.size(), gained_.data(), lost_.data());
     gained_.resize(found.gained);
@@ -233,7 +233,7 @@ void NeighborList::find_changes(Slot slot) {
 }
 
 void NeighborList::move_anchor(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
-  lines_[slot].region.place = copies.paths()[slot].place;
+  lines_[slot].region.position = copies.paths()[slot].position;
   lines_[slot].region.cell = cells_.cell_of(world.position(slot, now));
 }
 
@@ -287,8 +287,8 @@ bool NeighborList::are_near(Slot a, Slot b, const CompactPaths& copies) const {
     do_cells_touch &= rows <= 1 || rows == cells_.period(axis) - 1;
     if (packing.steps_of_cell == 0 || packing.is_outermost(cell_of_a) || packing.is_outermost(cell_of_b))
       return;
-    const auto steps = static_cast<std::uint32_t>(lines_[a].region.place[axis]) -
-                       static_cast<std::uint32_t>(lines_[b].region.place[axis]);
+    const auto steps = static_cast<std::uint32_t>(lines_[a].region.position[axis]) -
+                       static_cast<std::uint32_t>(lines_[b].region.position[axis]);
     const float apart = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis];
     distance_squared += apart * apart;
   });
@@ -351,10 +351,10 @@ void NeighborList::validate(const World& world, const Time& now, const CompactPa
   for (Slot slot = 0; slot < world.size(); ++slot) {
     CompactPaths present = copies;
     present.copy(world, slot, now);
-    const auto& anchor = lines_[slot].region.place;
-    const Vec3 place{present.apart(anchor, slot, 0), present.apart(anchor, slot, 1),
-                     present.apart(anchor, slot, 2)};
-    HARDBALL_CHECK(length(place) <= skin_ + coordinate_error(world, slot, now));
+    const auto& anchor = lines_[slot].region.position;
+    const Vec3 position{present.apart(anchor, slot, 0), present.apart(anchor, slot, 1),
+                        present.apart(anchor, slot, 2)};
+    HARDBALL_CHECK(length(position) <= skin_ + coordinate_error(world, slot, now));
     search.find_near(slot, copies);
     std::size_t others = 0;
     for (const Slot other : search.near_.slots()) {

@@ -23,7 +23,7 @@ namespace hardball {
 
 /// Where a sphere's list was made.
 struct Anchor {
-  std::array<std::int32_t, 3> place{};  ///< On the grid of CompactPaths, modulo 2^32 steps.
+  std::array<std::int32_t, 3> position{};  ///< On the grid of CompactPaths, modulo 2^32 steps.
   CellIndex cell{};
 };
 
@@ -66,17 +66,17 @@ class NeighborList : public WithSphereLines<Anchor> {
     if (!world.motion().is_straight()) [[unlikely]]
       return next_crossing_of_any(world, slot, now, copies);
     const CompactPath& path = copies.paths()[slot];
-    const auto& anchor = lines_[slot].region.place;
+    const auto& anchor = lines_[slot].region.position;
     float outwards = 0;
     float speed_squared = 1e-30F;  // of a sphere at rest the wait is finite, but longer than any copy is good
     float room = room_squared_;
     for_each_axis([&](auto axis) {
       const auto steps =
-          static_cast<std::uint32_t>(path.place[axis]) - static_cast<std::uint32_t>(anchor[axis]);
-      const float place = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis];
-      outwards += place * path.velocity[axis];
+          static_cast<std::uint32_t>(path.position[axis]) - static_cast<std::uint32_t>(anchor[axis]);
+      const float position = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis];
+      outwards += position * path.velocity[axis];
       speed_squared += path.velocity[axis] * path.velocity[axis];
-      room -= place * place;
+      room -= position * position;
     });
     // Of a sphere too fast to be bounded, nothing is known.
     if (!(speed_squared >= 0)) [[unlikely]]
@@ -129,13 +129,13 @@ class NeighborList : public WithSphereLines<Anchor> {
     std::span<const Slot> slots() const { return {room.data(), count}; }
   };
   std::size_t find_cells_around(const Anchor& anchor, CellsAround& around) const;
-  // Where an anchor lies in its cell, in units of packed places.
+  // Where an anchor lies in its cell, in units of packed positions.
   std::array<std::int32_t, 3> in_cell(const Anchor& anchor) const;
   void store_anchor(Slot slot) {
-    points_.insert(table_.list(lines_[slot].region.cell), slot, PackedPlace(in_cell(lines_[slot].region)));
+    points_.insert(table_.list(lines_[slot].region.cell), slot, PackedPosition(in_cell(lines_[slot].region)));
   }
 
-  // How places are packed, along an axis.
+  // How positions are packed, along an axis.
   struct Packing {
     std::uint64_t steps_of_cell = 0;  // of the grid of CompactPaths, times 2^32
     std::uint32_t shift = 0;          // a unit is 2^shift of these steps

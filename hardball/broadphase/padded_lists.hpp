@@ -88,7 +88,7 @@ class PaddedLists {
       free_.push_back(first & ~kElsewhere);
     std::span<Slot> lanes(&first, lanes_in_place());
     if (slots.size() > lanes.size()) [[unlikely]] {
-      first = kElsewhere | place_elsewhere();
+      first = kElsewhere | index_elsewhere();
       std::vector<Slot>& longer = elsewhere_[first & ~kElsewhere];
       longer.resize((slots.size() + kLine - 1) / kLine * kLine);
       lanes = longer;
@@ -108,7 +108,7 @@ class PaddedLists {
  private:
   struct alignas(64) Line : std::array<Slot, kLine> {};
 
-  // Added to the place of a list elsewhere.
+  // Added to the index of a list elsewhere.
   static constexpr std::uint32_t kElsewhere = 1U << 31;
 
   static std::uint32_t count_of(Slot slot, const Slot* line) {
@@ -130,29 +130,29 @@ class PaddedLists {
   bool replace(Slot owner, Slot old, Slot by) {
     const std::span<Slot> all = lanes(owner);
     for (std::size_t i = 0; i < all.size(); i += kLine) {
-      const std::uint32_t places = match_mask<kLine>(old, all.data() + i);
-      if (places == 0) continue;
-      all[i + static_cast<std::size_t>(std::countr_zero(places))] = by;
+      const std::uint32_t matches = match_mask<kLine>(old, all.data() + i);
+      if (matches == 0) continue;
+      all[i + static_cast<std::size_t>(std::countr_zero(matches))] = by;
       return true;
     }
     return false;
   }
 
-  // A place for a list elsewhere.
-  std::uint32_t place_elsewhere() {
+  // An index for a list elsewhere.
+  std::uint32_t index_elsewhere() {
     if (free_.empty()) {
       free_.push_back(static_cast<std::uint32_t>(elsewhere_.size()));
       elsewhere_.emplace_back();
     }
-    const std::uint32_t place = free_.back();
+    const std::uint32_t index = free_.back();
     free_.pop_back();
-    return place;
+    return index;
   }
 
   std::uint32_t lines_per_owner_ = 1;
   LargeVector<Line> lines_;
   std::vector<std::vector<Slot>> elsewhere_;  // whole lines each
-  std::vector<std::uint32_t> free_;           // places in `elsewhere_`
+  std::vector<std::uint32_t> free_;           // indices in `elsewhere_`
 };
 
 }  // namespace hardball

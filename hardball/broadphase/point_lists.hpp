@@ -35,10 +35,10 @@ class PointLists {
     free_block_ = kNone;
   }
 
-  void insert(std::uint32_t list, Slot slot, PackedPlace place) {
+  void insert(std::uint32_t list, Slot slot, PackedPosition position) {
     std::uint32_t at = list;
     std::uint32_t gaps;
-    while ((gaps = places_in(at, PointBlock::kNoSlot)) == 0) {
+    while ((gaps = matches_in(at, PointBlock::kNoSlot)) == 0) {
       if (next_[at] == kNone) {
         const std::uint32_t added = new_block();
         next_[at] = added;
@@ -48,21 +48,21 @@ class PointLists {
     const auto lane = static_cast<std::size_t>(std::countr_zero(gaps));
     PointBlock& block = blocks_[at];
     block.slots[lane] = slot;
-    block.places[lane] = place.bits();
+    block.positions[lane] = position.bits();
   }
 
   /// Precondition: the slot is in the list.
   void erase(std::uint32_t list, Slot slot) {
     std::uint32_t at = list;
     std::uint32_t before = kNone;
-    std::uint32_t places;
-    while ((places = places_in(at, slot)) == 0) {
+    std::uint32_t matches;
+    while ((matches = matches_in(at, slot)) == 0) {
       before = at;
       at = next_[at];
       HARDBALL_CHECK(at != kNone);
     }
-    const bool was_full = places_in(list, PointBlock::kNoSlot) == 0;
-    const auto lane = static_cast<std::size_t>(std::countr_zero(places));
+    const bool was_full = matches_in(list, PointBlock::kNoSlot) == 0;
+    const auto lane = static_cast<std::size_t>(std::countr_zero(matches));
     blocks_[at].slots[lane] = PointBlock::kNoSlot;
     if (at == list) {
       if (!was_full || next_[list] == kNone) [[likely]]
@@ -71,7 +71,7 @@ class PointLists {
       at = next_[list];
       move_point(at, list, lane);
     }
-    if (places_in(at, PointBlock::kNoSlot) != kAll) return;
+    if (matches_in(at, PointBlock::kNoSlot) != kAll) return;
     next_[before] = std::exchange(next_[at], std::exchange(free_block_, at));
   }
 
@@ -96,17 +96,17 @@ class PointLists {
     return std::exchange(free_block_, std::exchange(next_[free_block_], kNone));
   }
 
-  // A bit for each place of a block that holds the slot.
-  std::uint32_t places_in(std::uint32_t block, Slot slot) const {
+  // A bit for each lane of a block that holds the slot.
+  std::uint32_t matches_in(std::uint32_t block, Slot slot) const {
     return match_mask<PointBlock::kRoom>(slot, blocks_[block].slots.data());
   }
 
   // Fills a gap of a block with some point of another.
   void move_point(std::uint32_t from, std::uint32_t to, std::size_t gap) {
-    const std::uint32_t points = kAll & ~places_in(from, PointBlock::kNoSlot);
+    const std::uint32_t points = kAll & ~matches_in(from, PointBlock::kNoSlot);
     const auto lane = static_cast<std::size_t>(std::countr_zero(points));
     blocks_[to].slots[gap] = std::exchange(blocks_[from].slots[lane], PointBlock::kNoSlot);
-    blocks_[to].places[gap] = blocks_[from].places[lane];
+    blocks_[to].positions[gap] = blocks_[from].positions[lane];
   }
 
   LargeVector<PointBlock> blocks_;

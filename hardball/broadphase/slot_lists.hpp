@@ -43,15 +43,15 @@ class SlotLists {
   /// Precondition: the slot is in the list.
   void erase(std::uint32_t list, Slot slot) {
     std::uint32_t at = list;
-    std::uint32_t places;
-    while ((places = places_in(lines_[at], slot)) == 0) {
+    std::uint32_t matches;
+    while ((matches = matches_in(lines_[at], slot)) == 0) {
       at = lines_[at].next;
       HARDBALL_CHECK(at != kNone);
     }
     Line& first = lines_[list];
     const bool is_single = first.next == kNone;
     Line& end = is_single ? first : lines_[first.next];
-    lines_[at].slots[static_cast<std::size_t>(std::countr_zero(places))] = end.slots[--end.count];
+    lines_[at].slots[static_cast<std::size_t>(std::countr_zero(matches))] = end.slots[--end.count];
     if (end.count > 0 || is_single) return;
     const std::uint32_t empty = std::exchange(first.next, end.next);
     lines_[empty].next = std::exchange(free_line_, empty);
@@ -91,8 +91,8 @@ class SlotLists {
     LineOfSlots slots{};
   };
 
-  // A bit for each place of a line that holds the slot.
-  static std::uint32_t places_in(const Line& line, Slot slot) {
+  // A bit for each lane of a line that holds the slot.
+  static std::uint32_t matches_in(const Line& line, Slot slot) {
     static_assert(sizeof(Line) == 16 * sizeof(Slot));
     constexpr std::uint32_t kBefore = 2;  // the count and the link
     return match_mask<16>(slot, reinterpret_cast<const Slot*>(&line)) >> kBefore & ((1U << line.count) - 1);

@@ -65,13 +65,13 @@ struct CellCrossing {
 class Subdivision {
  public:
   /// The most cells along an axis, unless fewer are wanted.
-  static constexpr std::int32_t kMostCells = 1 << 28;
+  static constexpr std::int32_t kMaxCells = 1 << 28;
 
   Subdivision() = default;
   /// `edge` [L] is the wanted edge; along bounded axes it is adjusted so that a whole number of cells fills
   /// the box. There are at most `most_cells` along an axis: spheres beyond the outermost cells belong to
   /// these. Error: not positive and finite.
-  Subdivision(const Box& box, double edge, std::int32_t most_cells = kMostCells);
+  Subdivision(const Box& box, double edge, std::int32_t most_cells = kMaxCells);
 
   /// Edge of a cell along an axis [L].
   double edge(std::size_t axis) const { return axes_[axis].edge; }

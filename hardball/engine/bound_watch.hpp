@@ -17,7 +17,7 @@ class BoundWatch {
   void note_bounded() {
     if (++bounded_ < kWindow) [[likely]]
       return;
-    if (ambiguous_ > kMostAmbiguous) exact_left_ = kWindowsWithout * kWindow;
+    if (ambiguous_ > kMaxAmbiguous) exact_left_ = kWindowsWithout * kWindow;
     bounded_ = ambiguous_ = 0;
   }
   /// A bound did not tell, so that all contacts of a sphere were computed exactly.
@@ -28,7 +28,7 @@ class BoundWatch {
  private:
   static constexpr std::uint32_t kWindow = 4096;
   // A bound and exact contacts together cost some three halves of exact contacts alone.
-  static constexpr std::uint32_t kMostAmbiguous = kWindow / 3;
+  static constexpr std::uint32_t kMaxAmbiguous = kWindow / 3;
   static constexpr std::uint32_t kWindowsWithout = 32;
 
   std::uint32_t bounded_ = 0;

@@ -25,13 +25,13 @@ void check_bounds([[maybe_unused]] const Forecast& forecast, [[maybe_unused]] co
   }
 }
 
-/// Whether a sphere answers for its contact with another: the contact cannot come before the prospect.
+/// Whether a sphere answers for its contact with another: the contact cannot come before what it has planned.
 template <class Forecast>
 bool covers(const Forecast& forecast, Slot slot, const Event& contact, Slot other) {
   const Plan& plan = forecast.plan(slot);
   if (forecast.is_unknown(slot)) return plan.contact() <= contact.time.high;
   if (!plan.is_bound()) return forecast.contact_of(slot) <= contact;
-  return (plan.partner() == other ? plan.contact() : plan.limit()) <= contact.time.high;
+  return (plan.partner() == other ? plan.contact() : plan.safe_until()) <= contact.time.high;
 }
 
 /// Whether a sphere has no such candidate yet, but crosses before their contact.

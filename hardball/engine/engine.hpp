@@ -26,10 +26,10 @@ namespace hardball {
 
 /// The event loop: take the least event, execute it, predict again.
 ///
-/// The queue holds one event per sphere: the earlier of its crossing (broad phase) and its prospect, which
-/// the forecast knows. A prospect is a contact computed exactly, or a bound of it; only exact contacts are
-/// ever executed, so bounds affect the speed and not the history. An engine is a value: it can be
-/// copied, and many can coexist.
+/// The queue holds one event per sphere: the earlier of its crossing (broad phase) and its planned contact,
+/// which the forecast knows. A planned contact is a contact computed exactly, or a bound of it; only exact
+/// contacts are ever executed, so bounds affect the speed and not the history. An engine is a value: it can
+/// be copied, and many can coexist.
 template <EventQueue Queue, BroadPhase Phase>
 class Engine {
  public:
@@ -274,9 +274,9 @@ class Engine {
     // Branchless: which id is lower is unpredictable.
     const Slot exchange = (slot ^ partner) & (Slot{0} - static_cast<Slot>(partner_id < id));
     const Participants participants{slot ^ exchange, partner ^ exchange, forecast_.uses_minimum_image()};
-    const Event event = is_collision
-                            ? make_collision(plan.moment(), id, partner_id, forecast_.image_in_event(slot))
-                            : Event{plan.moment(), EventKind::wall, id, plan.wall(), {}};
+    const Event event =
+        is_collision ? make_collision(plan.contact_time(), id, partner_id, forecast_.image_in_event(slot))
+                     : Event{plan.contact_time(), EventKind::wall, id, plan.wall(), {}};
     standstill_guard_.note_event(now(), event.time, world().size());
     execute(forecast_.world(), aftermath_.collapse, event, participants, done_);
     forecast_.advance(event.time);
@@ -284,7 +284,7 @@ class Engine {
     journal_.note_event(is_collision ? EngineJournal::Kind::collision : EngineJournal::Kind::wall, now(), id,
                         partner_id);
     queue_.pop();
-    if (done_.contact.fate == Fate::merge) [[unlikely]] {
+    if (done_.contact.outcome == ContactOutcome::merge) [[unlikely]] {
       return absorb(participants);
     }
     const std::uint64_t predictions_before = forecast_.counters().predictions;

@@ -28,10 +28,10 @@ namespace hardball {
 /// queue.
 ///
 /// Of any two candidates, the one that predicted last answers for their contact. A bound is refined, replaced
-/// by the exact contact, when it is about to come; if its contact is not before its limit, all contacts of
-/// the sphere are computed exactly. A prospect whose partner's path has changed since is stale, and the
-/// sphere predicts again. Whoever changes a plan schedules the sphere. Source: docs/bounds.md, with the
-/// proof.
+/// by the exact contact, when it is about to come; if its contact is not before the time until which all
+/// others are excluded, all contacts of the sphere are computed exactly. A planned contact whose partner's
+/// path has changed since is stale, and the sphere predicts again. Whoever changes a plan schedules the
+/// sphere. Source: docs/bounds.md, with the proof.
 template <BroadPhase Phase>
 class Forecast {
  public:
@@ -97,15 +97,16 @@ class Forecast {
     const Plan& own = plan(slot);
     return own.has_partner() && !own.has_seen(compact_.revision(own.partner()));
   }
-  /// Whether all contacts must be predicted again when the prospect comes.
+  /// Whether all contacts must be predicted again when the planned contact comes.
   bool is_unknown(Slot slot) const { return plan(slot).is_unknown() || is_stale(slot); }
 
   /// The contact planned. Precondition: it is exact and not stale.
   Event contact_of(Slot slot) const {
     const Plan& own = plan(slot);
     if (!(own.contact() < kNever.high)) return {};
-    if (own.meets_wall()) return {own.moment(), EventKind::wall, world_.id(slot), own.wall(), {}};
-    return make_collision(own.moment(), world_.id(slot), world_.id(own.partner()), image_of_partner(slot));
+    if (own.meets_wall()) return {own.contact_time(), EventKind::wall, world_.id(slot), own.wall(), {}};
+    return make_collision(own.contact_time(), world_.id(slot), world_.id(own.partner()),
+                          image_of_partner(slot));
   }
   /// The image of the partner in events: none where the nearest is meant.
   Image image_in_event(Slot slot) const { return uses_minimum_image_ ? Image{} : images_[slot]; }
@@ -139,7 +140,7 @@ class Forecast {
     predict(slot);
   }
 
-  /// Refines the bound of a sphere, or computes all its contacts if the limit is not after it.
+  /// Refines the bound of a sphere, or computes all its contacts if others may come before it.
   void refine_or_predict(Slot slot) {
     const Slot partner = plan(slot).partner();
     const Image image = nearest_image(world_, slot, partner, now_);
@@ -206,7 +207,8 @@ class Forecast {
     const Plan& one = plan(a);
     const Plan& other = plan(b);
     return uses_minimum_image_ && one.meets_first() && other.meets_first() && !one.is_bound() &&
-           !other.is_bound() && one.partner() == b && other.partner() == a && one.moment() == other.moment();
+           !other.is_bound() && one.partner() == b && other.partner() == a &&
+           one.contact_time() == other.contact_time();
   }
   bool is_cached() const { return is_cached_; }
   void prefetch_event(Slot slot) const { prefetch(&plan(slot)); }
@@ -254,20 +256,21 @@ class Forecast {
 
   Plan& mutable_plan(Slot slot) { return phase_.lines()[slot].plan; }
 
-  // The image of the partner that is met. Precondition: the prospect is a collision, not stale.
+  // The image of the partner that is met. Precondition: the planned contact is a collision, not stale.
   Image image_of_partner(Slot slot) const {
     const Plan& own = plan(slot);
-    return uses_minimum_image_ ? nearest_image(world_, slot, own.partner(), own.moment()) : images_[slot];
+    return uses_minimum_image_ ? nearest_image(world_, slot, own.partner(), own.contact_time())
+                               : images_[slot];
   }
 
   void exclude_passing(Candidates& candidates) const;
 
-  // Predicts contacts with new candidates, which come with their images, and keeps the prospect if it is
-  // earlier. Precondition: the prospect is known.
+  // Predicts contacts with new candidates, which come with their images, and keeps the planned contact if it
+  // is earlier. Precondition: the planned contact is known.
   void predict_new_exactly(Slot slot) {
     Plan& own = mutable_plan(slot);
-    const Prospect found = predictor_.earliest(world_, candidates_, now_);
-    if (!found.happens() || found.time > own.moment()) return;
+    const PredictedContact found = predictor_.earliest(world_, candidates_, now_);
+    if (!found.happens() || found.time > own.contact_time()) return;
     const Event before = contact_of(slot);
     const Plan kept = own;
     const Image kept_image = images_[slot];
@@ -286,12 +289,12 @@ class Forecast {
     const bool is_known = found.happens() && own.has_partner() && found.partner == own.partner();
     if (is_known && found.second <= own.contact()) return false;
     if (is_known) {
-      if (own.is_bound()) own.lower_limit(found.second);
+      if (own.is_bound()) own.lower_safe_until(found.second);
     } else if (found.least < own.contact()) {
       own.set_bound(found.least, std::min(found.second, own.contact()), found.partner,
                     compact_.revision(found.partner));
     } else if (own.is_bound()) {
-      own.lower_limit(found.least);
+      own.lower_safe_until(found.least);
     } else if (found.least == own.contact() && found.least < kNever.high) {
       // Which is earlier the bound cannot tell.
       own.set_bound(found.least, found.least, found.partner, compact_.revision(found.partner));
@@ -303,12 +306,12 @@ class Forecast {
   void plan_contacts(Slot slot, double least, double second, Slot partner) {
     Plan& own = mutable_plan(slot);
     own.set_bound(least, second, partner, compact_.revision(partner));
-    if (has_walls_ && may_meet_wall(world_, slot, own.limit(), now_, obstacle_range())) {
+    if (has_walls_ && may_meet_wall(world_, slot, own.safe_until(), now_, obstacle_range())) {
       const Event wall = next_wall_event(world_, slot, now_, obstacle_range());
       if (wall.time.high < own.contact()) {
         own.set_wall(wall.time, wall.second);
       } else {
-        own.lower_limit(wall.time.high);
+        own.lower_safe_until(wall.time.high);
       }
     }
     plan_crossing(slot);
@@ -321,7 +324,7 @@ class Forecast {
     take(slot, predictor_.earliest(world_, candidates_, now_));
     if (has_walls_) {
       const Event wall = next_wall_event(world_, slot, now_, obstacle_range());
-      if (wall.happens() && wall.time < plan(slot).moment())
+      if (wall.happens() && wall.time < plan(slot).contact_time())
         mutable_plan(slot).set_wall(wall.time, wall.second);
     }
     plan_crossing(slot);
@@ -359,15 +362,15 @@ class Forecast {
 
   void outdate_plans_with(Slot slot);
 
-  void take(Slot slot, const Prospect& prospect) {
-    if (!prospect.happens()) return mutable_plan(slot).set_unknown(kNever.high);
-    mutable_plan(slot).set_collision(prospect.time, prospect.partner, compact_.revision(prospect.partner));
-    if (!uses_minimum_image_) images_[slot] = prospect.image;
+  void take(Slot slot, const PredictedContact& found) {
+    if (!found.happens()) return mutable_plan(slot).set_unknown(kNever.high);
+    mutable_plan(slot).set_collision(found.time, found.partner, compact_.revision(found.partner));
+    if (!uses_minimum_image_) images_[slot] = found.image;
   }
 
-  // The partner answers for their contact, having predicted last: what remains comes after the limit, and is
+  // The partner answers for their contact, having predicted last: what remains comes after that time, and is
   // predicted then. Precondition: a stale bound.
-  void postpone(Slot slot) { mutable_plan(slot).set_unknown(plan(slot).limit()); }
+  void postpone(Slot slot) { mutable_plan(slot).set_unknown(plan(slot).safe_until()); }
 
   World world_;
   Phase phase_;

@@ -54,9 +54,9 @@ BoundedContacts Predictor::bound_with_care(const CompactPaths& copies, const Can
       found.second = std::min(found.second, time);
     }
   };
-  for (std::size_t begin = 0; begin < candidates.size(); begin += BoundKeys::kMost) {
+  for (std::size_t begin = 0; begin < candidates.size(); begin += BoundKeys::kMax) {
     const Slot* const others = candidates.slots() + begin;
-    const std::size_t count = std::min(candidates.size() - begin, BoundKeys::kMost);
+    const std::size_t count = std::min(candidates.size() - begin, BoundKeys::kMax);
     if (!is_bounded) {
       for (std::size_t i = 0; i < count; ++i) note(base, others[i]);
       continue;
@@ -67,13 +67,14 @@ BoundedContacts Predictor::bound_with_care(const CompactPaths& copies, const Can
     for (const std::uint32_t key : {keys.first, keys.second}) {
       if (!BoundKeys::touches(key)) break;
       note(base + copies.time_unit() * static_cast<double>(BoundKeys::wait(key)),
-           others[BoundKeys::place(key)]);
+           others[BoundKeys::index(key)]);
     }
   }
   return found;
 }
 
-Prospect Predictor::earliest_in_order(const World& world, const Candidates& candidates, const Time& now) {
+PredictedContact Predictor::earliest_in_order(const World& world, const Candidates& candidates,
+                                              const Time& now) {
   Event first;
   std::size_t index = 0;
   for (std::size_t i = 0; i < candidates.size(); ++i) {

@@ -51,7 +51,7 @@ struct PairContacts {
 };
 
 /// The earliest contact of a sphere with its candidates.
-struct Prospect {
+struct PredictedContact {
   Time time = kNever;
   Slot partner = 0;
   Image image;  ///< Of the partner; unused if candidates mean the nearest image.
@@ -76,7 +76,7 @@ class Predictor {
 
   /// The earliest contact of the sphere to which the candidates belong; one that does not happen if there is
   /// none. Precondition: `candidates` has been ended, and was collected at `now`.
-  Prospect earliest(const World& world, const Candidates& candidates, const Time& now) const {
+  PredictedContact earliest(const World& world, const Candidates& candidates, const Time& now) const {
     if (candidates.size() == 0) return {};
     const double* shifts[kAxes];
     if (!candidates.uses_minimum_image()) {
@@ -134,7 +134,7 @@ class Predictor {
 
  private:
   static bool is_usual(const CompactPaths& copies, const Candidates& candidates) {
-    return copies.is_bounded(candidates.self()) && candidates.size() <= BoundKeys::kMost;
+    return copies.is_bounded(candidates.self()) && candidates.size() <= BoundKeys::kMax;
   }
   static BoundQuery query_of(const Candidates& candidates) {
     return {.self = candidates.self(), .others = candidates.slots(), .count = candidates.size()};
@@ -145,7 +145,7 @@ class Predictor {
     const double unit = copies.time_unit();
     return {base + unit * static_cast<double>(BoundKeys::wait(keys.first)),
             base + unit * static_cast<double>(BoundKeys::wait(keys.second)),
-            candidates.slots()[BoundKeys::place(keys.first)]};
+            candidates.slots()[BoundKeys::index(keys.first)]};
   }
 
   // The same for a sphere too fast to be bounded, and for many candidates.
@@ -153,7 +153,8 @@ class Predictor {
                                   double base) const;
 
   // The earliest contact, pair by pair, by the order of events.
-  static Prospect earliest_in_order(const World& world, const Candidates& candidates, const Time& now);
+  static PredictedContact earliest_in_order(const World& world, const Candidates& candidates,
+                                            const Time& now);
 
   const Kernels* kernels_;
 };

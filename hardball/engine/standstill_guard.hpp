@@ -21,9 +21,9 @@ class StandstillGuard {
       events_ = 0;
       return;
     }
-    constexpr std::uint64_t kMostPerSphere = 20000;
+    constexpr std::uint64_t kMaxPerSphere = 20000;
     constexpr std::uint64_t kFewSpheres = 4;
-    if (++events_ <= kMostPerSphere * (spheres + kFewSpheres)) return;
+    if (++events_ <= kMaxPerSphere * (spheres + kFewSpheres)) return;
     throw RunFailure("the time " + to_text(now.value()) +
                      " is too large to resolve the motion of the spheres; start at an earlier time");
   }

@@ -23,7 +23,7 @@ constexpr double kResizeFactor = 3;
 
 constexpr std::size_t kFew = 64;  // a bit for each fits a word
 
-// Sorts up to kFew entries, the latest first. Each goes to the place given by the number of later ones: that
+// Sorts up to kFew entries, the latest first. Each goes to the index given by the number of later ones: that
 // many comparisons take less than the branches of a sort, which are unpredictable.
 void sort_few(std::vector<QueueEntry>& entries) {
   using Times = double __attribute__((vector_size(16)));
@@ -42,10 +42,10 @@ void sort_few(std::vector<QueueEntry>& entries) {
     const Times same{time, time};
     Counts later{};
     for (std::size_t pair = 0; 2 * pair < size; ++pair) later -= times[pair] > same;
-    auto place = static_cast<std::size_t>(later[0] + later[1]);
-    while ((taken >> place & 1) != 0) ++place;  // another of the same time
-    taken |= std::uint64_t{1} << place;
-    entries[place] = unsorted[i];
+    auto index = static_cast<std::size_t>(later[0] + later[1]);
+    while ((taken >> index & 1) != 0) ++index;  // another of the same time
+    taken |= std::uint64_t{1} << index;
+    entries[index] = unsorted[i];
   }
 }
 

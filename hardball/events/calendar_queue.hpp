@@ -277,18 +277,18 @@ class CalendarQueue {
   }
 
   HARDBALL_ALWAYS_INLINE void insert(Owner owner, Bucket& bucket) {
-    const std::uint32_t place = bucket.count++ % kRoom;
-    if (place == 0) bucket.last_block = new_block(bucket.last_block);
-    blocks_[bucket.last_block][place] = owner;
+    const std::uint32_t index = bucket.count++ % kRoom;
+    if (index == 0) bucket.last_block = new_block(bucket.last_block);
+    blocks_[bucket.last_block][index] = owner;
     ++bucketed_count_;
   }
 
   // Buckets are scattered in memory: an entry is inserted a few entries later, when the prefetched cache line
   // has arrived.
   void insert_delayed(Owner owner, std::int64_t number) {
-    Pending& place = pending_[pending_count_ % kPending];
-    if (pending_count_ >= kPending) insert(place.owner, bucket(place.bucket));
-    place = {owner, number};
+    Pending& entry = pending_[pending_count_ % kPending];
+    if (pending_count_ >= kPending) insert(entry.owner, bucket(entry.bucket));
+    entry = {owner, number};
     prefetch(&bucket(number));
     if (pending_count_ >= kPending / 2) {
       const Bucket& sooner = bucket(pending_[(pending_count_ - kPending / 2) % kPending].bucket);

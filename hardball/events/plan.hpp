@@ -9,10 +9,10 @@
 
 namespace hardball {
 
-/// What comes next for a sphere: its crossing, and its prospect.
+/// What comes next for a sphere: its crossing, and its planned contact.
 ///
-/// A prospect is a contact, with a sphere or a wall; or a bound, before which the sphere meets nobody, and a
-/// limit, before which it meets nobody but its partner; or, if there is no partner, a time before which
+/// A planned contact is exact, with a sphere or a wall; or a bound, before which the sphere meets nobody, and
+/// a time until which it is safe from all but its partner; or, if there is no partner, a time before which
 /// nothing happens and after which nothing is known.
 class alignas(32) Plan {
  public:
@@ -26,20 +26,20 @@ class alignas(32) Plan {
   /// [T], or any time after the contact.
   double crossing() const { return crossing_; }
   /// Of a bound: no contact comes before it but with the partner [T].
-  double limit() const { return limit_or_low_; }
+  double safe_until() const { return safe_until_or_low_; }
   /// The time of a contact.
-  Time moment() const { return {contact_, limit_or_low_}; }
+  Time contact_time() const { return {contact_, safe_until_or_low_}; }
   /// The slot of the sphere met. Precondition: has_partner().
   Slot partner() const { return partner_; }
   /// The number of the wall met. Precondition: meets_wall().
   std::uint32_t wall() const { return partner_; }
 
   bool crosses_first() const { return crossing_ <= contact_; }
-  /// Whether the prospect is no contact.
+  /// Whether the planned contact is not exact.
   bool is_bound() const { return (tag_ & kExact) == 0; }
   bool has_partner() const { return (tag_ & kNoPartner) == 0; }
   bool meets_wall() const { return (tag_ & kKind) == (kExact | kNoPartner); }
-  /// Whether the prospect is a bound of the contact with a partner.
+  /// Whether the planned contact is a bound of the contact with a partner.
   bool is_bounded_pair() const { return (tag_ & kKind) == 0; }
   /// Whether all that is known is that nothing happens before.
   bool is_unknown() const { return (tag_ & kKind) == kNoPartner; }
@@ -51,9 +51,9 @@ class alignas(32) Plan {
   bool will_cross_first() const { return crosses_first() && crossing_ < kNever.high; }
   bool meets_first() const { return !crosses_first() && has_partner(); }
 
-  void set_bound(double time, double limit, Slot partner, std::uint32_t revision) {
+  void set_bound(double time, double safe_until, Slot partner, std::uint32_t revision) {
     contact_ = time;
-    limit_or_low_ = limit;
+    safe_until_or_low_ = safe_until;
     partner_ = partner;
     tag_ = revision;
   }
@@ -68,14 +68,14 @@ class alignas(32) Plan {
   /// Replaces a bound by the contact with the partner; returns false if that may not be the earliest, and
   /// then the bound stays.
   bool refine(const Time& contact) {
-    if (!(contact.high < limit_or_low_)) return false;
+    if (!(contact.high < safe_until_or_low_)) return false;
     contact_ = contact.high;
-    limit_or_low_ = contact.low;
+    safe_until_or_low_ = contact.low;
     tag_ |= kExact;
     return true;
   }
   /// Others may be met from `time` on. Precondition: a bound.
-  void lower_limit(double time) { limit_or_low_ = std::min(limit_or_low_, time); }
+  void lower_safe_until(double time) { safe_until_or_low_ = std::min(safe_until_or_low_, time); }
   void set_crossing(double time) {
     crossing_ = time;
     tag_ &= ~kRenewal;
@@ -95,9 +95,9 @@ class alignas(32) Plan {
 
   double contact_ = kNever.high;
   double crossing_ = kNever.high;
-  double limit_or_low_ = 0;    // of a contact, the low part of its time
-  std::uint32_t partner_ = 0;  // or the wall
-  std::uint32_t tag_ = 0;      // the revision of the partner's path, and the bits above
+  double safe_until_or_low_ = 0;  // of a contact, the low part of its time
+  std::uint32_t partner_ = 0;     // or the wall
+  std::uint32_t tag_ = 0;         // the revision of the partner's path, and the bits above
 };
 static_assert(sizeof(Plan) == 32);
 

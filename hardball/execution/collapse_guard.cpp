@@ -10,7 +10,7 @@
 namespace hardball {
 namespace {
 
-constexpr std::uint32_t kMostIdleContacts = 10000;
+constexpr std::uint32_t kMaxIdleContacts = 10000;
 
 double largest_coordinate(const Vec3& place) {
   return std::max({std::fabs(place.x), std::fabs(place.y), std::fabs(place.z)});
@@ -59,9 +59,9 @@ void CollapseGuard::count(SphereId id, bool is_idle, const Time& now) {
     return;
   }
   if (has_journal_) changes_.push_back({now, id, idle_contacts_[id]});
-  if (++idle_contacts_[id] < kMostIdleContacts) return;
+  if (++idle_contacts_[id] < kMaxIdleContacts) return;
   throw RunFailure(
-      "inelastic collapse: sphere " + to_text(id) + " was hit " + to_text(kMostIdleContacts) +
+      "inelastic collapse: sphere " + to_text(id) + " was hit " + to_text(kMaxIdleContacts) +
       " times without separating from what hit it, at time " + to_text(now.value()) +
       "; make slow impacts elastic (elastic_below) or those that follow another at once (contact_duration), "
       "by larger values if they are set, raise the restitution, or end the run before this time");

@@ -97,11 +97,11 @@ void describe_traits(const World& world, const Participants& participants, Conta
   const Slot second = participants.second;
   contact.spins_before = {world.spin(first), is_collision ? world.spin(second) : Vec3{}};
   contact.spins_after = contact.spins_before;
-  contact.first_moment = world.moment(first);
-  contact.second_moment = is_collision ? world.moment(second) : kUniformSphereMoment;
+  contact.first_inertia_factor = world.inertia_factor(first);
+  contact.second_inertia_factor = is_collision ? world.inertia_factor(second) : kSphereInertiaFactor;
   contact.first_species = world.species(first);
   contact.second_species = is_collision ? world.species(second) : SpeciesId{0};
-  if (is_collision && world.pass(first, second)) contact.fate = Fate::pass;
+  if (is_collision && world.pass(first, second)) contact.outcome = ContactOutcome::pass;
 }
 
 // What a contact tells of its wall, and the wall's velocity. Precondition: time and position are set.
@@ -174,7 +174,7 @@ void contact_at(const World& world, const Event& event, const Participants& part
     before = {velocity, {}};
     describe_wall(world, event.second, contact, before.second);
   }
-  contact.fate = Fate::bounce;
+  contact.outcome = ContactOutcome::bounce;
   // Without traits, spins are zero unless the last response returned others that were refused.
   if (world.has_traits() || done.may_turn) [[unlikely]]
     describe_traits(world, participants, contact);

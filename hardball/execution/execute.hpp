@@ -90,14 +90,14 @@ inline void execute(World& world, CollapseGuard& guard, const Event& event, cons
                     Executed& done) {
   Contact& contact = done.contact;
   contact_at(world, event, participants, done);
-  if (contact.fate == Fate::pass) [[unlikely]] {
+  if (contact.outcome == ContactOutcome::pass) [[unlikely]] {
     done.folded = {};
     return world.note_passage(event);
   }
   done.may_turn = true;  // until the response tells otherwise, and if it throws
   done.may_turn = world.interactions().decide(contact);
   const bool is_collision = contact.is_collision();
-  if (contact.fate == Fate::merge) [[unlikely]]
+  if (contact.outcome == ContactOutcome::merge) [[unlikely]]
     return merge(world, contact, participants);
   if (world.has_traits()) [[unlikely]]
     keep_kinematic(contact);
@@ -124,7 +124,7 @@ inline bool merge_if_decided(World& world, const Event& collision, const Partici
   contact_at(world, collision, participants, done);
   done.may_turn = true;  // until the response tells otherwise, and if it throws
   done.may_turn = world.interactions().decide(done.contact);
-  if (done.contact.fate != Fate::merge) return false;
+  if (done.contact.outcome != ContactOutcome::merge) return false;
   merge(world, done.contact, participants);
   return true;
 }

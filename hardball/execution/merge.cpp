@@ -24,8 +24,8 @@ double cube(double x) {
   return x * x * x;
 }
 
-double inertia(double moment, double mass, double radius) {
-  return moment * mass * radius * radius;
+double inertia(double inertia_factor, double mass, double radius) {
+  return inertia_factor * mass * radius * radius;
 }
 
 }  // namespace
@@ -46,20 +46,22 @@ void merge(World& world, Contact& contact, const Participants& participants) {
   const bool is_kinematic = std::isinf(mass);
   // How much of the merged sphere is the second; a kinematic one stays as it is but for its size.
   const double weight = is_kinematic ? (std::isinf(contact.second_mass) ? 1 : 0) : contact.second_mass / mass;
-  const double moment = contact.first_moment + weight * (contact.second_moment - contact.first_moment);
+  const double inertia_factor =
+      contact.first_inertia_factor + weight * (contact.second_inertia_factor - contact.first_inertia_factor);
   const Vec3 relative = contact.before.second - contact.before.first;
   const Vec3 velocity = contact.before.first + weight * relative;
   Vec3 spin = weight == 1 ? contact.spins_before.second : contact.spins_before.first;
   if (!is_kinematic) {
     const Vec3 angular_momentum =
         (contact.first_mass * weight) * cross(contact.separation, relative) +
-        inertia(contact.first_moment, contact.first_mass, contact.first_radius) * contact.spins_before.first +
-        inertia(contact.second_moment, contact.second_mass, contact.second_radius) *
+        inertia(contact.first_inertia_factor, contact.first_mass, contact.first_radius) *
+            contact.spins_before.first +
+        inertia(contact.second_inertia_factor, contact.second_mass, contact.second_radius) *
             contact.spins_before.second;
-    spin = (1 / inertia(moment, mass, radius)) * angular_momentum;
+    spin = (1 / inertia(inertia_factor, mass, radius)) * angular_momentum;
   }
   SphereEdit edit(world, contact.time, participants.first);
-  edit.reshape(participants.first, radius, mass, moment);
+  edit.reshape(participants.first, radius, mass, inertia_factor);
   // The path is brought to this time first, so that boxes crossed until then are counted.
   world.rewrite_path(participants.first, contact.time, velocity);
   Vec3 position = contact.position + weight * contact.separation;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <type_traits>
 
 #include "hardball/errors/export.hpp"
 #include "hardball/geometry/grazing_time.hpp"
@@ -19,9 +20,9 @@ namespace hardball {
 /// vectors changes no bit of the result, which is the same in each lane of the numbers (number.hpp).
 /// Source: Bannerman et al., Comp. Part. Mech. 1 (2014) 191, section 2.
 template <class Number>
-HARDBALL_EXPORT HARDBALL_ALWAYS_INLINE Number time_to_reach(const VectorOf<Number>& separation,
-                                                            const VectorOf<Number>& velocity,
-                                                            const Number& reach) {
+HARDBALL_ALWAYS_INLINE Number time_to_reach(const VectorOf<Number>& separation,
+                                            const VectorOf<Number>& velocity,
+                                            const std::type_identity_t<Number>& reach) {
   const Number zero(0.0);
   const Number forever(std::numeric_limits<double>::infinity());
   // Distance squared minus reach squared is excess + 2 approach t + speed_squared t^2.
@@ -37,8 +38,8 @@ HARDBALL_EXPORT HARDBALL_ALWAYS_INLINE Number time_to_reach(const VectorOf<Numbe
   // spheres.
   const Number speed_squared = dot(velocity, velocity);
   const Number closest = speed_squared * reach_squared;
-  const VectorOf<Number> moment = cross(separation, velocity);
-  const Number discriminant = closest - dot(moment, moment);
+  const VectorOf<Number> angular = cross(separation, velocity);
+  const Number discriminant = closest - dot(angular, angular);
   const auto may_touch = Number(-kCertainMiss) * (speed_squared * distance_squared) <= discriminant;
   if (ends(!may_touch)) return forever;
   const auto meets_steeply = discriminant > Number(kGrazingCosineSquared) * closest;
@@ -87,8 +88,9 @@ inline Vec3 separation_at(const Motion& motion, const Path& a, const Path& b, co
 /// is called, in either order of the paths, and in each lane of the numbers.
 template <class AnyMotion, class Number>
 HARDBALL_ALWAYS_INLINE TimeOf<Number> contact_time(const AnyMotion& motion, const PathOf<Number>& a,
-                                                   const PathOf<Number>& b, const VectorOf<Number>& shift,
-                                                   const Number& reach) {
+                                                   const PathOf<Number>& b,
+                                                   const std::type_identity_t<VectorOf<Number>>& shift,
+                                                   const std::type_identity_t<Number>& reach) {
   const TimeOf<Number> start = later(a.time, b.time);
   const StateOf<Number> relative = relative_state_at(motion, a, b, shift, start);
   return after(start, time_to_reach(relative.position, relative.velocity, reach));

@@ -51,7 +51,7 @@ HARDBALL_ALWAYS_INLINE bool any(const Mask& mask) {
 }
 
 /// Whether a formula may end where a condition holds: that of a single number may. The lanes of a vector
-/// seldom agree, so that it goes on, and masks choose.
+/// seldom agree, so it continues, and masks choose.
 HARDBALL_ALWAYS_INLINE bool ends(bool condition) {
   return condition;
 }

@@ -30,7 +30,7 @@ struct BounceRules {
 /// Spheres and walls that bounce off each other, smooth or rough, with any law of restitution. An impact of
 /// rough bodies changes their spins, too. Energy is conserved if the restitution is 1 and the tangential one
 /// 1 or -1, momentum and angular momentum always. Source: Huthmann and Zippelius, Phys. Rev. E 56 (1997)
-/// R6275, for spheres of equal size; here each sphere has a radius, mass and moment of its own.
+/// R6275, for spheres of equal size; here each sphere has a radius, mass and inertia factor of its own.
 class HARDBALL_EXPORT Bounce {
  public:
   /// Error: a restitution is not between 0 and 1; the tangential one is not between -1 and 1; a speed or

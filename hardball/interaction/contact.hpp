@@ -31,7 +31,7 @@ struct Spins {
 };
 
 /// What becomes of the bodies of a contact.
-enum class Fate : std::uint8_t {
+enum class ContactOutcome : std::uint8_t {
   bounce,  ///< They separate.
   pass,    ///< They pass through each other, on unchanged paths.
   merge,   ///< They become one: the first, in the place and with the mass of both.
@@ -67,14 +67,14 @@ struct Contact {
   Spins spins_before;      ///< [1/T]
   Spins spins_after;       ///< [1/T]; equal to `spins_before` while the response is called.
   /// Moments of inertia over mass and squared radius [1].
-  double first_moment = kUniformSphereMoment;
-  double second_moment = kUniformSphereMoment;
+  double first_inertia_factor = kSphereInertiaFactor;
+  double second_inertia_factor = kSphereInertiaFactor;
   /// When the motion of each sphere had last changed; minus infinity for a wall.
   Time first_since;
   Time second_since;
   SpeciesId first_species = 0;
   SpeciesId second_species = 0;  ///< Zero for a wall.
-  Fate fate = Fate::bounce;
+  ContactOutcome outcome = ContactOutcome::bounce;
   Vec3 wall_normal;               ///< Wall: the unit vector from the center toward it [1].
   double pressing = 0;            ///< Wall: the acceleration of the sphere toward it [L/T^2].
   SurfaceMaterial wall_material;  ///< Wall: what it does.
@@ -144,7 +144,8 @@ bool decide(const R& response, Contact& contact) {
     const Outcome outcome = response(std::as_const(contact));
     contact.after = outcome.velocities;
     contact.spins_after = outcome.spins;
-    contact.fate = outcome.merges && contact.is_collision() ? Fate::merge : Fate::bounce;
+    contact.outcome =
+        outcome.merges && contact.is_collision() ? ContactOutcome::merge : ContactOutcome::bounce;
     return true;
   }
 }
@@ -155,7 +156,7 @@ Outcome outcome_of(const R& response, Contact contact) {
   decide(response, contact);
   Outcome outcome(contact, contact.after);
   outcome.spins = contact.spins_after;
-  outcome.merges = contact.fate == Fate::merge;
+  outcome.merges = contact.outcome == ContactOutcome::merge;
   return outcome;
 }
 

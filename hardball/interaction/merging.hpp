@@ -9,7 +9,7 @@ namespace hardball {
 /// Spheres that become one when they touch, with the mass, momentum, angular momentum and volume of both.
 struct Merging {
   bool decide(Contact& contact) const {
-    contact.fate = Fate::merge;
+    contact.outcome = ContactOutcome::merge;
     return false;
   }
   Outcome operator()(const Contact& contact) const { return outcome_of(*this, contact); }

@@ -11,7 +11,7 @@ namespace hardball {
 /// is not called for them.
 struct Passing {
   bool decide(Contact& contact) const {
-    contact.fate = Fate::pass;
+    contact.outcome = ContactOutcome::pass;
     return false;
   }
 

@@ -10,7 +10,7 @@ namespace hardball {
 using SpeciesId = std::uint8_t;
 
 /// The moments of inertia of a uniform sphere and of a uniform disc, over mass and squared radius [1].
-inline constexpr double kUniformSphereMoment = 0.4;
-inline constexpr double kUniformDiscMoment = 0.5;
+inline constexpr double kSphereInertiaFactor = 0.4;
+inline constexpr double kDiscInertiaFactor = 0.5;
 
 }  // namespace hardball

@@ -21,7 +21,7 @@ constexpr std::string_view kMagic = "HBCHECK1";
 constexpr std::uint32_t kStored = 0;
 constexpr std::uint32_t kZstd = 1;
 // More is not believed of a section: a small file must not claim all memory.
-constexpr std::uint64_t kMostCompression = 256;
+constexpr std::uint64_t kMaxCompression = 256;
 
 struct Packed {
   std::uint32_t method;
@@ -44,7 +44,7 @@ Packed packed(const std::string& bytes) {
   const std::size_t length = ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), 1);
   if (ZSTD_isError(length) != 0 || length >= bytes.size()) return {kStored, bytes};
   packed.resize(length);
-  if (length * kMostCompression < bytes.size()) pad(packed, bytes.size() / kMostCompression + 1);
+  if (length * kMaxCompression < bytes.size()) pad(packed, bytes.size() / kMaxCompression + 1);
   return {kZstd, std::move(packed)};
 }
 
@@ -88,7 +88,7 @@ std::string unpacked(const Entry& entry, std::string_view bytes, const std::stri
   const std::string section = "section '" + entry.name + "' ";
   if (XXH64(bytes.data(), bytes.size(), 0) != entry.checksum) refuse(section + "is damaged", where);
   if (entry.method == kStored && entry.length == entry.packed) return std::string(bytes);
-  if (entry.method != kZstd || entry.length / kMostCompression > entry.packed) {
+  if (entry.method != kZstd || entry.length / kMaxCompression > entry.packed) {
     refuse(section + "is compressed in an unknown way", where);
   }
   std::string whole(entry.length, '\0');

@@ -9,7 +9,7 @@
 
 namespace hardball {
 
-/// How far a file has been written, and what its end contains: what must be known to go on with it.
+/// How far a file has been written, and what its end contains: what is needed to continue it.
 struct FilePosition {
   std::uint64_t bytes = 0;  ///< Its length.
   std::optional<std::uint64_t> checksum =

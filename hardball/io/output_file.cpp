@@ -78,12 +78,12 @@ void OutputFile::append(std::string_view bytes) {
 
 void OutputFile::overwrite(std::uint64_t offset, std::string_view bytes) {
   HARDBALL_CHECK(is_open() && offset + bytes.size() <= written_);
-  const auto go_to = [&](std::uint64_t place) {
-    if (std::fseek(file_.get(), static_cast<long>(place), SEEK_SET) != 0) fail();
+  const auto seek = [&](std::uint64_t from_start) {
+    if (std::fseek(file_.get(), static_cast<long>(from_start), SEEK_SET) != 0) fail();
   };
-  go_to(offset);
+  seek(offset);
   write(bytes);
-  go_to(written_);
+  seek(written_);
 }
 
 void OutputFile::flush() {

@@ -61,8 +61,8 @@ class ZstdBuffer : public std::streambuf {
     std::error_code unknown;
     const std::uintmax_t bytes = std::filesystem::file_size(path, unknown);
     if (!file_ || unknown) throw Error("the file cannot be read", name_, "name a file compressed by zstd");
-    text_left_ = std::max(kLeastText, bytes * kMostExpansion);
-    ZSTD_DCtx_setParameter(context_.get(), ZSTD_d_windowLogMax, kMostWindowLog);
+    text_left_ = std::max(kLeastText, bytes * kMaxExpansion);
+    ZSTD_DCtx_setParameter(context_.get(), ZSTD_d_windowLogMax, kMaxWindowLog);
   }
 
  protected:
@@ -95,9 +95,9 @@ class ZstdBuffer : public std::streambuf {
   }
 
  private:
-  static constexpr std::uint64_t kMostExpansion = 100;
+  static constexpr std::uint64_t kMaxExpansion = 100;
   static constexpr std::uint64_t kLeastText = std::uint64_t{16} << 20;
-  static constexpr int kMostWindowLog = 23;  // 8 MiB, as of level 19
+  static constexpr int kMaxWindowLog = 23;  // 8 MiB, as of level 19
 
   struct Free {
     void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }

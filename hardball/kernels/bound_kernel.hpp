@@ -31,20 +31,20 @@ struct BoundScale {
 };
 
 /// The least two of the lower bounds of the waits until a sphere touches its candidates, of different ones,
-/// each in one integer with the place of its candidate: numbers that are not negative are ordered as their
-/// bits are, and the last bits, which say least, are the place.
+/// each in one integer with the index of its candidate: numbers that are not negative are ordered as their
+/// bits are, and the last bits, which say least, are the index.
 struct BoundKeys {
   /// The most candidates.
-  static constexpr std::size_t kMost = 64;
-  static constexpr std::uint32_t kPlace = kMost - 1;
+  static constexpr std::size_t kMax = 64;
+  static constexpr std::uint32_t kIndex = kMax - 1;
   /// Of a candidate that will not touch; any greater number likewise.
   static constexpr std::uint32_t kForever =
       std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity());
 
   static bool touches(std::uint32_t key) { return key < kForever; }
   /// [T], in units; infinite if the candidate will not touch.
-  static float wait(std::uint32_t key) { return std::bit_cast<float>(key & ~kPlace); }
-  static std::size_t place(std::uint32_t key) { return key & kPlace; }
+  static float wait(std::uint32_t key) { return std::bit_cast<float>(key & ~kIndex); }
+  static std::size_t index(std::uint32_t key) { return key & kIndex; }
 
   std::uint32_t first;
   std::uint32_t second;
@@ -54,7 +54,7 @@ struct BoundKeys {
 struct BoundQuery {
   std::uint32_t self;
   const std::uint32_t* others;
-  std::size_t count;  ///< At most BoundKeys::kMost.
+  std::size_t count;  ///< At most BoundKeys::kMax.
 };
 
 /// Bounds the waits of a sphere, from the moment at which its path was copied, until it touches others. Paths

@@ -26,9 +26,9 @@ struct BoundedSphere {
   using Integers = typename Floats::Integers;
 
   BoundedSphere(const BoundScale& scale, const CompactPath& path, const float* radii, std::uint32_t slot)
-      : x(path.place[0]),
-        y(path.place[1]),
-        z(path.place[2]),
+      : x(path.position[0]),
+        y(path.position[1]),
+        z(path.position[2]),
         tick(path.tick),
         self(static_cast<std::int32_t>(slot)),
         velocity{Floats(path.velocity[0]), Floats(path.velocity[1]), Floats(path.velocity[2])},
@@ -42,7 +42,7 @@ struct BoundedSphere {
   Floats reach;  // the sum of both radii if all are equal, otherwise the sphere's own
 };
 
-/// Lower bounds of the waits for Floats::kWidth candidates, as bits with room for their places; infinite for
+/// Lower bounds of the waits for Floats::kWidth candidates, as bits with room for their indices; infinite for
 /// those that will not touch, and for the sphere itself. Source: docs/bounds.md, in the order of its steps.
 template <bool has_gravity, class Floats>
 HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& scale,
@@ -54,7 +54,7 @@ HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& s
   CompactPathsOfLanes<Floats> other;
   Floats::load(paths, others, other);
 
-  // Differences of places are taken modulo 2^32, and so lead to the nearest image.
+  // Differences of positions are taken modulo 2^32, and so lead to the nearest image.
   const Floats age = to_floats(own.tick - other.tick) * Floats(scale.tick);
   // The other's velocity when it is `age` old.
   const auto at_age = [&](const Floats& velocity, const Floats& at, std::size_t axis) {
@@ -97,14 +97,14 @@ HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& s
   const Floats wait =
       distance / (square_root(maximum(discriminant, Floats(kNotZero))) - minimum(approach, zero));
   return bits_of(select(never, Floats(std::numeric_limits<float>::infinity()), wait)) &
-         Integers(~BoundKeys::kPlace);
+         Integers(~BoundKeys::kIndex);
 }
 
 /// The keys of a sphere's candidates; `is_single` says that they fill one vector, which stays in a register.
 template <class Floats, bool is_single>
 struct Keys {
   typename Floats::Integers least;  // in each lane
-  alignas(64) std::uint32_t all[is_single ? 1 : BoundKeys::kMost];
+  alignas(64) std::uint32_t all[is_single ? 1 : BoundKeys::kMax];
 };
 
 template <bool has_radii, bool has_gravity, class Floats, bool is_single>
@@ -113,15 +113,15 @@ HARDBALL_ALWAYS_INLINE void find_keys(const BoundScale& scale, const CompactPath
   using Integers = typename Floats::Integers;
   if constexpr (!has_radii) radii = nullptr;
   const BoundedSphere<Floats> own(scale, paths[query.self], radii, query.self);
-  Integers places = Integers::ascending();
+  Integers indices = Integers::ascending();
   if constexpr (is_single) {
-    keys.least = bound_waits<has_gravity>(scale, paths, radii, own, query.others) | places;
+    keys.least = bound_waits<has_gravity>(scale, paths, radii, own, query.others) | indices;
     return;
   }
   keys.least = Integers(BoundKeys::kForever);
   for (std::size_t i = 0; i < query.count; i += Floats::kWidth) {
-    const Integers key = bound_waits<has_gravity>(scale, paths, radii, own, query.others + i) | places;
-    places = places + Integers(static_cast<std::uint32_t>(Floats::kWidth));
+    const Integers key = bound_waits<has_gravity>(scale, paths, radii, own, query.others + i) | indices;
+    indices = indices + Integers(static_cast<std::uint32_t>(Floats::kWidth));
     key.store(keys.all + i);
     keys.least = minimum(keys.least, key);
   }
@@ -133,7 +133,7 @@ HARDBALL_ALWAYS_INLINE BoundKeys least_two(const BoundQuery& query, const Keys<F
   const Integers forever(BoundKeys::kForever);
   const std::uint32_t first = least_of(keys.least);
   // A candidate may be repeated.
-  const Integers partner(query.others[first & BoundKeys::kPlace]);
+  const Integers partner(query.others[first & BoundKeys::kIndex]);
   if constexpr (is_single) {
     return {first, least_of(select(Integers::load(query.others) == partner, forever, keys.least))};
   }

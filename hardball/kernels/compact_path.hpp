@@ -14,10 +14,10 @@ namespace hardball {
 /// A copy of a path from a recent moment on, of half its size, from which contact times are bounded: see
 /// CompactPaths (bounds/compact_paths.hpp), which also defines the units. It is not part of the motion.
 struct alignas(32) CompactPath {
-  std::array<std::int32_t, 3> place{};  ///< Of the center at `tick`, modulo 2^32 steps of the grid.
-  std::int32_t tick = 0;                ///< When, modulo 2^32 ticks.
-  std::array<float, 3> velocity{};      ///< NaN if too fast to be bounded.
-  /// Eight times how often the path has changed, modulo 2^32, plus the place of its sphere's radius among up
+  std::array<std::int32_t, 3> position{};  ///< Of the center at `tick`, modulo 2^32 steps of the grid.
+  std::int32_t tick = 0;                   ///< When, modulo 2^32 ticks.
+  std::array<float, 3> velocity{};         ///< NaN if too fast to be bounded.
+  /// Eight times how often the path has changed, modulo 2^32, plus the index of its sphere's radius among up
   /// to eight.
   std::uint32_t revision = 0;
 
@@ -31,7 +31,7 @@ struct alignas(32) CompactPath {
     using Floats = float __attribute__((vector_size(16)));
     const Integers first{new_place[0], new_place[1], new_place[2], new_tick};
     const Floats second{new_velocity[0], new_velocity[1], new_velocity[2], std::bit_cast<float>(revision)};
-    std::memcpy(place.data(), &first, sizeof first);
+    std::memcpy(position.data(), &first, sizeof first);
     std::memcpy(velocity.data(), &second, sizeof second);
   }
 };

@@ -104,12 +104,13 @@ EarliestContact earliest_of_batch(const ContactQuery& query, std::size_t begin, 
   }
   const double earliest = least_of(least);
   if (!(earliest < std::numeric_limits<double>::infinity())) return {earliest, 0, 0, false};
-  std::uint64_t places = 0;
+  std::uint64_t earliest_lanes = 0;
   for (std::size_t i = 0; i < count; i += Lanes::kWidth) {
-    places |= std::uint64_t{bits(Lanes::load(high + i) == Lanes(earliest))} << i;
+    earliest_lanes |= std::uint64_t{bits(Lanes::load(high + i) == Lanes(earliest))} << i;
   }
-  const auto place = static_cast<std::uint32_t>(std::countr_zero(places));
-  return {earliest, low[place], static_cast<std::uint32_t>(begin) + place, (places & (places - 1)) != 0};
+  const auto first = static_cast<std::uint32_t>(std::countr_zero(earliest_lanes));
+  return {earliest, low[first], static_cast<std::uint32_t>(begin) + first,
+          (earliest_lanes & (earliest_lanes - 1)) != 0};
 }
 
 template <class Lanes, class AnyMotion, class Shift>

@@ -46,9 +46,9 @@ struct Floats {
         alignas(8) unsigned char lanes[256][8];
         constexpr Orders() : lanes() {
           for (unsigned choice = 0; choice < 256; ++choice) {
-            unsigned place = 0;
+            unsigned kept = 0;
             for (unsigned char lane = 0; lane < 8; ++lane) {
-              if ((choice >> lane & 1) != 0) lanes[choice][place++] = lane;
+              if ((choice >> lane & 1) != 0) lanes[choice][kept++] = lane;
             }
           }
         }
@@ -116,11 +116,11 @@ struct Floats {
   static void load(const CompactPath* paths, const std::uint32_t* at, CompactPathsOfLanes<Floats>& out) {
     static_assert(sizeof(CompactPath) == 8 * sizeof(float));
     const Addresses from = addresses(paths, at);
-    const Four place = transposed(from, 0);
-    out.x = _mm256_castps_si256(place.a);
-    out.y = _mm256_castps_si256(place.b);
-    out.z = _mm256_castps_si256(place.c);
-    out.tick = _mm256_castps_si256(place.d);
+    const Four position = transposed(from, 0);
+    out.x = _mm256_castps_si256(position.a);
+    out.y = _mm256_castps_si256(position.b);
+    out.z = _mm256_castps_si256(position.c);
+    out.tick = _mm256_castps_si256(position.d);
     const Four velocity = transposed(from, 4);
     out.velocity = {velocity.a, velocity.b, velocity.c};
     out.revision = _mm256_castps_si256(velocity.d);

@@ -159,9 +159,9 @@ struct Floats {
       return Vector{paths[at[0]].velocity[axis], paths[at[1]].velocity[axis], paths[at[2]].velocity[axis],
                     paths[at[3]].velocity[axis]};
     };
-    out.x = integers([](const CompactPath& path) { return path.place[0]; });
-    out.y = integers([](const CompactPath& path) { return path.place[1]; });
-    out.z = integers([](const CompactPath& path) { return path.place[2]; });
+    out.x = integers([](const CompactPath& path) { return path.position[0]; });
+    out.y = integers([](const CompactPath& path) { return path.position[1]; });
+    out.z = integers([](const CompactPath& path) { return path.position[2]; });
     out.tick = integers([](const CompactPath& path) { return path.tick; });
     out.revision = integers([](const CompactPath& path) { return path.revision; });
     out.velocity = {velocities(0), velocities(1), velocities(2)};

@@ -32,15 +32,16 @@ class NearPoints {
     unsigned gaps = 0;
     for (std::size_t lane = 0; lane < PointBlock::kRoom; lane += Floats::kWidth) {
       const Integers slots = Integers::load_halves(one.slots.data() + lane, other.slots.data() + lane);
-      const Integers places = Integers::load_halves(one.places.data() + lane, other.places.data() + lane);
+      const Integers positions =
+          Integers::load_halves(one.positions.data() + lane, other.positions.data() + lane);
       const auto apart = [&](std::size_t axis, const Integers& in_cell) {
         const auto offset = Integers::of_halves(cell_of_one.offset[axis], cell_of_other.offset[axis]);
         return to_floats(in_cell + offset) * unit_[axis];
       };
-      const Integers most(PackedPlace::kMost);
-      const Floats x = apart(0, places & most);
-      const Floats y = apart(1, shifted_right<PackedPlace::kBits>(places) & most);
-      const Floats z = apart(2, shifted_right<2 * PackedPlace::kBits>(places));
+      const Integers most(PackedPosition::kMax);
+      const Floats x = apart(0, positions & most);
+      const Floats y = apart(1, shifted_right<PackedPosition::kBits>(positions) & most);
+      const Floats z = apart(2, shifted_right<2 * PackedPosition::kBits>(positions));
       const auto is_gap = slots == Integers(PointBlock::kNoSlot);
       Floats reach(query_.reach);
       if (query_.radii != nullptr) {
@@ -101,9 +102,9 @@ Differences find_differences(const std::uint32_t* before, std::size_t lanes, std
                              const std::uint32_t* now, std::size_t new_count, std::uint32_t* gained,
                              std::uint32_t* lost) {
   using Integers = typename Floats::Integers;
-  constexpr std::size_t kMostVectors = kMostCompared / Floats::kWidth;
-  Integers old[kMostVectors];
-  unsigned gone[kMostVectors];
+  constexpr std::size_t kMaxVectors = kMaxCompared / Floats::kWidth;
+  Integers old[kMaxVectors];
+  unsigned gone[kMaxVectors];
   const std::size_t vectors = lanes / Floats::kWidth;
   for (std::size_t i = 0; i < vectors; ++i) {
     old[i] = Integers::load(before + i * Floats::kWidth);
@@ -113,14 +114,14 @@ Differences find_differences(const std::uint32_t* before, std::size_t lanes, std
   std::uint32_t* end_of_gained = gained;
   for (std::size_t k = 0; k < new_count; ++k) {
     const Integers slot(now[k]);
-    unsigned places = 0;
+    unsigned matches = 0;
     for (std::size_t i = 0; i < vectors; ++i) {
       const unsigned found = bits(old[i] == slot);
-      places |= found;
+      matches |= found;
       gone[i] &= ~found;
     }
     *end_of_gained = now[k];
-    end_of_gained += places == 0 ? 1 : 0;
+    end_of_gained += matches == 0 ? 1 : 0;
   }
   std::uint32_t* end_of_lost = lost;
   for (std::size_t i = 0; i < vectors; ++i) {

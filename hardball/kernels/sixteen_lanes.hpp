@@ -71,8 +71,8 @@ struct Floats {
     return _mm512_permutexvar_ps(which.v, _mm512_broadcast_f32x8(_mm256_loadu_ps(eight)));
   }
 
-  // Rows of eight numbers are transposed in four by four: in each result places are in the even quarters and
-  // velocities in the odd ones.
+  // Rows of eight numbers are transposed in four by four: in each result positions are in the even quarters
+  // and velocities in the odd ones.
   struct Eight {
     __m512 a, b, c, d;
   };

@@ -26,14 +26,14 @@ double error_of(std::span<const double> blocks, double of_groups) {
 // Whether one share differs from all others, as if due to a rare kind of sphere: then how rare it is cannot
 // be estimated.
 bool is_of_few(std::span<const double> shares) {
-  constexpr double kFewest = 1.5;
+  constexpr double kMin = 1.5;
   double squares = 0;
   double fourths = 0;
   for (const double share : shares) {
     squares += share * share;
     fourths += share * share * share * share;
   }
-  return squares * squares < kFewest * fourths;
+  return squares * squares < kMin * fourths;
 }
 
 }  // namespace
@@ -41,9 +41,9 @@ bool is_of_few(std::span<const double> shares) {
 BlockAverage::BlockAverage(std::size_t bins, std::size_t groups)
     : bins_(bins),
       groups_(groups),
-      sums_(kMostBlocks * groups * bins),
-      weights_(kMostBlocks),
-      ends_(kMostBlocks) {}
+      sums_(kMaxBlocks * groups * bins),
+      weights_(kMaxBlocks),
+      ends_(kMaxBlocks) {}
 
 void BlockAverage::add(std::span<const double> values, double time, double weight) {
   HARDBALL_CHECK(values.size() == bins_ && groups_ == 1);
@@ -64,21 +64,21 @@ void BlockAverage::add_bin() {
 
 void BlockAverage::close_block() {
   samples_in_block_ = 0;
-  if (++full_blocks_ == kMostBlocks) merge_neighbors();
+  if (++full_blocks_ == kMaxBlocks) merge_neighbors();
 }
 
 void BlockAverage::merge_neighbors() {
   const std::size_t size = groups_ * bins_;
-  for (std::size_t block = 0; block < kMostBlocks / 2; ++block) {
+  for (std::size_t block = 0; block < kMaxBlocks / 2; ++block) {
     weights_[block] = weights_[2 * block] + weights_[2 * block + 1];
     ends_[block] = ends_[2 * block + 1];
     for (std::size_t k = 0; k < size; ++k) {
       sums_[block * size + k] = sums_[2 * block * size + k] + sums_[(2 * block + 1) * size + k];
     }
   }
-  full_blocks_ = kMostBlocks / 2;
+  full_blocks_ = kMaxBlocks / 2;
   samples_per_block_ *= 2;
-  std::fill(weights_.begin() + kMostBlocks / 2, weights_.end(), 0);
+  std::fill(weights_.begin() + kMaxBlocks / 2, weights_.end(), 0);
   std::fill(sums_.begin() + static_cast<std::ptrdiff_t>(full_blocks_ * size), sums_.end(), 0);
 }
 
@@ -224,10 +224,10 @@ std::vector<double> BlockAverage::middles() const {
 }
 
 bool BlockAverage::restored() const {
-  const std::size_t bins = sums_.size() / kMostBlocks;
+  const std::size_t bins = sums_.size() / kMaxBlocks;
   return (bins == 0 ? bins_ == 0 || groups_ == 0 : groups_ > 0 && bins / groups_ == bins_) &&
-         sums_.size() == kMostBlocks * bins_ * groups_ && weights_.size() == kMostBlocks &&
-         ends_.size() == kMostBlocks && full_blocks_ < kMostBlocks && first_ <= full_blocks_ &&
+         sums_.size() == kMaxBlocks * bins_ * groups_ && weights_.size() == kMaxBlocks &&
+         ends_.size() == kMaxBlocks && full_blocks_ < kMaxBlocks && first_ <= full_blocks_ &&
          samples_in_block_ < samples_per_block_;
 }
 

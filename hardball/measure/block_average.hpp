@@ -24,7 +24,7 @@ namespace hardball {
 /// 91 (1989) 461.
 class BlockAverage {
  public:
-  static constexpr std::size_t kMostBlocks = 64;
+  static constexpr std::size_t kMaxBlocks = 64;
   /// Refers to the weights in place of a bin.
   static constexpr std::size_t kWeight = static_cast<std::size_t>(-1);
 
@@ -132,10 +132,10 @@ class BlockAverage {
   std::size_t bins_;
   std::size_t groups_;
   std::vector<double>
-      sums_;  // shape (kMostBlocks, groups, bins); the block after the full ones is being filled
-  std::vector<double> weights_;  // shape (kMostBlocks)
-  std::vector<double> ends_;     // shape (kMostBlocks)
-  std::size_t full_blocks_ = 0;  // always fewer than kMostBlocks
+      sums_;  // shape (kMaxBlocks, groups, bins); the block after the full ones is being filled
+  std::vector<double> weights_;  // shape (kMaxBlocks)
+  std::vector<double> ends_;     // shape (kMaxBlocks)
+  std::size_t full_blocks_ = 0;  // always fewer than kMaxBlocks
   std::size_t first_ = 0;        // the first block not left out
   std::uint64_t samples_ = 0;
   std::uint64_t samples_in_block_ = 0;  // of the block being filled

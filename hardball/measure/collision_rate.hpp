@@ -11,7 +11,7 @@
 #include "hardball/measure/scene.hpp"
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/theory/fluid_theory.hpp"
-#include "hardball/theory/species.hpp"
+#include "hardball/theory/species_list.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
@@ -55,7 +55,7 @@ class CollisionRate {
   static constexpr std::size_t kSpheres = 2;
   void advance(const Time& now);
 
-  Species species_;
+  SpeciesList species_;
   FluidTheory theory_;
   ThermalMotion motion_;  // at the start
   double spheres_;

@@ -33,9 +33,9 @@ class ContactExtrapolation {
   double bin_width() const { return width_ / kBins; }  ///< [L]
   /// The bin of a gap [L]; kBins if it is in none. Spheres in contact may overlap by rounding.
   std::size_t bin(double gap) const {
-    const double place = gap / width_ * kBins;
-    if (!(place > -kRounding && place < kBins)) return kBins;
-    return place > 0 ? static_cast<std::size_t>(place) : 0;
+    const double bin = gap / width_ * kBins;
+    if (!(bin > -kRounding && bin < kBins)) return kBins;
+    return bin > 0 ? static_cast<std::size_t>(bin) : 0;
   }
 
   /// The density at contact from that in each bin, in the same unit.

@@ -17,10 +17,10 @@ namespace {
 
 // Equal spheres have at most 12 or 13; a large one among small ones may have more, which are counted in the
 // last bin.
-constexpr std::size_t kMostNeighbors = 100;
+constexpr std::size_t kMaxNeighbors = 100;
 
 // Bins: spheres by their number of neighbors, all of these, and all neighbors.
-constexpr std::size_t kSpheres = kMostNeighbors + 1;
+constexpr std::size_t kSpheres = kMaxNeighbors + 1;
 constexpr std::size_t kNeighbors = kSpheres + 1;
 constexpr std::size_t kBins = kNeighbors + 1;
 
@@ -54,7 +54,7 @@ void Coordination::sample(const Scene& scene) {
     average_.put(kSpheres, 1, group_of(center));
     // Nearby spheres have neighbors in common.
     const std::size_t group = neighbors > 0 ? group_of_pair(center, nearest_one) : group_of(center);
-    average_.put(std::min(neighbors, kMostNeighbors), 1, group);
+    average_.put(std::min(neighbors, kMaxNeighbors), 1, group);
   });
   average_.close_sample(duration(begin_, scene.now()));
 }
@@ -77,7 +77,7 @@ Measurement Coordination::result(const Scene& /*scene*/) const {
       {"neighbor_reach", "1", reach_},
   };
   std::size_t rows = 0;
-  for (std::size_t k = 0; k <= kMostNeighbors; ++k) {
+  for (std::size_t k = 0; k <= kMaxNeighbors; ++k) {
     if (average.total(k) > 0) rows = k + 1;
   }
   Column neighbors{"neighbors", "1", ColumnRole::argument, {}};

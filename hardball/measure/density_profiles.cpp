@@ -18,7 +18,7 @@
 namespace hardball {
 namespace {
 
-constexpr double kMostBins = 2000;
+constexpr double kMaxBins = 2000;
 
 double mean_radius(const World& world) {
   double sum = 0;
@@ -72,8 +72,8 @@ DensityProfiles::DensityProfiles(const Scene& scene, double bin_width)
   if (world.size() == 0 || !std::isfinite(box_.volume())) return;
   const double longest = std::max({box_.size().x, box_.size().y, box_.size().z});
   const double wanted = std::ceil(longest / (bin_width * mean_radius(world)) * (1 - 1e-12));
-  bin_width_ = longest / std::min(wanted, kMostBins);
-  most_bins_ = static_cast<std::size_t>(std::min(wanted, kMostBins));
+  bin_width_ = longest / std::min(wanted, kMaxBins);
+  most_bins_ = static_cast<std::size_t>(std::min(wanted, kMaxBins));
   for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
     bins_[axis] = static_cast<std::size_t>(std::ceil(box_.size()[axis] / bin_width_ * (1 - 1e-12)));
   }
@@ -91,16 +91,19 @@ void DensityProfiles::add_slices(double center, double radius, std::size_t axis,
                                  std::vector<double>& filled) const {
   const double size = box_.size()[axis];
   const auto count = static_cast<std::ptrdiff_t>(bins_[axis]);
-  const auto bin_of = [&](double place) {
-    return std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(place / bin_width_), 0, count - 1);
+  const auto bin_of = [&](double coordinate) {
+    return std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(coordinate / bin_width_), 0, count - 1);
   };
   // A sphere that crosses a periodic boundary extends into the box a second time, as its image.
   for (const double boxes : {-1.0, 0.0, 1.0}) {
-    const double place = center + boxes * size;
-    if (place + radius <= 0 || place - radius >= size || (boxes != 0 && !box_.is_periodic(axis))) continue;
-    const std::ptrdiff_t first = bin_of(place - radius);
-    const std::ptrdiff_t last = bin_of(place + radius);
-    const auto end_of = [&](std::ptrdiff_t bin) { return static_cast<double>(bin + 1) * bin_width_ - place; };
+    const double coordinate = center + boxes * size;
+    if (coordinate + radius <= 0 || coordinate - radius >= size || (boxes != 0 && !box_.is_periodic(axis)))
+      continue;
+    const std::ptrdiff_t first = bin_of(coordinate - radius);
+    const std::ptrdiff_t last = bin_of(coordinate + radius);
+    const auto end_of = [&](std::ptrdiff_t bin) {
+      return static_cast<double>(bin + 1) * bin_width_ - coordinate;
+    };
     double* const of_bin = &filled[axis * most_bins_];
     const bool is_disc = box_.is_flat();
     double below = volume_below(end_of(first - 1), radius, is_disc);
@@ -109,7 +112,7 @@ void DensityProfiles::add_slices(double center, double radius, std::size_t axis,
       of_bin[bin] += below_end - below;
       below = below_end;
     }
-    of_bin[last] += volume_below(std::min(end_of(last), size - place), radius, is_disc) - below;
+    of_bin[last] += volume_below(std::min(end_of(last), size - coordinate), radius, is_disc) - below;
   }
 }
 
@@ -215,9 +218,9 @@ bool DensityProfiles::restored() const {
   if (most_bins_ == 0) return true;
   const auto is_within = [this](std::size_t bins) { return bins <= most_bins_; };
   const std::span<const std::size_t> used = std::span(bins_).first(box_.dimensions());
-  return most_bins_ <= static_cast<std::size_t>(kMostBins) && average_.has(first_at_walls() + kAtWalls) &&
+  return most_bins_ <= static_cast<std::size_t>(kMaxBins) && average_.has(first_at_walls() + kAtWalls) &&
          std::ranges::all_of(bins_, is_within) && std::ranges::find(used, 0U) == used.end() &&
-         bin_width_ * kMostBins >= std::max({box_.size().x, box_.size().y, box_.size().z});
+         bin_width_ * kMaxBins >= std::max({box_.size().x, box_.size().y, box_.size().z});
 }
 
 bool DensityProfiles::matches(const World& world) const {

@@ -51,8 +51,8 @@ Diffusion read_diffusion(const TimeCorrelation& average, std::size_t species, do
   return best;
 }
 
-void add_diffusion(Measurement& found, const Diffusion& diffusion, const Species& species, std::size_t which,
-                   const FluidTheory& theory, double temperature) {
+void add_diffusion(Measurement& found, const Diffusion& diffusion, const SpeciesList& species,
+                   std::size_t which, const FluidTheory& theory, double temperature) {
   const Estimate& constant = diffusion.constant;
   const double expected = theory.diffusion(temperature);
   const double tolerance = FluidTheory::kDiffusionTolerance * expected;

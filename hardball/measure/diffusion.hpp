@@ -38,7 +38,7 @@ Diffusion read_diffusion(const TimeCorrelation& average, std::size_t species, do
                          const std::function<std::optional<FunctionOfMeans>(std::size_t lag)>& up_to);
 
 /// Adds the constant, the constant over that of Enskog's theory, and the lag, of one species.
-void add_diffusion(Measurement& found, const Diffusion& diffusion, const Species& species, std::size_t which,
-                   const FluidTheory& theory, double temperature);
+void add_diffusion(Measurement& found, const Diffusion& diffusion, const SpeciesList& species,
+                   std::size_t which, const FluidTheory& theory, double temperature);
 
 }  // namespace hardball

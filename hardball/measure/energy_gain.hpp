@@ -19,14 +19,14 @@ inline double energy_gain(double mass, const Vec3& before, const Vec3& after) {
 
 /// The kinetic and rotational energy that the first sphere gains [M L^2 T^-2].
 inline double energy_gain_of_first(const Contact& contact) {
-  const double inertia = contact.first_moment * contact.first_radius * contact.first_radius;
+  const double inertia = contact.first_inertia_factor * contact.first_radius * contact.first_radius;
   return energy_gain(contact.first_mass, contact.before.first, contact.after.first) +
          inertia * energy_gain(contact.first_mass, contact.spins_before.first, contact.spins_after.first);
 }
 
 /// The kinetic and rotational energy that both spheres of a collision gain [M L^2 T^-2].
 inline double energy_gain_of_both(const Contact& contact) {
-  const double inertia = contact.second_moment * contact.second_radius * contact.second_radius;
+  const double inertia = contact.second_inertia_factor * contact.second_radius * contact.second_radius;
   return energy_gain_of_first(contact) +
          energy_gain(contact.second_mass, contact.before.second, contact.after.second) +
          inertia * energy_gain(contact.second_mass, contact.spins_before.second, contact.spins_after.second);

@@ -12,8 +12,8 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // Of a series whose error can be estimated.
-constexpr std::size_t kFewestParts = 16;
-constexpr double kFewestIndependent = 8;
+constexpr std::size_t kMinParts = 16;
+constexpr double kMinIndependent = 8;
 
 // The factor for a standard deviation estimated with so many degrees of freedom, so that two of them cover as
 // much as two exact ones would. Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 26.7.5.
@@ -68,15 +68,15 @@ Parts jackknife(std::span<const double> sums, std::span<const double> weights,
 }
 
 double error_of_independent(std::span<const double> shares) {
-  constexpr std::size_t kFewest = 4;
-  if (shares.size() < kFewest) return kNone;
+  constexpr std::size_t kMin = 4;
+  if (shares.size() < kMin) return kNone;
   const auto parts = static_cast<double>(shares.size());
   return error_of(autocovariance(shares, 0), parts, parts);
 }
 
 double independent_parts(std::span<const double> shares) {
   // Anticorrelated parts are worth more independent ones; by chance they may seem so.
-  constexpr double kMost = 2;
+  constexpr double kMax = 2;
   const auto parts = static_cast<double>(shares.size());
   const double squares = autocovariance(shares, 0);
   if (squares == 0) return parts;
@@ -89,25 +89,25 @@ double independent_parts(std::span<const double> shares) {
     if (!(least > 0)) break;
     sum += 2 * least;
   }
-  const double of_sequence = parts / std::max(sum, 1 / kMost);
+  const double of_sequence = parts / std::max(sum, 1 / kMax);
   const double seen = autocovariance(shares, 1) / squares;
-  const double memory = std::clamp(seen + (1 + 3 * seen) / parts, (1 - kMost) / (1 + kMost), 1.0);
+  const double memory = std::clamp(seen + (1 + 3 * seen) / parts, (1 - kMax) / (1 + kMax), 1.0);
   return std::min(of_sequence, parts * (1 - memory) / (1 + memory));
 }
 
 double error_of_series(std::span<const double> shares) {
-  if (shares.size() < kFewestParts) return kNone;
+  if (shares.size() < kMinParts) return kNone;
   const double independent = independent_parts(shares);
-  if (!(independent >= kFewestIndependent)) return kNone;
+  if (!(independent >= kMinIndependent)) return kNone;
   return error_of(autocovariance(shares, 0), static_cast<double>(shares.size()), independent);
 }
 
 double error_of_exchange(std::span<const double> shares, std::span<const double> changes) {
   constexpr double kRounding = 1e-20;
-  constexpr double kFewestContents = 3;
+  constexpr double kMinContents = 3;
   const double of_series = error_of_series(shares);
   const std::size_t parts = shares.size();
-  if (parts < kFewestParts) return of_series;
+  if (parts < kMinParts) return of_series;
   // What the store holds after each part, relative to its mean.
   std::vector<double> content(parts);
   std::partial_sum(changes.begin(), changes.end(), content.begin());
@@ -115,7 +115,7 @@ double error_of_exchange(std::span<const double> shares, std::span<const double>
   for (double& held : content) held -= mean;
   const double independent = independent_parts(content);
   const double squares = autocovariance(changes, 0);
-  if (squares == 0 || !(independent >= kFewestContents)) return of_series;
+  if (squares == 0 || !(independent >= kMinContents)) return of_series;
   // How much of a change of the store is in the shares: by least squares.
   const double part_of_change =
       std::inner_product(shares.begin(), shares.end(), changes.begin(), 0.0) / squares;

@@ -18,7 +18,7 @@ namespace {
 
 using Means = std::span<const double>;
 
-constexpr std::size_t kMostSlabs = 100;
+constexpr std::size_t kMaxSlabs = 100;
 
 bool drives(const FaceProperties& face) {
   return face.material.temperature || face.velocity != Vec3{};
@@ -52,7 +52,7 @@ FlowProfiles::FlowProfiles(const Scene& scene) : box_(scene.world().box()), begi
     const double room = box_.size()[axis] - 2 * least_radius_;
     if (!is_driven(box_, axis) || !(room > 0)) continue;
     const double wanted = std::ceil(room / mean_radius * (1 - 1e-12));
-    slabs_[axis] = wanted < kMostSlabs ? static_cast<std::size_t>(std::max(wanted, 1.0)) : kMostSlabs;
+    slabs_[axis] = wanted < kMaxSlabs ? static_cast<std::size_t>(std::max(wanted, 1.0)) : kMaxSlabs;
     sample_cost_ += kCostPerSphere * static_cast<double>(world.size());
   }
   average_ = BlockAverage(bins());
@@ -73,8 +73,8 @@ void FlowProfiles::sample(const Scene& scene) {
     const Vec3 velocity = world.velocity(slot, scene.now());
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (slabs_[axis] == 0) continue;
-      const double place = std::max((center[axis] - least_radius_) / slab_width(axis), 0.0);
-      const std::size_t slab = std::min(static_cast<std::size_t>(place), slabs_[axis] - 1);
+      const double slabs_below = std::max((center[axis] - least_radius_) / slab_width(axis), 0.0);
+      const std::size_t slab = std::min(static_cast<std::size_t>(slabs_below), slabs_[axis] - 1);
       double* const sums = average_.open_bins(bin(axis, slab));
       ++sums[kCount];
       sums[kMass] += mass;
@@ -168,7 +168,7 @@ Measurement FlowProfiles::result(const Scene& /*scene*/) const {
 }
 
 bool FlowProfiles::restored() const {
-  const auto is_possible = [](std::size_t slabs) { return slabs <= kMostSlabs; };
+  const auto is_possible = [](std::size_t slabs) { return slabs <= kMaxSlabs; };
   if (!std::ranges::all_of(slabs_, is_possible) || !average_.has(bins())) return false;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (slabs_[axis] > 0 && !(box_.is_wall(axis) && least_radius_ >= 0 && slab_width(axis) > 0)) return false;

@@ -16,8 +16,8 @@ namespace hardball {
 /// How density, temperature and flow change from one face of the box to the opposite one, along each axis at
 /// whose ends a face is thermal or moves. Where there is no such axis the measurement is empty.
 ///
-/// The room between the places that the smallest spheres can reach is divided into slabs. The temperature is
-/// that of the motion relative to the flow in each.
+/// The room between the positions that the smallest spheres can reach is divided into slabs. The temperature
+/// is that of the motion relative to the flow in each.
 class FlowProfiles {
  public:
   static constexpr std::string_view kName = "flow_profiles";

@@ -43,7 +43,7 @@ class MeetingSpeed {
   double freedom_;
 };
 
-double reduced_mass(const Species& species, std::size_t a, std::size_t b) {
+double reduced_mass(const SpeciesList& species, std::size_t a, std::size_t b) {
   return species.mass(a) * species.mass(b) / (species.mass(a) + species.mass(b));
 }
 

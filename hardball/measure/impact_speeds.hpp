@@ -9,7 +9,7 @@
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
-#include "hardball/theory/species.hpp"
+#include "hardball/theory/species_list.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
@@ -50,7 +50,7 @@ class ImpactSpeeds {
   static constexpr std::size_t kSpeedSquare = kSpeed + 1;  // [L^2 T^-2]
   static constexpr std::size_t kPairs = kSpeedSquare + 1;  // fraction of each pair of species
 
-  Species species_;
+  SpeciesList species_;
   ThermalMotion motion_;  // at the start
   Time begin_;
   double width_;           // of a bin [L/T]

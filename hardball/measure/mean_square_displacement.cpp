@@ -30,14 +30,14 @@ MeanSquareDisplacement::MeanSquareDisplacement(const Scene& scene, double interv
       motion_(scene.thermal_motion()),
       dimensions_(static_cast<double>(scene.world().box().dimensions())),
       is_periodic_(scene.world().box().is_all(Boundary::periodic)),
-      mean_free_time_(mean_free_time(scene.moments())),
+      mean_free_time_(mean_free_time(scene.statistics())),
       begin_(scene.now()),
       average_(scene, interval, most_spheres, {}) {}
 
 void MeanSquareDisplacement::sample(const Scene& scene) {
   const Vec3 drifted = duration(begin_, scene.now()) * motion_.drift;
   average_.sample(scene, add_squares,
-                  [&](Slot slot, Vec3* place) { *place = scene.unfolded_center(slot) - drifted; });
+                  [&](Slot slot, Vec3* center) { *center = scene.unfolded_center(slot) - drifted; });
 }
 
 // D(t) is the slope from half the lag to the lag, at which a sphere has left its cage: moved by its radius.
@@ -72,7 +72,7 @@ Measurement MeanSquareDisplacement::result(const Scene& scene) const {
   const double temperature =
       is_energy_conserved(motion_, scene.thermal_motion()) ? motion_.temperature() : kNone;
   const double enskog = theory_.enskog_diffusion(temperature);
-  const Species& species = average_.species();
+  const SpeciesList& species = average_.species();
   const std::vector<double> lags = average_.lags();
   Column lag_column{"lag", "T", ColumnRole::argument, {}};
   for (std::size_t lag = 1; lag < lags.size(); ++lag) lag_column.values.push_back(lags[lag]);

@@ -24,7 +24,7 @@ class MeanSquareDisplacement {
 
   /// Positions are compared every `interval` [T]; at most `most_spheres` are followed.
   MeanSquareDisplacement(const Scene& scene, double interval,
-                         std::size_t most_spheres = TimeCorrelation::kMostSpheres);
+                         std::size_t most_spheres = TimeCorrelation::kMaxSpheres);
 
   /// A time that is not a multiple of the interval after the start is ignored. Cost: see TimeCorrelation.
   void sample(const Scene& scene);

@@ -110,8 +110,8 @@ void begin(Entry<Measure>& entry, const Scene& scene, const std::optional<double
     // are long enough for diffusion; and following so many spheres leaves enough windows.
     constexpr double kSamplesPerFreeTime = 4;
     constexpr std::int64_t kWindow = 256;
-    constexpr std::size_t kMostFollowed = 1000;
-    const std::size_t most = every ? TimeCorrelation::kMostSpheres : kMostFollowed;
+    constexpr std::size_t kMaxFollowed = 1000;
+    const std::size_t most = every ? TimeCorrelation::kMaxSpheres : kMaxFollowed;
     const std::size_t spheres = std::min(scene.world().size(), most);
     const double cost = kFixedCost + Measure::kCostPerSphereFollowed * static_cast<double>(spheres);
     const double finest = pace.free_time / kSamplesPerFreeTime;
@@ -215,7 +215,7 @@ void Measures::sample(const World& world, const Time& now) {
   if (!is_any_wanted_) return;
   const Scene scene(world, now);
   if (!has_begun_) {
-    const Pace pace = expected_pace(scene.moments());
+    const Pace pace = expected_pace(scene.statistics());
     entries_->for_each([&](auto& entry) {
       if (entry.is_wanted) begin(entry, scene, settings_.every, pace);
     });

@@ -24,7 +24,7 @@ NeighborQuery::Effort NeighborQuery::effort(const World& world, double range) {
   constexpr double kEachNeighbor = 30;
   const auto spheres = static_cast<double>(world.size());
   const double of_each = spheres * world.box().sphere_volume(range) / world.box().volume();
-  const double affordable = std::min(kMostNeighbors / of_each, static_cast<double>(kMostCenters));
+  const double affordable = std::min(kMaxNeighbors / of_each, static_cast<double>(kMaxCenters));
   const std::size_t chosen = std::min(world.size(), static_cast<std::size_t>(std::fmax(affordable, 1.0)));
   const auto centers = static_cast<double>(chosen);
   return {.centers = chosen,

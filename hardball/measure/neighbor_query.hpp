@@ -17,9 +17,9 @@ class NeighborQuery {
  public:
   /// Measures use the surroundings of all spheres up to this many, and of as many chosen evenly by id if
   /// there are more.
-  static constexpr std::size_t kMostCenters = 5000;
+  static constexpr std::size_t kMaxCenters = 5000;
   /// Fewer are chosen if they would have more neighbors than this in all.
-  static constexpr double kMostNeighbors = 2e5;
+  static constexpr double kMaxNeighbors = 2e5;
 
   /// The work of visiting all neighbors within a range of the spheres chosen, if all are spread evenly.
   struct Effort {

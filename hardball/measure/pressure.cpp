@@ -49,7 +49,7 @@ Pressure::Pressure(const Scene& scene)
       theory_(scene.fluid()),
       motion_(scene.thermal_motion()),
       spheres_(static_cast<double>(scene.world().size())),
-      mean_free_time_(mean_free_time(scene.moments())),
+      mean_free_time_(mean_free_time(scene.statistics())),
       begin_(scene.now()),
       last_(scene.now()),
       drift_(motion_.drift) {

@@ -16,7 +16,7 @@
 namespace hardball {
 namespace {
 
-constexpr std::size_t kMostSpecies = 3;
+constexpr std::size_t kMaxSpecies = 3;
 
 // How far the space about a sphere is known: to half the smallest edge (minimum images); and between walls no
 // farther than centers can be apart.
@@ -36,7 +36,7 @@ RadialDistribution::RadialDistribution(const Scene& scene, double range, double 
     : motion_(scene.thermal_motion()),
       box_(scene.world().box()),
       species_(scene.species()),
-      is_by_species_(species_.size() <= kMostSpecies && !std::isnan(species_.radius(0))),
+      is_by_species_(species_.size() <= kMaxSpecies && !std::isnan(species_.radius(0))),
       begin_(scene.now()) {
   const World& world = scene.world();
   if (world.size() < 2 || !std::isfinite(box_.volume())) return;
@@ -124,9 +124,9 @@ void RadialDistribution::sample(const Scene& scene) {
       const Kind& kind = kinds_[index];
       const double distance = std::sqrt(square);
       // Spheres in contact may overlap by rounding.
-      const double place = (distance - low_) / bin_width_;
-      if (place <= -ContactExtrapolation::kRounding) return;
-      const auto bin = static_cast<std::size_t>(std::max(place, 0.0));
+      const double bins_below = (distance - low_) / bin_width_;
+      if (bins_below <= -ContactExtrapolation::kRounding) return;
+      const auto bin = static_cast<std::size_t>(std::max(bins_below, 0.0));
       const std::size_t group = group_of_pair(center, neighbor);
       if (bin < bins_) average_.put(index * bins_ + bin, 1, group);
       const std::size_t near = kind.contact.bin(distance - kind.reach);
@@ -192,9 +192,8 @@ Measurement RadialDistribution::result(const Scene& scene) const {
     if (has_contact()) {
       Estimate contact = average.ratio(contact_bin(index), pairs_bin(index));
       // From so few pairs the error of the cubic fit cannot be estimated.
-      constexpr double kFewestNear = 100;
-      if (average.total(near_bin(index)) < kFewestNear)
-        contact.error = std::numeric_limits<double>::quiet_NaN();
+      constexpr double kMinNear = 100;
+      if (average.total(near_bin(index)) < kMinNear) contact.error = std::numeric_limits<double>::quiet_NaN();
       found.quantities.push_back({"contact_value" + kind.suffix, "1", contact.value, contact.error,
                                   kind.theory, is_equilibrium ? kind.tolerance : kForComparison});
     }
@@ -218,7 +217,7 @@ bool RadialDistribution::restored() const {
   if (!has_meaning()) return true;
   const std::size_t species = is_by_species_ ? species_.size() : 1;
   const auto is_kind = [this](std::size_t kind) { return kind < kinds_.size(); };
-  return species <= kMostSpecies && kinds_.size() <= kMostSpecies * kMostSpecies &&
+  return species <= kMaxSpecies && kinds_.size() <= kMaxSpecies * kMaxSpecies &&
          kind_of_.size() == species * species && std::ranges::all_of(kind_of_, is_kind) &&
          bins_ <= average_.bins() && average_.has(pairs_bin(kinds_.size()), kSphereGroups) && low_ > 0 &&
          bin_width_ > 0;

@@ -10,7 +10,7 @@
 #include "hardball/measure/contact_extrapolation.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
-#include "hardball/theory/species.hpp"
+#include "hardball/theory/species_list.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
@@ -74,7 +74,7 @@ class RadialDistribution {
 
   ThermalMotion motion_;  // at the start
   Box box_;
-  Species species_;
+  SpeciesList species_;
   bool is_by_species_;
   std::vector<Kind> kinds_;
   std::vector<std::size_t> kind_of_;  // shape (species, species)

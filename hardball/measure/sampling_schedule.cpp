@@ -10,18 +10,18 @@
 
 namespace hardball {
 
-Pace expected_pace(const Moments& moments) {
+Pace expected_pace(const GasStatistics& statistics) {
   // The cost of a fast engine with spheres that fit in the caches; samples must be cheap compared with that,
   // too.
   constexpr double kContactCost = 1000;
   // Nothing moves, or there are no spheres: there is no time scale, and doubling the interval finds a
   // suitable one.
-  if (!(moments.mean_speed > 0)) return {1, 0, kContactCost};
+  if (!(statistics.mean_speed > 0)) return {1, 0, kContactCost};
   const double crossing =
-      std::max({moments.extent.x, moments.extent.y, moments.extent.z}) / moments.mean_speed;
-  const double free_time = mean_free_time(moments);
-  const auto spheres = static_cast<double>(moments.spheres);
-  const double contacts = spheres * (0.5 / free_time + wall_rate(moments));
+      std::max({statistics.extent.x, statistics.extent.y, statistics.extent.z}) / statistics.mean_speed;
+  const double free_time = mean_free_time(statistics);
+  const auto spheres = static_cast<double>(statistics.spheres);
+  const double contacts = spheres * (0.5 / free_time + wall_rate(statistics));
   return {std::min(free_time, crossing), contacts * kContactCost, kContactCost};
 }
 
@@ -68,9 +68,9 @@ void SamplingSchedule::double_period() {
 void SamplingSchedule::advance(const Time& now, std::uint64_t contacts) {
   constexpr double kTolerance = 0.5;
   // Moments are doubles: beyond this many intervals from zero they no longer resolve one.
-  constexpr double kMostIntervals = 0x1p50;
+  constexpr double kMaxIntervals = 0x1p50;
   const double farthest = std::max(std::fabs(begin_), std::fabs(now.value()));
-  while (!(farthest / interval_ < kMostIntervals)) {
+  while (!(farthest / interval_ < kMaxIntervals)) {
     if (contacts_wanted_ == 0) {
       throw Error(
           "samples every " + to_text(interval_) + " cannot be resolved at time " + to_text(now.value()),
@@ -92,10 +92,10 @@ void SamplingSchedule::advance(const Time& now, std::uint64_t contacts) {
 }
 
 bool SamplingSchedule::restored() const {
-  constexpr std::int64_t kMost = std::int64_t{1} << 60;
+  constexpr std::int64_t kMax = std::int64_t{1} << 60;
   return next_ == kNoSample ||
-         (next_ >= 0 && next_ < kMost && std::isfinite(begin_) && interval_ > 0 && std::isfinite(interval_) &&
-          window_ > 0 && period_ >= window_ && period_ < kMost && windows_ >= 0);
+         (next_ >= 0 && next_ < kMax && std::isfinite(begin_) && interval_ > 0 && std::isfinite(interval_) &&
+          window_ > 0 && period_ >= window_ && period_ < kMax && windows_ >= 0);
 }
 
 }  // namespace hardball

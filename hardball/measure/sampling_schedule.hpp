@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "hardball/theory/moments.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 
 namespace hardball {
 
@@ -16,7 +16,7 @@ struct Pace {
   double contact_cost;  ///< Of the run for each contact [ns].
 };
 
-Pace expected_pace(const Moments& moments);
+Pace expected_pace(const GasStatistics& statistics);
 
 /// The times at which a measure is given the world: windows of samples at multiples of an interval.
 ///
@@ -66,7 +66,7 @@ class SamplingSchedule {
   bool restored() const;
 
   static constexpr std::int64_t kNoSample = -1;
-  static constexpr std::int64_t kFewestWindowsPerCount = 8;
+  static constexpr std::int64_t kMinWindowsPerCount = 8;
 
   void step();
   void double_period();
@@ -79,7 +79,7 @@ class SamplingSchedule {
   double contacts_wanted_ = 0;     // for each window; zero if the period is not to change
   std::uint64_t contacts_before_ = 0;
   std::int64_t windows_ = 0;  // since the contacts were last counted
-  std::int64_t windows_per_count_ = kFewestWindowsPerCount;
+  std::int64_t windows_per_count_ = kMinWindowsPerCount;
 };
 
 /// The least power of two that is at least `length`. Precondition: it is positive and finite.

@@ -14,16 +14,16 @@ const Found& once(std::optional<Found>& found, const Find& find) {
 
 }  // namespace
 
-const Species& Scene::species() const {
-  return once(species_, [&] { return Species(world_); });
+const SpeciesList& Scene::species() const {
+  return once(species_, [&] { return SpeciesList(world_); });
 }
 
 const FluidTheory& Scene::fluid() const {
   return once(fluid_, [&] { return FluidTheory(world_, species()); });
 }
 
-const Moments& Scene::moments() const {
-  return once(moments_, [&] { return moments_of(world_, now_); });
+const GasStatistics& Scene::statistics() const {
+  return once(statistics_, [&] { return gas_statistics(world_, now_); });
 }
 
 const ThermalMotion& Scene::thermal_motion() const {
@@ -44,7 +44,7 @@ const std::vector<Vec3>& Scene::centers() const {
 }
 
 const NeighborQuery& Scene::surroundings() const {
-  return once(surroundings_, [&] { return NeighborQuery(world_, centers(), moments().volume()); });
+  return once(surroundings_, [&] { return NeighborQuery(world_, centers(), statistics().volume()); });
 }
 
 bool Scene::has_equilibrium(const ThermalMotion& begin) const {

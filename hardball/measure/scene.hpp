@@ -7,8 +7,8 @@
 
 #include "hardball/measure/neighbor_query.hpp"
 #include "hardball/theory/fluid_theory.hpp"
-#include "hardball/theory/moments.hpp"
-#include "hardball/theory/species.hpp"
+#include "hardball/theory/gas_statistics.hpp"
+#include "hardball/theory/species_list.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 #include "hardball/world/world.hpp"
 
@@ -29,9 +29,9 @@ class Scene {
   const Time& now() const { return now_; }
 
   // Each costs O(n) when first requested.
-  const Species& species() const;
+  const SpeciesList& species() const;
   const FluidTheory& fluid() const;
-  const Moments& moments() const;
+  const GasStatistics& statistics() const;
   const ThermalMotion& thermal_motion() const;
   /// All centers in the order of ids, folded into a periodic box [L].
   const std::vector<Vec3>& centers() const;
@@ -47,9 +47,9 @@ class Scene {
   Time now_;
   bool is_driven_;
   // Computed so far.
-  mutable std::optional<Species> species_;
+  mutable std::optional<SpeciesList> species_;
   mutable std::optional<FluidTheory> fluid_;
-  mutable std::optional<Moments> moments_;
+  mutable std::optional<GasStatistics> statistics_;
   mutable std::optional<ThermalMotion> motion_;
   mutable std::optional<std::vector<Vec3>> centers_;
   mutable std::optional<NeighborQuery> surroundings_;

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kShells = 64;
 
 // The powers of a phase are stored: so many along the longest axis.
-constexpr double kMostPeriods = 4096;
+constexpr double kMaxPeriods = 4096;
 
 // Two numbers at a time by the compilers' generic vectors, and so many pairs of spheres at once.
 using Pair = double __attribute__((vector_size(16)));
@@ -84,14 +84,14 @@ StructureFactor::StructureFactor(const Scene& scene, double longest,
   unit_ = 2 * std::numbers::pi * world.box().inverse_period();
   world.for_each_by_id([&](Slot slot) { diameter_ += 2 * world.radius(slot); });
   diameter_ /= static_cast<double>(world.size());
-  constexpr std::size_t kMostInShell = 6;
-  constexpr std::size_t kMostProducts = 150000;  // of spheres and vectors of a shell
-  const std::size_t affordable = std::clamp<std::size_t>(kMostProducts / world.size(), 1, kMostInShell);
+  constexpr std::size_t kMaxInShell = 6;
+  constexpr std::size_t kMaxProducts = 150000;  // of spheres and vectors of a shell
+  const std::size_t affordable = std::clamp<std::size_t>(kMaxProducts / world.size(), 1, kMaxInShell);
   double least_unit = std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (unit_[axis] > 0) least_unit = std::min(least_unit, unit_[axis]);
   }
-  const double thickness = std::min(longest / diameter_, kMostPeriods * least_unit) / kShells;
+  const double thickness = std::min(longest / diameter_, kMaxPeriods * least_unit) / kShells;
   for (std::size_t shell = 0; shell < kShells; ++shell) {
     choose_waves(shell, static_cast<double>(shell) * thickness, static_cast<double>(shell + 1) * thickness,
                  vectors_in_shell.value_or(affordable));
@@ -254,7 +254,7 @@ bool StructureFactor::restored() const {
     return is_short;
   };
   const bool is_bounded =
-      std::ranges::all_of(longest_, [](int most) { return most >= 0 && most <= 2 * kMostPeriods; });
+      std::ranges::all_of(longest_, [](int most) { return most >= 0 && most <= 2 * kMaxPeriods; });
   return is_bounded && std::ranges::all_of(waves_, is_within) && std::ranges::is_sorted(shell_ends_) &&
          waves_.size() == (shell_ends_.empty() ? 0 : shell_ends_.back()) &&
          std::ranges::adjacent_find(shell_ends_) == shell_ends_.end() &&

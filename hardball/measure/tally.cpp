@@ -42,8 +42,8 @@ void Tally::note(const Contact& contact) {
   last_ = contact.time;
   if (contact.is_collision()) {
     ++collisions_;
-    if (contact.fate != Fate::bounce) [[unlikely]]
-      return note_fate(contact);
+    if (contact.outcome != ContactOutcome::bounce) [[unlikely]]
+      return note_outcome(contact);
     energy_ += energy_gain(contact.first_mass, contact.before.first, contact.after.first) +
                energy_gain(contact.second_mass, contact.before.second, contact.after.second);
     max_overlap_ = std::max(max_overlap_, contact.overlap());
@@ -66,9 +66,9 @@ void Tally::note(const Contact& contact) {
   }
 }
 
-void Tally::note_fate(const Contact& contact) {
-  ++(contact.fate == Fate::merge ? mergers_ : passes_);
-  if (contact.fate == Fate::merge) energy_ += gain_of_merging(contact);
+void Tally::note_outcome(const Contact& contact) {
+  ++(contact.outcome == ContactOutcome::merge ? mergers_ : passes_);
+  if (contact.outcome == ContactOutcome::merge) energy_ += gain_of_merging(contact);
 }
 
 double Tally::energy_integral(const Time& now) const {

@@ -79,7 +79,7 @@ class HARDBALL_EXPORT Tally {
   }
 
   // Two spheres have met that did not bounce.
-  void note_fate(const Contact& contact);
+  void note_outcome(const Contact& contact);
 
   Time begin_;
   Time last_;

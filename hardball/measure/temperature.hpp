@@ -8,7 +8,7 @@
 #include "hardball/measure/block_average.hpp"
 #include "hardball/measure/measurement.hpp"
 #include "hardball/measure/scene.hpp"
-#include "hardball/theory/species.hpp"
+#include "hardball/theory/species_list.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
@@ -42,7 +42,7 @@ class Temperature {
 
   double freedom(std::size_t axis, double spheres, double mass) const;
 
-  Species species_;
+  SpeciesList species_;
   std::vector<double> masses_;  // of all spheres of a species [M]
   Box box_;
   double spheres_;

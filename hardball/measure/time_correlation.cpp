@@ -28,14 +28,14 @@ TimeCorrelation::TimeCorrelation(const Scene& scene, double interval, std::size_
     }
     ++rank;
   });
-  std::size_t place = 0;
+  std::size_t index = 0;
   for (std::size_t kind = 0; kind < species_.size(); ++kind) {
-    const std::size_t begin = place;
+    const std::size_t begin = index;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
-      if (kinds[i] == kind) followed_[i].place = place++;
+      if (kinds[i] == kind) followed_[i].index = index++;
     }
-    const std::size_t spheres = place - begin;
-    const std::size_t groups = std::min(spheres, kMostGroups);
+    const std::size_t spheres = index - begin;
+    const std::size_t groups = std::min(spheres, kMaxGroups);
     for (std::size_t g = 0; g < groups; ++g) {
       groups_.push_back({kind, begin + g * spheres / groups, begin + (g + 1) * spheres / groups});
     }
@@ -125,7 +125,7 @@ Estimate TimeCorrelation::estimate(std::size_t species, const FunctionOfMeans& q
 bool TimeCorrelation::restored() const {
   const std::size_t spheres = followed_.size();
   const std::size_t lags = levels_.empty() ? 0 : lag_of(levels_.size() - 1, kLevelLags - 1) + 1;
-  const auto is_place = [&](const Followed& one) { return one.place < spheres; };
+  const auto is_index = [&](const Followed& one) { return one.index < spheres; };
   const auto is_group = [&](const Group& group) {
     return group.species < species_.size() && group.begin < group.end && group.end <= spheres;
   };
@@ -133,10 +133,11 @@ bool TimeCorrelation::restored() const {
     return level.vectors.size() == kLevelLags * vectors_.size();
   };
   return (interval_ > 0 || spheres == 0) && tick_ >= -1 && levels_.size() <= kLevels && shape_.products > 0 &&
-         shape_.products <= kMostProducts && vectors_.size() == spheres * shape_.vectors &&
-         groups_.size() <= kMostGroups * Species::kMostSpecies && std::ranges::all_of(followed_, is_place) &&
-         std::ranges::all_of(groups_, is_group) && std::ranges::all_of(levels_, is_level) &&
-         origins_.size() == lags && sums_.size() == lags * groups_.size() * shape_.products;
+         shape_.products <= kMaxProducts && vectors_.size() == spheres * shape_.vectors &&
+         groups_.size() <= kMaxGroups * SpeciesList::kMaxSpecies &&
+         std::ranges::all_of(followed_, is_index) && std::ranges::all_of(groups_, is_group) &&
+         std::ranges::all_of(levels_, is_level) && origins_.size() == lags &&
+         sums_.size() == lags * groups_.size() * shape_.products;
 }
 
 bool TimeCorrelation::matches(const World& world) const {

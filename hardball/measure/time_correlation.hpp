@@ -10,7 +10,7 @@
 
 #include "hardball/measure/estimate.hpp"
 #include "hardball/measure/scene.hpp"
-#include "hardball/theory/species.hpp"
+#include "hardball/theory/species_list.hpp"
 
 namespace hardball {
 
@@ -30,7 +30,7 @@ namespace hardball {
 class TimeCorrelation {
  public:
   /// The most spheres that are followed; of more, some are chosen evenly by id.
-  static constexpr std::size_t kMostSpheres = 10000;
+  static constexpr std::size_t kMaxSpheres = 10000;
   /// A product starts at a sample that is a multiple of the k-th power of two up to this many times that
   /// power later: windows of so many samples have lags of nearly their length.
   static constexpr std::size_t kLevelLags = 8;
@@ -59,12 +59,12 @@ class TimeCorrelation {
   void sample(const Scene& scene, Link link, const Note& note) {
     if (!is_due(scene.now())) return;
     for (const Followed& one : followed_) {
-      note(scene.world().slot_of_rank(one.rank), &vectors_[one.place * shape_.vectors]);
+      note(scene.world().slot_of_rank(one.rank), &vectors_[one.index * shape_.vectors]);
     }
     link_to_earlier(link);
   }
 
-  const Species& species() const { return species_; }
+  const SpeciesList& species() const { return species_; }
   bool has(const Shape& shape) const { return shape_ == shape; }
   /// The lags for which there are samples, in ascending order, zero first [T].
   std::vector<double> lags() const;
@@ -74,8 +74,8 @@ class TimeCorrelation {
   Estimate estimate(std::size_t species, const FunctionOfMeans& quantity) const;
   /// The mean of a product at one of these lags.
   Estimate at(std::size_t species, std::size_t lag, std::size_t product = 0) const {
-    return estimate(species, [place = lag * shape_.products + product](std::span<const double> means) {
-      return means[place];
+    return estimate(species, [index = lag * shape_.products + product](std::span<const double> means) {
+      return means[index];
     });
   }
 
@@ -94,13 +94,13 @@ class TimeCorrelation {
   static constexpr std::size_t kFirstLag =
       4;  // of all levels but the first: the level before has shorter ones
   static constexpr std::size_t kLevels = 32;
-  static constexpr std::size_t kMostGroups = 32;
-  static constexpr std::size_t kMostProducts = 8;
+  static constexpr std::size_t kMaxGroups = 32;
+  static constexpr std::size_t kMaxProducts = 8;
 
   struct Followed {
     std::size_t rank;   // among all spheres, by id
-    std::size_t place;  // among those followed, which are ordered by group
-    static void persist(auto& archive, auto& self) { archive(self.rank, self.place); }
+    std::size_t index;  // among those followed, which are ordered by group
+    static void persist(auto& archive, auto& self) { archive(self.rank, self.index); }
   };
   struct Group {
     std::size_t species;
@@ -119,7 +119,7 @@ class TimeCorrelation {
   void link_to_earlier(Link link);
   static std::size_t lag_of(std::size_t level, std::size_t steps);
 
-  Species species_;
+  SpeciesList species_;
   Time begin_;
   double interval_ = 0;
   std::int64_t tick_ = -1;  // the last sample, in intervals since the start

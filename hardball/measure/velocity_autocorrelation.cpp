@@ -18,8 +18,8 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 constexpr const char* kBegunEarlier = "the run was begun by a version that did not follow positions";
 
-// Of each sphere: velocity and place. Of each lag: the product of the velocities; and the displacement times
-// the mean of both velocities, which is the integral of the former up to the lag.
+// Of each sphere: velocity and position. Of each lag: the product of the velocities; and the displacement
+// times the mean of both velocities, which is the integral of the former up to the lag.
 constexpr TimeCorrelation::Shape kShape{.vectors = 2, .products = 2};
 constexpr std::size_t kIntegral = 1;
 
@@ -38,7 +38,7 @@ VelocityAutocorrelation::VelocityAutocorrelation(const Scene& scene, double inte
       motion_(scene.thermal_motion()),
       dimensions_(static_cast<double>(scene.world().box().dimensions())),
       is_periodic_(scene.world().box().is_all(Boundary::periodic)),
-      mean_free_time_(mean_free_time(scene.moments())),
+      mean_free_time_(mean_free_time(scene.statistics())),
       begin_(scene.now()),
       average_(scene, interval, most_spheres, kShape) {}
 
@@ -65,7 +65,7 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
   const bool is_conserved = is_energy_conserved(motion_, scene.thermal_motion());
   const double temperature = is_conserved ? motion_.temperature() : kNone;
   const double enskog = theory_.enskog_diffusion(temperature);
-  const Species& species = average_.species();
+  const SpeciesList& species = average_.species();
   const std::vector<double> lags = average_.lags();
   found.columns.push_back({"lag", "T", ColumnRole::argument, lags});
   if (species.size() == 0) {
@@ -77,8 +77,8 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
   for (std::size_t s = 0; s < species.size(); ++s) {
     const double square = lags.empty() ? kNone : average_.at(s, 0).value;
     const auto product = [&](std::size_t lag, std::size_t which) -> FunctionOfMeans {
-      return [=, this, place = lag * kShape.products + which](std::span<const double> means) {
-        return means[place] / (which == kIntegral ? dimensions_ : 1) *
+      return [=, this, index = lag * kShape.products + which](std::span<const double> means) {
+        return means[index] / (which == kIntegral ? dimensions_ : 1) *
                (is_all_energy ? square / means[0] : 1);
       };
     };

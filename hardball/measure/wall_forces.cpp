@@ -84,8 +84,8 @@ WallForces::WallForces(const Scene& scene)
       last_(scene.now()),
       average_(kBins * walls_.size() + 1),
       along_(kAxes * walls_.size()) {
-  places_.resize(kFaces + scene.world().surfaces().size());
-  for (std::size_t i = 0; i < walls_.size(); ++i) places_[walls_[i]] = i;
+  indices_.resize(kFaces + scene.world().surfaces().size());
+  for (std::size_t i = 0; i < walls_.size(); ++i) indices_[walls_[i]] = i;
 }
 
 void WallForces::advance(const Time& now) {
@@ -109,13 +109,13 @@ void WallForces::note(const Contact& contact) {
   average_.put(stored_bin(), gained);
   const Vec3 impulse = contact.impulse();
   const double work = dot(impulse, contact.before.second);
-  double* const bins = average_.open_bins(kBins * places_[contact.second]);
+  double* const bins = average_.open_bins(kBins * indices_[contact.second]);
   bins[kForce] -= dot(impulse, contact.wall_normal);
   bins[kWork] += work;
   bins[kHeat] += gained - work;
   if (along_.bins() == 0) return;
   const Vec3 tangential = tangential_impulse(contact);
-  double* const along = along_.open_bins(kAxes * places_[contact.second]);
+  double* const along = along_.open_bins(kAxes * indices_[contact.second]);
   for (std::size_t axis = 0; axis < kAxes; ++axis) along[axis] += tangential[axis];
 }
 
@@ -160,15 +160,15 @@ Measurement WallForces::result(const Scene& scene) const {
 bool WallForces::restored() {
   // Earlier versions had no bin of the energy stored.
   if (!walls_.empty() && average_.has(kBins * walls_.size())) average_.add_bin();
-  const auto is_place = [this](std::size_t place) { return walls_.empty() || place < walls_.size(); };
-  const auto is_wall = [this](std::uint32_t wall) { return wall < places_.size(); };
+  const auto is_index = [this](std::size_t index) { return walls_.empty() || index < walls_.size(); };
+  const auto is_wall = [this](std::uint32_t wall) { return wall < indices_.size(); };
   return (average_.has(kBins * walls_.size() + 1) || walls_.empty()) &&
-         (along_.has(kAxes * walls_.size()) || along_.has(0)) && std::ranges::all_of(places_, is_place) &&
+         (along_.has(kAxes * walls_.size()) || along_.has(0)) && std::ranges::all_of(indices_, is_index) &&
          std::ranges::all_of(walls_, is_wall);
 }
 
 bool WallForces::matches(const World& world) const {
-  return places_.size() == kFaces + world.surfaces().size();
+  return indices_.size() == kFaces + world.surfaces().size();
 }
 
 }  // namespace hardball

@@ -46,7 +46,7 @@ class WallForces {
   friend class Persistence;
   WallForces() = default;
   static void persist(auto& archive, auto& self) {
-    archive(self.walls_, self.places_, self.begin_, self.last_, self.average_);
+    archive(self.walls_, self.indices_, self.begin_, self.last_, self.average_);
     if (archive.version() >= kVersionOfTangentialForces) archive(self.along_);
   }
   bool restored();
@@ -65,7 +65,7 @@ class WallForces {
   void advance(const Time& now);
 
   std::vector<std::uint32_t> walls_;  // their numbers
-  std::vector<std::size_t> places_;   // of a wall among them, by its number
+  std::vector<std::size_t> indices_;  // of a wall among them, by its number
   Time begin_;
   Time last_;
   BlockAverage average_;

@@ -189,7 +189,7 @@ class PaperEngine {
     }
     now_ = now;
     is_outdated_ = false;
-    subdivision_ = Subdivision(world_.box(), edge, kMostSubspacesPerAxis);
+    subdivision_ = Subdivision(world_.box(), edge, kMaxSubspacesPerAxis);
     subspace_tree_.clear();
     event_tree_.clear();
     records_.assign(world_.size(), SphereRecord{});
@@ -231,14 +231,14 @@ class PaperEngine {
   using Members = std::vector<Member>;
 
   // Keys stay below 2^60.
-  static constexpr std::int32_t kMostSubspacesPerAxis = 1 << 20;
+  static constexpr std::int32_t kMaxSubspacesPerAxis = 1 << 20;
 
   // Equation 2, u_x m^2 + u_y m + u_z, for the indices of a subspace folded into the box.
   std::uint64_t key(const CellIndex& folded) const {
     std::uint64_t key = 0;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const std::int32_t first = subdivision_.period(axis) > 0 ? 0 : subdivision_.first(axis);
-      key = key * kMostSubspacesPerAxis + static_cast<std::uint64_t>(folded[axis] - first);
+      key = key * kMaxSubspacesPerAxis + static_cast<std::uint64_t>(folded[axis] - first);
     }
     return key;
   }
@@ -507,7 +507,7 @@ class PaperEngine {
     ++(is_collision ? counters_.collision : counters_.wall);
     journal_.note_event(is_collision ? EngineJournal::Kind::collision : EngineJournal::Kind::wall, now_,
                         event.first, event.first);
-    if (done_.contact.fate == Fate::merge) {
+    if (done_.contact.outcome == ContactOutcome::merge) {
       absorb(participants);
       return done_.contact;
     }

@@ -33,8 +33,8 @@ FreeSpace::FreeSpace(const Box& box, const Region& centers, double least_radius,
     voxels = 1;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const double length = centers.high[axis] - centers.low[axis];
-      count_[axis] = std::clamp(static_cast<std::int64_t>(std::min(length / edge, 1e9)), std::int64_t{1},
-                                kMostAlongAxis);
+      count_[axis] =
+          std::clamp(static_cast<std::int64_t>(std::min(length / edge, 1e9)), std::int64_t{1}, kMaxAlongAxis);
       voxels *= count_[axis];
     }
     edge *= 1.25;

@@ -112,7 +112,7 @@ class FreeSpace {
 
   // Halved so often, the edge of a voxel no longer matters, and its number fits in 32 bits.
   static constexpr std::size_t kLevels = 12;
-  static constexpr std::int64_t kMostAlongAxis = std::int64_t{1} << 20;
+  static constexpr std::int64_t kMaxAlongAxis = std::int64_t{1} << 20;
   static constexpr double kRelativeMargin = 1e-9;
 
   std::uint32_t parts_;  // into which a voxel is divided: eight, or four in two dimensions

@@ -69,8 +69,8 @@ NpyEventLog::~NpyEventLog() {
 }
 
 void NpyEventLog::append(const Contact& contact) {
-  constexpr std::uint32_t kMostIds = std::numeric_limits<std::int32_t>::max();
-  HARDBALL_CHECK(contact.first <= kMostIds && contact.second <= kMostIds);
+  constexpr std::uint32_t kMaxIds = std::numeric_limits<std::int32_t>::max();
+  HARDBALL_CHECK(contact.first <= kMaxIds && contact.second <= kMaxIds);
   std::string record;
   record.reserve(kRecordBytes);
   append_little_endian(record, contact.time.value());

@@ -318,14 +318,14 @@ Orientation Orientation::turned(const Vec3& spin, double duration) const {
 }
 
 void RecordedContact::rewrite(std::vector<RecordedPath>& paths) const {
-  if (fate == Fate::pass) return;
+  if (outcome == ContactOutcome::pass) return;
   paths[first] = {first_position, first_velocity, time};
   if (is_collision()) paths[static_cast<std::size_t>(second)] = {second_position, second_velocity, time};
 }
 
 void RecordedContact::rewrite(std::vector<RecordedBody>& bodies,
                               const std::vector<RecordedPath>& paths) const {
-  if (fate == Fate::pass) return;
+  if (outcome == ContactOutcome::pass) return;
   const auto turn = [&](SphereId id, const Vec3& spin) {
     bodies[id].orientation = bodies[id].orientation.turned(bodies[id].spin, time - paths[id].time);
     bodies[id].spin = spin;
@@ -333,10 +333,10 @@ void RecordedContact::rewrite(std::vector<RecordedBody>& bodies,
   turn(first, first_spin);
   if (!is_collision()) return;
   const auto other = static_cast<SphereId>(second);
-  if (fate == Fate::merge) {
+  if (outcome == ContactOutcome::merge) {
     bodies[first].radius = merged.radius;
     bodies[first].mass = merged.mass;
-    bodies[first].moment = merged.moment;
+    bodies[first].inertia_factor = merged.inertia_factor;
     bodies[other] = {};
   } else {
     turn(other, second_spin);

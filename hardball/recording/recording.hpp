@@ -145,8 +145,8 @@ struct RecordedBody {
   Orientation orientation = {};  ///< When the sphere's path started.
   /// [L]; zero once the sphere has become part of another, or if it was removed before the start.
   double radius = 0;
-  double mass = 0;                       ///< [M]; infinite for a kinematic sphere.
-  double moment = kUniformSphereMoment;  ///< Of inertia, over mass and squared radius [1].
+  double mass = 0;                               ///< [M]; infinite for a kinematic sphere.
+  double inertia_factor = kSphereInertiaFactor;  ///< Moment of inertia over mass and squared radius [1].
 
   bool exists() const { return radius > 0; }
   friend bool operator==(const RecordedBody&, const RecordedBody&) = default;
@@ -164,16 +164,16 @@ struct HARDBALL_EXPORT RecordedContact {
   Vec3 first_velocity = {};   ///< [L/T]
   Vec3 second_position = {};  ///< Zero unless it is a collision.
   Vec3 second_velocity = {};  ///< Likewise; zero if the spheres merge.
-  Fate fate = Fate::bounce;
+  ContactOutcome outcome = ContactOutcome::bounce;
   Vec3 first_spin = {};   ///< [1/T]
   Vec3 second_spin = {};  ///< Zero unless it is a collision; zero if the spheres merge.
   /// The first sphere after a merger.
   struct Merged {
     static constexpr bool kIsPlain = true;
 
-    double radius = 0;  ///< [L]
-    double mass = 0;    ///< [M]
-    double moment = 0;  ///< Of inertia, over mass and squared radius [1].
+    double radius = 0;          ///< [L]
+    double mass = 0;            ///< [M]
+    double inertia_factor = 0;  ///< Moment of inertia over mass and squared radius [1].
 
     friend bool operator==(const Merged&, const Merged&) = default;
   };
@@ -190,9 +190,9 @@ struct HARDBALL_EXPORT RecordedContact {
 
   static void persist(auto& archive, auto& self) {
     archive(self.time, self.first, self.second, self.first_position, self.first_velocity,
-            self.second_position, self.second_velocity, self.fate, self.first_spin, self.second_spin,
+            self.second_position, self.second_velocity, self.outcome, self.first_spin, self.second_spin,
             self.merged);
-    archive.require(self.fate <= Fate::merge);
+    archive.require(self.outcome <= ContactOutcome::merge);
   }
 };
 

@@ -50,7 +50,7 @@ bool is_sound(const RecordedBody& body) {
   const auto& [imaginary, real] = body.orientation;
   const double square = dot(imaginary, imaginary) + real * real;
   constexpr double kTolerance = 1e-6;  // of the square of a unit quaternion
-  const bool is_there = is_positive(body.radius) && is_mass(body.mass) && is_positive(body.moment);
+  const bool is_there = is_positive(body.radius) && is_mass(body.mass) && is_positive(body.inertia_factor);
   return (is_there || body == RecordedBody{}) && std::fabs(square - 1) <= kTolerance;
 }
 
@@ -189,7 +189,7 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
       body.orientation.real = numbers.take<double>();
       body.radius = numbers.take<double>();
       body.mass = numbers.take<double>();
-      body.moment = numbers.take<double>();
+      body.inertia_factor = numbers.take<double>();
       refuse_unless(is_finite(body.spin) && is_sound(body));
     }
     recorded.bodies.push_back(body);
@@ -201,16 +201,16 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
     contact.time = numbers.take<double>();
     contact.first = numbers.take<std::uint32_t>();
     contact.second = static_cast<std::int32_t>(numbers.take<std::uint32_t>());
-    const std::uint64_t fate = has_bodies ? numbers.take<std::uint64_t>() : 0;
-    refuse_unless(fate <= static_cast<std::uint64_t>(Fate::merge));
-    contact.fate = static_cast<Fate>(fate);
+    const std::uint64_t outcome = has_bodies ? numbers.take<std::uint64_t>() : 0;
+    refuse_unless(outcome <= static_cast<std::uint64_t>(ContactOutcome::merge));
+    contact.outcome = static_cast<ContactOutcome>(outcome);
     contact.first_position = numbers.vector();
     contact.first_velocity = numbers.vector();
     if (has_bodies) contact.first_spin = numbers.vector();
     contact.second_position = numbers.vector();
     contact.second_velocity = numbers.vector();
     if (has_bodies) contact.second_spin = numbers.vector();
-    if (contact.fate == Fate::merge) {
+    if (contact.outcome == ContactOutcome::merge) {
       const Vec3& values = contact.second_velocity;
       refuse_unless(is_positive(values.x) && is_mass(values.y) && is_positive(values.z));
       contact.merged = {values.x, values.y, values.z};
@@ -220,7 +220,7 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
     refuse_unless(contact.first < header_.spheres);
     refuse_unless(contact.is_wall() ? static_cast<std::size_t>(~contact.second) < walls
                                     : static_cast<std::size_t>(contact.second) < header_.spheres);
-    refuse_unless(contact.fate == Fate::bounce || contact.is_collision());
+    refuse_unless(contact.outcome == ContactOutcome::bounce || contact.is_collision());
     refuse_unless(is_finite(contact.first_position) && is_finite(contact.first_velocity) &&
                   is_finite(contact.second_position) && is_finite(contact.second_velocity) &&
                   is_finite(contact.first_spin) && is_finite(contact.second_spin));

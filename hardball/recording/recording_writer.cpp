@@ -20,7 +20,7 @@ using namespace recording_format;
 // Contacts of a chunk: enough that keyframes take no more space than contacts, few enough that a chunk fits
 // into memory.
 constexpr std::size_t kLeastContacts = 1000;
-constexpr std::size_t kMostContactBytes = std::size_t{64} << 20;
+constexpr std::size_t kMaxContactBytes = std::size_t{64} << 20;
 
 void append(std::string& bytes, const Vec3& vector) {
   append_little_endian(bytes, vector.x);
@@ -40,20 +40,21 @@ void append(std::string& bytes, const RecordedBody& body) {
   append_little_endian(bytes, body.orientation.real);
   append_little_endian(bytes, body.radius);
   append_little_endian(bytes, body.mass);
-  append_little_endian(bytes, body.moment);
+  append_little_endian(bytes, body.inertia_factor);
 }
 
 void append(std::string& bytes, const RecordedContact& contact, bool has_bodies) {
   append_little_endian(bytes, contact.time);
   append_little_endian(bytes, contact.first);
   append_little_endian(bytes, static_cast<std::uint32_t>(contact.second));
-  if (has_bodies) append_little_endian(bytes, static_cast<std::uint64_t>(contact.fate));
+  if (has_bodies) append_little_endian(bytes, static_cast<std::uint64_t>(contact.outcome));
   append(bytes, contact.first_position);
   append(bytes, contact.first_velocity);
   if (has_bodies) append(bytes, contact.first_spin);
   append(bytes, contact.second_position);
-  const auto& [radius, mass, moment] = contact.merged;
-  append(bytes, contact.fate == Fate::merge ? Vec3{radius, mass, moment} : contact.second_velocity);
+  const auto& [radius, mass, inertia_factor] = contact.merged;
+  append(bytes, contact.outcome == ContactOutcome::merge ? Vec3{radius, mass, inertia_factor}
+                                                         : contact.second_velocity);
   if (has_bodies) append(bytes, contact.second_spin);
 }
 
@@ -66,7 +67,7 @@ class SummedPart {
     file_->append(bytes);
     crc_.add(bytes);
   }
-  // Appends all values, using bounded memory; `how` goes on to append().
+  // Appends all values, using bounded memory; `how` is passed to append().
   template <class Iterator, class... How>
   void append_all(Iterator begin, Iterator end, const How&... how) {
     constexpr std::size_t kBlockBytes = 1 << 16;
@@ -126,7 +127,7 @@ RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader hea
   header.version = recording_format::kVersion;
   header.has_bodies = header.has_bodies || needs_bodies;
   state_.layout = header.layout();
-  state_.most_contacts = std::clamp(count, kLeastContacts, kMostContactBytes / contact_bytes());
+  state_.most_contacts = std::clamp(count, kLeastContacts, kMaxContactBytes / contact_bytes());
   state_.begin = header.begin;
   header.spheres = count;
   header.box = world.box();
@@ -137,7 +138,7 @@ RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader hea
     const SphereId id = world.id(slot);
     const Path& stored = world.path(slot);
     state_.keyframe[id] = {stored.position, stored.velocity, stored.time.value()};
-    bodies[id] = {world.spin(slot), {}, world.radius(slot), world.mass(slot), world.moment(slot)};
+    bodies[id] = {world.spin(slot), {}, world.radius(slot), world.mass(slot), world.inertia_factor(slot)};
   });
   std::string bytes = preamble(header);
   for (const RecordedBody& body : bodies) append_little_endian(bytes, body.radius);
@@ -188,9 +189,9 @@ RecordingWriter::~RecordingWriter() {
 }
 
 void RecordingWriter::note(const Contact& contact, const World& world) {
-  constexpr std::uint32_t kMostIds = std::numeric_limits<std::int32_t>::max();
-  HARDBALL_CHECK(contact.first < state_.keyframe.size() && contact.first <= kMostIds &&
-                 contact.second <= kMostIds);
+  constexpr std::uint32_t kMaxIds = std::numeric_limits<std::int32_t>::max();
+  HARDBALL_CHECK(contact.first < state_.keyframe.size() && contact.first <= kMaxIds &&
+                 contact.second <= kMaxIds);
   // -(k + 1) is the bitwise complement of the number k of a surface.
   const std::uint32_t second = contact.is_collision() ? contact.second : ~contact.second;
   RecordedContact recorded{contact.time.value(),
@@ -202,23 +203,23 @@ void RecordingWriter::note(const Contact& contact, const World& world) {
                            contact.is_collision() ? contact.after.second : Vec3{}};
   if (state_.layout.has_bodies) {
     const Slot first = world.slot_of(contact.first);
-    recorded.fate = contact.fate;
+    recorded.outcome = contact.outcome;
     recorded.first_spin = world.spin(first);
-    if (contact.fate == Fate::merge) {
+    if (contact.outcome == ContactOutcome::merge) {
       recorded.first_position = world.path(first).position;
       recorded.second_velocity = {};
-      recorded.merged = {world.radius(first), world.mass(first), world.moment(first)};
+      recorded.merged = {world.radius(first), world.mass(first), world.inertia_factor(first)};
     } else if (contact.is_collision()) {
       recorded.second_spin = world.spin(world.slot_of(contact.second));
     }
   }
-  HARDBALL_CHECK(state_.layout.has_bodies || contact.fate != Fate::merge);
+  HARDBALL_CHECK(state_.layout.has_bodies || contact.outcome != ContactOutcome::merge);
   add(recorded);
 }
 
 void RecordingWriter::note(const VelocityChange& change, const World& world) {
-  constexpr std::uint32_t kMostIds = std::numeric_limits<std::int32_t>::max();
-  HARDBALL_CHECK(change.sphere < state_.keyframe.size() && change.sphere <= kMostIds);
+  constexpr std::uint32_t kMaxIds = std::numeric_limits<std::int32_t>::max();
+  HARDBALL_CHECK(change.sphere < state_.keyframe.size() && change.sphere <= kMaxIds);
   RecordedContact recorded{.time = change.time.value(),
                            .first = change.sphere,
                            .second = static_cast<std::int32_t>(change.sphere),

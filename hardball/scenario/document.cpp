@@ -56,7 +56,7 @@ bool has_parser_fault(std::string_view text) {
 }
 
 // The line and column of the character at which the parser throws ParserFault. Precondition: it does.
-std::string place_of_fault(std::string_view text) {
+std::string location_of_fault(std::string_view text) {
   // The end of that character: in a shorter text the parser finds another error, or none.
   std::size_t low = 0;
   std::size_t high = text.size();
@@ -93,23 +93,23 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
     throw Error("invalid TOML: " + message, name + ":" + to_text(begin.line) + ":" + to_text(begin.column),
                 remedy);
   } catch (const ParserFault&) {
-    throw Error("invalid TOML", name + ":" + place_of_fault(text),
+    throw Error("invalid TOML", name + ":" + location_of_fault(text),
                 "put keys in quotes unless they consist of letters a to z, digits, _ and -; " + remedy);
   }
 }
 
-Place place_of(const toml::source_region& source) {
+Location location_of(const toml::source_region& source) {
   return {0, source.begin.line, source.begin.column};
 }
 
 // The tree of the parser as one of ours.
 Node convert(const toml::node& node) {
-  Node converted{Node::Date(), place_of(node.source())};
+  Node converted{Node::Date(), location_of(node.source())};
   switch (node.type()) {
     case toml::node_type::table: {
       Node::Table table;
       for (const auto& [key, value] : *node.as_table()) {
-        table.push_back({std::string(key.str()), place_of(key.source()), convert(value)});
+        table.push_back({std::string(key.str()), location_of(key.source()), convert(value)});
       }
       converted.value = std::move(table);
       break;
@@ -156,15 +156,15 @@ Node parse_override(const std::string& value, const std::string& where) {
               "give a number, true, false, a word, a string in double quotes, or an array in brackets");
 }
 
-void set_place(Node& node, const Place& place) {
-  node.place = place;
+void set_location(Node& node, const Location& location) {
+  node.location = location;
   if (auto* const array = std::get_if<Node::Array>(&node.value)) {
-    for (Node& entry : *array) set_place(entry, place);
+    for (Node& entry : *array) set_location(entry, location);
   }
   if (auto* const table = std::get_if<Node::Table>(&node.value)) {
     for (Entry& entry : *table) {
-      entry.place = place;
-      set_place(entry.node, place);
+      entry.location = location;
+      set_location(entry.node, location);
     }
   }
 }
@@ -177,11 +177,11 @@ std::optional<std::size_t> parse_index(std::string_view text) {
 }
 
 // The value of a key, which is an empty table written at `place` if there is none.
-Node& at_key(Node::Table& table, const std::string& key, const Place& place) {
+Node& at_key(Node::Table& table, const std::string& key, const Location& location) {
   auto entry = std::lower_bound(table.begin(), table.end(), key,
                                 [](const Entry& a, const std::string& b) { return a.key < b; });
   if (entry == table.end() || entry->key != key) {
-    entry = table.insert(entry, {key, place, {Node::Table(), place}});
+    entry = table.insert(entry, {key, location, {Node::Table(), location}});
   }
   return entry->node;
 }
@@ -201,15 +201,15 @@ void Document::apply_override(const std::string& override_text) {
   }
   Node value = parse_override(override_text.substr(equals + 1), where);
   overridden_.push_back(key);
-  const Place place{static_cast<std::uint32_t>(overridden_.size()), 0, 0};
-  set_place(value, place);
+  const Location location{static_cast<std::uint32_t>(overridden_.size()), 0, 0};
+  set_location(value, location);
   Node* node = &root_;
   for (std::size_t begin = 0; begin < key.size();) {
     const std::size_t dot = std::min(key.find('.', begin), key.size());
     const std::string part = key.substr(begin, dot - begin);
     begin = dot + 1;
     if (auto* const table = std::get_if<Node::Table>(&node->value)) {
-      node = &at_key(*table, part, place);
+      node = &at_key(*table, part, location);
     } else if (auto* const array = std::get_if<Node::Array>(&node->value)) {
       const std::optional<std::size_t> index = parse_index(part);
       if (!index || *index >= array->size()) {
@@ -224,10 +224,10 @@ void Document::apply_override(const std::string& override_text) {
   *node = std::move(value);
 }
 
-std::string Document::text_of(const Place& place) const {
-  if (place.origin > 0) return "--set " + overridden_[place.origin - 1];
-  if (place.line == 0) return name_;
-  return name_ + ":" + to_text(place.line) + ":" + to_text(place.column);
+std::string Document::text_of(const Location& location) const {
+  if (location.origin > 0) return "--set " + overridden_[location.origin - 1];
+  if (location.line == 0) return name_;
+  return name_ + ":" + to_text(location.line) + ":" + to_text(location.column);
 }
 
 std::string kind_of(const Node& node) {

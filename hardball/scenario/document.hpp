@@ -11,7 +11,7 @@
 namespace hardball {
 
 /// Where something is written.
-struct Place {
+struct Location {
   std::uint32_t origin = 0;  ///< 0 the file, i + 1 the override i.
   std::uint32_t line = 0;    ///< In the file from 1, or 0 for the file as a whole.
   std::uint32_t column = 0;  ///< From 1.
@@ -26,13 +26,13 @@ struct Node {
   using Table = std::vector<Entry>;  ///< In the order of keys.
 
   std::variant<std::int64_t, double, bool, std::string, Date, Array, Table> value;
-  Place place;
+  Location location;
 };
 
 /// A key of a table with its value.
 struct Entry {
   std::string key;
-  Place place;
+  Location location;
   Node node;
 };
 
@@ -50,7 +50,7 @@ class Document {
   const Node& root() const { return root_; }
 
   /// file:line:column, the file alone, or `--set key`.
-  std::string text_of(const Place& place) const;
+  std::string text_of(const Location& location) const;
 
  private:
   std::string name_;

@@ -190,7 +190,7 @@ TableDescription mass_keys() {
 
 TableDescription spheres_keys() {
   // Ids are below 2^32, and the largest stands for none.
-  constexpr std::uint64_t kMostSpheres = std::numeric_limits<SphereId>::max() - 1;
+  constexpr std::uint64_t kMaxSpheres = std::numeric_limits<SphereId>::max() - 1;
   return {
       .title = "[[spheres]]",
       .keys =
@@ -198,7 +198,7 @@ TableDescription spheres_keys() {
               {.name = "count",
                .type = integer,
                .least = 1,
-               .most = kMostSpheres,
+               .most = kMaxSpheres,
                .meaning = "their number; may be left out where a list gives it",
                .example = "1000"},
               {.name = "radius",

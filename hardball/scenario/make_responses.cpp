@@ -10,9 +10,9 @@ ResponseTable make_responses(const Scenario& scenario) {
   for (const PairDescription& pair : scenario.pairs) {
     if (!pair.second) {
       table.set_wall(pair.first, Bounce(pair.bounce));
-    } else if (pair.fate == Fate::merge) {
+    } else if (pair.outcome == ContactOutcome::merge) {
       table.set(pair.first, *pair.second, Merging());
-    } else if (pair.fate == Fate::pass) {
+    } else if (pair.outcome == ContactOutcome::pass) {
       table.set(pair.first, *pair.second, Passing());
     } else {
       table.set(pair.first, *pair.second, Bounce(pair.bounce));

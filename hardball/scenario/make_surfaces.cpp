@@ -72,21 +72,21 @@ Interval interval_between(std::span<const Surface> surfaces, std::size_t axis) {
     interval.low = std::max(interval.low, center - radius);
     interval.high = std::min(interval.high, center + radius);
   };
-  const auto bound = [&](const Vec3& normal, double place, double amplitude) {
-    if (normal[axis] == 1) interval.low = std::max(interval.low, place - amplitude);
-    if (normal[axis] == -1) interval.high = std::min(interval.high, place + amplitude);
+  const auto bound = [&](const Vec3& normal, double coordinate, double amplitude) {
+    if (normal[axis] == 1) interval.low = std::max(interval.low, coordinate - amplitude);
+    if (normal[axis] == -1) interval.high = std::min(interval.high, coordinate + amplitude);
   };
   for (const Surface& surface : surfaces) {
-    const double place = surface.point()[axis];
+    const double coordinate = surface.point()[axis];
     const Shape& shape = surface.shape();
     if (const auto* sphere = std::get_if<HollowSphere>(&shape)) {
-      enclose(place, sphere->radius());
+      enclose(coordinate, sphere->radius());
     } else if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
-      if (cylinder->axis()[axis] == 0) enclose(place, cylinder->radius());
+      if (cylinder->axis()[axis] == 0) enclose(coordinate, cylinder->radius());
     } else if (const auto* plane = std::get_if<Plane>(&shape)) {
-      bound(plane->normal(), place, 0);
+      bound(plane->normal(), coordinate, 0);
     } else if (const auto* moving = std::get_if<OscillatingPlane>(&shape)) {
-      bound(moving->normal(), place, moving->amplitude());
+      bound(moving->normal(), coordinate, moving->amplitude());
     }
   }
   return interval;

@@ -181,9 +181,9 @@ Vec3 spin_at(double variance, std::size_t dimensions, Random& random) {
 }
 
 double moment_of(const Scenario& scenario, const SphereGroup& group) {
-  const double uniform = group.dimensions == 2 ? kUniformDiscMoment : kUniformSphereMoment;
+  const double uniform = group.dimensions == 2 ? kDiscInertiaFactor : kSphereInertiaFactor;
   if (group.species >= scenario.species.size()) return uniform;
-  return scenario.species[group.species].moment.value_or(uniform);
+  return scenario.species[group.species].inertia_factor.value_or(uniform);
 }
 
 // Drawn after all other random numbers, so that spheres that do not spin are where they would be without it.
@@ -228,7 +228,7 @@ void add_groups(const Scenario& scenario, World& world, const Progress& progress
            .mass = group.mass_of(i),
            .spin = spins[next],
            .species = group.species,
-           .moment = moment_of(scenario, group)},
+           .inertia_factor = moment_of(scenario, group)},
           group.where);
     }
   }
@@ -267,7 +267,7 @@ void add_from_file(const Scenario& scenario, World& world) {
   }
   world.reserve(snapshot.spheres.size());
   for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
-    add(world, snapshot.spheres[i], snapshot.place(file.string(), i));
+    add(world, snapshot.spheres[i], snapshot.location(file.string(), i));
   }
 }
 

@@ -18,12 +18,12 @@ namespace {
 using Kind = RadiusDistribution::Kind;
 
 double draw_lognormal(const RadiusDistribution& d, Random& random) {
-  constexpr int kMostDraws = 100000;
-  for (int i = 0; i < kMostDraws; ++i) {
+  constexpr int kMaxDraws = 100000;
+  for (int i = 0; i < kMaxDraws; ++i) {
     const double radius = d.mean * portable_exp(d.sigma * random.normal() - d.sigma * d.sigma / 2);
     if (radius >= d.min && radius <= d.max) return radius;
   }
-  throw Error("of " + to_text(kMostDraws) + " radii none is between min and max", d.where,
+  throw Error("of " + to_text(kMaxDraws) + " radii none is between min and max", d.where,
               "give min and max on either side of the mean");
 }
 

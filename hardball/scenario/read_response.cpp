@@ -17,11 +17,11 @@ constexpr std::string_view kWall = "wall";
 
 // Gives errors of the library the place of a value.
 template <class Make>
-RestitutionLaw made_at(const std::string& place, Make&& make) {
+RestitutionLaw made_at(const std::string& location, Make&& make) {
   try {
     return make();
   } catch (const Error& error) {
-    throw Error(error.problem(), place, error.remedy());
+    throw Error(error.problem(), location, error.remedy());
   }
 }
 
@@ -30,7 +30,7 @@ RestitutionLaw read_law(const Section& section) {
   if (section.need("law").choice() == kViscoelastic) {
     const double value = section.need("value").number();
     const double speed = section.need("speed").number();
-    return made_at(section.place(), [&] { return ViscoelasticRestitution(value, speed); });
+    return made_at(section.location(), [&] { return ViscoelasticRestitution(value, speed); });
   }
   const std::vector<double> speeds = section.need("speeds").numbers();
   const std::vector<double> values = section.need("values").numbers();
@@ -39,7 +39,7 @@ RestitutionLaw read_law(const Section& section) {
   }
   std::vector<TabulatedRestitution::Point> points;
   for (std::size_t i = 0; i < speeds.size(); ++i) points.push_back({speeds[i], values[i]});
-  return made_at(section.place(), [&] { return TabulatedRestitution(points); });
+  return made_at(section.location(), [&] { return TabulatedRestitution(points); });
 }
 
 // What the section says; what it leaves open stays as it is.
@@ -60,7 +60,8 @@ void read_bounce(const Section& section, BounceRules& bounce) {
 
 PairDescription read_pair(const Section& section, const Scenario& scenario) {
   PairDescription pair;
-  pair.fate = std::array{Fate::bounce, Fate::merge, Fate::pass}[section.need("kind").choice()];
+  pair.outcome = std::array{ContactOutcome::bounce, ContactOutcome::merge,
+                            ContactOutcome::pass}[section.need("kind").choice()];
   const Value between = section.need("between");
   const std::vector<Value> names = between.texts();
   if (names.size() != 2) between.wrong_length(names.size(), "give two species, or a species and \"wall\"");
@@ -69,18 +70,18 @@ PairDescription read_pair(const Section& section, const Scenario& scenario) {
   const Value& other = names[is_wall_first ? 0 : 1];
   pair.first = species_named(species, scenario.species);
   if (other.text() != kWall) pair.second = species_named(other, scenario.species);
-  if (!pair.second && pair.fate != Fate::bounce) {
-    throw Error("spheres can only bounce off walls", between.place(), "make the kind \"bounce\"");
+  if (!pair.second && pair.outcome != ContactOutcome::bounce) {
+    throw Error("spheres can only bounce off walls", between.location(), "make the kind \"bounce\"");
   }
   const auto is_same = [&pair](const PairDescription& known) {
     return (known.first == pair.first && known.second == pair.second) ||
            (known.second == pair.first && pair.second == known.first);
   };
   if (std::ranges::any_of(scenario.pairs, is_same)) {
-    throw Error("there are two rules for the same species", between.place(), "remove one of the two");
+    throw Error("there are two rules for the same species", between.location(), "remove one of the two");
   }
   pair.bounce = scenario.bounce;
-  if (pair.fate == Fate::bounce) read_bounce(section, pair.bounce);
+  if (pair.outcome == ContactOutcome::bounce) read_bounce(section, pair.bounce);
   return pair;
 }
 
@@ -92,15 +93,16 @@ std::vector<SpeciesDescription> read_species(const Section& root) {
     const Value name = section.need("name");
     SpeciesDescription species{name.text(), std::nullopt};
     if (species.name == kWall) {
-      throw Error("a species is named \"wall\"", name.place(), "choose another name: that one means walls");
+      throw Error("a species is named \"wall\"", name.location(),
+                  "choose another name: that one means walls");
     }
     if (std::ranges::find(all, species.name, &SpeciesDescription::name) != all.end()) {
-      throw Error("there are two species \"" + species.name + "\"", name.place(), "choose another name");
+      throw Error("there are two species \"" + species.name + "\"", name.location(), "choose another name");
     }
     if (all.size() > std::numeric_limits<SpeciesId>::max()) {
-      throw Error("there are more than 256 species", name.place(), "describe fewer");
+      throw Error("there are more than 256 species", name.location(), "describe fewer");
     }
-    if (const auto moment = section.find("moment")) species.moment = moment->number();
+    if (const auto moment = section.find("moment")) species.inertia_factor = moment->number();
     all.push_back(species);
   }
   return all;
@@ -112,7 +114,7 @@ SpeciesId species_named(const Value& name, std::span<const SpeciesDescription> s
   if (found != species.end()) return static_cast<SpeciesId>(found - species.begin());
   std::vector<std::string_view> names;
   for (const SpeciesDescription& each : species) names.push_back(each.name);
-  throw Error("there is no species \"" + wanted + "\"", name.place(),
+  throw Error("there is no species \"" + wanted + "\"", name.location(),
               names.empty() ? "add [[species]] with this name" : suggestion(wanted, names, '"'));
 }
 

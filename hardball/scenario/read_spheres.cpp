@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 4> kVelocityKeys{"mean_speed", "temperatu
 void read_placement(const Section& section, SphereGroup& group) {
   if (const auto positions = section.find("positions")) {
     if (const auto placement = section.find("placement")) {
-      throw Error("both placement and positions are given", placement->place(), "remove one of the two");
+      throw Error("both placement and positions are given", placement->location(), "remove one of the two");
     }
     group.placement = Placement::listed;
     group.positions = positions->vectors(group.dimensions);
@@ -30,7 +30,7 @@ void read_placement(const Section& section, SphereGroup& group) {
   if (group.placement != lattice_of_others) return;
   throw Error("placement is \"" + placement.text() + "\" in a box of " +
                   (group.dimensions == 2 ? "two" : "three") + " dimensions",
-              placement.place(),
+              placement.location(),
               std::string("use \"") + (group.dimensions == 2 ? "hexagonal" : "fcc") + "\" or \"random\"");
 }
 
@@ -42,7 +42,7 @@ void read_velocities(const Section& section, SphereGroup& group) {
     if (rule) {
       const std::string_view first = kVelocityKeys[static_cast<std::size_t>(*rule)];
       throw Error("both " + std::string(first) + " and " + std::string(kVelocityKeys[i]) + " are given",
-                  value->place(), "keep one of mean_speed, temperature, speed and velocities");
+                  value->location(), "keep one of mean_speed, temperature, speed and velocities");
     }
     rule = static_cast<VelocityRule>(i);
     if (rule == VelocityRule::listed) {
@@ -52,7 +52,7 @@ void read_velocities(const Section& section, SphereGroup& group) {
     }
   }
   if (!rule) {
-    throw Error("the spheres have no velocities", section.place(),
+    throw Error("the spheres have no velocities", section.location(),
                 "add mean_speed, temperature, speed (zero for rest) or velocities");
   }
   group.velocity_rule = *rule;
@@ -80,7 +80,7 @@ void read_count(const Section& section, SphereGroup& group) {
 RadiusDistribution read_distribution(const Section& section, const std::filesystem::path& folder) {
   using enum RadiusDistribution::Kind;
   RadiusDistribution radii;
-  radii.where = section.place();
+  radii.where = section.location();
   radii.kind = static_cast<RadiusDistribution::Kind>(section.need("distribution").choice());
   switch (radii.kind) {
     case uniform:
@@ -139,7 +139,8 @@ void read_spins(const Section& section, SphereGroup& group) {
   if (temperature) group.rotational_temperature = temperature->number();
   if (!spins) return;
   if (temperature) {
-    throw Error("both rotational_temperature and spins are given", spins->place(), "remove one of the two");
+    throw Error("both rotational_temperature and spins are given", spins->location(),
+                "remove one of the two");
   }
   group.spins = spins->vectors(kAxes);
   if (group.spins.size() != group.count) {
@@ -153,7 +154,7 @@ SphereGroup read_spheres(const Section& section, const std::filesystem::path& fo
                          std::span<const SpeciesDescription> species, std::size_t dimensions) {
   SphereGroup group;
   group.dimensions = dimensions;
-  group.where = section.place();
+  group.where = section.location();
   read_placement(section, group);
   read_velocities(section, group);
   read_count(section, group);
@@ -162,7 +163,7 @@ SphereGroup read_spheres(const Section& section, const std::filesystem::path& fo
   if (const auto name = section.find("species")) group.species = species_named(*name, species);
   if (const auto kinematic = section.find("kinematic")) group.is_kinematic = kinematic->truth();
   if (group.is_kinematic && section.find("mass")) {
-    throw Error("both mass and kinematic are given", section.need("mass").place(),
+    throw Error("both mass and kinematic are given", section.need("mass").location(),
                 "remove one of the two: the mass of kinematic spheres is infinite");
   }
   return group;

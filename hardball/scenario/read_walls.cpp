@@ -14,7 +14,7 @@ namespace {
 Vec3 read_direction(const Section& section, const std::string& key, std::size_t dimensions) {
   const Value value = section.need(key);
   const Vec3 direction = value.vector(dimensions);
-  check_positive(length(direction), "the length of " + key, value.place());
+  check_positive(length(direction), "the length of " + key, value.location());
   return direction;
 }
 
@@ -26,7 +26,7 @@ void read_surface(const Section& section, Description& surface) {
     surface.temperature = temperature->number();
     if (surface.restitution) {
       throw Error(
-          "both restitution and temperature are given", temperature->place(),
+          "both restitution and temperature are given", temperature->location(),
           "remove one of the two: the velocities with which spheres leave a thermal wall do not depend on "
           "those before");
     }
@@ -42,7 +42,7 @@ void read_motion(const Section& section, std::size_t dimensions, WallDescription
   if (!amplitude && !frequency) return;
   if (velocity) {
     throw Error("both velocity and " + std::string(amplitude ? "amplitude" : "frequency") + " are given",
-                velocity->place(), "a plane either moves evenly or oscillates; remove one of the two");
+                velocity->location(), "a plane either moves evenly or oscillates; remove one of the two");
   }
   wall.amplitude = section.need("amplitude").number();
   wall.frequency = section.need("frequency").number();
@@ -51,7 +51,7 @@ void read_motion(const Section& section, std::size_t dimensions, WallDescription
 WallDescription read_wall(const Section& section, std::size_t dimensions) {
   using Shape = WallDescription::Shape;
   WallDescription wall;
-  wall.where = section.place();
+  wall.where = section.location();
   wall.shape = static_cast<Shape>(section.need("shape").choice());
   wall.point = section.need("point").vector(dimensions);
   if (wall.shape == Shape::plane) wall.direction = read_direction(section, "normal", dimensions);
@@ -66,7 +66,7 @@ std::vector<Vec3> read_positions(const Section& section, std::size_t dimensions)
   const std::optional<Value> position = section.find("position");
   const std::optional<Value> positions = section.find("positions");
   if (position && positions) {
-    throw Error("both position and positions are given", positions->place(), "remove one of the two");
+    throw Error("both position and positions are given", positions->location(), "remove one of the two");
   }
   if (positions) return positions->vectors(dimensions);
   return {section.need("position").vector(dimensions)};
@@ -82,7 +82,7 @@ std::vector<FaceDescription> read_faces(const Section& box, std::size_t dimensio
     if (!section) continue;
     FaceDescription description;
     description.face = face;
-    description.where = section->place();
+    description.where = section->location();
     read_surface(*section, description);
     if (const auto velocity = section->find("velocity")) description.velocity = velocity->vector(dimensions);
     faces.push_back(description);
@@ -100,7 +100,7 @@ std::vector<ObstacleDescription> read_obstacles(const Section& root, std::size_t
   std::vector<ObstacleDescription> obstacles;
   for (const Section& section : root.sections("obstacles")) {
     ObstacleDescription obstacle;
-    obstacle.where = section.place();
+    obstacle.where = section.location();
     obstacle.radius = section.need("radius").number();
     read_surface(section, obstacle);
     for (const Vec3& position : read_positions(section, dimensions)) {

@@ -21,7 +21,7 @@ namespace hardball {
 namespace {
 
 // The largest scenario file, which becomes a tree many times its size.
-constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+constexpr std::size_t kMaxBytes = std::size_t{16} << 20;
 
 std::string number_of(std::size_t axes) {
   return axes == 2 ? "two" : "three";
@@ -65,9 +65,9 @@ Vec3 read_gravity(const Section& box, std::size_t dimensions) {
   const std::optional<Value> given = box.find("gravity");
   if (!given) return {};
   const Vec3 gravity = given->vector(dimensions);
-  if (gravity != Vec3{}) check_positive(length(gravity), "the magnitude of gravity", given->place());
+  if (gravity != Vec3{}) check_positive(length(gravity), "the magnitude of gravity", given->location());
   if (dimensions == 2 && gravity.z != 0) {
-    throw Error("gravity along z is " + to_text(gravity.z) + " in a box of two dimensions", given->place(),
+    throw Error("gravity along z is " + to_text(gravity.z) + " in a box of two dimensions", given->location(),
                 "make it zero, or give the box three dimensions");
   }
   return gravity;
@@ -77,7 +77,8 @@ void read_start_velocities(const Section& start, Scenario& scenario) {
   const std::optional<Value> mean_speed = start.find("mean_speed");
   const std::optional<Value> temperature = start.find("temperature");
   if (mean_speed && temperature) {
-    throw Error("both mean_speed and temperature are given", temperature->place(), "remove one of the two");
+    throw Error("both mean_speed and temperature are given", temperature->location(),
+                "remove one of the two");
   }
   if (!mean_speed && !temperature) return;
   scenario.start_velocity_rule = mean_speed ? VelocityRule::mean_speed : VelocityRule::temperature;
@@ -90,14 +91,14 @@ void read_start(const Section& root, Scenario& scenario) {
   const std::optional<Section> start = root.section("start");
   if (start) {
     if (!groups.empty()) {
-      throw Error("both [[spheres]] and [start] are given", start->place(), "remove one of the two");
+      throw Error("both [[spheres]] and [start] are given", start->location(), "remove one of the two");
     }
     const Value file = start->need("file");
     scenario.start_file = folder / file.text();
     try {
       format_of(*scenario.start_file);
     } catch (const Error& error) {
-      throw Error("file is \"" + file.text() + "\", and " + error.problem(), file.place(), error.remedy());
+      throw Error("file is \"" + file.text() + "\", and " + error.problem(), file.location(), error.remedy());
     }
     read_start_velocities(*start, scenario);
     return;
@@ -135,10 +136,10 @@ void read_snapshots(const Section& section, Scenario& scenario) {
   if ((every && per_decade) || (every_contacts && (every || per_decade))) {
     throw Error(std::string("both ") + (every ? "snapshots_every" : "snapshots_per_decade") + " and " +
                     (every_contacts ? "snapshots_every_contacts" : "snapshots_per_decade") + " are given",
-                (every_contacts ? every_contacts : per_decade)->place(), "remove one of the two");
+                (every_contacts ? every_contacts : per_decade)->location(), "remove one of the two");
   }
   if (first && !per_decade) {
-    throw Error("first_snapshot is given without snapshots_per_decade", first->place(),
+    throw Error("first_snapshot is given without snapshots_per_decade", first->location(),
                 "add snapshots_per_decade = 10, say, or remove it");
   }
   if (every) {
@@ -149,7 +150,7 @@ void read_snapshots(const Section& section, Scenario& scenario) {
   } else if (every_contacts) {
     scenario.snapshots = SnapshotSchedule::every_contacts(every_contacts->integer());
   } else if (trajectory) {
-    throw Error("trajectory is given, but no snapshots are taken", trajectory->place(),
+    throw Error("trajectory is given, but no snapshots are taken", trajectory->location(),
                 "add snapshots_every, snapshots_per_decade or snapshots_every_contacts");
   }
   if (trajectory) {
@@ -190,7 +191,7 @@ void leave_out_measures(const Section& root, Scenario& scenario) {
   if (measures && measures->find("names") && !scenario.measures.names.empty()) {
     throw Error(is_kinematic ? "measures do not support kinematic spheres"
                              : "measures do not support spheres that merge",
-                measures->need("names").place(), "give names = [], for no measures");
+                measures->need("names").location(), "give names = [], for no measures");
   }
   scenario.measures.names.clear();
 }
@@ -229,8 +230,9 @@ double Scenario::restitution() const {
 }
 
 bool Scenario::has_merging() const {
-  return merges ||
-         std::ranges::any_of(pairs, [](const PairDescription& pair) { return pair.fate == Fate::merge; });
+  return merges || std::ranges::any_of(pairs, [](const PairDescription& pair) {
+           return pair.outcome == ContactOutcome::merge;
+         });
 }
 
 double SphereGroup::mass_of(std::size_t index) const {
@@ -250,10 +252,10 @@ Scenario load_scenario(const std::filesystem::path& path, std::span<const std::s
   // A device or a pipe may be endless.
   std::string text;
   std::array<char, 1 << 16> piece;
-  while (text.size() <= kMostBytes && (in.read(piece.data(), piece.size()) || in.gcount() > 0)) {
+  while (text.size() <= kMaxBytes && (in.read(piece.data(), piece.size()) || in.gcount() > 0)) {
     text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
   }
-  if (text.size() > kMostBytes) {
+  if (text.size() > kMaxBytes) {
     throw Error("the file is larger than 16 MiB", path.string(),
                 "describe many spheres in groups, or in a file named in [start]");
   }

@@ -123,12 +123,12 @@ struct ObstacleDescription {
 struct SpeciesDescription {
   std::string name;
   /// Moment of inertia over mass and squared radius [1]; that of uniform spheres or discs if not given.
-  std::optional<double> moment;
+  std::optional<double> inertia_factor;
 };
 
 /// What two species do at contacts: a table [[response.pairs]] of a scenario.
 struct PairDescription {
-  Fate fate = Fate::bounce;
+  ContactOutcome outcome = ContactOutcome::bounce;
   SpeciesId first = 0;
   std::optional<SpeciesId> second;  ///< None for walls.
   BounceRules bounce;               ///< If they bounce.

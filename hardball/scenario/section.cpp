@@ -56,7 +56,7 @@ double Value::number() const {
   } else {
     wrong_kind(remedy_for(*key_, "a number"));
   }
-  check_range(number, *key_, place());
+  check_range(number, *key_, location());
   // Never minus zero where nothing is negative.
   return key_->range == NumberRange::not_negative ? std::fabs(number) : number;
 }
@@ -64,7 +64,7 @@ double Value::number() const {
 std::uint64_t Value::integer() const {
   const auto refuse = [&](const std::string& given) -> std::uint64_t {
     throw Error(
-        std::string(key_->name) + " is " + given, place(),
+        std::string(key_->name) + " is " + given, location(),
         "give an integer of at least " + to_text(key_->least) + " and at most " + to_text(key_->most));
   };
   const auto is_in_range = [&](std::uint64_t number) {
@@ -91,7 +91,7 @@ std::string Value::text() const {
   const auto* const string = std::get_if<std::string>(&node_->value);
   if (!string) wrong_kind("give a string in double quotes");
   if (string->empty()) {
-    throw Error(std::string(key_->name) + " is empty", place(), "give a string that is not empty");
+    throw Error(std::string(key_->name) + " is empty", location(), "give a string that is not empty");
   }
   return *string;
 }
@@ -100,7 +100,7 @@ std::size_t Value::choice() const {
   const std::string given = text();
   const auto found = std::ranges::find(key_->choices, given);
   if (found == key_->choices.end()) {
-    throw Error(std::string(key_->name) + " is \"" + given + "\"", place(),
+    throw Error(std::string(key_->name) + " is \"" + given + "\"", location(),
                 suggestion(given, key_->choices, '"'));
   }
   return static_cast<std::size_t>(found - key_->choices.begin());
@@ -115,7 +115,7 @@ std::vector<Value> Value::some() const {
     const std::string given = value->text();
     const auto is_given = [&](const Value& earlier) { return earlier.text() == given; };
     if (std::any_of(values.begin(), value, is_given)) {
-      throw Error(std::string(key_->name) + " has \"" + given + "\" twice", value->place(),
+      throw Error(std::string(key_->name) + " has \"" + given + "\" twice", value->location(),
                   "remove one of the two");
     }
   }
@@ -167,11 +167,11 @@ std::optional<Section> Value::section() const {
 
 void Value::wrong_length(std::size_t length, const std::string& remedy) const {
   throw Error(std::string(key_->name) + " has " + to_text(length) + (length == 1 ? " entry" : " entries"),
-              place(), remedy);
+              location(), remedy);
 }
 
 void Value::wrong_kind(const std::string& remedy) const {
-  throw Error(std::string(key_->name) + " is " + kind_of(*node_), place(), remedy);
+  throw Error(std::string(key_->name) + " is " + kind_of(*node_), location(), remedy);
 }
 
 Section::Section(const Document& document)
@@ -182,7 +182,7 @@ Section::Section(const Document& document)
 Section::Section(const Document& document, const Node& node, const KeyDescription& key)
     : document_(&document), node_(&node), keys_(key.table.get()) {
   if (!std::holds_alternative<Node::Table>(node.value)) {
-    throw Error(in_quotes(key.name) + " is " + kind_of(node), place(), "make it a table, " + keys_->title);
+    throw Error(in_quotes(key.name) + " is " + kind_of(node), location(), "make it a table, " + keys_->title);
   }
   check_keys();
 }
@@ -192,7 +192,7 @@ void Section::check_keys() {
     const std::vector<std::string_view> names = keys_->names();
     if (std::ranges::find(names, entry.key) != names.end()) continue;
     throw Error("unknown key " + in_quotes(entry.key) + (keys_->title.empty() ? "" : " in " + keys_->title),
-                document_->text_of(entry.place), suggestion(entry.key, names));
+                document_->text_of(entry.location), suggestion(entry.key, names));
   }
   if (!keys_->has_variants()) return;
   const KeyDescription& first = keys_->keys.front();
@@ -201,7 +201,7 @@ void Section::check_keys() {
     if (keys_->find(entry.key, choice_)) continue;
     throw Error("key " + in_quotes(entry.key) + " does not go with " + std::string(first.name) + " = \"" +
                     choice_ + "\"",
-                document_->text_of(entry.place), "remove it or change the " + std::string(first.name));
+                document_->text_of(entry.location), "remove it or change the " + std::string(first.name));
   }
 }
 
@@ -226,7 +226,7 @@ std::optional<Value> Section::find(std::string_view key) const {
 
 Value Section::need(std::string_view key) const {
   if (const std::optional<Value> value = find(key)) return *value;
-  throw Error("key " + in_quotes(key) + " is missing in " + keys_->title, place(),
+  throw Error("key " + in_quotes(key) + " is missing in " + keys_->title, location(),
               "add it, such as " + std::string(key) + " = " + std::string(description(key).example));
 }
 
@@ -244,7 +244,7 @@ std::vector<Section> Section::sections(std::string_view key) const {
   if (!entry) return sections;
   const auto* const array = std::get_if<Node::Array>(&entry->node.value);
   if (!array) {
-    throw Error(in_quotes(key) + " is " + kind_of(entry->node), document_->text_of(entry->node.place),
+    throw Error(in_quotes(key) + " is " + kind_of(entry->node), document_->text_of(entry->node.location),
                 "make it a table in an array, " + description.table->title);
   }
   for (const Node& node : *array) sections.emplace_back(*document_, node, description);

@@ -22,7 +22,7 @@ class Value {
   Value(const Document& document, const Node& node, const KeyDescription& key)
       : document_(&document), node_(&node), key_(&key) {}
 
-  std::string place() const { return document_->text_of(node_->place); }
+  std::string location() const { return document_->text_of(node_->location); }
 
   double number() const;
   /// Also accepts numbers such as 1e5.
@@ -63,7 +63,7 @@ class Section {
   /// The table that `node` is, the value of `key`. Error: it is none; an unknown key.
   Section(const Document& document, const Node& node, const KeyDescription& key);
 
-  std::string place() const { return document_->text_of(node_->place); }
+  std::string location() const { return document_->text_of(node_->location); }
 
   std::optional<Value> find(std::string_view key) const;
   /// Error: there is no such key.

@@ -4,8 +4,8 @@
 
 namespace hardball {
 
-/// What a simulation is doing, which decides what may be called. Copies are idle, and what is assigned to
-/// goes on with what it does.
+/// What a simulation is doing, which decides what may be called. Copies are idle. Assignment does not change
+/// what a simulation is doing.
 class Activity {
  public:
   enum class Kind {

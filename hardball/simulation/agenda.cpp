@@ -13,12 +13,12 @@ namespace {
 
 // The most steps of a stretch: some milliseconds, and few for each sphere.
 std::uint64_t steps_of_slice(const Tuner& tuner) {
-  constexpr std::uint64_t kFewest = 1 << 10;
-  constexpr std::uint64_t kMost = 1 << 14;
+  constexpr std::uint64_t kMin = 1 << 10;
+  constexpr std::uint64_t kMax = 1 << 14;
   constexpr std::uint64_t kPairs = 1 << 23;
   const std::uint64_t spheres = std::max<std::size_t>(tuner.engine().world().size(), 1);
-  if (tuner.kind() == EngineKind::all_pairs) return std::clamp<std::uint64_t>(kPairs / spheres, 1, kMost);
-  return std::clamp(spheres, kFewest, kMost);
+  if (tuner.kind() == EngineKind::all_pairs) return std::clamp<std::uint64_t>(kPairs / spheres, 1, kMax);
+  return std::clamp(spheres, kMin, kMax);
 }
 
 std::uint64_t steps_of(const Counters& done) {

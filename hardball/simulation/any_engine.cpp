@@ -15,7 +15,7 @@
 #include "hardball/events/ordered_queue.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/paper/paper_engine.hpp"
-#include "hardball/theory/moments.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
 #include "hardball/tuning/size_classes.hpp"
@@ -99,8 +99,8 @@ std::unique_ptr<AnyEngine> make_paper(World world, QueueKind, const PhaseSetting
 struct Choice {
   EngineKind kind;
   std::unique_ptr<AnyEngine> (*make)(World, QueueKind, const PhaseSettings&, const Time&, const Progress&);
-  // The best length for a world with these moments, and its predicted cost.
-  BestLength (*best)(const World&, const Time&, const Moments&, const UnitCosts&);
+  // The best length for a world with these statistics, and its predicted cost.
+  BestLength (*best)(const World&, const Time&, const GasStatistics&, const UnitCosts&);
   bool has_cells;
 };
 
@@ -108,15 +108,15 @@ struct Choice {
 constexpr Choice kChoices[] = {
     {EngineKind::cells, make_cells, best_edge, true},
     {EngineKind::neighbors, make<NeighborList>,
-     [](const World&, const Time&, const Moments& moments, const UnitCosts& costs) {
-       return best_skin(moments, costs);
+     [](const World&, const Time&, const GasStatistics& statistics, const UnitCosts& costs) {
+       return best_skin(statistics, costs);
      },
      false},
     {EngineKind::all_pairs, make<AllPairs>,
-     [](const World&, const Time&, const Moments&, const UnitCosts&) { return BestLength(); }, false},
+     [](const World&, const Time&, const GasStatistics&, const UnitCosts&) { return BestLength(); }, false},
     {EngineKind::paper, make_paper,
-     [](const World&, const Time&, const Moments& moments, const UnitCosts& costs) {
-       return best_cell_edge(moments, costs);
+     [](const World&, const Time&, const GasStatistics& statistics, const UnitCosts& costs) {
+       return best_cell_edge(statistics, costs);
      },
      true},
 };
@@ -151,9 +151,9 @@ EngineKind choose_engine(const World& world, const EngineOptions& options, const
   if (options.engine == EngineKind::neighbors && !NeighborList::supports(world)) return EngineKind::cells;
   if (options.engine != EngineKind::automatic) return options.engine;
   if (options.cell_edge || !NeighborList::supports(world)) return EngineKind::cells;
-  const Moments moments = moments_of(world, moment);
+  const GasStatistics statistics = gas_statistics(world, moment);
   const auto cost_of = [&](EngineKind kind) {
-    return choice(kind).best(world, moment, moments, options.unit_costs).cost;
+    return choice(kind).best(world, moment, statistics, options.unit_costs).cost;
   };
   const bool has_lists = current == EngineKind::neighbors;
   const EngineKind used = has_lists ? EngineKind::neighbors : EngineKind::cells;
@@ -166,7 +166,7 @@ double choose_length(const World& world, EngineKind engine, const EngineOptions&
                      const Time& moment) {
   const Choice& chosen = choice(engine);
   if (chosen.has_cells && options.cell_edge) return *options.cell_edge;
-  const BestLength best = chosen.best(world, moment, moments_of(world, moment), options.unit_costs);
+  const BestLength best = chosen.best(world, moment, gas_statistics(world, moment), options.unit_costs);
   return allowed_cell_edge(world, engine, best.length);
 }
 

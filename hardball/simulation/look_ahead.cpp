@@ -60,7 +60,7 @@ void Simulation::look_ahead(const Time& until, std::uint64_t most,
   Time last_change = tally_.last_change();
   const auto note = [&](const Contact& contact) {
     last_change = contact.time;
-    if (contact.fate == Fate::merge) forget_at_thermostat(contact.second);
+    if (contact.outcome == ContactOutcome::merge) forget_at_thermostat(contact.second);
     observe(contact);
     return !is_rescheduled_;
   };

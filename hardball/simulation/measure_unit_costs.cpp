@@ -14,7 +14,7 @@
 #include "hardball/events/calendar_queue.hpp"
 #include "hardball/numbers/random.hpp"
 #include "hardball/placement/placement.hpp"
-#include "hardball/theory/moments.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 #include "hardball/tuning/cell_counts.hpp"
 
 namespace hardball {
@@ -44,7 +44,7 @@ World make_gas(double packing_fraction) {
 class Trial {
  public:
   Trial(World world, double edge)
-      : expected_(expected_counts(moments_of(world, Time(0)), edge)),
+      : expected_(expected_counts(gas_statistics(world, Time(0)), edge)),
         engine_(std::move(world), CellGrid(edge), Time(0)) {
     run(3 * kSpheres);
   }

@@ -126,7 +126,7 @@ void Simulation::note(const Contact& contact, Measures* measures) {
   now_ = contact.time;
   tally_.note(contact);
   hash_.note(contact);
-  if (contact.fate == Fate::merge) [[unlikely]]
+  if (contact.outcome == ContactOutcome::merge) [[unlikely]]
     note_merger(contact, measures);
   if (measures) measures->note(contact);
   if (listener_ || next_listener_)

@@ -80,10 +80,10 @@ void Tuner::review_if_due(const Time& now) {
   if (done.enter + done.contacts() < next_review_) return;
   next_review_ = done.enter + done.contacts() + kEventsPerReview * world.size();
   const Time moment = later(now, engine_->now());
-  const Moments moments = moments_of(world, moment);
-  const bool is_by_class = kind_ == EngineKind::cells && are_sizes_spread(moments);
-  if (!are_alike(moments, reviewed_)) {
-    reviewed_ = moments;
+  const GasStatistics statistics = gas_statistics(world, moment);
+  const bool is_by_class = kind_ == EngineKind::cells && are_sizes_spread(statistics);
+  if (!are_alike(statistics, reviewed_)) {
+    reviewed_ = statistics;
     if (choose_engine(world, options_, moment, kind_) != kind_) return rebuild(moment);
     if (is_by_class && !options_.cell_edge) {
       constexpr double kEnough = 1.25;
@@ -93,7 +93,7 @@ void Tuner::review_if_due(const Time& now) {
   }
   const bool has_cells = kind_ == EngineKind::cells || kind_ == EngineKind::paper;
   if (!has_cells || is_by_class || options_.cell_edge) return;
-  const std::optional<double> better = watch_.update(moments, duration(last_review_, moment));
+  const std::optional<double> better = watch_.update(statistics, duration(last_review_, moment));
   last_review_ = moment;
   if (!better) return;
   const double edge = allowed_cell_edge(world, kind_, *better);

@@ -8,7 +8,7 @@
 #include "hardball/engine/run.hpp"
 #include "hardball/memory/value_pointer.hpp"
 #include "hardball/simulation/any_engine.hpp"
-#include "hardball/theory/moments.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
@@ -61,7 +61,7 @@ class Tuner {
   std::size_t spheres_at_choice_ = 0;  // when engine and cells were last chosen
   std::uint64_t next_review_ = 0;      // at so many crossings and contacts
   Time last_review_;
-  Moments reviewed_;  // for which the kind of engine was last reviewed
+  GasStatistics reviewed_;  // for which the kind of engine was last reviewed
 };
 
 }  // namespace hardball

@@ -24,13 +24,13 @@ class Cylinder {
   Polynomial gap(const Passage& passage, double radius) const {
     const PreciseVector axis = precise(axis_);
     return room_within(radius_ - radius,
-                       squared_distance(cross(passage.place, axis), cross(passage.velocity, axis),
+                       squared_distance(cross(passage.position, axis), cross(passage.velocity, axis),
                                         cross(half(passage.acceleration), axis)));
   }
   /// The distance from a point to the surface [L]; negative beyond it.
-  double distance(const Vec3& place) const { return radius_ - length(towards(place)); }
+  double distance(const Vec3& position) const { return radius_ - length(towards(position)); }
   /// A vector of any length from a point toward the surface.
-  Vec3 towards(const Vec3& place) const { return place - dot(place, axis_) * axis_; }
+  Vec3 towards(const Vec3& position) const { return position - dot(position, axis_) * axis_; }
 
  private:
   friend class Persistence;

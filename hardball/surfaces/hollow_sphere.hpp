@@ -22,12 +22,12 @@ class HollowSphere {
   /// origin [L^2], as a function of time.
   Polynomial gap(const Passage& passage, double radius) const {
     return room_within(radius_ - radius,
-                       squared_distance(passage.place, passage.velocity, half(passage.acceleration)));
+                       squared_distance(passage.position, passage.velocity, half(passage.acceleration)));
   }
   /// The distance from a point to the surface [L]; negative beyond it.
-  double distance(const Vec3& place) const { return radius_ - length(place); }
+  double distance(const Vec3& position) const { return radius_ - length(position); }
   /// A vector of any length from a point toward the surface.
-  Vec3 towards(const Vec3& place) const { return place; }
+  Vec3 towards(const Vec3& position) const { return position; }
 
  private:
   friend class Persistence;

@@ -22,7 +22,7 @@ class Obstacle {
   /// The difference of the squared distance of a sphere's center from the origin and that at which it touches
   /// [L^2], as a function of time.
   Polynomial gap(const Passage& passage, double radius) const {
-    Polynomial gap = squared_distance(passage.place, passage.velocity, half(passage.acceleration));
+    Polynomial gap = squared_distance(passage.position, passage.velocity, half(passage.acceleration));
     const DoubleDouble<> reach = sum(radius_, radius);
     gap.coefficients[0] = gap.coefficients[0] - reach * reach;
     return gap;
@@ -30,11 +30,11 @@ class Obstacle {
   /// Whether a sphere certainly passes by: a cheap test, as most do.
   bool is_missed(const Passage& passage, double radius) const {
     if (rounded(passage.acceleration) != Vec3{}) return false;
-    const Vec3 place = rounded(passage.place);
+    const Vec3 position = rounded(passage.position);
     const Vec3 velocity = rounded(passage.velocity);
-    const double square = dot(place, place);
+    const double square = dot(position, position);
     const double speed_squared = dot(velocity, velocity);
-    const double approach = dot(place, velocity);
+    const double approach = dot(position, velocity);
     const double reach = radius_ + radius;
     // Far more than rounding.
     constexpr double kMargin = 1e-12;
@@ -43,9 +43,9 @@ class Obstacle {
     return (square - reach * reach) * speed_squared - approach * approach > kMargin * square * speed_squared;
   }
   /// The distance from a point to the surface [L]; negative beyond it.
-  double distance(const Vec3& place) const { return length(place) - radius_; }
+  double distance(const Vec3& position) const { return length(position) - radius_; }
   /// A vector of any length from a point toward the surface.
-  Vec3 towards(const Vec3& place) const { return -place; }
+  Vec3 towards(const Vec3& position) const { return -position; }
 
  private:
   friend class Persistence;

@@ -19,7 +19,7 @@ Polynomial from(const Polynomial& p, double t) {
   Polynomial shifted;
   Polynomial derivative = p;
   double factorial = 1;
-  for (std::size_t i = 0; i <= Polynomial::kMostDegree; ++i) {
+  for (std::size_t i = 0; i <= Polynomial::kMaxDegree; ++i) {
     shifted.coefficients[i] = divide(derivative(t), factorial);
     derivative = derivative.derivative();
     factorial *= static_cast<double>(i + 1);

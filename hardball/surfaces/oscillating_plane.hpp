@@ -32,8 +32,8 @@ class HARDBALL_EXPORT OscillatingPlane {
   /// How fast the gap opens at the start of a passage [L/T]; negative if it closes.
   DoubleDouble<> opening_speed(const Passage& passage) const;
 
-  double distance(const Vec3& place) const { return rest_.distance(place); }
-  Vec3 towards(const Vec3& place) const { return rest_.towards(place); }
+  double distance(const Vec3& position) const { return rest_.distance(position); }
+  Vec3 towards(const Vec3& position) const { return rest_.towards(position); }
   /// By how much the plane is displaced at `moment` [L], and how fast it moves [L/T].
   Vec3 displacement_at(const Time& moment) const;
   Vec3 velocity_at(const Time& moment) const;

@@ -29,7 +29,7 @@ inline DoubleDouble<> dot(const PreciseVector& a, const PreciseVector& b) {
 /// The motion of a sphere's center past a surface, from the start of its path on: where it is relative to the
 /// point that defines the surface, and in the frame in which that point rests. A parabola, or a line.
 struct Passage {
-  PreciseVector place;         ///< At the start [L].
+  PreciseVector position;      ///< At the start [L].
   PreciseVector velocity;      ///< At the start [L/T].
   PreciseVector acceleration;  ///< [L/T^2]
   Time start;                  ///< [T]
@@ -56,7 +56,7 @@ inline PreciseVector half(const PreciseVector& a) {
 /// The difference between the greatest squared distance and this one: positive inside.
 inline Polynomial room_within(double distance, const Polynomial& squared) {
   Polynomial room;
-  for (std::size_t i = 0; i <= Polynomial::kMostDegree; ++i) room.coefficients[i] = -squared.coefficients[i];
+  for (std::size_t i = 0; i <= Polynomial::kMaxDegree; ++i) room.coefficients[i] = -squared.coefficients[i];
   room.coefficients[0] = product(distance, distance) - squared.coefficients[0];
   return room;
 }

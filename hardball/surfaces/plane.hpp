@@ -21,11 +21,11 @@ class Plane {
   /// The gap between the surface and a sphere of this radius [L], as a function of time.
   Polynomial gap(const Passage& passage, double radius) const {
     const PreciseVector n = precise(normal_);
-    return {{dot(passage.place, n) - DoubleDouble<>{radius, 0}, dot(passage.velocity, n),
+    return {{dot(passage.position, n) - DoubleDouble<>{radius, 0}, dot(passage.velocity, n),
              dot(half(passage.acceleration), n)}};
   }
   /// The distance from a point to the surface [L]; negative beyond it.
-  double distance(const Vec3& place) const { return dot(place, normal_); }
+  double distance(const Vec3& position) const { return dot(position, normal_); }
   /// A vector of any length from a point toward the surface.
   Vec3 towards(const Vec3&) const { return -normal_; }
 

@@ -15,7 +15,7 @@ constexpr double kForever = std::numeric_limits<double>::infinity();
 
 // The points t >= 0 at which a polynomial changes its sign.
 struct Points {
-  std::array<double, Polynomial::kMostDegree> at{};
+  std::array<double, Polynomial::kMaxDegree> at{};
   std::size_t count = 0;
 
   void add(double point) { at[count++] = point; }
@@ -46,8 +46,8 @@ double sign_change(const Polynomial& p, double low, double high) {
   // Newton's method leads close to it, and a few steps to either side of where it leads enclose it.
   const Polynomial slope = p.derivative();
   double guess = low + (high - low) / 2;
-  constexpr int kMostSteps = 12;
-  for (int step = 0; step < kMostSteps; ++step) {
+  constexpr int kMaxSteps = 12;
+  for (int step = 0; step < kMaxSteps; ++step) {
     const double next = guess - p(guess).high / slope(guess).high;
     if (!(next > low && next < high) || next == guess) break;
     guess = next;
@@ -93,7 +93,7 @@ Points sign_changes(const Polynomial& p) {
 // The sign of a polynomial just after t.
 double sign_after(const Polynomial& p, double t) {
   Polynomial derivative = p;
-  for (std::size_t i = 0; i <= Polynomial::kMostDegree; ++i, derivative = derivative.derivative()) {
+  for (std::size_t i = 0; i <= Polynomial::kMaxDegree; ++i, derivative = derivative.derivative()) {
     const double sign = sign_of(derivative(t));
     if (sign != 0) return sign;
   }
@@ -123,20 +123,20 @@ double earliest_descent_of_line_or_parabola(const Polynomial& p) {
 
 DoubleDouble<> Polynomial::operator()(double t) const {
   const DoubleDouble<> factor{t, 0};
-  DoubleDouble<> value = coefficients[kMostDegree];
-  for (std::size_t i = kMostDegree; i-- > 0;) value = value * factor + coefficients[i];
+  DoubleDouble<> value = coefficients[kMaxDegree];
+  for (std::size_t i = kMaxDegree; i-- > 0;) value = value * factor + coefficients[i];
   return value;
 }
 
 std::size_t Polynomial::degree() const {
-  std::size_t degree = kMostDegree;
+  std::size_t degree = kMaxDegree;
   while (degree > 0 && sign_of(coefficients[degree]) == 0) --degree;
   return degree;
 }
 
 Polynomial Polynomial::derivative() const {
   Polynomial derivative;
-  for (std::size_t i = 1; i <= kMostDegree; ++i) {
+  for (std::size_t i = 1; i <= kMaxDegree; ++i) {
     derivative.coefficients[i - 1] = DoubleDouble<>{static_cast<double>(i), 0} * coefficients[i];
   }
   return derivative;

@@ -13,9 +13,9 @@ namespace hardball {
 /// A polynomial in time of degree four at most, its coefficients in twice the precision: how a squared
 /// distance changes along a parabola, for one.
 struct HARDBALL_EXPORT Polynomial {
-  static constexpr std::size_t kMostDegree = 4;
+  static constexpr std::size_t kMaxDegree = 4;
 
-  std::array<DoubleDouble<>, kMostDegree + 1> coefficients{};  ///< Of t^0, t^1, and so on.
+  std::array<DoubleDouble<>, kMaxDegree + 1> coefficients{};  ///< Of t^0, t^1, and so on.
 
   DoubleDouble<> operator()(double t) const;
   /// The highest power whose coefficient is not zero.

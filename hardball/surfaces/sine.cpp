@@ -25,9 +25,9 @@ DoubleDouble<> alternating_series(const DoubleDouble<>& x, int first) {
 }  // namespace
 
 Circular circular(double frequency, const Time& time) {
-  constexpr double kMostTurns = 0x1p100;  // of more, not even the whole number is known
+  constexpr double kMaxTurns = 0x1p100;  // of more, not even the whole number is known
   DoubleDouble<> turns = product(frequency, time.high) + product(frequency, time.low);
-  if (!(std::fabs(turns.high) < kMostTurns)) return {{0, 0}, {1, 0}};
+  if (!(std::fabs(turns.high) < kMaxTurns)) return {{0, 0}, {1, 0}};
   turns = turns - DoubleDouble<>{std::floor(turns.high), 0};
   turns = turns - DoubleDouble<>{std::floor(turns.high), 0};
   const double quarter = std::floor(4 * turns.high + 0.5);

@@ -72,8 +72,8 @@ Passage Surface::passage_of(const Motion& motion, const Path& path) const {
                   precise(motion.gravity()), path.time};
   if (velocity_ == Vec3{}) return passage;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    passage.place[axis] = passage.place[axis] - (product(velocity_[axis], path.time.high) +
-                                                 product(velocity_[axis], path.time.low));
+    passage.position[axis] = passage.position[axis] - (product(velocity_[axis], path.time.high) +
+                                                       product(velocity_[axis], path.time.low));
   }
   return passage;
 }
@@ -106,10 +106,10 @@ double Surface::free_until(const Motion& motion, const Path& path, double radius
   constexpr double kRounding = 0x1p-40;
   const Vec3 position = motion.position_at(path, now);
   const double scale = length(position) + length(point_) + length(velocity_) * std::fabs(now.high) + radius;
-  const Vec3 place = (position - now.high * velocity_) - point_;
+  const Vec3 relative = (position - now.high * velocity_) - point_;
   const double gap = std::visit(
       [&](const auto& shape) {
-        const double distance = shape.distance(place) - radius - kRounding * scale;
+        const double distance = shape.distance(relative) - radius - kRounding * scale;
         if constexpr (requires { shape.amplitude(); }) return distance - shape.amplitude();
         return distance;
       },
@@ -121,24 +121,24 @@ double Surface::free_until(const Motion& motion, const Path& path, double radius
   return rounded_down(now) + (1 - kRounding) * wait;
 }
 
-Vec3 Surface::place_of(const Vec3& position, const Time& moment) const {
-  Vec3 place = (position - point_) - (moment.high * velocity_ + moment.low * velocity_);
+Vec3 Surface::relative_position(const Vec3& position, const Time& moment) const {
+  Vec3 relative = (position - point_) - (moment.high * velocity_ + moment.low * velocity_);
   std::visit(
       [&](const auto& shape) {
-        if constexpr (requires { shape.displacement_at(moment); }) place -= shape.displacement_at(moment);
+        if constexpr (requires { shape.displacement_at(moment); }) relative -= shape.displacement_at(moment);
       },
       shape_);
-  return place;
+  return relative;
 }
 
 double Surface::distance(const Vec3& position, const Time& moment) const {
-  const Vec3 place = place_of(position, moment);
-  return std::visit([&](const auto& shape) { return shape.distance(place); }, shape_);
+  const Vec3 relative = relative_position(position, moment);
+  return std::visit([&](const auto& shape) { return shape.distance(relative); }, shape_);
 }
 
 Vec3 Surface::direction(const Vec3& position, const Time& moment) const {
-  const Vec3 place = place_of(position, moment);
-  const Vec3 towards = std::visit([&](const auto& shape) { return shape.towards(place); }, shape_);
+  const Vec3 relative = relative_position(position, moment);
+  const Vec3 towards = std::visit([&](const auto& shape) { return shape.towards(relative); }, shape_);
   const double distance = length(towards);
   if (!(distance > 0)) return {1, 0, 0};  // from the very middle every direction leads there
   if (distance == 1) return towards;

@@ -20,9 +20,9 @@ namespace hardball {
 /// The shapes of surfaces, each in a file of its own: where a sphere touches it, and which way it lies.
 ///
 /// A shape has `kName`; `gap(passage, radius)`, a polynomial that is positive while a sphere does not touch
-/// it, or `contact_time(passage, radius)` and `opening_speed(passage)`; `distance(place)` and
-/// `towards(place)`; and if it moves by itself, `displacement_at(moment)` and `velocity_at(moment)`. Places
-/// are relative to the surface's point.
+/// it, or `contact_time(passage, radius)` and `opening_speed(passage)`; `distance(position)` and
+/// `towards(position)`; and if it moves by itself, `displacement_at(moment)` and `velocity_at(moment)`.
+/// Positions are relative to the surface's point.
 using Shape = std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle>;
 
 /// A wall or an obstacle that spheres bounce off: at rest, in uniform motion, or oscillating.
@@ -67,7 +67,7 @@ class HARDBALL_EXPORT Surface {
   }
 
   Passage passage_of(const Motion& motion, const Path& path) const;
-  Vec3 place_of(const Vec3& position, const Time& moment) const;
+  Vec3 relative_position(const Vec3& position, const Time& moment) const;
 
   Shape shape_;
   Vec3 point_;

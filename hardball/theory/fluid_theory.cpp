@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
-#include "hardball/theory/moments.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
@@ -48,7 +48,7 @@ double fluid_compressibility(double packing_fraction) {
   return z;
 }
 
-FluidTheory::FluidTheory(const World& world, const Species& species)
+FluidTheory::FluidTheory(const World& world, const SpeciesList& species)
     : species_(species),
       is_flat_(world.box().is_flat()),
       holds_(world.box().is_all(Boundary::periodic) && world.motion().is_straight() &&
@@ -81,7 +81,7 @@ FluidTheory::FluidTheory(const World& world, const Species& species)
   holds_ = packing_fraction_ <= kFreezing;
   if (!holds_) return;
   if (species.size() == 1 && !species.is_one_kind() && !std::isnan(species.mass(0))) {
-    mean_free_path_ = hardball::mean_free_path(moments_of(world, Time(0)));
+    mean_free_path_ = hardball::mean_free_path(gas_statistics(world, Time(0)));
   }
   compressibility_ =
       has_equal_radii_ ? fluid_compressibility(packing_fraction_) : mixture_compressibility(xi);

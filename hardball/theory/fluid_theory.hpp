@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "hardball/theory/species.hpp"
+#include "hardball/theory/species_list.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -33,7 +33,7 @@ class FluidTheory {
   /// Of no fluid; holds for none.
   FluidTheory() = default;
 
-  FluidTheory(const World& world, const Species& species);
+  FluidTheory(const World& world, const SpeciesList& species);
 
   bool holds() const { return holds_; }
   /// By which fraction Z - 1, contact values and collision rates may be off [1]: what the equations of state
@@ -78,7 +78,7 @@ class FluidTheory {
   double contact_value_of_many(std::size_t a, std::size_t b) const;
   double viscosity(double temperature) const;
 
-  Species species_;
+  SpeciesList species_;
   bool is_flat_ = false;
   bool holds_ = false;
   bool has_equal_radii_ = false;

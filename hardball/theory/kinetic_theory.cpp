@@ -15,12 +15,12 @@ constexpr double kDensestFluid = 0.5;
 constexpr double kDensestFluidOfDiscs = 0.7;
 
 // The mean over pairs of (r_i + r_j)^2 [L^2].
-double mean_square_reach(const Moments& moments) {
-  return 2 * (moments.radius_power[2] + moments.radius_power[1] * moments.radius_power[1]);
+double mean_square_reach(const GasStatistics& statistics) {
+  return 2 * (statistics.radius_power[2] + statistics.radius_power[1] * statistics.radius_power[1]);
 }
 
-double fluid_packing(const Moments& moments) {
-  return std::min(moments.packing_fraction(), moments.is_flat() ? kDensestFluidOfDiscs : kDensestFluid);
+double fluid_packing(const GasStatistics& statistics) {
+  return std::min(statistics.packing_fraction(), statistics.is_flat() ? kDensestFluidOfDiscs : kDensestFluid);
 }
 
 // n k T times the compressibility: the variance over the mean of the number of spheres in a large region.
@@ -58,65 +58,66 @@ double fluid_compressibility_of_discs(double packing_fraction) {
   return z;
 }
 
-double contact_value(const Moments& moments) {
-  if (moments.spheres == 0) return 1;
-  const double packing = fluid_packing(moments);
+double contact_value(const GasStatistics& statistics) {
+  if (statistics.spheres == 0) return 1;
+  const double packing = fluid_packing(statistics);
   const double free = 1 - packing;
-  if (moments.is_flat()) {
-    const double alike = moments.radius_power[1] * moments.radius_power[1] / moments.radius_power[2];
+  if (statistics.is_flat()) {
+    const double alike = statistics.radius_power[1] * statistics.radius_power[1] / statistics.radius_power[2];
     const double of_equal = packing > 0 ? (fluid_compressibility_of_discs(packing) - 1) / (2 * packing) : 1;
     return 1 / free + alike * (of_equal - 1 / free);
   }
   // Surface per volume, over six, times the means over pairs of h and h^2, h = 2 r_i r_j / (r_i + r_j),
   // weighted by (r_i + r_j)^2.
-  const double surface = packing * moments.radius_power[2] / (2 * moments.radius_power[3]);
+  const double surface = packing * statistics.radius_power[2] / (2 * statistics.radius_power[3]);
   const double first =
-      surface * 4 * moments.radius_power[1] * moments.radius_power[2] / mean_square_reach(moments);
-  const double second =
-      surface * surface * 4 * moments.radius_power[2] * moments.radius_power[2] / mean_square_reach(moments);
+      surface * 4 * statistics.radius_power[1] * statistics.radius_power[2] / mean_square_reach(statistics);
+  const double second = surface * surface * 4 * statistics.radius_power[2] * statistics.radius_power[2] /
+                        mean_square_reach(statistics);
   return 1 / free + 3 * first / (free * free) + 2 * second / (free * free * free);
 }
 
-double mean_free_path(const Moments& moments) {
-  if (moments.spheres < 2) return std::numeric_limits<double>::infinity();
+double mean_free_path(const GasStatistics& statistics) {
+  if (statistics.spheres < 2) return std::numeric_limits<double>::infinity();
   // Across which one sphere meets another.
   const double section =
-      moments.is_flat() ? 4 * moments.mean_radius() : std::numbers::pi * mean_square_reach(moments);
-  return 1 / (std::numbers::sqrt2 * section * moments.number_density() * contact_value(moments));
+      statistics.is_flat() ? 4 * statistics.mean_radius() : std::numbers::pi * mean_square_reach(statistics);
+  return 1 / (std::numbers::sqrt2 * section * statistics.number_density() * contact_value(statistics));
 }
 
-double mean_free_time(const Moments& moments) {
-  return moments.mean_speed > 0 ? mean_free_path(moments) / moments.mean_speed
-                                : std::numeric_limits<double>::infinity();
+double mean_free_time(const GasStatistics& statistics) {
+  return statistics.mean_speed > 0 ? mean_free_path(statistics) / statistics.mean_speed
+                                   : std::numeric_limits<double>::infinity();
 }
 
-double compressibility(const Moments& moments) {
-  return 1 + (moments.is_flat() ? 2 : 4) * fluid_packing(moments) * contact_value(moments);
+double compressibility(const GasStatistics& statistics) {
+  return 1 + (statistics.is_flat() ? 2 : 4) * fluid_packing(statistics) * contact_value(statistics);
 }
 
-double wall_rate(const Moments& moments) {
-  const double packing = fluid_packing(moments);
+double wall_rate(const GasStatistics& statistics) {
+  const double packing = fluid_packing(statistics);
   // At each wall [L].
-  const double depleted = moments.mean_radius() * (1 - packing) / (1 + (moments.is_flat() ? 1 : 2) * packing);
+  const double depleted =
+      statistics.mean_radius() * (1 - packing) / (1 + (statistics.is_flat() ? 1 : 2) * packing);
   double rate = 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!moments.box.is_wall(axis)) continue;
-    const double filled = moments.extent[axis] - 2 * depleted;
-    rate += moments.mean_speed_along_axis() / filled * compressibility(moments);
+    if (!statistics.box.is_wall(axis)) continue;
+    const double filled = statistics.extent[axis] - 2 * depleted;
+    rate += statistics.mean_speed_along_axis() / filled * compressibility(statistics);
   }
   return rate;
 }
 
-double excess_about_sphere(const Moments& moments) {
-  return structure_factor_at_zero(fluid_packing(moments), moments.is_flat()) - 1;
+double excess_about_sphere(const GasStatistics& statistics) {
+  return structure_factor_at_zero(fluid_packing(statistics), statistics.is_flat()) - 1;
 }
 
-double excess_about_pair(const Moments& moments) {
-  const double packing = fluid_packing(moments);
+double excess_about_pair(const GasStatistics& statistics) {
+  const double packing = fluid_packing(statistics);
   // The derivative of the logarithm of the contact value with respect to that of the density.
-  const double crowding = moments.is_flat() ? packing * (2 / (1 - packing) - 7 / (16 - 7 * packing))
-                                            : packing * (3 / (1 - packing) - 1 / (2 - packing));
-  return structure_factor_at_zero(packing, moments.is_flat()) * (2 + crowding) - 1;
+  const double crowding = statistics.is_flat() ? packing * (2 / (1 - packing) - 7 / (16 - 7 * packing))
+                                               : packing * (3 / (1 - packing) - 1 / (2 - packing));
+  return structure_factor_at_zero(packing, statistics.is_flat()) * (2 + crowding) - 1;
 }
 
 }  // namespace hardball

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "hardball/theory/moments.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 
 /// Hard spheres or discs in equilibrium: collision rates and correlations. Beyond the fluid range, packing
 /// fractions above 0.5 are taken as 0.5, of discs those above 0.7 as 0.7.
@@ -18,33 +18,33 @@ double fluid_compressibility_of_discs(double packing_fraction);
 /// Carnahan, Starling and Leland, J. Chem. Phys. 54 (1971) 1523; for discs as for
 /// fluid_compressibility_of_discs, for mixtures of them Santos, Yuste and Lopez de Haro, Mol. Phys. 96 (1999)
 /// 1.
-double contact_value(const Moments& moments);
+double contact_value(const GasStatistics& statistics);
 
 /// Mean free path [L]; infinite if there are fewer than two spheres.
 /// Source: Chapman and Cowling, The Mathematical Theory of Non-Uniform Gases, section 5.21, with the contact
 /// value as Enskog's factor.
-double mean_free_path(const Moments& moments);
+double mean_free_path(const GasStatistics& statistics);
 
 /// Mean free time [T]; infinite if nothing moves.
-double mean_free_time(const Moments& moments);
+double mean_free_time(const GasStatistics& statistics);
 
 /// Compressibility factor Z = P V / N k T of equal spheres at the same packing fraction [1].
 /// Source: Carnahan and Starling, as above.
-double compressibility(const Moments& moments);
+double compressibility(const GasStatistics& statistics);
 
 /// Rate of wall contacts of one sphere [1/T]: the density at a wall is that inside times the compressibility.
 /// Source: the contact theorem and, for the density inside, the adsorption by scaled-particle theory, Reiss,
 /// Frisch, Helfand and Lebowitz, J. Chem. Phys. 32 (1960) 119; docs/theory.md for discs.
-double wall_rate(const Moments& moments);
+double wall_rate(const GasStatistics& statistics);
 
 /// The excess over the mean of the number of spheres in a large region around a sphere, itself not counted,
 /// when it touches a wall or nothing [1]: -1 for a crystal, 0 for points. Source: the compressibility
 /// equation, Hansen and McDonald, Theory of Simple Liquids, section 2.6, and Carnahan and Starling's equation
 /// of state; for discs that of Henderson, Mol. Phys. 30 (1975) 971.
-double excess_about_sphere(const Moments& moments);
+double excess_about_sphere(const GasStatistics& statistics);
 
 /// The same when the sphere touches another, which is counted [1].
 /// Source: as above, differentiated with respect to density; docs/theory.md.
-double excess_about_pair(const Moments& moments);
+double excess_about_pair(const GasStatistics& statistics);
 
 }  // namespace hardball

@@ -37,7 +37,7 @@ class HARDBALL_EXPORT Andersen {
 
   /// When the next event happens [T]; infinity if there are no spheres.
   double next() const;
-  /// Appends the new velocity of the next event, the one with the lowest id at that time, and goes on to the
+  /// Appends the new velocity of the next event, the one with the lowest id at that time, and moves on to the
   /// one after it. Cost: O(log n).
   void act(const World& world, const Time& moment, std::vector<NewVelocity>& changes);
 

@@ -9,8 +9,8 @@
 namespace hardball {
 
 void refuse_unresolved(double interval, double time) {
-  constexpr double kMostIntervals = 0x1p50;
-  if (std::fabs(time) / interval < kMostIntervals) return;
+  constexpr double kMaxIntervals = 0x1p50;
+  if (std::fabs(time) / interval < kMaxIntervals) return;
   throw Error("actions every " + to_text(interval) + " cannot be resolved at time " + to_text(time),
               "thermostat", "make it act less often");
 }

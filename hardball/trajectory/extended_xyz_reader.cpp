@@ -18,7 +18,7 @@ namespace {
 
 // The key=value pairs of a comment line, each value with its offset. Values may be quoted; a key without a
 // value has an empty one.
-std::map<std::string, Token, std::less<>> parse_comment(std::string_view line, const TextPlace& place) {
+std::map<std::string, Token, std::less<>> parse_comment(std::string_view line, const TextLocation& location) {
   std::map<std::string, Token, std::less<>> pairs;
   std::size_t at = 0;
   while (at = std::min(line.find_first_not_of(kBlanks, at), line.size()), at < line.size()) {
@@ -31,7 +31,7 @@ std::map<std::string, Token, std::less<>> parse_comment(std::string_view line, c
       if (at < line.size() && (line[at] == '"' || line[at] == '\'')) {
         const std::size_t close = line.find(line[at], at + 1);
         if (close == std::string_view::npos) {
-          throw Error("the quote is never closed", place.text(at),
+          throw Error("the quote is never closed", location.text(at),
                       "end the value with the quote that opens it");
         }
         value = {line.substr(at + 1, close - at - 1), at + 1};
@@ -89,7 +89,7 @@ std::string description(const KnownColumn& known) {
   return std::string(known.name) + ":" + std::string(known.type) + ":" + to_text(known.width);
 }
 
-Columns parse_properties(const Token& properties, const TextPlace& place) {
+Columns parse_properties(const Token& properties, const TextLocation& location) {
   Columns columns;
   std::size_t at = 0;
   const auto next_part = [&] {
@@ -103,9 +103,9 @@ Columns parse_properties(const Token& properties, const TextPlace& place) {
     const Token type = next_part();
     const Token width_text = next_part();
     std::size_t width = 0;
-    constexpr std::size_t kMostWidth = 1000;
-    if (!parse(width_text.text, width) || width == 0 || width > kMostWidth) {
-      throw Error("the columns of '" + std::string(name.text) + "' have no count", place.text(name.offset),
+    constexpr std::size_t kMaxWidth = 1000;
+    if (!parse(width_text.text, width) || width == 0 || width > kMaxWidth) {
+      throw Error("the columns of '" + std::string(name.text) + "' have no count", location.text(name.offset),
                   "write Properties as name:type:count:name:type:count...");
     }
     for (const KnownColumn& known : kKnownColumns) {
@@ -114,10 +114,10 @@ Columns parse_properties(const Token& properties, const TextPlace& place) {
       if (known.column == &Columns::type && type.text != known.type) continue;
       if (type.text != known.type || width != known.width) {
         throw Error("column '" + std::string(name.text) + "' has another type or width",
-                    place.text(name.offset), "make it " + description(known));
+                    location.text(name.offset), "make it " + description(known));
       }
       if (columns.*known.column) {
-        throw Error("column '" + std::string(name.text) + "' appears twice", place.text(name.offset),
+        throw Error("column '" + std::string(name.text) + "' appears twice", location.text(name.offset),
                     "remove one of the two");
       }
       columns.*known.column = columns.count;
@@ -126,14 +126,14 @@ Columns parse_properties(const Token& properties, const TextPlace& place) {
   }
   for (const KnownColumn& known : kKnownColumns) {
     if (!known.needed || columns.*known.column) continue;
-    throw Error("Properties has no column '" + std::string(known.name) + "'", place.text(properties.offset),
-                "add " + description(known));
+    throw Error("Properties has no column '" + std::string(known.name) + "'",
+                location.text(properties.offset), "add " + description(known));
   }
   if (!columns.velocity && !columns.momenta) {
-    throw Error("Properties has no column 'velo'", place.text(properties.offset), "add velo:R:3");
+    throw Error("Properties has no column 'velo'", location.text(properties.offset), "add velo:R:3");
   }
   if (!columns.velocity && !columns.mass && !columns.masses) {
-    throw Error("Properties has momenta, but no masses", place.text(properties.offset),
+    throw Error("Properties has momenta, but no masses", location.text(properties.offset),
                 "add masses:R:1, or velo:R:3");
   }
   return columns;
@@ -146,13 +146,13 @@ std::size_t parse_count(const Lines& lines) {
   const bool alone = next_token(lines.line(), token.offset + token.text.size()).text.empty();
   if (alone && parse(token.text, count)) return count;
   throw Error("a frame begins with '" + std::string(lines.line().substr(0, 40)) + "'",
-              lines.place().text(token.offset), "begin every frame with the number of its spheres");
+              lines.location().text(token.offset), "begin every frame with the number of its spheres");
 }
 
 [[noreturn]] void report_end(const Lines& lines, std::size_t count, std::size_t found) {
   throw Error(
       "the file ends after " + to_text(found) + " of the " + to_text(count) + " spheres of its last frame",
-      lines.place().text(), "remove the incomplete frame");
+      lines.location().text(), "remove the incomplete frame");
 }
 
 void skip_frame(Lines& lines) {
@@ -166,38 +166,39 @@ void skip_frame(Lines& lines) {
 // The values of one line, by column.
 class Row {
  public:
-  Row(const Lines& lines, std::size_t columns) : place_(lines.place()), values_(tokens_of(lines.line())) {
+  Row(const Lines& lines, std::size_t columns)
+      : location_(lines.location()), values_(tokens_of(lines.line())) {
     if (values_.size() == columns) return;
     throw Error(
         "the line has " + to_text(values_.size()) + " values and Properties declares " + to_text(columns),
-        place_.text(), "give one value for each column");
+        location_.text(), "give one value for each column");
   }
 
   double real(std::size_t column, std::string_view name) const {
-    return parse_real(values_[column], name, place_);
+    return parse_real(values_[column], name, location_);
   }
   Vec3 vector(std::size_t column, std::string_view name) const {
     return {real(column, name), real(column + 1, name), real(column + 2, name)};
   }
   std::int64_t integer(std::size_t column, std::string_view name) const {
-    return parse_integer(values_[column], name, place_);
+    return parse_integer(values_[column], name, location_);
   }
   // Infinite for kinematic spheres.
-  double mass(std::size_t column) const { return parse_mass(values_[column], place_); }
+  double mass(std::size_t column) const { return parse_mass(values_[column], location_); }
   Image image(std::size_t column) const {
     Image image;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const Token& token = values_[column + axis];
       if (!parse(token.text, image[axis])) {
-        throw Error("map_shift is '" + std::string(token.text.substr(0, 40)) + "'", place_.text(token.offset),
-                    "give a number of boxes");
+        throw Error("map_shift is '" + std::string(token.text.substr(0, 40)) + "'",
+                    location_.text(token.offset), "give a number of boxes");
       }
     }
     return image;
   }
 
  private:
-  TextPlace place_;
+  TextLocation location_;
   std::vector<Token> values_;
 };
 
@@ -247,16 +248,16 @@ Snapshot read_frame(Lines& lines) {
   const std::size_t count = parse_count(lines);
   if (!lines.next()) report_end(lines, count, 0);
   const std::string comment(lines.line());
-  const Pairs pairs = parse_comment(comment, lines.place());
+  const Pairs pairs = parse_comment(comment, lines.location());
   const auto properties = pairs.find("Properties");
   if (properties == pairs.end()) {
-    throw Error("the frame's second line has no Properties", lines.place().text(),
+    throw Error("the frame's second line has no Properties", lines.location().text(),
                 "add Properties=pos:R:3:velo:R:3:radius:R:1, in the order of the columns");
   }
-  const Columns columns = parse_properties(properties->second, lines.place());
+  const Columns columns = parse_properties(properties->second, lines.location());
   Snapshot snapshot;
   if (const auto time = pairs.find("Time"); time != pairs.end()) {
-    snapshot.time = parse_real(time->second, "Time", lines.place());
+    snapshot.time = parse_real(time->second, "Time", lines.location());
   }
   snapshot.box = box_of(pairs);
   snapshot.has_spins = columns.spin.has_value();
@@ -276,7 +277,7 @@ Snapshot read_frame(Lines& lines) {
     }
     if (columns.type) sphere.species = species_of_type(row.integer(*columns.type, "type"));
     if (columns.spin) sphere.spin = row.vector(*columns.spin, "angular_velocity");
-    if (columns.moment) sphere.moment = row.real(*columns.moment, "moment");
+    if (columns.moment) sphere.inertia_factor = row.real(*columns.moment, "moment");
     if (columns.id) snapshot.ids.push_back(row.integer(*columns.id, "id"));
     if (columns.image) snapshot.images.push_back(row.image(*columns.image));
     snapshot.lines.push_back(lines.number());

@@ -88,7 +88,7 @@ void append_extended_xyz(const Snapshot& snapshot, std::uint64_t /*frame*/, cons
     append_text(line, snapshot.image(i));
     if (snapshot.has_spins) {
       append_text(line, sphere.spin);
-      append_text(line, sphere.moment);
+      append_text(line, sphere.inertia_factor);
     }
     // With an infinite mass there would be no momentum.
     const double inertia = std::min(sphere.mass, kLargestMagnitude);

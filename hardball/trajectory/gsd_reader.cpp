@@ -155,7 +155,7 @@ Snapshot GsdReader::read(std::size_t frame) {
   snapshot.has_spins =
       std::ranges::any_of(snapshot.spheres, [](const Sphere& sphere) { return sphere.spin != Vec3{}; });
   const std::string moments = chunk(frame, Chunk::moment, Type::float64, count, 1);
-  each(moments, [&](Sphere& sphere, std::size_t i) { sphere.moment = double_at(moments, i); });
+  each(moments, [&](Sphere& sphere, std::size_t i) { sphere.inertia_factor = double_at(moments, i); });
   const std::string images = chunk(frame, Chunk::image, Type::int32, count, kAxes);
   each(images, [&](Sphere&, std::size_t i) {
     Image& image = snapshot.images.emplace_back();

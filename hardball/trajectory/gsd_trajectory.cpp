@@ -25,8 +25,8 @@ constexpr std::uint64_t kFirstEntries = 128;
 constexpr const char* kRestore = "restore the file, or start again in another directory";
 
 float single(double number) {
-  constexpr double kMost = std::numeric_limits<float>::max();
-  if (std::fabs(number) > kMost)
+  constexpr double kMax = std::numeric_limits<float>::max();
+  if (std::fabs(number) > kMax)
     return static_cast<float>(std::copysign(std::numeric_limits<double>::infinity(), number));
   return static_cast<float>(number);
 }
@@ -276,7 +276,7 @@ void GsdTrajectory::append(const Snapshot& snapshot, std::uint64_t frame) {
                           append_little_endian(bytes, static_cast<std::uint64_t>(snapshot.id(i)));
                         }));
   write_unless_as_first(Chunk::spin, Type::float64, kAxes, exact(&Sphere::spin));
-  write_unless_as_first(Chunk::moment, Type::float64, 1, exact(&Sphere::moment));
+  write_unless_as_first(Chunk::moment, Type::float64, 1, exact(&Sphere::inertia_factor));
   if (frame == 0) first_count_ = count;
   write_entries();
 }

@@ -49,14 +49,14 @@ struct Header {
 
 void need_line(Lines& lines) {
   if (lines.next()) return;
-  throw Error("the file ends within a frame", lines.place().text(), "remove the incomplete frame");
+  throw Error("the file ends within a frame", lines.location().text(), "remove the incomplete frame");
 }
 
 SnapshotBox read_box(Lines& lines, std::string_view axes) {
   SnapshotBox box;
   const std::vector<Token> boundaries = tokens_of(axes);
   if (boundaries.size() > kAxes) {
-    throw Error("the box is triclinic", lines.place().text(), "give a box whose edges lie along the axes");
+    throw Error("the box is triclinic", lines.location().text(), "give a box whose edges lie along the axes");
   }
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const std::string_view boundary = axis < boundaries.size() ? boundaries[axis].text : "ff";
@@ -67,11 +67,11 @@ SnapshotBox read_box(Lines& lines, std::string_view axes) {
     need_line(lines);
     const std::vector<Token> ends = tokens_of(lines.line());
     if (ends.size() != 2) {
-      throw Error("the line has " + to_text(ends.size()) + " values", lines.place().text(),
+      throw Error("the line has " + to_text(ends.size()) + " values", lines.location().text(),
                   "give the two ends of the box along an axis");
     }
-    box.low[axis] = parse_real(ends[0], "the lower end", lines.place());
-    box.size[axis] = parse_real(ends[1], "the upper end", lines.place()) - box.low[axis];
+    box.low[axis] = parse_real(ends[0], "the lower end", lines.location());
+    box.size[axis] = parse_real(ends[1], "the upper end", lines.location()) - box.low[axis];
   }
   return box;
 }
@@ -81,10 +81,10 @@ Header read_header(Lines& lines) {
   Header header;
   bool has_count = false;
   for (;; need_line(lines)) {
-    const TextPlace place = lines.place();
+    const TextLocation location = lines.location();
     const std::string line(lines.line());
     if (!line.starts_with(kItem)) {
-      throw Error("there is '" + line.substr(0, 40) + "' instead of an item", place.text(),
+      throw Error("there is '" + line.substr(0, 40) + "' instead of an item", location.text(),
                   "give a LAMMPS dump in text, each part of which begins with ITEM:");
     }
     const std::string_view item = std::string_view(line).substr(kItem.size());
@@ -97,13 +97,13 @@ Header read_header(Lines& lines) {
     const Token value = next_token(lines.line(), 0);
     if (item.starts_with("NUMBER OF ATOMS")) {
       has_count = parse(value.text, header.count);
-      if (!has_count) parse_integer({"", value.offset}, "the number of atoms", lines.place());
+      if (!has_count) parse_integer({"", value.offset}, "the number of atoms", lines.location());
     } else if (item.starts_with("TIME") && !item.starts_with("TIMESTEP")) {
-      header.time = parse_real(value, "the time", lines.place());
+      header.time = parse_real(value, "the time", lines.location());
     }
   }
   if (!has_count) {
-    throw Error("the frame has no number of atoms", lines.place().text(),
+    throw Error("the frame has no number of atoms", lines.location().text(),
                 "add ITEM: NUMBER OF ATOMS before ITEM: ATOMS");
   }
   return header;
@@ -112,7 +112,7 @@ Header read_header(Lines& lines) {
 [[noreturn]] void report_end(const Lines& lines, std::size_t count, std::size_t found) {
   throw Error(
       "the file ends after " + to_text(found) + " of the " + to_text(count) + " spheres of its last frame",
-      lines.place().text(), "remove the incomplete frame");
+      lines.location().text(), "remove the incomplete frame");
 }
 
 void skip_frame(Lines& lines) {
@@ -127,13 +127,13 @@ Snapshot read_frame(Lines& lines) {
   const std::string names(lines.line());
   std::vector<Token> columns = tokens_of(names);
   columns.erase(columns.begin(), columns.begin() + 2);  // ITEM: ATOMS
-  SphereColumns spheres(columns, lines.place());
+  SphereColumns spheres(columns, lines.location());
   Snapshot snapshot;
   snapshot.time = header.time;
   snapshot.box = header.box;
   for (std::size_t i = 0; i < header.count; ++i) {
     if (!lines.next()) report_end(lines, header.count, i);
-    spheres.add(tokens_of(lines.line()), lines.place(), snapshot);
+    spheres.add(tokens_of(lines.line()), lines.location(), snapshot);
   }
   return snapshot;
 }
@@ -155,7 +155,7 @@ void append_lammps_dump(const Snapshot& snapshot, std::uint64_t frame, const App
     append_text(line, sphere.mass);
     if (snapshot.has_spins) {
       append_text(line, sphere.spin);
-      append_text(line, sphere.moment);
+      append_text(line, sphere.inertia_factor);
     }
     line.back() = '\n';
     append(line);

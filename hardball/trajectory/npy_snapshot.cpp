@@ -58,7 +58,7 @@ std::uint64_t word_at(const char* item, const Column& column) {
 }
 
 // Error: an unsigned number that is too large.
-std::int64_t integer_at(const char* item, const Column& column, const std::string& place) {
+std::int64_t integer_at(const char* item, const Column& column, const std::string& location) {
   const std::uint64_t word = word_at(item, column);
   if (column.kind == 'i') {
     const std::size_t unused = 8 * (8 - column.bytes);
@@ -66,24 +66,24 @@ std::int64_t integer_at(const char* item, const Column& column, const std::strin
   }
   const auto number = static_cast<std::int64_t>(word);
   if (number < 0)
-    throw Error(std::string(column.name) + " is " + to_text(word), place, "give a smaller integer");
+    throw Error(std::string(column.name) + " is " + to_text(word), location, "give a smaller integer");
   return number;
 }
 
-double real_at(const char* item, const Column& column, const std::string& place) {
+double real_at(const char* item, const Column& column, const std::string& location) {
   const std::uint64_t word = word_at(item, column);
-  if (column.kind != 'f') return static_cast<double>(integer_at(item, column, place));
+  if (column.kind != 'f') return static_cast<double>(integer_at(item, column, location));
   if (column.bytes == 8) return std::bit_cast<double>(word);
   return double{std::bit_cast<float>(static_cast<std::uint32_t>(word))};
 }
 
 // An integer, perhaps written as a real number.
-std::int64_t whole_at(const char* item, const Column& column, const std::string& place) {
-  if (column.kind != 'f') return integer_at(item, column, place);
-  const double number = real_at(item, column, place);
-  constexpr double kMost = 0x1p53;
-  if (std::fabs(number) <= kMost && std::trunc(number) == number) return static_cast<std::int64_t>(number);
-  throw Error(std::string(column.name) + " is " + to_text(number), place, "give an integer");
+std::int64_t whole_at(const char* item, const Column& column, const std::string& location) {
+  if (column.kind != 'f') return integer_at(item, column, location);
+  const double number = real_at(item, column, location);
+  constexpr double kMax = 0x1p53;
+  if (std::fabs(number) <= kMax && std::trunc(number) == number) return static_cast<std::int64_t>(number);
+  throw Error(std::string(column.name) + " is " + to_text(number), location, "give an integer");
 }
 
 }  // namespace
@@ -135,11 +135,11 @@ Snapshot NpySnapshotReader::read(std::size_t /*frame*/) {
   Snapshot snapshot;
   snapshot.spheres.reserve(count);
   for (std::uint64_t i = 0; i < count; ++i) {
-    const std::string place = name + ": item " + to_text(i);
+    const std::string location = name + ": item " + to_text(i);
     const char* const item = items.data() + i * item_bytes;
     of_sphere.add(
-        snapshot, place, [&](std::size_t column) { return real_at(item, columns[column], place); },
-        [&](std::size_t column) { return whole_at(item, columns[column], place); });
+        snapshot, location, [&](std::size_t column) { return real_at(item, columns[column], location); },
+        [&](std::size_t column) { return whole_at(item, columns[column], location); });
   }
   if (!snapshot.ids.empty()) sort_by_id(snapshot, name);
   check_numbers(snapshot, name);
@@ -178,7 +178,7 @@ void append_npy(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendT
       append_little_endian(bytes, static_cast<std::uint32_t>(image[axis]));
     if (snapshot.has_spins) {
       for (std::size_t axis = 0; axis < kAxes; ++axis) append_little_endian(bytes, sphere.spin[axis]);
-      append_little_endian(bytes, sphere.moment);
+      append_little_endian(bytes, sphere.inertia_factor);
     }
     append(bytes);
   }

@@ -41,7 +41,7 @@ bool is_finite(const Vec3& vector) {
 
 }  // namespace
 
-std::string Snapshot::place(const std::string& name, std::size_t sphere) const {
+std::string Snapshot::location(const std::string& name, std::size_t sphere) const {
   return lines.empty() ? name + ": sphere " + to_text(sphere) : name + ":" + to_text(lines[sphere]);
 }
 
@@ -59,7 +59,7 @@ Snapshot snapshot_of(const World& world, const Time& moment) {
                                 .mass = world.mass(slot),
                                 .spin = world.spin(slot),
                                 .species = world.species(slot),
-                                .moment = world.moment(slot)});
+                                .inertia_factor = world.inertia_factor(slot)});
     snapshot.ids.push_back(world.id(slot));
     snapshot.images.push_back(world.image(slot, moment));
   });
@@ -95,7 +95,7 @@ void sort_by_id(Snapshot& snapshot, const std::string& name) {
     if (ids[order[i]] != ids[order[i - 1]]) continue;
     const std::string before = snapshot.lines.empty() ? "that of sphere " + to_text(order[i - 1])
                                                       : "on line " + to_text(snapshot.lines[order[i - 1]]);
-    throw Error("id " + to_text(ids[order[i]]) + " is already " + before, snapshot.place(name, order[i]),
+    throw Error("id " + to_text(ids[order[i]]) + " is already " + before, snapshot.location(name, order[i]),
                 "give every sphere an id of its own");
   }
   reorder(snapshot.spheres, order);
@@ -110,10 +110,10 @@ void check_numbers(const Snapshot& snapshot, const std::string& name) {
     const Sphere& sphere = snapshot.spheres[i];
     const bool has_mass = sphere.mass > 0;
     if (is_finite(sphere.position) && is_finite(sphere.velocity) && is_finite(sphere.spin) &&
-        is_proper(sphere.radius) && is_proper(sphere.moment) && has_mass) {
+        is_proper(sphere.radius) && is_proper(sphere.inertia_factor) && has_mass) {
       continue;
     }
-    const std::string where = snapshot.place(name, i);
+    const std::string where = snapshot.location(name, i);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       check_finite(sphere.position[axis], "position", where);
       check_finite(sphere.velocity[axis], "velocity", where);
@@ -121,7 +121,7 @@ void check_numbers(const Snapshot& snapshot, const std::string& name) {
     }
     check_positive(sphere.radius, "radius", where);
     if (!has_mass) check_positive(sphere.mass, "mass", where);
-    check_positive(sphere.moment, "moment", where);
+    check_positive(sphere.inertia_factor, "moment", where);
   }
 }
 

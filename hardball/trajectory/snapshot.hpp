@@ -41,7 +41,7 @@ struct HARDBALL_EXPORT Snapshot {
   }
   Image image(std::size_t sphere) const { return images.empty() ? Image{} : images[sphere]; }
   /// The place of a sphere in the file of this name, for messages.
-  std::string place(const std::string& name, std::size_t sphere) const;
+  std::string location(const std::string& name, std::size_t sphere) const;
 };
 
 /// The spheres of a world at `moment`, centers folded into a periodic box. Along open axes the box spans the

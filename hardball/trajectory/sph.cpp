@@ -18,13 +18,13 @@ std::size_t read_count(const Lines& lines) {
   const std::vector<Token> tokens = tokens_of(lines.line());
   std::size_t count = 0;
   if (tokens.size() == 1 && parse(tokens[0].text, count)) return count;
-  throw Error("a frame begins with '" + std::string(lines.line().substr(0, 40)) + "'", lines.place().text(),
-              "begin every frame with the number of its spheres");
+  throw Error("a frame begins with '" + std::string(lines.line().substr(0, 40)) + "'",
+              lines.location().text(), "begin every frame with the number of its spheres");
 }
 
 void need_line(Lines& lines) {
   if (lines.next()) return;
-  throw Error("the file ends within a frame", lines.place().text(), "remove the incomplete frame");
+  throw Error("the file ends within a frame", lines.location().text(), "remove the incomplete frame");
 }
 
 // The values of the next line. Error: there are not as many.
@@ -32,13 +32,13 @@ std::vector<Token> next_values(Lines& lines, std::size_t count, const char* reme
   need_line(lines);
   std::vector<Token> values = tokens_of(lines.line());
   if (values.size() == count) return values;
-  throw Error("the line has " + to_text(values.size()) + " values", lines.place().text(), remedy);
+  throw Error("the line has " + to_text(values.size()) + " values", lines.location().text(), remedy);
 }
 
 Vec3 parse_vector(const std::vector<Token>& values, std::size_t first, const char* name,
-                  const TextPlace& place) {
-  return {parse_real(values[first], name, place), parse_real(values[first + 1], name, place),
-          parse_real(values[first + 2], name, place)};
+                  const TextLocation& location) {
+  return {parse_real(values[first], name, location), parse_real(values[first + 1], name, location),
+          parse_real(values[first + 2], name, location)};
 }
 
 // 'a', or 'A', is the first species.
@@ -61,13 +61,13 @@ Snapshot read_frame(Lines& lines) {
   snapshot.has_velocities = false;
   const std::vector<Token> edges = next_values(lines, kAxes, "give the three edges of the box");
   SnapshotBox& box = snapshot.box.emplace();
-  box.size = parse_vector(edges, 0, "the edge of the box", lines.place());
+  box.size = parse_vector(edges, 0, "the edge of the box", lines.location());
   box.is_periodic = {true, true, true};
   for (std::size_t i = 0; i < count; ++i) {
     const std::vector<Token> values =
         next_values(lines, kAxes + 2, "give a letter, the center and the radius of each sphere");
-    snapshot.spheres.push_back({.position = parse_vector(values, 1, "the center", lines.place()),
-                                .radius = parse_real(values[kAxes + 1], "the radius", lines.place()),
+    snapshot.spheres.push_back({.position = parse_vector(values, 1, "the center", lines.location()),
+                                .radius = parse_real(values[kAxes + 1], "the radius", lines.location()),
                                 .species = species_of(values[0])});
     snapshot.lines.push_back(lines.number());
   }

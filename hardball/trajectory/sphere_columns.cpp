@@ -23,7 +23,7 @@ std::string name_of(SphereColumn column) {
 
 }  // namespace
 
-SphereColumns::SphereColumns(std::span<const Token> names, const TextPlace& where) : count_(names.size()) {
+SphereColumns::SphereColumns(std::span<const Token> names, const TextLocation& where) : count_(names.size()) {
   for (const Token& name : names) names_.emplace_back(name.text);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto known = std::ranges::find(kSphereColumnNames, names[i].text);
@@ -48,26 +48,27 @@ SphereColumns::SphereColumns(std::span<const Token> names, const TextPlace& wher
   }
 }
 
-void SphereColumns::add(std::span<const Token> values, const TextPlace& place, Snapshot& snapshot) const {
+void SphereColumns::add(std::span<const Token> values, const TextLocation& location,
+                        Snapshot& snapshot) const {
   if (values.size() != count_) {
     throw Error("the line has " + to_text(values.size()) + " values for " + to_text(count_) + " columns",
-                place.text(), "give one value for each column");
+                location.text(), "give one value for each column");
   }
   const std::size_t mass_index = has(mass) ? at(mass) : count_;
   add(
-      snapshot, place.text(),
+      snapshot, location.text(),
       [&](std::size_t column) {
-        return column == mass_index ? parse_mass(values[column], place)
-                                    : parse_real(values[column], names_[column], place);
+        return column == mass_index ? parse_mass(values[column], location)
+                                    : parse_real(values[column], names_[column], location);
       },
-      [&](std::size_t column) { return parse_integer(values[column], names_[column], place); });
-  snapshot.lines.push_back(place.line);
+      [&](std::size_t column) { return parse_integer(values[column], names_[column], location); });
+  snapshot.lines.push_back(location.line);
 }
 
-std::int32_t SphereColumns::box_count(std::int64_t number, const std::string& place) {
+std::int32_t SphereColumns::box_count(std::int64_t number, const std::string& location) {
   using Limits = std::numeric_limits<std::int32_t>;
   if (number >= Limits::min() && number <= Limits::max()) return static_cast<std::int32_t>(number);
-  throw Error("an image is " + to_text(number) + " boxes away", place, "give a smaller number of boxes");
+  throw Error("an image is " + to_text(number) + " boxes away", location, "give a smaller number of boxes");
 }
 
 }  // namespace hardball

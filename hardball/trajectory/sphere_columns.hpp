@@ -50,16 +50,16 @@ inline constexpr std::array<std::string_view, kSphereColumns> kSphereColumnNames
 class SphereColumns {
  public:
   /// `where`: the place of the names. Error: a column is missing, or occurs twice.
-  SphereColumns(std::span<const Token> names, const TextPlace& where);
+  SphereColumns(std::span<const Token> names, const TextLocation& where);
 
   /// Appends the sphere of a line. Error, with its location: there are not as many values as columns, or one
   /// is not what it should be.
-  void add(std::span<const Token> values, const TextPlace& place, Snapshot& snapshot) const;
+  void add(std::span<const Token> values, const TextLocation& location, Snapshot& snapshot) const;
 
   /// Appends a sphere from real(column) and integer(column), the values of a column as such. Error, at
   /// `place`: an image out of range.
   template <class Real, class Integer>
-  void add(Snapshot& snapshot, const std::string& place, const Real& real, const Integer& integer) const {
+  void add(Snapshot& snapshot, const std::string& location, const Real& real, const Integer& integer) const {
     using enum SphereColumn;
     const auto vector = [&](SphereColumn first) {
       Vec3 parts;
@@ -73,11 +73,12 @@ class SphereColumns {
     if (has(mass)) sphere.mass = real(at(mass));
     if (has(type)) sphere.species = species_of_type(integer(at(type)));
     if (has(omegax)) sphere.spin = vector(omegax);
-    if (has(moment)) sphere.moment = real(at(moment));
+    if (has(moment)) sphere.inertia_factor = real(at(moment));
     if (has(id)) snapshot.ids.push_back(integer(at(id)));
     if (has(ix)) {
       Image& image = snapshot.images.emplace_back();
-      for (std::size_t axis = 0; axis < kAxes; ++axis) image[axis] = box_count(integer(at(ix, axis)), place);
+      for (std::size_t axis = 0; axis < kAxes; ++axis)
+        image[axis] = box_count(integer(at(ix, axis)), location);
     }
     snapshot.has_spins = has(omegax);
   }
@@ -89,7 +90,7 @@ class SphereColumns {
   std::size_t at(SphereColumn column, std::size_t further = 0) const {
     return *index_[static_cast<std::size_t>(column) + further];
   }
-  static std::int32_t box_count(std::int64_t number, const std::string& place);
+  static std::int32_t box_count(std::int64_t number, const std::string& location);
 
   std::array<std::optional<std::size_t>, kSphereColumns> index_;
   std::size_t count_;

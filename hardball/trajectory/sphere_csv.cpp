@@ -39,13 +39,13 @@ void skip_table(Lines& lines) {
 Snapshot read_table(Lines& lines) {
   while (is_comment(lines)) {
     if (lines.next_text()) continue;
-    throw Error("the file has only comments", lines.place().text(), csv_format().remedy);
+    throw Error("the file has only comments", lines.location().text(), csv_format().remedy);
   }
   const std::string names(lines.line());
-  const SphereColumns columns(values_of(names), lines.place());
+  const SphereColumns columns(values_of(names), lines.location());
   Snapshot snapshot;
   while (lines.next_text()) {
-    if (!is_comment(lines)) columns.add(values_of(lines.line()), lines.place(), snapshot);
+    if (!is_comment(lines)) columns.add(values_of(lines.line()), lines.location(), snapshot);
   }
   return snapshot;
 }
@@ -68,7 +68,7 @@ void append_csv(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendT
     append_text(line, snapshot.image(i));
     if (snapshot.has_spins) {
       append_text(line, sphere.spin);
-      append_text(line, sphere.moment);
+      append_text(line, sphere.inertia_factor);
     }
     std::ranges::replace(line, ' ', ',');
     line.back() = '\n';

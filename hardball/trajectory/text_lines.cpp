@@ -16,11 +16,11 @@ constexpr std::streamsize kLongestLine = 1 << 20;
 
 }  // namespace
 
-std::string TextPlace::text() const {
+std::string TextLocation::text() const {
   return line == 0 ? name : name + ":" + to_text(line);
 }
 
-std::string TextPlace::text(std::size_t offset) const {
+std::string TextLocation::text(std::size_t offset) const {
   return line == 0 ? name : text() + ":" + to_text(offset + 1);
 }
 
@@ -40,27 +40,27 @@ std::vector<Token> tokens_of(std::string_view line) {
   return tokens;
 }
 
-double parse_real(const Token& token, std::string_view name, const TextPlace& place) {
+double parse_real(const Token& token, std::string_view name, const TextLocation& location) {
   double number = 0;
   if (parse(token.text, number) && std::isfinite(number)) return number;
   throw Error(std::string(name) + " is '" + std::string(token.text.substr(0, 40)) + "'",
-              place.text(token.offset), "give a finite number");
+              location.text(token.offset), "give a finite number");
 }
 
-std::int64_t parse_integer(const Token& token, std::string_view name, const TextPlace& place) {
+std::int64_t parse_integer(const Token& token, std::string_view name, const TextLocation& location) {
   std::int64_t number = 0;
   if (parse(token.text, number)) return number;
   throw Error(std::string(name) + " is '" + std::string(token.text.substr(0, 40)) + "'",
-              place.text(token.offset), "give an integer");
+              location.text(token.offset), "give an integer");
 }
 
-double parse_mass(const Token& token, const TextPlace& place) {
-  return token.text == "inf" ? std::numeric_limits<double>::infinity() : parse_real(token, "mass", place);
+double parse_mass(const Token& token, const TextLocation& location) {
+  return token.text == "inf" ? std::numeric_limits<double>::infinity() : parse_real(token, "mass", location);
 }
 
 std::uint8_t species_of_type(std::int64_t type) {
-  constexpr std::int64_t kMostTypes = std::numeric_limits<std::uint8_t>::max() + 1;
-  return type >= 1 && type <= kMostTypes ? static_cast<std::uint8_t>(type - 1) : std::uint8_t{0};
+  constexpr std::int64_t kMaxTypes = std::numeric_limits<std::uint8_t>::max() + 1;
+  return type >= 1 && type <= kMaxTypes ? static_cast<std::uint8_t>(type - 1) : std::uint8_t{0};
 }
 
 Lines::Lines(std::unique_ptr<std::istream> in, std::string name)
@@ -74,7 +74,7 @@ bool Lines::next() {
   if (read == 0) return false;
   ++number_;
   if (in_->fail()) {
-    throw Error("the line is longer than a megabyte", place().text(),
+    throw Error("the line is longer than a megabyte", location().text(),
                 "give a text file with a line for each sphere");
   }
   // The end of the line is read, but not stored; the last line may lack it.

@@ -17,7 +17,7 @@
 namespace hardball {
 
 /// A location in the text being read, for messages.
-struct TextPlace {
+struct TextLocation {
   std::string name;
   std::size_t line = 0;  ///< From 1 on; zero stands for the file as a whole.
 
@@ -49,11 +49,11 @@ bool parse(std::string_view text, Number& number) {
 }
 
 /// The token as a finite number, named in messages. Error, at its location: it is not one.
-double parse_real(const Token& token, std::string_view name, const TextPlace& place);
+double parse_real(const Token& token, std::string_view name, const TextLocation& location);
 /// The same of an integer.
-std::int64_t parse_integer(const Token& token, std::string_view name, const TextPlace& place);
+std::int64_t parse_integer(const Token& token, std::string_view name, const TextLocation& location);
 /// The same of a mass, which may be "inf".
-double parse_mass(const Token& token, const TextPlace& place);
+double parse_mass(const Token& token, const TextLocation& location);
 /// The species of a type: types count from one; beyond what species there may be, they mean something else.
 std::uint8_t species_of_type(std::int64_t type);
 
@@ -70,7 +70,7 @@ class Lines {
   bool is_blank() const { return line_.find_first_not_of(kBlanks) == std::string_view::npos; }
   std::string_view line() const { return line_; }
   std::size_t number() const { return number_; }
-  TextPlace place() const { return {name_, number_}; }
+  TextLocation location() const { return {name_, number_}; }
   const std::string& name() const { return name_; }
 
  private:

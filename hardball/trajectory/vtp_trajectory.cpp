@@ -129,7 +129,7 @@ std::string vtp_text(const Snapshot& snapshot) {
   text += arrays.add("image", "Int64", kAxes, [&](std::size_t i) { return snapshot.image(i); });
   if (snapshot.has_spins) {
     text += of_spheres("angular_velocity", kAxes, &Sphere::spin);
-    text += of_spheres("moment", 1, &Sphere::moment);
+    text += of_spheres("moment", 1, &Sphere::inertia_factor);
   }
   text += "</PointData>\n<Points>\n";
   text += of_spheres("points", kAxes, &Sphere::position);

@@ -39,20 +39,20 @@ CellAxis missing_axis(double edge) {
   return {.edge = length, .room = length, .crossings = 0, .is_divided = false};
 }
 
-CellAxis cell_axis(const Moments& moments, const Subdivision& cells, std::size_t axis) {
-  if (moments.box.boundary(axis) == Boundary::flat) return missing_axis(cells.edge(axis));
-  const double diameter = 2 * moments.mean_radius();
+CellAxis cell_axis(const GasStatistics& statistics, const Subdivision& cells, std::size_t axis) {
+  if (statistics.box.boundary(axis) == Boundary::flat) return missing_axis(cells.edge(axis));
+  const double diameter = 2 * statistics.mean_radius();
   const double edge = cells.edge(axis);
   const double rows_touched = 1 + diameter / edge;  // far from walls
   const double far_from_walls = rows_touched * (edge + diameter);
-  CellAxis result{.edge = edge, .room = moments.extent[axis], .crossings = 1 / edge};
+  CellAxis result{.edge = edge, .room = statistics.extent[axis], .crossings = 1 / edge};
   // Along an open axis cells may reach far beyond the spheres.
-  if (moments.box.is_open(axis)) result.candidates = std::min(1.0, result.room / far_from_walls);
-  result.has_nearest_images = cells.has_nearest_images(axis, moments.largest_radius);
-  if (!moments.box.is_wall(axis)) return result;
+  if (statistics.box.is_open(axis)) result.candidates = std::min(1.0, result.room / far_from_walls);
+  result.has_nearest_images = cells.has_nearest_images(axis, statistics.largest_radius);
+  if (!statistics.box.is_wall(axis)) return result;
   const double rows = cells.last(axis) + 1;
   const double rows_at_wall = std::floor(diameter / edge) + 1;  // touched by a sphere there
-  result.room = std::max(moments.extent[axis] - diameter, moments.extent[axis] / 1024);
+  result.room = std::max(statistics.extent[axis] - diameter, statistics.extent[axis] / 1024);
   // A sphere's front never crosses faces less than a diameter from the wall behind it.
   result.crossings = std::max(0.0, rows - rows_at_wall) / result.room;
   result.is_divided = rows > 1;
@@ -66,10 +66,10 @@ CellAxis cell_axis(const Moments& moments, const Subdivision& cells, std::size_t
 
 }  // namespace
 
-CellAxes cell_axes(const Moments& moments, double edge) {
-  const Subdivision cells(moments.box, edge);
+CellAxes cell_axes(const GasStatistics& statistics, double edge) {
+  const Subdivision cells(statistics.box, edge);
   CellAxes axes;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) axes[axis] = cell_axis(moments, cells, axis);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) axes[axis] = cell_axis(statistics, cells, axis);
   return axes;
 }
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "hardball/theory/moments.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 
 namespace hardball {
 
@@ -25,6 +25,6 @@ struct CellAxis {
 using CellAxes = std::array<CellAxis, kAxes>;
 
 /// For a wanted edge of `edge` [L], see Subdivision. Error: the edge is not positive and finite.
-CellAxes cell_axes(const Moments& moments, double edge);
+CellAxes cell_axes(const GasStatistics& statistics, double edge);
 
 }  // namespace hardball

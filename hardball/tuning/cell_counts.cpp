@@ -88,9 +88,9 @@ double shared_cells_in_row(const CellAxes& axes, double diameter, const Separati
 
 // The spheres of other cells in the list of a cell, each in so many cells. Cells are spread over lists so
 // that the variance of their number in a list is about a fifth of its mean, except in long and narrow boxes.
-double found_elsewhere(const Moments& moments, double edge, double cells) {
-  const Subdivision subdivision(moments.box, edge);
-  const CellTable table(subdivision.shape(), moments.spheres);
+double found_elsewhere(const GasStatistics& statistics, double edge, double cells) {
+  const Subdivision subdivision(statistics.box, edge);
+  const CellTable table(subdivision.shape(), statistics.spheres);
   if (!table.is_shared()) return 0;
   const auto lists = static_cast<double>(table.size());
   double cells_of_box = 1;
@@ -98,16 +98,16 @@ double found_elsewhere(const Moments& moments, double edge, double cells) {
     cells_of_box *= count > 0 ? count : std::numeric_limits<double>::infinity();
   }
   constexpr double kVariance = 0.2;
-  return static_cast<double>(moments.spheres) * cells * (1 / lists - (1 - kVariance) / cells_of_box);
+  return static_cast<double>(statistics.spheres) * cells * (1 / lists - (1 - kVariance) / cells_of_box);
 }
 
 }  // namespace
 
-CellCounts expected_counts(const Moments& moments, double edge) {
+CellCounts expected_counts(const GasStatistics& statistics, double edge) {
   CellCounts counts;
-  if (moments.spheres == 0) return counts;
-  const CellAxes axes = cell_axes(moments, edge);
-  double density = static_cast<double>(moments.spheres);  // of centers in the volume accessible to them
+  if (statistics.spheres == 0) return counts;
+  const CellAxes axes = cell_axes(statistics, edge);
+  double density = static_cast<double>(statistics.spheres);  // of centers in the volume accessible to them
   // What walls leave of the cells that a sphere touches, and of its candidates; the same at a wall.
   double rows = 1;
   double shared = 1;
@@ -120,28 +120,28 @@ CellCounts expected_counts(const Moments& moments, double edge) {
   }
   double walls = 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (!moments.box.is_wall(axis)) continue;
+    if (!statistics.box.is_wall(axis)) continue;
     rows_at_wall += rows * axes[axis].rows_at_wall / axes[axis].rows;
     shared_at_wall += shared * axes[axis].candidates_at_wall / axes[axis].candidates;
     ++walls;
   }
-  const double free_path = mean_free_path(moments);
+  const double free_path = mean_free_path(statistics);
   const RowSurplus none;
   const RowSurplus surplus =
-      mean_row_surplus(axes, 2 * moments.mean_radius(), free_path, moments.box.dimensions());
-  const bool is_flat = moments.is_flat();
+      mean_row_surplus(axes, 2 * statistics.mean_radius(), free_path, statistics.box.dimensions());
+  const bool is_flat = statistics.is_flat();
   const Separation& in_contact = is_flat ? kDiscsInContact : kInContact;
   const Separation& overlapping = is_flat ? kDiscsOverlapping : kOverlapping;
-  const Powers one = diameter_powers(moments.radius_power);
-  const Powers colliding = colliding_diameter_powers(moments.radius_power, is_flat);
+  const Powers one = diameter_powers(statistics.radius_power);
+  const Powers colliding = colliding_diameter_powers(statistics.radius_power, is_flat);
 
   counts.are_images_listed =
       !axes[0].has_nearest_images || !axes[1].has_nearest_images || !axes[2].has_nearest_images;
-  counts.collision = 1 / mean_free_time(moments);
-  counts.wall = wall_rate(moments);
+  counts.collision = 1 / mean_free_time(statistics);
+  counts.wall = wall_rate(statistics);
   const double cell = axes[0].edge * axes[1].edge * axes[2].edge;
   // Far from walls, the cells of a sphere after a collision, after a wall contact, at any time, and when its
-  // prospect is found stale.
+  // planned contact is found stale.
   const double after_collision = mean_region(axes, none, colliding) / cell;
   const double after_wall = mean_region(axes, none, one) / cell;
   const double at_any_time = mean_region(axes, surplus, one) / cell;
@@ -156,16 +156,16 @@ CellCounts expected_counts(const Moments& moments, double edge) {
   double others = density * mean_region(axes, surplus, one);
   for (std::size_t axis = 0; axis < kAxes; ++axis) others *= repeated(axis);
   // Where cells share lists, their spheres are found in each.
-  const double elsewhere = found_elsewhere(moments, edge, at_any_time * rows);
+  const double elsewhere = found_elsewhere(statistics, edge, at_any_time * rows);
   const double in_cells = (is_once ? 0 : rows) + shared * others + rows * elsewhere;
   // Spheres nearby share several cells; some are missing there.
   const double held = at_any_time / after_wall;
   const double missing = is_once ? 1 : held * shared_cells(axes, diameter, overlapping);
-  const double excess = missing * excess_about_sphere(moments);
+  const double excess = missing * excess_about_sphere(statistics);
   counts.cells = after_collision * rows;
   counts.candidates_after_collision =
       std::max(1.0, after_collision * in_cells + (is_once ? 1 : shared_cells(axes, diameter, in_contact)) +
-                        missing * (excess_about_pair(moments) - 1));
+                        missing * (excess_about_pair(statistics) - 1));
   if (walls > 0) {
     const double in_cells_at_wall =
         (is_once ? 0 : rows_at_wall) + shared_at_wall * others + rows_at_wall * elsewhere;
@@ -175,7 +175,7 @@ CellCounts expected_counts(const Moments& moments, double edge) {
   counts.candidates_when_stale = std::max(1.0, when_stale * in_cells + excess);
 
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double rate = moments.mean_speed_along_axis() * axes[axis].crossings;
+    const double rate = statistics.mean_speed_along_axis() * axes[axis].crossings;
     counts.enter += rate;
     const double entered =
         mean_section(axes, none, one, axis) * axes[axis].edge / cell * rows / axes[axis].rows;
@@ -183,7 +183,7 @@ CellCounts expected_counts(const Moments& moments, double edge) {
     // Half of the volume around a sphere lies in the row ahead.
     const double near = is_once ? 1 : held * shared_cells_in_row(axes, diameter, overlapping, axis);
     const double in_row = entered * (others / repeated(axis) * shared / rows + elsewhere);
-    counts.candidates_after_enter += rate * (in_row + near / 2 * excess_about_sphere(moments));
+    counts.candidates_after_enter += rate * (in_row + near / 2 * excess_about_sphere(statistics));
   }
   if (counts.enter > 0) {
     counts.cells_entered /= counts.enter;

@@ -3,14 +3,14 @@
 #pragma once
 
 #include "hardball/geometry/vec3.hpp"
-#include "hardball/theory/moments.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 
 namespace hardball {
 
 /// The work of a CellGrid in a gas, as predicted by kinetic theory.
 ///
-/// Contacts with all candidates of a sphere are predicted after each of its contacts, and when its prospect
-/// turns out stale. Source: docs/theory.md.
+/// Contacts with all candidates of a sphere are predicted after each of its contacts, and when its planned
+/// contact turns out stale. Source: docs/theory.md.
 struct CellCounts {
   // Rates per sphere [1/T].
   double collision = 0;
@@ -40,6 +40,6 @@ struct CellCounts {
 
 /// The counts expected for a wanted edge of `edge` [L], see Subdivision. Cost: O(1), about ten microseconds.
 /// Error: the edge is not positive and finite.
-CellCounts expected_counts(const Moments& moments, double edge);
+CellCounts expected_counts(const GasStatistics& statistics, double edge);
 
 }  // namespace hardball

@@ -13,8 +13,8 @@ namespace hardball {
 namespace {
 
 // The edge of a cell containing one sphere on average [L].
-double spacing_of(const Moments& moments) {
-  return spacing(moments.extent, static_cast<double>(moments.spheres));
+double spacing_of(const GasStatistics& statistics) {
+  return spacing(statistics.extent, static_cast<double>(statistics.spheres));
 }
 
 }  // namespace
@@ -34,13 +34,13 @@ double rebuild_cost(const CellCounts& counts, const UnitCosts& costs) {
   return costs.enter + costs.cell * counts.cells + costs.prediction * counts.candidates_at_any_time;
 }
 
-double optimal_cell_edge(const Moments& moments, const UnitCosts& unit_costs) {
-  if (moments.spheres == 0) return 1;
-  const UnitCosts costs = costs_with_memory(moments, unit_costs);
-  Moments moving = moments;
+double optimal_cell_edge(const GasStatistics& statistics, const UnitCosts& unit_costs) {
+  if (statistics.spheres == 0) return 1;
+  const UnitCosts costs = costs_with_memory(statistics, unit_costs);
+  GasStatistics moving = statistics;
   if (!(moving.mean_speed > 0)) moving.mean_speed = 1;  // the optimum does not depend on it
   constexpr double kSmallest = 1.0 / 8;
-  const double smallest = std::max(kSmallest * spacing_of(moments), moments.largest_radius / 4);
+  const double smallest = std::max(kSmallest * spacing_of(statistics), statistics.largest_radius / 4);
   double best = smallest;
   double least = std::numeric_limits<double>::infinity();
   const auto scan = [&](double low, double step, int steps) {
@@ -61,20 +61,20 @@ double optimal_cell_edge(const Moments& moments, const UnitCosts& unit_costs) {
   return best;
 }
 
-BestLength best_cell_edge(const Moments& moments, const UnitCosts& costs) {
-  const double edge = optimal_cell_edge(moments, costs);
-  return {edge, cost_rate(expected_counts(moments, edge), costs)};
+BestLength best_cell_edge(const GasStatistics& statistics, const UnitCosts& costs) {
+  const double edge = optimal_cell_edge(statistics, costs);
+  return {edge, cost_rate(expected_counts(statistics, edge), costs)};
 }
 
-double paper_cell_edge(const Moments& moments, const UnitCosts& costs) {
-  if (moments.spheres == 0) return 1;
-  const double density = moments.number_density();
-  const double radius = moments.mean_radius();
+double paper_cell_edge(const GasStatistics& statistics, const UnitCosts& costs) {
+  if (statistics.spheres == 0) return 1;
+  const double density = statistics.number_density();
+  const double radius = statistics.mean_radius();
   // 2 n0 (L + 2r)^2 {c1 pi r^2 n0 L^2 + c3 (L - r)} = c4. The left side grows from zero at or below L = r.
   // Derived in the same way, in two dimensions: n0 (L + 2r) {2 c1 r n0 L^2 + c3 (L - 2r)} = c4.
   const auto is_beyond = [&](double edge) {
     const double reach = edge + 2 * radius;
-    if (moments.is_flat()) {
+    if (statistics.is_flat()) {
       const double of_collisions = 2 * costs.prediction * radius * density * edge * edge;
       const double of_crossings = costs.prediction * (edge - 2 * radius);
       return density * reach * (of_collisions + of_crossings) > costs.enter + costs.cell;
@@ -84,7 +84,7 @@ double paper_cell_edge(const Moments& moments, const UnitCosts& costs) {
     return 2 * density * reach * reach * (collisions + crossings) > costs.enter + costs.cell;
   };
   double low = 0;
-  double high = std::max(radius, spacing_of(moments));
+  double high = std::max(radius, spacing_of(statistics));
   while (!is_beyond(high)) high *= 2;
   constexpr int kHalvings = 50;
   for (int i = 0; i < kHalvings; ++i) {
@@ -97,20 +97,20 @@ double paper_cell_edge(const Moments& moments, const UnitCosts& costs) {
 void CellEdgeWatch::restart(double edge) {
   edge_ = best_before_ = edge;
   regret_ = 0;
-  last_moments_ = {};
+  last_statistics_ = {};
 }
 
-std::optional<double> CellEdgeWatch::update(const Moments& moments, double elapsed) {
-  if (moments.spheres == 0 || !(moments.mean_speed > 0)) return std::nullopt;
-  if (!are_alike(moments, last_moments_)) {
-    last_moments_ = moments;
-    best_edge_ = optimal_cell_edge(moments, costs_);
-    const CellCounts best = expected_counts(moments, best_edge_);
-    const double excess = cost_rate(expected_counts(moments, edge_), costs_) - cost_rate(best, costs_);
-    regret_per_length_ = std::max(0.0, excess) / moments.mean_speed;
+std::optional<double> CellEdgeWatch::update(const GasStatistics& statistics, double elapsed) {
+  if (statistics.spheres == 0 || !(statistics.mean_speed > 0)) return std::nullopt;
+  if (!are_alike(statistics, last_statistics_)) {
+    last_statistics_ = statistics;
+    best_edge_ = optimal_cell_edge(statistics, costs_);
+    const CellCounts best = expected_counts(statistics, best_edge_);
+    const double excess = cost_rate(expected_counts(statistics, edge_), costs_) - cost_rate(best, costs_);
+    regret_per_length_ = std::max(0.0, excess) / statistics.mean_speed;
     rebuild_ = rebuild_cost(best, costs_);
   }
-  regret_ += regret_per_length_ * moments.mean_speed * elapsed;
+  regret_ += regret_per_length_ * statistics.mean_speed * elapsed;
   if (!(regret_ > rebuild_)) return std::nullopt;
   // Extrapolates: halfway to the next rebuild the best edge will have moved by half as much again, on a
   // logarithmic scale.

@@ -12,28 +12,28 @@
 
 namespace hardball {
 
-NeighborCounts expected_neighbor_counts(const Moments& moments, double skin) {
+NeighborCounts expected_neighbor_counts(const GasStatistics& statistics, double skin) {
   NeighborCounts counts;
-  if (moments.spheres == 0) return counts;
-  const auto& m = moments.radius_power;
-  const double density = moments.number_density();
-  const double path = mean_free_path(moments);
-  counts.collision = 1 / mean_free_time(moments);
-  counts.wall = wall_rate(moments);
+  if (statistics.spheres == 0) return counts;
+  const auto& m = statistics.radius_power;
+  const double density = statistics.number_density();
+  const double path = mean_free_path(statistics);
+  counts.collision = 1 / mean_free_time(statistics);
+  counts.wall = wall_rate(statistics);
   // Measured: docs/theory.md.
   counts.stale = counts.collision / 25;
   // A sphere flies straight out of a ball smaller than its free path and diffuses out of a larger one. The
   // factor is measured: docs/theory.md.
-  const double diffusion = moments.is_flat() ? 0.3 : 0.2;
-  counts.rebuild = moments.mean_speed / (skin * (1 + diffusion * skin / path));
-  counts.is_far = moments.spheres > kVeryManySpheres;
-  const double searched_edge = 3 * NeighborList::cell_edge(moments.largest_radius, skin);
+  const double diffusion = statistics.is_flat() ? 0.3 : 0.2;
+  counts.rebuild = statistics.mean_speed / (skin * (1 + diffusion * skin / path));
+  counts.is_far = statistics.spheres > kVeryManySpheres;
+  const double searched_edge = 3 * NeighborList::cell_edge(statistics.largest_radius, skin);
   // The mean of (sum of two radii + 2 skin) cubed, or in two dimensions squared.
   const double sum = 2 * m[1];
   const double sum_squared = 2 * m[2] + 2 * m[1] * m[1];
-  if (moments.is_flat()) {
+  if (statistics.is_flat()) {
     const double squared = sum_squared + 4 * skin * sum + 4 * skin * skin;
-    counts.neighbors = std::max(1.0, std::numbers::pi * density * squared + excess_about_sphere(moments));
+    counts.neighbors = std::max(1.0, std::numbers::pi * density * squared + excess_about_sphere(statistics));
     counts.searched = density * searched_edge * searched_edge;
     counts.rows = 3;
     counts.listed = 0.6;
@@ -41,7 +41,8 @@ NeighborCounts expected_neighbor_counts(const Moments& moments, double skin) {
   }
   const double sum_cubed = 2 * m[3] + 6 * m[1] * m[2];
   const double cubed = sum_cubed + 6 * skin * sum_squared + 12 * skin * skin * sum + 8 * skin * skin * skin;
-  counts.neighbors = std::max(1.0, 4 * std::numbers::pi / 3 * density * cubed + excess_about_sphere(moments));
+  counts.neighbors =
+      std::max(1.0, 4 * std::numbers::pi / 3 * density * cubed + excess_about_sphere(statistics));
   counts.searched = density * std::pow(searched_edge, 3);
   return counts;
 }
@@ -58,20 +59,20 @@ double cost_rate(const NeighborCounts& counts, const UnitCosts& costs) {
          (counts.collision + counts.wall + counts.stale) * pass + counts.rebuild * rebuild;
 }
 
-double optimal_skin(const Moments& moments, const UnitCosts& costs) {
-  if (moments.spheres == 0) return 1;
-  Moments moving = moments;
+double optimal_skin(const GasStatistics& statistics, const UnitCosts& costs) {
+  if (statistics.spheres == 0) return 1;
+  GasStatistics moving = statistics;
   if (!(moving.mean_speed > 0)) moving.mean_speed = 1;  // the optimum does not depend on it
   constexpr double kStep = 1.05;
   constexpr int kSteps = 96;  // up to 103 times the smallest
   // Of longer lists, too many leave their cache line: measured, docs/theory.md.
-  constexpr double kMostNeighbors = 12.3;
+  constexpr double kMaxNeighbors = 12.3;
   double best = 0;
   double least = std::numeric_limits<double>::infinity();
-  double skin = 0.05 * moments.largest_radius;
+  double skin = 0.05 * statistics.largest_radius;
   for (int i = 0; i < kSteps; ++i, skin *= kStep) {
     const NeighborCounts counts = expected_neighbor_counts(moving, skin);
-    if (best > 0 && counts.neighbors > kMostNeighbors) break;
+    if (best > 0 && counts.neighbors > kMaxNeighbors) break;
     const double cost = cost_rate(counts, costs);
     if (cost >= least) continue;
     least = cost;
@@ -80,9 +81,9 @@ double optimal_skin(const Moments& moments, const UnitCosts& costs) {
   return best;
 }
 
-BestLength best_skin(const Moments& moments, const UnitCosts& costs) {
-  const double skin = optimal_skin(moments, costs);
-  return {skin, cost_rate(expected_neighbor_counts(moments, skin), costs)};
+BestLength best_skin(const GasStatistics& statistics, const UnitCosts& costs) {
+  const double skin = optimal_skin(statistics, costs);
+  return {skin, cost_rate(expected_neighbor_counts(statistics, skin), costs)};
 }
 
 }  // namespace hardball

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "hardball/theory/moments.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 #include "hardball/tuning/unit_costs.hpp"
 
 namespace hardball {
@@ -23,16 +23,16 @@ struct NeighborCounts {
 };
 
 /// The counts expected for balls of radius `skin` [L]. Cost: O(1). Precondition: `skin` is positive.
-NeighborCounts expected_neighbor_counts(const Moments& moments, double skin);
+NeighborCounts expected_neighbor_counts(const GasStatistics& statistics, double skin);
 
 /// The cost per sphere and time [cost/T].
 double cost_rate(const NeighborCounts& counts, const UnitCosts& costs);
 
 /// The ball radius [L] at which neighbor lists cost least: small balls are left more often, large ones make
 /// longer lists. Cost: O(1).
-double optimal_skin(const Moments& moments, const UnitCosts& costs = {});
+double optimal_skin(const GasStatistics& statistics, const UnitCosts& costs = {});
 
 /// The same with its cost.
-BestLength best_skin(const Moments& moments, const UnitCosts& costs);
+BestLength best_skin(const GasStatistics& statistics, const UnitCosts& costs);
 
 }  // namespace hardball

@@ -42,23 +42,23 @@ std::vector<SizeClass> size_classes(const World& world, const Time& moment) {
   return sorted;
 }
 
-bool are_sizes_spread(const Moments& moments) {
+bool are_sizes_spread(const GasStatistics& statistics) {
   constexpr double kSpread = 1.5;
-  return moments.spheres > 0 && moments.largest_radius > kSpread * moments.mean_radius();
+  return statistics.spheres > 0 && statistics.largest_radius > kSpread * statistics.mean_radius();
 }
 
-double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& classes, double edge,
+double cost_rate_by_class(const GasStatistics& statistics, const std::vector<SizeClass>& classes, double edge,
                           const UnitCosts& costs) {
-  const bool is_flat = moments.is_flat();
-  const std::size_t dimensions = moments.box.dimensions();
-  const double cells = moments.volume() / (is_flat ? edge * edge : edge * edge * edge);
+  const bool is_flat = statistics.is_flat();
+  const std::size_t dimensions = statistics.box.dimensions();
+  const double cells = statistics.volume() / (is_flat ? edge * edge : edge * edge * edge);
   const auto fits = [&](const SizeClass& one) { return one.radius <= LargeSizes::kLargestInCell * edge; };
   double surfaces = 0;  // of those that do not fit into cells
   for (const SizeClass& one : classes) {
     if (!fits(one)) surfaces += one.spheres * LargeSizes::cells_of_surface(one.radius / edge, dimensions);
   }
   const double largest_in_grid =
-      LargeSizes::largest_in_edges(surfaces, static_cast<double>(moments.spheres)) * edge;
+      LargeSizes::largest_in_edges(surfaces, static_cast<double>(statistics.spheres)) * edge;
   const auto is_large = [&](const SizeClass& one) { return one.radius > largest_in_grid; };
   // Where regions are no blocks, crossings and searches cost more: measured, docs/theory.md.
   constexpr double kRows = 1.15;
@@ -75,7 +75,7 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
   double occupants = 0;  // of a cell
   for (const SizeClass& one : classes) occupants += one.spheres * cells_held(one) / cells;
   const double search = costs.cell + costs.prediction * occupants;  // of a cell
-  const double crowding = contact_value(moments);
+  const double crowding = contact_value(statistics);
   constexpr double kDiffusion = 0.2;
   double cost = 0;
   for (const SizeClass& one : classes) {
@@ -83,7 +83,8 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
     for (const SizeClass& other : classes) {
       const double reach = one.radius + other.radius;
       const double section = is_flat ? 2 * reach : std::numbers::pi * reach * reach;
-      collisions += other.spheres / moments.volume() * section * mean_relative_speed(one, other) * crowding;
+      collisions +=
+          other.spheres / statistics.volume() * section * mean_relative_speed(one, other) * crowding;
     }
     double each = collisions * costs.contact / 2;
     if (!is_large(one)) {
@@ -101,24 +102,24 @@ double cost_rate_by_class(const Moments& moments, const std::vector<SizeClass>& 
       each += one.mean_speed / (skin * (1 + kDiffusion * skin / std::max(path, 0x1p-60 * skin))) *
               (costs.enter + touched * (2 * costs.cell + search_of_large));
       // A list costs as much as the searches for it.
-      const double nearby = candidates / edge * LargeSphereGrid::kUsualSpeed * moments.mean_speed /
+      const double nearby = candidates / edge * LargeSphereGrid::kUsualSpeed * statistics.mean_speed /
                             std::max(collisions, 1e-300);
       const double listed = 2 * std::sqrt(candidates * nearby) * costs.prediction;
-      each += collisions * (candidates < ApproachList::kFewestToList
-                                ? touched * search_of_large
-                                : std::min(listed, touched * search_of_large));
+      each +=
+          collisions * (candidates < ApproachList::kMinToList ? touched * search_of_large
+                                                              : std::min(listed, touched * search_of_large));
     }
     cost += one.spheres * each;
   }
-  return cost / static_cast<double>(moments.spheres);
+  return cost / static_cast<double>(statistics.spheres);
 }
 
-double optimal_edge_by_class(const Moments& moments, const std::vector<SizeClass>& given,
+double optimal_edge_by_class(const GasStatistics& statistics, const std::vector<SizeClass>& given,
                              const UnitCosts& unit_costs) {
-  const UnitCosts costs = costs_with_memory(moments, unit_costs);
-  Moments moving = moments;
+  const UnitCosts costs = costs_with_memory(statistics, unit_costs);
+  GasStatistics moving = statistics;
   std::vector<SizeClass> classes = given;
-  if (!(moments.mean_speed > 0)) {
+  if (!(statistics.mean_speed > 0)) {
     moving.mean_speed = 1;
     for (SizeClass& one : classes) one.mean_speed = 1;
   }
@@ -128,7 +129,7 @@ double optimal_edge_by_class(const Moments& moments, const std::vector<SizeClass
   double counted = 0;
   double smallest = 0;
   for (const SizeClass& one : classes) {
-    if (2 * counted <= static_cast<double>(moments.spheres)) smallest = 2 * kSurplus * one.radius;
+    if (2 * counted <= static_cast<double>(statistics.spheres)) smallest = 2 * kSurplus * one.radius;
     counted += one.spheres;
   }
   double best = smallest;
@@ -143,20 +144,21 @@ double optimal_edge_by_class(const Moments& moments, const std::vector<SizeClass
   return best;
 }
 
-BestLength best_edge(const World& world, const Time& moment, const Moments& moments, const UnitCosts& costs) {
-  if (!are_sizes_spread(moments)) return best_cell_edge(moments, costs);
+BestLength best_edge(const World& world, const Time& moment, const GasStatistics& statistics,
+                     const UnitCosts& costs) {
+  if (!are_sizes_spread(statistics)) return best_cell_edge(statistics, costs);
   const std::vector<SizeClass> classes = size_classes(world, moment);
   // In a small box, candidates must come from smaller cells to be nearest images.
   constexpr double kStep = 1.15;
   constexpr int kSteps = 20;
-  double edge = optimal_edge_by_class(moments, classes, costs);
+  double edge = optimal_edge_by_class(statistics, classes, costs);
   for (int i = 0; i < kSteps; ++i, edge /= kStep) {
-    const bool has_large = edge < moments.largest_radius / LargeSizes::kLargestInRows;
+    const bool has_large = edge < statistics.largest_radius / LargeSizes::kLargestInRows;
     if (!has_large || LargeSphereGrid::supports(world, edge)) {
-      return {edge, cost_rate_by_class(moments, classes, edge, costs)};
+      return {edge, cost_rate_by_class(statistics, classes, edge, costs)};
     }
   }
-  return best_cell_edge(moments, costs);
+  return best_cell_edge(statistics, costs);
 }
 
 }  // namespace hardball

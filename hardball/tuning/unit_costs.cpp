@@ -13,10 +13,10 @@ bool are_meaningful(const UnitCosts& costs) {
   return costs.prediction > 0 && costs.enter + costs.cell > 0;
 }
 
-UnitCosts costs_with_memory(const Moments& moments, UnitCosts costs) {
+UnitCosts costs_with_memory(const GasStatistics& statistics, UnitCosts costs) {
   // Measured, docs/theory.md.
   constexpr double kFar = 2;
-  if (moments.spheres > kVeryManySpheres) {
+  if (statistics.spheres > kVeryManySpheres) {
     costs.cell *= kFar;
     costs.prediction *= kFar;
   }

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "hardball/theory/moments.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 
 namespace hardball {
 
@@ -28,7 +28,7 @@ bool are_meaningful(const UnitCosts& costs);
 
 /// The unit costs where so many spheres are far away in memory: every cell and every candidate is another
 /// line of it.
-UnitCosts costs_with_memory(const Moments& moments, UnitCosts costs);
+UnitCosts costs_with_memory(const GasStatistics& statistics, UnitCosts costs);
 
 /// The length at which a broad phase is predicted to cost least; see PhaseSettings.
 struct BestLength {

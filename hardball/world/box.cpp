@@ -72,7 +72,7 @@ Image Box::count_boxes_beyond(Vec3 position) const {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!is_periodic(axis)) continue;
     const double boxes = std::floor(position[axis] / size_[axis]);
-    if (!(std::fabs(boxes) <= kMostBoxesBeyond)) {
+    if (!(std::fabs(boxes) <= kMaxBoxesBeyond)) {
       throw RunFailure(
           "a sphere has crossed the periodic box 2^30 times without a collision; use a larger box");
     }

@@ -127,7 +127,7 @@ class HARDBALL_EXPORT Box {
   const Vec3& inverse_period() const { return inverse_period_; }
 
   /// The largest number of boxes by which a position may lie outside along a periodic axis [1].
-  static constexpr double kMostBoxesBeyond = 1 << 30;
+  static constexpr double kMaxBoxesBeyond = 1 << 30;
 
   /// By how many boxes `position` lies outside this one; zero along axes that are not periodic.
   /// Error (RunFailure): more than 2^30 boxes away.

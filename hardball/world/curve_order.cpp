@@ -38,13 +38,13 @@ std::vector<Slot> order_along_curve(const World& world, const Time& moment) {
     }
   }
   const double longest = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
-  const double places = longest > 0 ? ((1 << kBits) - 1) / longest : 0;
+  const double steps_per_length = longest > 0 ? ((1 << kBits) - 1) / longest : 0;
   std::vector<std::pair<std::uint64_t, Slot>> keyed(world.size());
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    const Vec3 place = places * (world.position(slot, moment) - low);
-    keyed[slot] = {spread(static_cast<std::uint64_t>(place.x)) << 2 |
-                       spread(static_cast<std::uint64_t>(place.y)) << 1 |
-                       spread(static_cast<std::uint64_t>(place.z)),
+    const Vec3 steps = steps_per_length * (world.position(slot, moment) - low);
+    keyed[slot] = {spread(static_cast<std::uint64_t>(steps.x)) << 2 |
+                       spread(static_cast<std::uint64_t>(steps.y)) << 1 |
+                       spread(static_cast<std::uint64_t>(steps.z)),
                    slot};
   }
   std::sort(keyed.begin(), keyed.end());

@@ -11,7 +11,7 @@ namespace hardball {
 void IdOrder::sort(std::span<const SphereId> ids, SphereId end) {
   size_ = ids.size();
   slots_ = {};
-  empty_places_ = {};
+  gaps_ = {};
   if (std::is_sorted(ids.begin(), ids.end())) return;
   constexpr std::size_t kFew = 16;
   if (end > kFew * size_) {
@@ -34,23 +34,23 @@ void IdOrder::erase(std::size_t rank) {
   if (slots_.empty() && rank + 1 < size_) list_slots();
   --size_;
   if (slots_.empty()) return;
-  const auto place = static_cast<std::uint32_t>(skip_empty(rank));
-  empty_places_.insert(std::ranges::lower_bound(empty_places_, place), place);
+  const auto index = static_cast<std::uint32_t>(skip_empty(rank));
+  gaps_.insert(std::ranges::lower_bound(gaps_, index), index);
   constexpr std::size_t kFew = 64;
   constexpr std::size_t kShare = 256;
-  if (empty_places_.size() > size_ / kShare + kFew) close_gaps();
+  if (gaps_.size() > size_ / kShare + kFew) close_gaps();
 }
 
 void IdOrder::insert(std::size_t rank, Slot slot) {
   if (slots_.empty() && rank == size_ && slot == size_) return append();
   if (slots_.empty()) list_slots();
-  // Empty places between the neighbors in rank, if any, end just before the next one.
+  // Gaps between the neighbors in rank, if any, end just before the next one.
   const std::size_t next = rank < size_ ? skip_empty(rank) : slots_.size();
   ++size_;
-  const auto above = std::ranges::lower_bound(empty_places_, next);
-  if (next > 0 && above != empty_places_.begin() && *(above - 1) == next - 1) {
+  const auto above = std::ranges::lower_bound(gaps_, next);
+  if (next > 0 && above != gaps_.begin() && *(above - 1) == next - 1) {
     slots_[next - 1] = slot;
-    empty_places_.erase(above - 1);
+    gaps_.erase(above - 1);
     return;
   }
   close_gaps();
@@ -63,13 +63,13 @@ void IdOrder::move(std::size_t rank, Slot slot) {
   slots_[skip_empty(rank)] = slot;
 }
 
-// The place of a rank: so many empty ones come before it.
+// The index of a rank: so many gaps come before it.
 std::size_t IdOrder::skip_empty(std::size_t rank) const {
   std::size_t low = 0;
-  std::size_t high = empty_places_.size();
+  std::size_t high = gaps_.size();
   while (low < high) {
     const std::size_t middle = low + (high - low) / 2;
-    if (empty_places_[middle] - middle <= rank) {
+    if (gaps_[middle] - middle <= rank) {
       low = middle + 1;
     } else {
       high = middle;
@@ -87,7 +87,7 @@ void IdOrder::close_gaps() {
   std::size_t end = 0;
   for_each([&](Slot slot) { slots_[end++] = slot; });
   slots_.resize(end);
-  empty_places_.clear();
+  gaps_.clear();
 }
 
 }  // namespace hardball

@@ -14,15 +14,15 @@ namespace hardball {
 
 /// The slots of all spheres in the order of their ids. A rank is the number of spheres with lower ids.
 ///
-/// Places of spheres removed stay empty until they are many, so that removing one moves no others. Takes no
-/// memory while slots are in the order of ids.
+/// Entries of removed spheres stay empty, as gaps, until they are many, so removing one moves no others.
+/// Takes no memory while slots are in the order of ids.
 class HARDBALL_EXPORT IdOrder {
  public:
   std::size_t size() const { return size_; }
 
-  /// The slot of a rank. Precondition: rank < size(). Cost: O(log(empty places)).
+  /// The slot of a rank. Precondition: rank < size(). Cost: O(log(gaps)).
   Slot operator[](std::size_t rank) const {
-    return slots_.empty() ? static_cast<Slot>(rank) : slots_[place_of(rank)];
+    return slots_.empty() ? static_cast<Slot>(rank) : slots_[index_of(rank)];
   }
 
   /// Calls visit(slot) for all, in the order of ids. Cost: O(n).
@@ -33,11 +33,11 @@ class HARDBALL_EXPORT IdOrder {
       return;
     }
     std::size_t empty = 0;
-    for (std::size_t place = 0; place < slots_.size(); ++place) {
-      if (empty < empty_places_.size() && empty_places_[empty] == place) {
+    for (std::size_t index = 0; index < slots_.size(); ++index) {
+      if (empty < gaps_.size() && gaps_[empty] == index) {
         ++empty;
       } else {
-        visit(slots_[place]);
+        visit(slots_[index]);
       }
     }
   }
@@ -54,18 +54,18 @@ class HARDBALL_EXPORT IdOrder {
   void move(std::size_t rank, Slot slot);
 
   std::size_t memory_bytes() const {
-    return slots_.capacity() * sizeof(Slot) + empty_places_.capacity() * sizeof(std::uint32_t);
+    return slots_.capacity() * sizeof(Slot) + gaps_.capacity() * sizeof(std::uint32_t);
   }
 
  private:
-  std::size_t place_of(std::size_t rank) const { return empty_places_.empty() ? rank : skip_empty(rank); }
+  std::size_t index_of(std::size_t rank) const { return gaps_.empty() ? rank : skip_empty(rank); }
   std::size_t skip_empty(std::size_t rank) const;
   void list_slots();
   void close_gaps();
 
   std::size_t size_ = 0;
-  std::vector<Slot> slots_;                  // none while each rank is stored in the slot of the same number
-  std::vector<std::uint32_t> empty_places_;  // in slots_, ascending
+  std::vector<Slot> slots_;          // none while each rank is stored in the slot of the same number
+  std::vector<std::uint32_t> gaps_;  // in slots_, ascending
 };
 
 }  // namespace hardball

@@ -34,8 +34,8 @@ void World::record_spheres(Time moment, Slot first, Slot second) {
 }
 
 SphereState World::state_of(Slot slot) const {
-  return {ids_[slot],     paths_[slot],  radii_[slot], masses_[slot],
-          moments_[slot], folded_[slot], spin(slot),   species(slot)};
+  return {ids_[slot],    paths_[slot], radii_[slot], masses_[slot], inertia_factors_[slot],
+          folded_[slot], spin(slot),   species(slot)};
 }
 
 void World::set_state(Slot slot, const SphereState& state) {
@@ -45,7 +45,7 @@ void World::set_state(Slot slot, const SphereState& state) {
   paths_[slot] = state.path;
   radii_.set(slot, state.radius);
   masses_.set(slot, state.mass);
-  moments_.set(slot, state.moment);
+  inertia_factors_.set(slot, state.inertia_factor);
   folded_[slot] = state.folded;
   if (!spins_.empty()) spins_[slot] = state.spin;
   if (!species_.empty()) species_[slot] = state.species;
@@ -57,7 +57,7 @@ void World::append(const SphereState& state) {
   paths_.push_back(state.path);
   radii_.push_back(state.radius);
   masses_.push_back(state.mass);
-  moments_.push_back(state.moment);
+  inertia_factors_.push_back(state.inertia_factor);
   folded_.push_back(state.folded);
   if (!spins_.empty()) spins_.emplace_back();
   store_spin(static_cast<Slot>(size() - 1), state.spin);

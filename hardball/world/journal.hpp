@@ -16,11 +16,11 @@ namespace hardball {
 struct SphereState {
   SphereId id = 0;
   Path path;
-  double radius = 0;  ///< [L]
-  double mass = 0;    ///< [M]
-  double moment = 0;  ///< [1]
-  Image folded;       ///< By how many boxes its center has been folded back.
-  Vec3 spin;          ///< [1/T]
+  double radius = 0;          ///< [L]
+  double mass = 0;            ///< [M]
+  double inertia_factor = 0;  ///< [1]
+  Image folded;               ///< By how many boxes its center has been folded back.
+  Vec3 spin;                  ///< [1/T]
   SpeciesId species = 0;
 };
 

@@ -36,15 +36,15 @@ void refuse_out_of_plane(const Surface& surface) {
 
 // All images of an obstacle that reach into a box are visited.
 void refuse_far_or_large(const Obstacle& obstacle, double center, double size, std::size_t axis) {
-  constexpr double kMostBoxes = 16;
+  constexpr double kMaxBoxes = 16;
   if (!(center >= -size && center <= 2 * size)) {
     throw Error(
         "an obstacle at " + to_text(center) + " along " + kAxisNames[axis] + " is outside the periodic box",
         "walls", "place it between 0 and " + to_text(size));
   }
-  if (2 * obstacle.radius() <= kMostBoxes * size) return;
+  if (2 * obstacle.radius() <= kMaxBoxes * size) return;
   throw Error("the diameter " + to_text(2 * obstacle.radius()) + " of an obstacle exceeds " +
-                  to_text(kMostBoxes) + " times the period " + to_text(size) + " along " + kAxisNames[axis],
+                  to_text(kMaxBoxes) + " times the period " + to_text(size) + " along " + kAxisNames[axis],
               "walls", "enlarge the box or shrink the obstacle");
 }
 
@@ -90,9 +90,9 @@ void refuse_behind_faces(const Surface& surface, const Box& box) {
     const double n = (*normal)[axis];
     if (n == 0) continue;
     if (!box.is_wall(axis)) return;
-    const double place = surface.point()[axis];
-    gap += n * ((n > 0 ? 0 : box.size()[axis]) - place);
-    scale += std::fabs(n) * (box.size()[axis] + std::fabs(place));
+    const double coordinate = surface.point()[axis];
+    gap += n * ((n > 0 ? 0 : box.size()[axis]) - coordinate);
+    scale += std::fabs(n) * (box.size()[axis] + std::fabs(coordinate));
   }
   if (const auto* plane = std::get_if<OscillatingPlane>(&surface.shape())) gap -= plane->amplitude();
   if (gap < -kWallTolerance * scale) return;

@@ -16,8 +16,8 @@ struct Sphere {
   double mass = 1;
   Vec3 spin = {};  ///< Angular velocity [1/T].
   SpeciesId species = 0;
-  /// Moment of inertia over mass and squared radius [1]; of discs, kUniformDiscMoment is usual.
-  double moment = kUniformSphereMoment;
+  /// Moment of inertia over mass and squared radius [1]; of discs, kDiscInertiaFactor is usual.
+  double inertia_factor = kSphereInertiaFactor;
 };
 
 }  // namespace hardball

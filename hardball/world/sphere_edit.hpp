@@ -25,8 +25,8 @@ class SphereEdit {
   void store_spin(Slot slot, const Vec3& spin) { world_.store_spin(slot, spin); }
   /// Gives a sphere a new radius [L], mass [M] and moment of inertia over mass and squared radius [1]. Error:
   /// as for World::add; then nothing has changed.
-  void reshape(Slot slot, double radius, double mass, double moment) {
-    world_.reshape(slot, radius, mass, moment);
+  void reshape(Slot slot, double radius, double mass, double inertia_factor) {
+    world_.reshape(slot, radius, mass, inertia_factor);
   }
 
  private:

@@ -41,12 +41,12 @@ void StaticHashGrid::insert(const Vec3& center, double radius) {
   bucket.tags |= tag(key);
 }
 
-StaticHashGrid::Cell StaticHashGrid::cell_at(const Level& level, const Vec3& place) {
+StaticHashGrid::Cell StaticHashGrid::cell_at(const Level& level, const Vec3& position) {
   // Spheres beyond this many cells share the outermost ones.
   constexpr double kFarthest = 1e15;
   Cell cell;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double index = std::clamp(place[axis] / level.edge[axis], -kFarthest, kFarthest);
+    const double index = std::clamp(position[axis] / level.edge[axis], -kFarthest, kFarthest);
     // Without SSE4.1, std::floor is a function call.
     cell[axis] = static_cast<std::int64_t>(index);
     cell[axis] -= static_cast<double>(cell[axis]) > index ? 1 : 0;

@@ -147,13 +147,13 @@ class StaticHashGrid {
   template <class Predicate>
   bool search_all(const Level& level, const Cells& cells, const Vec3& center, double radius,
                   Predicate&& predicate) const {
-    constexpr double kMostBoxes = 8e6;
+    constexpr double kMaxBoxes = 8e6;
     double boxes = 1;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (level.count[axis] == 0) continue;
       boxes *= static_cast<double>((cells.high[axis] - cells.low[axis]) / level.count[axis]) + 2;
     }
-    HARDBALL_CHECK(boxes <= kMostBoxes);
+    HARDBALL_CHECK(boxes <= kMaxBoxes);
     Image low;
     Image high;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -196,7 +196,7 @@ class StaticHashGrid {
     }
   }
 
-  static Cell cell_at(const Level& level, const Vec3& place);
+  static Cell cell_at(const Level& level, const Vec3& position);
   static Cells cells_near(const Level& level, const Vec3& center, double radius) {
     const double margin = (radius + level.largest_radius) * (1 + 1e-9);
     const Vec3 reach{margin, margin, margin};

@@ -60,7 +60,8 @@ SphereId World::add(const Sphere& sphere, const Time& moment) {
   check_moment(moment, name_of(next_id_));
   const Image beyond = box_.boxes_beyond(sphere.position);
   const Path path{sphere.position - box_.shift(beyond), sphere.velocity, moment};
-  append({next_id_, path, sphere.radius, sphere.mass, sphere.moment, beyond, sphere.spin, sphere.species});
+  append({next_id_, path, sphere.radius, sphere.mass, sphere.inertia_factor, beyond, sphere.spin,
+          sphere.species});
   order_.append();
   if (has_journal_) record(WorldChange::Kind::birth, moment, static_cast<Slot>(size() - 1));
   return next_id_++;
@@ -70,7 +71,7 @@ void World::check(const Sphere& sphere) const {
   const std::string where = name_of(next_id_);
   check_positive(sphere.radius, "radius", where);
   check_mass(sphere.mass, where);
-  check_positive(sphere.moment, "moment", where);
+  check_positive(sphere.inertia_factor, "moment", where);
   check_vector(sphere.velocity, kVelocityNames, where);
   check_vector(sphere.spin, kSpinNames, where);
   check_in_plane(sphere.velocity, "velocity", where);
@@ -82,7 +83,7 @@ void World::check(const Sphere& sphere) const {
     if (!box_.is_bounded(axis)) continue;
     const double size = box_.size()[axis];
     check_fits(sphere.radius, axis, where);
-    if (box_.is_periodic(axis) && std::fabs(x / size) > Box::kMostBoxesBeyond) {
+    if (box_.is_periodic(axis) && std::fabs(x / size) > Box::kMaxBoxesBeyond) {
       throw Error("center at " + to_text(x) + " along " + kAxisNames[axis] + " is more than 2^30 boxes away",
                   where, "place it inside the box, between 0 and " + to_text(size));
     }
@@ -105,10 +106,10 @@ void World::check_spin(const Vec3& spin, const std::string& where) const {
 }
 
 void World::note_traits() {
-  const bool have_moments =
-      size() > 0 && !(moments_.is_common() && moments_.common() == kUniformSphereMoment);
-  has_traits_ |= have_moments || !spins_.empty() || !species_.empty() || interactions_.has_passing() ||
-                 kinematic_count_ > 0;
+  const bool have_inertia_factors =
+      size() > 0 && !(inertia_factors_.is_common() && inertia_factors_.common() == kSphereInertiaFactor);
+  has_traits_ |= have_inertia_factors || !spins_.empty() || !species_.empty() ||
+                 interactions_.has_passing() || kinematic_count_ > 0;
 }
 
 void World::check_mass(double mass, const std::string& where) const {
@@ -148,7 +149,7 @@ void World::remove(SphereId id, const Time& moment) {
   erase(paths_);
   radii_.erase(slot);
   masses_.erase(slot);
-  moments_.erase(slot);
+  inertia_factors_.erase(slot);
   erase(spins_);
   erase(species_);
   erase(folded_);
@@ -175,7 +176,7 @@ void World::reorder(std::span<const Slot> order) {
   folded_ = reordered(folded_);
   radii_.reorder(order);
   masses_.reorder(order);
-  moments_.reorder(order);
+  inertia_factors_.reorder(order);
   spins_ = reordered(spins_);
   species_ = reordered(species_);
   order_.sort(ids_, next_id_);
@@ -203,11 +204,11 @@ void World::store_spin(Slot slot, const Vec3& spin) {
   note_traits();
 }
 
-void World::reshape(Slot slot, double radius, double mass, double moment) {
+void World::reshape(Slot slot, double radius, double mass, double inertia_factor) {
   const std::string where = name_of(id(slot));
   check_positive(radius, "radius", where);
   check_mass(mass, where);
-  check_positive(moment, "moment", where);
+  check_positive(inertia_factor, "moment", where);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (box_.is_bounded(axis)) check_fits(radius, axis, where);
   }
@@ -216,7 +217,7 @@ void World::reshape(Slot slot, double radius, double mass, double moment) {
   has_grown_ |= radius > radii_[slot];
   radii_.set(slot, radius);
   masses_.set(slot, mass);
-  moments_.set(slot, moment);
+  inertia_factors_.set(slot, inertia_factor);
   note_traits();
 }
 
@@ -309,7 +310,7 @@ double World::largest_radius() const {
 
 std::size_t World::memory_bytes() const {
   return paths_.capacity() * sizeof(Path) + radii_.memory_bytes() + masses_.memory_bytes() +
-         ids_.capacity() * sizeof(SphereId) + order_.memory_bytes() + moments_.memory_bytes() +
+         ids_.capacity() * sizeof(SphereId) + order_.memory_bytes() + inertia_factors_.memory_bytes() +
          spins_.capacity() * sizeof(Vec3) + species_.capacity() * sizeof(SpeciesId) +
          folded_.capacity() * sizeof(Image) + surfaces_.capacity() * sizeof(Surface);
 }
@@ -318,7 +319,7 @@ double rotational_energy(const World& world, Slot slot) {
   if (!world.has_spins() || world.is_kinematic(slot)) return 0;
   const Vec3 spin = world.spin(slot);
   const double radius = world.radius(slot);
-  return world.moment(slot) * world.mass(slot) * radius * radius * dot(spin, spin) / 2;
+  return world.inertia_factor(slot) * world.mass(slot) * radius * radius * dot(spin, spin) / 2;
 }
 
 double energy(const World& world, Slot slot, const Time& moment) {
@@ -342,7 +343,7 @@ bool World::restored() {
   const std::size_t count = ids_.size();
   const auto fits = [count](const auto& values) { return values.empty() || values.size() == count; };
   const bool is_complete = paths_.size() == count && folded_.size() == count && radii_.size() == count &&
-                           masses_.size() == count && moments_.size() == count && fits(spins_) &&
+                           masses_.size() == count && inertia_factors_.size() == count && fits(spins_) &&
                            fits(species_);
   if (!is_complete || last_passage_.kind > EventKind::wall) return false;
   check_setting(box_, motion_, surfaces_);
@@ -355,7 +356,7 @@ bool World::restored() {
     const std::string where = name_of(ids_[slot]);
     check_positive(radii_[slot], "radius", where);
     check_mass(masses_[slot], where);
-    check_positive(moments_[slot], "moment", where);
+    check_positive(inertia_factors_[slot], "moment", where);
     check_moment(path.time, where);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const double x = path.position[axis];

@@ -48,10 +48,10 @@ class HARDBALL_EXPORT World {
 
   /// Adds a sphere in its state at `moment`, and returns its id: ids count up from zero.
   /// Positions outside a periodic box are folded into it. Overlaps are not checked here (see audit.hpp).
-  /// Error: a number that is NaN, infinite or out of range; a radius, mass or moment that is not positive; a
-  /// center closer to a wall than the radius, or more than 2^30 boxes away; a box too small to hold the
-  /// sphere; a kinematic sphere where there is gravity; in two dimensions, a position or velocity out of the
-  /// plane, or a spin within it.
+  /// Error: a number that is NaN, infinite or out of range; a radius, mass or inertia factor that is not
+  /// positive; a center closer to a wall than the radius, or more than 2^30 boxes away; a box too small to
+  /// hold the sphere; a kinematic sphere where there is gravity; in two dimensions, a position or velocity
+  /// out of the plane, or a spin within it.
   SphereId add(const Sphere& sphere, const Time& moment = Time(0));
 
   /// Error: `add` would refuse this sphere.
@@ -103,9 +103,9 @@ class HARDBALL_EXPORT World {
   Vec3 spin(Slot slot) const { return spins_.empty() ? Vec3{} : spins_[slot]; }
   SpeciesId species(Slot slot) const { return species_.empty() ? SpeciesId{0} : species_[slot]; }
   /// Moment of inertia over mass and squared radius [1].
-  double moment(Slot slot) const { return moments_[slot]; }
-  /// Whether a sphere has had a spin, a species or a moment of its own, or an infinite mass, or some pass
-  /// through each other: in one flag, as every contact asks.
+  double inertia_factor(Slot slot) const { return inertia_factors_[slot]; }
+  /// Whether a sphere has had a spin, a species or an inertia factor of its own, or an infinite mass, or some
+  /// pass through each other: in one flag, as every contact asks.
   bool has_traits() const { return has_traits_; }
   bool has_spins() const { return !spins_.empty(); }
   /// Whether contacts of some pairs do not deflect them: species that pass, and kinematic spheres.
@@ -194,7 +194,7 @@ class HARDBALL_EXPORT World {
   friend class Persistence;
   static void persist(auto& archive, auto& self) {
     archive(self.box_, self.motion_, self.surfaces_, self.next_id_, self.ids_, self.paths_, self.radii_,
-            self.masses_, self.moments_, self.folded_, self.spins_, self.species_);
+            self.masses_, self.inertia_factors_, self.folded_, self.spins_, self.species_);
     if (archive.version() < 3) {
       persist_passing(archive, self);
     } else {
@@ -217,7 +217,7 @@ class HARDBALL_EXPORT World {
   void record(WorldChange::Kind kind, Time moment, Slot slot);
   void record_spheres(Time moment, Slot first, Slot second);
   void store_spin(Slot slot, const Vec3& spin);
-  void reshape(Slot slot, double radius, double mass, double moment);
+  void reshape(Slot slot, double radius, double mass, double inertia_factor);
   SphereState state_of(Slot slot) const;
   void set_state(Slot slot, const SphereState& state);
   void append(const SphereState& state);
@@ -238,7 +238,7 @@ class HARDBALL_EXPORT World {
   LargeVector<Path> paths_;
   PerSphere radii_;
   PerSphere masses_;
-  PerSphere moments_;
+  PerSphere inertia_factors_;
   std::vector<Image> folded_;       // by how many boxes the center has been folded back
   std::vector<Vec3> spins_;         // none if no sphere spins
   std::vector<SpeciesId> species_;  // none if all are zero

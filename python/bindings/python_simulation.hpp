@@ -71,8 +71,8 @@ class PythonSimulation {
   std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double most) const;
   /// See Simulation::contacts_within. Error: KeyboardInterrupt, too, here and below.
   std::vector<Contact> contacts_within(double duration, std::uint64_t most);
-  /// Records in a file how the simulation would go on, up to `until` [T] or for so many contacts, if nobody
-  /// interfered: listeners are not called. Error: as for run; the recording grows beyond `most_bytes`.
+  /// Records in a file how the simulation would continue, up to `until` [T] or for so many contacts, if
+  /// nobody interfered: listeners are not called. Error: as for run; the recording grows beyond `most_bytes`.
   void record_ahead(const std::filesystem::path& path, double until, std::uint64_t contacts,
                     std::uint64_t most_bytes) const;
   /// See Simulation::positions_at.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/simulation/queries.hpp"
+#include "hardball/queries/queries.hpp"
 
 #include <pybind11/stl.h>
 

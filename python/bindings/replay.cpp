@@ -21,12 +21,12 @@ namespace py = pybind11;
 namespace hardball::python {
 namespace {
 
-// How the simulation goes on, as one page of HTML; the recording is made in the file `path`.
+// How the simulation continues, as one page of HTML; the recording is made in the file `path`.
 py::bytes replay_of(const PythonSimulation& self, const std::filesystem::path& path, double until,
                     std::optional<std::uint64_t> contacts) {
 #if HARDBALL_VIEWER
   self.record_ahead(path, until, contacts.value_or(std::numeric_limits<std::uint64_t>::max()),
-                    viewer::kMostReplayedBytes);
+                    viewer::kMaxReplayedBytes);
   const viewer::SharedRecording recording(path);
   const viewer::Replay replay(recording, viewer::built_page());
   std::string page;

@@ -23,8 +23,8 @@ namespace py = pybind11;
 namespace hardball::python {
 namespace {
 
-// In the order of Fate.
-constexpr std::array<const char*, 3> kFates{"bounce", "pass", "merge"};
+// In the order of ContactOutcome.
+constexpr std::array<const char*, 3> kOutcomes{"bounce", "pass", "merge"};
 
 RestitutionLaw law_of(const py::handle& object) {
   if (py::isinstance<ViscoelasticRestitution>(object)) return object.cast<ViscoelasticRestitution>();
@@ -194,7 +194,7 @@ void bind_contact(py::module_& module) {
           [](const Contact& self) { return pair_of(self.spins_after.first, self.spins_after.second); },
           doc::Contact_spins_after)
       .def_property_readonly(
-          "fate", [](const Contact& self) { return kFates[static_cast<std::size_t>(self.fate)]; },
+          "outcome", [](const Contact& self) { return kOutcomes[static_cast<std::size_t>(self.outcome)]; },
           "'bounce', 'pass' or 'merge'.")
       .def_property_readonly(
           "impulse", [](const Contact& self) { return array_of(self.impulse()); }, doc::Contact_impulse)

@@ -24,7 +24,7 @@ std::vector<Sphere> spheres_of(const py::object& positions, const py::object& ve
   const std::vector<std::uint32_t> kinds =
       counts_of(species, "species", count, std::numeric_limits<SpeciesId>::max());
   const std::vector<double> moments =
-      moment.is_none() ? std::vector<double>(count, is_flat ? kUniformDiscMoment : kUniformSphereMoment)
+      moment.is_none() ? std::vector<double>(count, is_flat ? kDiscInertiaFactor : kSphereInertiaFactor)
                        : numbers_of(moment, "moment", count);
   std::vector<Sphere> spheres;
   spheres.reserve(count);
@@ -35,7 +35,7 @@ std::vector<Sphere> spheres_of(const py::object& positions, const py::object& ve
                        .mass = masses[i],
                        .spin = spins[i],
                        .species = static_cast<SpeciesId>(kinds[i]),
-                       .moment = moments[i]});
+                       .inertia_factor = moments[i]});
   }
   return spheres;
 }

@@ -137,7 +137,7 @@ void bind_arrays(SimulationClass& simulation) {
   of_world(
       "moments",
       [](const World& world, const Time&) {
-        return numbers_by_id<double>(world, [&](Slot slot) { return world.moment(slot); });
+        return numbers_by_id<double>(world, [&](Slot slot) { return world.inertia_factor(slot); });
       },
       "Moments of inertia over mass and squared radius, in the order of ids [1].");
   of_world(

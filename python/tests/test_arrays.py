@@ -155,7 +155,7 @@ class ArraysGiven(unittest.TestCase):
             ({"positions": good, "species": -1}, "species.*whole numbers from 0 to 255"),
             ({"positions": good[:, :2]}, "two coordinates.*three dimensions"),
             ({"positions": np.ma.masked_less(good, 1)}, "masked entries"),
-            ({"positions": good, "species": good[:, 0] > 1}, "species.*truth values"),
+            ({"positions": good, "species": good[:, 0] > 1}, "species.*booleans"),
             ({"positions": good, "seed": 1.5}, "seed.*whole number"),
             ({"positions": good, "response": 1.5}, "restitution.*1.5"),
             ({"positions": good, "response": "soft"}, "give a Bounce, a Merging"),
@@ -307,7 +307,7 @@ class Numbers(unittest.TestCase):
             hardball.Simulation(8.0, positions=[[1, 1, 1]])
         with self.assertRaisesRegex(hardball.Error, "give one such as"):
             hardball.Simulation.from_scenario({}, overrides="run.seed=7")
-        with self.assertRaisesRegex(hardball.Error, "give an Atoms"):
+        with self.assertRaisesRegex(hardball.Error, "give an ASE Atoms"):
             hardball.Simulation.from_ase(np.zeros((3, 3)))
 
     def test_vectors_are_read_only(self):

@@ -165,7 +165,7 @@ class Responses(unittest.TestCase):
             else:
                 self.assertAlmostEqual(parting, contact.normal_speed)
         through = gas(species=species, passing=[(0, 1)])
-        self.assertIn("pass", {c.fate for c in through.events(until=1)})
+        self.assertIn("pass", {c.outcome for c in through.events(until=1)})
 
     def test_surfaces(self):
         surfaces = [

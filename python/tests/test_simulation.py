@@ -223,7 +223,7 @@ class Files(unittest.TestCase):
 
         with self.assertRaisesRegex(hardball.Error, "no radii"):
             hardball.Simulation.from_ase(ase.Atoms("Ar", cell=[9, 9, 9], pbc=True))
-        with self.assertRaisesRegex(hardball.Error, "right angles"):
+        with self.assertRaisesRegex(hardball.Error, "not rectangular"):
             hardball.Simulation.from_ase(ase.Atoms("Ar", cell=[9, 9, 9, 90, 80, 90], pbc=True), radius=1)
         # Of a cell that nothing repeats, the angles do not matter; nor do rounding errors.
         for cell, pbc in (([9, 9, 9, 90, 80, 90], False), ([[9, 1e-16, 0], [0, 9, 0], [0, 1e-15, 9]], True)):
@@ -354,7 +354,7 @@ class Labeled(hardball.Simulation):
 
 
 def stop_at_contact(contact):
-    """A perfectly inelastic response: both go on together."""
+    """A perfectly inelastic response: both move on together."""
     first, second = contact.masses
     together = (first * contact.before[0] + second * contact.before[1]) / (first + second)
     normal = contact.normal

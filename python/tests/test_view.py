@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""The page that shows how a simulation goes on."""
+"""The page that shows how a simulation continues."""
 
 import base64
 import contextlib

@@ -407,7 +407,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "[run]",
                  "[output]\nsnapshots_every = 1\nfirst_snapshot = 0.1\n[run]",
                  {},
-                 {"gas.toml:13:18", "first_snapshot without snapshots_per_decade", "add"}},
+                 {"gas.toml:13:18", "first_snapshot is given without snapshots_per_decade", "add"}},
         BadInput{"NoContactsBetweenSnapshots",
                  "[run]",
                  "[output]\nsnapshots_every_contacts = 0\n[run]",
@@ -758,7 +758,7 @@ TEST(RefusedCommand, IsExplainedInOneLine) {
   expect_refusal(run_program(folder, {"--json", "run", "gas.toml"}), {"'--json'", "after the command"});
   expect_refusal(run_program(folder, {"verify", "gas.toml", "--json"}), {"'--json'"});
   expect_refusal(run_program(folder, {"completion", "tcsh"}), {"'tcsh'", "bash, zsh, fish"});
-  expect_refusal(run_program(folder, {"completion", "bash", "zsh"}), {"'zsh'", "too many"});
+  expect_refusal(run_program(folder, {"completion", "bash", "zsh"}), {"'zsh'", "unexpected argument"});
   expect_refusal(run_program(folder, {"manual", "run"}), {"'run'"});
 }
 

@@ -76,7 +76,7 @@ TEST_F(WhatCheckExpects, TellsWhatTooManySpheresToPlaceWouldTake) {
   EXPECT_GT(ratio, 8000 * 0.8);
   EXPECT_LT(ratio, 8000 * 1.25);
   EXPECT_GT(std::strtod(line_of(many, "  time on one core").substr(6).c_str(), nullptr), 100);
-  EXPECT_NE(notes_of(many).find("not placed"), std::string::npos);
+  EXPECT_NE(notes_of(many).find("too many spheres to place"), std::string::npos);
   EXPECT_EQ(notes_of(few), "");
 }
 
@@ -147,7 +147,7 @@ TEST_F(WhatCheckExpects, WarnsOfSpheresThatComeToRest) {
       "radius = 9.0\n[[spheres]]\ncount = 10\nradius = 0.5\nplacement = 'random'\nspeed = 1.0\n[run]\nuntil "
       "= 10.0\n"
       "[response]\nrestitution = 0.9\n";
-  EXPECT_NE(notes_of(output(cavity)).find("slide along round walls: the run ends " + kCollapse),
+  EXPECT_NE(notes_of(output(cavity)).find("sliding along round walls: the run ends " + kCollapse),
             std::string::npos);
 }
 

@@ -80,7 +80,7 @@ TEST_F(Convert, RefusesWhatItCannotDo) {
   const std::string before = text("out/trajectory.xyz");
   expect_refusal(convert("out/trajectory.xyz", "out/trajectory.xyz"), "would overwrite");
   expect_refusal(convert("out/trajectory.xyz", "a.dcd"), "a.dcd: unknown file extension");
-  expect_refusal(convert("out/trajectory.pvd", "a.xyz"), "only written");
+  expect_refusal(convert("out/trajectory.pvd", "a.xyz"), "cannot be read");
   expect_refusal(convert("out/trajectory.xyz", "a.xyz", {"--frame", "6"}), "--frame: there is no frame 6");
   expect_refusal(convert("out/trajectory.xyz", "a.xyz", {"--frame", "last"}), "--frame: 'last'");
   expect_refusal(convert("missing.xyz", "a.xyz"), "missing.xyz: the file cannot be read");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Runs that go on from a checkpoint.
+// Runs that resume from a checkpoint.
 #include <gtest/gtest.h>
 
 #include <csignal>

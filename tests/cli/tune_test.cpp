@@ -155,7 +155,7 @@ TEST(TuneOfScattered, RefusesSpheresThatHaveFlownTooFarApart) {
                       "[run]\nuntil = 1e60\n");
   const support::Outcome outcome = support::run_program(folder, {"tune", "apart.toml"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.messages.find("no cells suit the spheres"), std::string::npos) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("no cells fit the spheres"), std::string::npos) << outcome.messages;
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Hardball authors
 # SPDX-License-Identifier: MIT
-"""The disk is full, at any write: what is there is complete, and with more space the run goes on."""
+"""The disk is full, at any write: what is there is complete, and with more space the run resumes."""
 
 import re
 import resource

@@ -176,7 +176,7 @@ class FaultTest(unittest.TestCase):
                          contacts_of((whole / "recording.hbr").read_bytes()))
 
     def assert_resumes(self, directory):
-        """A run that a fault has ended goes on as if nothing had happened."""
+        """A run that a fault has ended resumes as if nothing had happened."""
         end = run(["resume", directory, "--quiet"], self.folder)
         self.assertEqual(end.code, DONE, end)
         self.assert_undisturbed(directory)

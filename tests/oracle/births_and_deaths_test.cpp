@@ -80,7 +80,7 @@ class Editor {
     const Vec3 way = in_plane(world, random_.direction());
     const double distance = 1 + random_.uniform();
     const Vec3 its_velocity = velocity(world);
-    const auto species = static_cast<SpeciesId>(below(support::kMostRandomSpecies));
+    const auto species = static_cast<SpeciesId>(below(support::kMaxRandomSpecies));
     if (ids.empty() || length(way) == 0) return;
     const SphereId beside = ids[below(ids.size())];
     const Vec3 place = simulation.position(beside) +

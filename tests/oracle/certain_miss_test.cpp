@@ -92,8 +92,8 @@ TEST(CertainMiss, LiesBeyondTheRoundingErrorOfTheDiscriminant) {
     if (!(dot(p.separation, p.separation) > p.reach * p.reach)) continue;
     const double speed_squared = dot(p.velocity, p.velocity);
     const double closest = speed_squared * (p.reach * p.reach);
-    const Vec3 moment = cross(p.separation, p.velocity);
-    const double discriminant = closest - dot(moment, moment);
+    const Vec3 angular = cross(p.separation, p.velocity);
+    const double discriminant = closest - dot(angular, angular);
     const auto exact = static_cast<Quad>(squared_cosine<Exact>(p.separation, p.velocity, p.reach) *
                                          dot_in<Exact>(p.velocity, p.velocity) * p.reach * p.reach);
     const Quad error = abs(Quad(discriminant) - exact) / (speed_squared * dot(p.separation, p.separation));
@@ -115,9 +115,9 @@ TEST(CertainMiss, IsTheUsualCase) {
     const double distance = 1 + 10 * random.uniform();
     const Vec3 r = impact * Vec3{0, 1, 0} - distance * Vec3{1, 0, 0};
     const Vec3 v{1, 0, 0};
-    const Vec3 moment = cross(r, v);
+    const Vec3 angular = cross(r, v);
     ++misses;
-    certain += 1 - dot(moment, moment) < -kCertainMiss * dot(r, r) ? 1U : 0U;
+    certain += 1 - dot(angular, angular) < -kCertainMiss * dot(r, r) ? 1U : 0U;
   }
   EXPECT_GE(certain + 1, misses);
 }

@@ -72,9 +72,9 @@ Rule scaled(const Rule& rule, double length, double speed) {
 
 ResponseTable scaled(const ResponseTable& responses, double length, double speed) {
   ResponseTable table;
-  for (SpeciesId a = 0; a < support::kMostRandomSpecies; ++a) {
+  for (SpeciesId a = 0; a < support::kMaxRandomSpecies; ++a) {
     table.set_wall(a, std::get<Bounce>(scaled(Rule(responses.wall(a)), length, speed)));
-    for (SpeciesId b = a; b < support::kMostRandomSpecies; ++b) {
+    for (SpeciesId b = a; b < support::kMaxRandomSpecies; ++b) {
       table.set(a, b, scaled(responses.rule(a, b), length, speed));
     }
   }
@@ -126,7 +126,7 @@ Sphere sphere_of(const World& world, Slot slot) {
           .mass = world.mass(slot),
           .spin = world.spin(slot),
           .species = world.species(slot),
-          .moment = world.moment(slot)};
+          .inertia_factor = world.inertia_factor(slot)};
 }
 
 bool has_simultaneous_contacts(const std::vector<Contact>& log) {

@@ -206,7 +206,7 @@ class PlainSimulation {
 };
 
 constexpr std::uint64_t kWorlds = 200;
-constexpr std::size_t kMostContacts = 40;
+constexpr std::size_t kMaxContacts = 40;
 
 // How far the two histories have diverged by a contact: rounding errors grow exponentially from contact to
 // contact. The library must stay within kTolerance as long as a naive simulation perturbed at every contact
@@ -226,11 +226,11 @@ bool same_bodies(const Touch& a, const Touch& b) {
 std::size_t compare(const World& world, double restitution, double until) {
   Simulation simulation(support::interacting(world, Restitution(restitution)));
   const std::vector<Contact> log =
-      support::record(simulation, {.until = Time(until), .contacts = kMostContacts});
+      support::record(simulation, {.until = Time(until), .contacts = kMaxContacts});
   PlainSimulation plain(world, restitution, false);
   PlainSimulation jostled(world, restitution, true);
   std::size_t compared = 0;
-  for (; compared < kMostContacts; ++compared) {
+  for (; compared < kMaxContacts; ++compared) {
     const std::optional<Touch> expected = plain.next(until);
     const std::optional<Touch> shaken = jostled.next(until);
     if (expected.has_value() != shaken.has_value()) break;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Queries against slow twins that look at every image of every sphere, and against what the engine does next.
-#include "hardball/simulation/queries.hpp"
+#include "hardball/queries/queries.hpp"
 
 #include <gtest/gtest.h>
 
@@ -100,7 +100,7 @@ std::optional<NextContact> slow_first_contact(const World& world, Slot slot, con
       const Image nearest =
           world.box().nearest_image(world.unfolded_position(slot, now) - world.unfolded_position(other, now));
       const Image seen = nearest + image;
-      if (world.pass(slot, other) && have_met(world, slot, other, seen)) return;
+      if (world.pass(slot, other) && are_passing(world, slot, other, seen)) return;
       const Event contact =
           make_collision(contact_time(world, slot, other, seen), world.id(slot), world.id(other), seen);
       if (contact < first) first = contact;

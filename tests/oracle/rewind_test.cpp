@@ -76,14 +76,14 @@ class EditedEngine {
 
  private:
   void run_until(const Time& end) {
-    constexpr std::uint64_t kMost = 400;  // spheres may collapse
+    constexpr std::uint64_t kMax = 400;  // spheres may collapse
     const auto observe = [this](const Contact& contact) {
       log_.push_back({contact.time, contact.first, contact.second, contact.after});
       return true;
     };
-    while (log_.size() < kMost) {
+    while (log_.size() < kMax) {
       rebuild_if_outdated();
-      const std::uint64_t left = kMost - log_.size();
+      const std::uint64_t left = kMax - log_.size();
       if (engine_->run({.until = end, .contacts = left}, observe) == RunStatus::time_reached) return;
     }
     is_cut_off_ = true;

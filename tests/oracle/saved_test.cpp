@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Runs that are saved and loaded at any moment, and go on by another engine: the history and all measures are
-// those of the undisturbed run, to the bit.
+// Runs that are saved and loaded at any moment, and continue with another engine: the history and all
+// measures are those of the undisturbed run, to the bit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,8 +27,8 @@ using support::RandomWorld;
 
 constexpr std::uint64_t kWorlds = 1000;
 constexpr std::uint64_t kParts = 4;
-constexpr std::uint64_t kMostContacts = 300;
-constexpr std::uint64_t kMostSteps = 20000;
+constexpr std::uint64_t kMaxContacts = 300;
+constexpr std::uint64_t kMaxSteps = 20000;
 
 RandomWorld any_world(std::uint64_t seed) {
   switch (seed % 5) {
@@ -119,7 +119,7 @@ TEST_P(Saved, GoesOnToTheSameHistoryAndMeasures) {
     const RandomWorld made = any_world(seed);
     if (made.world.size() == 0) continue;
     SCOPED_TRACE(made.name);
-    const RunLimits limits{.until = Time(made.until), .contacts = kMostContacts, .steps = kMostSteps};
+    const RunLimits limits{.until = Time(made.until), .contacts = kMaxContacts, .steps = kMaxSteps};
     const std::vector<support::EngineVariant> variants = support::engine_variants(made.world);
     const support::EngineVariant& variant = variants[seed / kParts % variants.size()];
     SCOPED_TRACE(variant.name);

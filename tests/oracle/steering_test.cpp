@@ -25,7 +25,7 @@ constexpr std::uint64_t kOperations = 1'000'000;
 constexpr std::uint64_t kOperationsPerWorld = 200;
 constexpr std::uint64_t kParts = 4;
 // Some worlds may have any number of contacts in a short time.
-constexpr std::uint64_t kMostContacts = 20;
+constexpr std::uint64_t kMaxContacts = 20;
 
 RandomWorld any_world(std::uint64_t seed) {
   if (seed % 3 == 0) return support::make_responsive_world(seed);
@@ -75,7 +75,7 @@ class Program {
     }
   }
 
-  // The failure of a run that cannot go on: it is the same for all engines.
+  // The failure of a run that cannot continue: it is the same for all engines.
   std::string run(std::uint64_t operations) {
     try {
       for (std::uint64_t i = 0; i < operations; ++i) operate();
@@ -114,7 +114,7 @@ class Program {
       simulation_.run_contacts(1 + below(3), simulation_.time() + period_);
     } else if (kind < 0.3) {
       const double until = simulation_.time() + period_ * random_.uniform();
-      simulation_.run({.until = Time(until), .contacts = kMostContacts});
+      simulation_.run({.until = Time(until), .contacts = kMaxContacts});
     } else if (kind < 0.5) {
       simulation_.sphere(any_sphere()).change_velocity(velocity());
     } else if (kind < 0.6) {
@@ -132,7 +132,7 @@ class Program {
     } else if (kind < 0.9) {
       note_queries(simulation_, random_, any_sphere(), speed_, period_, seen_);
     } else if (kind < 0.93) {
-      for (const Contact& contact : simulation_.contacts_within(0.2 * period_, kMostContacts)) {
+      for (const Contact& contact : simulation_.contacts_within(0.2 * period_, kMaxContacts)) {
         seen_.note(contact.point());
       }
     } else if (kind < 0.96) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 
-// Spheres that lose energy end by the message of an inelastic collapse or go on by the rule against it, and
-// no others are taken for them.
+// Spheres that lose energy end by the message of an inelastic collapse or continue by the rule against it,
+// and no others are taken for them.
 #include <gtest/gtest.h>
 
 #include <algorithm>

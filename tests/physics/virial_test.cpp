@@ -121,7 +121,7 @@ TEST(VirialBalance, IsKeptByAMixtureThatEscapesThroughOpenEnds) {
 
 TEST(VirialBalance, IsKeptByEveryRandomWorldWithoutPeriodicAxes) {
   constexpr std::uint64_t kSeeds = 1000;
-  constexpr std::uint64_t kMostContacts = 2000;
+  constexpr std::uint64_t kMaxContacts = 2000;
   std::uint64_t worlds = 0;
   std::uint64_t contacts = 0;
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
@@ -130,7 +130,7 @@ TEST(VirialBalance, IsKeptByEveryRandomWorldWithoutPeriodicAxes) {
     // In a periodic box the sum depends on where each sphere is folded.
     if (box.is_periodic(0) || box.is_periodic(1) || box.is_periodic(2)) continue;
     const VirialBalance balance =
-        balance_of(made.world, {.until = Time(made.until), .contacts = kMostContacts});
+        balance_of(made.world, {.until = Time(made.until), .contacts = kMaxContacts});
     ++worlds;
     contacts += balance.contacts;
     if (balance.scale == 0) continue;

@@ -65,6 +65,6 @@ inline constexpr std::array<Boundary, kAxes> kAllPeriodic{Boundary::periodic, Bo
                                                           Boundary::periodic};
 
 /// Inelastic spheres may collide infinitely often in a finite time.
-inline constexpr std::uint64_t kMostContacts = 2000;
+inline constexpr std::uint64_t kMaxContacts = 2000;
 
 }  // namespace hardball::support

@@ -26,7 +26,7 @@ std::vector<Contact> contacts_of(Simulation& simulation, const RunLimits& limits
 
 std::vector<Contact> contacts_of(const RandomWorld& made) {
   Simulation simulation(made.world);
-  return contacts_of(simulation, {.until = Time(made.until), .contacts = support::kMostContacts});
+  return contacts_of(simulation, {.until = Time(made.until), .contacts = support::kMaxContacts});
 }
 
 double square(const Vec3& v) {
@@ -104,7 +104,7 @@ RC_GTEST_PROP(TheClock, IsAtTheTimeAtWhichTheRunWasToStop, ()) {
   double time = 0;
   for (int stop = 0; stop < 5; ++stop) {
     time += made.until / 50 * *rc::gen::inRange(0, 10);
-    const RunStatus status = simulation.run({.until = Time(time), .contacts = support::kMostContacts});
+    const RunStatus status = simulation.run({.until = Time(time), .contacts = support::kMaxContacts});
     RC_ASSERT(simulation.now() <= Time(time));
     // Touching spheres that lose energy may collide without end and without progress.
     if (status != RunStatus::time_reached) return;
@@ -120,7 +120,7 @@ RC_GTEST_PROP(AtAnyTime, NothingOverlapsAndNoSphereHasEscaped, ()) {
   for (int stop = 1; stop <= 5; ++stop) {
     const double fraction = (stop + 0.01 * *rc::gen::inRange(0, 100)) / 6;
     simulation.run({.until = Time(std::max(simulation.time(), made.until * fraction)),
-                    .contacts = support::kMostContacts / 5});
+                    .contacts = support::kMaxContacts / 5});
     const Audit found = audit(simulation.world(), simulation.now());
     RC_ASSERT(found.is_sound());
     // As at contacts.
@@ -135,7 +135,7 @@ RC_GTEST_PROP(AGasWithoutWalls, KeepsItsMomentumAndLosesOnlyWhatRestitutionTakes
   const RandomWorld made = support::any_gas(boundary);
   Simulation simulation(made.world);
   const std::vector<Contact> contacts =
-      contacts_of(simulation, {.until = Time(made.until), .contacts = support::kMostContacts});
+      contacts_of(simulation, {.until = Time(made.until), .contacts = support::kMaxContacts});
   double momenta = 0;
   for (Slot slot = 0; slot < made.world.size(); ++slot) {
     momenta += made.world.mass(slot) * length(made.world.path(slot).velocity);

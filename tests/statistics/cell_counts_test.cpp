@@ -14,7 +14,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/simulation/simulation.hpp"
-#include "hardball/theory/moments.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 #include "support/discs.hpp"
 #include "support/effort.hpp"
 #include "support/gas.hpp"
@@ -44,8 +44,8 @@ Counted count(const World& world, double edge, const CellCounts& expected) {
   constexpr double kEvents = 10000;
   const double wanted =
       std::max(kEvents / (spheres * expected.collision), kEvents / (spheres * expected.enter));
-  constexpr double kMostPredictions = 2e7;
-  const double affordable = kMostPredictions / (spheres * expected.predictions());
+  constexpr double kMaxPredictions = 2e7;
+  const double affordable = kMaxPredictions / (spheres * expected.predictions());
   simulation.run_until(start + std::min(wanted, affordable));
   const Counters done = simulation.counters() - before;
   const double span = spheres * (simulation.time() - start);
@@ -72,7 +72,7 @@ double tolerance(double number) {
 }
 
 void expect_counts(const World& world, double edge, const std::string& name) {
-  const CellCounts expected = expected_counts(moments_of(world, Time(0)), edge);
+  const CellCounts expected = expected_counts(gas_statistics(world, Time(0)), edge);
   const Counted counted = count(world, edge, expected);
   support::record(name + "_enter", counted.enter / expected.enter);
   support::record(name + "_after_contact", counted.after_contact / after_contact(expected));
@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(Packing, CellCountsOfGas, testing::Values(0.001, 0.01, 
                            return "Permille" + to_text(std::lround(1000 * each.param));
                          });
 
-// Half of the spheres have half the diameter: the theory depends only on the moments of the radii.
+// Half of the spheres have half the diameter: the theory depends only on the statistics of the radii.
 TEST(CellCounts, OfAMixtureAreThoseExpected) {
   const std::size_t spheres = 8000;
   std::vector<double> radii;
@@ -155,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(Packing, CellCountsOfDiscs, testing::Values(0.01, 0.1, 
 TEST(CellCounts, OfDiscsBetweenWallsAreThoseExpected) {
   const World world = support::settled(support::make_discs(8000, 0.05, 305, Boundary::wall), 2);
   for (const double edge : {2.0, 8.0}) {
-    const CellCounts expected = expected_counts(moments_of(world, Time(0)), edge);
+    const CellCounts expected = expected_counts(gas_statistics(world, Time(0)), edge);
     const Counted counted = count(world, edge, expected);
     EXPECT_NEAR(counted.enter / expected.enter, 1, 0.05);
     EXPECT_NEAR(counted.wall / expected.wall, 1, 0.08);
@@ -171,7 +171,7 @@ TEST(CellCounts, BetweenWallsAreThoseExpected) {
             {.count = 8000, .packing_fraction = packing_fraction, .seed = 303, .boundary = Boundary::wall}),
         1);
     for (const double edge : {2.0, 8.0}) {
-      const CellCounts expected = expected_counts(moments_of(world, Time(0)), edge);
+      const CellCounts expected = expected_counts(gas_statistics(world, Time(0)), edge);
       const Counted counted = count(world, edge, expected);
       EXPECT_NEAR(counted.enter / expected.enter, 1, 0.05);
       // The effect of walls on spheres nearby is known to first order only.

@@ -46,7 +46,7 @@ World start(const Fluid& fluid, std::uint64_t seed) {
 std::vector<Measurement> measured(const World& world, double length) {
   Simulation simulation(world);
   Measures measures;
-  simulation.run_until(length * mean_free_time(Scene(world, Time(0)).moments()), measures);
+  simulation.run_until(length * mean_free_time(Scene(world, Time(0)).statistics()), measures);
   measures.sample_the_rest(simulation.world(), simulation.now());
   return measures.results(simulation.world(), simulation.now());
 }

@@ -56,7 +56,7 @@ Vec3 angular_momentum(const Simulation& simulation) {
     const double radius = world.radius(slot);
     sum += world.mass(slot) *
            cross(world.unwrapped_position(slot, simulation.now()), world.velocity(slot, simulation.now()));
-    sum += (world.moment(slot) * world.mass(slot) * radius * radius) * world.spin(slot);
+    sum += (world.inertia_factor(slot) * world.mass(slot) * radius * radius) * world.spin(slot);
   });
   return sum;
 }
@@ -77,7 +77,7 @@ TEST(RoughSpheres, KeepAngularMomentumInOpenSpace) {
                .radius = radius,
                .mass = mass,
                .spin = spin,
-               .moment = moment});
+               .inertia_factor = moment});
   }
   Simulation simulation(support::interacting(
       world, all_bounce({.restitution = ConstantRestitution{0.8}, .tangential_restitution = 0.3})));
@@ -117,10 +117,10 @@ void expect_ratio(double e, double b) {
     sum += rotational(simulation) / translational(simulation);
   }
   const double ratio = sum / kSamples;
-  support::record("stationary_ratio", ratio / stationary_ratio(e, b, kUniformSphereMoment));
+  support::record("stationary_ratio", ratio / stationary_ratio(e, b, kSphereInertiaFactor));
   // The theory neglects that velocities are not normally distributed, and that spins are correlated with
   // them: up to a few percent.
-  EXPECT_NEAR(ratio / stationary_ratio(e, b, kUniformSphereMoment), 1, 0.05);
+  EXPECT_NEAR(ratio / stationary_ratio(e, b, kSphereInertiaFactor), 1, 0.05);
 }
 
 TEST(RoughSpheres, CoolWithTheRatioOfTemperaturesOfKineticTheory) {

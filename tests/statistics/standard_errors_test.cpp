@@ -108,7 +108,7 @@ Findings findings(const State& state, const Length& length) {
   for (std::size_t run = 0; run < kRuns; ++run) {
     Simulation simulation(
         support::interacting(support::settled(state.start(1000 + run), 15), Restitution(state.restitution)));
-    const double free_time = mean_free_time(Scene(simulation.world(), simulation.now()).moments());
+    const double free_time = mean_free_time(Scene(simulation.world(), simulation.now()).statistics());
     Measures measures({.every = length.between_samples * free_time});
     simulation.run_until(length.run * free_time, measures);
     for (const Measurement& measurement : measures.results(simulation.world(), simulation.now())) {
@@ -169,10 +169,10 @@ std::string measure_of(const std::string& name) {
 // 1.8%; of 600 numbers checked, some thirty for each state and length of the runs, the last is beyond 3.3
 // deviations. The bins of a column are correlated, and their mean is known no better than one of them. A run
 // without an error is not outside.
-const double kMostOfOne = 0.07 + 3.3 * std::sqrt(0.07 * 0.93 / kRuns);
+const double kMaxOfOne = 0.07 + 3.3 * std::sqrt(0.07 * 0.93 / kRuns);
 // The mean over all numbers of a measure in all five states is known as well as that of 1000 runs: 2.5
 // deviations.
-const double kMostOfMeasure = 0.07 + 2.5 * std::sqrt(0.07 * 0.93 / (5 * kRuns));
+const double kMaxOfMeasure = 0.07 + 2.5 * std::sqrt(0.07 * 0.93 / (5 * kRuns));
 const double kLeastOfMeasure = 0.03 - 2.5 * std::sqrt(0.03 * 0.97 / (5 * kRuns));
 
 // Errors that docs/measures.md calls too large.
@@ -192,7 +192,7 @@ void expect_honest(const Length& length) {
     for (const auto& [name, bins] : findings(state, length)) {
       const Count found = count(bins);
       if (found.known == 0) continue;
-      EXPECT_LT(found.outside, kMostOfOne * found.all) << state.name << " " << name;
+      EXPECT_LT(found.outside, kMaxOfOne * found.all) << state.name << " " << name;
       // Where few runs have an error, those that do are not representative.
       if (found.known < 0.9 * found.all) continue;
       Mean& mean = of_measure[measure_of(name)];
@@ -202,7 +202,7 @@ void expect_honest(const Length& length) {
   }
   for (const auto& [measure, mean] : of_measure) {
     support::record(measure, mean.value());
-    EXPECT_LT(mean.value(), kMostOfMeasure) << measure;
+    EXPECT_LT(mean.value(), kMaxOfMeasure) << measure;
     if (is_conservative(measure)) continue;
     EXPECT_GT(mean.value(), kLeastOfMeasure) << measure;
     of_all.sum += mean.value();

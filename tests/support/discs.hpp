@@ -44,8 +44,8 @@ inline std::vector<Vec3> thermal_velocities_in_plane(std::size_t count, Random& 
 /// in a box that suits it if `count` is twice the square of a number.
 inline World make_discs(std::size_t count, double packing_fraction, std::uint64_t seed,
                         Boundary boundary = Boundary::periodic) {
-  constexpr double kMostRandom = 0.5;
-  const bool is_random = packing_fraction <= kMostRandom;
+  constexpr double kMaxRandom = 0.5;
+  const bool is_random = packing_fraction <= kMaxRandom;
   const double stretch = is_random ? 1 : std::sqrt(std::sqrt(3.0));
   const double edge = square_edge(count, packing_fraction);
   const Vec3 size{edge / stretch, edge * stretch, 0};

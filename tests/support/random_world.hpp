@@ -20,7 +20,7 @@
 namespace hardball::support {
 
 /// How many species the spheres of a random world may have.
-inline constexpr SpeciesId kMostRandomSpecies = 3;
+inline constexpr SpeciesId kMaxRandomSpecies = 3;
 
 /// A small world for any test, and how to run it.
 struct RandomWorld {
@@ -112,8 +112,8 @@ class RandomWorldMaker {
   double between(double low, double high) { return low + random_.uniform() * (high - low); }
 
   void choose_scales() {
-    constexpr std::array<std::size_t, 8> kMost = {1, 2, 3, 4, 7, 13, 21, 41};
-    wanted_ = below(kMost[below(kMost.size())]);
+    constexpr std::array<std::size_t, 8> kMax = {1, 2, 3, 4, 7, 13, 21, 41};
+    wanted_ = below(kMax[below(kMax.size())]);
     if (chance(0.8)) wanted_ += 2;
     wanted_ = std::min<std::size_t>(wanted_, 40);
     // Sometimes lengths and speeds far from one: nothing may depend on units.
@@ -441,18 +441,18 @@ class RandomWorldMaker {
     const bool may_merge = chance(0.4);
     const bool some_spin = chance(0.6);
     const bool some_are_kinematic = made_.world.motion().is_straight() && chance(0.3);
-    std::array<double, kMostRandomSpecies> moments{};
-    for (double& moment : moments) moment = chance(0.5) ? kUniformSphereMoment : between(0.1, 0.7);
+    std::array<double, kMaxRandomSpecies> moments{};
+    for (double& moment : moments) moment = chance(0.5) ? kSphereInertiaFactor : between(0.1, 0.7);
     for (Sphere& sphere : spheres_) {
-      sphere.species = static_cast<SpeciesId>(below(kMostRandomSpecies));
-      sphere.moment = moments[sphere.species];
+      sphere.species = static_cast<SpeciesId>(below(kMaxRandomSpecies));
+      sphere.inertia_factor = moments[sphere.species];
       if (some_spin && chance(0.7)) sphere.spin = (speed_ / largest_radius_) * random_spin();
       if (some_are_kinematic && chance(0.2)) sphere.mass = std::numeric_limits<double>::infinity();
     }
     ResponseTable table(random_rule(may_merge), std::get<Bounce>(random_rule(false)));
-    for (SpeciesId a = 0; a < kMostRandomSpecies; ++a) {
+    for (SpeciesId a = 0; a < kMaxRandomSpecies; ++a) {
       if (chance(0.3)) table.set_wall(a, std::get<Bounce>(random_rule(false)));
-      for (SpeciesId b = a; b < kMostRandomSpecies; ++b) {
+      for (SpeciesId b = a; b < kMaxRandomSpecies; ++b) {
         if (chance(0.5)) table.set(a, b, random_rule(may_merge));
         if (chance(0.2)) table.set(a, b, Passing());
       }

@@ -18,9 +18,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-World one_sphere(const Box& box, const Vec3& place, const Vec3& velocity) {
+World one_sphere(const Box& box, const Vec3& position, const Vec3& velocity) {
   World world(box);
-  world.add({place, velocity, 0.5, 1});
+  world.add({position, velocity, 0.5, 1});
   return world;
 }
 
@@ -37,20 +37,21 @@ TEST(CompactPaths, PlacesDifferByTheWayToTheNearestImage) {
     const double edge = farthest * std::exp2(1.2 + 20 * random.uniform());
     const Box box({Boundary::periodic, Boundary::wall, Boundary::open}, {edge, edge, 0});
     World world(box);
-    const Vec3 place{edge * random.uniform(), edge * (0.3 + 0.4 * random.uniform()), edge * random.normal()};
+    const Vec3 position{edge * random.uniform(), edge * (0.3 + 0.4 * random.uniform()),
+                        edge * random.normal()};
     Vec3 apart = 0.999 * farthest * random.uniform() * random.direction();
     apart.y = std::clamp(apart.y, -0.2 * edge, 0.2 * edge);
     // Small enough for any box.
     const double radius = 0.01 * farthest;
-    world.add({place, {1, 0, 0}, radius, 1});
-    world.add({place + apart, {1, 0, 0}, radius, 1});
+    world.add({position, {1, 0, 0}, radius, 1});
+    world.add({position + apart, {1, 0, 0}, radius, 1});
     CompactPaths copies;
     copies.reset(world, farthest, Time(0));
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       // Two roundings to a grid of at most 2^-26 of the distance, and of the coordinates themselves.
       const double tolerance = 0x1p-26 * farthest + 0x1p-51 * edge;
-      ASSERT_NEAR(copies.apart(copies.paths()[0].place, 1, axis), apart[axis], tolerance) << axis;
-      ASSERT_NEAR(copies.apart(copies.paths()[1].place, 0, axis), -apart[axis], tolerance) << axis;
+      ASSERT_NEAR(copies.apart(copies.paths()[0].position, 1, axis), apart[axis], tolerance) << axis;
+      ASSERT_NEAR(copies.apart(copies.paths()[1].position, 0, axis), -apart[axis], tolerance) << axis;
     }
   }
 }
@@ -59,17 +60,17 @@ TEST(CompactPaths, AreInTheSamePlaceAfterAWholeBox) {
   const World world = one_sphere(Box::periodic({8, 16, 32}), {1, 2, 3}, {8, -16, 64});
   CompactPaths copies;
   copies.reset(world, 2, Time(0));
-  const auto place = copies.paths()[0].place;
+  const auto position = copies.paths()[0].position;
   // The last so far away that nothing else is known of the sphere.
   for (const double time : {1.0, 2.0, 1000.0, 1e5, 1e6, 1e8}) {
     copies.copy(world, 0, Time(time));
-    EXPECT_EQ(copies.paths()[0].place, place);
+    EXPECT_EQ(copies.paths()[0].position, position);
     copies.copy(world, 0, Time(time + 0.25));
     // A quarter of the box along x and y, and half of it along z, on rings of 2^32 steps.
     constexpr std::uint32_t kQuarter = 1U << 30;
     const auto moved = [&](std::size_t axis) {
-      return static_cast<std::uint32_t>(copies.paths()[0].place[axis]) -
-             static_cast<std::uint32_t>(place[axis]);
+      return static_cast<std::uint32_t>(copies.paths()[0].position[axis]) -
+             static_cast<std::uint32_t>(position[axis]);
     };
     EXPECT_EQ(moved(0), kQuarter);
     EXPECT_EQ(moved(1), 0U - kQuarter);
@@ -171,9 +172,9 @@ TEST(CompactPaths, SayNothingOfSpheresThatAreTooFarAway) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
       for (const double part : {0.99, 1.01, 1e30}) {
-        Vec3 place;
-        place[axis] = sign * part * 0x1p24 * kFarthest;
-        const World world = one_sphere(Box(), place, {1, 0, 0});
+        Vec3 position;
+        position[axis] = sign * part * 0x1p24 * kFarthest;
+        const World world = one_sphere(Box(), position, {1, 0, 0});
         CompactPaths copies;
         copies.reset(world, kFarthest, Time(0));
         EXPECT_EQ(says_nothing(copies, 0), part > 1) << part;
@@ -213,7 +214,7 @@ TEST(CompactPaths, AreRenewedWhenSpeedsHaveChanged) {
   CompactPaths copies;
   copies.reset(world, 3, Time(0));
   const double first_unit = copies.time_unit();
-  const auto places = copies.paths()[3].place;
+  const auto positions = copies.paths()[3].position;
   renew_if_outdated(copies, world, Time(0));
   EXPECT_EQ(copies.time_unit(), first_unit);
 
@@ -225,7 +226,7 @@ TEST(CompactPaths, AreRenewedWhenSpeedsHaveChanged) {
   // The steps of the grid stay the same.
   for (Slot slot = 0; slot < 10; ++slot) world.change_velocity(slot, Time(1), {0, 0, 1});
   copies.copy(world, 3, Time(0));
-  EXPECT_EQ(copies.paths()[3].place[0], places[0]);
+  EXPECT_EQ(copies.paths()[3].position[0], positions[0]);
 
   // By and by, if all are slower than the copies allow for.
   copy_often(copies, world, 4000);

@@ -61,11 +61,11 @@ class Approach : public testing::Test {
 };
 
 TEST_F(Approach, IsNotListedForFewCandidates) {
-  make(others(ApproachList::kFewestToList - 1));
+  make(others(ApproachList::kMinToList - 1));
   EXPECT_FALSE(list_.exists());
   list_.add(7);
   EXPECT_FALSE(list_.exists());
-  make(others(ApproachList::kFewestToList));
+  make(others(ApproachList::kMinToList));
   EXPECT_TRUE(list_.exists());
 }
 

@@ -17,8 +17,8 @@ bool is_upper_along(std::size_t axis, std::uint32_t cell) {
 }
 
 TEST(CellBlock, ListsAreThoseOfTheTableAlsoAcrossAPeriodicBox) {
-  constexpr std::int32_t kMost = 1 << 20;
-  const Subdivision cells(Box({Boundary::periodic, Boundary::wall, Boundary::periodic}, {3, 4, 5}), 1, kMost);
+  constexpr std::int32_t kMax = 1 << 20;
+  const Subdivision cells(Box({Boundary::periodic, Boundary::wall, Boundary::periodic}, {3, 4, 5}), 1, kMax);
   for (const CellTable& table : {CellTable(cells.shape(), 60), CellTable({0, 0, 0}, 60)}) {
     for (const CellIndex& low : {CellIndex{0, 0, 0}, {2, 2, 4}, {-1, 1, -6}, {7, 0, 14}}) {
       const CellBlock block(cells, low, table);

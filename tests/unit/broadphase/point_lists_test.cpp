@@ -23,7 +23,7 @@ Points points_of(const PointLists& lists, std::uint32_t list, std::size_t* block
   for (const std::uint32_t first = list; list != PointLists::kNone; list = lists.next()[list]) {
     const PointBlock& block = lists.blocks()[list];
     for (std::size_t lane = 0; lane < PointBlock::kRoom; ++lane) {
-      if (block.slots[lane] != PointBlock::kNoSlot) found.emplace(block.slots[lane], block.places[lane]);
+      if (block.slots[lane] != PointBlock::kNoSlot) found.emplace(block.slots[lane], block.positions[lane]);
     }
     if (blocks != nullptr) ++*blocks;
     if (list == first && found.size() < PointBlock::kRoom) return found;
@@ -32,8 +32,8 @@ Points points_of(const PointLists& lists, std::uint32_t list, std::size_t* block
 }
 
 // A place that tells whose it is.
-PackedPlace place_of(Slot slot) {
-  return PackedPlace({static_cast<std::int32_t>(slot), 1000 - static_cast<std::int32_t>(slot), 7});
+PackedPosition place_of(Slot slot) {
+  return PackedPosition({static_cast<std::int32_t>(slot), 1000 - static_cast<std::int32_t>(slot), 7});
 }
 
 TEST(PointLists, AgreeWithMultimapsUnderRandomTraffic) {

@@ -14,10 +14,10 @@
 namespace hardball::subdivision_test {
 namespace {
 
-constexpr std::int32_t kMost = 1 << 20;
+constexpr std::int32_t kMax = 1 << 20;
 
 TEST(Subdivision, FitsWholeCellsIntoBoundedAxes) {
-  const Subdivision cells(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {10, 10, 0}), 3, kMost);
+  const Subdivision cells(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {10, 10, 0}), 3, kMax);
   EXPECT_DOUBLE_EQ(cells.edge(0), 10.0 / 3);
   EXPECT_DOUBLE_EQ(cells.edge(1), 10.0 / 3);
   EXPECT_EQ(cells.edge(2), 3);
@@ -26,14 +26,14 @@ TEST(Subdivision, FitsWholeCellsIntoBoundedAxes) {
   EXPECT_EQ(cells.period(0), 0);
   EXPECT_EQ(cells.period(1), 3);
   EXPECT_EQ(cells.period(2), 0);
-  const Subdivision one(Box::walls({10, 10, 10}), 1000, kMost);
+  const Subdivision one(Box::walls({10, 10, 10}), 1000, kMax);
   EXPECT_EQ(one.last(0), 0);
   EXPECT_EQ(one.edge(0), 10);
 }
 
 TEST(Subdivision, OfAFlatBoxIsOneLayer) {
   for (const Box& box : {Box::flat_periodic(10, 20), Box::flat_walls(10, 20), Box::flat_open()}) {
-    const Subdivision cells(box, 1, kMost);
+    const Subdivision cells(box, 1, kMax);
     EXPECT_EQ(cells.first(2), 0);
     EXPECT_EQ(cells.last(2), 0);
     EXPECT_EQ(cells.shape()[2], 1);
@@ -67,13 +67,13 @@ TEST(Subdivision, KnowsHowManyCellsASphereTouchesAndWhereImagesAreNearest) {
 TEST(Subdivision, RefusesEdgesThatAreNotPositiveAndFinite) {
   for (const double edge :
        {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_THROW(Subdivision(Box::open(), edge, kMost), Error);
+    EXPECT_THROW(Subdivision(Box::open(), edge, kMax), Error);
   }
 }
 
 TEST(Subdivision, FoldsIndicesByWholeBoxes) {
   const Subdivision cells(Box({Boundary::periodic, Boundary::wall, Boundary::periodic}, {10, 10, 10}), 2.5,
-                          kMost);
+                          kMax);
   for (std::int32_t place = -13; place <= 13; ++place) {
     CellIndex cell{place, 2, place};
     const Image boxes = cells.fold(cell);
@@ -92,7 +92,7 @@ TEST(Subdivision, RangeCoversTheSphereAndNotMuchMore) {
   const Box box({Boundary::wall, Boundary::periodic, Boundary::open}, {10, 10, 0});
   for (int i = 0; i < 5000; ++i) {
     const double edge = 0.3 + 6 * random.uniform();
-    const Subdivision cells(box, edge, kMost);
+    const Subdivision cells(box, edge, kMax);
     const double radius = 0.05 + 2 * random.uniform();
     const Vec3 place{10 * random.uniform(), 40 * random.uniform() - 20, 1e4 * random.normal()};
     const CellRange range = cells.range_at(place, radius);
@@ -120,14 +120,14 @@ TEST(Subdivision, SpheresBeyondTheOutermostCellsOfOpenSpaceBelongToThese) {
 }
 
 TEST(Subdivision, RefusesToCountCellsWithoutEnd) {
-  const Subdivision cells(Box::periodic({1, 1, 1}), 1e-3, kMost);
+  const Subdivision cells(Box::periodic({1, 1, 1}), 1e-3, kMax);
   EXPECT_THROW(cells.range_at({1e9, 0, 0}, 0.1), RunFailure);
   EXPECT_EQ(cells.folded(0, 1 << 28), (1 << 28) % 1000);
   for (const std::int32_t far : {1 << 29, -(1 << 29) - 1}) EXPECT_THROW(cells.folded(0, far), RunFailure);
 }
 
 TEST(Subdivision, EntersTheNextCellSlightlyBeforeTouchingItAndLeavesSlightlyAfter) {
-  const Subdivision cells(Box::open(), 2, kMost);
+  const Subdivision cells(Box::open(), 2, kMax);
   const double radius = 0.5;
   // By this much cells admit early and release late.
   const double margin_x = cells.reach(0, radius) - radius;
@@ -168,7 +168,7 @@ TEST(CellRange, VisitsItsCellsOnceEach) {
 }
 
 TEST(Subdivision, ReachAndDistanceBeyondAFaceShowWhichCellsASphereTouches) {
-  const Subdivision cells(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {10, 10, 0}), 1, kMost);
+  const Subdivision cells(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {10, 10, 0}), 1, kMax);
   Random random(1);
   for (int i = 0; i < 1000; ++i) {
     const Vec3 position{10 * random.uniform(), 40 * random.uniform() - 20, 40 * random.uniform() - 20};
@@ -189,8 +189,8 @@ TEST(Subdivision, ReachAndDistanceBeyondAFaceShowWhichCellsASphereTouches) {
 
 // Wherever cells are distinct, rounding errors are far smaller than their margin.
 TEST(Subdivision, MarginsExceedTheRoundingOfTheFarthestPositions) {
-  const Subdivision cells(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {1e6, 10, 0}), 1, kMost);
-  const std::array<double, kAxes> farthest{1e6, 0x1p29, kMost / 2.0};
+  const Subdivision cells(Box({Boundary::wall, Boundary::periodic, Boundary::open}, {1e6, 10, 0}), 1, kMax);
+  const std::array<double, kAxes> farthest{1e6, 0x1p29, kMax / 2.0};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const double next = std::nextafter(farthest[axis], std::numeric_limits<double>::infinity());
     EXPECT_GT(cells.reach(axis, 0), 20 * (next - farthest[axis]));

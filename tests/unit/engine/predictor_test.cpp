@@ -183,7 +183,7 @@ class Comparison {
   }
 
   static void expect_same(const World& world, const Candidates& candidates, const Time& now,
-                          const Expected& expected, const Prospect& found) {
+                          const Expected& expected, const PredictedContact& found) {
     ASSERT_EQ(found.happens(), expected.event.happens());
     ASSERT_TRUE(same_bits(found.time.high, expected.event.time.high))
         << to_text(found.time.high) << " instead of " << to_text(expected.event.time.high);

@@ -337,7 +337,7 @@ TYPED_TEST(EveryQueue, MindsOnlyTheEventThatAnOwnerHasNowHoweverOftenItChanges) 
   }
 }
 
-// Like the prospect of a sphere whose partner's path changes.
+// Like the planned contact of a sphere whose partner's path changes.
 TYPED_TEST(EveryQueue, KeepsAnOwnerWhoseEventBecomesALesserOneAtTheSameTime) {
   Random random(5);
   for (std::uint64_t round = 0; round < support::cases(2000); ++round) {

@@ -25,8 +25,8 @@ Contact any_collision(Random& random) {
   contact.separation = contact.reach * random.direction();
   contact.first_mass = 0.5 + random.uniform();
   contact.second_mass = 0.5 + random.uniform();
-  contact.first_moment = 0.1 + 0.5 * random.uniform();
-  contact.second_moment = 0.1 + 0.5 * random.uniform();
+  contact.first_inertia_factor = 0.1 + 0.5 * random.uniform();
+  contact.second_inertia_factor = 0.1 + 0.5 * random.uniform();
   contact.time = Time(1);
   contact.before = {3 * random.uniform() * random.direction(), 3 * random.uniform() * random.direction()};
   if (approach(contact.separation, contact.before) > 0) {
@@ -39,11 +39,11 @@ Contact any_collision(Random& random) {
 }
 
 double inertia_of_first(const Contact& contact) {
-  return contact.first_moment * contact.first_mass * contact.first_radius * contact.first_radius;
+  return contact.first_inertia_factor * contact.first_mass * contact.first_radius * contact.first_radius;
 }
 
 double inertia_of_second(const Contact& contact) {
-  return contact.second_moment * contact.second_mass * contact.second_radius * contact.second_radius;
+  return contact.second_inertia_factor * contact.second_mass * contact.second_radius * contact.second_radius;
 }
 
 double energy(const Contact& contact, const Velocities& velocities, const Spins& spins) {

@@ -69,7 +69,7 @@ struct Points {
 std::array<std::int32_t, 3> random_place(Random& random) {
   std::array<std::int32_t, 3> place{};
   for (std::int32_t& number : place)
-    number = static_cast<std::int32_t>(random.bits() % (PackedPlace::kMost + 1));
+    number = static_cast<std::int32_t>(random.bits() % (PackedPosition::kMax + 1));
   return place;
 }
 
@@ -108,7 +108,7 @@ Lists lists_of(const Points& points) {
     for (std::size_t axis = 0; axis < 3; ++axis) nearby.offset[axis] -= points.place[axis];
     made.cells.push_back(nearby);
     for (const std::uint32_t slot : cell.slots)
-      made.lists.insert(list, slot, PackedPlace(points.places[slot]));
+      made.lists.insert(list, slot, PackedPosition(points.places[slot]));
   }
   return made;
 }
@@ -182,7 +182,7 @@ TEST(NearKernel, FindsTheSameInBothDirections) {
       const auto is_near = [&](std::size_t from, std::int32_t sign) {
         PointBlock block;
         block.slots[0] = 0;
-        block.places[0] = PackedPlace(places[1 - from]).bits();
+        block.positions[0] = PackedPosition(places[1 - from]).bits();
         CellNearby cell{0, {}};
         for (std::size_t axis = 0; axis < 3; ++axis) {
           cell.offset[axis] = sign * between[axis] - places[from][axis];
@@ -213,7 +213,7 @@ TEST(DifferenceKernel, ComparesSetsWithAllInstructionSets) {
   constexpr std::uint32_t kSelf = 1000;
   for (std::uint64_t seed = 0; seed < support::cases(5000); ++seed) {
     Random random(seed);
-    const std::size_t lanes = kWidestVector * (1 + random.bits() % (kMostCompared / kWidestVector));
+    const std::size_t lanes = kWidestVector * (1 + random.bits() % (kMaxCompared / kWidestVector));
     std::vector<std::uint32_t> before(lanes, kSelf);
     std::set<std::uint32_t> old;
     std::set<std::uint32_t> now;

@@ -76,7 +76,7 @@ TEST(BlockAverage, IsADirectComputationOverItsBlocks) {
       average.add(std::array{1.0, values.back(), 2 * values.back()}, static_cast<double>(i));
     }
     std::size_t per_block = 1;
-    while (samples / per_block >= BlockAverage::kMostBlocks) per_block *= 2;
+    while (samples / per_block >= BlockAverage::kMaxBlocks) per_block *= 2;
     const Estimate expected = direct(values, per_block);
     EXPECT_EQ(average.blocks(), samples / per_block);
     EXPECT_EQ(average.ends().back(), static_cast<double>(samples - 1));

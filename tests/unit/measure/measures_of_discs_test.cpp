@@ -174,7 +174,7 @@ TEST(StructureFactorOfDiscs, HasWavesInThePlaneAndNoTheory) {
 TEST(FluidTheoryOfDiscs, HasEnskogsRateAndDiffusion) {
   constexpr double kDiscs = 20000;
   const World world = support::make_discs(static_cast<std::size_t>(kDiscs), 0.3, 1);
-  const FluidTheory theory(world, Species(world));
+  const FluidTheory theory(world, SpeciesList(world));
   ASSERT_TRUE(theory.holds());
   const double density = kDiscs / world.box().volume();
   const double contact = (fluid_compressibility_of_discs(0.3) - 1) / 0.6;
@@ -184,7 +184,7 @@ TEST(FluidTheoryOfDiscs, HasEnskogsRateAndDiffusion) {
   EXPECT_NEAR(theory.mean_speed(2) / std::sqrt(std::numbers::pi), 1, 1 / kDiscs);
   EXPECT_NEAR(theory.enskog_diffusion(2), std::sqrt(2 / std::numbers::pi) / (2 * density * contact), 1e-9);
   EXPECT_TRUE(std::isnan(theory.diffusion(2)));
-  EXPECT_FALSE(FluidTheory(support::make_discs(200, 0.72, 1), Species(world)).holds());
+  EXPECT_FALSE(FluidTheory(support::make_discs(200, 0.72, 1), SpeciesList(world)).holds());
 }
 
 // The gap between points is distributed as exp(-pi n r^2).

@@ -71,7 +71,7 @@ TEST(NeighborQuery, AreWhereSpheresHaveMovedTo) {
 
 TEST(NeighborQuery, OfManySpheresAreThoseOfSomeEvenlyChosen) {
   World world(Box::periodic({100, 100, 100}));
-  constexpr std::size_t kSpheres = 3 * NeighborQuery::kMostCenters;
+  constexpr std::size_t kSpheres = 3 * NeighborQuery::kMaxCenters;
   Random random(52);
   for (std::size_t i = 0; i < kSpheres; ++i) {
     world.add({.position = 100 * Vec3{random.uniform(), random.uniform(), random.uniform()}, .radius = 0.1});
@@ -83,11 +83,11 @@ TEST(NeighborQuery, OfManySpheresAreThoseOfSomeEvenlyChosen) {
     return centers;
   };
   const std::vector<std::size_t> few = centers_within(1);
-  ASSERT_EQ(few.size(), NeighborQuery::kMostCenters);
+  ASSERT_EQ(few.size(), NeighborQuery::kMaxCenters);
   for (std::size_t k = 0; k < few.size(); ++k) EXPECT_EQ(few[k], 3 * k);
   // With 2000 neighbors each, 100 spheres are chosen.
   const double range = std::cbrt(2000 * 1e6 / kSpheres * 3 / (4 * std::numbers::pi));
-  EXPECT_NEAR(static_cast<double>(centers_within(range).size()), NeighborQuery::kMostNeighbors / 2000, 1);
+  EXPECT_NEAR(static_cast<double>(centers_within(range).size()), NeighborQuery::kMaxNeighbors / 2000, 1);
 }
 
 }  // namespace

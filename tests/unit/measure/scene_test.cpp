@@ -19,7 +19,7 @@ TEST(Scene, ComputesEverythingOnce) {
   const Scene scene(world, Time(0));
   EXPECT_EQ(&scene.species(), &scene.species());
   EXPECT_EQ(&scene.fluid(), &scene.fluid());
-  EXPECT_EQ(&scene.moments(), &scene.moments());
+  EXPECT_EQ(&scene.statistics(), &scene.statistics());
   EXPECT_EQ(&scene.thermal_motion(), &scene.thermal_motion());
   EXPECT_EQ(&scene.centers(), &scene.centers());
   EXPECT_EQ(&scene.surroundings(), &scene.surroundings());

@@ -62,7 +62,8 @@ TEST(Temperature, OfOneKindHasNoSpecies) {
 TEST(Temperature, CountsSpins) {
   World world(Box::walls({10, 10, 10}));
   world.add({.position = {2, 2, 2}, .radius = 0.5, .mass = 2, .spin = {1, 2, 3}});
-  world.add({.position = {5, 5, 5}, .velocity = {1, 0, 0}, .radius = 1, .spin = {0, 0, 1}, .moment = 0.5});
+  world.add(
+      {.position = {5, 5, 5}, .velocity = {1, 0, 0}, .radius = 1, .spin = {0, 0, 1}, .inertia_factor = 0.5});
   Temperature temperature({world, Time(0)});
   temperature.sample({world, Time(0)});
   const Measurement found = temperature.result({world, Time(0)});
@@ -75,7 +76,11 @@ TEST(Temperature, CountsSpins) {
 
 TEST(Temperature, OfDiscsCountsSpinsAboutOneAxis) {
   World world(Box::flat_walls(10, 10));
-  world.add({.position = {2, 2, 0}, .velocity = {1, 0, 0}, .radius = 0.5, .spin = {0, 0, 3}, .moment = 0.5});
+  world.add({.position = {2, 2, 0},
+             .velocity = {1, 0, 0},
+             .radius = 0.5,
+             .spin = {0, 0, 3},
+             .inertia_factor = 0.5});
   Temperature temperature({world, Time(0)});
   temperature.sample({world, Time(0)});
   EXPECT_NEAR(quantity(temperature.result({world, Time(0)}), "rotational_temperature").value, 0.125 * 9,

@@ -42,7 +42,7 @@ double value_of(SphereId id, int tick) {
 TEST(TimeCorrelation, IsADirectSumOverItsOrigins) {
   constexpr int kTicks = 75;
   const World world = row(5);
-  TimeCorrelation average({world, Time(2)}, 0.5, TimeCorrelation::kMostSpheres, {});
+  TimeCorrelation average({world, Time(2)}, 0.5, TimeCorrelation::kMaxSpheres, {});
   for (int tick = 0; tick <= kTicks; ++tick) {
     average.sample({world, Time(2 + 0.5 * tick)}, add_products, [&](Slot slot, Vec3* vector) {
       *vector = {value_of(world.id(slot), tick), 0, 0};

@@ -55,17 +55,17 @@ TEST(LargeVector, CanBeFilledCopiedAndMoved) {
 
 TEST(LargeVector, KeepsItsElementsWhenItGrowsAndShrinks) {
   LargeVector<CacheLine> lines;
-  constexpr std::size_t kMost = 1 << 17;
-  for (std::size_t i = 0; i < kMost; ++i) {
+  constexpr std::size_t kMax = 1 << 17;
+  for (std::size_t i = 0; i < kMax; ++i) {
     lines.emplace_back();
     lines.back().number = i;
   }
-  EXPECT_TRUE(is_numbered(lines, kMost));
+  EXPECT_TRUE(is_numbered(lines, kMax));
   lines.resize(1000);
   lines.shrink_to_fit();
   EXPECT_TRUE(is_numbered(lines, 1000));
-  lines.assign(kMost, CacheLine{});
-  EXPECT_EQ(lines[kMost - 1].number, 0U);
+  lines.assign(kMax, CacheLine{});
+  EXPECT_EQ(lines[kMax - 1].number, 0U);
 }
 
 TEST(LargeVector, IsAligned) {

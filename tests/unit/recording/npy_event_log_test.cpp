@@ -180,14 +180,14 @@ TEST(NpyEventLog, GoesOnOnlyAfterItsOwnRecords) {
   }
   std::string bytes = read_text(folder / "events.npy");
   EXPECT_EQ(NpyEventLog(folder / "events.npy", position).size(), 5U);
-  EXPECT_TRUE(read_text(folder / "events.npy") == bytes) << "untouched until it goes on";
+  EXPECT_TRUE(read_text(folder / "events.npy") == bytes) << "untouched until it is resumed";
   bytes[kHeaderBytes + 3 * kRecordBytes] ^= 1;
   support::write_text(folder / "events.npy", bytes);
   EXPECT_THROW(NpyEventLog(folder / "events.npy", position), Error);
   EXPECT_TRUE(read_text(folder / "events.npy") == bytes);
 }
 
-// The run that wrote more than the position says was killed; the one that goes on finds the disk full, or is
+// The run that wrote more than the position says was killed; the one that resumes finds the disk full, or is
 // killed, as soon as it has cut the file off.
 TEST(NpyEventLog, CountsNoMoreThanThereIsWhenItIsCutOff) {
   const ScratchFolder folder;

@@ -35,7 +35,7 @@ constexpr recording_format::Layout kLayout{.has_bodies = true};
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Drops of species 0 merge, are rough to the mist of species 1, and the mist passes through itself.
-ResponseTable every_fate() {
+ResponseTable every_outcome() {
   ResponseTable table{Merging()};
   table.set(0, 1, Bounce({.tangential_restitution = 0.5}));
   table.set(1, 1, Passing());
@@ -52,7 +52,7 @@ World drops_and_mist(std::size_t count) {
                .radius = gas.radius(slot),
                .mass = slot == 7 ? kInfinity : 1,
                .species = species,
-               .moment = slot % 2 == 0 ? 0.4 : 0.6});
+               .inertia_factor = slot % 2 == 0 ? 0.4 : 0.6});
   }
   return world;
 }
@@ -66,13 +66,13 @@ struct Recorded {
 template <class Check>
 Recorded record(const std::filesystem::path& path, World world, double until, double check_every,
                 const Check& check) {
-  Recorded run{Simulation(support::interacting(std::move(world), every_fate()))};
+  Recorded run{Simulation(support::interacting(std::move(world), every_outcome()))};
   Simulation& simulation = run.simulation;
   RecordingWriter writer(path, {.has_bodies = true, .until = until, .species_names = {"drop", "mist"}},
                          simulation.world());
   simulation.on_contact([&](const Contact& contact) {
     writer.note(contact, simulation.world());
-    run.mergers += contact.fate == Fate::merge ? 1U : 0U;
+    run.mergers += contact.outcome == ContactOutcome::merge ? 1U : 0U;
   });
   for (int k = 1; k * check_every <= until; ++k) {
     simulation.run_until(k * check_every);
@@ -119,7 +119,7 @@ void expect_same(const Moment& recorded, const Snapshot& actual) {
     const Slot slot = world.slot_of(id);
     EXPECT_EQ(body.radius, world.radius(slot));
     EXPECT_EQ(body.mass, world.mass(slot));
-    EXPECT_EQ(body.moment, world.moment(slot));
+    EXPECT_EQ(body.inertia_factor, world.inertia_factor(slot));
     EXPECT_EQ(body.spin, world.spin(slot));
     EXPECT_EQ(recorded.paths[id].position, world.path(slot).position) << id << " at " << actual.time;
     EXPECT_EQ(recorded.paths[id].velocity, world.path(slot).velocity);
@@ -149,7 +149,7 @@ TEST(RecordedBodies, AreThoseOfTheSimulationAtAnyTime) {
 // Ids are missing: some spheres have become part of others, one has been removed, and so has the last.
 TEST(RecordedBodies, MayHaveGapsWhereTheRecordingBeginsMidway) {
   const ScratchFolder folder;
-  Simulation simulation(support::interacting(drops_and_mist(150), every_fate()));
+  Simulation simulation(support::interacting(drops_and_mist(150), every_outcome()));
   simulation.run_until(3);
   ASSERT_GT(simulation.tally().mergers(), 0U);
   for (const SphereId id : {60U, 149U}) simulation.remove(id);
@@ -212,17 +212,18 @@ TEST(RecordedBodies, GoOnFromChunkToChunk) {
   }
 }
 
-TEST(RecordedBodies, FatesCanBeTold) {
+TEST(RecordedBodies, OutcomesCanBeTold) {
   const ScratchFolder folder;
   const Recorded run = record(folder / "recording.hbr", drops_and_mist(90), 8);
   RecordingReader reader(folder / "recording.hbr");
-  std::array<std::uint64_t, 3> fates{};
+  std::array<std::uint64_t, 3> outcomes{};
   for (std::size_t k = 0; k < reader.chunks().size(); ++k) {
-    for (const RecordedContact& contact : reader.read(k).contacts) ++fates[static_cast<int>(contact.fate)];
+    for (const RecordedContact& contact : reader.read(k).contacts)
+      ++outcomes[static_cast<int>(contact.outcome)];
   }
   const Tally& tally = run.simulation.tally();
-  EXPECT_EQ(fates, (std::array{tally.collisions() - tally.mergers() - tally.passes(), tally.passes(),
-                               tally.mergers()}));
+  EXPECT_EQ(outcomes, (std::array{tally.collisions() - tally.mergers() - tally.passes(), tally.passes(),
+                                  tally.mergers()}));
 }
 
 TEST(RecordedBodies, HaveSpecies) {
@@ -350,7 +351,7 @@ TEST(RecordedBodies, ThatNoRunCanProduceAreRefused) {
   EXPECT_FALSE(is_read(folder, with(body + 56, zero))) << "radius of what has a mass";
   EXPECT_FALSE(is_read(folder, with(body + 64, zero))) << "mass";
   EXPECT_FALSE(is_read(folder, with(body + 72, nan))) << "moment";
-  EXPECT_FALSE(is_read(folder, with(contact + 16, std::string(1, '\3') + std::string(7, '\0')))) << "fate";
+  EXPECT_FALSE(is_read(folder, with(contact + 16, std::string(1, '\3') + std::string(7, '\0')))) << "outcome";
   EXPECT_FALSE(is_read(folder, with(contact + 12, "\xff\xff\xff\xff"))) << "a wall merges with nothing";
   EXPECT_FALSE(is_read(folder, with(contact + 72, nan))) << "spin";
   EXPECT_FALSE(is_read(folder, with(contact + 120, zero))) << "radius of the merged sphere";

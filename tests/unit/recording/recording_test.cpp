@@ -455,9 +455,9 @@ TEST(Recording, TellsWhereItIsDamagedAndShowsWhatComesBefore) {
     write_text(folder / "damaged.hbr", changed);
   };
   const std::string where = "damaged after time " + to_text(second.begin) + ": chunk 1, at byte " +
-                            to_text(second.bytes.offset) + ", has ";
+                            to_text(second.bytes.offset) + ", ";
   for (const auto& [at, what] : {std::pair<std::uint64_t, std::string>{
-                                     second.bytes.offset + 9, "a head that does not match its checksum"},
+                                     second.bytes.offset + 9, "has a head that does not match its checksum"},
                                  {second.bytes.offset + 100, "does not match its checksum"},
                                  {bytes.size() - 1, "does not match its checksum"}}) {
     damaged_at(at);

@@ -344,7 +344,7 @@ TEST(Report, SaysWhatWasLeftOutAsATransient) {
   report.measurements.front().transient = 12.5;
   const std::string html = to_html(report);
   expect_in(html, "The first 12.5 of 100 are excluded from the means as a transient.");
-  expect_in(html, "Initial transients are left out of means, the longest up to 12.5 after measuring began.");
+  expect_in(html, "Means exclude initial transients, the longest up to 12.5 after measuring began.");
   report.measurements.front().is_transient_over = false;
   expect_in(to_html(report), "Still changing in the second half of the run");
 }

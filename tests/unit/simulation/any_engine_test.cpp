@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "hardball/errors/error.hpp"
-#include "hardball/theory/moments.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
 #include "support/gas.hpp"
@@ -76,13 +76,13 @@ TEST(AnyEngine, KnowsForWhichLengthsItWouldBeMade) {
 
 TEST(AnyEngine, IsTheOneThatCostsLeast) {
   EXPECT_EQ(choose_engine(gas(0.01), {}, Time(0)), EngineKind::cells);
-  EXPECT_EQ(choose_engine(gas(0.45), {}, Time(0)), EngineKind::neighbors);
-  EXPECT_EQ(choose_engine(gas(0.45), {.cell_edge = 2}, Time(0)), EngineKind::cells);
+  EXPECT_EQ(choose_engine(gas(0.35), {}, Time(0)), EngineKind::neighbors);
+  EXPECT_EQ(choose_engine(gas(0.35), {.cell_edge = 2}, Time(0)), EngineKind::cells);
   for (const double packing_fraction : {0.1, 0.15, 0.2, 0.22, 0.25, 0.3}) {
     const World world = gas(packing_fraction);
-    const Moments moments = moments_of(world, Time(0));
-    const double cells = best_cell_edge(moments, {}).cost;
-    const double lists = best_skin(moments, {}).cost;
+    const GasStatistics statistics = gas_statistics(world, Time(0));
+    const double cells = best_cell_edge(statistics, {}).cost;
+    const double lists = best_skin(statistics, {}).cost;
     EXPECT_EQ(choose_engine(world, {}, Time(0)), lists < cells ? EngineKind::neighbors : EngineKind::cells);
     EXPECT_EQ(choose_engine(world, {}, Time(0), EngineKind::cells),
               lists < 0.9 * cells ? EngineKind::neighbors : EngineKind::cells);
@@ -101,14 +101,14 @@ TEST(AnyEngine, StaysWhereNothingMoves) {
 
 TEST(AnyEngine, HasTheBestLengthOfItsKind) {
   const World world = gas(0.1);
-  const Moments moments = moments_of(world, Time(0));
-  EXPECT_EQ(choose_length(world, EngineKind::cells, {}, Time(0)), optimal_cell_edge(moments));
-  EXPECT_EQ(choose_length(world, EngineKind::neighbors, {}, Time(0)), optimal_skin(moments));
+  const GasStatistics statistics = gas_statistics(world, Time(0));
+  EXPECT_EQ(choose_length(world, EngineKind::cells, {}, Time(0)), optimal_cell_edge(statistics));
+  EXPECT_EQ(choose_length(world, EngineKind::neighbors, {}, Time(0)), optimal_skin(statistics));
   EXPECT_GE(choose_length(world, EngineKind::paper, {}, Time(0)), 2 * world.largest_radius());
   for (const EngineKind kind : {EngineKind::cells, EngineKind::paper}) {
     EXPECT_EQ(choose_length(world, kind, {.cell_edge = 7}, Time(0)), 7);
   }
-  EXPECT_EQ(choose_length(world, EngineKind::neighbors, {.cell_edge = 7}, Time(0)), optimal_skin(moments));
+  EXPECT_EQ(choose_length(world, EngineKind::neighbors, {.cell_edge = 7}, Time(0)), optimal_skin(statistics));
   EXPECT_EQ(allowed_cell_edge(world, EngineKind::cells, 0.1), 0.1);
   EXPECT_EQ(allowed_cell_edge(world, EngineKind::paper, 0.1), 2 * world.largest_radius());
 }

@@ -14,8 +14,8 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/placement/placement.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
-#include "hardball/theory/moments.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
 #include "hardball/world/audit.hpp"
 #include "support/history.hpp"
@@ -116,14 +116,14 @@ TEST(BoxesOfEveryScale, AreRunByNeighborListsToo) {
 
 TEST(BoxesOfEveryScale, HaveFiniteExpectedCosts) {
   for_each_world([](const World& world) {
-    const Moments moments = moments_of(world, Time(0));
-    const double edge = optimal_cell_edge(moments);
-    const CellCounts cells = expected_counts(moments, edge);
-    const double skin = optimal_skin(moments);
-    for (const double positive :
-         {edge, paper_cell_edge(moments), skin, cost_rate(cells, UnitCosts{}),
-          rebuild_cost(cells, UnitCosts{}), cost_rate(expected_neighbor_counts(moments, skin), UnitCosts{}),
-          mean_free_path(moments), mean_free_time(moments)}) {
+    const GasStatistics statistics = gas_statistics(world, Time(0));
+    const double edge = optimal_cell_edge(statistics);
+    const CellCounts cells = expected_counts(statistics, edge);
+    const double skin = optimal_skin(statistics);
+    for (const double positive : {edge, paper_cell_edge(statistics), skin, cost_rate(cells, UnitCosts{}),
+                                  rebuild_cost(cells, UnitCosts{}),
+                                  cost_rate(expected_neighbor_counts(statistics, skin), UnitCosts{}),
+                                  mean_free_path(statistics), mean_free_time(statistics)}) {
       EXPECT_GT(positive, 0);
       EXPECT_LT(positive, std::numeric_limits<double>::infinity());
     }

@@ -7,7 +7,7 @@
 #include <chrono>
 
 #include "hardball/tuning/cell_edge.hpp"
-#include "unit/theory/gas_moments.hpp"
+#include "unit/theory/some_gas.hpp"
 
 namespace hardball::measure_unit_costs_test {
 namespace {
@@ -23,10 +23,10 @@ TEST(MeasureUnitCosts, FindsCostsFromWhichCellsCanBeChosen) {
   EXPECT_GE(costs.cell, 0);
   EXPECT_GT(costs.enter + costs.cell, 0);
   // On any machine, however busy: the optimum is flat and tolerates large errors in the costs.
-  const Moments moments = support::gas_moments(20000, 0.05, 0.5);
-  const double edge = optimal_cell_edge(moments, costs);
-  EXPECT_GT(edge, optimal_cell_edge(moments) / 10);
-  EXPECT_LT(edge, optimal_cell_edge(moments) * 10);
+  const GasStatistics statistics = support::some_gas(20000, 0.05, 0.5);
+  const double edge = optimal_cell_edge(statistics, costs);
+  EXPECT_GT(edge, optimal_cell_edge(statistics) / 10);
+  EXPECT_LT(edge, optimal_cell_edge(statistics) * 10);
 }
 
 TEST(MeasureUnitCosts, EndsEvenIfTheClockStandsStill) {

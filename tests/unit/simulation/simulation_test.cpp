@@ -240,7 +240,7 @@ TEST(Simulation, CallsTheResponseOfTheUser) {
     EXPECT_EQ(simulation.velocity(1), (Vec3{1, 0, 0}));
     simulation.respond_with([](const Contact& contact) { return contact.before; });
     EXPECT_THROW(simulation.run_until(10), Error) << "through the wall";
-    // Nothing has changed, and with a better response the run goes on.
+    // Nothing has changed, and with a better response the run continues.
     EXPECT_EQ(simulation.counters().contacts(), 1U);
     simulation.respond_with(nullptr);
     simulation.run_until(10);
@@ -393,7 +393,7 @@ TEST(Simulation, ResponseMayNotEditOrRunIt) {
     simulation.respond_with(nullptr);
   }
   simulation.run_until(5);
-  EXPECT_EQ(simulation.counters().contacts(), 1U) << "and it goes on";
+  EXPECT_EQ(simulation.counters().contacts(), 1U) << "and it continues";
 }
 
 TEST(Simulation, IsNotEditedDuringARunWithMeasures) {

@@ -93,7 +93,7 @@ TEST(ChangeVelocities, WorkFromAListener) {
   EXPECT_EQ(within.event_log_hash(), between.event_log_hash());
 }
 
-// The engine goes on from where it is, whatever has been run or asked before.
+// The engine continues from where it is, whatever has been run or asked before.
 TEST(ChangeVelocity, NeedsNoRebuild) {
   for (const EngineKind engine :
        {EngineKind::cells, EngineKind::neighbors, EngineKind::all_pairs, EngineKind::paper}) {

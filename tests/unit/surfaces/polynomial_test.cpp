@@ -39,7 +39,7 @@ Polynomial with_roots(double a, const std::vector<double>& roots) {
 
 Quad value_of(const Polynomial& p, const Quad& t) {
   Quad value = 0;
-  for (std::size_t i = Polynomial::kMostDegree + 1; i-- > 0;) {
+  for (std::size_t i = Polynomial::kMaxDegree + 1; i-- > 0;) {
     value = value * t + Quad(p.coefficients[i].high) + Quad(p.coefficients[i].low);
   }
   return value;

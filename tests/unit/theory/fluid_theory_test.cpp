@@ -23,7 +23,7 @@ World dense_gas(std::size_t count, double packing_fraction, double diameter, Bou
 }
 
 FluidTheory theory_of(const World& world) {
-  return {world, Species(world)};
+  return {world, SpeciesList(world)};
 }
 
 // So many that it does not matter that their number and energy are fixed.
@@ -132,13 +132,13 @@ TEST(FluidTheory, OfAMixtureOfAlmostEqualSpheresIsThatOfEqualOnes) {
   EXPECT_TRUE(std::isnan(theory.diffusion(1)));
 }
 
-TEST(Species, AreKindsInTheOrderOfIds) {
+TEST(SpeciesList, AreKindsInTheOrderOfIds) {
   World world;
   world.add({.position = {0, 0, 0}, .radius = 2, .mass = 1});
   world.add({.position = {9, 0, 0}, .radius = 1, .mass = 1});
   world.add({.position = {18, 0, 0}, .radius = 2, .mass = 1});
   world.add({.position = {27, 0, 0}, .radius = 2, .mass = 3});
-  const Species species(world);
+  const SpeciesList species(world);
   ASSERT_EQ(species.size(), 3U);
   EXPECT_EQ(species.of(2), 0U);
   EXPECT_EQ(species.of(1), 1U);
@@ -151,10 +151,10 @@ TEST(Species, AreKindsInTheOrderOfIds) {
   EXPECT_FALSE(species.is_one_kind());
 }
 
-TEST(Species, OfTooManyKindsAreOne) {
+TEST(SpeciesList, OfTooManyKindsAreOne) {
   World world;
   for (int i = 0; i < 9; ++i) world.add({.position = {50.0 * i, 0, 0}, .radius = 1.0 + i});
-  const Species species(world);
+  const SpeciesList species(world);
   EXPECT_EQ(species.size(), 1U);
   EXPECT_EQ(species.count(0), 9U);
   EXPECT_EQ(species.of(8), 0U);

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
-#include "hardball/theory/moments.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
 #include "hardball/tuning/row_surplus.hpp"
@@ -23,20 +23,20 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // Equal discs of diameter one at mean speed one in a square.
-Moments moments_of_discs(double packing_fraction, Boundary boundary = Boundary::periodic) {
-  Moments moments;
-  moments.spheres = 10000;
+GasStatistics statistics_of_discs(double packing_fraction, Boundary boundary = Boundary::periodic) {
+  GasStatistics statistics;
+  statistics.spheres = 10000;
   double power = 1;
-  for (double& mean : moments.radius_power) {
+  for (double& mean : statistics.radius_power) {
     mean = power;
     power /= 2;
   }
-  moments.largest_radius = 0.5;
-  moments.mean_speed = 1;
+  statistics.largest_radius = 0.5;
+  statistics.mean_speed = 1;
   const double edge = std::sqrt(10000 * kPi / 4 / packing_fraction);
-  moments.box = Box({boundary, boundary, Boundary::flat}, {edge, edge, 0});
-  moments.extent = moments.box.size();
-  return moments;
+  statistics.box = Box({boundary, boundary, Boundary::flat}, {edge, edge, 0});
+  statistics.extent = statistics.box.size();
+  return statistics;
 }
 
 // Source: Kolafa and Rottner, Mol. Phys. 104 (2006) 3435, table 1, by molecular dynamics.
@@ -50,13 +50,13 @@ TEST(TheoryOfDiscs, AgreesWithPublishedSimulations) {
   for (const auto& [density, tabulated] : kTable) {
     const double packing = kPi / 4 * density;
     EXPECT_NEAR(fluid_compressibility_of_discs(packing), tabulated, 4e-5 * tabulated);
-    const Moments moments = moments_of_discs(packing);
-    EXPECT_NEAR(moments.packing_fraction(), packing, 1e-12);
-    EXPECT_NEAR(compressibility(moments), tabulated, 4e-5 * tabulated);
+    const GasStatistics statistics = statistics_of_discs(packing);
+    EXPECT_NEAR(statistics.packing_fraction(), packing, 1e-12);
+    EXPECT_NEAR(compressibility(statistics), tabulated, 4e-5 * tabulated);
     const double contact = (tabulated - 1) / (2 * packing);
     // w = 2 sqrt(pi) n sigma chi sqrt(kT / m), and the mean speed is sqrt(pi / 2 kT / m).
     const double rate = 2 * std::sqrt(2.0) * density * contact;
-    EXPECT_NEAR(mean_free_time(moments), 1 / rate, 1e-4 / rate);
+    EXPECT_NEAR(mean_free_time(statistics), 1 / rate, 1e-4 / rate);
   }
 }
 
@@ -72,25 +72,25 @@ TEST(TheoryOfDiscs, HasThePublishedVirialCoefficients) {
 // packing fraction, from 4 + 4 - 25/16.
 TEST(TheoryOfDiscs, ExcessAboutADiscIsTheAreaItExcludes) {
   const double packing = 1e-5;
-  const Moments moments = moments_of_discs(packing);
-  EXPECT_NEAR(excess_about_sphere(moments), -4 * packing, 1e-8);
-  EXPECT_NEAR(excess_about_pair(moments) - 1, -(8 - 25.0 / 16) * packing, 1e-8);
-  EXPECT_NEAR(excess_about_sphere(moments_of_discs(0.69)), -1, 0.03);
+  const GasStatistics statistics = statistics_of_discs(packing);
+  EXPECT_NEAR(excess_about_sphere(statistics), -4 * packing, 1e-8);
+  EXPECT_NEAR(excess_about_pair(statistics) - 1, -(8 - 25.0 / 16) * packing, 1e-8);
+  EXPECT_NEAR(excess_about_sphere(statistics_of_discs(0.69)), -1, 0.03);
 }
 
 TEST(TheoryOfDiscs, WallRateIsThatOfTwoPairsOfWalls) {
-  const Moments points = moments_of_discs(1e-12, Boundary::wall);
+  const GasStatistics points = statistics_of_discs(1e-12, Boundary::wall);
   EXPECT_NEAR(wall_rate(points) * points.extent.x, 4 / kPi, 1e-4);
   // The accessible length is less by a diameter, the density at the wall higher by 2 phi.
-  const Moments dilute = moments_of_discs(1e-3, Boundary::wall);
+  const GasStatistics dilute = statistics_of_discs(1e-3, Boundary::wall);
   EXPECT_NEAR(wall_rate(dilute) * (dilute.extent.x - 1), 4 / kPi * (1 + 2e-3), 1e-4);
 }
 
 // A rough count of the same: crossings per time, and squares in place of cubes.
 TEST(TheoryOfDiscs, CountsCellsInOneLayer) {
-  const Moments moments = moments_of_discs(1e-4);
-  const double edge = moments.extent.x / 50;
-  const CellCounts counts = expected_counts(moments, edge * (1 - 1e-9));
+  const GasStatistics statistics = statistics_of_discs(1e-4);
+  const double edge = statistics.extent.x / 50;
+  const CellCounts counts = expected_counts(statistics, edge * (1 - 1e-9));
   EXPECT_NEAR(counts.enter, 2 * (2 / kPi) / edge, 1e-9);
   EXPECT_NEAR(counts.cells, (1 + 1 / edge) * (1 + 1 / edge), 0.01);
   EXPECT_NEAR(counts.cells_entered, 1 + 1 / edge, 0.01);
@@ -101,26 +101,26 @@ TEST(TheoryOfDiscs, CountsCellsInOneLayer) {
 
 TEST(TheoryOfDiscs, ChoosesCellsAboutAsLargeAsTheSpacing) {
   for (const double packing : {0.001, 0.1, 0.5}) {
-    const Moments moments = moments_of_discs(packing);
+    const GasStatistics statistics = statistics_of_discs(packing);
     const double spacing = std::sqrt(kPi / 4 / packing);
-    const double edge = optimal_cell_edge(moments);
+    const double edge = optimal_cell_edge(statistics);
     EXPECT_GT(edge, spacing) << packing;
     EXPECT_LT(edge, 6 * spacing) << packing;
-    EXPECT_GT(paper_cell_edge(moments), 0);
+    EXPECT_GT(paper_cell_edge(statistics), 0);
     // The root of the paper's equation in two dimensions.
-    const double l = paper_cell_edge(moments);
-    const double n = moments.number_density();
+    const double l = paper_cell_edge(statistics);
+    const double n = statistics.number_density();
     const UnitCosts costs;
     EXPECT_NEAR(n * (l + 1) * costs.prediction * (n * l * l + (l - 1)), costs.enter + costs.cell,
                 1e-6 * costs.enter);
-    EXPECT_GT(optimal_skin(moments), 0);
+    EXPECT_GT(optimal_skin(statistics), 0);
   }
 }
 
 TEST(TheoryOfDiscs, CountsNeighborsInARing) {
-  const Moments moments = moments_of_discs(0.3);
-  const double expected = moments.number_density() * kPi * 4 + excess_about_sphere(moments);
-  EXPECT_NEAR(expected_neighbor_counts(moments, 0.5).neighbors, expected, 1e-9);
+  const GasStatistics statistics = statistics_of_discs(0.3);
+  const double expected = statistics.number_density() * kPi * 4 + excess_about_sphere(statistics);
+  EXPECT_NEAR(expected_neighbor_counts(statistics, 0.5).neighbors, expected, 1e-9);
 }
 
 }  // namespace

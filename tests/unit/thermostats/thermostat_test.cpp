@@ -111,7 +111,7 @@ TEST(Andersen, GivesMaxwellVelocitiesByMass) {
   }
 }
 
-// The processes of the other spheres go on as they would have.
+// The processes of the other spheres continue as they would have.
 TEST(Andersen, FollowsSpheresThatComeAndGo) {
   World world = make_three();
   const auto times_of = [&](SphereId sphere, bool is_removed) {

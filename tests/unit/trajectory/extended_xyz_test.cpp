@@ -199,14 +199,15 @@ TEST(ExtendedXyz, KeepsSpeciesSpinsMomentsAndInfiniteMasses) {
              .radius = 0.5,
              .mass = std::numeric_limits<double>::infinity(),
              .species = 255});
-  world.add({.position = {3, 0, 0}, .radius = 0.25, .mass = 2, .spin = {0.1, -2, 1e-7}, .moment = 1.0 / 3});
+  world.add(
+      {.position = {3, 0, 0}, .radius = 0.25, .mass = 2, .spin = {0.1, -2, 1e-7}, .inertia_factor = 1.0 / 3});
   const Snapshot snapshot = parse(frame_of(world, 0.5));
   ASSERT_EQ(snapshot.spheres.size(), 2U);
   EXPECT_TRUE(std::isinf(snapshot.spheres[0].mass));
   EXPECT_EQ(snapshot.spheres[0].species, 255);
   EXPECT_EQ(snapshot.spheres[1].species, 0);
   EXPECT_EQ(snapshot.spheres[1].spin, (Vec3{0.1, -2, 1e-7}));
-  EXPECT_EQ(snapshot.spheres[1].moment, 1.0 / 3);
+  EXPECT_EQ(snapshot.spheres[1].inertia_factor, 1.0 / 3);
 }
 
 TEST(ExtendedXyz, KeepsIdsImagesAndTheBox) {

@@ -40,7 +40,7 @@ World motley_world() {
              .velocity = {1, 0, 0},
              .radius = 0.5,
              .spin = {0.1, -2, 1e-7},
-             .moment = 1.0 / 3});
+             .inertia_factor = 1.0 / 3});
   world.remove(1);
   return world;
 }
@@ -59,7 +59,7 @@ void expect_same(const Snapshot& read, const Snapshot& written, SnapshotFormat f
     EXPECT_EQ(sphere.velocity, expected.velocity);
     EXPECT_EQ(sphere.mass, expected.mass);
     EXPECT_EQ(sphere.spin, expected.spin);
-    EXPECT_EQ(sphere.moment, expected.moment);
+    EXPECT_EQ(sphere.inertia_factor, expected.inertia_factor);
   }
   EXPECT_EQ(read.has_velocities, !is_sph);
   if (is_sph) return;

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "hardball/numbers/random.hpp"
-#include "unit/theory/gas_moments.hpp"
+#include "unit/theory/some_gas.hpp"
 
 namespace hardball::cell_axes_test {
 namespace {
@@ -26,13 +26,13 @@ struct Rows {
   }
 };
 
-Moments moments_between_walls(double size, double radius) {
-  Moments moments;
-  moments.spheres = 1000;
-  moments.radius_power[1] = moments.largest_radius = radius;
-  moments.extent = {size, size, size};
-  moments.box = Box::walls(moments.extent);
-  return moments;
+GasStatistics statistics_between_walls(double size, double radius) {
+  GasStatistics statistics;
+  statistics.spheres = 1000;
+  statistics.radius_power[1] = statistics.largest_radius = radius;
+  statistics.extent = {size, size, size};
+  statistics.box = Box::walls(statistics.extent);
+  return statistics;
 }
 
 // A mean and its error.
@@ -56,11 +56,11 @@ class Mean {
 TEST(CellAxes, BetweenWallsKnowHowManyRowsPairsShare) {
   constexpr int kPairs = 200000;
   constexpr double kRadius = 0.5;
-  const Moments moments = support::gas_moments(1000, 0.01, kRadius, Boundary::wall);
-  const double size = moments.extent.x;
+  const GasStatistics statistics = support::some_gas(1000, 0.01, kRadius, Boundary::wall);
+  const double size = statistics.extent.x;
   Random random(1);
   for (const double cells : {2, 3, 7, 20, 90}) {  // 90: a sphere is more than two cells wide
-    const CellAxis axis = cell_axes(moments, size / cells * (1 - 1e-12))[0];
+    const CellAxis axis = cell_axes(statistics, size / cells * (1 - 1e-12))[0];
     ASSERT_NEAR(axis.edge, size / cells, 1e-9);
     EXPECT_EQ(axis.room, size - 2 * kRadius);
     Mean rows;
@@ -87,14 +87,14 @@ TEST(CellAxes, BetweenWallsKnowHowManyRowsPairsShare) {
 }
 
 TEST(CellAxes, BetweenWallsKnowWhichFacesCanBeCrossed) {
-  const Moments moments = support::gas_moments(1000, 0.01, 0.5, Boundary::wall);
-  const double size = moments.extent.x;
+  const GasStatistics statistics = support::some_gas(1000, 0.01, 0.5, Boundary::wall);
+  const double size = statistics.extent.x;
   const auto passed = [&](double cells) {
-    const CellAxis axis = cell_axes(moments, size / cells * (1 - 1e-12))[1];
+    const CellAxis axis = cell_axes(statistics, size / cells * (1 - 1e-12))[1];
     return axis.crossings * axis.room;
   };
   EXPECT_EQ(passed(1), 0);
-  EXPECT_FALSE(cell_axes(moments, size)[0].is_divided);
+  EXPECT_FALSE(cell_axes(statistics, size)[0].is_divided);
   EXPECT_NEAR(passed(2), 1, 1e-9);
   EXPECT_NEAR(passed(10), 9, 1e-9);
   EXPECT_NEAR(passed(90), 87, 1e-9) << "the front of a sphere starts two cells away from the wall";
@@ -105,8 +105,8 @@ TEST(CellAxes, BetweenWallsSumUpAllRows) {
   for (const double diameter : {1e-9, 0.2, 1.0, 3.7}) {
     for (const double size : {4.0, 5.3, 40.0, 4000.0}) {
       for (const double edge : {0.3, 1.0, 2.2, 7.0, 300.0}) {
-        const Moments moments = moments_between_walls(size, diameter / 2);
-        const CellAxis axis = cell_axes(moments, edge)[0];
+        const GasStatistics statistics = statistics_between_walls(size, diameter / 2);
+        const CellAxis axis = cell_axes(statistics, edge)[0];
         const double cells = std::round(size / axis.edge);
         double rows = 0;
         double pairs = 0;
@@ -135,20 +135,20 @@ TEST(CellAxes, BetweenWallsSumUpAllRows) {
 // Far from walls a row is as good as any other: a wide box must not take the digits of what remains.
 TEST(CellAxes, OfAWideBoxBetweenWallsAreThoseOfOpenSpace) {
   for (const double scale : {1e-60, 1e-30, 1.0, 1e30, 1e45}) {
-    const CellAxis axis = cell_axes(moments_between_walls(1e8 * scale, scale), scale)[0];
+    const CellAxis axis = cell_axes(statistics_between_walls(1e8 * scale, scale), scale)[0];
     EXPECT_NEAR(axis.candidates, 1, 1e-7) << scale;
-    const CellAxis widest = cell_axes(moments_between_walls(1e60, scale), 1e53)[0];
+    const CellAxis widest = cell_axes(statistics_between_walls(1e60, scale), 1e53)[0];
     EXPECT_NEAR(widest.candidates, 1, 1e-6) << scale;
   }
   for (const double scale : {1e-60, 1.0, 1e60}) {
-    const CellAxis undivided = cell_axes(moments_between_walls(scale, scale / 4), 1e60)[0];
+    const CellAxis undivided = cell_axes(statistics_between_walls(scale, scale / 4), 1e60)[0];
     EXPECT_DOUBLE_EQ(undivided.candidates, 0.5 / (1.5 * 1.5)) << "the room, over rows and their widths";
   }
 }
 
 TEST(CellAxes, WithoutWallsAreAllAlike) {
   for (const Boundary boundary : {Boundary::periodic, Boundary::open}) {
-    const CellAxis axis = cell_axes(support::gas_moments(1000, 0.01, 0.5, boundary), 1)[2];
+    const CellAxis axis = cell_axes(support::some_gas(1000, 0.01, 0.5, boundary), 1)[2];
     EXPECT_EQ(axis.candidates, 1);
     EXPECT_EQ(axis.candidates_at_wall, 1);
     EXPECT_TRUE(axis.is_divided);
@@ -157,9 +157,9 @@ TEST(CellAxes, WithoutWallsAreAllAlike) {
 }
 
 TEST(CellAxes, OfCellsLargerThanAnOpenCloudHoldWhatThereIs) {
-  const Moments moments = support::gas_moments(1000, 0.01, 0.5, Boundary::open);
-  const CellAxis axis = cell_axes(moments, 100 * moments.extent.x)[0];
-  EXPECT_DOUBLE_EQ(axis.candidates * (1 + 1 / axis.edge) * (axis.edge + 1), moments.extent.x);
+  const GasStatistics statistics = support::some_gas(1000, 0.01, 0.5, Boundary::open);
+  const CellAxis axis = cell_axes(statistics, 100 * statistics.extent.x)[0];
+  EXPECT_DOUBLE_EQ(axis.candidates * (1 + 1 / axis.edge) * (axis.edge + 1), statistics.extent.x);
 }
 
 }  // namespace

@@ -9,15 +9,15 @@
 #include <numbers>
 
 #include "hardball/broadphase/subdivision.hpp"
-#include "unit/theory/gas_moments.hpp"
+#include "unit/theory/some_gas.hpp"
 
 namespace hardball::cell_edge_test {
 namespace {
 
-using support::gas_moments;
+using support::some_gas;
 
-double cost_at(const Moments& moments, double edge, const UnitCosts& costs) {
-  return cost_rate(expected_counts(moments, edge), costs);
+double cost_at(const GasStatistics& statistics, double edge, const UnitCosts& costs) {
+  return cost_rate(expected_counts(statistics, edge), costs);
 }
 
 TEST(CostRate, AddsUpTheCostsOfAllSteps) {
@@ -42,14 +42,14 @@ TEST(OptimalCellEdge, IsWhereTheCostIsLeast) {
   for (const double packing_fraction : {1e-6, 1e-3, 0.02, 0.1, 0.3, 0.5}) {
     for (const double radius : {1e-9, 0.5, 1e6}) {
       for (const double cell : {0.5, 3.0, 60.0}) {
-        const Moments moments = gas_moments(10000, packing_fraction, radius);
+        const GasStatistics statistics = some_gas(10000, packing_fraction, radius);
         const UnitCosts costs{.contact = 25, .enter = 10, .cell = cell, .prediction = 1};
-        const double edge = optimal_cell_edge(moments, costs);
-        const double least = cost_at(moments, edge, costs);
+        const double edge = optimal_cell_edge(statistics, costs);
+        const double least = cost_at(statistics, edge, costs);
         // The scan misses at most what lies between two steps, where the minimum is flat.
         for (double other = edge / 16; other < 16 * edge; other *= 1.05) {
           if (other < radius / 4) continue;
-          EXPECT_LE(least, cost_at(moments, other, costs) * 1.02) << packing_fraction << " " << cell;
+          EXPECT_LE(least, cost_at(statistics, other, costs) * 1.02) << packing_fraction << " " << cell;
         }
       }
     }
@@ -59,39 +59,39 @@ TEST(OptimalCellEdge, IsWhereTheCostIsLeast) {
 TEST(OptimalCellEdge, GrowsAsTheGasBecomesDilute) {
   double last = 0;
   for (double packing_fraction = 0.5; packing_fraction > 1e-9; packing_fraction /= 3) {
-    const double edge = optimal_cell_edge(gas_moments(1000, packing_fraction, 0.5));
+    const double edge = optimal_cell_edge(some_gas(1000, packing_fraction, 0.5));
     EXPECT_GT(edge, last);
     last = edge;
   }
 }
 
 TEST(OptimalCellEdge, GrowsWithTheCostOfCrossingsAndShrinksWithThatOfPredictions) {
-  const Moments moments = gas_moments(1000000, 0.05, 0.5);
+  const GasStatistics statistics = some_gas(1000000, 0.05, 0.5);
   const UnitCosts costs;
   UnitCosts slow_crossings = costs;
   slow_crossings.enter *= 8;
   UnitCosts slow_predictions = costs;
   slow_predictions.prediction *= 8;
-  EXPECT_GT(optimal_cell_edge(moments, slow_crossings), 1.2 * optimal_cell_edge(moments, costs));
-  EXPECT_LT(1.2 * optimal_cell_edge(moments, slow_predictions), optimal_cell_edge(moments, costs));
-  Moments fast = moments;
+  EXPECT_GT(optimal_cell_edge(statistics, slow_crossings), 1.2 * optimal_cell_edge(statistics, costs));
+  EXPECT_LT(1.2 * optimal_cell_edge(statistics, slow_predictions), optimal_cell_edge(statistics, costs));
+  GasStatistics fast = statistics;
   fast.mean_speed *= 1000;
-  EXPECT_EQ(optimal_cell_edge(fast, costs), optimal_cell_edge(moments, costs));
+  EXPECT_EQ(optimal_cell_edge(fast, costs), optimal_cell_edge(statistics, costs));
   fast.mean_speed = 0;
-  EXPECT_EQ(optimal_cell_edge(fast, costs), optimal_cell_edge(moments, costs));
+  EXPECT_EQ(optimal_cell_edge(fast, costs), optimal_cell_edge(statistics, costs));
 }
 
 TEST(OptimalCellEdge, IsAPositiveNumberForAnyWorld) {
-  EXPECT_GT(optimal_cell_edge(moments_of(World(), Time(0))), 0);
+  EXPECT_GT(optimal_cell_edge(gas_statistics(World(), Time(0))), 0);
   World world;
   world.add({{1, 2, 3}, {}, 1e-30, 1});
   for (int i = 0; i < 4; ++i) {
-    const Moments moments = moments_of(world, Time(0));
-    for (const double edge : {optimal_cell_edge(moments), paper_cell_edge(moments)}) {
+    const GasStatistics statistics = gas_statistics(world, Time(0));
+    for (const double edge : {optimal_cell_edge(statistics), paper_cell_edge(statistics)}) {
       EXPECT_GT(edge, 0);
       EXPECT_LT(edge, std::numeric_limits<double>::infinity());
     }
-    EXPECT_GE(optimal_cell_edge(moments), world.largest_radius() / 4)
+    EXPECT_GE(optimal_cell_edge(statistics), world.largest_radius() / 4)
         << "large spheres are not spread over too many cells";
     world.add({{1e10 * (i + 1), 0, 0}, {1, 0, 0}, std::pow(10, 3 * i), 1});
   }
@@ -100,10 +100,10 @@ TEST(OptimalCellEdge, IsAPositiveNumberForAnyWorld) {
 // The printed equation, its left and its right side.
 TEST(PaperCellEdge, SolvesThePapersEquation) {
   for (const double packing_fraction : {1e-6, 1e-3, 0.1, 0.5}) {
-    const Moments moments = gas_moments(10000, packing_fraction, 1.5);
+    const GasStatistics statistics = some_gas(10000, packing_fraction, 1.5);
     const UnitCosts costs{.contact = 1e9, .enter = 8, .cell = 3, .prediction = 2};
-    const double edge = paper_cell_edge(moments, costs);
-    const double n0 = moments.number_density();
+    const double edge = paper_cell_edge(statistics, costs);
+    const double n0 = statistics.number_density();
     const double r = 1.5;
     const double left = 2 * n0 * (edge + 2 * r) * (edge + 2 * r) *
                         (2 * std::numbers::pi * r * r * n0 * edge * edge + 2 * (edge - r));
@@ -113,16 +113,16 @@ TEST(PaperCellEdge, SolvesThePapersEquation) {
 
 // The paper's cost per sphere and time, whose derivative is the equation.
 TEST(PaperCellEdge, IsWhereThePapersCostIsLeast) {
-  const Moments moments = gas_moments(10000, 0.02, 1.5);
+  const GasStatistics statistics = some_gas(10000, 0.02, 1.5);
   const UnitCosts costs;
   const auto cost = [&](double edge) {
     const double r = 1.5;
-    const double n0 = moments.number_density();
+    const double n0 = statistics.number_density();
     const double candidates = n0 * std::pow(edge + 2 * r, 3);
     return 4 * std::numbers::pi * r * r * n0 * costs.prediction * candidates +
            6 / edge * (costs.prediction * candidates + costs.enter + costs.cell);
   };
-  const double edge = paper_cell_edge(moments, costs);
+  const double edge = paper_cell_edge(statistics, costs);
   EXPECT_LT(cost(edge), cost(1.001 * edge));
   EXPECT_LT(cost(edge), cost(edge / 1.001));
 }
@@ -131,11 +131,11 @@ TEST(PaperCellEdge, IsWhereThePapersCostIsLeast) {
 TEST(CellEdgeWatch, RebuildsOnceTheLossExceedsItsCost) {
   const UnitCosts costs;
   CellEdgeWatch watch(costs);
-  const Moments dense = gas_moments(100000, 0.1, 0.5);
+  const GasStatistics dense = some_gas(100000, 0.1, 0.5);
   const double edge = optimal_cell_edge(dense, costs);
   watch.restart(edge);
   EXPECT_EQ(watch.update(dense, 1e6), std::nullopt) << "nothing is better";
-  const Moments dilute = gas_moments(100000, 0.1 / 8, 0.5);  // the cube has grown twofold
+  const GasStatistics dilute = some_gas(100000, 0.1 / 8, 0.5);  // the cube has grown twofold
   const double better = optimal_cell_edge(dilute, costs);
   const CellCounts best = expected_counts(dilute, better);
   const double loss = cost_at(dilute, edge, costs) - cost_rate(best, costs);
@@ -155,7 +155,7 @@ TEST(CellEdgeWatch, RebuildsOnceTheLossExceedsItsCost) {
 
 TEST(CellEdgeWatch, CountsTimeByTheSpeedOfTheSpheres) {
   const UnitCosts costs;
-  Moments dilute = gas_moments(100000, 0.1 / 64, 0.5);
+  GasStatistics dilute = some_gas(100000, 0.1 / 64, 0.5);
   const CellCounts best = expected_counts(dilute, optimal_cell_edge(dilute, costs));
   const double patience = rebuild_cost(best, costs) / (cost_at(dilute, 2, costs) - cost_rate(best, costs));
   CellEdgeWatch watch(costs);
@@ -169,8 +169,8 @@ TEST(CellEdgeWatch, CountsTimeByTheSpeedOfTheSpheres) {
 TEST(CellEdgeWatch, LeavesWorldsAloneInWhichNothingMoves) {
   CellEdgeWatch watch;
   watch.restart(1e-3);
-  EXPECT_EQ(watch.update(Moments{}, 1), std::nullopt);
-  Moments still = gas_moments(1000, 0.1, 0.5);
+  EXPECT_EQ(watch.update(GasStatistics{}, 1), std::nullopt);
+  GasStatistics still = some_gas(1000, 0.1, 0.5);
   still.mean_speed = 0;
   EXPECT_EQ(watch.update(still, 1e300), std::nullopt);
 }

@@ -210,7 +210,7 @@ TEST_F(ServerTest, GivesTheRangesOfBytesThatThereAre) {
     const auto answer = client().Get(with_token("/api/spheres"), {{"Range", "bytes=" + nonsense}});
     EXPECT_TRUE(answer) << nonsense;
   }
-  EXPECT_TRUE(get("/api/spheres")->body == whole) << "and the server goes on";
+  EXPECT_TRUE(get("/api/spheres")->body == whole) << "and the server continues";
 }
 
 TEST_F(ServerTest, GivesTheReplayToSave) {

@@ -117,7 +117,7 @@ TEST(World, RefusesInvalidNumbersAndChangesNothing) {
   }
   for (const double number : {0.0, -1.0, kNan, kInfinity, -kInfinity, 1e-61, 1e61}) {
     bad.push_back({.position = good.position, .radius = number});
-    bad.push_back({.position = good.position, .moment = number});
+    bad.push_back({.position = good.position, .inertia_factor = number});
     // Kinematic spheres have an infinite mass.
     if (number != kInfinity) bad.push_back({.position = good.position, .mass = number});
     if (number != 0 && number != -1) bad.push_back({.position = good.position, .spin = {0, number, 0}});

@@ -14,15 +14,15 @@ namespace hardball {
 /// numbered from zero in the order of their lowest ids, which is that of the groups of a scenario.
 ///
 /// If there are more than eight kinds, as with radii from a distribution, all spheres are one species.
-class Species {
+class SpeciesList {
  public:
-  static constexpr std::size_t kMostSpecies = 8;
+  static constexpr std::size_t kMaxSpecies = 8;
 
   /// Of no spheres.
-  Species() = default;
+  SpeciesList() = default;
 
   /// Cost: O(n).
-  explicit Species(const World& world);
+  explicit SpeciesList(const World& world);
 
   std::size_t size() const { return kinds_.size(); }
   /// The species of a sphere. Precondition: the sphere was there at the start.

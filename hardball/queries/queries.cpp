@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/simulation/queries.hpp"
+#include "hardball/queries/queries.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
-#include "hardball/simulation/image_search.hpp"
+#include "hardball/queries/image_search.hpp"
 #include "hardball/surfaces/surface.hpp"
 #include "hardball/world/walls.hpp"
 

@@ -14,7 +14,7 @@
 #include "hardball/simulation/simulation.hpp"
 #include "support/interacting.hpp"
 
-namespace hardball::fates_test {
+namespace hardball::contact_outcomes_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -23,10 +23,10 @@ Simulation merging_by(EngineKind engine, const World& world) {
   return Simulation(support::interacting(world, ResponseTable(Merging())), {.engine = engine});
 }
 
-class Fates : public testing::TestWithParam<EngineKind> {};
+class ContactOutcomes : public testing::TestWithParam<EngineKind> {};
 
 // Each meeting is one event, however rounding falls, and changes nothing.
-TEST_P(Fates, OfPassingSpheresIsOneEventForEachMeeting) {
+TEST_P(ContactOutcomes, OfPassingSpheresIsOneEventForEachMeeting) {
   Random random(1);
   for (int i = 0; i < 200; ++i) {
     World world(Box::open());
@@ -41,7 +41,7 @@ TEST_P(Fates, OfPassingSpheresIsOneEventForEachMeeting) {
     simulation.on_contact([&](const Contact& contact) { contacts.push_back(contact); });
     simulation.run_until(100);
     ASSERT_EQ(contacts.size(), 1U);
-    EXPECT_EQ(contacts[0].fate, Fate::pass);
+    EXPECT_EQ(contacts[0].outcome, ContactOutcome::pass);
     EXPECT_NEAR(contacts[0].time.value(), (10 - contacts[0].reach) / speed, 1e-13);
     EXPECT_EQ(simulation.world().path(0).time, Time(0)) << "the path is as it was";
     EXPECT_EQ(simulation.velocity(0), velocity);
@@ -49,7 +49,7 @@ TEST_P(Fates, OfPassingSpheresIsOneEventForEachMeeting) {
   }
 }
 
-TEST_P(Fates, OfPassingSpheresDoesNotHideOtherContacts) {
+TEST_P(ContactOutcomes, OfPassingSpheresDoesNotHideOtherContacts) {
   // A third sphere sends a ghost back, once when it is still inside the other, once when it has left it.
   for (const bool has_left : {false, true}) {
     World world(Box::open());
@@ -62,7 +62,7 @@ TEST_P(Fates, OfPassingSpheresDoesNotHideOtherContacts) {
     std::vector<std::pair<SphereId, std::uint32_t>> met;
     simulation.on_contact([&](const Contact& contact) {
       met.emplace_back(contact.first, contact.second);
-      EXPECT_EQ(contact.fate, contact.first == 0 ? Fate::pass : Fate::bounce);
+      EXPECT_EQ(contact.outcome, contact.first == 0 ? ContactOutcome::pass : ContactOutcome::bounce);
     });
     simulation.run_until(20);
     std::vector<std::pair<SphereId, std::uint32_t>> expected{{0, 1}, {1, 2}};
@@ -71,7 +71,7 @@ TEST_P(Fates, OfPassingSpheresDoesNotHideOtherContacts) {
   }
 }
 
-TEST_P(Fates, OfSpheresThatOverlapFromTheStartMayBeToPass) {
+TEST_P(ContactOutcomes, OfSpheresThatOverlapFromTheStartMayBeToPass) {
   World world(Box::walls({10, 10, 10}));
   world.add({.position = {5, 5, 5}, .velocity = {1, 0, 0}, .radius = 1});
   world.add({.position = {5.5, 5, 5}, .velocity = {-1, 0, 0}, .radius = 1});
@@ -85,7 +85,7 @@ TEST_P(Fates, OfSpheresThatOverlapFromTheStartMayBeToPass) {
   EXPECT_EQ(simulation.tally().max_overlap() < 1e-12, true);
 }
 
-TEST_P(Fates, OfMergingSpheresKeepsMassMomentumVolumeAndAngularMomentum) {
+TEST_P(ContactOutcomes, OfMergingSpheresKeepsMassMomentumVolumeAndAngularMomentum) {
   Random random(2);
   for (int i = 0; i < 50; ++i) {
     World world(Box::open());
@@ -100,7 +100,7 @@ TEST_P(Fates, OfMergingSpheresKeepsMassMomentumVolumeAndAngularMomentum) {
                         .radius = 0.5 + random.uniform(),
                         .mass = 1 + random.uniform(),
                         .spin = 2 * random.direction(),
-                        .moment = 0.6};
+                        .inertia_factor = 0.6};
     world.add(first);
     world.add(second);
     Simulation simulation = merging_by(GetParam(), world);
@@ -117,19 +117,19 @@ TEST_P(Fates, OfMergingSpheresKeepsMassMomentumVolumeAndAngularMomentum) {
     const Vec3 center = (1 / mass) * (moments + simulation.time() * momentum);
     EXPECT_LE(length(simulation.position(0) - center), 1e-13);
     const auto own = [](const Sphere& sphere) {
-      return (sphere.moment * sphere.mass * sphere.radius * sphere.radius) * sphere.spin;
+      return (sphere.inertia_factor * sphere.mass * sphere.radius * sphere.radius) * sphere.spin;
     };
     const Vec3 angular_momentum = first.mass * cross(first.position, first.velocity) +
                                   second.mass * cross(second.position, second.velocity) + own(first) +
                                   own(second);
     const Vec3 orbital = mass * cross(center, (1 / mass) * momentum);
-    const double inertia = merged.moment(0) * mass * merged.radius(0) * merged.radius(0);
+    const double inertia = merged.inertia_factor(0) * mass * merged.radius(0) * merged.radius(0);
     EXPECT_LE(length(orbital + inertia * merged.spin(0) - angular_momentum), 1e-12);
   }
 }
 
 // A drop in a row that grows into its neighbors merges with them at once.
-TEST_P(Fates, OfMergingSpheresIsToMergeWithAllThatTheMergedOneOverlaps) {
+TEST_P(ContactOutcomes, OfMergingSpheresIsToMergeWithAllThatTheMergedOneOverlaps) {
   World world(Box::open());
   world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 1});
   world.add({.position = {3, 0, 0}, .radius = 1});
@@ -139,7 +139,7 @@ TEST_P(Fates, OfMergingSpheresIsToMergeWithAllThatTheMergedOneOverlaps) {
   std::vector<std::uint32_t> partners;
   std::vector<double> times;
   simulation.on_contact([&](const Contact& contact) {
-    EXPECT_EQ(contact.fate, Fate::merge);
+    EXPECT_EQ(contact.outcome, ContactOutcome::merge);
     EXPECT_EQ(contact.first, 0U);
     partners.push_back(contact.second);
     times.push_back(contact.time.value());
@@ -167,7 +167,7 @@ World world_of_a_drop_beside_another(SpeciesId species) {
   return world;
 }
 
-TEST_P(Fates, OfMergingSpheresAreAlikeWhetherATableOrAFunctionMergesThem) {
+TEST_P(ContactOutcomes, OfMergingSpheresAreAlikeWhetherATableOrAFunctionMergesThem) {
   Simulation by_table = merging_by(GetParam(), world_of_a_drop_beside_another(0));
   by_table.run_until(2);
   EXPECT_EQ(by_table.size(), 1U);
@@ -190,7 +190,7 @@ TEST_P(Fates, OfMergingSpheresAreAlikeWhetherATableOrAFunctionMergesThem) {
 }
 
 // Of the pairs that a function does not merge, only those that approach meet.
-TEST_P(Fates, OfSpheresThatAMergedOneOverlapsAreToPartUnlessAFunctionMergesThem) {
+TEST_P(ContactOutcomes, OfSpheresThatAMergedOneOverlapsAreToPartUnlessAFunctionMergesThem) {
   for (const double approach : {0.0, 0.4}) {
     Simulation simulation(world_of_a_drop_beside_another(1), {.engine = GetParam()});
     simulation.respond_with([](const Contact& contact) {
@@ -206,7 +206,7 @@ TEST_P(Fates, OfSpheresThatAMergedOneOverlapsAreToPartUnlessAFunctionMergesThem)
   }
 }
 
-TEST_P(Fates, OfATableThatReplacesTheResponseAreThoseOfOneFromTheStart) {
+TEST_P(ContactOutcomes, OfATableThatReplacesTheResponseAreThoseOfOneFromTheStart) {
   World world(Box::walls({20, 20, 20}));
   Random random(3);
   for (int i = 0; i < 27; ++i) {
@@ -236,7 +236,7 @@ TEST_P(Fates, OfATableThatReplacesTheResponseAreThoseOfOneFromTheStart) {
   for (const Simulation* simulation : {&later, &loaded, &copied}) expect_same(from_start, *simulation);
 }
 
-TEST_P(Fates, OfMergingSpheresEndsARunWithMeasures) {
+TEST_P(ContactOutcomes, OfMergingSpheresEndsARunWithMeasures) {
   World world(Box::open());
   world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 1});
   world.add({.position = {3, 0, 0}, .radius = 1});
@@ -246,7 +246,7 @@ TEST_P(Fates, OfMergingSpheresEndsARunWithMeasures) {
   EXPECT_EQ(simulation.size(), 1U);
 }
 
-TEST_P(Fates, OfMergingThatFillsTheBoxIsTheEndOfTheRun) {
+TEST_P(ContactOutcomes, OfMergingThatFillsTheBoxIsTheEndOfTheRun) {
   World world(Box::walls({2.2, 2.2, 10}));
   world.add({.position = {1.1, 1.1, 2}, .velocity = {0, 0, 1}, .radius = 1});
   world.add({.position = {1.1, 1.1, 8}, .radius = 1});
@@ -255,7 +255,7 @@ TEST_P(Fates, OfMergingThatFillsTheBoxIsTheEndOfTheRun) {
   EXPECT_EQ(simulation.size(), 2U) << "nothing has changed";
 }
 
-TEST_P(Fates, OfKinematicSpheresIsNeverToBeDeflected) {
+TEST_P(ContactOutcomes, OfKinematicSpheresIsNeverToBeDeflected) {
   World world(Box::periodic({10, 10, 10}));
   world.add({.position = {2, 5, 5}, .velocity = {1, 0, 0}, .radius = 1, .mass = kInfinity});
   world.add({.position = {8, 5, 5}, .velocity = {-1, 0, 0}, .radius = 1, .mass = kInfinity});
@@ -270,7 +270,7 @@ TEST_P(Fates, OfKinematicSpheresIsNeverToBeDeflected) {
 }
 
 // Hit by a wall of infinite mass moving at 2, a sphere at rest leaves at 4.
-TEST_P(Fates, OfASphereHitByAKinematicOneIsExact) {
+TEST_P(ContactOutcomes, OfASphereHitByAKinematicOneIsExact) {
   World world(Box::open());
   world.add({.position = {0, 0, 0}, .velocity = {2, 0, 0}, .radius = 1, .mass = kInfinity});
   world.add({.position = {4, 0, 0}, .radius = 1});
@@ -280,11 +280,11 @@ TEST_P(Fates, OfASphereHitByAKinematicOneIsExact) {
 }
 
 // All spheres are shells: what all have in common counts, too.
-TEST_P(Fates, OfRoughSpheresDependsOnTheirMoments) {
+TEST_P(ContactOutcomes, OfRoughSpheresDependsOnTheirMoments) {
   for (const double moment : {0.4, 2.0 / 3}) {
     World world(Box::open());
-    world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 0.5, .moment = moment});
-    world.add({.position = {3, 0.5, 0}, .radius = 0.5, .moment = moment});
+    world.add({.position = {0, 0, 0}, .velocity = {1, 0, 0}, .radius = 0.5, .inertia_factor = moment});
+    world.add({.position = {3, 0.5, 0}, .radius = 0.5, .inertia_factor = moment});
     world.set_interactions(ResponseTable(Bounce({.tangential_restitution = 1})));
     Simulation simulation(world, {.engine = GetParam()});
     const double before = simulation.world().energy(simulation.now());
@@ -296,7 +296,7 @@ TEST_P(Fates, OfRoughSpheresDependsOnTheirMoments) {
 }
 
 // What a kinematic sphere absorbs is no part of the energy any more.
-TEST_P(Fates, OfMergingSpheresIsFollowedByTheEnergy) {
+TEST_P(ContactOutcomes, OfMergingSpheresIsFollowedByTheEnergy) {
   for (const double mass : {1.0, kInfinity}) {
     World world(Box::open());
     world.add({.position = {0, 0, 0}, .velocity = {2, 0, 0}, .radius = 1, .mass = mass});
@@ -311,7 +311,7 @@ TEST_P(Fates, OfMergingSpheresIsFollowedByTheEnergy) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Engine, Fates,
+INSTANTIATE_TEST_SUITE_P(Engine, ContactOutcomes,
                          testing::Values(EngineKind::cells, EngineKind::neighbors, EngineKind::all_pairs,
                                          EngineKind::paper));
 
@@ -383,4 +383,4 @@ TEST(CustomResponse, ThatReturnsBadSpinsChangesNothing) {
 }
 
 }  // namespace
-}  // namespace hardball::fates_test
+}  // namespace hardball::contact_outcomes_test

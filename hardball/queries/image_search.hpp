@@ -15,7 +15,7 @@
 #include "hardball/geometry/contact_time.hpp"
 #include "hardball/geometry/inlining.hpp"
 #include "hardball/geometry/motion.hpp"
-#include "hardball/simulation/queries.hpp"
+#include "hardball/queries/queries.hpp"
 #include "hardball/world/world.hpp"
 
 /// The search for what a body on its way touches first, among all images of all spheres: in intervals of the
@@ -29,7 +29,7 @@ inline constexpr Slot kNoSlot = std::numeric_limits<Slot>::max();
 inline constexpr double kRounding = 0x1p-40;
 
 // After so many intervals a search is given up, as is a sphere that crosses so many boxes.
-inline constexpr double kMostIntervals = 1 << 30;
+inline constexpr double kMaxIntervals = 1 << 30;
 
 // A part of the way: from so much time after the moment of the query to so much [T], or for rays [L].
 struct Interval {
@@ -122,7 +122,7 @@ struct First {
 template <class Stride, class Search>
 void search_in_intervals(Stride&& stride, double end, Search&& search) {
   double begin = 0;
-  for (double intervals = 0; intervals < kMostIntervals; ++intervals) {
+  for (double intervals = 0; intervals < kMaxIntervals; ++intervals) {
     const Interval during{begin, std::min(begin + stride(begin), end)};
     if (search(during) || !(during.end < end)) return;
     begin = during.end;

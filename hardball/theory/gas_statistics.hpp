@@ -14,7 +14,7 @@ namespace hardball {
 inline constexpr std::size_t kVeryManySpheres = 300000;
 
 /// What kinetic theory needs of a world: averages over its spheres, and its box.
-struct HARDBALL_EXPORT Moments {
+struct HARDBALL_EXPORT GasStatistics {
   std::size_t spheres = 0;
   Box box;
   /// Of the box; along open axes, of the interval that holds most spheres [L]. Zero along z in two
@@ -34,10 +34,10 @@ struct HARDBALL_EXPORT Moments {
 };
 
 /// Cost: O(n).
-HARDBALL_EXPORT Moments moments_of(const World& world, const Time& moment);
+HARDBALL_EXPORT GasStatistics gas_statistics(const World& world, const Time& moment);
 
 /// Whether choices for one world hold for the other: as many spheres, moving, of about the same size in about
 /// the same space.
-HARDBALL_EXPORT bool are_alike(const Moments& a, const Moments& b);
+HARDBALL_EXPORT bool are_alike(const GasStatistics& a, const GasStatistics& b);
 
 }  // namespace hardball
