@@ -758,7 +758,7 @@ TEST(RefusedCommand, IsExplainedInOneLine) {
   expect_refusal(run_program(folder, {"--json", "run", "gas.toml"}), {"'--json'", "after the command"});
   expect_refusal(run_program(folder, {"verify", "gas.toml", "--json"}), {"'--json'"});
   expect_refusal(run_program(folder, {"completion", "tcsh"}), {"'tcsh'", "bash, zsh, fish"});
-  expect_refusal(run_program(folder, {"completion", "bash", "zsh"}), {"'zsh'", "unexpected argument"});
+  expect_refusal(run_program(folder, {"completion", "bash", "zsh"}), {"unexpected argument", "'zsh'"});
   expect_refusal(run_program(folder, {"manual", "run"}), {"'run'"});
 }
 
