@@ -46,6 +46,7 @@ void ApproachList::make(const Sources& sources, Slot owner, const Vec3& position
   const float reach =
       copies.radius(owner) + static_cast<float>((skin_ + depth_ + kDepthMargin * copies.farthest()) / unit);
   const auto wait = static_cast<float>((expiry_ - begin) / copies.time_unit() * (1 + 0x1p-20));
+  const auto& grid = copies.scale().grid;
   slots_.resize(all.size());
   count_ = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -59,8 +60,8 @@ void ApproachList::make(const Sources& sources, Slot owner, const Vec3& position
     for_each_axis([&](auto axis) {
       const auto steps =
           static_cast<std::uint32_t>(path.position[axis]) - static_cast<std::uint32_t>(own.position[axis]);
-      const float apart = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis] +
-                          path.velocity[axis] * age;
+      const float apart =
+          static_cast<float>(static_cast<std::int32_t>(steps)) * grid[axis] + path.velocity[axis] * age;
       distance_squared += apart * apart;
       speed_squared += path.velocity[axis] * path.velocity[axis];
     });
