@@ -72,7 +72,7 @@ TEST_F(Tune, PrintsTheChoiceThePapersAndTheBest) {
 }
 
 TEST_F(Tune, WritesATableInWhichPredictionsAgreeWithCounts) {
-  const Outcome outcome = tune({"--out", "new/out"});
+  const Outcome outcome = tune({"--out", "new/out"}, "3");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
   const auto rows = read_csv(read_text(folder_ / "new/out/tune.csv"));
   ASSERT_GE(rows.size(), 8U) << "the larger edges coincide in a small box";
