@@ -44,7 +44,7 @@ class View : public testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     program_.emplace(folder_, arguments, "/usr/bin/env");
     std::string address;
-    for (int k = 0; k < 4000 && !address.ends_with('\n'); ++k) {
+    for (int k = 0; k < 12000 && !address.ends_with('\n'); ++k) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
       address = read_text(folder_ / "program.stdout");
     }
