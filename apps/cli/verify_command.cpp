@@ -194,7 +194,7 @@ ExitCode verify(const Options& options) {
   } else {
     comparison.leave_out("all-pairs", fmt::format("{:.1g} predictions would take too long", pairs));
   }
-  write_output(comparison.is_good() ? "all runs agree\n" : "THE RUNS DIFFER, OR SPHERES OVERLAP\n");
+  write_output(comparison.is_good() ? "all runs are the same\n" : "THE RUNS DIFFER, OR SPHERES OVERLAP\n");
   return comparison.is_good() ? ExitCode::done : ExitCode::failed;
 }
 

@@ -59,7 +59,7 @@ TEST_P(EveryScenario, IsTheSameWithAllEngines) {
   const double until = *scenario.until / (support::kIsSlowBuild ? 10 : 1);
   const Outcome outcome = run_program(folder, {"verify", path_of(GetParam()), "--until", to_text(until)});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages << outcome.output;
-  for (const char* line : {"ordered queue", "edge", "paper", "all-pairs", "all runs agree"}) {
+  for (const char* line : {"ordered queue", "edge", "paper", "all-pairs", "all runs are the same"}) {
     EXPECT_NE(outcome.output.find(line), std::string::npos) << outcome.output;
   }
 }
@@ -99,7 +99,7 @@ TEST(Verify, AcceptsSpheresThatGrowIntoOthers) {
   const Outcome outcome =
       run_program(folder, {"verify", "drops.toml", "--until", "20", "--set", "spheres.0.count=100"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
-  EXPECT_NE(outcome.output.find("all runs agree"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("all runs are the same"), std::string::npos) << outcome.output;
 }
 
 TEST(Scenario, CradleCollidesOncePerUnitOfTime) {
