@@ -10,11 +10,12 @@
 
 namespace hardball {
 
+/// Anything that can be called, or nothing: what std::function is, without its header, which would add a
+/// third to what users of the library compile. Copies copy what they hold.
 template <class Signature>
 class Function;
 
-/// Anything that can be called, or nothing: what std::function is, without <functional>, which would add a
-/// third to what users of the library compile. Copies copy what they hold.
+/// The same, by result and arguments.
 template <class Result, class... Arguments>
 class Function<Result(Arguments...)> {
  public:
