@@ -15,7 +15,7 @@ namespace hardball {
 template <class Signature>
 class Function;
 
-/// The same, by result and arguments.
+/// The function of a signature, which is written as for std::function.
 template <class Result, class... Arguments>
 class Function<Result(Arguments...)> {
  public:

@@ -32,7 +32,7 @@ Points points_of(const PointLists& lists, std::uint32_t list, std::size_t* block
 }
 
 // A place that tells whose it is.
-PackedPosition place_of(Slot slot) {
+PackedPosition position_of(Slot slot) {
   return PackedPosition({static_cast<std::int32_t>(slot), 1000 - static_cast<std::int32_t>(slot), 7});
 }
 
@@ -51,8 +51,8 @@ TEST(PointLists, AgreeWithMultimapsUnderRandomTraffic) {
       Points& points = known[chosen];
       if (points.empty() || random.uniform() < (filling ? 0.8 : 0.2)) {
         const auto slot = static_cast<Slot>(below(30));
-        lists.insert(chosen, slot, place_of(slot));
-        points.emplace(slot, place_of(slot).bits());
+        lists.insert(chosen, slot, position_of(slot));
+        points.emplace(slot, position_of(slot).bits());
       } else {
         const auto erased = std::next(points.begin(), static_cast<std::ptrdiff_t>(below(points.size())));
         lists.erase(chosen, erased->first);
