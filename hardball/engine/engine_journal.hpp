@@ -21,11 +21,16 @@ class EngineJournal {
 
   /// Forgets what was before, and begins at `now`.
   void begin(const Time& now) {
-    *this = EngineJournal();
+    end();
     is_kept_ = true;
     begin_ = now;
   }
-  void end() { *this = EngineJournal(); }
+  void end() {
+    is_kept_ = false;
+    last_rebuild_ = kLongAgo;
+    events_.clear();
+    merged_.clear();
+  }
   /// Whether it is possible to go back to `moment` by what has been noted.
   bool reaches(const Time& moment) const { return is_kept_ && begin_ <= moment && !(last_rebuild_ > moment); }
   /// The same for all of it.

@@ -21,6 +21,8 @@ class SphereEdit {
     world_.paths_[slot] = path;
     if (!folded.is_zero()) world_.folded_[slot] = world_.folded_[slot] + folded;
   }
+  /// Makes a sphere what it is in another world with the same box. Precondition: `state` has its id.
+  void store(Slot slot, const SphereState& state) { world_.set_state(slot, state); }
   /// Stores a new angular velocity [1/T]. Cost: O(n) for the first sphere that spins.
   void store_spin(Slot slot, const Vec3& spin) { world_.store_spin(slot, spin); }
   /// Gives a sphere a new radius [L], mass [M] and moment of inertia over mass and squared radius [1]. Error:

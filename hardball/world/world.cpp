@@ -132,6 +132,24 @@ void World::check_velocity(SphereId id, const Vec3& velocity) const {
   check_in_plane(velocity, "velocity", name_of(id));
 }
 
+World World::without_spheres() const {
+  World world(box_);
+  world.motion_ = motion_;
+  world.surfaces_ = surfaces_;
+  world.interactions_ = interactions_;
+  world.has_grown_ = has_grown_;
+  world.last_passage_ = last_passage_;
+  return world;
+}
+
+Slot World::insert(const SphereState& state) {
+  HARDBALL_CHECK(!has_journal_);
+  order_.insert(rank_of(state.id), static_cast<Slot>(size()));
+  append(state);
+  next_id_ = std::max(next_id_, state.id + 1);
+  return static_cast<Slot>(size() - 1);
+}
+
 void World::remove(SphereId id, const Time& moment) {
   const Slot slot = slot_of(id);
   if (has_journal_) record(WorldChange::Kind::death, moment, slot);
@@ -224,25 +242,6 @@ void World::reshape(Slot slot, double radius, double mass, double inertia_factor
 void World::set_interactions(const Interactions& interactions) {
   interactions_ = interactions;
   note_traits();
-}
-
-std::size_t World::rank_of(SphereId id) const {
-  if (order_.size() == 0) return 0;
-  const SphereId first = ids_[slot_of_rank(0)];
-  const SphereId last = ids_[slot_of_rank(order_.size() - 1)];
-  if (id <= first || id > last) return id <= first ? 0 : order_.size();
-  // Ids differ, so that few are missing where few spheres have been removed.
-  std::size_t low = order_.size() - std::min(order_.size(), std::size_t{last} - id + 1);
-  std::size_t high = std::min(order_.size(), std::size_t{id} - first);
-  while (low < high) {
-    const std::size_t middle = low + (high - low) / 2;
-    if (ids_[slot_of_rank(middle)] < id) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
 }
 
 bool World::contains(SphereId id) const {

@@ -60,6 +60,15 @@ class HARDBALL_EXPORT World {
   /// Error: `change_velocity` would refuse this velocity.
   void check_velocity(SphereId id, const Vec3& velocity) const;
 
+  /// The same box, gravity, surfaces and interactions, and no spheres.
+  World without_spheres() const;
+  /// All that is known of one sphere.
+  SphereState state_of(Slot slot) const;
+  /// Stores a sphere with the id and the path that it has in another world with the same box, and returns its
+  /// slot, the last. Precondition: no sphere has this id; there is no journal. Cost: O(log n), and as of
+  /// IdOrder::insert.
+  Slot insert(const SphereState& state);
+
   /// Removes a sphere; the one in the last slot takes its place. `moment` is for the journal. Cost: O(log n)
   /// amortized. Error: no sphere has this id.
   void remove(SphereId id, const Time& moment = Time(0));
@@ -218,7 +227,6 @@ class HARDBALL_EXPORT World {
   void record_spheres(Time moment, Slot first, Slot second);
   void store_spin(Slot slot, const Vec3& spin);
   void reshape(Slot slot, double radius, double mass, double inertia_factor);
-  SphereState state_of(Slot slot) const;
   void set_state(Slot slot, const SphereState& state);
   void append(const SphereState& state);
   void check_spin(const Vec3& spin, const std::string& where) const;
@@ -226,8 +234,7 @@ class HARDBALL_EXPORT World {
   void note_traits();
   void check_mass(double mass, const std::string& where) const;
   void check_fits(double radius, std::size_t axis, const std::string& where) const;
-  // How many spheres have lower ids.
-  std::size_t rank_of(SphereId id) const;
+  std::size_t rank_of(SphereId id) const { return order_.rank_of(id, ids_); }
 
   Box box_;
   Motion motion_;

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "hardball/geometry/vec3.hpp"
+#include "hardball/world/box.hpp"
+
+namespace hardball {
+
+/// A part of the box: an interval along the axes that are divided, and all of it along the others.
+class Block {
+ public:
+  /// All of the box.
+  explicit Block(const Box& box) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      period_[axis] = box.is_periodic(axis) ? box.size()[axis] : 0;
+      low_[axis] = box.is_periodic(axis) ? 0 : -kInfinity;
+      high_[axis] = box.is_periodic(axis) ? period_[axis] : kInfinity;
+    }
+  }
+
+  /// Keeps what lies below `place` [L] along an axis, and returns the rest. Precondition: it lies inside.
+  Block split(std::size_t axis, double place) {
+    Block rest = *this;
+    rest.low_[axis] = place;
+    rest.is_divided_[axis] = true;
+    high_[axis] = place;
+    is_divided_[axis] = true;
+    return rest;
+  }
+
+  /// The ends [L]; infinite where the box has no ends or walls, which nothing passes.
+  double low(std::size_t axis) const { return low_[axis]; }
+  double high(std::size_t axis) const { return high_[axis]; }
+
+  /// How far a point is outside [L], by the axis along which it is farthest; negative inside, minus infinity
+  /// if no axis is divided. Precondition: it is less than a box away from the box.
+  double distance(const Vec3& point) const {
+    double most = -kInfinity;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (is_divided_[axis]) most = std::max(most, distance_along(axis, point[axis]));
+    }
+    return most;
+  }
+
+  /// The same for the nearest point of another block.
+  double distance(const Block& other) const {
+    double most = -kInfinity;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (!is_divided_[axis] || !other.is_divided_[axis]) continue;
+      most = std::max(most, gap_along(axis, other));
+    }
+    return most;
+  }
+
+ private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  double distance_along(std::size_t axis, double x) const {
+    const double outside = std::max(low_[axis] - x, x - high_[axis]);
+    if (period_[axis] == 0 || outside <= 0) return outside;
+    // An image may be nearer, or inside.
+    const double below = std::max(low_[axis] - (x - period_[axis]), (x - period_[axis]) - high_[axis]);
+    const double above = std::max(low_[axis] - (x + period_[axis]), (x + period_[axis]) - high_[axis]);
+    return std::min({outside, below, above});
+  }
+
+  double gap_along(std::size_t axis, const Block& other) const {
+    const auto gap = [&](double shift) {
+      return std::max(low_[axis] - (other.high_[axis] + shift), (other.low_[axis] + shift) - high_[axis]);
+    };
+    if (period_[axis] == 0) return gap(0);
+    return std::min({gap(0), gap(-period_[axis]), gap(period_[axis])});
+  }
+
+  Vec3 low_;
+  Vec3 high_;
+  Vec3 period_;  // zero along axes that are not periodic
+  bool is_divided_[kAxes] = {};
+};
+
+}  // namespace hardball

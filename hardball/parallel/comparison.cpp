@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/parallel/comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+namespace {
+
+constexpr double kNeverBad = std::numeric_limits<double>::infinity();
+
+// From one point to the nearest image of another, by the largest component.
+double distance_between(const Box& box, const Vec3& a, const Vec3& b) {
+  Vec3 apart = b - a;
+  apart -= box.shift(box.nearest_image(apart));
+  return largest_component(apart);
+}
+
+// The course of a sphere from some moment on, as a chain of chords.
+class Course {
+ public:
+  Course(const World& world, const Frontier& frontier, const Path& path, double begin)
+      : world_(world), frontier_(frontier), path_(path), moment_(later(Time(begin), path.time)) {
+    center_ = world.motion().position_at(path_, moment_);
+    world.box().fold(center_);
+    at_ = center_;
+    distance_ = frontier.block().distance(at_);
+    nearest_ = distance_;
+  }
+
+  // The path is another one from here on.
+  void turn(const Path& path) {
+    go_to(path.position, path.time);
+    path_ = path;
+  }
+  void end(double end) {
+    const Time moment = later(Time(end), moment_);
+    Vec3 position = world_.motion().position_at(path_, moment);
+    world_.box().fold(position);
+    go_to(position, moment);
+  }
+
+  bool comes_within(double guard) const { return nearest_ <= guard; }
+  Doubt doubt(double since) const { return {since, center_, extent_}; }
+
+ private:
+  void go_to(const Vec3& position, const Time& moment) {
+    const double wait = duration(moment_, moment);
+    const double sag = largest_component(world_.motion().gravity()) * wait * wait / 8;
+    const double distance = frontier_.block().distance(position);
+    const double step = distance_between(world_.box(), at_, position);
+    nearest_ = std::min(nearest_, (distance_ + distance - step) / 2 - sag);
+    extent_ = std::max(extent_, distance_between(world_.box(), center_, position) + sag);
+    at_ = position;
+    distance_ = distance;
+    moment_ = moment;
+  }
+
+  const World& world_;
+  const Frontier& frontier_;
+  Path path_;
+  Time moment_;
+  Vec3 center_;
+  Vec3 at_;
+  double distance_ = 0;
+  double nearest_ = 0;
+  double extent_ = 0;
+};
+
+}  // namespace
+
+void Comparison::mark(std::uint32_t ghost) {
+  chains_[ghost].first = Chain::kDiffers;
+  differing_.push_back(ghost);
+}
+
+void Comparison::find_differing(const Residents& residents, std::span<const GhostRecord> own,
+                                std::span<const Outbox* const> inboxes) {
+  constexpr std::size_t kAhead = 8;
+  differing_.clear();
+  chains_.resize(std::max(chains_.size(), residents.ghost_numbers()));
+  next_.assign(own.size(), Chain::kNone);
+  for (std::uint32_t number = 0; number < own.size(); ++number) {
+    Chain& chain = chains_[own[number].ghost];
+    (chain.first == Chain::kNone ? chain.first : next_[chain.last]) = number;
+    chain.last = number;
+  }
+  for (const Outbox* inbox : inboxes) {
+    for (std::size_t k = 0; k < inbox->records.size(); ++k) {
+      if (k + kAhead < inbox->records.size()) residents.prefetch_ghost(inbox->records[k + kAhead].sphere);
+      const PathRecord& record = inbox->records[k];
+      const std::uint32_t ghost = residents.find_ghost(record.sphere);
+      HARDBALL_CHECK(ghost != IdMap::kNone);
+      Chain& chain = chains_[ghost];
+      if (chain.first == Chain::kDiffers) continue;
+      if (chain.first == Chain::kNone || !(own[chain.first].record == record)) {
+        mark(ghost);
+      } else {
+        chain.first = next_[chain.first];
+      }
+    }
+  }
+  for (const GhostRecord& record : own) {
+    const std::uint32_t first = chains_[record.ghost].first;
+    if (first != Chain::kNone && first != Chain::kDiffers) mark(record.ghost);
+  }
+}
+
+double Comparison::compare(const World& world, const Residents& residents, const Frontier& frontier,
+                           std::span<const GhostRecord> own, std::span<const Outbox* const> inboxes,
+                           double begin, double end, std::vector<Outbox>& outboxes) {
+  find_differing(residents, own, inboxes);
+  references_.clear();
+  corrections_.clear();
+  if (!differing_.empty()) {
+    for (const Outbox* inbox : inboxes) {
+      for (std::uint32_t number = 0; number < inbox->records.size(); ++number) {
+        const PathRecord& record = inbox->records[number];
+        const std::uint32_t ghost = residents.find_ghost(record.sphere);
+        if (chains_[ghost].first == Chain::kDiffers) references_.push_back({ghost, number, &record, nullptr});
+      }
+    }
+    for (std::uint32_t number = 0; number < own.size(); ++number) {
+      const GhostRecord& record = own[number];
+      if (chains_[record.ghost].first == Chain::kDiffers)
+        references_.push_back({record.ghost, number, &record.record, &record});
+    }
+  }
+  for (const GhostRecord& record : own) chains_[record.ghost] = {};
+  for (const std::uint32_t ghost : differing_) chains_[ghost] = {};
+  std::ranges::sort(references_, [](const Reference& a, const Reference& b) {
+    if (a.ghost != b.ghost) return a.ghost < b.ghost;
+    if ((a.own == nullptr) != (b.own == nullptr)) return a.own == nullptr;
+    return a.number < b.number;
+  });
+
+  double bad = kNeverBad;
+  const auto meets_own = [&](const PathRecord& record) {
+    return record.partner != PathRecord::kWall && residents.find_ghost(record.partner) == IdMap::kNone &&
+           world.contains(record.partner);
+  };
+  for (auto first = references_.begin(); first != references_.end();) {
+    const std::uint32_t ghost = first->ghost;
+    const auto last = std::find_if(first, references_.end(), [&](const Reference& r) { return r.ghost != ghost; });
+    const auto middle = std::find_if(first, last, [](const Reference& r) { return r.own != nullptr; });
+    auto true_one = first;
+    auto own_one = middle;
+    for (; true_one != middle && own_one != last && *true_one->record == *own_one->record; ++own_one) ++true_one;
+    const Slot slot = world.slot_of(residents.ghost(ghost).sphere);
+    const Path& begin_path = middle != last ? middle->own->path_before : world.path(slot);
+    const Vec3 begin_spin = middle != last ? middle->own->spin_before : world.spin(slot);
+    const Path& common = true_one == first ? begin_path : (true_one - 1)->record->path;
+    const bool truth_changes = middle != first;
+    corrections_.push_back({ghost, truth_changes ? (middle - 1)->record->path : begin_path,
+                            truth_changes ? (middle - 1)->record->spin : begin_spin});
+    double since = end;
+    Course course(world, frontier, common, begin);
+    for (auto k = own_one; k != last; ++k) {
+      since = std::min(since, k->record->time.high);
+      if (meets_own(*k->record)) bad = std::min(bad, k->record->time.high);
+    }
+    for (auto k = true_one; k != middle; ++k) {
+      since = std::min(since, k->record->time.high);
+      if (meets_own(*k->record)) bad = std::min(bad, k->record->time.high);
+      course.turn(k->record->path);
+    }
+    course.end(end);
+    if (course.comes_within(frontier.guard()))
+      outboxes[residents.ghost(ghost).owner].doubts.push_back(course.doubt(since));
+    first = last;
+  }
+  return bad;
+}
+
+double time_of_doubt(const Box& box, const Halo& halo, std::span<const Doubt> own, std::span<const Doubt> other) {
+  double bad = kNeverBad;
+  for (const Doubt& a : own) {
+    for (const Doubt& b : other) {
+      if (distance_between(box, a.center, b.center) <= (a.extent + b.extent + halo.contact) * (1 + 0x1p-30))
+        bad = std::min(bad, std::max(a.since, b.since));
+    }
+  }
+  return bad;
+}
+
+}  // namespace hardball

@@ -1,0 +1,429 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "hardball/broadphase/broad_phase.hpp"
+#include "hardball/engine/run.hpp"
+#include "hardball/execution/execute.hpp"
+#include "hardball/parallel/comparison.hpp"
+#include "hardball/parallel/frontier.hpp"
+#include "hardball/parallel/messages.hpp"
+#include "hardball/parallel/residents.hpp"
+#include "hardball/world/sphere_edit.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// A contact of an own sphere.
+struct LoggedContact {
+  static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
+
+  Contact contact;
+  bool counts = true;                    ///< Another domain counts it otherwise.
+  DomainNumber other_owner = kNobody;    ///< Of the other sphere, if that is a ghost: it logs the contact, too.
+};
+
+/// The spheres in and around a block of the box, with an engine of their own, which runs ahead through a
+/// window of time as if nothing came from farther away.
+///
+/// All domains do the same at once, a step at a time: `run`, then `verify`, then `doubtful_since`; if what
+/// happened is right, `commit` and `receive`, otherwise `undo`. What they tell each other lies in outboxes.
+/// `Sums` adds up the contacts: note(contact), add(sums), clear().
+template <class Engine, class Sums>
+class Domain {
+ public:
+  /// The domain of a world whose spheres have these owners at `now`. `make_engine` makes an engine of a
+  /// world.
+  template <class MakeEngine>
+  Domain(const World& whole, std::span<const DomainNumber> owners, const Time& now, const Partition& partition,
+         DomainNumber number, const Halo& halo, MakeEngine&& make_engine)
+      : number_(number),
+        frontier_(partition, number, halo, whole.motion()),
+        outboxes_(frontier_.neighbors().size()),
+        engine_(make_engine(residents_of(whole, owners, now))) {}
+
+  DomainNumber number() const { return number_; }
+  /// Of the window, or of the next.
+  const Time& begin() const { return begin_; }
+  const std::vector<DomainNumber>& neighbors() const { return frontier_.neighbors(); }
+  const Engine& engine() const { return engine_; }
+  Engine& engine() { return engine_; }
+  const World& world() const { return engine_.world(); }
+  const Residents& residents() const { return residents_; }
+  /// What it tells a neighbor, by the number of the domain.
+  const Outbox& outbox_to(DomainNumber neighbor) const { return outboxes_[neighbor_number(neighbor)]; }
+
+  /// Of the contacts that count, in all windows committed.
+  const Sums& sums() const { return sums_; }
+  /// Of this window, the contacts of own spheres, if they are kept.
+  std::span<const LoggedContact> log() const { return log_; }
+  void keep_log(bool is_kept) { is_log_kept_ = is_kept; }
+  /// How many contacts count in this window: collisions, and contacts with walls.
+  const Counters& counted() const { return counted_; }
+
+  /// Runs through a window, from where it is to all events whose time rounds to `until` or earlier.
+  void run(double until) {
+    begin_window();
+    engine_.run({.until = Time(until)}, [this](const Contact& contact) { note(contact); });
+    end_legs(until);
+  }
+
+  /// The next contact up to `until`, without executing it; at a window's start.
+  Event peek(double until) {
+    begin_window();
+    return engine_.next_contact(Time(until)).value_or(Event());
+  }
+  /// Executes the contact that `peek` has returned, if it is this one.
+  void execute_if_next(const Event& peeked, const Event& next) {
+    if (peeked == next)
+      engine_.run({.until = next.time, .contacts = 1}, [this](const Contact& contact) { note(contact); });
+  }
+  /// Watches spheres on up to `until`, in a window without contacts.
+  void end_peek(double until) { end_legs(until); }
+  /// Goes back to `moment`, after which nothing but crossings has been handled.
+  void end_step(const Time& moment) { engine_.rewind(moment); }
+
+  /// Compares the window with the neighbors', and returns a time before which it is right; see Comparison.
+  double verify(std::span<const Outbox* const> inboxes, double until) {
+    double bad = frontier_.far_since();
+    for (const Outbox* inbox : inboxes) {
+      for (const Flight& flight : inbox->flights) bad = std::min(bad, frontier_.time_within_guard(flight));
+    }
+    return std::min(bad, comparison_.compare(world(), residents_, frontier_, ghost_records_, inboxes,
+                                             begin_.high, until, outboxes_));
+  }
+  /// The same for what both a neighbor and this domain doubt. Precondition: all have verified.
+  double doubtful_since(std::span<const Outbox* const> inboxes) const {
+    double bad = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < inboxes.size(); ++k) {
+      bad = std::min(bad, time_of_doubt(world().box(), frontier_.halo(), outboxes_[k].doubts, inboxes[k]->doubts));
+    }
+    return bad;
+  }
+
+  /// Goes back to the start of the window.
+  void undo() {
+    engine_.rewind_to_begin();
+    for (const Frontier::Alarm& alarm : due_) frontier_.put_back(alarm);
+    due_.clear();
+  }
+
+  /// Takes the window, up to `until`, as what has happened. Decides who owns and holds its spheres from then
+  /// on, and tells the neighbors.
+  void commit(double until) {
+    engine_.end_journal();
+    begin_ = later(Time(until), engine_.now());
+    sums_.add(window_sums_);
+    for (Outbox& outbox : outboxes_) outbox.clear();
+    for (const Frontier::Alarm& alarm : due_) {
+      if (alarm.time > until) {
+        frontier_.put_back(alarm);
+      } else if (const std::optional<Slot> slot = slot_of(alarm); slot && is_on(*slot, alarm.path)) {
+        touched_.push_back(alarm.sphere);
+      }
+    }
+    due_.clear();
+    std::ranges::sort(touched_);
+    const auto repeated = std::ranges::unique(touched_);
+    touched_.erase(repeated.begin(), repeated.end());
+    for (const SphereId sphere : touched_) review(world().slot_of(sphere));
+  }
+
+  /// Makes the ghosts what their owners say, and lets spheres come and go. Precondition: all have committed.
+  void receive(std::span<const Outbox* const> inboxes) {
+    for (const Outbox* inbox : inboxes) {
+      for (const SphereId sphere : inbox->departures) remove(sphere);
+    }
+    arriving_.clear();
+    for (const Correction& correction : comparison_.corrections()) correct(correction);
+    const std::size_t corrected = arriving_.size();
+    for (const Outbox* inbox : inboxes) {
+      for (const Arrival& arrival : inbox->arrivals) {
+        if (residents_.find_ghost(arrival.sphere.id) == IdMap::kNone) arriving_.push_back(arrival.sphere);
+      }
+    }
+    engine_.put(arriving_, begin_);
+    std::size_t next = corrected;
+    for (const Outbox* inbox : inboxes) {
+      for (const Arrival& arrival : inbox->arrivals) {
+        if (next == arriving_.size() || arriving_[next].id != arrival.sphere.id) continue;
+        residents_.add_ghost(arrival.sphere.id, neighbor_number(arrival.owner));
+        ++next;
+      }
+    }
+    for (const Outbox* inbox : inboxes) {
+      for (const NewOwner& change : inbox->new_owners) {
+        const std::uint32_t ghost = residents_.find_ghost(change.sphere);
+        HARDBALL_CHECK(ghost != IdMap::kNone);
+        residents_.set_owner(ghost, neighbor_number(change.owner));
+      }
+    }
+    for (const Outbox* inbox : inboxes) {
+      for (const Handover& handover : inbox->handovers) take_over(handover);
+    }
+    HARDBALL_CHECK(residents_.size() == world().size());
+  }
+
+  /// Rebuilds the engine where spheres do not fit it. Precondition: no window is under way.
+  void make_ready(const PhaseSettings& settings) {
+    if (engine_.is_outdated()) engine_.rebuild(begin_, settings);
+  }
+
+  /// Watches the frontier anew, up to a time. Cost: O(n).
+  void watch(double horizon) {
+    frontier_.restart(horizon);
+    for (Slot slot = 0; slot < world().size(); ++slot) {
+      if (residents_.is_own(slot)) set_alarm(slot);
+    }
+  }
+
+ private:
+  World residents_of(const World& whole, std::span<const DomainNumber> owners, const Time& now) {
+    World world = whole.without_spheres();
+    const std::vector<DomainNumber>& neighbors = frontier_.neighbors();
+    for (Slot slot = 0; slot < whole.size(); ++slot) {
+      const bool is_own = owners[slot] == number_;
+      const Vec3 position = whole.position(slot, now);
+      if (!is_own && frontier_.block().distance(position) > frontier_.halo().depth) continue;
+      const SphereState state = whole.state_of(slot);
+      world.insert(state);
+      if (is_own) {
+        residents_.add_own(frontier_.holders_at(position, 0));
+      } else {
+        const auto owner = std::ranges::lower_bound(neighbors, owners[slot]);
+        HARDBALL_CHECK(owner != neighbors.end() && *owner == owners[slot]);
+        residents_.add_ghost(state.id, static_cast<std::uint32_t>(owner - neighbors.begin()));
+      }
+    }
+    begin_ = now;
+    return world;
+  }
+
+  std::uint32_t neighbor_number(DomainNumber domain) const {
+    const auto found = std::ranges::lower_bound(neighbors(), domain);
+    HARDBALL_CHECK(found != neighbors().end() && *found == domain);
+    return static_cast<std::uint32_t>(found - neighbors().begin());
+  }
+
+  void begin_window() {
+    begin_ = later(begin_, engine_.now());
+    engine_.begin_journal(begin_);
+    frontier_.begin(begin_.high);
+    for (Outbox& outbox : outboxes_) outbox.clear();
+    window_sums_.clear();
+    counted_ = {};
+    log_.clear();
+    ghost_records_.clear();
+    touched_.clear();
+  }
+
+  HARDBALL_ALWAYS_INLINE void note(const Contact& contact) {
+    const Participants& participants = engine_.participants();
+    const bool is_collision = contact.is_collision();
+    const bool owns_first = residents_.is_own(participants.first);
+    const bool owns_second = is_collision && residents_.is_own(participants.second);
+    if (owns_first) {
+      window_sums_.note(contact);
+      ++(is_collision ? counted_.collision : counted_.wall);
+    }
+    if (is_log_kept_ && (owns_first || owns_second)) log(contact, owns_first, owns_second);
+    const bool turns = contact.outcome == ContactOutcome::bounce;
+    if (owns_first) {
+      note_own(participants.first, contact.first, contact.position, contact.before.first, contact.after.first,
+               contact.first_since, contact, is_collision ? participants.second : participants.first);
+    } else if (turns || owns_second) {
+      note_ghost(participants.first, contact, is_collision ? contact.second : PathRecord::kWall,
+                 is_collision && turns ? 2 : 1);
+    }
+    if (!is_collision) return;
+    if (owns_second) {
+      note_own(participants.second, contact.second, contact.second_position, contact.before.second,
+               contact.after.second, contact.second_since, contact, participants.first);
+    } else if (turns || owns_first) {
+      note_ghost(participants.second, contact, contact.first, 1);
+    }
+  }
+
+  HARDBALL_NEVER_INLINE void log(const Contact& contact, bool owns_first, bool owns_second) {
+    LoggedContact logged{contact, owns_first};
+    if (contact.is_collision() && owns_first != owns_second) {
+      const Slot ghost = owns_first ? engine_.participants().second : engine_.participants().first;
+      logged.other_owner = neighbors()[residents_.ghost(residents_.ghost_number(ghost)).owner];
+    }
+    log_.push_back(logged);
+  }
+
+  PathRecord record_of(Slot slot, const Contact& contact, SphereId partner) const {
+    return {world().path(slot), world().spin(slot), contact.time, world().id(slot), partner};
+  }
+
+  // An own sphere has had a contact; `partner` is where the other one is stored, itself at a wall.
+  HARDBALL_ALWAYS_INLINE void note_own(Slot slot, SphereId id, const Vec3& position, const Vec3& before,
+                                       const Vec3& after, const Time& since, const Contact& contact,
+                                       Slot partner) {
+    const NeighborSet holders = residents_.holders(slot);
+    const double now = contact.time.high;
+    if (holders == 0 && frontier_.is_interior(position, largest_component(before), since.high,
+                                              largest_component(after), now)) [[likely]]
+      return;
+    note_near_frontier(slot, id, position, before, since, contact, partner);
+  }
+
+  HARDBALL_NEVER_INLINE void note_near_frontier(Slot slot, SphereId id, const Vec3& position, const Vec3& before,
+                                                const Time& since, const Contact& contact, Slot partner) {
+    const NeighborSet holders = residents_.holders(slot);
+    frontier_.note({since.high, contact.time.high, position, before}, holders, outboxes_);
+    touched_.push_back(id);
+    set_alarm(slot);
+    const PathRecord record = record_of(slot, contact, partner == slot ? PathRecord::kWall : world().id(partner));
+    const bool turns = contact.outcome == ContactOutcome::bounce;
+    for (std::size_t neighbor = 0; neighbor < outboxes_.size(); ++neighbor) {
+      if ((holders >> neighbor & 1) == 0) continue;
+      // Spheres that pass through each other concern their owners alone.
+      if (turns || owner_of(partner) == neighbor) outboxes_[neighbor].records.push_back(record);
+    }
+  }
+
+  // The number of the neighbor that owns a ghost.
+  std::size_t owner_of(Slot slot) const {
+    return residents_.is_own(slot) ? outboxes_.size() : residents_.ghost(residents_.ghost_number(slot)).owner;
+  }
+
+  // The old path is the last or the one before in the world's journal.
+  HARDBALL_NEVER_INLINE void note_ghost(Slot slot, const Contact& contact, SphereId partner,
+                                        std::size_t changes_ago) {
+    GhostRecord record{record_of(slot, contact, partner), world().path(slot), world().spin(slot),
+                       residents_.ghost_number(slot)};
+    if (contact.outcome == ContactOutcome::bounce) {
+      const Journal& journal = world().journal();
+      const SphereState& before = journal[journal.size() - changes_ago].before;
+      record.path_before = before.path;
+      record.spin_before = before.spin;
+    }
+    ghost_records_.push_back(record);
+  }
+
+  void set_alarm(Slot slot) {
+    const Time now = later(later(begin_, engine_.now()), world().path(slot).time);
+    State state = world().motion().state_at(world().path(slot), now);
+    world().box().fold(state.position);
+    frontier_.set_alarm(world().id(slot), slot, world().path(slot).time, residents_.holders(slot), state, now.high);
+  }
+
+  // The legs of spheres without a contact since their alarm was set.
+  void end_legs(double until) {
+    frontier_.take_alarms(until, due_);
+    for (const Frontier::Alarm& alarm : due_) {
+      const std::optional<Slot> slot = slot_of(alarm);
+      if (!slot || !is_on(*slot, alarm.path)) continue;
+      const Path& path = world().path(*slot);
+      State state = world().motion().state_at(path, later(Time(until), path.time));
+      world().box().fold(state.position);
+      frontier_.note({path.time.high, until, state.position, state.velocity}, residents_.holders(*slot), outboxes_);
+    }
+  }
+
+  std::optional<Slot> slot_of(const Frontier::Alarm& alarm) const {
+    if (alarm.slot < world().size() && world().id(alarm.slot) == alarm.sphere) return alarm.slot;
+    if (!world().contains(alarm.sphere)) return std::nullopt;
+    return world().slot_of(alarm.sphere);
+  }
+  bool is_on(Slot slot, const Time& path) const {
+    return residents_.is_own(slot) && world().path(slot).time == path;
+  }
+
+  // Decides who owns and holds an own sphere.
+  void review(Slot slot) {
+    if (!residents_.is_own(slot)) return;
+    const Vec3 position = world().position(slot, begin_);
+    const SphereId id = world().id(slot);
+    const NeighborSet before = residents_.holders(slot);
+    NeighborSet holders = frontier_.holders_at(position, before);
+    const bool is_outside = frontier_.block().distance(position) > 0;
+    std::uint32_t owner = 0;
+    if (is_outside) {
+      owner = frontier_.nearest_neighbor(position);
+      holders |= NeighborSet{1} << owner;
+    }
+    for (std::uint32_t neighbor = 0; neighbor < outboxes_.size(); ++neighbor) {
+      const NeighborSet bit = NeighborSet{1} << neighbor;
+      if ((before & bit) != 0 && (holders & bit) == 0) outboxes_[neighbor].departures.push_back(id);
+      if ((before & bit) == 0 && (holders & bit) != 0) {
+        outboxes_[neighbor].arrivals.push_back(
+            {world().state_of(slot), is_outside && neighbor != owner ? neighbors()[owner] : number_});
+      }
+    }
+    if (!is_outside) {
+      residents_.set_holders(slot, holders);
+      return set_alarm(slot);
+    }
+    hand_over(slot, id, holders, owner);
+  }
+
+  void hand_over(Slot slot, SphereId id, NeighborSet holders, std::uint32_t owner) {
+    Handover handover{world().state_of(slot), {number_}};
+    for (std::uint32_t neighbor = 0; neighbor < outboxes_.size(); ++neighbor) {
+      if ((holders >> neighbor & 1) == 0 || neighbor == owner) continue;
+      handover.holders.push_back(neighbors()[neighbor]);
+      outboxes_[neighbor].new_owners.push_back({id, neighbors()[owner]});
+    }
+    outboxes_[owner].handovers.push_back(std::move(handover));
+    residents_.make_ghost(slot, id, owner);
+  }
+
+  void take_over(const Handover& handover) {
+    const Slot slot = world().slot_of(handover.sphere.id);
+    HARDBALL_CHECK(world().path(slot) == handover.sphere.path);
+    SphereEdit(engine_.world_to_edit(), begin_, slot).store(slot, handover.sphere);
+    NeighborSet holders = 0;
+    for (const DomainNumber holder : handover.holders) holders |= NeighborSet{1} << neighbor_number(holder);
+    residents_.make_own(slot, holders);
+    set_alarm(slot);
+  }
+
+  void correct(const Correction& correction) {
+    const SphereId sphere = residents_.ghost(correction.ghost).sphere;
+    if (residents_.find_ghost(sphere) != correction.ghost) return;  // gone
+    const Slot slot = world().slot_of(sphere);
+    SphereState state = world().state_of(slot);
+    if (state.path == correction.path && state.spin == correction.spin) return;
+    state.path = correction.path;
+    state.spin = correction.spin;
+    arriving_.push_back(state);
+  }
+
+  void remove(SphereId sphere) {
+    const Slot slot = world().slot_of(sphere);
+    HARDBALL_CHECK(!residents_.is_own(slot));
+    engine_.remove(sphere, begin_);
+    residents_.erase(slot);
+  }
+
+  DomainNumber number_;
+  Frontier frontier_;
+  Residents residents_;
+  std::vector<Outbox> outboxes_;  // by neighbor
+  Time begin_;                    // of the window
+  Engine engine_;
+  Comparison comparison_;
+  Sums sums_;
+  // Of the window:
+  Sums window_sums_;
+  Counters counted_;
+  bool is_log_kept_ = false;
+  std::vector<LoggedContact> log_;
+  std::vector<GhostRecord> ghost_records_;
+  std::vector<Frontier::Alarm> due_;
+  std::vector<SphereId> touched_;  // own spheres whose owner or holders may change
+  std::vector<SphereState> arriving_;
+};
+
+}  // namespace hardball

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <queue>
+#include <vector>
+
+#include "hardball/geometry/motion.hpp"
+#include "hardball/parallel/halo.hpp"
+#include "hardball/parallel/messages.hpp"
+#include "hardball/parallel/partition.hpp"
+#include "hardball/parallel/residents.hpp"
+
+namespace hardball {
+
+/// The largest component of a vector: the distances here are the largest over the axes.
+inline double largest_component(const Vec3& vector) {
+  return std::max({std::fabs(vector.x), std::fabs(vector.y), std::fabs(vector.z)});
+}
+
+/// A part of a path, from one moment to another.
+struct Leg {
+  double begin = 0;     ///< [T]
+  double end = 0;       ///< [T]
+  Vec3 end_position;    ///< Inside the box [L].
+  Vec3 end_velocity;    ///< [L/T]
+};
+
+/// Watches where the own spheres of a domain fly: how far beyond its block, and how near to blocks of domains
+/// that do not hold them.
+///
+/// A sphere in the interior needs no watching: it cannot come near the frontier before the horizon unless it
+/// has a contact. For the others an alarm is set, for when they may first matter.
+class Frontier {
+ public:
+  /// The sphere, if its path began then, must be looked at.
+  struct Alarm {
+    double time = 0;
+    SphereId sphere = 0;
+    Slot slot = 0;  ///< Where it was stored.
+    Time path;
+    friend bool operator<(const Alarm& a, const Alarm& b) { return a.time > b.time; }
+  };
+
+  Frontier(const Partition& partition, DomainNumber domain, const Halo& halo, const Motion& motion)
+      : block_(partition.block(domain)),
+        neighbors_(partition.neighbors(domain, halo.neighborhood())),
+        halo_(halo),
+        gravity_(motion.gravity()),
+        fall_(largest_component(motion.gravity())) {
+    for (const DomainNumber neighbor : neighbors_) blocks_.push_back(partition.block(neighbor));
+  }
+
+  const std::vector<DomainNumber>& neighbors() const { return neighbors_; }
+  const Block& block() const { return block_; }
+  const Halo& halo() const { return halo_; }
+  /// The neighbors whose halos hold a point, but for those in `held`, whose halos are deeper by the slack.
+  NeighborSet holders_at(const Vec3& point, NeighborSet held) const {
+    NeighborSet holders = 0;
+    if (block_.distance(point) < -halo_.outer()) return holders;
+    for (std::size_t neighbor = 0; neighbor < blocks_.size(); ++neighbor) {
+      const bool is_held = (held >> neighbor & 1) != 0;
+      const double distance = blocks_[neighbor].distance(point);
+      if (distance <= (is_held ? halo_.outer() : halo_.depth)) holders |= NeighborSet{1} << neighbor;
+    }
+    return holders;
+  }
+
+  /// The neighbor whose block is nearest. Precondition: there are neighbors.
+  std::uint32_t nearest_neighbor(const Vec3& point) const {
+    const auto nearest = std::ranges::min_element(blocks_, {}, [&](const Block& block) { return block.distance(point); });
+    return static_cast<std::uint32_t>(nearest - blocks_.begin());
+  }
+
+  double horizon() const { return horizon_; }
+  /// Begins to watch anew up to a horizon: an alarm must be set for every own sphere.
+  void restart(double horizon) {
+    horizon_ = horizon;
+    alarms_ = {};
+  }
+  /// Begins a window.
+  void begin(double now) {
+    begin_ = now;
+    excursion_ = 0;
+    far_since_ = std::numeric_limits<double>::infinity();
+  }
+
+  /// Whether a sphere at `point` has been and will be in the interior: it has come with this speed since
+  /// `since`, and leaves with another.
+  bool is_interior(const Vec3& point, double speed_before, double since, double speed_after, double now) const {
+    const double depth = -block_.distance(point) - halo_.outer();
+    return depth > way(speed_before, now - std::max(begin_, since)) &&
+           depth > way(speed_after, horizon_ - now);
+  }
+
+  /// Sets the alarm of a sphere that is where the state says now.
+  void set_alarm(SphereId sphere, Slot slot, const Time& path, NeighborSet holders, const State& state,
+                 double now) {
+    const double distance = distance_to_change(state.position, holders);
+    const double speed = largest_component(state.velocity);
+    const double wait = time_to_pass(distance, speed, fall_) * (1 - 0x1p-30);
+    if (now + wait > horizon_) return;
+    alarms_.push({now + wait, sphere, slot, path});
+  }
+  /// Takes the alarms up to a time.
+  void take_alarms(double until, std::vector<Alarm>& taken) {
+    for (; !alarms_.empty() && alarms_.top().time <= until; alarms_.pop()) taken.push_back(alarms_.top());
+  }
+  void put_back(const Alarm& alarm) { alarms_.push(alarm); }
+
+  /// Notes a leg of an own sphere that these neighbors hold, and tells others whom it may concern.
+  void note(const Leg& leg, NeighborSet holders, std::vector<Outbox>& outboxes) {
+    const double begin = std::max(begin_, leg.begin);
+    const double wait = leg.end - begin;
+    const Vec3 start = leg.end_position - wait * (leg.end_velocity - (0.5 * wait) * gravity_);
+    const double speed = largest_component(leg.end_velocity) + fall_ * wait;
+    // By how much a parabola leaves its chord.
+    const double sag = fall_ * wait * wait / 8;
+    note_excursion(block_.distance(start) + sag, block_.distance(leg.end_position) + sag, begin, wait);
+    const double step = largest_component(leg.end_position - start);
+    for (std::size_t neighbor = 0; neighbor < blocks_.size(); ++neighbor) {
+      if ((holders >> neighbor & 1) != 0) continue;
+      const double first = blocks_[neighbor].distance(start);
+      const double last = blocks_[neighbor].distance(leg.end_position);
+      const double least = (first + last - step) / 2 - sag;
+      if (least <= halo_.depth) outboxes[neighbor].flights.push_back({begin, first, speed, least});
+    }
+  }
+
+  /// How far own spheres have been beyond the block in this window [L].
+  double excursion() const { return excursion_; }
+  /// Since when an own sphere has been so far away that it may have met one not held [T].
+  double far_since() const { return far_since_; }
+  /// Within this distance of the block, spheres may have met own ones in this window [L].
+  double guard() const { return (excursion_ + halo_.contact) * (1 + 0x1p-30); }
+  /// When a flight may first have come within the guard [T]; infinity if it did not.
+  double time_within_guard(const Flight& flight) const {
+    if (flight.least > guard()) return std::numeric_limits<double>::infinity();
+    const double distance = flight.distance - guard();
+    return distance > 0 ? flight.begin + distance / flight.speed * (1 - 0x1p-30) : flight.begin;
+  }
+
+  std::size_t memory_bytes() const { return alarms_.size() * sizeof(Alarm); }
+
+ private:
+  double way(double speed, double wait) const { return wait * (speed + 0.5 * wait * fall_); }
+
+  // How far a sphere can fly before its owner or its holders change.
+  double distance_to_change(const Vec3& point, NeighborSet holders) const {
+    double least = -block_.distance(point);
+    for (std::size_t neighbor = 0; neighbor < blocks_.size(); ++neighbor) {
+      const double distance = blocks_[neighbor].distance(point);
+      const bool is_held = (holders >> neighbor & 1) != 0;
+      least = std::min(least, is_held ? halo_.outer() - distance : distance - halo_.depth);
+    }
+    return std::max(least, 0.0);
+  }
+
+  // Along a chord the distance from a block is convex.
+  void note_excursion(double first, double last, double begin, double wait) {
+    const double most = std::max(first, last);
+    excursion_ = std::max(excursion_, most);
+    const double farthest = halo_.farthest();
+    if (!(most > farthest)) return;
+    const double share = first < farthest ? (farthest - first) / (last - first) * (1 - 0x1p-30) : 0;
+    far_since_ = std::min(far_since_, begin + share * wait);
+  }
+
+  Block block_;
+  std::vector<DomainNumber> neighbors_;
+  std::vector<Block> blocks_;  // of the neighbors
+  Halo halo_;
+  Vec3 gravity_;
+  double fall_;  // the largest component of gravity
+  double horizon_ = std::numeric_limits<double>::infinity();
+  double begin_ = 0;
+  double excursion_ = 0;
+  double far_since_ = 0;
+  std::priority_queue<Alarm> alarms_;
+};
+
+}  // namespace hardball

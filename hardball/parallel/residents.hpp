@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/events/event.hpp"
+#include "hardball/memory/prefetch.hpp"
+#include "hardball/parallel/id_map.hpp"
+
+namespace hardball {
+
+/// The neighbors of a domain among which something is true, a bit for each.
+using NeighborSet = std::uint32_t;
+inline constexpr std::size_t kMaxNeighbors = 31;
+
+/// What the spheres that a domain holds are to it: its own, or ghosts, of which another domain is the owner.
+class Residents {
+ public:
+  struct Ghost {
+    SphereId sphere = 0;
+    std::uint32_t owner = 0;  ///< The number of the neighbor.
+  };
+
+  bool is_own(Slot slot) const { return (roles_[slot] & kGhost) == 0; }
+  /// The neighbors that hold an own sphere.
+  NeighborSet holders(Slot slot) const { return roles_[slot]; }
+  void set_holders(Slot slot, NeighborSet holders) { roles_[slot] = holders; }
+  /// The number of a ghost, which stays the same.
+  std::uint32_t ghost_number(Slot slot) const { return roles_[slot] & ~kGhost; }
+  /// The same of a sphere by id; IdMap::kNone if it is no ghost.
+  std::uint32_t find_ghost(SphereId sphere) const { return numbers_.find(sphere); }
+  void prefetch_ghost(SphereId sphere) const { numbers_.prefetch(sphere); }
+  const Ghost& ghost(std::uint32_t number) const { return ghosts_[number]; }
+  void set_owner(std::uint32_t number, std::uint32_t owner) { ghosts_[number].owner = owner; }
+  std::size_t size() const { return roles_.size(); }
+  std::size_t ghost_count() const { return numbers_.size(); }
+  /// Ghosts have lower numbers.
+  std::size_t ghost_numbers() const { return ghosts_.size(); }
+
+  void prefetch(Slot slot) const { hardball::prefetch(roles_.data() + slot); }
+
+  /// An own sphere is stored in slot size().
+  void add_own(NeighborSet holders) { roles_.push_back(holders); }
+  /// A ghost is stored in slot size().
+  void add_ghost(SphereId sphere, std::uint32_t owner) {
+    roles_.push_back(0);
+    make_ghost(static_cast<Slot>(size() - 1), sphere, owner);
+  }
+  /// An own sphere is a ghost from now on.
+  void make_ghost(Slot slot, SphereId sphere, std::uint32_t owner) {
+    auto number = static_cast<std::uint32_t>(ghosts_.size());
+    if (free_numbers_.empty()) {
+      ghosts_.emplace_back();
+    } else {
+      number = free_numbers_.back();
+      free_numbers_.pop_back();
+    }
+    ghosts_[number] = {sphere, owner};
+    numbers_.set(sphere, number);
+    roles_[slot] = number | kGhost;
+  }
+  /// A ghost is an own sphere from now on.
+  void make_own(Slot slot, NeighborSet holders) {
+    release(slot);
+    roles_[slot] = holders;
+  }
+  /// A sphere is gone; the one in the last slot takes its place.
+  void erase(Slot slot) {
+    if (!is_own(slot)) release(slot);
+    roles_[slot] = roles_.back();
+    roles_.pop_back();
+  }
+
+  std::size_t memory_bytes() const {
+    return roles_.capacity() * sizeof(std::uint32_t) + ghosts_.capacity() * sizeof(Ghost) +
+           free_numbers_.capacity() * sizeof(std::uint32_t) + numbers_.memory_bytes();
+  }
+
+ private:
+  static constexpr std::uint32_t kGhost = 1U << kMaxNeighbors;
+
+  void release(Slot slot) {
+    HARDBALL_CHECK(!is_own(slot));
+    numbers_.erase(ghosts_[ghost_number(slot)].sphere);
+    free_numbers_.push_back(ghost_number(slot));
+  }
+
+  std::vector<std::uint32_t> roles_;  // by slot: holders, or the number of the ghost with its mark
+  std::vector<Ghost> ghosts_;
+  std::vector<std::uint32_t> free_numbers_;
+  IdMap numbers_;
+};
+
+}  // namespace hardball
