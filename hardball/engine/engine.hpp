@@ -48,6 +48,8 @@ class Engine {
   static bool supports(const World& world, double length) { return Phase::supports(world, length); }
   PhaseLengths lengths() const { return phase().lengths(); }
   const Aftermath& aftermath() const { return aftermath_; }
+  /// For changes between runs.
+  Aftermath& aftermath_to_edit() { return aftermath_; }
   /// Continues for another engine.
   void take_over(const Aftermath& aftermath) { aftermath_ = aftermath; }
   /// The time of the last event handled.
@@ -111,6 +113,9 @@ class Engine {
       if (!handle_without_contact(next)) return forecast_.contact_of(next);
     }
   }
+
+  /// Whether anything is to come, if only a crossing.
+  bool has_events() { return queue_.least(forecast_) != kNoOwner; }
 
   /// Changes velocities at `moment`, each of another sphere. Precondition: all events before it have been
   /// handled, and none after it. Cost: a prediction each.

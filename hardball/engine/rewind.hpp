@@ -30,16 +30,20 @@ std::vector<Slot> rewind(Forecast& forecast, const Time& last_kept, const Time& 
   std::vector<SphereId> changed = handled;
   std::size_t slots_in_use = world.size();
   while (!world.journal().empty() && world.journal().back().time > last_kept) {
-    const WorldChange::Kind kind = world.journal().back().kind;
+    using Kind = Journal::Kind;
+    const Kind kind = world.journal().back().kind;
     const Slot slot = world.journal().back().slot;
-    const SphereId id = world.journal().back().before.id;
-    if (kind == WorldChange::Kind::sphere) changed.push_back(id);
+    const bool has_changed = kind == Kind::path || kind == Kind::state;
+    const SphereId id = has_changed             ? world.id(slot)
+                        : kind == Kind::passage ? SphereId{0}
+                                                : world.journal().state().id;
+    if (has_changed) changed.push_back(id);
     // Either the sphere that was born, or the one that took the place of one that died.
-    const bool moves = kind == WorldChange::Kind::birth || kind == WorldChange::Kind::death;
+    const bool moves = kind == Kind::birth || kind == Kind::death;
     if (moves && slot < world.size()) drop_region(slot);
     world.undo();
-    if (kind == WorldChange::Kind::birth) without_region.erase(id);
-    if (kind == WorldChange::Kind::death) without_region.insert(id);
+    if (kind == Kind::birth) without_region.erase(id);
+    if (kind == Kind::death) without_region.insert(id);
     slots_in_use = std::max(slots_in_use, world.size());
   }
   for (const SphereId id : changed) {

@@ -38,6 +38,25 @@ class CollapseGuard {
     count(contact);
   }
 
+  /// How often a sphere has been hit without parting from what hit it, and a new count.
+  std::uint32_t idle_contacts(SphereId sphere) const {
+    const auto counted = idle_contacts_.find(sphere);
+    return counted == idle_contacts_.end() ? 0 : counted->second;
+  }
+  void set_idle_contacts(SphereId sphere, std::uint32_t count) {
+    idle_contacts_.erase(sphere);
+    if (count > 0) idle_contacts_[sphere] = count;
+  }
+  /// Forgets the counts of spheres for which is_wanted(sphere) is false.
+  template <class IsWanted>
+  void keep_only(IsWanted&& is_wanted) {
+    std::erase_if(idle_contacts_, [&](const auto& counted) { return !is_wanted(counted.first); });
+  }
+  /// Takes over the counts of other spheres.
+  void take_over(const CollapseGuard& other) {
+    idle_contacts_.insert(other.idle_contacts_.begin(), other.idle_contacts_.end());
+  }
+
   /// From now on notes what is needed to rewind to this moment or a later one.
   void begin_journal() {
     changes_.clear();

@@ -40,6 +40,8 @@ class Interactions {
   /// Whether spheres of these species pass through each other.
   bool pass(SpeciesId a, SpeciesId b) const { return has_passing_ && table_.pass(a, b); }
   bool has_passing() const { return has_passing_; }
+  /// Whether spheres may merge: by the table, or if the function says so.
+  bool may_merge() const { return function_ || has_merging_; }
   /// Whether all contacts are known to be elastic and smooth.
   bool are_elastic() const { return one_for_all_ && one_for_all_->coefficient() == 1; }
 
@@ -64,6 +66,7 @@ class Interactions {
 
   void choose() {
     has_passing_ = table_.has_passing();
+    has_merging_ = table_.has_merging();
     one_for_all_ = function_ ? std::nullopt : table_.one_for_all();
   }
 
@@ -71,6 +74,7 @@ class Interactions {
   CustomResponse function_;
   std::optional<Restitution> one_for_all_;  // the fastest, if it is that
   bool has_passing_ = false;
+  bool has_merging_ = false;
 };
 
 static_assert(Response<Interactions>);

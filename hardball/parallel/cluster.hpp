@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <span>
@@ -13,6 +14,7 @@
 
 #include "hardball/memory/function.hpp"
 #include "hardball/parallel/domain.hpp"
+#include "hardball/parallel/merged_log.hpp"
 
 namespace hardball {
 
@@ -34,59 +36,166 @@ struct WindowCounters {
 
 /// Domains that together are one system: in windows of time they run apart, compare, and go back where they
 /// were wrong, so that the contacts are those of one engine to the last bit. Source: docs/parallel.md.
+///
+/// A window is opened, which finds what happens in it, and then either committed or cut short.
 template <class Engine, class Sums>
 class Cluster {
  public:
   using Member = Domain<Engine, Sums>;
 
+  /// Takes over domains that together hold a world as it is at `now`.
   Cluster(std::vector<std::unique_ptr<Member>> domains, const Time& now, const WindowSettings& settings,
           const PhaseSettings& phase, ForEach for_each)
       : domains_(std::move(domains)),
-        inboxes_(domains_.size()),
-        bad_(domains_.size()),
-        peeked_(domains_.size()),
         settings_(settings),
         phase_(phase),
         for_each_(std::move(for_each)),
         committed_(now.high),
         window_(settings.first) {
-    for (std::size_t domain = 0; domain < size(); ++domain) {
-      for (const DomainNumber neighbor : domains_[domain]->neighbors())
-        inboxes_[domain].push_back(&domains_[neighbor]->outbox_to(static_cast<DomainNumber>(domain)));
-    }
+    connect();
+  }
+  /// A copy that works in its own way.
+  Cluster(const Cluster& other, ForEach for_each)
+      : settings_(other.settings_),
+        phase_(other.phase_),
+        for_each_(std::move(for_each)),
+        committed_(other.committed_),
+        is_complete_(other.is_complete_),
+        window_(other.window_),
+        horizon_(other.horizon_),
+        counted_(other.counted_),
+        window_counters_(other.window_counters_) {
+    for (const auto& domain : other.domains_) domains_.push_back(std::make_unique<Member>(*domain));
+    connect();
   }
 
   std::size_t size() const { return domains_.size(); }
   const Member& domain(std::size_t number) const { return *domains_[number]; }
   Member& domain(std::size_t number) { return *domains_[number]; }
   const WindowCounters& window_counters() const { return window_counters_; }
+
+  /// How many collisions and contacts with walls have been committed.
+  const Counters& counted() const { return counted_; }
+  /// How many contacts the open window has.
+  std::uint64_t open_contacts() const { return open_.contacts; }
   /// Up to which all has happened [T].
   double committed() const { return committed_; }
+  /// The same, with the last of the events that round to it.
+  Time now() const {
+    Time now(committed_);
+    for (const auto& domain : domains_) now = later(now, domain->begin());
+    return now;
+  }
+  /// Whether all events that round to committed() have happened, too.
+  bool is_complete() const { return is_complete_; }
 
-  /// Runs all domains until every event whose time rounds to `until` or earlier has happened, or so many
-  /// contacts have; returns how many were left. Precondition: `until` is finite.
-  std::uint64_t run(double until, std::uint64_t contacts) {
-    while (contacts > 0) {
-      watch_if_due();
-      const double end = std::min({until, committed_ + window_, horizon_});
-      keep_logs(static_cast<double>(contacts) < 4 * settings_.contacts);
-      std::uint64_t done = 0;
-      if (!run_window(end, contacts, done)) continue;
-      contacts -= done;
-      if (committed_ == until && !was_step_) break;
+  /// Opens a window that ends no later than `end` and has at most so many contacts, of which it returns the
+  /// number. Precondition: `end` is finite and not before committed(); `most` is not zero; no window is open.
+  /// Error: RunFailure, and what engines throw; then no window is open.
+  std::uint64_t open_window(double end, std::uint64_t most, bool keeps_log) {
+    watch_if_due();
+    const double begin = committed_;
+    const bool may_be_cut = static_cast<double>(most) < 4 * settings_.contacts;
+    keep_logs(keeps_log || may_be_cut, !keeps_log);
+    for (double until = std::min({end, begin + window_, horizon_});;) {
+      each([&](Member& domain, std::size_t) { domain.run(until); });
+      const double bad = compare(until);
+      const std::uint64_t contacts = count();
+      const bool is_wrong = bad <= until;
+      if (!is_wrong && contacts <= most) {
+        open_ = {until, contacts, false};
+        return contacts;
+      }
+      const bool is_cut = is_wrong || are_logs_kept_;
+      const double cut = is_wrong ? double_before(bad) : is_cut ? time_before(most) : until;
+      undo();
+      if (is_wrong) note_failure(until - begin);
+      if (!is_cut) keep_logs(true, !keeps_log);
+      if (cut <= begin) {
+        step(end, true);
+        return open_.contacts;
+      }
+      until = cut;
     }
-    return contacts;
+  }
+  /// The contacts of the open window, if its log is kept.
+  MergedLog merged_log() const {
+    std::vector<std::span<const LoggedContact>> logs;
+    for (const auto& domain : domains_) logs.push_back(domain->log());
+    return MergedLog(std::move(logs));
+  }
+  /// Takes the open window as what has happened.
+  void commit_window() {
+    const double length = open_.end - committed_;
+    commit();
+    if (!open_.is_step) adapt(length, open_.contacts);
+  }
+  /// Ends the open window with the first of its contacts, so many. Precondition: it has as many, and its log
+  /// is kept.
+  void cut_window(std::uint64_t contacts) {
+    if (open_.is_step && contacts == open_.contacts) return commit_window();
+    const double end = open_.end;
+    undo();
+    while (contacts > 0) {
+      contacts -= open_window(end, contacts, true);
+      commit_window();
+    }
+  }
+
+  /// The next contact up to `end`, without executing it: only crossings happen. Precondition: as for
+  /// open_window.
+  Event next_contact(double end) {
+    for (;;) {
+      watch_if_due();
+      const Event next = step(std::min(end, horizon_), false);
+      if (next.happens()) return next;
+      commit();
+      if (committed_ == end) return {};
+    }
+  }
+
+  /// Watches all frontiers anew before the next window, as paths have been edited.
+  void watch_anew() { horizon_ = -std::numeric_limits<double>::infinity(); }
+
+  /// Works on all domains, on several at once. Error: of the first that throws.
+  template <class Work>
+  void each(Work&& work) {
+    for_each_(size(), [&](std::size_t domain) {
+      try {
+        work(*domains_[domain], domain);
+      } catch (...) {
+        failures_[domain] = std::current_exception();
+      }
+    });
+    std::exception_ptr first;
+    for (std::exception_ptr& failure : failures_) {
+      if (failure && !first) first = failure;
+      failure = nullptr;
+    }
+    if (first) std::rethrow_exception(first);
   }
 
  private:
-  template <class Work>
-  void each(Work&& work) {
-    for_each_(size(), [&](std::size_t domain) { work(*domains_[domain], domain); });
+  struct OpenWindow {
+    double end = 0;
+    std::uint64_t contacts = 0;
+    bool is_step = false;  // then more may happen in the same double
+  };
+
+  void connect() {
+    inboxes_.resize(size());
+    bad_.resize(size());
+    failures_.resize(size());
+    peeked_.resize(size());
+    for (std::size_t domain = 0; domain < size(); ++domain) {
+      for (const DomainNumber neighbor : domains_[domain]->neighbors())
+        inboxes_[domain].push_back(&domains_[neighbor]->outbox_to(static_cast<DomainNumber>(domain)));
+    }
   }
 
-  void keep_logs(bool is_kept) {
-    for (auto& domain : domains_) domain->keep_log(is_kept);
-    are_logs_kept_ = is_kept;
+  void keep_logs(bool are_kept, bool are_summed) {
+    for (auto& domain : domains_) domain->keep_log(are_kept, are_summed);
+    are_logs_kept_ = are_kept;
   }
 
   void watch_if_due() {
@@ -105,18 +214,34 @@ class Cluster {
   // A time before which what the domains did up to `until` is right; infinity if all is.
   double compare(double until) {
     each([&](Member& domain, std::size_t k) { bad_[k] = domain.verify(inboxes_[k], until); });
-    each([&](Member& domain, std::size_t k) { bad_[k] = std::min(bad_[k], domain.doubtful_since(inboxes_[k])); });
+    each([&](Member& domain, std::size_t k) {
+      bad_[k] = std::min(bad_[k], domain.doubtful_since(inboxes_[k]));
+    });
     return *std::ranges::min_element(bad_);
   }
 
-  void commit(double until) {
-    each([&](Member& domain, std::size_t) { domain.commit(until); });
+  void commit() {
+    for (const auto& domain : domains_) {
+      counted_.collision += domain->counted().collision;
+      counted_.wall += domain->counted().wall;
+    }
+    each([&](Member& domain, std::size_t) { domain.commit(open_.end); });
     each([&](Member& domain, std::size_t k) {
       domain.receive(inboxes_[k]);
       domain.make_ready(phase_);
     });
-    committed_ = until;
+    if (domains_.front()->world().has_passing_pairs()) share_last_passage();
+    committed_ = open_.end;
+    is_complete_ = !open_.is_step;
     ++window_counters_.windows;
+  }
+
+  void share_last_passage() {
+    Event last = domains_.front()->world().last_passage();
+    for (const auto& domain : domains_) {
+      if (last < domain->world().last_passage()) last = domain->world().last_passage();
+    }
+    for (auto& domain : domains_) domain->set_last_passage(last);
   }
 
   void undo() {
@@ -124,33 +249,6 @@ class Cluster {
       domain.undo();
       domain.make_ready(phase_);
     });
-  }
-
-  // Runs a window of at most so many contacts, which may be cut short; false if it was undone.
-  bool run_window(double end, std::uint64_t most, std::uint64_t& done) {
-    was_step_ = false;
-    const double begin = committed_;
-    for (double until = end;;) {
-      each([&](Member& domain, std::size_t) { domain.run(until); });
-      const double bad = compare(until);
-      done = count();
-      if (bad > until && done <= most) {
-        commit(until);
-        adapt(until - begin, done);
-        return true;
-      }
-      const bool is_wrong = bad <= until;
-      const bool is_cut = is_wrong || are_logs_kept_;
-      const double cut = is_wrong ? double_before(bad) : is_cut ? time_before(most) : until;
-      undo();
-      if (is_wrong) {
-        ++window_counters_.failed;
-        window_ = std::max(window_ / 2, (until - begin) / 2);
-      }
-      if (!is_cut) keep_logs(true);
-      if (cut <= begin) return step(end, done);
-      until = cut;
-    }
   }
 
   // The double before the last of so many contacts.
@@ -166,13 +264,14 @@ class Cluster {
     return double_before(*last);
   }
 
-  // Executes the next contact of all, or moves on as far as domains know whom their spheres meet.
-  bool step(double end, std::uint64_t& done) {
-    was_step_ = true;
+  // Opens a window that ends with the next contact of all, if that is to be executed, or as far on as domains
+  // know whom their spheres meet. Returns the next contact, if it is known; if it is not to be executed, no
+  // window is open then.
+  Event step(double end, bool executes) {
     const double begin = committed_;
     for (double until = end;;) {
       each([&](Member& domain, std::size_t k) { peeked_[k] = domain.peek(until); });
-      const Event next = *std::ranges::min_element(peeked_);
+      const Event next = *std::ranges::min_element(peeked_, std::less<Event>());
       const double to = next.happens() ? next.time.high : until;
       each([&](Member& domain, std::size_t k) {
         domain.end_peek(to);
@@ -181,25 +280,37 @@ class Cluster {
       const double bad = *std::ranges::min_element(bad_);
       const bool is_known = bad > to;
       const double cut = is_known ? to : double_before(bad);
-      if (cut < begin || (cut == begin && !is_known)) {
-        // Not even that far: a shorter way shows less.
+      const bool acts = is_known && next.happens();
+      if ((!is_known && cut <= begin) || (acts && !executes)) {
         undo();
-        until = std::max(begin + (to - begin) / 16, std::nextafter(begin, end));
+        if (acts) return next;
+        // Not even that far: a shorter way shows less.
+        until = std::max(begin + (to - begin) / 16, std::nextafter(begin, kNever.high));
         continue;
       }
-      const bool acts = is_known && next.happens();
-      if (acts) {
-        each([&](Member& domain, std::size_t k) { domain.execute_if_next(peeked_[k], next); });
-        HARDBALL_CHECK(count() == 1);
-      }
+      if (acts) execute(next);
       const Time moment = acts ? later(Time(cut), next.time) : Time(cut);
       each([&](Member& domain, std::size_t) { domain.end_step(later(moment, domain.begin())); });
       compare(cut);
-      done = acts ? 1 : 0;
-      commit(cut);
+      open_ = {cut, count(), true};
+      HARDBALL_CHECK(open_.contacts == (acts ? 1U : 0U));
       ++window_counters_.steps;
-      return true;
+      return acts ? next : Event();
     }
+  }
+
+  void execute(const Event& next) {
+    try {
+      each([&](Member& domain, std::size_t k) { domain.execute_if_next(peeked_[k], next); });
+    } catch (...) {
+      undo();
+      throw;
+    }
+  }
+
+  void note_failure(double length) {
+    ++window_counters_.failed;
+    window_ = std::max(window_, length) / 2;
   }
 
   // Lets the next window have as many contacts as are aimed at.
@@ -217,15 +328,18 @@ class Cluster {
   std::vector<std::unique_ptr<Member>> domains_;
   std::vector<std::vector<const Outbox*>> inboxes_;  // by domain and neighbor
   std::vector<double> bad_;
+  std::vector<std::exception_ptr> failures_;
   std::vector<Event> peeked_;
   WindowSettings settings_;
   PhaseSettings phase_;
   ForEach for_each_;
   double committed_;
+  bool is_complete_ = false;
   double window_;
   double horizon_ = -std::numeric_limits<double>::infinity();
   bool are_logs_kept_ = false;
-  bool was_step_ = false;
+  OpenWindow open_;
+  Counters counted_;
   WindowCounters window_counters_;
 };
 

@@ -36,7 +36,7 @@ struct LoggedContact {
 ///
 /// All domains do the same at once, a step at a time: `run`, then `verify`, then `doubtful_since`; if what
 /// happened is right, `commit` and `receive`, otherwise `undo`. What they tell each other lies in outboxes.
-/// `Sums` adds up the contacts: note(contact), add(sums), clear().
+/// `Sums` adds up contacts: note(contact), add(sums).
 template <class Engine, class Sums>
 class Domain {
  public:
@@ -58,21 +58,57 @@ class Domain {
   Engine& engine() { return engine_; }
   const World& world() const { return engine_.world(); }
   const Residents& residents() const { return residents_; }
+  /// Continues for other engines.
+  void take_over(const Aftermath& aftermath) {
+    engine_.take_over(aftermath);
+    keep_own_counts();
+  }
+  std::size_t memory_bytes() const {
+    return engine_.memory_bytes() + residents_.memory_bytes() + frontier_.memory_bytes() +
+           log_.capacity() * sizeof(LoggedContact) + ghost_records_.capacity() * sizeof(GhostRecord) +
+           changed_.capacity() * sizeof(SphereId);
+  }
   /// What it tells a neighbor, by the number of the domain.
   const Outbox& outbox_to(DomainNumber neighbor) const { return outboxes_[neighbor_number(neighbor)]; }
 
-  /// Of the contacts that count, in all windows committed.
+  /// Of the contacts that count, in the windows committed since `clear_sums`; none while logs are kept
+  /// instead.
   const Sums& sums() const { return sums_; }
+  /// Begins to add up with empty sums.
+  void clear_sums(const Sums& empty) {
+    empty_sums_ = empty;
+    sums_ = empty;
+  }
+  void clear_sums() { sums_ = empty_sums_; }
   /// Of this window, the contacts of own spheres, if they are kept.
   std::span<const LoggedContact> log() const { return log_; }
-  void keep_log(bool is_kept) { is_log_kept_ = is_kept; }
+  void keep_log(bool is_kept, bool is_summed) {
+    is_log_kept_ = is_kept;
+    is_summed_ = is_summed;
+  }
+  /// Calls visit(slot) for every own sphere whose state has changed since the last call, perhaps for others.
+  template <class Visit>
+  void take_changed(Visit&& visit) {
+    for (const SphereId sphere : changed_) {
+      if (!world().contains(sphere)) continue;
+      const Slot slot = world().slot_of(sphere);
+      if (residents_.is_own(slot)) visit(slot);
+    }
+    changed_.clear();
+  }
   /// How many contacts count in this window: collisions, and contacts with walls.
   const Counters& counted() const { return counted_; }
 
   /// Runs through a window, from where it is to all events whose time rounds to `until` or earlier.
   void run(double until) {
     begin_window();
-    engine_.run({.until = Time(until)}, [this](const Contact& contact) { note(contact); });
+    try {
+      engine_.run({.until = Time(until)}, [this](const Contact& contact) { note(contact); });
+    } catch (const RunFailure&) {
+      // Perhaps only because ghosts are wrong: a single step will tell.
+      failed_at_ = engine_.now().high;
+      return;
+    }
     end_legs(until);
   }
 
@@ -93,7 +129,7 @@ class Domain {
 
   /// Compares the window with the neighbors', and returns a time before which it is right; see Comparison.
   double verify(std::span<const Outbox* const> inboxes, double until) {
-    double bad = frontier_.far_since();
+    double bad = std::min(frontier_.far_since(), failed_at_);
     for (const Outbox* inbox : inboxes) {
       for (const Flight& flight : inbox->flights) bad = std::min(bad, frontier_.time_within_guard(flight));
     }
@@ -121,7 +157,8 @@ class Domain {
   void commit(double until) {
     engine_.end_journal();
     begin_ = later(Time(until), engine_.now());
-    sums_.add(window_sums_);
+    if (is_summed_) sums_.add(window_sums_);
+    keep_own_counts();
     for (Outbox& outbox : outboxes_) outbox.clear();
     for (const Frontier::Alarm& alarm : due_) {
       if (alarm.time > until) {
@@ -140,7 +177,7 @@ class Domain {
   /// Makes the ghosts what their owners say, and lets spheres come and go. Precondition: all have committed.
   void receive(std::span<const Outbox* const> inboxes) {
     for (const Outbox* inbox : inboxes) {
-      for (const SphereId sphere : inbox->departures) remove(sphere);
+      for (const SphereId sphere : inbox->departures) remove(sphere, begin_);
     }
     arriving_.clear();
     for (const Correction& correction : comparison_.corrections()) correct(correction);
@@ -175,6 +212,43 @@ class Domain {
   /// Rebuilds the engine where spheres do not fit it. Precondition: no window is under way.
   void make_ready(const PhaseSettings& settings) {
     if (engine_.is_outdated()) engine_.rebuild(begin_, settings);
+  }
+
+  /// Changes the velocities of spheres that it holds, at `moment`. Precondition: no window is under way; all
+  /// events before it have been handled, and none after it.
+  void change_velocity(SphereId sphere, const Vec3& velocity, const Time& moment) {
+    if (!world().contains(sphere)) return;
+    const Slot slot = world().slot_of(sphere);
+    const NewVelocity change{slot, world().velocity(slot, moment), velocity};
+    engine_.change_velocities(moment, {&change, 1});
+    begin_ = later(begin_, moment);
+    if (residents_.is_own(slot)) set_alarm(slot);
+  }
+  /// Removes a sphere if it holds it. Precondition: as for change_velocity.
+  void remove(SphereId sphere, const Time& moment) {
+    if (!world().contains(sphere)) return;
+    begin_ = later(begin_, moment);
+    const Slot slot = world().slot_of(sphere);
+    engine_.remove(sphere, moment);
+    residents_.erase(slot);
+  }
+  /// Holds a sphere that is new to the whole world, if it is near enough. Precondition: as for
+  /// change_velocity.
+  void add(const SphereState& sphere, DomainNumber owner, const Time& moment) {
+    const bool is_own = owner == number_;
+    if (!is_own && frontier_.block().distance(sphere.path.position) > frontier_.halo().depth) return;
+    begin_ = later(begin_, moment);
+    engine_.put({&sphere, 1}, moment);
+    if (is_own) {
+      residents_.add_own(frontier_.holders_at(sphere.path.position, 0));
+      set_alarm(static_cast<Slot>(world().size() - 1));
+    } else {
+      residents_.add_ghost(sphere.id, neighbor_number(owner));
+    }
+  }
+  /// The last passage of all domains; see World::last_passage.
+  void set_last_passage(const Event& passage) {
+    if (world().last_passage() < passage) engine_.world_to_edit().note_passage(passage);
   }
 
   /// Watches the frontier anew, up to a time. Cost: O(n).
@@ -218,8 +292,9 @@ class Domain {
     engine_.begin_journal(begin_);
     frontier_.begin(begin_.high);
     for (Outbox& outbox : outboxes_) outbox.clear();
-    window_sums_.clear();
+    if (is_summed_) window_sums_ = empty_sums_;
     counted_ = {};
+    failed_at_ = std::numeric_limits<double>::infinity();
     log_.clear();
     ghost_records_.clear();
     touched_.clear();
@@ -231,7 +306,7 @@ class Domain {
     const bool owns_first = residents_.is_own(participants.first);
     const bool owns_second = is_collision && residents_.is_own(participants.second);
     if (owns_first) {
-      window_sums_.note(contact);
+      if (is_summed_) window_sums_.note(contact);
       ++(is_collision ? counted_.collision : counted_.wall);
     }
     if (is_log_kept_ && (owns_first || owns_second)) log(contact, owns_first, owns_second);
@@ -241,14 +316,14 @@ class Domain {
                contact.first_since, contact, is_collision ? participants.second : participants.first);
     } else if (turns || owns_second) {
       note_ghost(participants.first, contact, is_collision ? contact.second : PathRecord::kWall,
-                 is_collision && turns ? 2 : 1);
+                 contact.spins_before.first);
     }
     if (!is_collision) return;
     if (owns_second) {
       note_own(participants.second, contact.second, contact.second_position, contact.before.second,
                contact.after.second, contact.second_since, contact, participants.first);
     } else if (turns || owns_first) {
-      note_ghost(participants.second, contact, contact.first, 1);
+      note_ghost(participants.second, contact, contact.first, contact.spins_before.second);
     }
   }
 
@@ -269,6 +344,7 @@ class Domain {
   HARDBALL_ALWAYS_INLINE void note_own(Slot slot, SphereId id, const Vec3& position, const Vec3& before,
                                        const Vec3& after, const Time& since, const Contact& contact,
                                        Slot partner) {
+    changed_.push_back(id);
     const NeighborSet holders = residents_.holders(slot);
     const double now = contact.time.high;
     if (holders == 0 && frontier_.is_interior(position, largest_component(before), since.high,
@@ -297,18 +373,18 @@ class Domain {
     return residents_.is_own(slot) ? outboxes_.size() : residents_.ghost(residents_.ghost_number(slot)).owner;
   }
 
-  // The old path is the last or the one before in the world's journal.
   HARDBALL_NEVER_INLINE void note_ghost(Slot slot, const Contact& contact, SphereId partner,
-                                        std::size_t changes_ago) {
-    GhostRecord record{record_of(slot, contact, partner), world().path(slot), world().spin(slot),
-                       residents_.ghost_number(slot)};
-    if (contact.outcome == ContactOutcome::bounce) {
-      const Journal& journal = world().journal();
-      const SphereState& before = journal[journal.size() - changes_ago].before;
-      record.path_before = before.path;
-      record.spin_before = before.spin;
-    }
-    ghost_records_.push_back(record);
+                                        const Vec3& spin_before) {
+    const bool turns = contact.outcome == ContactOutcome::bounce;
+    ghost_records_.push_back({record_of(slot, contact, partner),
+                              turns ? world().journal().path_before(slot) : world().path(slot), spin_before,
+                              residents_.ghost_number(slot)});
+  }
+
+  void keep_own_counts() {
+    engine_.aftermath_to_edit().collapse.keep_only([this](SphereId sphere) {
+      return world().contains(sphere) && residents_.is_own(world().slot_of(sphere));
+    });
   }
 
   void set_alarm(Slot slot) {
@@ -369,7 +445,7 @@ class Domain {
   }
 
   void hand_over(Slot slot, SphereId id, NeighborSet holders, std::uint32_t owner) {
-    Handover handover{world().state_of(slot), {number_}};
+    Handover handover{world().state_of(slot), {number_}, engine_.aftermath().collapse.idle_contacts(id)};
     for (std::uint32_t neighbor = 0; neighbor < outboxes_.size(); ++neighbor) {
       if ((holders >> neighbor & 1) == 0 || neighbor == owner) continue;
       handover.holders.push_back(neighbors()[neighbor]);
@@ -386,6 +462,8 @@ class Domain {
     NeighborSet holders = 0;
     for (const DomainNumber holder : handover.holders) holders |= NeighborSet{1} << neighbor_number(holder);
     residents_.make_own(slot, holders);
+    engine_.aftermath_to_edit().collapse.set_idle_contacts(handover.sphere.id, handover.idle_contacts);
+    changed_.push_back(handover.sphere.id);
     set_alarm(slot);
   }
 
@@ -400,13 +478,6 @@ class Domain {
     arriving_.push_back(state);
   }
 
-  void remove(SphereId sphere) {
-    const Slot slot = world().slot_of(sphere);
-    HARDBALL_CHECK(!residents_.is_own(slot));
-    engine_.remove(sphere, begin_);
-    residents_.erase(slot);
-  }
-
   DomainNumber number_;
   Frontier frontier_;
   Residents residents_;
@@ -415,15 +486,19 @@ class Domain {
   Engine engine_;
   Comparison comparison_;
   Sums sums_;
+  Sums empty_sums_;
   // Of the window:
   Sums window_sums_;
   Counters counted_;
+  double failed_at_ = std::numeric_limits<double>::infinity();  // at which the engine has failed [T]
   bool is_log_kept_ = false;
+  bool is_summed_ = true;
   std::vector<LoggedContact> log_;
   std::vector<GhostRecord> ghost_records_;
   std::vector<Frontier::Alarm> due_;
   std::vector<SphereId> touched_;  // own spheres whose owner or holders may change
   std::vector<SphereState> arriving_;
+  std::vector<SphereId> changed_;  // own spheres, since the last take_changed()
 };
 
 }  // namespace hardball

@@ -57,6 +57,7 @@ struct NewOwner {
 struct Handover {
   SphereState sphere;
   std::vector<DomainNumber> holders;
+  std::uint32_t idle_contacts = 0;  ///< See CollapseGuard.
 };
 
 /// What one domain tells another in a window.

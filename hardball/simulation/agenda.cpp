@@ -28,7 +28,7 @@ std::uint64_t steps_of(const Counters& done) {
 }  // namespace
 
 Agenda::Item Agenda::advance(Tuner& tuner, const Time& action, const Time& sample,
-                             const AnyEngine::Observe& observe) {
+                             ContactSums& sums, const AnyEngine::Observe& observe) {
   const std::uint64_t slice = steps_of_slice(tuner);
   if (is_told_to_stop(slice)) return Item::nothing;
   const Time due = later(sample, begin_);
@@ -39,7 +39,7 @@ Agenda::Item Agenda::advance(Tuner& tuner, const Time& action, const Time& sampl
       .until = acts ? action : end, .contacts = left_.contacts, .steps = std::min(left_.steps, slice)};
   AnyEngine& engine = tuner.engine();
   const Counters before = engine.counters();
-  status_ = engine.run(stretch, observe);
+  status_ = engine.run(stretch, sums, observe);
   const Counters done = engine.counters() - before;
   left_.contacts -= done.contacts();
   const bool is_slice = status_ == RunStatus::steps_reached;

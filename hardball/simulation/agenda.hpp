@@ -26,7 +26,8 @@ class Agenda {
 
   /// Runs the engine to what comes next, when the thermostat acts at `action` and a sample is due at
   /// `sample`; kNever for neither. A sample that was due before the run is taken when it begins.
-  Item advance(Tuner& tuner, const Time& action, const Time& sample, const AnyEngine::Observe& observe);
+  Item advance(Tuner& tuner, const Time& action, const Time& sample, ContactSums& sums,
+               const AnyEngine::Observe& observe);
   /// Counts the steps of what was done after a stretch.
   void spend(std::uint64_t steps);
 

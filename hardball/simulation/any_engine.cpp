@@ -3,6 +3,7 @@
 #include "hardball/simulation/any_engine.hpp"
 
 #include <algorithm>
+#include <thread>
 #include <utility>
 
 #include "hardball/broadphase/all_pairs.hpp"
@@ -15,6 +16,7 @@
 #include "hardball/events/ordered_queue.hpp"
 #include "hardball/geometry/range.hpp"
 #include "hardball/paper/paper_engine.hpp"
+#include "hardball/parallel/parallel_engine.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
@@ -22,6 +24,18 @@
 
 namespace hardball {
 namespace {
+
+// How a world is divided among threads.
+Division choose_division(const World& world, const EngineOptions& options) {
+  if (world.interactions().may_merge()) return {};
+  if (options.division) return *options.division;
+  constexpr std::size_t kSpheresPerThread = 50000;
+  const std::size_t most = std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
+  const std::size_t wanted =
+      options.threads > 0 ? options.threads : std::min(most, world.size() / kSpheresPerThread);
+  const std::size_t threads = std::max<std::size_t>(wanted, 1);
+  return {.domains = threads, .threads = threads};
+}
 
 // Gives any engine the common interface. The preferred ones take its place in worlds that they support.
 template <class Wrapped, class... Preferred>
@@ -37,8 +51,15 @@ class EngineModel final : public AnyEngine {
   Counters counters() const override { return engine_.counters(); }
   std::size_t memory_bytes() const override { return engine_.memory_bytes(); }
   PhaseLengths lengths() const override { return engine_.lengths(); }
-  RunStatus run(const RunLimits& limits, const Observe& observe) override {
-    return engine_.run(limits, observe);
+  RunStatus run(const RunLimits& limits, ContactSums& sums, const Observe& observe) override {
+    if constexpr (requires { engine_.run(limits, sums, observe); }) {
+      return engine_.run(limits, sums, observe);
+    } else {
+      return engine_.run(limits, [&](const Contact& contact) {
+        sums.note(contact);
+        return !observe || observe(contact);
+      });
+    }
   }
   std::optional<Event> next_contact(const Time& until) override { return engine_.next_contact(until); }
   void change_velocities(const Time& moment, std::span<const NewVelocity> changes) override {
@@ -58,7 +79,7 @@ class EngineModel final : public AnyEngine {
     settings_.length = length;
     engine_.rebuild(now, settings_);
   }
-  const Aftermath& aftermath() const override { return engine_.aftermath(); }
+  Aftermath aftermath() const override { return engine_.aftermath(); }
   void take_over(const Aftermath& aftermath) override { engine_.take_over(aftermath); }
   void validate() const override { engine_.validate(); }
 
@@ -76,29 +97,44 @@ std::unique_ptr<AnyEngine> make_queued(World world, const PhaseSettings& setting
 }
 
 template <BroadPhase Phase, BroadPhase... Preferred>
-std::unique_ptr<AnyEngine> make(World world, QueueKind queue, const PhaseSettings& settings, const Time& now,
-                                const Progress& progress) {
-  const auto make_it = queue == QueueKind::ordered ? make_queued<OrderedQueue, Phase, Preferred...>
-                                                   : make_queued<CalendarQueue, Phase, Preferred...>;
+std::unique_ptr<AnyEngine> make(World world, const EngineOptions& options, const PhaseSettings& settings,
+                                const Time& now, const Progress& progress) {
+  const auto make_it = options.queue == QueueKind::ordered ? make_queued<OrderedQueue, Phase, Preferred...>
+                                                           : make_queued<CalendarQueue, Phase, Preferred...>;
   return make_it(std::move(world), settings, now, progress);
 }
 
-std::unique_ptr<AnyEngine> make_cells(World world, QueueKind queue, const PhaseSettings& settings,
-                                      const Time& now, const Progress& progress) {
-  const auto make_it = LargeSphereGrid::supports(world, settings.length) ? make<LargeSphereGrid>
-                                                                         : make<CellGrid, LargeSphereGrid>;
-  return make_it(std::move(world), queue, settings, now, progress);
+// The same, in several domains where these pay.
+template <BroadPhase Phase, BroadPhase... Preferred>
+std::unique_ptr<AnyEngine> make_divided(World world, const EngineOptions& options,
+                                        const PhaseSettings& settings, const Time& now,
+                                        const Progress& progress) {
+  const Division division = choose_division(world, options);
+  if (division.domains == 1)
+    return make<Phase, Preferred...>(std::move(world), options, settings, now, progress);
+  using Divided = ParallelEngine<CalendarQueue, Phase, ContactSums>;
+  return std::make_unique<EngineModel<Divided, Preferred...>>(
+      Divided(std::move(world), settings, division, now), settings);
 }
 
-std::unique_ptr<AnyEngine> make_paper(World world, QueueKind, const PhaseSettings& settings, const Time& now,
-                                      const Progress&) {
+std::unique_ptr<AnyEngine> make_cells(World world, const EngineOptions& options, const PhaseSettings& settings,
+                                      const Time& now, const Progress& progress) {
+  const auto make_it = LargeSphereGrid::supports(world, settings.length)
+                           ? make_divided<LargeSphereGrid>
+                           : make_divided<CellGrid, LargeSphereGrid>;
+  return make_it(std::move(world), options, settings, now, progress);
+}
+
+std::unique_ptr<AnyEngine> make_paper(World world, const EngineOptions&, const PhaseSettings& settings,
+                                      const Time& now, const Progress&) {
   return std::make_unique<EngineModel<PaperEngine>>(PaperEngine(std::move(world), settings, now), settings);
 }
 
 // An engine to choose.
 struct Choice {
   EngineKind kind;
-  std::unique_ptr<AnyEngine> (*make)(World, QueueKind, const PhaseSettings&, const Time&, const Progress&);
+  std::unique_ptr<AnyEngine> (*make)(World, const EngineOptions&, const PhaseSettings&, const Time&,
+                                     const Progress&);
   // The best length for a world with these statistics, and its predicted cost.
   BestLength (*best)(const World&, const Time&, const GasStatistics&, const UnitCosts&);
   bool has_cells;
@@ -107,7 +143,7 @@ struct Choice {
 // All engines.
 constexpr Choice kChoices[] = {
     {EngineKind::cells, make_cells, best_edge, true},
-    {EngineKind::neighbors, make<NeighborList>,
+    {EngineKind::neighbors, make_divided<NeighborList>,
      [](const World&, const Time&, const GasStatistics& statistics, const UnitCosts& costs) {
        return best_skin(statistics, costs);
      },
@@ -131,7 +167,7 @@ const Choice& choice(EngineKind kind) {
 std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
                                        double length, const Time& now, const Progress& progress) {
   const PhaseSettings settings{length, options.instructions.value_or(widest_instruction_set())};
-  return choice(engine).make(std::move(world), options.queue, settings, now, progress);
+  return choice(engine).make(std::move(world), options, settings, now, progress);
 }
 
 void check(const EngineOptions& options) {

@@ -11,6 +11,7 @@
 #include "hardball/execution/aftermath.hpp"
 #include "hardball/interaction/contact.hpp"
 #include "hardball/memory/function.hpp"
+#include "hardball/simulation/contact_sums.hpp"
 #include "hardball/simulation/engine_options.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/progress.hpp"
@@ -32,7 +33,8 @@ class AnyEngine {
   virtual Counters counters() const = 0;
   virtual std::size_t memory_bytes() const = 0;
   virtual PhaseLengths lengths() const = 0;
-  virtual RunStatus run(const RunLimits& limits, const Observe& observe) = 0;
+  /// Adds all contacts to `sums`, and passes them to the observer, if there is one.
+  virtual RunStatus run(const RunLimits& limits, ContactSums& sums, const Observe& observe) = 0;
   virtual std::optional<Event> next_contact(const Time& until) = 0;
   virtual void change_velocities(const Time& moment, std::span<const NewVelocity> changes) = 0;
   virtual SphereId add(const Sphere& sphere, const Time& moment) = 0;
@@ -46,7 +48,7 @@ class AnyEngine {
   virtual bool supports(double length) const = 0;
   /// Rebuilds all regions and predictions, with this cell edge or skin [L] where there is one.
   virtual void rebuild(const Time& now, double length) = 0;
-  virtual const Aftermath& aftermath() const = 0;
+  virtual Aftermath aftermath() const = 0;
   virtual void take_over(const Aftermath& aftermath) = 0;
   virtual void validate() const = 0;
 };

@@ -82,7 +82,7 @@ void Simulation::edit_velocities(std::span<const VelocityEdit> edits, Measures* 
   tuner_->end_look_ahead(now_);
   tuner_->engine().change_velocities(now_, changes);
   for (std::size_t i = 0; i < changes.size(); ++i) {
-    tally_.note_edit(kinetic_energy(world(), changes[i].slot, now_) - energies[i], now_);
+    sums_.tally.note_edit(kinetic_energy(world(), changes[i].slot, now_) - energies[i], now_);
   }
   tell_of_changes(now_, changes, measures);
 }
@@ -91,7 +91,7 @@ SphereId Simulation::add(const Sphere& sphere) {
   check_editable("add");
   tuner_->end_look_ahead(now_);
   const SphereId id = tuner_->engine().add(sphere, now_);
-  tally_.note_edit(kinetic_energy(world(), world().slot_of(id), now_), now_);
+  sums_.tally.note_edit(kinetic_energy(world(), world().slot_of(id), now_), now_);
   if (thermostat_) {
     thermostat_->note_added(id, now_);
     is_rescheduled_ = true;
@@ -105,7 +105,7 @@ void Simulation::remove(SphereId id) {
   tuner_->end_look_ahead(now_);
   tuner_->engine().remove(id, now_);
   user_data_->remove(id);
-  tally_.note_edit(-energy, now_);
+  sums_.tally.note_edit(-energy, now_);
   forget_at_thermostat(id);
 }
 

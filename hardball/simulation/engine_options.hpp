@@ -3,11 +3,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
 #include "hardball/errors/export.hpp"
 #include "hardball/kernels/instruction_set.hpp"
+#include "hardball/parallel/division.hpp"
 #include "hardball/tuning/unit_costs.hpp"
 
 namespace hardball {
@@ -40,6 +42,11 @@ struct EngineOptions {
   /// From which the cell edge is chosen; measure_unit_costs gives those of this machine. Error: not
   /// are_meaningful.
   UnitCosts unit_costs = {};
+  /// How many threads work on one system; zero for as many as pay. One is used where more would not pay, or
+  /// cannot share the work: where spheres merge, or the response is a function.
+  std::size_t threads = 1;
+  /// Instead of `threads`, for tests and measurements: a division into domains.
+  std::optional<Division> division = {};
   /// Used to compute contact times; if absent, the widest available. Error: not available.
   std::optional<InstructionSet> instructions = {};
 };

@@ -57,7 +57,8 @@ void Simulation::look_ahead(const Time& until, std::uint64_t most,
     tuner_->undo_look_ahead(before);
     thermostat_ = thermostat;
   };
-  Time last_change = tally_.last_change();
+  ContactSums unused = sums_.part();
+  Time last_change = sums_.tally.last_change();
   const auto note = [&](const Contact& contact) {
     last_change = contact.time;
     if (contact.outcome == ContactOutcome::merge) forget_at_thermostat(contact.second);
@@ -69,7 +70,7 @@ void Simulation::look_ahead(const Time& until, std::uint64_t most,
     do {
       is_rescheduled_ = false;
       if (tuner_->engine().is_outdated()) tuner_->rebuild(later(now_, tuner_->engine().now()));
-      const Agenda::Item item = agenda.advance(*tuner_, next_action(), kNever, note);
+      const Agenda::Item item = agenda.advance(*tuner_, next_action(), kNever, unused, note);
       if (item == Agenda::Item::action) {
         last_change = later(agenda.reached(), last_change);
         let_thermostat_act(last_change);

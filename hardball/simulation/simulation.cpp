@@ -47,7 +47,7 @@ Simulation::Simulation(World world, const EngineOptions& options, const OnProgre
   tuner_->prepare(world, now_);
   require_no_overlap(world, now_, progress.part(kOrdered, kAudited));  // faster in order
   tuner_->start(std::move(world), now_, progress.part(kAudited, 1));
-  tally_.begin(this->world(), now_);
+  sums_.tally.begin(this->world(), now_);
   progress.note_end();
 }
 
@@ -107,10 +107,12 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
     tuner_->engine().end_journal();
     tuner_->make_ready(now_);
     const Time sample = measures ? measures->next_sample() : kNever;
-    const Agenda::Item item = agenda.advance(*tuner_, next_action(), sample, observe);
-    now_ = later(now_, agenda.reached());
+    const bool observes = measures || listener_ || next_listener_ || world().interactions().may_merge();
+    const Agenda::Item item =
+        agenda.advance(*tuner_, next_action(), sample, sums_, observes ? observe : AnyEngine::Observe());
+    now_ = later(later(now_, sums_.tally.last_change()), agenda.reached());
     // Not `now_`, which after a limited number of steps may depend on the engine.
-    const Time moment = later(agenda.reached(), tally_.last_change());
+    const Time moment = later(agenda.reached(), sums_.tally.last_change());
     if (item == Agenda::Item::action) agenda.spend(act(moment, measures));
     if (item == Agenda::Item::sample) {
       measures->sample(world(), moment);
@@ -124,8 +126,6 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
 // To be called with every contact when it has been carried out.
 void Simulation::note(const Contact& contact, Measures* measures) {
   now_ = contact.time;
-  tally_.note(contact);
-  hash_.note(contact);
   if (contact.outcome == ContactOutcome::merge) [[unlikely]]
     note_merger(contact, measures);
   if (measures) measures->note(contact);
@@ -160,7 +160,7 @@ Time Simulation::next_action() const {
 std::uint64_t Simulation::act(const Time& moment, Measures* measures) {
   const double energy_before = thermostat_->energy();
   const std::span<const NewVelocity> changes = let_thermostat_act(moment);
-  tally_.note_edit(thermostat_->energy() - energy_before, moment);
+  sums_.tally.note_edit(thermostat_->energy() - energy_before, moment);
   tell_of_changes(moment, changes, measures);
   return std::max<std::uint64_t>(1, changes.size());
 }

@@ -13,12 +13,11 @@
 #include "hardball/engine/run.hpp"
 #include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
-#include "hardball/measure/event_log_hash.hpp"
-#include "hardball/measure/tally.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/memory/value_pointer.hpp"
 #include "hardball/queries/queries.hpp"
 #include "hardball/simulation/activity.hpp"
+#include "hardball/simulation/contact_sums.hpp"
 #include "hardball/simulation/engine_options.hpp"
 #include "hardball/simulation/sphere_handle.hpp"
 #include "hardball/thermostats/thermostat.hpp"
@@ -190,8 +189,8 @@ class HARDBALL_EXPORT Simulation {
   const EngineOptions& options() const;
   Counters counters() const;
   /// Hash of all contacts so far, see EventLogHash.
-  std::uint64_t event_log_hash() const { return hash_.value(); }
-  const Tally& tally() const { return tally_; }
+  std::uint64_t event_log_hash() const { return sums_.hash.value(); }
+  const Tally& tally() const { return sums_.tally; }
   /// The engine in use, never `automatic`.
   EngineKind engine() const;
   /// Edges of a cell along each axis [L], a corner of one lying at the origin; zero if the engine has no
@@ -227,8 +226,7 @@ class HARDBALL_EXPORT Simulation {
 
   ValuePointer<Tuner> tuner_;  // with the engine
   Time now_;
-  EventLogHash hash_;
-  Tally tally_;
+  ContactSums sums_;
   ValuePointer<UserData> user_data_;
   std::optional<Thermostat> thermostat_;
   Function<void(const Contact&)> listener_;

@@ -19,20 +19,6 @@ void World::end_journal() {
   has_journal_ = false;
 }
 
-void World::record(WorldChange::Kind kind, Time moment, Slot slot) {
-  WorldChange& change = journal_.emplace_back();
-  change.kind = kind;
-  change.time = moment;
-  change.slot = slot;
-  change.passage = last_passage_;
-  if (kind != WorldChange::Kind::passage) change.before = state_of(slot);
-}
-
-void World::record_spheres(Time moment, Slot first, Slot second) {
-  record(WorldChange::Kind::sphere, moment, first);
-  if (second != first) record(WorldChange::Kind::sphere, moment, second);
-}
-
 SphereState World::state_of(Slot slot) const {
   return {ids_[slot],    paths_[slot], radii_[slot], masses_[slot], inertia_factors_[slot],
           folded_[slot], spin(slot),   species(slot)};
@@ -60,7 +46,7 @@ void World::append(const SphereState& state) {
   inertia_factors_.push_back(state.inertia_factor);
   folded_.push_back(state.folded);
   if (!spins_.empty()) spins_.emplace_back();
-  store_spin(static_cast<Slot>(size() - 1), state.spin);
+  set_spin(static_cast<Slot>(size() - 1), state.spin);
   if (state.species != 0 && species_.empty()) species_.assign(size() - 1, 0);
   if (state.species != 0 || !species_.empty()) species_.push_back(state.species);
   if (std::isinf(state.mass)) ++kinematic_count_;
@@ -69,29 +55,34 @@ void World::append(const SphereState& state) {
 
 void World::undo() {
   HARDBALL_CHECK(!journal_.empty());
-  const WorldChange change = journal_.back();
+  const Journal::Change change = journal_.back();
   switch (change.kind) {
-    case WorldChange::Kind::sphere:
-      set_state(change.slot, change.before);
+    case Journal::Kind::path:
+      paths_[change.slot] = change.path;
+      if (!change.folded.is_zero()) folded_[change.slot] = folded_[change.slot] - change.folded;
       break;
-    case WorldChange::Kind::passage:
-      last_passage_ = change.passage;
+    case Journal::Kind::state:
+      set_state(change.slot, journal_.state());
       break;
-    case WorldChange::Kind::birth:
+    case Journal::Kind::passage:
+      last_passage_ = journal_.passage();
+      break;
+    case Journal::Kind::birth:
       return undo_add();
-    case WorldChange::Kind::death:
+    case Journal::Kind::death:
+      const SphereState before = journal_.state();
       const auto last = static_cast<Slot>(size());
       if (change.slot == last) {
-        append(change.before);
+        append(before);
       } else {
         // The sphere that took its place goes back to the last slot.
         append(state_of(change.slot));
         order_.move(rank_of(ids_[last]), last);
-        set_state(change.slot, change.before);
+        set_state(change.slot, before);
       }
-      order_.insert(rank_of(change.before.id), change.slot);
+      order_.insert(rank_of(before.id), change.slot);
   }
-  journal_.pop_back();
+  journal_.pop();
 }
 
 }  // namespace hardball

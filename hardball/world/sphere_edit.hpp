@@ -11,28 +11,45 @@ namespace hardball {
 class SphereEdit {
  public:
   SphereEdit(World& world, const Time& moment, Slot slot) : SphereEdit(world, moment, slot, slot) {}
-  SphereEdit(World& world, const Time& moment, Slot first, Slot second) : world_(world) {
-    if (world.has_journal()) [[unlikely]]
-      world.record_spheres(moment, first, second);
+  SphereEdit(World& world, const Time& moment, Slot first, Slot second) : world_(world), moment_(moment) {
+    if (!world.has_journal()) [[likely]]
+      return;
+    world.journal_.note_path(moment, first, world.path(first));
+    if (second != first) world.journal_.note_path(moment, second, world.path(second));
   }
 
   /// Replaces a path by one that starts inside the box, `folded` boxes back from where the old one led.
   void store_path(Slot slot, const Path& path, const Image& folded) {
     world_.paths_[slot] = path;
-    if (!folded.is_zero()) world_.folded_[slot] = world_.folded_[slot] + folded;
+    if (folded.is_zero()) return;
+    world_.folded_[slot] = world_.folded_[slot] + folded;
+    if (world_.has_journal()) world_.journal_.note_folded(slot, folded);
   }
   /// Makes a sphere what it is in another world with the same box. Precondition: `state` has its id.
-  void store(Slot slot, const SphereState& state) { world_.set_state(slot, state); }
+  void store(Slot slot, const SphereState& state) {
+    note_state(slot);
+    world_.set_state(slot, state);
+  }
   /// Stores a new angular velocity [1/T]. Cost: O(n) for the first sphere that spins.
-  void store_spin(Slot slot, const Vec3& spin) { world_.store_spin(slot, spin); }
+  void store_spin(Slot slot, const Vec3& spin) {
+    note_state(slot);
+    world_.set_spin(slot, spin);
+  }
   /// Gives a sphere a new radius [L], mass [M] and moment of inertia over mass and squared radius [1]. Error:
   /// as for World::add; then nothing has changed.
   void reshape(Slot slot, double radius, double mass, double inertia_factor) {
+    note_state(slot);
     world_.reshape(slot, radius, mass, inertia_factor);
   }
 
  private:
+  void note_state(Slot slot) {
+    if (world_.has_journal())
+      world_.journal_.note(Journal::Kind::state, moment_, slot, world_.state_of(slot));
+  }
+
   World& world_;
+  Time moment_;
 };
 
 }  // namespace hardball

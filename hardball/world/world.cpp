@@ -63,7 +63,10 @@ SphereId World::add(const Sphere& sphere, const Time& moment) {
   append({next_id_, path, sphere.radius, sphere.mass, sphere.inertia_factor, beyond, sphere.spin,
           sphere.species});
   order_.append();
-  if (has_journal_) record(WorldChange::Kind::birth, moment, static_cast<Slot>(size() - 1));
+  if (has_journal_) {
+    const auto slot = static_cast<Slot>(size() - 1);
+    journal_.note(Journal::Kind::birth, moment, slot, state_of(slot));
+  }
   return next_id_++;
 }
 
@@ -152,7 +155,7 @@ Slot World::insert(const SphereState& state) {
 
 void World::remove(SphereId id, const Time& moment) {
   const Slot slot = slot_of(id);
-  if (has_journal_) record(WorldChange::Kind::death, moment, slot);
+  if (has_journal_) journal_.note(Journal::Kind::death, moment, slot, state_of(slot));
   const auto last = static_cast<Slot>(size() - 1);
   const std::size_t rank = rank_of(id);
   if (slot != last) order_.move(rank_of(ids_[last]), slot);
@@ -174,7 +177,7 @@ void World::remove(SphereId id, const Time& moment) {
 }
 
 void World::undo_add() {
-  if (has_journal_) journal_.pop_back();
+  if (has_journal_) journal_.pop();
   const bool had_journal = std::exchange(has_journal_, false);
   remove(--next_id_);
   has_journal_ = had_journal;
@@ -213,7 +216,7 @@ Image World::rewrite_path(Slot slot, const Time& moment, const Vec3& velocity) {
   return folded;
 }
 
-void World::store_spin(Slot slot, const Vec3& spin) {
+void World::set_spin(Slot slot, const Vec3& spin) {
   if (spins_.empty()) {
     if (spin == Vec3{}) return;
     spins_.assign(size(), Vec3{});

@@ -192,7 +192,7 @@ class HARDBALL_EXPORT World {
   const Event& last_passage() const { return last_passage_; }
   /// Records that two spheres have begun to pass through each other.
   void note_passage(const Event& contact) {
-    if (has_journal_) record(WorldChange::Kind::passage, contact.time, 0);
+    if (has_journal_) journal_.note_passage(contact.time, last_passage_);
     last_passage_ = contact;
   }
 
@@ -223,9 +223,7 @@ class HARDBALL_EXPORT World {
   }
   bool restored();
 
-  void record(WorldChange::Kind kind, Time moment, Slot slot);
-  void record_spheres(Time moment, Slot first, Slot second);
-  void store_spin(Slot slot, const Vec3& spin);
+  void set_spin(Slot slot, const Vec3& spin);
   void reshape(Slot slot, double radius, double mass, double inertia_factor);
   void set_state(Slot slot, const SphereState& state);
   void append(const SphereState& state);

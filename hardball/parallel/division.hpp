@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+namespace hardball {
+
+/// How a system is divided among domains. It changes the speed and never the motion.
+struct Division {
+  std::size_t domains = 1;
+  std::size_t threads = 1;
+  double halo = 1.75;           ///< Depth of halos, in diameters of the largest sphere; above one [1].
+  double window = 0.02;         ///< Contacts for each sphere in a window, two spheres being in each [1].
+  double first_window = 0.001;  ///< The first window: so many radii at the mean speed [1].
+};
+
+}  // namespace hardball

@@ -1,0 +1,416 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "hardball/broadphase/broad_phase.hpp"
+#include "hardball/engine/engine.hpp"
+#include "hardball/engine/run.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/execution/aftermath.hpp"
+#include "hardball/parallel/cluster.hpp"
+#include "hardball/parallel/division.hpp"
+#include "hardball/parallel/thread_team.hpp"
+#include "hardball/world/audit.hpp"
+#include "hardball/world/new_velocity.hpp"
+#include "hardball/world/sphere_edit.hpp"
+
+namespace hardball {
+
+/// An engine that runs one system in several domains, in as many threads as wanted: to the same contacts as
+/// Engine, and with the same interface. The world as a whole is brought up to date when it is asked for.
+///
+/// `Sums` adds up contacts: note(contact); part() makes empty sums, to be filled elsewhere; add(part).
+template <EventQueue Queue, BroadPhase Phase, class Sums>
+class ParallelEngine {
+ public:
+  using Observe = Function<bool(const Contact&)>;
+
+  /// Takes over a world as it is at `now`. Precondition: as for Engine; spheres do not merge, and the response
+  /// is no function, which might not bear being called by several threads at once.
+  ParallelEngine(World world, const PhaseSettings& phase, const Division& settings, const Time& now)
+      : settings_(settings), phase_(phase), world_(std::move(world)), team_(new_team()) {
+    divide(now);
+  }
+  ParallelEngine(const ParallelEngine& other)
+      : settings_(other.settings_),
+        phase_(other.phase_),
+        world_(other.world_),
+        team_(new_team()),
+        cluster_(std::make_unique<Domains>(*other.cluster_, for_each())),
+        halo_(other.halo_),
+        partition_(other.partition_),
+        counters_(other.counters_),
+        aftermath_(other.aftermath_),
+        is_gathered_(other.is_gathered_),
+        is_outdated_(other.is_outdated_),
+        looks_ahead_(other.looks_ahead_),
+        before_look_ahead_(other.before_look_ahead_) {
+    HARDBALL_CHECK(!other.is_open_);
+  }
+  ParallelEngine(ParallelEngine&&) noexcept = default;
+  ParallelEngine& operator=(ParallelEngine&&) noexcept = default;
+
+  const World& world() const {
+    gather();
+    return world_;
+  }
+  /// The world for editing between runs; `rebuild` must follow.
+  World& world_to_edit() {
+    settle();
+    outdate();
+    return world_;
+  }
+  static bool supports(const World& world, double length) {
+    return Phase::supports(world, length) && !world.interactions().may_merge();
+  }
+  /// Of the first domain.
+  PhaseLengths lengths() const { return cluster_->domain(0).engine().lengths(); }
+  std::size_t domains() const { return cluster_->size(); }
+  const WindowCounters& window_counters() const { return cluster_->window_counters(); }
+  /// The time up to which events have been handled.
+  Time now() const { return is_open_ ? now_ : cluster_->now(); }
+
+  Counters counters() const {
+    Counters counters = counters_;
+    counters.collision += cluster_->counted().collision + open_counts_.collision;
+    counters.wall += cluster_->counted().wall + open_counts_.wall;
+    for (std::size_t k = 0; k < cluster_->size(); ++k) {
+      Counters work = cluster_->domain(k).engine().counters();
+      work.collision = 0;
+      work.wall = 0;
+      counters = counters + work;
+    }
+    return counters;
+  }
+
+  std::size_t memory_bytes() const {
+    std::size_t bytes = world_.memory_bytes();
+    for (std::size_t k = 0; k < cluster_->size(); ++k) bytes += cluster_->domain(k).memory_bytes();
+    return bytes;
+  }
+
+  /// As Engine::run, and adds the contacts to `sums`. Without an observer contacts are added in any order.
+  RunStatus run(const RunLimits& limits, Sums& sums, const Observe& observe) {
+    const ThreadTeam::Pinned pinned(*team_);
+    keep_for_rewind();
+    if (!observe) cluster_->each([part = sums.part()](auto& domain, std::size_t) { domain.clear_sums(part); });
+    std::uint64_t contacts = limits.contacts;
+    std::uint64_t steps = limits.steps;
+    while (contacts > 0) {
+      if (is_outdated_) return RunStatus::outdated;
+      if (steps == 0) return RunStatus::steps_reached;
+      const bool has_end = std::isfinite(limits.until.high);
+      if (!has_end && is_idle()) return RunStatus::time_reached;
+      const double end = has_end ? limits.until.high : kLastMoment;
+      const Counters before = counters();
+      const bool continues = run_window(end, std::min(contacts, steps), sums, observe);
+      const Counters done = counters() - before;
+      contacts -= done.contacts();
+      const std::uint64_t work = done.contacts() + done.enter + done.stale + 1;
+      steps -= std::min(steps, work);
+      if (!continues) return RunStatus::observer_stopped;
+      if (cluster_->committed() == end && cluster_->is_complete()) return RunStatus::time_reached;
+    }
+    return RunStatus::contacts_reached;
+  }
+
+  /// As Engine::next_contact.
+  std::optional<Event> next_contact(const Time& until) {
+    const ThreadTeam::Pinned pinned(*team_);
+    if (!std::isfinite(until.high) && is_idle()) return std::nullopt;
+    const Event next = cluster_->next_contact(std::min(until.high, kLastMoment));
+    return next.happens() ? std::optional(next) : std::nullopt;
+  }
+
+  /// As Engine::change_velocities; `slot` is that in world().
+  void change_velocities(const Time& moment, std::span<const NewVelocity> changes) {
+    settle();
+    gather();
+    keep_for_rewind();
+    for (const NewVelocity& change : changes) world_.change_velocity(change.slot, moment, change.after);
+    if (is_outdated_) return;
+    cluster_->each([&](auto& domain, std::size_t) {
+      for (const NewVelocity& change : changes)
+        domain.change_velocity(world_.id(change.slot), change.after, moment);
+    });
+  }
+
+  /// As Engine::add. Cost: O(n).
+  SphereId add(const Sphere& sphere, const Time& moment) {
+    settle();
+    gather();
+    const SphereId id = world_.add(sphere, moment);
+    const auto slot = static_cast<Slot>(world_.size() - 1);
+    try {
+      require_room(world_, slot, all_slots(world_), moment);
+    } catch (const Error&) {
+      world_.undo_add();
+      throw;
+    }
+    if (2 * sphere.radius > halo_.contact) outdate();
+    if (is_outdated_) return id;
+    const SphereState state = world_.state_of(slot);
+    const DomainNumber owner = partition_.domain_at(state.path.position);
+    cluster_->each([&](auto& domain, std::size_t) {
+      domain.add(state, owner, moment);
+      domain.make_ready(phase_);
+    });
+    return id;
+  }
+
+  /// As Engine::remove.
+  void remove(SphereId id, const Time& moment) {
+    settle();
+    gather();
+    world_.remove(id, moment);
+    if (is_outdated_) return;
+    cluster_->each([&](auto& domain, std::size_t) { domain.remove(id, moment); });
+  }
+
+  bool is_outdated() const { return is_outdated_; }
+
+  /// As of Engine; but all is rebuilt after going back. Cost: O(n).
+  void begin_journal(const Time& moment) {
+    HARDBALL_CHECK(is_outdated_ || moment >= now());
+    looks_ahead_ = true;
+    before_look_ahead_.reset();
+  }
+  void end_journal() {
+    looks_ahead_ = false;
+    before_look_ahead_.reset();
+  }
+  /// Goes back to `moment`, since when nothing but crossings has happened.
+  void rewind(const Time& moment) {
+    if (!is_outdated_ && now() > moment) outdate();
+  }
+  void rewind_to_begin() {
+    if (!before_look_ahead_) return outdate();
+    outdate();
+    world_ = before_look_ahead_->world;
+    aftermath_ = before_look_ahead_->aftermath;
+    const Counters done = counters() - before_look_ahead_->counters;
+    counters_.collision -= done.collision;
+    counters_.wall -= done.wall;
+  }
+
+  /// As Engine::rebuild; divides the world anew.
+  void rebuild(const Time& now, const PhaseSettings& settings) {
+    outdate();
+    Counters work = counters();
+    ++work.rebuilds;
+    counters_ = work;
+    phase_ = settings;
+    divide(now);
+  }
+
+  Aftermath aftermath() const {
+    if (is_outdated_) return aftermath_;
+    Aftermath all;
+    for (std::size_t k = 0; k < cluster_->size(); ++k)
+      all.collapse.take_over(cluster_->domain(k).engine().aftermath().collapse);
+    return all;
+  }
+  void take_over(const Aftermath& aftermath) {
+    for (std::size_t k = 0; k < cluster_->size(); ++k) cluster_->domain(k).take_over(aftermath);
+  }
+
+  void validate() const {
+    if (is_outdated_) return;
+    for (std::size_t k = 0; k < cluster_->size(); ++k) cluster_->domain(k).engine().validate();
+  }
+
+ private:
+  using DomainEngine = Engine<Queue, Phase>;
+  using Domains = Cluster<DomainEngine, Sums>;
+  struct LookAhead {
+    World world;
+    Aftermath aftermath;
+    Counters counters;
+  };
+
+  // As late as a moment may be.
+  static constexpr double kLastMoment = 1e120;
+
+  std::unique_ptr<ThreadTeam> new_team() const { return std::make_unique<ThreadTeam>(settings_.threads); }
+  ForEach for_each() const {
+    return [team = team_.get()](std::size_t count, const Function<void(std::size_t)>& work) {
+      team->for_each(count, work);
+    };
+  }
+
+  void divide(const Time& now) {
+    std::vector<Vec3> centers;
+    centers.reserve(world_.size());
+    double speeds = 0;
+    for (Slot slot = 0; slot < world_.size(); ++slot) {
+      centers.push_back(world_.position(slot, now));
+      speeds += length(world_.velocity(slot, now));
+    }
+    halo_.contact = 2 * world_.largest_radius() * world_.room_to_grow();
+    halo_.depth = settings_.halo * halo_.contact;
+    halo_.slack = 0.5 * halo_.contact;
+    partition_ = partition_of(centers);
+    std::vector<DomainNumber> owners;
+    owners.reserve(centers.size());
+    for (const Vec3& center : centers) owners.push_back(partition_.domain_at(center));
+    const auto count = static_cast<double>(std::max<std::size_t>(world_.size(), 1));
+    const double mean_speed = speeds > 0 ? speeds / count : 1;
+    const double radius = halo_.contact > 0 ? halo_.contact / 2 : 1;
+    const WindowSettings windows{std::max(1.0, settings_.window * count / 2),
+                                 settings_.first_window * radius / mean_speed};
+    std::vector<std::unique_ptr<typename Domains::Member>> domains(partition_.size());
+    const auto make = [&](World world) {
+      return DomainEngine(std::move(world), Phase(phase_), now, phase_.instructions);
+    };
+    for_each()(partition_.size(), [&](std::size_t number) {
+      domains[number] = std::make_unique<typename Domains::Member>(
+          world_, owners, now, partition_, static_cast<DomainNumber>(number), halo_, make);
+    });
+    cluster_ = std::make_unique<Domains>(std::move(domains), now, windows, phase_, for_each());
+    take_over(aftermath_);
+    is_outdated_ = false;
+    is_gathered_ = true;
+  }
+
+  // As many domains as wanted, but none with too many neighbors.
+  Partition partition_of(std::span<const Vec3> centers) const {
+    for (std::size_t count = settings_.domains;; count /= 2) {
+      Partition partition = Partition::bisection(world_.box(), std::max<std::size_t>(count, 1), centers);
+      std::size_t most = 0;
+      for (DomainNumber domain = 0; domain < partition.size(); ++domain)
+        most = std::max(most, partition.neighbors(domain, halo_.neighborhood()).size());
+      if (most <= kMaxNeighbors) return partition;
+    }
+  }
+
+  // What is there before anything happens in a look ahead.
+  void keep_for_rewind() {
+    if (looks_ahead_ && !before_look_ahead_) before_look_ahead_ = LookAhead{world(), aftermath(), counters()};
+  }
+
+  // From here on the world tells what is the case, until all is rebuilt.
+  void outdate() {
+    if (is_outdated_) return;
+    gather();
+    aftermath_ = aftermath();
+    is_outdated_ = true;
+  }
+
+  // Brings the world up to date.
+  void gather() const {
+    if (is_gathered_ || is_open_ || is_outdated_) return;
+    const Time now = cluster_->now();
+    for (std::size_t k = 0; k < cluster_->size(); ++k) {
+      auto& domain = cluster_->domain(k);
+      domain.take_changed([&](Slot from) {
+        const SphereState state = domain.world().state_of(from);
+        const Slot slot = world_.slot_of(state.id);
+        SphereEdit(world_, now, slot).store(slot, state);
+      });
+    }
+    world_.note_passage(cluster_->domain(0).world().last_passage());
+    is_gathered_ = true;
+  }
+
+  bool is_idle() {
+    bool has_events = false;
+    for (std::size_t k = 0; k < cluster_->size(); ++k) has_events |= cluster_->domain(k).engine().has_events();
+    return !has_events;
+  }
+
+  // Runs through one window; false if the observer has stopped the run.
+  bool run_window(double end, std::uint64_t most, Sums& sums, const Observe& observe) {
+    if (observe) gather();
+    cluster_->open_window(end, most, static_cast<bool>(observe));
+    if (observe) return deliver(sums, observe);
+    cluster_->commit_window();
+    is_gathered_ = false;
+    for (std::size_t k = 0; k < cluster_->size(); ++k) sums.add(cluster_->domain(k).sums());
+    cluster_->each([](auto& domain, std::size_t) { domain.clear_sums(); });
+    return true;
+  }
+
+  // Tells the observer of the contacts of the open window, with the world as it is after each.
+  bool deliver(Sums& sums, const Observe& observe) {
+    MergedLog log = cluster_->merged_log();
+    is_open_ = true;
+    taken_ = 0;
+    while (const Contact* logged = log.next()) {
+      const Contact contact = *logged;  // the log is discarded if the window is cut
+      apply(contact);
+      sums.note(contact);
+      bool continues = false;
+      try {
+        continues = observe(contact);
+      } catch (...) {
+        settle();
+        throw;
+      }
+      if (!continues) settle();
+      if (!is_open_) return continues;
+    }
+    HARDBALL_CHECK(open_counts_.contacts() == cluster_->open_contacts());
+    close();
+    cluster_->commit_window();
+    return true;
+  }
+
+  // Lets a contact of the open window happen in the world.
+  void apply(const Contact& contact) {
+    now_ = contact.time;
+    ++taken_;
+    ++(contact.is_collision() ? open_counts_.collision : open_counts_.wall);
+    if (contact.outcome == ContactOutcome::pass)
+      return world_.note_passage({contact.time, contact.kind, contact.first, contact.second, contact.image});
+    const Slot first = world_.slot_of(contact.first);
+    world_.rewrite_path(first, contact.time, contact.after.first);
+    if (contact.is_collision())
+      world_.rewrite_path(world_.slot_of(contact.second), contact.time, contact.after.second);
+    if (contact.spins_after == contact.spins_before) return;
+    SphereEdit(world_, contact.time, first).store_spin(first, contact.spins_after.first);
+    if (!contact.is_collision()) return;
+    const Slot second = world_.slot_of(contact.second);
+    SphereEdit(world_, contact.time, second).store_spin(second, contact.spins_after.second);
+  }
+
+  // Takes of the open window only what has been delivered.
+  void settle() {
+    if (!is_open_) return;
+    close();
+    cluster_->cut_window(taken_);
+  }
+  void close() {
+    is_open_ = false;
+    open_counts_ = {};
+  }
+
+  Division settings_;
+  PhaseSettings phase_;
+  mutable World world_;
+  std::unique_ptr<ThreadTeam> team_;
+  std::unique_ptr<Domains> cluster_;
+  Halo halo_;
+  Partition partition_;
+  Counters counters_;    // of earlier divisions
+  Aftermath aftermath_;  // while outdated
+  mutable bool is_gathered_ = true;
+  bool is_outdated_ = false;
+  bool looks_ahead_ = false;
+  std::optional<LookAhead> before_look_ahead_;
+  // Of the open window, while its contacts are delivered:
+  bool is_open_ = false;
+  Time now_;
+  std::uint64_t taken_ = 0;
+  Counters open_counts_;
+};
+
+}  // namespace hardball

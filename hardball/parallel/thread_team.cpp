@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/parallel/thread_team.hpp"
+
+#if defined(__linux__)
+#include <pthread.h>
+#include <sched.h>
+#endif
+
+namespace hardball {
+namespace {
+
+// Some microseconds: longer than the way from one step of a window to the next takes, if nobody is late.
+constexpr int kSpins = 4000;
+
+void pause() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+void wait_while(const std::atomic<std::uint32_t>& number, std::uint32_t value) {
+  for (int spin = 0; spin < kSpins; ++spin) {
+    if (number.load(std::memory_order_acquire) != value) return;
+    pause();
+  }
+  number.wait(value, std::memory_order_acquire);
+}
+
+#if defined(__linux__)
+std::vector<int> processors_available() {
+  std::vector<int> processors;
+  cpu_set_t available;
+  if (sched_getaffinity(0, sizeof available, &available) != 0) return processors;
+  for (int processor = 0; processor < CPU_SETSIZE; ++processor) {
+    if (CPU_ISSET(static_cast<unsigned>(processor), &available)) processors.push_back(processor);
+  }
+  return processors;
+}
+
+void let_run_on(const int* processors, std::size_t count) {
+  cpu_set_t chosen;
+  CPU_ZERO(&chosen);
+  for (std::size_t k = 0; k < count; ++k) CPU_SET(static_cast<unsigned>(processors[k]), &chosen);
+  // Only for speed: it may fail.
+  pthread_setaffinity_np(pthread_self(), sizeof chosen, &chosen);
+}
+#else
+std::vector<int> processors_available() { return {}; }
+void let_run_on(const int*, std::size_t) {}
+#endif
+
+}  // namespace
+
+ThreadTeam::ThreadTeam(std::size_t threads) : processors_(processors_available()) {
+  for (std::size_t number = 1; number < threads; ++number) workers_.emplace_back([this, number] { work(number); });
+}
+
+ThreadTeam::~ThreadTeam() {
+  ends_ = true;
+  round_.fetch_add(1, std::memory_order_release);
+  round_.notify_all();
+  for (std::thread& worker : workers_) worker.join();
+}
+
+void ThreadTeam::for_each(std::size_t count, const Function<void(std::size_t)>& work) {
+  if (workers_.empty()) {
+    for (std::size_t k = 0; k < count; ++k) work(k);
+    return;
+  }
+  task_ = &work;
+  count_ = count;
+  at_work_.store(static_cast<std::uint32_t>(workers_.size()), std::memory_order_relaxed);
+  round_.fetch_add(1, std::memory_order_release);
+  round_.notify_all();
+  for (std::size_t k = 0; k < count; k += size()) work(k);
+  for (std::uint32_t left = at_work_.load(std::memory_order_acquire); left > 0;
+       left = at_work_.load(std::memory_order_acquire))
+    wait_while(at_work_, left);
+}
+
+void ThreadTeam::work(std::size_t number) {
+  pin(number);
+  for (std::uint32_t round = 0;; ++round) {
+    wait_while(round_, round);
+    if (ends_) return;
+    for (std::size_t k = number; k < count_; k += size()) (*task_)(k);
+    if (at_work_.fetch_sub(1, std::memory_order_acq_rel) == 1) at_work_.notify_all();
+  }
+}
+
+void ThreadTeam::pin(std::size_t number) const {
+  if (processors_.size() >= size()) let_run_on(&processors_[number], 1);
+}
+
+ThreadTeam::Pinned::Pinned(const ThreadTeam& team) : team_(team) {
+  if (team_.size() > 1) team_.pin(0);
+}
+
+ThreadTeam::Pinned::~Pinned() {
+  if (team_.size() > 1) let_run_on(team_.processors_.data(), team_.processors_.size());
+}
+
+}  // namespace hardball

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+#include "hardball/memory/function.hpp"
+
+namespace hardball {
+
+/// Some threads that share work, the caller's among them, each on a processor of its own if there are enough.
+///
+/// Who waits long gives its processor away: on a busy machine the others may need it.
+class ThreadTeam {
+ public:
+  /// Precondition: `threads` is not zero.
+  explicit ThreadTeam(std::size_t threads);
+  ThreadTeam(const ThreadTeam&) = delete;
+  ThreadTeam& operator=(const ThreadTeam&) = delete;
+  ~ThreadTeam();
+
+  std::size_t size() const { return workers_.size() + 1; }
+
+  /// Calls work(k) for each k below `count`, and returns when all have returned. Precondition: `work` does not
+  /// throw.
+  void for_each(std::size_t count, const Function<void(std::size_t)>& work);
+
+  /// Keeps the calling thread on the first processor, for as long as this exists.
+  class Pinned {
+   public:
+    explicit Pinned(const ThreadTeam& team);
+    Pinned(const Pinned&) = delete;
+    Pinned& operator=(const Pinned&) = delete;
+    ~Pinned();
+
+   private:
+    const ThreadTeam& team_;
+  };
+
+ private:
+  void work(std::size_t number);
+  void pin(std::size_t number) const;
+
+  std::vector<int> processors_;  // on which the process may run
+  std::vector<std::thread> workers_;
+  const Function<void(std::size_t)>* task_ = nullptr;
+  std::size_t count_ = 0;
+  std::atomic<std::uint32_t> round_{0};
+  std::atomic<std::uint32_t> at_work_{0};
+  std::atomic<bool> ends_{false};
+};
+
+}  // namespace hardball

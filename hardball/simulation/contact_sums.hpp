@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hardball/measure/event_log_hash.hpp"
+#include "hardball/measure/tally.hpp"
+
+namespace hardball {
+
+/// What is added up over all contacts of a run, in whatever order they are noted.
+struct ContactSums {
+  EventLogHash hash;
+  Tally tally;
+
+  void note(const Contact& contact) {
+    tally.note(contact);
+    hash.note(contact);
+  }
+  /// Empty sums, for contacts that are noted elsewhere.
+  ContactSums part() const { return {{}, tally.part()}; }
+  /// Takes over what has been noted in a part.
+  void add(const ContactSums& part) {
+    tally.add(part.tally);
+    hash.add(part.hash);
+  }
+};
+
+}  // namespace hardball
