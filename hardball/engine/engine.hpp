@@ -11,6 +11,7 @@
 #include "hardball/engine/engine_journal.hpp"
 #include "hardball/engine/forecast.hpp"
 #include "hardball/engine/prefetching.hpp"
+#include "hardball/engine/put.hpp"
 #include "hardball/engine/rewind.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/engine/standstill_guard.hpp"
@@ -22,7 +23,6 @@
 #include "hardball/world/audit.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/progress.hpp"
-#include "hardball/world/sphere_edit.hpp"
 
 namespace hardball {
 
@@ -48,9 +48,7 @@ class Engine {
   static bool supports(const World& world, double length) { return Phase::supports(world, length); }
   PhaseLengths lengths() const { return phase().lengths(); }
   const Aftermath& aftermath() const { return aftermath_; }
-  /// For changes between runs.
-  Aftermath& aftermath_to_edit() { return aftermath_; }
-  /// Continues for another engine.
+  /// Continues for another engine, or with an aftermath that has been edited between runs.
   void take_over(const Aftermath& aftermath) { aftermath_ = aftermath; }
   /// The time of the last event handled.
   const Time& now() const { return forecast_.now(); }
@@ -180,10 +178,11 @@ class Engine {
   void put(std::span<const SphereState> spheres, const Time& moment) {
     HARDBALL_CHECK(moment >= now());
     forecast_.advance(moment);
-    put_slots_.clear();
-    for (const SphereState& sphere : spheres) put_slots_.push_back(put(sphere, moment));
+    std::vector<Slot> slots;
+    is_outdated_ = !hardball::put(forecast_, spheres, !is_outdated_, slots);
     if (is_outdated_) return;
-    for (const Slot slot : put_slots_) {
+    for (const Slot slot : slots) {
+      queue_.add_owner(slot);
       forecast_.predict(slot);
       queue_.schedule(slot, forecast_);
     }
@@ -360,32 +359,14 @@ class Engine {
   // What happened up to `last_kept` stays.
   void undo(const Time& last_kept, const Time& moment) {
     standstill_guard_ = {};
-    const std::vector<SphereId> handled = journal_.undo_events(last_kept, counters_, aftermath_.merged);
     aftermath_.collapse.rewind(last_kept);
+    const std::vector<SphereId> handled = journal_.undo_events(last_kept, counters_, aftermath_.merged);
     if (is_outdated_) {
       undo_changes(forecast_.world(), last_kept);
       return forecast_.advance(moment);
     }
     for (const Slot slot : hardball::rewind(forecast_, last_kept, moment, handled))
       queue_.schedule(slot, forecast_);
-  }
-
-  Slot put(const SphereState& sphere, const Time& moment) {
-    World& world = forecast_.world();
-    Slot slot;
-    if (world.contains(sphere.id)) {
-      slot = world.slot_of(sphere.id);
-      if (!is_outdated_) forecast_.erase(slot);
-      SphereEdit(world, moment, slot).store(slot, sphere);
-    } else {
-      slot = world.insert(sphere);
-    }
-    is_outdated_ |= !forecast_.admits(slot);
-    if (is_outdated_) return slot;
-    const bool is_new = slot + 1 == world.size();
-    if (is_new) queue_.add_owner(slot);
-    forecast_.insert(slot);
-    return slot;
   }
 
   void remove_from_forecast(Slot slot) {
@@ -413,7 +394,6 @@ class Engine {
   bool is_outdated_ = false;
   Executed done_;  // the last contact
   Participants participants_;
-  std::vector<Slot> put_slots_;
   Counters counters_;
   Aftermath aftermath_;
   EngineJournal journal_;

@@ -38,6 +38,8 @@ class CollapseGuard {
     count(contact);
   }
 
+  /// Whether all counts are zero.
+  bool is_empty() const { return idle_contacts_.empty(); }
   /// How often a sphere has been hit without parting from what hit it, and a new count.
   std::uint32_t idle_contacts(SphereId sphere) const {
     const auto counted = idle_contacts_.find(sphere);

@@ -144,11 +144,13 @@ double Comparison::compare(const World& world, const Residents& residents, const
   };
   for (auto first = references_.begin(); first != references_.end();) {
     const std::uint32_t ghost = first->ghost;
-    const auto last = std::find_if(first, references_.end(), [&](const Reference& r) { return r.ghost != ghost; });
+    const auto last =
+        std::find_if(first, references_.end(), [&](const Reference& r) { return r.ghost != ghost; });
     const auto middle = std::find_if(first, last, [](const Reference& r) { return r.own != nullptr; });
     auto true_one = first;
     auto own_one = middle;
-    for (; true_one != middle && own_one != last && *true_one->record == *own_one->record; ++own_one) ++true_one;
+    for (; true_one != middle && own_one != last && *true_one->record == *own_one->record; ++own_one)
+      ++true_one;
     const Slot slot = world.slot_of(residents.ghost(ghost).sphere);
     const Path& begin_path = middle != last ? middle->own->path_before : world.path(slot);
     const Vec3 begin_spin = middle != last ? middle->own->spin_before : world.spin(slot);
@@ -175,7 +177,8 @@ double Comparison::compare(const World& world, const Residents& residents, const
   return bad;
 }
 
-double time_of_doubt(const Box& box, const Halo& halo, std::span<const Doubt> own, std::span<const Doubt> other) {
+double time_of_doubt(const Box& box, const Halo& halo, std::span<const Doubt> own,
+                     std::span<const Doubt> other) {
   double bad = kNeverBad;
   for (const Doubt& a : own) {
     for (const Doubt& b : other) {

@@ -65,14 +65,15 @@ class Comparison {
                       std::span<const Outbox* const> inboxes);
   void mark(std::uint32_t ghost);
 
-  std::vector<Chain> chains_;         // by ghost
-  std::vector<std::uint32_t> next_;   // of the same ghost, by record
+  std::vector<Chain> chains_;        // by ghost
+  std::vector<std::uint32_t> next_;  // of the same ghost, by record
   std::vector<std::uint32_t> differing_;
   std::vector<Reference> references_;
   std::vector<Correction> corrections_;
 };
 
 /// A time before which two spheres that two domains doubt cannot have met [T]; infinity if they have not.
-double time_of_doubt(const Box& box, const Halo& halo, std::span<const Doubt> own, std::span<const Doubt> other);
+double time_of_doubt(const Box& box, const Halo& halo, std::span<const Doubt> own,
+                     std::span<const Doubt> other);
 
 }  // namespace hardball

@@ -12,11 +12,13 @@
 
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/engine/run.hpp"
+#include "hardball/execution/aftermath.hpp"
 #include "hardball/execution/execute.hpp"
 #include "hardball/parallel/comparison.hpp"
 #include "hardball/parallel/frontier.hpp"
 #include "hardball/parallel/messages.hpp"
 #include "hardball/parallel/residents.hpp"
+#include "hardball/world/new_velocity.hpp"
 #include "hardball/world/sphere_edit.hpp"
 #include "hardball/world/world.hpp"
 
@@ -27,8 +29,8 @@ struct LoggedContact {
   static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
   Contact contact;
-  bool counts = true;                    ///< Another domain counts it otherwise.
-  DomainNumber other_owner = kNobody;    ///< Of the other sphere, if that is a ghost: it logs the contact, too.
+  bool counts = true;                  ///< Another domain counts it otherwise.
+  DomainNumber other_owner = kNobody;  ///< Of the other sphere, if that is a ghost: it logs the contact, too.
 };
 
 /// The spheres in and around a block of the box, with an engine of their own, which runs ahead through a
@@ -43,8 +45,8 @@ class Domain {
   /// The domain of a world whose spheres have these owners at `now`. `make_engine` makes an engine of a
   /// world.
   template <class MakeEngine>
-  Domain(const World& whole, std::span<const DomainNumber> owners, const Time& now, const Partition& partition,
-         DomainNumber number, const Halo& halo, MakeEngine&& make_engine)
+  Domain(const World& whole, std::span<const DomainNumber> owners, const Time& now,
+         const Partition& partition, DomainNumber number, const Halo& halo, MakeEngine&& make_engine)
       : number_(number),
         frontier_(partition, number, halo, whole.motion()),
         outboxes_(frontier_.neighbors().size()),
@@ -140,7 +142,8 @@ class Domain {
   double doubtful_since(std::span<const Outbox* const> inboxes) const {
     double bad = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < inboxes.size(); ++k) {
-      bad = std::min(bad, time_of_doubt(world().box(), frontier_.halo(), outboxes_[k].doubts, inboxes[k]->doubts));
+      bad = std::min(bad,
+                     time_of_doubt(world().box(), frontier_.halo(), outboxes_[k].doubts, inboxes[k]->doubts));
     }
     return bad;
   }
@@ -353,13 +356,15 @@ class Domain {
     note_near_frontier(slot, id, position, before, since, contact, partner);
   }
 
-  HARDBALL_NEVER_INLINE void note_near_frontier(Slot slot, SphereId id, const Vec3& position, const Vec3& before,
-                                                const Time& since, const Contact& contact, Slot partner) {
+  HARDBALL_NEVER_INLINE void note_near_frontier(Slot slot, SphereId id, const Vec3& position,
+                                                const Vec3& before, const Time& since, const Contact& contact,
+                                                Slot partner) {
     const NeighborSet holders = residents_.holders(slot);
     frontier_.note({since.high, contact.time.high, position, before}, holders, outboxes_);
     touched_.push_back(id);
     set_alarm(slot);
-    const PathRecord record = record_of(slot, contact, partner == slot ? PathRecord::kWall : world().id(partner));
+    const PathRecord record =
+        record_of(slot, contact, partner == slot ? PathRecord::kWall : world().id(partner));
     const bool turns = contact.outcome == ContactOutcome::bounce;
     for (std::size_t neighbor = 0; neighbor < outboxes_.size(); ++neighbor) {
       if ((holders >> neighbor & 1) == 0) continue;
@@ -382,16 +387,20 @@ class Domain {
   }
 
   void keep_own_counts() {
-    engine_.aftermath_to_edit().collapse.keep_only([this](SphereId sphere) {
+    if (engine_.aftermath().collapse.is_empty()) return;
+    Aftermath aftermath = engine_.aftermath();
+    aftermath.collapse.keep_only([this](SphereId sphere) {
       return world().contains(sphere) && residents_.is_own(world().slot_of(sphere));
     });
+    engine_.take_over(aftermath);
   }
 
   void set_alarm(Slot slot) {
     const Time now = later(later(begin_, engine_.now()), world().path(slot).time);
     State state = world().motion().state_at(world().path(slot), now);
     world().box().fold(state.position);
-    frontier_.set_alarm(world().id(slot), slot, world().path(slot).time, residents_.holders(slot), state, now.high);
+    frontier_.set_alarm(world().id(slot), slot, world().path(slot).time, residents_.holders(slot), state,
+                        now.high);
   }
 
   // The legs of spheres without a contact since their alarm was set.
@@ -403,7 +412,8 @@ class Domain {
       const Path& path = world().path(*slot);
       State state = world().motion().state_at(path, later(Time(until), path.time));
       world().box().fold(state.position);
-      frontier_.note({path.time.high, until, state.position, state.velocity}, residents_.holders(*slot), outboxes_);
+      frontier_.note({path.time.high, until, state.position, state.velocity}, residents_.holders(*slot),
+                     outboxes_);
     }
   }
 
@@ -462,7 +472,11 @@ class Domain {
     NeighborSet holders = 0;
     for (const DomainNumber holder : handover.holders) holders |= NeighborSet{1} << neighbor_number(holder);
     residents_.make_own(slot, holders);
-    engine_.aftermath_to_edit().collapse.set_idle_contacts(handover.sphere.id, handover.idle_contacts);
+    if (handover.idle_contacts > 0) {
+      Aftermath aftermath = engine_.aftermath();
+      aftermath.collapse.set_idle_contacts(handover.sphere.id, handover.idle_contacts);
+      engine_.take_over(aftermath);
+    }
     changed_.push_back(handover.sphere.id);
     set_alarm(slot);
   }

@@ -24,10 +24,10 @@ inline double largest_component(const Vec3& vector) {
 
 /// A part of a path, from one moment to another.
 struct Leg {
-  double begin = 0;     ///< [T]
-  double end = 0;       ///< [T]
-  Vec3 end_position;    ///< Inside the box [L].
-  Vec3 end_velocity;    ///< [L/T]
+  double begin = 0;   ///< [T]
+  double end = 0;     ///< [T]
+  Vec3 end_position;  ///< Inside the box [L].
+  Vec3 end_velocity;  ///< [L/T]
 };
 
 /// Watches where the own spheres of a domain fly: how far beyond its block, and how near to blocks of domains
@@ -72,7 +72,8 @@ class Frontier {
 
   /// The neighbor whose block is nearest. Precondition: there are neighbors.
   std::uint32_t nearest_neighbor(const Vec3& point) const {
-    const auto nearest = std::ranges::min_element(blocks_, {}, [&](const Block& block) { return block.distance(point); });
+    const auto nearest =
+        std::ranges::min_element(blocks_, {}, [&](const Block& block) { return block.distance(point); });
     return static_cast<std::uint32_t>(nearest - blocks_.begin());
   }
 
@@ -91,7 +92,8 @@ class Frontier {
 
   /// Whether a sphere at `point` has been and will be in the interior: it has come with this speed since
   /// `since`, and leaves with another.
-  bool is_interior(const Vec3& point, double speed_before, double since, double speed_after, double now) const {
+  bool is_interior(const Vec3& point, double speed_before, double since, double speed_after,
+                   double now) const {
     const double depth = -block_.distance(point) - halo_.outer();
     return depth > way(speed_before, now - std::max(begin_, since)) &&
            depth > way(speed_after, horizon_ - now);

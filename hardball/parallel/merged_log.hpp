@@ -17,7 +17,8 @@ namespace hardball {
 /// is the least contact of those at which all logs that have it have arrived. Cost: O(domains) each.
 class MergedLog {
  public:
-  explicit MergedLog(std::vector<std::span<const LoggedContact>> logs) : logs_(std::move(logs)), next_(logs_.size()) {}
+  explicit MergedLog(std::vector<std::span<const LoggedContact>> logs)
+      : logs_(std::move(logs)), next_(logs_.size()) {}
 
   /// The next contact; null at the end.
   const Contact* next() {

@@ -17,9 +17,9 @@ namespace hardball {
 struct PathRecord {
   static constexpr SphereId kWall = std::numeric_limits<SphereId>::max();
 
-  Path path;          ///< After the contact.
-  Vec3 spin;          ///< Likewise [1/T].
-  Time time;          ///< Of the contact.
+  Path path;  ///< After the contact.
+  Vec3 spin;  ///< Likewise [1/T].
+  Time time;  ///< Of the contact.
   SphereId sphere = 0;
   SphereId partner = kWall;  ///< Whom the sphere met.
 
@@ -36,8 +36,8 @@ struct Flight {
 
 /// Where a sphere is from the moment on at which two domains no longer agree about it: in a cube.
 struct Doubt {
-  double since = 0;  ///< [T]
-  Vec3 center;       ///< [L]
+  double since = 0;   ///< [T]
+  Vec3 center;        ///< [L]
   double extent = 0;  ///< Half the edge of the cube [L].
 };
 

@@ -34,8 +34,8 @@ class ParallelEngine {
  public:
   using Observe = Function<bool(const Contact&)>;
 
-  /// Takes over a world as it is at `now`. Precondition: as for Engine; spheres do not merge, and the response
-  /// is no function, which might not bear being called by several threads at once.
+  /// Takes over a world as it is at `now`. Precondition: as for Engine; spheres do not merge, and the
+  /// response is no function, which might not bear being called by several threads at once.
   ParallelEngine(World world, const PhaseSettings& phase, const Division& settings, const Time& now)
       : settings_(settings), phase_(phase), world_(std::move(world)), team_(new_team()) {
     divide(now);
@@ -102,7 +102,8 @@ class ParallelEngine {
   RunStatus run(const RunLimits& limits, Sums& sums, const Observe& observe) {
     const ThreadTeam::Pinned pinned(*team_);
     keep_for_rewind();
-    if (!observe) cluster_->each([part = sums.part()](auto& domain, std::size_t) { domain.clear_sums(part); });
+    if (!observe)
+      cluster_->each([part = sums.part()](auto& domain, std::size_t) { domain.clear_sums(part); });
     std::uint64_t contacts = limits.contacts;
     std::uint64_t steps = limits.steps;
     while (contacts > 0) {
@@ -323,7 +324,8 @@ class ParallelEngine {
 
   bool is_idle() {
     bool has_events = false;
-    for (std::size_t k = 0; k < cluster_->size(); ++k) has_events |= cluster_->domain(k).engine().has_events();
+    for (std::size_t k = 0; k < cluster_->size(); ++k)
+      has_events |= cluster_->domain(k).engine().has_events();
     return !has_events;
   }
 

@@ -46,14 +46,17 @@ void let_run_on(const int* processors, std::size_t count) {
   pthread_setaffinity_np(pthread_self(), sizeof chosen, &chosen);
 }
 #else
-std::vector<int> processors_available() { return {}; }
+std::vector<int> processors_available() {
+  return {};
+}
 void let_run_on(const int*, std::size_t) {}
 #endif
 
 }  // namespace
 
 ThreadTeam::ThreadTeam(std::size_t threads) : processors_(processors_available()) {
-  for (std::size_t number = 1; number < threads; ++number) workers_.emplace_back([this, number] { work(number); });
+  for (std::size_t number = 1; number < threads; ++number)
+    workers_.emplace_back([this, number] { work(number); });
 }
 
 ThreadTeam::~ThreadTeam() {

@@ -25,8 +25,8 @@ class ThreadTeam {
 
   std::size_t size() const { return workers_.size() + 1; }
 
-  /// Calls work(k) for each k below `count`, and returns when all have returned. Precondition: `work` does not
-  /// throw.
+  /// Calls work(k) for each k below `count`, and returns when all have returned. Precondition: `work` does
+  /// not throw.
   void for_each(std::size_t count, const Function<void(std::size_t)>& work);
 
   /// Keeps the calling thread on the first processor, for as long as this exists.

@@ -27,8 +27,8 @@ std::uint64_t steps_of(const Counters& done) {
 
 }  // namespace
 
-Agenda::Item Agenda::advance(Tuner& tuner, const Time& action, const Time& sample,
-                             ContactSums& sums, const AnyEngine::Observe& observe) {
+Agenda::Item Agenda::advance(Tuner& tuner, const Time& action, const Time& sample, ContactSums& sums,
+                             const AnyEngine::Observe& observe) {
   const std::uint64_t slice = steps_of_slice(tuner);
   if (is_told_to_stop(slice)) return Item::nothing;
   const Time due = later(sample, begin_);

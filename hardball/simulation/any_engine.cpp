@@ -117,8 +117,9 @@ std::unique_ptr<AnyEngine> make_divided(World world, const EngineOptions& option
       Divided(std::move(world), settings, division, now), settings);
 }
 
-std::unique_ptr<AnyEngine> make_cells(World world, const EngineOptions& options, const PhaseSettings& settings,
-                                      const Time& now, const Progress& progress) {
+std::unique_ptr<AnyEngine> make_cells(World world, const EngineOptions& options,
+                                      const PhaseSettings& settings, const Time& now,
+                                      const Progress& progress) {
   const auto make_it = LargeSphereGrid::supports(world, settings.length)
                            ? make_divided<LargeSphereGrid>
                            : make_divided<CellGrid, LargeSphereGrid>;

@@ -55,8 +55,8 @@ struct SavedOptions {
 std::string Simulation::save() const {
   if (activity_.kind() == Activity::Kind::running) check_idle("save");
   const Aftermath aftermath = tuner_->engine().aftermath();
-  return archived(SavedOptions{options()}, engine(), world(), now_, sums_.hash, sums_.tally, thermostat_, *user_data_,
-                  aftermath.merged, UnusedFlag(), counters(), aftermath.collapse);
+  return archived(SavedOptions{options()}, engine(), world(), now_, sums_.hash, sums_.tally, thermostat_,
+                  *user_data_, aftermath.merged, UnusedFlag(), counters(), aftermath.collapse);
 }
 
 Simulation Simulation::load(std::string_view bytes, const std::string& where) {
@@ -67,14 +67,15 @@ Simulation Simulation::load(std::string_view bytes, const std::string& where) {
   Aftermath aftermath;
   UnusedFlag unused;
   Counters counters;
-  restore(bytes, where, saved, kind, world, loaded.now_, loaded.sums_.hash, loaded.sums_.tally, loaded.thermostat_,
-          *loaded.user_data_, aftermath.merged, unused, counters, aftermath.collapse);
+  restore(bytes, where, saved, kind, world, loaded.now_, loaded.sums_.hash, loaded.sums_.tally,
+          loaded.thermostat_, *loaded.user_data_, aftermath.merged, unused, counters, aftermath.collapse);
   if (saved.responses) {
     saved.responses->pass_as_in(world.interactions().table());
     world.set_interactions(*saved.responses);
   }
   check_moment(loaded.now_, where);
-  if (loaded.now_ < latest_change(world) || loaded.sums_.tally.walls().size() != kFaces + world.surfaces().size())
+  if (loaded.now_ < latest_change(world) ||
+      loaded.sums_.tally.walls().size() != kFaces + world.surfaces().size())
     refuse_archive(where);
   for (const SphereId merged : aftermath.merged.ids()) static_cast<void>(world.slot_of(merged));
   ++counters.rebuilds;

@@ -114,7 +114,8 @@ void IdOrder::move(std::size_t rank, Slot slot) {
 }
 
 std::size_t IdOrder::memory_bytes() const {
-  std::size_t bytes = chunks_.capacity() * sizeof(std::vector<Slot>) + begins_.capacity() * sizeof(std::uint32_t);
+  std::size_t bytes =
+      chunks_.capacity() * sizeof(std::vector<Slot>) + begins_.capacity() * sizeof(std::uint32_t);
   for (const std::vector<Slot>& chunk : chunks_) bytes += chunk.capacity() * sizeof(Slot);
   return bytes;
 }

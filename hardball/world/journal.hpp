@@ -41,9 +41,9 @@ class Journal {
     passage,  ///< Two spheres began to pass through each other.
   };
   struct Change {
-    Path path;     ///< Before, if that has changed.
-    Time time;     ///< Of the change [T].
-    Image folded;  ///< By how many boxes the center was folded back with it.
+    Path path;      ///< Before, if that has changed.
+    Time time;      ///< Of the change [T].
+    Image folded;   ///< By how many boxes the center was folded back with it.
     Slot slot = 0;  ///< Where the sphere is stored, or was.
     Kind kind = Kind::path;
   };
