@@ -56,6 +56,8 @@ void add_engine_options(CLI::App& command, Options& options) {
       ->type_name("calendar|ordered");
   command.add_option("--instructions", options.instructions, "Vector instructions; affects only the speed")
       ->type_name("auto|portable|avx2|avx512");
+  command.add_option("--threads", options.threads, "Threads that share the work; affects only the speed")
+      ->type_name("auto|NUMBER");
 }
 
 void add_quiet_flag(CLI::App& command, Options& options) {

@@ -73,9 +73,14 @@ Scenario changed_by(const Options& options, Scenario scenario) {
 EngineOptions read_engine_options(const Options& options, const Scenario& scenario, const World& start) {
   EngineOptions engine_options;
   engine_options.engine = static_cast<EngineKind>(choose(options.engine, kEngineNames, "--engine"));
+  engine_options.threads = 0;
   engine_options.queue = static_cast<QueueKind>(choose(options.queue, kQueueNames, "--queue"));
   const std::size_t instructions = choose(options.instructions, kInstructionNames, "--instructions");
   if (instructions > 0) engine_options.instructions = static_cast<InstructionSet>(instructions - 1);
+  if (options.threads != "auto") {
+    engine_options.threads =
+        parse_number<std::size_t>(options.threads, "--threads", "give auto or a positive number");
+  }
   const bool has_cells = engine_options.engine != EngineKind::all_pairs;
   if (options.unit_costs != "auto") {
     engine_options.unit_costs = read_unit_costs(options.unit_costs);

@@ -167,6 +167,10 @@ ExitCode verify(const Options& options) {
   engine_options.queue = QueueKind::calendar;
   compare_cell_edges(comparison, engine_options);
 
+  engine_options.division = Division{.domains = 3, .threads = 2};
+  comparison.run("cells, in three domains", engine_options);
+
+  engine_options.division.reset();
   engine_options.engine = EngineKind::neighbors;
   if (choose_engine(comparison.start(), engine_options, Time(0)) == EngineKind::neighbors) {
     comparison.run("neighbors", engine_options);

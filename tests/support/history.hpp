@@ -60,6 +60,14 @@ inline std::vector<EngineVariant> engine_variants(const World& world) {
     add(EngineKind::neighbors, QueueKind::calendar, diameter);
   }
   add(EngineKind::automatic, QueueKind::calendar, std::nullopt);
+  const auto divide = [&](EngineKind engine, const Division& division) {
+    add(engine, QueueKind::calendar, std::nullopt);
+    variants.back().options.division = division;
+    variants.back().name += ", in " + to_text(division.domains) + " domains";
+  };
+  divide(EngineKind::automatic, {.domains = 2, .halo = 1.05, .window = 0.5});
+  divide(EngineKind::cells, {.domains = 3, .halo = 2, .window = 0.1});
+  divide(EngineKind::cells, {.domains = 7, .halo = 1.3, .window = 2});
   return variants;
 }
 
