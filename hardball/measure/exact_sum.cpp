@@ -27,7 +27,6 @@ void ExactSum::add_outside(std::uint64_t bits) {
   const std::uint32_t exponent = place & kExponentMask;
   if (exponent == kExponentMask) return add_special(bits);
   const std::uint64_t fraction = bits & kFraction;
-  if (exponent == 0 && fraction == 0) return;
   const auto mantissa = static_cast<std::int64_t>(exponent == 0 ? fraction : fraction | kLeadingBit);
   add_at((place & kSignBit) != 0 ? -mantissa : mantissa, exponent == 0 ? 0 : exponent - 1);
   if (exponent != 0 && (window_ == kNowhere || ++outside_ > kPatience)) move_window(place);

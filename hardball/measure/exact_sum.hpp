@@ -32,7 +32,7 @@ class HARDBALL_EXPORT ExactSum {
     const auto bits = std::bit_cast<std::uint64_t>(number);
     const std::uint32_t bin = sign_and_exponent(bits) - window_;
     if (bin >= kBins) [[unlikely]] {
-      add_outside(bits);
+      if (number != 0) add_outside(bits);
       return *this;
     }
     bins_[bin] += (bits & kFraction) | kLeadingBit;
