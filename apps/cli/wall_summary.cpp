@@ -17,7 +17,7 @@ std::vector<WallSummary> summarize_walls(const Simulation& simulation) {
     WallSummary summary;
     summary.name = wall_name(world, wall);
     summary.shape = wall < kFaces ? "face" : std::string(world.surface(wall).name());
-    summary.tally = simulation.tally().walls()[wall];
+    summary.tally = simulation.tally().wall(wall);
     summary.area = wall_area(world, wall);
     summary.force = summary.tally.normal_impulse / elapsed;
     summary.pressure =

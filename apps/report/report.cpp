@@ -266,10 +266,11 @@ std::string certificate(const Report& report) {
   events.add_row("stale events", {count_text(report.events.stale)});
   events.add_row("pair predictions", {count_text(report.events.predictions)});
   return "<div class=\"pair\">\n" + conserved.html() + events.html() + "</div>\n" +
-         paragraph(
-             "note",
-             "The hash is the fingerprint of all collisions and wall contacts in order: the last bit of "
-             "each time, the kind, and the partners. Engine, cells and output do not change it.");
+         paragraph("note",
+                   "The hash is the fingerprint of all collisions and wall contacts: the last bit of each "
+                   "time, the kind, "
+                   "the partners, and since when they had moved freely. Engine, cells and output do not "
+                   "change it.");
 }
 
 // A number and its unit; only a dash if it has no meaning.

@@ -17,11 +17,18 @@ inline double energy_gain(double mass, const Vec3& before, const Vec3& after) {
   return mass * dot(after - before, after + before) / 2;
 }
 
+/// The rotational energy that the first sphere gains [M L^2 T^-2].
+inline double rotational_energy_gain_of_first(const Contact& contact) {
+  if (contact.spins_before.first == contact.spins_after.first) [[likely]]
+    return 0;
+  const double inertia = contact.first_inertia_factor * contact.first_radius * contact.first_radius;
+  return inertia * energy_gain(contact.first_mass, contact.spins_before.first, contact.spins_after.first);
+}
+
 /// The kinetic and rotational energy that the first sphere gains [M L^2 T^-2].
 inline double energy_gain_of_first(const Contact& contact) {
-  const double inertia = contact.first_inertia_factor * contact.first_radius * contact.first_radius;
   return energy_gain(contact.first_mass, contact.before.first, contact.after.first) +
-         inertia * energy_gain(contact.first_mass, contact.spins_before.first, contact.spins_after.first);
+         rotational_energy_gain_of_first(contact);
 }
 
 /// The kinetic and rotational energy that both spheres of a collision gain [M L^2 T^-2].

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hardball/geometry/vec3.hpp"
 #include "hardball/measure/energy_gain.hpp"
 
 namespace hardball {
@@ -21,63 +22,134 @@ double gain_of_merging(const Contact& contact) {
 
 }  // namespace
 
+// One number for each contact, so that the sums do not depend on which gains are noted together.
+void Tally::note_gain(double energy, const Time& now) {
+  if (energy == 0) return;
+  gains_ += energy;
+  delayed_gains_ += energy * duration(begin_, now);
+}
+
 void Tally::begin(const World& world, const Time& now) {
   *this = Tally();
   walls_.resize(kFaces + world.surfaces().size());
   begin_ = now;
   last_ = now;
-  energy_ = world.kinetic_energy(now);
+  begin_energy_ = world.kinetic_energy(now);
   is_straight_ = world.motion().is_straight();
   initial_energy_ = world.energy(now);
+  set_interactions(world.interactions());
 }
 
 void Tally::note_edit(double energy_change, const Time& now) {
-  energy_integral_ = energy_integral(now);
-  last_ = now;
-  energy_ += energy_change;
+  last_ = later(last_, now);
+  note_gain(energy_change, now);
 }
 
 void Tally::note(const Contact& contact) {
-  energy_integral_ = energy_integral(contact.time);
-  last_ = contact.time;
-  if (contact.is_collision()) {
-    ++collisions_;
-    if (contact.outcome != ContactOutcome::bounce) [[unlikely]]
-      return note_outcome(contact);
-    energy_ += energy_gain(contact.first_mass, contact.before.first, contact.after.first) +
-               energy_gain(contact.second_mass, contact.before.second, contact.after.second);
-    max_overlap_ = std::max(max_overlap_, contact.overlap());
-    virial_ -= dot(contact.impulse(), contact.separation);
-    const double speed = contact.impact_speed();
-    impact_speed_sum_ += speed;
-    impact_speed_square_sum_ += speed * speed;
-  } else {
-    ++wall_contacts_;
-    energy_ += energy_gain(contact.first_mass, contact.before.first, contact.after.first);
-    max_overlap_ = std::max(max_overlap_, contact.overlap());
-    WallTally& wall = walls_[contact.second];
-    const Vec3 impulse = contact.impulse();
-    const double work = dot(impulse, contact.before.second);
-    ++wall.contacts;
-    wall.impulse -= impulse;
-    wall.normal_impulse -= dot(impulse, contact.wall_normal);
-    wall.work += work;
-    wall.heat += energy_gain_of_first(contact) - work;
+  if (last_ < contact.time) [[likely]]
+    last_ = contact.time;
+  if (!contact.is_collision()) return note_wall_contact(contact);
+  ++collisions_;
+  if (contact.outcome != ContactOutcome::bounce) [[unlikely]]
+    return note_outcome(contact);
+  // As Contact has them, from one root.
+  const double distance = length(contact.separation);
+  const double overlap = 1 - distance / contact.reach;
+  const double speed =
+      std::max(0.0, dot(contact.before.first - contact.before.second, contact.separation) / distance);
+  const double virial = -dot(contact.impulse(), contact.separation);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (!(is_elastic_ && contact.first_mass + contact.second_mass < kInfinity)) {
+    note_gain(energy_gain(contact.first_mass, contact.before.first, contact.after.first) +
+                  energy_gain(contact.second_mass, contact.before.second, contact.after.second),
+              contact.time);
   }
+  max_overlap_ = std::max(max_overlap_, overlap);
+  virial_ += virial;
+  impact_speed_sum_ += speed;
+  impact_speed_square_sum_ += speed * speed;
+}
+
+void Tally::note_wall_contact(const Contact& contact) {
+  ++wall_contacts_;
+  const double gain = energy_gain(contact.first_mass, contact.before.first, contact.after.first);
+  note_gain(gain, contact.time);
+  max_overlap_ = std::max(max_overlap_, contact.overlap());
+  WallSums& wall = walls_[contact.second];
+  const Vec3 impulse = contact.impulse();
+  const double work = dot(impulse, contact.before.second);
+  ++wall.contacts;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) wall.impulse[axis] += -impulse[axis];
+  wall.normal_impulse += -dot(impulse, contact.wall_normal);
+  wall.work += work;
+  wall.heat += gain + rotational_energy_gain_of_first(contact) - work;
 }
 
 void Tally::note_outcome(const Contact& contact) {
   ++(contact.outcome == ContactOutcome::merge ? mergers_ : passes_);
-  if (contact.outcome == ContactOutcome::merge) energy_ += gain_of_merging(contact);
+  if (contact.outcome == ContactOutcome::merge) note_gain(gain_of_merging(contact), contact.time);
+}
+
+void Tally::WallSums::add(const WallSums& other) {
+  contacts += other.contacts;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) impulse[axis].add(other.impulse[axis]);
+  normal_impulse.add(other.normal_impulse);
+  work.add(other.work);
+  heat.add(other.heat);
+}
+
+Tally Tally::part() const {
+  Tally part;
+  part.walls_.resize(walls_.size());
+  part.begin_ = begin_;
+  part.last_ = begin_;
+  part.is_straight_ = is_straight_;
+  part.is_elastic_ = is_elastic_;
+  return part;
+}
+
+void Tally::add(const Tally& other) {
+  last_ = later(last_, other.last_);
+  gains_.add(other.gains_);
+  delayed_gains_.add(other.delayed_gains_);
+  collisions_ += other.collisions_;
+  mergers_ += other.mergers_;
+  passes_ += other.passes_;
+  wall_contacts_ += other.wall_contacts_;
+  max_overlap_ = std::max(max_overlap_, other.max_overlap_);
+  virial_.add(other.virial_);
+  impact_speed_sum_.add(other.impact_speed_sum_);
+  impact_speed_square_sum_.add(other.impact_speed_square_sum_);
+  for (std::size_t wall = 0; wall < walls_.size(); ++wall) walls_[wall].add(other.walls_[wall]);
+}
+
+WallTally Tally::wall(std::size_t number) const {
+  const WallSums& sums = walls_[number];
+  WallTally tally;
+  tally.contacts = sums.contacts;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) tally.impulse[axis] = sums.impulse[axis].value();
+  tally.normal_impulse = sums.normal_impulse.value();
+  tally.work = sums.work.value();
+  tally.heat = sums.heat.value();
+  return tally;
 }
 
 double Tally::energy_integral(const Time& now) const {
-  return energy_integral_ + energy_ * duration(last_, now);
+  ExactSum energy = gains_;
+  energy += begin_energy_;
+  return energy.value() * duration(begin_, now) - delayed_gains_.value();
+}
+
+// Before version 4, archives have the energy and its integral at the last change in place of begin_energy_
+// and delayed_gains_.
+void Tally::take_over_energy_integral() {
+  gains_ = ExactSum();
+  delayed_gains_ = ExactSum(begin_energy_ * duration(begin_, last_) - delayed_gains_.value());
 }
 
 double Tally::compressibility(const Time& now) const {
   if (!is_straight_) return std::numeric_limits<double>::quiet_NaN();
-  return 1 + virial_ / (2 * energy_integral(now));
+  return 1 + virial() / (2 * energy_integral(now));
 }
 
 double Tally::wall_pressure(const Box& box, const Time& now) const {

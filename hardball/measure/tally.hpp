@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
+#include "hardball/interaction/interactions.hpp"
+#include "hardball/measure/exact_sum.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -18,21 +23,28 @@ struct WallTally {
   double normal_impulse = 0;  ///< The part along its normal, counted positive [M L/T].
   double work = 0;            ///< Done by the wall on spheres through its motion [M L^2 T^-2].
   double heat = 0;            ///< Energy given to spheres otherwise; negative if lost [M L^2 T^-2].
-  static void persist(auto& archive, auto& self) {
-    archive(self.contacts, self.impulse, self.normal_impulse, self.work, self.heat);
-  }
 };
 
-/// Sums over the contacts of a run from which pressures and the certificate follow.
+/// Sums over the contacts of a run from which pressures and the certificate follow: the same to the bit in
+/// whichever order contacts are noted, and however they are divided among several tallies.
 class HARDBALL_EXPORT Tally {
  public:
   /// Starts counting at `now` with the energy of the world. Cost: O(n).
   void begin(const World& world, const Time& now);
+  /// Tells how the spheres interact from now on; `begin` takes the interactions of the world. Where all
+  /// collisions are elastic, those of spheres of finite mass change no energy: what the velocities say is
+  /// rounding noise, and not noted.
+  void set_interactions(const Interactions& interactions) { is_elastic_ = interactions.are_elastic(); }
   /// Records that an edit of the world changed the kinetic energy, without that of spins, at `now`.
   void note_edit(double energy_change, const Time& now);
   void note(const Contact& contact);
+  /// A tally that has noted nothing, and began when this one did: for contacts that are noted elsewhere.
+  Tally part() const;
+  /// Takes over what another tally has noted, which began with the same world at the same moment. Cost:
+  /// O(walls).
+  void add(const Tally& other);
 
-  /// The time of the last contact or edit, or of the start.
+  /// The latest time of a contact or edit, or the start.
   const Time& last_change() const { return last_; }
   std::uint64_t collisions() const { return collisions_; }
   /// Those of them after which the two spheres were one.
@@ -47,14 +59,15 @@ class HARDBALL_EXPORT Tally {
   double max_overlap() const { return max_overlap_; }
   /// Spheres that pass through each other or merge count among collisions, and in none of these sums.
   /// Sum over collisions of impulse times separation of centers [M L^2/T].
-  double virial() const { return virial_; }
+  double virial() const { return virial_.value(); }
   /// Sums over collisions of the impact speed [L/T] and of its square [L^2 T^-2].
-  double impact_speed_sum() const { return impact_speed_sum_; }
-  double impact_speed_square_sum() const { return impact_speed_square_sum_; }
+  double impact_speed_sum() const { return impact_speed_sum_.value(); }
+  double impact_speed_square_sum() const { return impact_speed_square_sum_.value(); }
   /// Momentum transferred to a face of the box [M L/T].
-  double wall_impulse(Face face) const { return walls_[face].normal_impulse; }
-  /// The sums for each wall: the faces of the box, and surfaces from kFaces on.
-  const std::vector<WallTally>& walls() const { return walls_; }
+  double wall_impulse(Face face) const { return walls_[face].normal_impulse.value(); }
+  /// The sums for a wall: a face of the box, or a surface from kFaces on.
+  WallTally wall(std::size_t number) const;
+  std::size_t wall_count() const { return walls_.size(); }
   /// The time counted up to `now` [T].
   double elapsed(const Time& now) const { return duration(begin_, now); }
 
@@ -72,30 +85,55 @@ class HARDBALL_EXPORT Tally {
  private:
   friend class Persistence;
   static void persist(auto& archive, auto& self) {
-    archive(self.begin_, self.last_, self.energy_, self.initial_energy_, self.energy_integral_,
-            self.collisions_, self.mergers_, self.passes_, self.wall_contacts_, self.max_overlap_,
+    archive(self.begin_, self.last_, self.begin_energy_, self.initial_energy_, self.delayed_gains_);
+    if (archive.version() >= kVersionOfGains) archive(self.gains_);
+    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
+      if (archive.version() < kVersionOfGains) self.take_over_energy_integral();
+    }
+    archive(self.collisions_, self.mergers_, self.passes_, self.wall_contacts_, self.max_overlap_,
             self.virial_, self.impact_speed_sum_, self.impact_speed_square_sum_, self.is_straight_,
             self.walls_);
   }
+  static constexpr std::uint32_t kVersionOfGains = 4;  // of archives
+
+  // The sums of WallTally.
+  struct WallSums {
+    std::uint64_t contacts = 0;
+    std::array<ExactSum, kAxes> impulse;
+    ExactSum normal_impulse;
+    ExactSum work;
+    ExactSum heat;
+    static void persist(auto& archive, auto& self) {
+      archive(self.contacts, self.impulse, self.normal_impulse, self.work, self.heat);
+    }
+    void add(const WallSums& other);
+  };
 
   // Two spheres have met that did not bounce.
   void note_outcome(const Contact& contact);
+  void note_wall_contact(const Contact& contact);
+  void note_gain(double energy, const Time& now);
+  void take_over_energy_integral();
 
   Time begin_;
   Time last_;
-  double energy_ = 0;
+  double begin_energy_ = 0;  // kinetic, without spins
   double initial_energy_ = 0;
-  double energy_integral_ = 0;
+  // The gains of kinetic energy, and of each the product with the time since the start: the integral of the
+  // energy is that of begin_energy_ and, for each gain, of the gain over the time that is left.
+  ExactSum gains_;
+  ExactSum delayed_gains_;
   std::uint64_t collisions_ = 0;
   std::uint64_t mergers_ = 0;
   std::uint64_t passes_ = 0;
   std::uint64_t wall_contacts_ = 0;
   double max_overlap_ = 0;
-  double virial_ = 0;
-  double impact_speed_sum_ = 0;
-  double impact_speed_square_sum_ = 0;
+  ExactSum virial_;
+  ExactSum impact_speed_sum_;
+  ExactSum impact_speed_square_sum_;
   bool is_straight_ = true;
-  std::vector<WallTally> walls_ = std::vector<WallTally>(kFaces);
+  bool is_elastic_ = false;  // of the world, see set_interactions
+  std::vector<WallSums> walls_ = std::vector<WallSums>(kFaces);
 };
 
 }  // namespace hardball

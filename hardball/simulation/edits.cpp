@@ -25,6 +25,7 @@ void Simulation::respond_with(Function<Outcome(const Contact&)> response) {
   Interactions changed = world().interactions();
   changed.set_function(std::move(response));
   tuner_->engine().world_to_edit().set_interactions(changed);
+  sums_.tally.set_interactions(changed);
 }
 
 void Simulation::respond_with(const ResponseTable& table) {
@@ -32,6 +33,7 @@ void Simulation::respond_with(const ResponseTable& table) {
   ResponseTable changed = table;
   changed.pass_as_in(world().interactions().table());
   tuner_->engine().world_to_edit().set_interactions(changed);
+  sums_.tally.set_interactions(changed);
 }
 
 void Simulation::respond_with(std::nullptr_t) {

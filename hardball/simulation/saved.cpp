@@ -74,8 +74,9 @@ Simulation Simulation::load(std::string_view bytes, const std::string& where) {
     world.set_interactions(*saved.responses);
   }
   check_moment(loaded.now_, where);
+  loaded.sums_.tally.set_interactions(world.interactions());
   if (loaded.now_ < latest_change(world) ||
-      loaded.sums_.tally.walls().size() != kFaces + world.surfaces().size())
+      loaded.sums_.tally.wall_count() != kFaces + world.surfaces().size())
     refuse_archive(where);
   for (const SphereId merged : aftermath.merged.ids()) static_cast<void>(world.slot_of(merged));
   ++counters.rebuilds;

@@ -87,12 +87,12 @@ TEST(ThermalWalls, ConductTheHeatOfFreeMolecularFlow) {
   }
   Simulation simulation(world);
   simulation.run_until(50);
-  const WallTally cold_before = simulation.tally().walls()[kFaces];
-  const WallTally hot_before = simulation.tally().walls()[kFaces + 1];
+  const WallTally cold_before = simulation.tally().wall(kFaces);
+  const WallTally hot_before = simulation.tally().wall(kFaces + 1);
   constexpr double kTime = 1000;
   simulation.run_until(50 + kTime);
-  const WallTally& cold = simulation.tally().walls()[kFaces];
-  const WallTally& hot = simulation.tally().walls()[kFaces + 1];
+  const WallTally cold = simulation.tally().wall(kFaces);
+  const WallTally hot = simulation.tally().wall(kFaces + 1);
   const double density = kSpheres / (100 * (kLength - 2 * kRadius));
   const double streams = std::sqrt(2 * std::numbers::pi) * (1 / std::sqrt(kCold) + 1 / std::sqrt(kHot)) / 2;
   const double flux = density / streams;
@@ -165,7 +165,7 @@ void expect_pressure(const Surface& surface, const Box& box, std::size_t dimensi
   simulation.run_until(kTime);
   kinetic += twice_energy * (kTime - last);
   const double change = positions_times_velocities() - start;
-  const double impulse = simulation.tally().walls()[kFaces].normal_impulse;
+  const double impulse = simulation.tally().wall(kFaces).normal_impulse;
   EXPECT_NEAR((kinetic + virial - change) / (impulse * inner), 1, 1e-10);
 
   const double temperature = 2 * world.kinetic_energy(Time(0)) / (3 * kSpheres);

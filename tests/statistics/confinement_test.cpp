@@ -149,13 +149,13 @@ TEST(MovingWall, DoesTheWorkThatSpheresGain) {
     }
     Simulation simulation(world);
     simulation.run_contacts(20'000);
-    const WallTally& piston = simulation.tally().walls()[kFaces];
+    const WallTally piston = simulation.tally().wall(kFaces);
     const double gained = simulation.world().energy(simulation.now()) - simulation.tally().initial_energy();
     EXPECT_GT(piston.contacts, 1000U);
     EXPECT_NEAR(piston.work, gained, 1e-10 * std::fabs(gained));
     EXPECT_NEAR(piston.heat, 0, 1e-10 * std::fabs(gained));
     EXPECT_GT(gained, 0);
-    EXPECT_EQ(simulation.tally().walls()[face_of(0, false)].work, 0);
+    EXPECT_EQ(simulation.tally().wall(face_of(0, false)).work, 0);
   }
 }
 
@@ -165,11 +165,11 @@ TEST(MovingWall, MayMeetASphereInAges) {
   world.add({{0, 0, 3}, {0, 0, -1e-14}, 0.5, 1});
   Simulation simulation(world);
   simulation.run_until(1000);
-  EXPECT_EQ(simulation.tally().walls()[kFaces].contacts, 0U);
+  EXPECT_EQ(simulation.tally().wall(kFaces).contacts, 0U);
   simulation.run_until(2.3e14);
-  EXPECT_EQ(simulation.tally().walls()[kFaces].contacts, 0U);
+  EXPECT_EQ(simulation.tally().wall(kFaces).contacts, 0U);
   simulation.run_until(2.5e14);
-  EXPECT_EQ(simulation.tally().walls()[kFaces].contacts, 1U);
+  EXPECT_EQ(simulation.tally().wall(kFaces).contacts, 1U);
   EXPECT_GT(simulation.velocity(0).z, 0);
   EXPECT_LT(simulation.tally().max_overlap(), 1e-12);
 }

@@ -80,7 +80,8 @@ void expect_opposite(const Quantity& a, const Quantity& b) {
 void expect_balance(const Simulation& simulation) {
   double given = 0;
   double turned_over = simulation.tally().initial_energy();
-  for (const WallTally& wall : simulation.tally().walls()) {
+  for (std::size_t number = 0; number < simulation.tally().wall_count(); ++number) {
+    const WallTally wall = simulation.tally().wall(number);
     given += wall.work + wall.heat;
     turned_over += std::fabs(wall.work) + std::fabs(wall.heat);
   }
@@ -169,8 +170,8 @@ TEST(MovingFaces, ThatAreRoughDragTheGas) {
   World world = gas_between({.velocity = {-1, 0, 0}}, {.velocity = {1, 0, 0}}, 60, 4);
   Simulation simulation(support::interacting(world, ResponseTable(rough, rough)));
   simulation.run_until(100);
-  const WallTally& floor = simulation.tally().walls()[kFloor];
-  const WallTally& ceiling = simulation.tally().walls()[kCeiling];
+  const WallTally floor = simulation.tally().wall(kFloor);
+  const WallTally ceiling = simulation.tally().wall(kCeiling);
   EXPECT_GT(floor.work, 0);
   EXPECT_GT(ceiling.work, 0);
   EXPECT_GT(floor.impulse.x, 0) << "the gas holds the faces back";

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "hardball/measure/event_log_hash.hpp"
@@ -27,12 +29,11 @@ std::uint64_t hash_of(const std::vector<Contact>& log) {
   return hash.value();
 }
 
-TEST(EventLogHash, DistinguishesOrderTimesKindsAndIds) {
+TEST(EventLogHash, DistinguishesTimesKindsIdsAndWhatWasBefore) {
   const Contact a = contact_of(1, 2, 3);
   const Contact b = contact_of(2, 4, 5);
   const std::uint64_t hash = hash_of({a, b});
-  EXPECT_EQ(hash_of({a, b}), hash);
-  EXPECT_NE(hash_of({b, a}), hash);
+  EXPECT_EQ(hash_of({b, a}), hash) << "their times order them";
   EXPECT_NE(hash_of({a}), hash);
   EXPECT_NE(hash_of({}), hash);
   EXPECT_NE(hash_of({a, b, b}), hash);
@@ -45,12 +46,68 @@ TEST(EventLogHash, DistinguishesOrderTimesKindsAndIds) {
   Contact wall = a;
   wall.kind = EventKind::wall;
   EXPECT_NE(hash_of({wall, b}), hash);
+  for (const Time since : {Time(0.5), Time(0, 1e-30)}) {
+    Contact later = a;
+    later.first_since = since;
+    EXPECT_NE(hash_of({later, b}), hash);
+    Contact other = a;
+    other.second_since = since;
+    EXPECT_NE(hash_of({other, b}), hash);
+    EXPECT_NE(hash_of({other, b}), hash_of({later, b}));
+  }
+}
+
+// Of the balls 0, 1, 2 the middle one meets both others at time 1.
+TEST(EventLogHash, DistinguishesWhichOfTwoContactsInOneMomentWasFirst) {
+  Contact a = contact_of(1, 0, 1);
+  Contact b = contact_of(1, 1, 2);
+  b.first_since = Time(1);
+  const std::uint64_t hash = hash_of({a, b});
+  a.second_since = Time(1);
+  b.first_since = Time(0);
+  EXPECT_NE(hash_of({b, a}), hash);
+}
+
+// Whole numbers and their opposites, as exact worlds have them, differ in the upper bits of several words.
+TEST(EventLogHash, DiffersForContactsWithFewBits) {
+  const std::vector<double> times{-2, -1, 0, 0.5, 1, 2, 3, 4};
+  std::vector<std::uint64_t> hashes;
+  for (const double high : times) {
+    for (const double low : times) {
+      for (const double first : times) {
+        for (const double second : times) {
+          for (const double second_low : {-1.0, 0.0, 1.0}) {
+            for (const std::uint32_t id : {1U, 2U, 3U}) {
+              Contact contact = contact_of(high, 0, id);
+              contact.time.low = low;
+              contact.first_since = Time(first, -low);
+              contact.second_since = Time(second, second_low);
+              hashes.push_back(hash_of({contact}));
+              contact.kind = EventKind::wall;
+              hashes.push_back(hash_of({contact}));
+            }
+          }
+        }
+      }
+    }
+  }
+  const std::size_t count = hashes.size();
+  std::ranges::sort(hashes);
+  const auto repeated = std::ranges::unique(hashes);
+  EXPECT_EQ(hashes.size() - repeated.size(), count);
+  // And each bit is set in half of them: of so many, by less than six standard deviations more or less.
+  for (int bit = 0; bit < 64; ++bit) {
+    const auto set =
+        std::ranges::count_if(hashes, [bit](std::uint64_t hash) { return (hash >> bit & 1) != 0; });
+    EXPECT_NEAR(static_cast<double>(set), static_cast<double>(count) / 2, 3 * std::sqrt(count));
+  }
 }
 
 TEST(EventLogHash, HasOneZero) {
   Contact contact = contact_of(1, 2, 3);
   const std::uint64_t hash = hash_of({contact});
   contact.time.low = -0.0;
+  contact.first_since = contact.second_since = Time(0, -0.0);
   EXPECT_EQ(hash_of({contact}), hash);
 }
 

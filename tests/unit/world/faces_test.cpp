@@ -89,8 +89,8 @@ TEST(Faces, DoWhatPlanesDo) {
       EXPECT_NEAR(face.time(), plane.time(), 1e-15);
       EXPECT_LE(length(face.velocity(0) - plane.velocity(0)), 1e-15);
       EXPECT_LE(length(face.world().spin(0) - plane.world().spin(0)), 1e-15);
-      EXPECT_NEAR(face.tally().walls()[kFloor].heat, plane.tally().walls()[kFaces].heat, 1e-15);
-      EXPECT_NEAR(face.tally().walls()[kFloor].work, plane.tally().walls()[kFaces].work, 1e-15);
+      EXPECT_NEAR(face.tally().wall(kFloor).heat, plane.tally().wall(kFaces).heat, 1e-15);
+      EXPECT_NEAR(face.tally().wall(kFloor).work, plane.tally().wall(kFaces).work, 1e-15);
     }
   }
   const FaceProperties hot{.material = {.temperature = 4, .seed = 3}, .velocity = {100, 0, 0}};

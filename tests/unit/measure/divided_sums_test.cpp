@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// The contacts of a run, shuffled and divided among several hashes and tallies, which sum up to those of the
+// run.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hardball/archive/archive.hpp"
+#include "hardball/measure/energy_gain.hpp"
+#include "hardball/measure/event_log_hash.hpp"
+#include "hardball/measure/tally.hpp"
+#include "hardball/numbers/random.hpp"
+#include "hardball/simulation/simulation.hpp"
+
+namespace hardball::divided_sums_test {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRunTime = 4;
+
+struct Case {
+  const char* name;
+  Interactions interactions;
+  bool has_kinematic = false;
+};
+
+ResponseTable motley() {
+  ResponseTable table(Bounce({.restitution = ConstantRestitution{0.75}, .tangential_restitution = 0.5}),
+                      Bounce({.restitution = ConstantRestitution{0.9}}));
+  table.set(1, 1, Passing());
+  table.set(2, 2, Merging());
+  return table;
+}
+
+std::vector<Case> cases() {
+  Interactions function;
+  // Gives energy to some, and takes it from others.
+  function.set_function([](const Contact& contact) {
+    return Outcome(contact, velocities_after_impact(contact, contact.first % 2 == 0 ? 1.25 : 0.5));
+  });
+  return {{"elastic", {}},
+          {"elastic beside a kinematic sphere", {}, true},
+          {"inelastic", Restitution(0.9)},
+          {"motley", motley()},
+          {"by a function", function}};
+}
+
+// A mixture of three species between a thermal face, lossy faces and a moving plane.
+World make_world(const Case& of) {
+  constexpr int kAlongEdge = 6;
+  constexpr int kMiddle = 3 + 3 * kAlongEdge * kAlongEdge;
+  constexpr double kSize = 9;
+  Box box({Boundary::wall, Boundary::periodic, Boundary::wall}, {kSize, kSize, kSize});
+  box.set_face(face_of(0, false), {.material = {.temperature = 2, .seed = 5}, .velocity = {0, 0.5, 0}});
+  box.set_face(face_of(2, true), {.material = {.restitution = 0.75}});
+  const std::vector<Surface> surfaces{Surface(Plane({0.6, 0, 0.8}), {0.24, 0, 0.32}, {0.06, 0, 0.08})};
+  World world(box, {}, surfaces);
+  Random random(6);
+  for (int k = 0; k < kAlongEdge * kAlongEdge * kAlongEdge; ++k) {
+    const auto place = [&random](int step) { return 1.5 * step + 0.75 + 0.1 * random.uniform(); };
+    const double x = place(k % kAlongEdge);
+    const double y = place(k / kAlongEdge % kAlongEdge);
+    const double z = place(k / (kAlongEdge * kAlongEdge));
+    const double speed = 0.5 + random.uniform();
+    const Vec3 velocity = speed * random.direction();
+    const double radius = 0.4 + 0.2 * random.uniform();
+    const bool is_kinematic = of.has_kinematic && k == kMiddle;
+    world.add({.position = {x, y, z},
+               .velocity = is_kinematic ? Vec3{0, 0.5, 0} : velocity,
+               .radius = radius,
+               .mass = is_kinematic ? kInfinity : 0.5 + random.uniform(),
+               .species = static_cast<SpeciesId>(k % 3)});
+  }
+  world.set_interactions(of.interactions);
+  return world;
+}
+
+struct Edit {
+  double energy_change = 0;
+  Time time;
+};
+
+struct RecordedRun {
+  explicit RecordedRun(const Case& of) : start(make_world(of)), simulation(start) {
+    simulation.on_contact([this](const Contact& contact) { contacts.push_back(contact); });
+    simulation.run_until(kRunTime / 4);
+    for (const SphereId id : {3U, 30U}) {
+      const Slot slot = simulation.world().slot_of(id);
+      const double before = kinetic_energy(simulation.world(), slot, simulation.now());
+      simulation.change_velocity(id, {0.25, -1, id == 3 ? 5.0 : 0.0});
+      edits.push_back(
+          {kinetic_energy(simulation.world(), slot, simulation.now()) - before, simulation.now()});
+    }
+    simulation.run_until(kRunTime);
+  }
+  RecordedRun(const RecordedRun&) = delete;
+  RecordedRun& operator=(const RecordedRun&) = delete;
+
+  World start;
+  Simulation simulation;
+  std::vector<Contact> contacts;
+  std::vector<Edit> edits;
+};
+
+template <class T>
+void shuffle(std::vector<T>& items, Random& random) {
+  for (std::size_t k = items.size(); k > 1; --k) {
+    std::swap(items[k - 1], items[static_cast<std::size_t>(random.uniform() * static_cast<double>(k))]);
+  }
+}
+
+TEST(DividedSums, AreThoseOfTheRun) {
+  for (const Case& of : cases()) {
+    SCOPED_TRACE(of.name);
+    RecordedRun run(of);
+    ASSERT_GT(run.contacts.size(), 500U);
+    const Tally& whole = run.simulation.tally();
+    EXPECT_GT(whole.wall(kFaces).contacts, 3U);
+    EXPECT_GT(whole.collisions(), 300U);
+    Random random(7);
+    for (const std::size_t parts : {1U, 2U, 5U}) {
+      shuffle(run.contacts, random);
+      std::vector<Tally> tallies(parts);
+      std::vector<EventLogHash> hashes(parts);
+      for (Tally& tally : tallies) tally.begin(run.start, Time(0));
+      const auto any = [&] {
+        return static_cast<std::size_t>(random.uniform() * static_cast<double>(parts));
+      };
+      for (const Contact& contact : run.contacts) {
+        const std::size_t part = any();
+        tallies[part].note(contact);
+        hashes[part].note(contact);
+      }
+      for (const Edit& edit : run.edits) tallies[any()].note_edit(edit.energy_change, edit.time);
+      for (std::size_t part = 1; part < parts; ++part) {
+        tallies[0].add(tallies[part]);
+        hashes[0].add(hashes[part]);
+      }
+      EXPECT_EQ(hashes[0].value(), run.simulation.event_log_hash());
+      EXPECT_TRUE(archived(tallies[0]) == archived(whole)) << "in every bit";
+      const Time now = run.simulation.now();
+      EXPECT_EQ(tallies[0].energy_integral(now), whole.energy_integral(now));
+      EXPECT_EQ(tallies[0].compressibility(now), whole.compressibility(now));
+      EXPECT_EQ(tallies[0].last_change(), whole.last_change());
+    }
+  }
+}
+
+// The kinetic energy that a contact adds, but for that of spins.
+double gain_of(const Contact& contact) {
+  if (contact.outcome == ContactOutcome::pass) return 0;
+  if (contact.outcome == ContactOutcome::merge) {
+    return energy_gain(contact.first_mass + contact.second_mass, {}, contact.after.first) -
+           energy_gain(contact.first_mass, {}, contact.before.first) -
+           energy_gain(contact.second_mass, {}, contact.before.second);
+  }
+  const double of_first = energy_gain(contact.first_mass, contact.before.first, contact.after.first);
+  if (!contact.is_collision()) return of_first;
+  return of_first + energy_gain(contact.second_mass, contact.before.second, contact.after.second);
+}
+
+TEST(DividedSums, AreThoseOfASequenceButForItsRounding) {
+  for (const Case& of : cases()) {
+    SCOPED_TRACE(of.name);
+    const RecordedRun run(of);
+    long double energy = run.start.kinetic_energy(Time(0));
+    long double integral = 0;
+    long double turned_over = energy;
+    long double virial = 0;
+    long double heat = 0;
+    double last = 0;
+    std::size_t edit = 0;
+    const auto advance = [&](double gain, double time) {
+      integral += energy * static_cast<long double>(time - last);
+      energy += gain;
+      turned_over += std::fabs(gain);
+      last = time;
+    };
+    for (const Contact& contact : run.contacts) {
+      for (; edit < run.edits.size() && run.edits[edit].time < contact.time; ++edit) {
+        advance(run.edits[edit].energy_change, run.edits[edit].time.value());
+      }
+      advance(gain_of(contact), contact.time.value());
+      if (contact.is_collision() && contact.outcome == ContactOutcome::bounce)
+        virial -= dot(contact.impulse(), contact.separation);
+      if (!contact.is_collision() && contact.second == face_of(0, false))
+        heat += energy_gain_of_first(contact) - dot(contact.impulse(), contact.before.second);
+    }
+    advance(0, kRunTime);
+    const Tally& tally = run.simulation.tally();
+    const double rounding = 1e-14 * static_cast<double>(turned_over) * kRunTime;
+    EXPECT_NEAR(tally.energy_integral(run.simulation.now()), static_cast<double>(integral), rounding);
+    EXPECT_NEAR(tally.virial(), static_cast<double>(virial), 1e-14 * static_cast<double>(virial));
+    EXPECT_NEAR(tally.wall(face_of(0, false)).heat, static_cast<double>(heat), rounding);
+    // Up to a later time, and from a saved tally.
+    Tally restored;
+    restore(archived(tally), "the test", restored);
+    EXPECT_NEAR(restored.energy_integral(Time(2 * kRunTime)),
+                static_cast<double>(integral + energy * kRunTime), 2 * rounding);
+  }
+}
+
+// Otherwise rounding noise would add up.
+TEST(DividedSums, LeaveTheEnergyOfAnElasticGasAsItIs) {
+  World world(Box::periodic({9, 9, 9}));
+  const World other = make_world({"elastic", {}});
+  other.for_each_by_id([&](Slot slot) {
+    world.add({.position = other.path(slot).position,
+               .velocity = other.path(slot).velocity,
+               .radius = other.radius(slot),
+               .mass = other.mass(slot)});
+  });
+  Simulation simulation(world);
+  simulation.run_until(2);
+  EXPECT_GT(simulation.tally().collisions(), 100U);
+  EXPECT_EQ(simulation.tally().energy_integral(simulation.now()), 2 * world.kinetic_energy(Time(0)));
+  // Until a response is given that takes energy.
+  const double before = simulation.world().kinetic_energy(simulation.now());
+  simulation.respond_with(ResponseTable(Bounce(Restitution(0.5))));
+  simulation.run_until(4);
+  const double lost = before - simulation.world().kinetic_energy(simulation.now());
+  EXPECT_GT(lost, 0);
+  const Tally& tally = simulation.tally();
+  const double end = tally.energy_integral(Time(5)) - tally.energy_integral(Time(4));
+  EXPECT_NEAR(end, before - lost, 1e-12 * before);
+  Simulation again = Simulation::load(simulation.save());
+  simulation.run_until(6);
+  again.run_until(6);
+  EXPECT_EQ(again.tally().energy_integral(Time(6)), tally.energy_integral(Time(6)));
+}
+
+}  // namespace
+}  // namespace hardball::divided_sums_test
