@@ -22,13 +22,6 @@ double gain_of_merging(const Contact& contact) {
 
 }  // namespace
 
-// One number for each contact, so that the sums do not depend on which gains are noted together.
-void Tally::note_gain(double energy, const Time& now) {
-  if (energy == 0) return;
-  gains_ += energy;
-  delayed_gains_ += energy * duration(begin_, now);
-}
-
 void Tally::begin(const World& world, const Time& now) {
   *this = Tally();
   walls_.resize(kFaces + world.surfaces().size());
@@ -45,6 +38,13 @@ void Tally::note_edit(double energy_change, const Time& now) {
   note_gain(energy_change, now);
 }
 
+// One number for each contact, so that the sums do not depend on which gains are noted together.
+void Tally::note_gain(double energy, const Time& now) {
+  if (energy == 0) return;
+  gains_ += energy;
+  delayed_gains_ += energy * duration(begin_, now);
+}
+
 void Tally::note(const Contact& contact) {
   if (last_ < contact.time) [[likely]]
     last_ = contact.time;
@@ -52,20 +52,18 @@ void Tally::note(const Contact& contact) {
   ++collisions_;
   if (contact.outcome != ContactOutcome::bounce) [[unlikely]]
     return note_outcome(contact);
-  // As Contact has them, from one root.
-  const double distance = length(contact.separation);
-  const double overlap = 1 - distance / contact.reach;
-  const double speed =
-      std::max(0.0, dot(contact.before.first - contact.before.second, contact.separation) / distance);
-  const double virial = -dot(contact.impulse(), contact.separation);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (!(is_elastic_ && contact.first_mass + contact.second_mass < kInfinity)) {
     note_gain(energy_gain(contact.first_mass, contact.before.first, contact.after.first) +
                   energy_gain(contact.second_mass, contact.before.second, contact.after.second),
               contact.time);
   }
-  max_overlap_ = std::max(max_overlap_, overlap);
-  virial_ += virial;
+  // As Contact has them, from one root.
+  const double distance = length(contact.separation);
+  max_overlap_ = std::max(max_overlap_, 1 - distance / contact.reach);
+  virial_ += -dot(contact.impulse(), contact.separation);
+  const double speed =
+      std::max(0.0, dot(contact.before.first - contact.before.second, contact.separation) / distance);
   impact_speed_sum_ += speed;
   impact_speed_square_sum_ += speed * speed;
 }

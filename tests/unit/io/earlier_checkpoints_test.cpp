@@ -62,7 +62,8 @@ TEST(EarlierCheckpoints, OfVersion3GoOnWithTheirHashAndSums) {
     std::uint64_t hash_at_20;
   };
   const auto relative = [](double a, double b) { return std::fabs(a - b) / std::fabs(b); };
-  for (const Case& of : {Case{"walls", 0x8aeefbd913436ff0, 0xf4ed4849fc0350c3}, Case{"periodic", 0xd178f157b610a5e7, 0x5bc4f8425a6bda0a}}) {
+  for (const Case& of : {Case{"walls", 0x8aeefbd913436ff0, 0xf4ed4849fc0350c3},
+                         Case{"periodic", 0xd178f157b610a5e7, 0x5bc4f8425a6bda0a}}) {
     SCOPED_TRACE(of.name);
     const std::string path = std::string(HARDBALL_TEST_SUPPORT "/checkpoints/version_3_") + of.name + ".hbc";
     Simulation simulation = Simulation::load(read_checkpoint_file(path).at("simulation"), path);

@@ -122,7 +122,7 @@ TEST(DividedSums, AreThoseOfTheRun) {
     RecordedRun run(of);
     ASSERT_GT(run.contacts.size(), 500U);
     const Tally& whole = run.simulation.tally();
-    EXPECT_GT(whole.wall(kFaces).contacts, 3U);
+    EXPECT_GT(whole.wall(kFaces).contacts, 0U);
     EXPECT_GT(whole.collisions(), 300U);
     Random random(7);
     for (const std::size_t parts : {1U, 2U, 5U}) {
@@ -209,31 +209,34 @@ TEST(DividedSums, AreThoseOfASequenceButForItsRounding) {
 
 // Otherwise rounding noise would add up.
 TEST(DividedSums, LeaveTheEnergyOfAnElasticGasAsItIs) {
-  World world(Box::periodic({9, 9, 9}));
-  const World other = make_world({"elastic", {}});
-  other.for_each_by_id([&](Slot slot) {
-    world.add({.position = other.path(slot).position,
-               .velocity = other.path(slot).velocity,
-               .radius = other.radius(slot),
-               .mass = other.mass(slot)});
-  });
+  World world(Box::periodic({3, 3, 3}));
+  Random random(8);
+  for (int k = 0; k < 8; ++k) {
+    world.add({.position = {0.75 + 1.5 * (k % 2), 0.75 + 1.5 * (k / 2 % 2), 0.75 + 1.5 * (k / 4)},
+               .velocity = random.direction(),
+               .radius = 0.6,
+               .mass = 0.5 + random.uniform()});
+  }
   Simulation simulation(world);
-  simulation.run_until(2);
-  EXPECT_GT(simulation.tally().collisions(), 100U);
-  EXPECT_EQ(simulation.tally().energy_integral(simulation.now()), 2 * world.kinetic_energy(Time(0)));
+  simulation.run_contacts(5000);
+  const double energy = world.kinetic_energy(Time(0));
+  EXPECT_NE(simulation.world().kinetic_energy(simulation.now()), energy) << "rounding";
+  EXPECT_EQ(simulation.tally().energy_integral(simulation.now()), energy * simulation.time());
   // Until a response is given that takes energy.
-  const double before = simulation.world().kinetic_energy(simulation.now());
   simulation.respond_with(ResponseTable(Bounce(Restitution(0.5))));
-  simulation.run_until(4);
-  const double lost = before - simulation.world().kinetic_energy(simulation.now());
-  EXPECT_GT(lost, 0);
+  const Time start = simulation.now();
+  simulation.run_until(start.value() + 1);
+  const double left = simulation.world().kinetic_energy(simulation.now());
+  EXPECT_LT(left, 0.9 * energy);
   const Tally& tally = simulation.tally();
-  const double end = tally.energy_integral(Time(5)) - tally.energy_integral(Time(4));
-  EXPECT_NEAR(end, before - lost, 1e-12 * before);
+  const double later = start.value() + 2;
+  EXPECT_NEAR(tally.energy_integral(Time(later)) - tally.energy_integral(Time(later - 1)), left,
+              1e-9 * energy);
+  // Saved and loaded, it knows the response.
   Simulation again = Simulation::load(simulation.save());
-  simulation.run_until(6);
-  again.run_until(6);
-  EXPECT_EQ(again.tally().energy_integral(Time(6)), tally.energy_integral(Time(6)));
+  simulation.run_until(later);
+  again.run_until(later);
+  EXPECT_EQ(again.tally().energy_integral(Time(later)), tally.energy_integral(Time(later)));
 }
 
 }  // namespace
