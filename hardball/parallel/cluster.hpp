@@ -82,7 +82,7 @@ class Cluster {
   double committed() const { return committed_; }
   /// The same, with the last of the events that round to it.
   Time now() const {
-    Time now(committed_);
+    Time now = domains_.front()->begin();
     for (const auto& domain : domains_) now = later(now, domain->begin());
     return now;
   }
@@ -102,8 +102,9 @@ class Cluster {
       const double bad = compare(until);
       const std::uint64_t contacts = count();
       const bool is_wrong = bad <= until;
-      if (!is_wrong && contacts <= most) {
-        open_ = {until, contacts, false};
+      // With the last of the contacts wanted, the window ends: that takes a step.
+      if (!is_wrong && contacts < most) {
+        open_ = {Time(until), contacts, false};
         return contacts;
       }
       const bool is_cut = is_wrong || are_logs_kept_;
@@ -112,7 +113,7 @@ class Cluster {
       if (is_wrong) note_failure(until - begin);
       if (!is_cut) keep_logs(true, !keeps_log);
       if (cut <= begin) {
-        step(end, true);
+        step(std::min(end, horizon_), true);
         return open_.contacts;
       }
       until = cut;
@@ -126,7 +127,7 @@ class Cluster {
   }
   /// Takes the open window as what has happened.
   void commit_window() {
-    const double length = open_.end - committed_;
+    const double length = open_.end.high - committed_;
     commit();
     if (!open_.is_step) adapt(length, open_.contacts);
   }
@@ -134,7 +135,7 @@ class Cluster {
   /// is kept.
   void cut_window(std::uint64_t contacts) {
     if (open_.is_step && contacts == open_.contacts) return commit_window();
-    const double end = open_.end;
+    const double end = open_.end.high;
     undo();
     while (contacts > 0) {
       contacts -= open_window(end, contacts, true);
@@ -177,7 +178,7 @@ class Cluster {
 
  private:
   struct OpenWindow {
-    double end = 0;
+    Time end;
     std::uint64_t contacts = 0;
     bool is_step = false;  // then more may happen in the same double
   };
@@ -226,12 +227,13 @@ class Cluster {
       counted_.wall += domain->counted().wall;
     }
     each([&](Member& domain, std::size_t) { domain.commit(open_.end); });
+    // Before anything is predicted again.
+    if (domains_.front()->world().has_passing_pairs()) share_last_passage();
     each([&](Member& domain, std::size_t k) {
       domain.receive(inboxes_[k]);
       domain.make_ready(phase_);
     });
-    if (domains_.front()->world().has_passing_pairs()) share_last_passage();
-    committed_ = open_.end;
+    committed_ = open_.end.high;
     is_complete_ = !open_.is_step;
     ++window_counters_.windows;
   }
@@ -273,11 +275,8 @@ class Cluster {
       each([&](Member& domain, std::size_t k) { peeked_[k] = domain.peek(until); });
       const Event next = *std::ranges::min_element(peeked_, std::less<Event>());
       const double to = next.happens() ? next.time.high : until;
-      each([&](Member& domain, std::size_t k) {
-        domain.end_peek(to);
-        bad_[k] = domain.verify(inboxes_[k], to);
-      });
-      const double bad = *std::ranges::min_element(bad_);
+      each([&](Member& domain, std::size_t) { domain.end_peek(to); });
+      const double bad = compare(to);
       const bool is_known = bad > to;
       const double cut = is_known ? to : double_before(bad);
       const bool acts = is_known && next.happens();
@@ -289,10 +288,10 @@ class Cluster {
         continue;
       }
       if (acts) execute(next);
-      const Time moment = acts ? later(Time(cut), next.time) : Time(cut);
+      const Time moment = acts ? next.time : Time(cut);
       each([&](Member& domain, std::size_t) { domain.end_step(later(moment, domain.begin())); });
       compare(cut);
-      open_ = {cut, count(), true};
+      open_ = {moment, count(), true};
       HARDBALL_CHECK(open_.contacts == (acts ? 1U : 0U));
       ++window_counters_.steps;
       return acts ? next : Event();
@@ -310,18 +309,21 @@ class Cluster {
 
   void note_failure(double length) {
     ++window_counters_.failed;
-    window_ = std::max(window_, length) / 2;
+    window_ = std::max(std::max(window_, length) / 2, least_window());
   }
+
+  // Long enough to get on.
+  double least_window() const { return std::max(0x1p-20 * settings_.first, 0x1p-44 * std::fabs(committed_)); }
 
   // Lets the next window have as many contacts as are aimed at.
   void adapt(double length, std::uint64_t contacts) {
     constexpr double kMost = 1.5;
     const double most = kMost * window_;
     if (contacts == 0) {
-      if (length >= window_) window_ = most;
+      if (length >= 0.5 * window_) window_ = most;  // unless it was cut short
     } else {
       const double wanted = length * settings_.contacts / static_cast<double>(contacts);
-      window_ = std::clamp(wanted, window_ / kMost, most);
+      window_ = std::max(std::clamp(wanted, window_ / kMost, most), least_window());
     }
   }
 

@@ -60,6 +60,7 @@ class Domain {
   Engine& engine() { return engine_; }
   const World& world() const { return engine_.world(); }
   const Residents& residents() const { return residents_; }
+  const Frontier& frontier() const { return frontier_; }
   /// Continues for other engines.
   void take_over(const Aftermath& aftermath) {
     engine_.take_over(aftermath);
@@ -80,8 +81,8 @@ class Domain {
   void clear_sums(const Sums& empty) {
     empty_sums_ = empty;
     sums_ = empty;
+    window_sums_ = empty;
   }
-  void clear_sums() { sums_ = empty_sums_; }
   /// Of this window, the contacts of own spheres, if they are kept.
   std::span<const LoggedContact> log() const { return log_; }
   void keep_log(bool is_kept, bool is_summed) {
@@ -155,16 +156,16 @@ class Domain {
     due_.clear();
   }
 
-  /// Takes the window, up to `until`, as what has happened. Decides who owns and holds its spheres from then
+  /// Takes the window, up to `moment`, as what has happened. Decides who owns and holds its spheres from then
   /// on, and tells the neighbors.
-  void commit(double until) {
+  void commit(const Time& moment) {
     engine_.end_journal();
-    begin_ = later(Time(until), engine_.now());
-    if (is_summed_) sums_.add(window_sums_);
+    begin_ = later(moment, engine_.now());
+    if (is_summed_ && counted_.contacts() > 0) sums_.add(window_sums_);
     keep_own_counts();
     for (Outbox& outbox : outboxes_) outbox.clear();
     for (const Frontier::Alarm& alarm : due_) {
-      if (alarm.time > until) {
+      if (alarm.time > moment.high) {
         frontier_.put_back(alarm);
       } else if (const std::optional<Slot> slot = slot_of(alarm); slot && is_on(*slot, alarm.path)) {
         touched_.push_back(alarm.sphere);
@@ -295,7 +296,7 @@ class Domain {
     engine_.begin_journal(begin_);
     frontier_.begin(begin_.high);
     for (Outbox& outbox : outboxes_) outbox.clear();
-    if (is_summed_) window_sums_ = empty_sums_;
+    if (is_summed_ && counted_.contacts() > 0) window_sums_ = empty_sums_;
     counted_ = {};
     failed_at_ = std::numeric_limits<double>::infinity();
     log_.clear();

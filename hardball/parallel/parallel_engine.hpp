@@ -102,26 +102,19 @@ class ParallelEngine {
   RunStatus run(const RunLimits& limits, Sums& sums, const Observe& observe) {
     const ThreadTeam::Pinned pinned(*team_);
     keep_for_rewind();
-    if (!observe)
-      cluster_->each([part = sums.part()](auto& domain, std::size_t) { domain.clear_sums(part); });
-    std::uint64_t contacts = limits.contacts;
-    std::uint64_t steps = limits.steps;
-    while (contacts > 0) {
-      if (is_outdated_) return RunStatus::outdated;
-      if (steps == 0) return RunStatus::steps_reached;
-      const bool has_end = std::isfinite(limits.until.high);
-      if (!has_end && is_idle()) return RunStatus::time_reached;
-      const double end = has_end ? limits.until.high : kLastMoment;
-      const Counters before = counters();
-      const bool continues = run_window(end, std::min(contacts, steps), sums, observe);
-      const Counters done = counters() - before;
-      contacts -= done.contacts();
-      const std::uint64_t work = done.contacts() + done.enter + done.stale + 1;
-      steps -= std::min(steps, work);
-      if (!continues) return RunStatus::observer_stopped;
-      if (cluster_->committed() == end && cluster_->is_complete()) return RunStatus::time_reached;
+    if (observe) return run_windows(limits, sums, observe);
+    cluster_->each([part = sums.part()](auto& domain, std::size_t) { domain.clear_sums(part); });
+    const auto collect = [&] {
+      for (std::size_t k = 0; k < cluster_->size(); ++k) sums.add(cluster_->domain(k).sums());
+    };
+    try {
+      const RunStatus status = run_windows(limits, sums, observe);
+      collect();
+      return status;
+    } catch (...) {
+      collect();
+      throw;
     }
-    return RunStatus::contacts_reached;
   }
 
   /// As Engine::next_contact.
@@ -329,6 +322,27 @@ class ParallelEngine {
     return !has_events;
   }
 
+  RunStatus run_windows(const RunLimits& limits, Sums& sums, const Observe& observe) {
+    std::uint64_t contacts = limits.contacts;
+    std::uint64_t steps = limits.steps;
+    while (contacts > 0) {
+      if (is_outdated_) return RunStatus::outdated;
+      if (steps == 0) return RunStatus::steps_reached;
+      const bool has_end = std::isfinite(limits.until.high);
+      if (!has_end && is_idle()) return RunStatus::time_reached;
+      const double end = has_end ? limits.until.high : kLastMoment;
+      const Counters before = counters();
+      const bool continues = run_window(end, std::min(contacts, steps), sums, observe);
+      const Counters done = counters() - before;
+      contacts -= done.contacts();
+      steps -= std::min(steps, done.contacts() + done.enter + done.stale + 1);
+      if (!continues) return RunStatus::observer_stopped;
+      if (!is_outdated_ && cluster_->committed() == end && cluster_->is_complete())
+        return RunStatus::time_reached;
+    }
+    return RunStatus::contacts_reached;
+  }
+
   // Runs through one window; false if the observer has stopped the run.
   bool run_window(double end, std::uint64_t most, Sums& sums, const Observe& observe) {
     if (observe) gather();
@@ -336,8 +350,6 @@ class ParallelEngine {
     if (observe) return deliver(sums, observe);
     cluster_->commit_window();
     is_gathered_ = false;
-    for (std::size_t k = 0; k < cluster_->size(); ++k) sums.add(cluster_->domain(k).sums());
-    cluster_->each([](auto& domain, std::size_t) { domain.clear_sums(); });
     return true;
   }
 

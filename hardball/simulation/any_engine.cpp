@@ -47,7 +47,7 @@ class EngineModel final : public AnyEngine {
   std::unique_ptr<AnyEngine> clone() const override { return std::make_unique<EngineModel>(*this); }
   const World& world() const override { return engine_.world(); }
   World& world_to_edit() override { return engine_.world_to_edit(); }
-  const Time& now() const override { return engine_.now(); }
+  Time now() const override { return engine_.now(); }
   Counters counters() const override { return engine_.counters(); }
   std::size_t memory_bytes() const override { return engine_.memory_bytes(); }
   PhaseLengths lengths() const override { return engine_.lengths(); }

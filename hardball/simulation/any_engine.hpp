@@ -29,7 +29,7 @@ class AnyEngine {
   virtual std::unique_ptr<AnyEngine> clone() const = 0;
   virtual const World& world() const = 0;
   virtual World& world_to_edit() = 0;
-  virtual const Time& now() const = 0;
+  virtual Time now() const = 0;
   virtual Counters counters() const = 0;
   virtual std::size_t memory_bytes() const = 0;
   virtual PhaseLengths lengths() const = 0;

@@ -108,8 +108,13 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
     tuner_->make_ready(now_);
     const Time sample = measures ? measures->next_sample() : kNever;
     const bool observes = measures || listener_ || next_listener_ || world().interactions().may_merge();
-    const Agenda::Item item =
-        agenda.advance(*tuner_, next_action(), sample, sums_, observes ? observe : AnyEngine::Observe());
+    Agenda::Item item = Agenda::Item::nothing;
+    try {
+      item = agenda.advance(*tuner_, next_action(), sample, sums_, observes ? observe : AnyEngine::Observe());
+    } catch (...) {
+      now_ = later(now_, sums_.tally.last_change());
+      throw;
+    }
     now_ = later(later(now_, sums_.tally.last_change()), agenda.reached());
     // Not `now_`, which after a limited number of steps may depend on the engine.
     const Time moment = later(agenda.reached(), sums_.tally.last_change());

@@ -33,7 +33,7 @@ void World::set_state(Slot slot, const SphereState& state) {
   masses_.set(slot, state.mass);
   inertia_factors_.set(slot, state.inertia_factor);
   folded_[slot] = state.folded;
-  if (!spins_.empty()) spins_[slot] = state.spin;
+  set_spin(slot, state.spin);
   if (!species_.empty()) species_[slot] = state.species;
 }
 
