@@ -202,8 +202,6 @@ TEST_P(Rewind, RepeatsTheHistory) {
     SCOPED_TRACE(made.name);
     for (const support::EngineVariant& variant : support::engine_variants(made.world)) {
       SCOPED_TRACE(variant.name);
-      // Several domains go back only to where they began.
-      if (variant.options.division) continue;
       try {
         EditedEngine engine(made, variant.options, seed);
         engine.run();

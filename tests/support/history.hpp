@@ -60,14 +60,22 @@ inline std::vector<EngineVariant> engine_variants(const World& world) {
     add(EngineKind::neighbors, QueueKind::calendar, diameter);
   }
   add(EngineKind::automatic, QueueKind::calendar, std::nullopt);
-  const auto divide = [&](EngineKind engine, const Division& division) {
-    add(engine, QueueKind::calendar, std::nullopt);
-    variants.back().options.division = division;
-    variants.back().name += ", in " + to_text(division.domains) + " domains";
+  return variants;
+}
+
+/// Some ways to divide a world among domains, in one thread or two.
+inline std::vector<EngineVariant> divided_variants() {
+  std::vector<EngineVariant> variants;
+  const auto add = [&](EngineKind engine, const Division& division) {
+    EngineVariant variant;
+    variant.options.engine = engine;
+    variant.options.division = division;
+    variant.name = to_text(division.domains) + " domains";
+    variants.push_back(variant);
   };
-  divide(EngineKind::automatic, {.domains = 2, .halo = 1.05, .window = 0.5});
-  divide(EngineKind::cells, {.domains = 3, .halo = 2, .window = 0.1});
-  divide(EngineKind::cells, {.domains = 7, .halo = 1.3, .window = 2});
+  add(EngineKind::automatic, {.domains = 2, .halo = 1.05, .window = 0.5});
+  add(EngineKind::cells, {.domains = 3, .threads = 2, .halo = 2, .window = 0.1});
+  add(EngineKind::cells, {.domains = 7, .halo = 1.3, .window = 2});
   return variants;
 }
 
