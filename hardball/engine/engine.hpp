@@ -172,9 +172,7 @@ class Engine {
     remove_from_forecast(slot);
   }
 
-  /// Makes spheres what they are in another world with the same box: those that this one has are replaced,
-  /// and the others added. Precondition: as for change_velocities; there is no journal. Cost: as of a
-  /// collision each.
+  /// See put.hpp. Precondition: as for change_velocities; there is no journal.
   void put(std::span<const SphereState> spheres, const Time& moment) {
     HARDBALL_CHECK(moment >= now());
     forecast_.advance(moment);
