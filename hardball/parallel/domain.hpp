@@ -14,6 +14,7 @@
 #include "hardball/engine/run.hpp"
 #include "hardball/execution/aftermath.hpp"
 #include "hardball/execution/execute.hpp"
+#include "hardball/interaction/contact.hpp"
 #include "hardball/parallel/comparison.hpp"
 #include "hardball/parallel/frontier.hpp"
 #include "hardball/parallel/messages.hpp"
