@@ -67,6 +67,27 @@ TEST_P(Domains, HaveTheHistoryOfAllPairs) {
 
 INSTANTIATE_TEST_SUITE_P(Part, Domains, testing::Range<std::uint64_t>(0, kParts));
 
+// Gases in blocks so small, with halos so shallow and windows so long, that most windows fail.
+TEST(GasInDomains, HasOneHistoryWhereWindowsFail) {
+  for (const double packing_fraction : {0.02, 0.25}) {
+    for (std::uint64_t seed = 0; seed < support::cases(30); ++seed) {
+      SCOPED_TRACE(testing::Message() << "packing fraction " << packing_fraction << ", seed " << seed);
+      const World world =
+          support::make_gas({.count = 500, .packing_fraction = packing_fraction, .seed = seed});
+      const RunLimits limits{.contacts = 1500};
+      Simulation reference(world);
+      const History expected = support::run_on(reference, limits);
+      for (const Division& division : {Division{.domains = 2, .halo = 1.05, .window = 1},
+                                       Division{.domains = 4, .halo = 1.05, .window = 0.3},
+                                       Division{.domains = 8, .halo = 1.5, .window = 0.3}}) {
+        Simulation simulation(world, {.division = division});
+        ASSERT_EQ(support::difference(support::run_on(simulation, limits), expected), "")
+            << division.domains << " domains";
+      }
+    }
+  }
+}
+
 // Listeners that give spheres new velocities, remove them and add others cut windows short.
 TEST(EditedDomains, HaveTheHistoryOfAllPairs) {
   constexpr std::uint64_t kEdited = 60;
