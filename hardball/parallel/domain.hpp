@@ -174,8 +174,7 @@ class Domain {
     }
     due_.clear();
     std::ranges::sort(touched_);
-    const auto repeated = std::ranges::unique(touched_);
-    touched_.erase(repeated.begin(), repeated.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
     for (const SphereId sphere : touched_) review(world().slot_of(sphere));
   }
 

@@ -52,8 +52,9 @@ void bisect(Block block, Extent extent, std::size_t count, std::span<Vec3> cente
   // A block has an inside.
   const double least = (extent.high[axis] - extent.low[axis]) / static_cast<double>(4 * count);
   place = std::clamp(place, extent.low[axis] + least, extent.high[axis] - least);
-  const auto middle = std::ranges::partition(centers, [&](const Vec3& x) { return x[axis] < place; });
-  const auto inside = static_cast<std::size_t>(middle.begin() - centers.begin());
+  const auto middle =
+      std::partition(centers.begin(), centers.end(), [&](const Vec3& x) { return x[axis] < place; });
+  const auto inside = static_cast<std::size_t>(middle - centers.begin());
   Block rest = block.split(axis, place);
   Extent below = extent;
   below.high[axis] = place;
