@@ -266,7 +266,6 @@ class Domain {
  private:
   World residents_of(const World& whole, std::span<const DomainNumber> owners, const Time& now) {
     World world = whole.without_spheres();
-    const std::vector<DomainNumber>& neighbors = frontier_.neighbors();
     for (Slot slot = 0; slot < whole.size(); ++slot) {
       const bool is_own = owners[slot] == number_;
       const Vec3 position = whole.position(slot, now);
@@ -276,9 +275,7 @@ class Domain {
       if (is_own) {
         residents_.add_own(frontier_.holders_at(position, 0));
       } else {
-        const auto owner = std::ranges::lower_bound(neighbors, owners[slot]);
-        HARDBALL_CHECK(owner != neighbors.end() && *owner == owners[slot]);
-        residents_.add_ghost(state.id, static_cast<std::uint32_t>(owner - neighbors.begin()));
+        residents_.add_ghost(state.id, neighbor_number(owners[slot]));
       }
     }
     begin_ = now;
