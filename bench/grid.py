@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 """Measures engines over a grid of sizes and densities, in turn, slice by slice.
 
-At each point of the grid all engines under test are started as processes on one core of the processor. Then each runs
+At each point of the grid all engines under test are started as processes on one core of the processor, or on those given. Then each runs
 for a slice of time, round after round, while the others wait for input and cost nothing. Other load on the machine
 slows all of them, so that ratios hold on a shared machine too.
 
@@ -110,7 +110,7 @@ class Settings:
     rounds: int = 7
     slice_seconds: float = 0.5
     patience: float = 3600
-    core: int | None = None
+    cores: list[int] | None = None
 
 
 # --- engines ----------------------------------------------------------------------------------------------------
@@ -123,8 +123,8 @@ class LiveEngine:
         self._patience = settings.patience
         self._messages = tempfile.TemporaryFile()
         self._unread = b""
-        core = settings.core
-        pin = None if core is None else (lambda: os.sched_setaffinity(0, {core}))
+        cores = settings.cores
+        pin = None if cores is None else (lambda: os.sched_setaffinity(0, cores))
         try:
             self._process = subprocess.Popen(
                 command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self._messages, preexec_fn=pin, bufsize=0
@@ -482,8 +482,8 @@ def parse_arguments(arguments: Sequence[str] | None = None) -> argparse.Namespac
     parser.add_argument("--seed", type=int, default=1, help="default: 1")
     parser.add_argument("--rounds", type=int, help="default: 7")
     parser.add_argument("--slice", type=float, metavar="SECONDS", help="length of a slice; default: 0.5")
-    parser.add_argument("--core", type=int, default=max(available_cores(), default=None),
-                        help="default: the last one")  # fmt: skip
+    parser.add_argument("--cores", type=list_of(int), metavar="CORE,...", default=available_cores()[-1:] or None,
+                        help="for engines of several threads, as many; default: the last one")  # fmt: skip
     parser.add_argument("--patience", type=float, metavar="SECONDS", default=3600,
                         help="an engine that gives no answer for this long has failed; default: 3600")  # fmt: skip
     parser.add_argument("--out", type=Path, metavar="FILE", default=PROJECT / "build/bench/results.json",
@@ -493,8 +493,8 @@ def parse_arguments(arguments: Sequence[str] | None = None) -> argparse.Namespac
     options = parser.parse_args(arguments)
     if options.rounds is not None and options.rounds < 1:
         parser.error("--rounds: give at least 1")
-    if options.core is not None and options.core not in available_cores():
-        parser.error(f"--core: give one of {', '.join(map(str, available_cores()))}")
+    if not set(options.cores or []) <= set(available_cores()):
+        parser.error(f"--cores: give some of {', '.join(map(str, available_cores()))}")
     if options.slice is not None and not options.slice > 0:
         parser.error("--slice: give a positive time")
     names = options.engines + [engine.name for engine in options.against]
@@ -509,7 +509,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         rounds=options.rounds or (3 if options.quick else 7),
         slice_seconds=options.slice or (0.05 if options.quick else 0.5),
         patience=options.patience,
-        core=options.core,
+        cores=options.cores,
     )
     points = [
         Point(

@@ -98,6 +98,7 @@ struct Options {
   double equilibration = 0;  // collisions per sphere
   std::uint64_t seed = 1;
   std::string engine = "auto";
+  std::size_t threads = 1;
   std::optional<double> cell_edge;
   std::optional<std::string> placement;
   std::string boundary = "periodic";
@@ -251,6 +252,7 @@ void run(const Options& options) {
   }
   EngineOptions engine_options;
   engine_options.engine = choose(options.engine, kEngines, "--engine");
+  engine_options.threads = options.threads;
   engine_options.cell_edge = options.cell_edge;
   World start = make_start(options);
   std::optional<Simulation> simulation;
@@ -270,6 +272,7 @@ int parse_and_run(int argument_count, char** arguments) {
   app.add_option("--equilibration", options.equilibration, "Collisions per sphere before measuring");
   app.add_option("--seed", options.seed, "Seed of the random numbers");
   app.add_option("--engine", options.engine, "One of " + names_in(kEngines));
+  app.add_option("--threads", options.threads, "How many threads run them; 0 for as many as pay");
   app.add_option("--cell-edge", options.cell_edge, "Edge of the cells, instead of the best");
   app.add_option("--placement", options.placement, "One of " + names_in(kPlacements));
   app.add_option("--boundary", options.boundary, "One of " + names_in(kBoundaries));

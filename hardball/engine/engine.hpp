@@ -87,7 +87,7 @@ class Engine {
           next = least_until(limits.until);
           if (next == kNoOwner) return RunStatus::time_reached;
           if (steps++ == limits.steps) return RunStatus::steps_reached;
-          prefetching_.prefetch_ahead(forecast_, queue_);
+          prefetching_.prefetch_ahead(forecast_, queue_, observe);
         } while (handle_without_contact(next));
         carry_out(next);
       } else {
@@ -270,7 +270,8 @@ class Engine {
     // No contact has been missed up to the double before.
     advance(later(now(), Time(double_before(time))));
     queue_.pop();
-    journal_.note_event(EngineJournal::Kind::no_contact, now(), forecast_.id(slot), forecast_.id(slot));
+    const StoredSphere sphere{forecast_.id(slot), slot};
+    journal_.note_event(EngineJournal::Kind::no_contact, now(), sphere, sphere);
     if (is_crossing) {
       forecast_.cross(slot);
     } else if (is_unknown) {
@@ -304,8 +305,8 @@ class Engine {
     execute(forecast_.world(), aftermath_.collapse, event, participants, done_);
     forecast_.advance(event.time);
     ++(is_collision ? counters_.collision : counters_.wall);
-    journal_.note_event(is_collision ? EngineJournal::Kind::collision : EngineJournal::Kind::wall, now(), id,
-                        partner_id);
+    journal_.note_event(is_collision ? EngineJournal::Kind::collision : EngineJournal::Kind::wall, now(),
+                        {id, slot}, {partner_id, partner});
     queue_.pop();
     if (done_.contact.outcome == ContactOutcome::merge) [[unlikely]] {
       return absorb(participants);
@@ -333,7 +334,8 @@ class Engine {
       const Participants participants = participants_of(world(), overlap);
       if (!merge_if_decided(forecast_.world(), overlap, participants, done_)) return false;
       ++counters_.collision;
-      journal_.note_event(EngineJournal::Kind::collision, now(), overlap.first, overlap.second);
+      journal_.note_event(EngineJournal::Kind::collision, now(), {overlap.first, participants.first},
+                          {overlap.second, participants.second});
       absorb(participants);
       return true;
     });
@@ -358,13 +360,15 @@ class Engine {
   void undo(const Time& last_kept, const Time& moment) {
     standstill_guard_ = {};
     aftermath_.collapse.rewind(last_kept);
-    const std::vector<SphereId> handled = journal_.undo_events(last_kept, counters_, aftermath_.merged);
+    const std::vector<StoredSphere> handled = journal_.undo_events(last_kept, counters_, aftermath_.merged);
     if (is_outdated_) {
       undo_changes(forecast_.world(), last_kept);
       return forecast_.advance(moment);
     }
-    for (const Slot slot : hardball::rewind(forecast_, last_kept, moment, handled))
-      queue_.schedule(slot, forecast_);
+    const std::vector<Slot> changed = hardball::rewind(forecast_, last_kept, moment, handled);
+    if constexpr (requires { queue_.go_back(moment.high, forecast_); })
+      queue_.go_back(moment.high, forecast_);
+    for (const Slot slot : changed) queue_.schedule(slot, forecast_);
   }
 
   void remove_from_forecast(Slot slot) {

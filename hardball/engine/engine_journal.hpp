@@ -12,6 +12,12 @@
 
 namespace hardball {
 
+/// A sphere, and where it was stored.
+struct StoredSphere {
+  SphereId id = 0;
+  Slot slot = 0;
+};
+
 /// What an engine has done since a moment, besides the changes that the world's own journal holds: enough to
 /// go back.
 class EngineJournal {
@@ -38,7 +44,7 @@ class EngineJournal {
   const Time& begin_time() const { return begin_; }
 
   /// An event of one sphere or of two has been handled.
-  void note_event(Kind kind, const Time& moment, SphereId first, SphereId second) {
+  void note_event(Kind kind, const Time& moment, StoredSphere first, StoredSphere second) {
     if (is_kept_) [[unlikely]]
       append(kind, moment, first, second);
   }
@@ -56,8 +62,9 @@ class EngineJournal {
 
   /// Takes the events after `moment` back from the counters and from the list of spheres that have merged,
   /// and returns the spheres whose events they were.
-  std::vector<SphereId> undo_events(const Time& moment, Counters& counters, MergedSpheres& merged) {
-    std::vector<SphereId> spheres;
+  std::vector<StoredSphere> undo_events(const Time& moment, Counters& counters, MergedSpheres& merged) {
+    std::vector<StoredSphere> spheres;
+    spheres.reserve(2 * events_.size());
     for (; !events_.empty() && events_.back().time > moment; events_.pop_back()) {
       const Done& done = events_.back();
       if (done.kind == Kind::collision) --counters.collision;
@@ -73,15 +80,15 @@ class EngineJournal {
 
  private:
   // Apart, so that it takes no room in the hot loop.
-  HARDBALL_NEVER_INLINE void append(Kind kind, Time moment, SphereId first, SphereId second) {
+  HARDBALL_NEVER_INLINE void append(Kind kind, Time moment, StoredSphere first, StoredSphere second) {
     events_.push_back({kind, moment, first, second});
   }
 
   struct Done {
     Kind kind;
     Time time;
-    SphereId first;
-    SphereId second;
+    StoredSphere first;
+    StoredSphere second;
   };
   struct MergedBefore {
     Time time;

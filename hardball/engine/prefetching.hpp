@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "hardball/events/event_queue.hpp"
 #include "hardball/events/plan.hpp"
@@ -12,16 +14,31 @@ namespace hardball {
 /// Prefetches what the next events need, as the calendar knows which spheres come next.
 class Prefetching {
  public:
-  /// To be called before every event.
-  template <class Forecast, class Queue>
-  void prefetch_ahead(const Forecast& forecast, const Queue& queue) {
+  /// To be called before every event. If the observer has `prefetch(slot)`, it is called for spheres that may
+  /// soon have a contact.
+  template <class Forecast, class Queue, class Observer>
+  void prefetch_ahead(const Forecast& forecast, const Queue& queue, const Observer& observer) {
     if constexpr (requires { queue.upcoming(0); }) {
       if (forecast.is_cached()) {
         prefetch_regions(forecast, queue);
       } else {
-        prefetch_in_stages(forecast, queue);
+        prefetch_in_stages(forecast, queue, observer);
       }
     }
+  }
+
+  /// To be called before predicting slots[i], if all are to be predicted in turn.
+  template <class Forecast>
+  static void prefetch_prediction(const Forecast& forecast, std::span<const Slot> slots, std::size_t i) {
+    constexpr std::size_t kSphere = 6;
+    constexpr std::size_t kLists = 4;
+    constexpr std::size_t kCandidates = 2;
+    if (forecast.is_cached()) return;
+    const auto& phase = forecast.phase();
+    if (i + kSphere < slots.size()) forecast.prefetch_sphere(slots[i + kSphere]);
+    if (i + kLists < slots.size()) phase.prefetch_lists(slots[i + kLists], false);
+    if (i + kCandidates < slots.size())
+      phase.prefetch_candidates(slots[i + kCandidates], false, forecast.copies());
   }
 
  private:
@@ -39,8 +56,8 @@ class Prefetching {
   }
 
   // Each stage runs a few events before the next, whose addresses it loads.
-  template <class Forecast, class Queue>
-  void prefetch_in_stages(const Forecast& forecast, const Queue& queue) {
+  template <class Forecast, class Queue, class Observer>
+  void prefetch_in_stages(const Forecast& forecast, const Queue& queue, const Observer& observer) {
     constexpr std::size_t kSphere = 9;
     constexpr std::size_t kPartner = 6;
     constexpr std::size_t kLists = 4;
@@ -56,9 +73,15 @@ class Prefetching {
     };
     const auto& phase = forecast.phase();
     for_upcoming(kSphere, [&](Slot slot) { forecast.prefetch_sphere(slot); });
+    const auto prefetch_for_observer = [&observer]([[maybe_unused]] Slot slot) {
+      if constexpr (requires { observer.prefetch(slot); }) observer.prefetch(slot);
+    };
     for_upcoming(kPartner, [&](Slot slot) {
       const Plan& plan = forecast.plan(slot);
-      if (plan.meets_first()) forecast.prefetch_sphere(plan.partner());
+      prefetch_for_observer(slot);
+      if (!plan.meets_first()) return;
+      forecast.prefetch_sphere(plan.partner());
+      prefetch_for_observer(plan.partner());
     });
     for_upcoming(kLists, [&](Slot slot) {
       const Plan& plan = forecast.plan(slot);

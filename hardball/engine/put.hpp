@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,8 +21,8 @@ bool put(Forecast& forecast, std::span<const SphereState> spheres, bool are_all_
   World& world = forecast.world();
   for (const SphereState& sphere : spheres) {
     Slot slot;
-    if (world.contains(sphere.id)) {
-      slot = world.slot_of(sphere.id);
+    if (const std::optional<Slot> stored = world.find(sphere.id)) {
+      slot = *stored;
       if (are_all_inserted) forecast.erase(slot);
       SphereEdit(world, forecast.now(), slot).store(slot, sphere);
     } else {

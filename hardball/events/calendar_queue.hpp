@@ -85,6 +85,34 @@ class CalendarQueue {
     ++counters_.taken;
   }
 
+  /// Moves the ring back, so that the bucket of `time` is opened next.
+  template <EventTable Table>
+  void go_back(double time, const Table& table) {
+    const std::int64_t before = bucket_of(time) - 1;
+    if (before >= current_) return;
+    insert_pending();
+    // The last buckets of the ring become the first.
+    std::vector<Entry> moved;
+    moved.swap(sorted_);
+    for (const Scheduled& entry : heap_) moved.push_back({entry.event.time.high, entry.owner});
+    heap_.clear();
+    const std::uint64_t taken_in_turn = taken_in_turn_;
+    const std::int64_t end = current_ + ring_size();
+    for (current_ = std::max(before + ring_size(), current_ + 1); current_ < end; ++current_)
+      if (bucket(current_).count > 0) take_live(table, moved);
+    current_ = before;
+    const bool turns_sooner = current_ + ring_size() < ring_end_;
+    ring_end_ = std::min(ring_end_, current_ + ring_size());
+    taken_in_turn_ = turns_sooner ? 0 : taken_in_turn;
+    for (const Entry& entry : moved) {
+      if (is_dead(entry, table)) {
+        ++counters_.taken;
+      } else {
+        insert_or_overflow(entry);
+      }
+    }
+  }
+
   /// The owner of an entry that comes about `ahead` events after the least; kNoOwner if the current bucket
   /// has no more.
   Owner upcoming(std::size_t ahead) const {

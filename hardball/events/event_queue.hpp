@@ -83,6 +83,9 @@ struct AnyEventTable {
 /// - `schedule(owner, table)`: the owner's event in the table has changed, perhaps to one that does not
 ///   happen.
 /// - `least(table)` is the owner of the least event, or kNoOwner; it may rearrange the queue internally.
+/// - `go_back(time, table)`, optional: events may be earlier than those it has shown, but none is before
+/// `time`
+///   [T]. It only makes these as cheap as others.
 /// - `pop()` removes the event that `least()` has just returned; its owner has none until the next
 ///   `schedule`, by which time the table must no longer hold it.
 template <class Queue>

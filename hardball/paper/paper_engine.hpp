@@ -407,7 +407,8 @@ class PaperEngine {
       const Participants participants = participants_of(world_, overlap);
       if (!merge_if_decided(world_, overlap, participants, done_)) return false;
       ++counters_.collision;
-      journal_.note_event(EngineJournal::Kind::collision, now_, overlap.first, overlap.second);
+      journal_.note_event(EngineJournal::Kind::collision, now_, {overlap.first, participants.first},
+                          {overlap.second, participants.second});
       absorb(participants);
       return true;
     });
@@ -506,7 +507,7 @@ class PaperEngine {
     now_ = event.time;
     ++(is_collision ? counters_.collision : counters_.wall);
     journal_.note_event(is_collision ? EngineJournal::Kind::collision : EngineJournal::Kind::wall, now_,
-                        event.first, event.first);
+                        {event.first, participants.first}, {event.first, participants.first});
     if (done_.contact.outcome == ContactOutcome::merge) {
       absorb(participants);
       return done_.contact;

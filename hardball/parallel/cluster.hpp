@@ -25,6 +25,7 @@ using ForEach = Function<void(std::size_t count, const Function<void(std::size_t
 struct WindowSettings {
   double contacts = 1000;  ///< So many are aimed at in a window, by all domains.
   double first = 1;        ///< The length of the first window [T].
+  double flight = 1;       ///< In which most spheres fly by some diameter [T].
 };
 
 /// What a cluster has done to run windows.
@@ -98,7 +99,7 @@ class Cluster {
     const bool may_be_cut = static_cast<double>(most) < 4 * settings_.contacts;
     keep_logs(keeps_log || may_be_cut, !keeps_log);
     for (double until = std::min({end, begin + window_, horizon_});;) {
-      each([&](Member& domain, std::size_t) { domain.run(until); });
+      each([&](Member& domain, std::size_t) { domain.run(until, most_contacts()); });
       const double bad = compare(until);
       const std::uint64_t contacts = count();
       const bool is_wrong = bad <= until;
@@ -199,10 +200,20 @@ class Cluster {
     are_logs_kept_ = are_kept;
   }
 
+  // Of a domain in a window. If it has many more than are aimed at, the window is much too long: the spheres
+  // have become fast, perhaps only because ghosts are wrong.
+  std::uint64_t most_contacts() const {
+    constexpr double kWindows = 16;
+    constexpr double kAlways = 256;
+    return static_cast<std::uint64_t>(kAlways + kWindows * settings_.contacts);
+  }
+
   void watch_if_due() {
     if (committed_ < horizon_) return;
-    constexpr double kWindows = 64;
-    horizon_ = committed_ + kWindows * window_;
+    // Soon, all spheres are looked at often; late, many have alarms. A flight of a diameter is between.
+    constexpr double kFewestWindows = 64;
+    constexpr double kMostWindows = 1024;
+    horizon_ = committed_ + std::clamp(settings_.flight, kFewestWindows * window_, kMostWindows * window_);
     each([&](Member& domain, std::size_t) { domain.watch(horizon_); });
   }
 

@@ -151,7 +151,8 @@ double Comparison::compare(const World& world, const Residents& residents, const
     auto own_one = middle;
     for (; true_one != middle && own_one != last && *true_one->record == *own_one->record; ++own_one)
       ++true_one;
-    const Slot slot = world.slot_of(residents.ghost(ghost).sphere);
+    const Residents::Ghost& described = residents.ghost(ghost);
+    const Slot slot = *world.find(described.sphere, described.slot);
     const Path& begin_path = middle != last ? middle->own->path_before : world.path(slot);
     const Vec3 begin_spin = middle != last ? middle->own->spin_before : world.spin(slot);
     const Path& common = true_one == first ? begin_path : (true_one - 1)->record->path;

@@ -93,27 +93,33 @@ class Domain {
   /// Calls visit(slot) for every own sphere whose state has changed since the last call, perhaps for others.
   template <class Visit>
   void take_changed(Visit&& visit) {
-    for (const SphereId sphere : changed_) {
-      if (!world().contains(sphere)) continue;
-      const Slot slot = world().slot_of(sphere);
-      if (residents_.is_own(slot)) visit(slot);
+    if (have_all_changed_) {
+      for (Slot slot = 0; slot < world().size(); ++slot) {
+        if (residents_.is_own(slot)) visit(slot);
+      }
+    } else {
+      for (const SphereId sphere : changed_) {
+        const std::optional<Slot> slot = world().find(sphere);
+        if (slot && residents_.is_own(*slot)) visit(*slot);
+      }
     }
     changed_.clear();
+    have_all_changed_ = false;
   }
   /// How many contacts count in this window: collisions, and contacts with walls.
   const Counters& counted() const { return counted_; }
 
-  /// Runs through a window, from where it is to all events whose time rounds to `until` or earlier.
-  void run(double until) {
+  /// Runs through a window, from where it is to all events whose time rounds to `until` or earlier. With more
+  /// than `most` contacts, those of ghosts included, the window is too long, and not right to its end.
+  void run(double until, std::uint64_t most) {
     begin_window();
     try {
-      engine_.run({.until = Time(until)}, [this](const Contact& contact) { note(contact); });
+      const RunStatus status = engine_.run({.until = Time(until), .contacts = most}, Notes{*this});
+      if (status == RunStatus::time_reached) return end_legs(until);
     } catch (const RunFailure&) {
       // Perhaps only because ghosts are wrong: a single step will tell.
-      failed_at_ = engine_.now().high;
-      return;
     }
-    end_legs(until);
+    failed_at_ = engine_.now().high;
   }
 
   /// The next contact up to `until`, without executing it; at a window's start.
@@ -123,8 +129,7 @@ class Domain {
   }
   /// Executes the contact that `peek` has returned, if it is this one.
   void execute_if_next(const Event& peeked, const Event& next) {
-    if (peeked == next)
-      engine_.run({.until = next.time, .contacts = 1}, [this](const Contact& contact) { note(contact); });
+    if (peeked == next) engine_.run({.until = next.time, .contacts = 1}, Notes{*this});
   }
   /// Watches spheres on up to `until`, in a window without contacts.
   void end_peek(double until) { end_legs(until); }
@@ -164,18 +169,21 @@ class Domain {
     begin_ = later(moment, engine_.now());
     if (is_summed_ && counted_.contacts() > 0) sums_.add(window_sums_);
     keep_own_counts();
+    if (changed_.size() > world().size()) have_all_changed_ = true;
+    if (have_all_changed_) changed_.clear();
     for (Outbox& outbox : outboxes_) outbox.clear();
     for (const Frontier::Alarm& alarm : due_) {
       if (alarm.time > moment.high) {
         frontier_.put_back(alarm);
-      } else if (const std::optional<Slot> slot = slot_of(alarm); slot && is_on(*slot, alarm.path)) {
-        touched_.push_back(alarm.sphere);
+      } else if (const std::optional<Slot> slot = world().find(alarm.sphere, alarm.slot);
+                 slot && is_on(*slot, alarm.path)) {
+        touched_.push_back(*slot);
       }
     }
     due_.clear();
     std::ranges::sort(touched_);
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-    for (const SphereId sphere : touched_) review(world().slot_of(sphere));
+    for (const Slot slot : touched_) review(slot);
   }
 
   /// Makes the ghosts what their owners say, and lets spheres come and go. Precondition: all have committed.
@@ -257,13 +265,20 @@ class Domain {
 
   /// Watches the frontier anew, up to a time. Cost: O(n).
   void watch(double horizon) {
-    frontier_.restart(horizon);
+    frontier_.restart(begin_.high, horizon);
     for (Slot slot = 0; slot < world().size(); ++slot) {
       if (residents_.is_own(slot)) set_alarm(slot);
     }
   }
 
  private:
+  // Notes contacts as they happen.
+  struct Notes {
+    Domain& domain;
+    void operator()(const Contact& contact) const { domain.note(contact); }
+    void prefetch(Slot slot) const { domain.residents_.prefetch(slot); }
+  };
+
   World residents_of(const World& whole, std::span<const DomainNumber> owners, const Time& now) {
     World world = whole.without_spheres();
     for (Slot slot = 0; slot < whole.size(); ++slot) {
@@ -351,15 +366,14 @@ class Domain {
     if (holders == 0 && frontier_.is_interior(position, largest_component(before), since.high,
                                               largest_component(after), now)) [[likely]]
       return;
-    note_near_frontier(slot, id, position, before, since, contact, partner);
+    note_near_frontier(slot, position, before, since, contact, partner);
   }
 
-  HARDBALL_NEVER_INLINE void note_near_frontier(Slot slot, SphereId id, const Vec3& position,
-                                                const Vec3& before, const Time& since, const Contact& contact,
-                                                Slot partner) {
+  HARDBALL_NEVER_INLINE void note_near_frontier(Slot slot, const Vec3& position, const Vec3& before,
+                                                const Time& since, const Contact& contact, Slot partner) {
     const NeighborSet holders = residents_.holders(slot);
     frontier_.note({since.high, contact.time.high, position, before}, holders, outboxes_);
-    touched_.push_back(id);
+    touched_.push_back(slot);
     set_alarm(slot);
     const PathRecord record =
         record_of(slot, contact, partner == slot ? PathRecord::kWall : world().id(partner));
@@ -404,8 +418,11 @@ class Domain {
   // The legs of spheres without a contact since their alarm was set.
   void end_legs(double until) {
     frontier_.take_alarms(until, due_);
-    for (const Frontier::Alarm& alarm : due_) {
-      const std::optional<Slot> slot = slot_of(alarm);
+    for (std::size_t k = 0; k < due_.size(); ++k) {
+      constexpr std::size_t kAhead = 8;
+      if (k + kAhead < due_.size()) prefetch(due_[k + kAhead].slot);
+      const Frontier::Alarm& alarm = due_[k];
+      const std::optional<Slot> slot = world().find(alarm.sphere, alarm.slot);
       if (!slot || !is_on(*slot, alarm.path)) continue;
       const Path& path = world().path(*slot);
       State state = world().motion().state_at(path, later(Time(until), path.time));
@@ -415,10 +432,9 @@ class Domain {
     }
   }
 
-  std::optional<Slot> slot_of(const Frontier::Alarm& alarm) const {
-    if (alarm.slot < world().size() && world().id(alarm.slot) == alarm.sphere) return alarm.slot;
-    if (!world().contains(alarm.sphere)) return std::nullopt;
-    return world().slot_of(alarm.sphere);
+  void prefetch(Slot slot) const {
+    world().prefetch(slot);
+    residents_.prefetch(slot);
   }
   bool is_on(Slot slot, const Time& path) const {
     return residents_.is_own(slot) && world().path(slot).time == path;
@@ -482,7 +498,7 @@ class Domain {
   void correct(const Correction& correction) {
     const SphereId sphere = residents_.ghost(correction.ghost).sphere;
     if (residents_.find_ghost(sphere) != correction.ghost) return;  // gone
-    const Slot slot = world().slot_of(sphere);
+    const Slot slot = *world().find(sphere, residents_.ghost(correction.ghost).slot);
     SphereState state = world().state_of(slot);
     if (state.path == correction.path && state.spin == correction.spin) return;
     state.path = correction.path;
@@ -502,15 +518,16 @@ class Domain {
   // Of the window:
   Sums window_sums_;
   Counters counted_;
-  double failed_at_ = std::numeric_limits<double>::infinity();  // at which the engine has failed [T]
+  double failed_at_ = std::numeric_limits<double>::infinity();  // where the run ended too early [T]
   bool is_log_kept_ = false;
   bool is_summed_ = true;
   std::vector<LoggedContact> log_;
   std::vector<GhostRecord> ghost_records_;
   std::vector<Frontier::Alarm> due_;
-  std::vector<SphereId> touched_;  // own spheres whose owner or holders may change
+  std::vector<Slot> touched_;  // own spheres whose owner or holders may change
   std::vector<SphereState> arriving_;
   std::vector<SphereId> changed_;  // own spheres, since the last take_changed()
+  bool have_all_changed_ = false;  // then it is not kept
 };
 
 }  // namespace hardball

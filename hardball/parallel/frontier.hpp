@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <queue>
 #include <vector>
 
 #include "hardball/geometry/motion.hpp"
+#include "hardball/parallel/alarms.hpp"
 #include "hardball/parallel/halo.hpp"
 #include "hardball/parallel/messages.hpp"
 #include "hardball/parallel/partition.hpp"
@@ -37,14 +37,7 @@ struct Leg {
 /// has a contact. For the others an alarm is set, for when they may first matter.
 class Frontier {
  public:
-  /// The sphere, if its path began then, must be looked at.
-  struct Alarm {
-    double time = 0;
-    SphereId sphere = 0;
-    Slot slot = 0;  ///< Where it was stored.
-    Time path;
-    friend bool operator<(const Alarm& a, const Alarm& b) { return a.time > b.time; }
-  };
+  using Alarm = Alarms::Alarm;
 
   Frontier(const Partition& partition, DomainNumber domain, const Halo& halo, const Motion& motion)
       : block_(partition.block(domain)),
@@ -77,12 +70,8 @@ class Frontier {
     return static_cast<std::uint32_t>(nearest - blocks_.begin());
   }
 
-  double horizon() const { return horizon_; }
   /// Begins to watch anew up to a horizon: an alarm must be set for every own sphere.
-  void restart(double horizon) {
-    horizon_ = horizon;
-    alarms_ = {};
-  }
+  void restart(double now, double horizon) { alarms_.restart(now, horizon); }
   /// Begins a window.
   void begin(double now) {
     begin_ = now;
@@ -96,7 +85,7 @@ class Frontier {
                    double now) const {
     const double depth = -block_.distance(point) - halo_.outer();
     return depth > way(speed_before, now - std::max(begin_, since)) &&
-           depth > way(speed_after, horizon_ - now);
+           depth > way(speed_after, alarms_.horizon() - now);
   }
 
   /// Sets the alarm of a sphere that is where the state says now.
@@ -105,14 +94,11 @@ class Frontier {
     const double distance = distance_to_change(state.position, holders);
     const double speed = largest_component(state.velocity);
     const double wait = time_to_pass(distance, speed, fall_) * (1 - 0x1p-30);
-    if (now + wait > horizon_) return;
-    alarms_.push({now + wait, sphere, slot, path});
+    if (now + wait <= alarms_.horizon()) alarms_.set({now + wait, sphere, slot, path});
   }
   /// Takes the alarms up to a time.
-  void take_alarms(double until, std::vector<Alarm>& taken) {
-    for (; !alarms_.empty() && alarms_.top().time <= until; alarms_.pop()) taken.push_back(alarms_.top());
-  }
-  void put_back(const Alarm& alarm) { alarms_.push(alarm); }
+  void take_alarms(double until, std::vector<Alarm>& taken) { alarms_.take(until, taken); }
+  void put_back(const Alarm& alarm) { alarms_.set(alarm); }
 
   /// Notes a leg of an own sphere that these neighbors hold, and tells others whom it may concern.
   void note(const Leg& leg, NeighborSet holders, std::vector<Outbox>& outboxes) {
@@ -146,7 +132,7 @@ class Frontier {
     return distance > 0 ? flight.begin + distance / flight.speed * (1 - 0x1p-30) : flight.begin;
   }
 
-  std::size_t memory_bytes() const { return alarms_.size() * sizeof(Alarm); }
+  std::size_t memory_bytes() const { return alarms_.memory_bytes(); }
 
  private:
   double way(double speed, double wait) const { return wait * (speed + 0.5 * wait * fall_); }
@@ -178,11 +164,10 @@ class Frontier {
   Halo halo_;
   Vec3 gravity_;
   double fall_;  // the largest component of gravity
-  double horizon_ = std::numeric_limits<double>::infinity();
   double begin_ = 0;
   double excursion_ = 0;
   double far_since_ = 0;
-  std::priority_queue<Alarm> alarms_;
+  Alarms alarms_;
 };
 
 }  // namespace hardball

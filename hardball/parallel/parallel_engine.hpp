@@ -63,6 +63,8 @@ class ParallelEngine {
     gather();
     return world_;
   }
+  /// The world with its spheres on the paths that they had when it was last asked for.
+  const World& world_as_gathered() const { return world_; }
   /// The world for editing between runs; `rebuild` must follow.
   World& world_to_edit() {
     settle();
@@ -99,6 +101,7 @@ class ParallelEngine {
   }
 
   /// As Engine::run, and adds the contacts to `sums`. Without an observer contacts are added in any order.
+  /// The number of steps limits only the start of windows: a window is taken whole.
   RunStatus run(const RunLimits& limits, Sums& sums, const Observe& observe) {
     const ThreadTeam::Pinned pinned(*team_);
     keep_for_rewind();
@@ -260,7 +263,7 @@ class ParallelEngine {
     const double mean_speed = speeds > 0 ? speeds / count : 1;
     const double radius = halo_.contact > 0 ? halo_.contact / 2 : 1;
     const WindowSettings windows{std::max(1.0, settings_.window * count / 2),
-                                 settings_.first_window * radius / mean_speed};
+                                 settings_.first_window * radius / mean_speed, 2 * radius / mean_speed};
     std::vector<std::unique_ptr<typename Domains::Member>> domains(partition_.size());
     const auto make = [&](World world) {
       return DomainEngine(std::move(world), Phase(phase_), now, phase_.instructions);
@@ -332,7 +335,7 @@ class ParallelEngine {
       if (!has_end && is_idle()) return RunStatus::time_reached;
       const double end = has_end ? limits.until.high : kLastMoment;
       const Counters before = counters();
-      const bool continues = run_window(end, std::min(contacts, steps), sums, observe);
+      const bool continues = run_window(end, contacts, sums, observe);
       const Counters done = counters() - before;
       contacts -= done.contacts();
       steps -= std::min(steps, done.contacts() + done.enter + done.stale + 1);

@@ -8,6 +8,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event.hpp"
+#include "hardball/memory/huge_pages.hpp"
 #include "hardball/memory/prefetch.hpp"
 #include "hardball/parallel/id_map.hpp"
 
@@ -23,6 +24,7 @@ class Residents {
   struct Ghost {
     SphereId sphere = 0;
     std::uint32_t owner = 0;  ///< The number of the neighbor.
+    Slot slot = 0;            ///< Where it was stored at first.
   };
 
   bool is_own(Slot slot) const { return (roles_[slot] & kGhost) == 0; }
@@ -59,7 +61,7 @@ class Residents {
       number = free_numbers_.back();
       free_numbers_.pop_back();
     }
-    ghosts_[number] = {sphere, owner};
+    ghosts_[number] = {sphere, owner, slot};
     numbers_.set(sphere, number);
     roles_[slot] = number | kGhost;
   }
@@ -89,7 +91,7 @@ class Residents {
     free_numbers_.push_back(ghost_number(slot));
   }
 
-  std::vector<std::uint32_t> roles_;  // by slot: holders, or the number of the ghost with its mark
+  LargeVector<std::uint32_t> roles_;  // by slot: holders, or the number of the ghost with its mark
   std::vector<Ghost> ghosts_;
   std::vector<std::uint32_t> free_numbers_;
   IdMap numbers_;

@@ -16,7 +16,7 @@ std::uint64_t steps_of_slice(const Tuner& tuner) {
   constexpr std::uint64_t kMin = 1 << 10;
   constexpr std::uint64_t kMax = 1 << 14;
   constexpr std::uint64_t kPairs = 1 << 23;
-  const std::uint64_t spheres = std::max<std::size_t>(tuner.engine().world().size(), 1);
+  const std::uint64_t spheres = std::max<std::size_t>(tuner.engine().size(), 1);
   if (tuner.kind() == EngineKind::all_pairs) return std::clamp<std::uint64_t>(kPairs / spheres, 1, kMax);
   return std::clamp(spheres, kMin, kMax);
 }
@@ -52,7 +52,7 @@ Agenda::Item Agenda::advance(Tuner& tuner, const Time& action, const Time& sampl
   status_ = RunStatus::steps_reached;
   if (acts) return Item::action;
   // A sample looks at all spheres.
-  steps_to_question_ -= std::min<std::uint64_t>(steps_to_question_, engine.world().size());
+  steps_to_question_ -= std::min<std::uint64_t>(steps_to_question_, engine.size());
   return Item::sample;
 }
 

@@ -29,6 +29,10 @@ class AnyEngine {
   virtual std::unique_ptr<AnyEngine> clone() const = 0;
   virtual const World& world() const = 0;
   virtual World& world_to_edit() = 0;
+  /// How many spheres there are, and what happens when they touch. In several domains, the world as a whole
+  /// costs O(contacts since it was last asked for).
+  virtual std::size_t size() const = 0;
+  virtual const Interactions& interactions() const = 0;
   virtual Time now() const = 0;
   virtual Counters counters() const = 0;
   virtual std::size_t memory_bytes() const = 0;

@@ -107,7 +107,8 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
     tuner_->engine().end_journal();
     tuner_->make_ready(now_);
     const Time sample = measures ? measures->next_sample() : kNever;
-    const bool observes = measures || listener_ || next_listener_ || world().interactions().may_merge();
+    const bool observes =
+        measures || listener_ || next_listener_ || tuner_->engine().interactions().may_merge();
     Agenda::Item item = Agenda::Item::nothing;
     try {
       item = agenda.advance(*tuner_, next_action(), sample, sums_, observes ? observe : AnyEngine::Observe());
@@ -269,6 +270,10 @@ void Simulation::set_user_data(SphereId id, std::uint64_t data) {
 
 const World& Simulation::world() const {
   return tuner_->engine().world();
+}
+
+std::size_t Simulation::size() const {
+  return tuner_->engine().size();
 }
 
 Counters Simulation::counters() const {

@@ -184,7 +184,7 @@ class HARDBALL_EXPORT Simulation {
   static Simulation load(std::string_view bytes, const std::string& where = "the saved simulation");
 
   const World& world() const;
-  std::size_t size() const { return world().size(); }
+  std::size_t size() const;
 
   const EngineOptions& options() const;
   Counters counters() const;

@@ -42,13 +42,13 @@ void Tuner::start(World world, const Time& now, const Progress& progress) {
   engine_ = make_engine(std::move(world), kind_, options_, length, now, progress);
   note_choice(length, now);
   const Counters done = counters();
-  next_review_ = done.enter + done.contacts() + kEventsPerReview * engine_->world().size();
+  next_review_ = done.enter + done.contacts() + kEventsPerReview * engine_->size();
 }
 
 void Tuner::note_choice(double length, const Time& moment) {
   watch_.restart(length);
   last_review_ = moment;
-  spheres_at_choice_ = engine_->world().size();
+  spheres_at_choice_ = engine_->size();
 }
 
 void Tuner::end_look_ahead(const Time& moment) {
@@ -66,7 +66,7 @@ void Tuner::undo_look_ahead(const Counters& before) {
 }
 
 void Tuner::make_ready(const Time& now) {
-  const std::size_t spheres = engine_->world().size();
+  const std::size_t spheres = engine_->size();
   const auto [fewer, more] = std::minmax(spheres, spheres_at_choice_);
   if (16 * more <= 17 * fewer && !engine_->is_outdated()) return;
   end_look_ahead(now);
@@ -75,10 +75,10 @@ void Tuner::make_ready(const Time& now) {
 
 void Tuner::review_if_due(const Time& now) {
   if (engine_->is_outdated()) return;
-  const World& world = engine_->world();
   const Counters done = counters();
   if (done.enter + done.contacts() < next_review_) return;
-  next_review_ = done.enter + done.contacts() + kEventsPerReview * world.size();
+  next_review_ = done.enter + done.contacts() + kEventsPerReview * engine_->size();
+  const World& world = engine_->world();
   const Time moment = later(now, engine_->now());
   const GasStatistics statistics = gas_statistics(world, moment);
   const bool is_by_class = kind_ == EngineKind::cells && are_sizes_spread(statistics);

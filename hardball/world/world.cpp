@@ -247,19 +247,18 @@ void World::set_interactions(const Interactions& interactions) {
   note_traits();
 }
 
-bool World::contains(SphereId id) const {
-  if (id < size() && ids_[id] == id) return true;
+std::optional<Slot> World::find(SphereId id, Slot hint) const {
+  if (hint < size() && ids_[hint] == id) return hint;
   const std::size_t rank = rank_of(id);
-  return rank < size() && ids_[slot_of_rank(rank)] == id;
+  if (rank == size()) return std::nullopt;
+  const Slot slot = slot_of_rank(rank);
+  return ids_[slot] == id ? std::optional(slot) : std::nullopt;
 }
 
 Slot World::slot_of(SphereId id) const {
-  if (id < size() && ids_[id] == id) return id;
-  const std::size_t rank = rank_of(id);
-  if (rank == size() || ids_[slot_of_rank(rank)] != id) {
-    throw Error("there is no sphere " + to_text(id), "sphere id", "use an id that add() returned");
-  }
-  return slot_of_rank(rank);
+  const std::optional<Slot> slot = find(id);
+  if (!slot) throw Error("there is no sphere " + to_text(id), "sphere id", "use an id that add() returned");
+  return *slot;
 }
 
 Vec3 World::position(Slot slot, const Time& moment) const {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -144,7 +145,11 @@ class HARDBALL_EXPORT World {
   bool are_alike() const { return radii_.is_common() && masses_.is_common(); }
 
   /// Whether a sphere has this id. Cost: O(log n).
-  bool contains(SphereId id) const;
+  bool contains(SphereId id) const { return find(id).has_value(); }
+
+  /// Where the sphere with this id is stored; nothing if there is none. Cost: O(log n), O(1) if it is `hint`.
+  std::optional<Slot> find(SphereId id, Slot hint) const;
+  std::optional<Slot> find(SphereId id) const { return find(id, id); }
 
   /// Where the sphere with this id is stored. Cost: O(log n). Error: no sphere has this id.
   Slot slot_of(SphereId id) const;

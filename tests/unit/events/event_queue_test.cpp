@@ -197,6 +197,39 @@ TYPED_TEST(EveryQueue, AgreesWithAListUnderRandomTraffic) {
   }
 }
 
+TYPED_TEST(EveryQueue, AgreesWithAListThatGoesBackInTime) {
+  Random random(5);
+  for (const Waits waits : kAllWaits) {
+    for (const std::size_t owners : {std::size_t{3}, std::size_t{40}, std::size_t{1000}}) {
+      Pair<TypeParam> pair(owners, Time(3));
+      std::vector<Time> moments{Time(3)};
+      const auto event = [&] { return random_event(random, moments.back(), waits); };
+      for (Owner owner = 0; owner < owners; ++owner) pair.schedule(owner, event());
+      for (std::uint64_t step = 0; step < support::cases(6000); ++step) {
+        const Owner least = pair.list.least();
+        ASSERT_EQ(pair.least(), least) << "step " << step << ", " << owners << " owners";
+        if (least == kNoOwner) break;
+        moments.push_back(later(moments.back(), pair.list.event(least).time));
+        pair.pop();
+        pair.schedule(least, event());
+        const double what = random.uniform();
+        if (what > 0.01) continue;
+        // Mostly a little, sometimes by many turns of the ring.
+        const std::uint64_t most = what < 0.001 ? moments.size() : std::min<std::size_t>(moments.size(), 40);
+        moments.resize(moments.size() - random.bits() % most);
+        std::vector<Owner> changed;
+        for (std::uint64_t k = 0; k < 1 + owners / 8; ++k) {
+          changed.push_back(static_cast<Owner>(random.bits() % owners));
+          pair.list.schedule(changed.back(), event());
+        }
+        if constexpr (requires { pair.queue.go_back(0.0, pair.list); })
+          pair.queue.go_back(moments.back().high, pair.list);
+        for (const Owner owner : changed) pair.queue.schedule(owner, pair.list);
+      }
+    }
+  }
+}
+
 // An event table that knows when two owners share one event.
 struct SharingList : ListQueue {
   using ListQueue::ListQueue;

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/broadphase/large_sphere_grid.hpp"
+#include "hardball/simulation/engine_model.hpp"
+
+namespace hardball {
+
+std::unique_ptr<AnyEngine> make_large_sphere_cells(World world, const EngineOptions& options,
+                                                   const PhaseSettings& settings, const Time& now,
+                                                   const Progress& progress) {
+  return make_divided<LargeSphereGrid>(std::move(world), options, settings, now, progress);
+}
+
+}  // namespace hardball
