@@ -46,6 +46,11 @@ void add_unit_costs_option(CLI::App& command, Options& options) {
       ->type_name("auto|measured|standard|COSTS");
 }
 
+void add_threads_option(CLI::App& command, Options& options) {
+  command.add_option("--threads", options.threads, "Threads that share the work; affects only the speed")
+      ->type_name("auto|NUMBER");
+}
+
 void add_engine_options(CLI::App& command, Options& options) {
   command.add_option("--engine", options.engine, "Engine; affects only the speed")
       ->type_name("auto|cells|neighbors|all-pairs|paper");
@@ -56,8 +61,7 @@ void add_engine_options(CLI::App& command, Options& options) {
       ->type_name("calendar|ordered");
   command.add_option("--instructions", options.instructions, "Vector instructions; affects only the speed")
       ->type_name("auto|portable|avx2|avx512");
-  command.add_option("--threads", options.threads, "Threads that share the work; affects only the speed")
-      ->type_name("auto|NUMBER");
+  add_threads_option(command, options);
 }
 
 void add_quiet_flag(CLI::App& command, Options& options) {
@@ -127,6 +131,7 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   resume_command
       ->add_option("--from", options.checkpoint, "Checkpoint in the directory, instead of the last one")
       ->type_name("FILE");
+  add_threads_option(*resume_command, options);
   add_output_flags(*resume_command, options);
   resume_command->allow_extras();
   CLI::App* verify_command =

@@ -45,6 +45,21 @@ bool is_worth_measuring(const World& start, const Scenario& scenario) {
   return rate * static_cast<double>(start.size()) * *scenario.until > kLong;
 }
 
+// Throws an error in an option of the engine as one in that of the command line.
+[[noreturn]] void throw_as_of_command_line(const Error& error) {
+  if (error.where() == "cell edge") throw Error(error.problem(), "--cell-edge", error.remedy());
+  if (error.where() == "threads") throw Error(error.problem(), "--threads", error.remedy());
+  throw error;
+}
+
+std::size_t read_threads(const Options& options) {
+  if (options.threads == "auto") return 0;
+  constexpr const char* kRemedy = "give auto or a positive number";
+  const auto threads = parse_number<std::size_t>(options.threads, "--threads", kRemedy);
+  if (threads == 0) throw Error("'0' is not accepted", "--threads", kRemedy);
+  return threads;
+}
+
 }  // namespace
 
 Scenario read_scenario(const Options& options) {
@@ -73,14 +88,10 @@ Scenario changed_by(const Options& options, Scenario scenario) {
 EngineOptions read_engine_options(const Options& options, const Scenario& scenario, const World& start) {
   EngineOptions engine_options;
   engine_options.engine = static_cast<EngineKind>(choose(options.engine, kEngineNames, "--engine"));
-  engine_options.threads = 0;
+  engine_options.threads = read_threads(options);
   engine_options.queue = static_cast<QueueKind>(choose(options.queue, kQueueNames, "--queue"));
   const std::size_t instructions = choose(options.instructions, kInstructionNames, "--instructions");
   if (instructions > 0) engine_options.instructions = static_cast<InstructionSet>(instructions - 1);
-  if (options.threads != "auto") {
-    engine_options.threads =
-        parse_number<std::size_t>(options.threads, "--threads", "give auto or a positive number");
-  }
   const bool has_cells = engine_options.engine != EngineKind::all_pairs;
   if (options.unit_costs != "auto") {
     engine_options.unit_costs = read_unit_costs(options.unit_costs);
@@ -104,8 +115,15 @@ Simulation start_simulation(const Scenario& scenario, World world, const EngineO
   try {
     return make_simulation(scenario, std::move(world), options, on_progress);
   } catch (const Error& error) {
-    if (error.where() != "cell edge") throw;
-    throw Error(error.problem(), "--cell-edge", error.remedy());
+    throw_as_of_command_line(error);
+  }
+}
+
+void set_threads(Simulation& simulation, const Options& options) {
+  try {
+    simulation.set_threads(read_threads(options));
+  } catch (const Error& error) {
+    throw_as_of_command_line(error);
   }
 }
 

@@ -26,6 +26,9 @@ EngineOptions read_engine_options(const Options& options, const Scenario& scenar
 Simulation start_simulation(const Scenario& scenario, World world, const EngineOptions& options,
                             const OnProgress& on_progress = {});
 
+/// Lets a simulation go on with as many threads as the command line says. Error: it cannot have so many.
+void set_threads(Simulation& simulation, const Options& options);
+
 /// A simulation and how it is run.
 struct Start {
   EngineOptions options;

@@ -54,7 +54,7 @@ void let_run_on(const int*, std::size_t) {}
 
 }  // namespace
 
-ThreadTeam::ThreadTeam(std::size_t threads) : processors_(processors_available()) {
+ThreadTeam::ThreadTeam(std::size_t threads) : size_(threads), processors_(processors_available()) {
   for (std::size_t number = 1; number < threads; ++number)
     workers_.emplace_back([this, number] { work(number); });
 }

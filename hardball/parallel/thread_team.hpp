@@ -23,7 +23,7 @@ class ThreadTeam {
   ThreadTeam& operator=(const ThreadTeam&) = delete;
   ~ThreadTeam();
 
-  std::size_t size() const { return workers_.size() + 1; }
+  std::size_t size() const { return size_; }
 
   /// Calls work(k) for each k below `count`, and returns when all have returned. Precondition: `work` does
   /// not throw.
@@ -45,6 +45,7 @@ class ThreadTeam {
   void work(std::size_t number);
   void pin(std::size_t number) const;
 
+  std::size_t size_;
   std::vector<int> processors_;  // on which the process may run
   std::vector<std::thread> workers_;
   const Function<void(std::size_t)>* task_ = nullptr;

@@ -86,6 +86,13 @@ void check(const EngineOptions& options) {
   if (options.cell_edge) check_positive(*options.cell_edge, "the cell edge", "cell edge");
 }
 
+void check_threads(const EngineOptions& options, const Interactions& interactions) {
+  if (options.threads <= 1 || !interactions.may_merge()) return;
+  throw Error(interactions.function() ? "threads cannot share a response that is a function"
+                                      : "threads cannot share spheres that merge",
+              "threads", "use one thread, or as many as pay");
+}
+
 EngineKind choose_engine(const World& world, const EngineOptions& options, const Time& moment,
                          EngineKind current) {
   if (options.engine == EngineKind::paper && !PaperEngine::supports(world)) {

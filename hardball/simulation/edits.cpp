@@ -24,6 +24,7 @@ void Simulation::respond_with(Function<Outcome(const Contact&)> response) {
   check_editable("respond_with");
   Interactions changed = world().interactions();
   changed.set_function(std::move(response));
+  check_threads(options(), changed);
   tuner_->engine().world_to_edit().set_interactions(changed);
   sums_.tally.set_interactions(changed);
 }
@@ -32,6 +33,7 @@ void Simulation::respond_with(const ResponseTable& table) {
   check_editable("respond_with");
   ResponseTable changed = table;
   changed.pass_as_in(world().interactions().table());
+  check_threads(options(), changed);
   tuner_->engine().world_to_edit().set_interactions(changed);
   sums_.tally.set_interactions(changed);
 }

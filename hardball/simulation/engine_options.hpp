@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "hardball/errors/export.hpp"
+#include "hardball/interaction/interactions.hpp"
 #include "hardball/kernels/instruction_set.hpp"
 #include "hardball/parallel/division.hpp"
 #include "hardball/tuning/unit_costs.hpp"
@@ -42,8 +43,8 @@ struct EngineOptions {
   /// From which the cell edge is chosen; measure_unit_costs gives those of this machine. Error: not
   /// are_meaningful.
   UnitCosts unit_costs = {};
-  /// How many threads work on one system; zero for as many as pay. One is used where more would not pay, or
-  /// cannot share the work: where spheres merge, or the response is a function.
+  /// How many threads work on one system; zero for as many as pay, of which there is one where they cannot
+  /// share the work. Error: several where spheres merge, or the response is a function.
   std::size_t threads = 1;
   /// Instead of `threads`, for tests and measurements: a division into domains.
   std::optional<Division> division = {};
@@ -53,5 +54,7 @@ struct EngineOptions {
 
 /// Error: options that are valid for no world; see EngineOptions.
 HARDBALL_EXPORT void check(const EngineOptions& options);
+/// Error: more threads than one are wanted, and what happens at contacts does not allow that.
+void check_threads(const EngineOptions& options, const Interactions& interactions);
 
 }  // namespace hardball

@@ -41,6 +41,7 @@ Simulation::Simulation(World world, const EngineOptions& options, const OnProgre
     : tuner_(ValuePointer<Tuner>::make(options)),
       now_(latest_change(world)),
       user_data_(ValuePointer<UserData>::make()) {
+  check_threads(options, world.interactions());
   const Progress progress(on_progress);
   progress.note(0, 1);
   begin_paths(world, now_);
@@ -102,6 +103,8 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
     return !is_rescheduled_;
   };
   Agenda agenda(limits, now_);
+  // Several threads may call const queries after the run: none may have to bring the world up to date.
+  const auto update_world = [this] { static_cast<void>(world()); };
   do {
     is_rescheduled_ = false;
     tuner_->engine().end_journal();
@@ -114,6 +117,7 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
       item = agenda.advance(*tuner_, next_action(), sample, sums_, observes ? observe : AnyEngine::Observe());
     } catch (...) {
       now_ = later(now_, sums_.tally.last_change());
+      update_world();
       throw;
     }
     now_ = later(later(now_, sums_.tally.last_change()), agenda.reached());
@@ -126,6 +130,7 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
     }
     tuner_->review_if_due(now_);
   } while (!agenda.is_over());
+  update_world();
   return agenda.status();
 }
 
@@ -278,6 +283,14 @@ std::size_t Simulation::size() const {
 
 Counters Simulation::counters() const {
   return tuner_->counters();
+}
+
+void Simulation::set_threads(std::size_t threads) {
+  check_idle("set_threads");
+  EngineOptions changed = options();
+  changed.threads = threads;
+  check_threads(changed, tuner_->engine().interactions());
+  tuner_->set_threads(threads, now_);
 }
 
 const EngineOptions& Simulation::options() const {

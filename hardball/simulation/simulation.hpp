@@ -187,6 +187,9 @@ class HARDBALL_EXPORT Simulation {
   std::size_t size() const;
 
   const EngineOptions& options() const;
+  /// Lets so many threads work on the simulation from now on; see EngineOptions::threads. One that is loaded
+  /// has one thread. Cost: O(n). Error: as there.
+  void set_threads(std::size_t threads);
   Counters counters() const;
   /// Hash of all contacts so far, see EventLogHash.
   std::uint64_t event_log_hash() const { return sums_.hash.value(); }

@@ -111,14 +111,30 @@ void Tuner::rebuild(const Time& moment) {
   if (kind == kind_ && engine_->supports(length)) {
     engine_->rebuild(moment, length);
   } else {
-    counters_before_ = counters();
-    ++counters_before_.rebuilds;
-    const Aftermath aftermath = engine_->aftermath();
-    engine_ = make_engine(std::move(world), kind, options_, length, moment);
-    engine_->take_over(aftermath);
-    kind_ = kind;
+    replace(kind, length, moment);
   }
   note_choice(length, moment);
+}
+
+void Tuner::set_threads(std::size_t threads, const Time& now) {
+  options_.threads = threads;
+  options_.division.reset();
+  end_look_ahead(now);
+  const Time moment = later(now, engine_->now());
+  const double length =
+      allowed_cell_edge(engine_->world(), kind_, choose_length(engine_->world(), kind_, options_, moment));
+  replace(kind_, length, moment);
+  note_choice(length, moment);
+}
+
+// Makes an engine for the same world.
+void Tuner::replace(EngineKind kind, double length, const Time& moment) {
+  counters_before_ = counters();
+  ++counters_before_.rebuilds;
+  const Aftermath aftermath = engine_->aftermath();
+  engine_ = make_engine(std::move(engine_->world_to_edit()), kind, options_, length, moment);
+  engine_->take_over(aftermath);
+  kind_ = kind;
 }
 
 }  // namespace hardball

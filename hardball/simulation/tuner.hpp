@@ -49,8 +49,11 @@ class Tuner {
   void review_if_due(const Time& now);
   /// Rebuilds all regions and predictions as of `moment`, with the engine that suits the world best.
   void rebuild(const Time& moment);
+  /// Replaces the engine by one with so many threads; see EngineOptions::threads.
+  void set_threads(std::size_t threads, const Time& now);
 
  private:
+  void replace(EngineKind kind, double length, const Time& moment);
   void note_choice(double length, const Time& moment);
 
   EngineOptions options_;

@@ -244,6 +244,17 @@ void bind_state(SimulationClass& simulation) {
           "until", &PythonSimulation::until,
           [](PythonSimulation& self, const py::object& time) { self.set_until(time_or_none(time)); },
           "The time at which a run without limits ends [T].")
+      .def_property(
+          "threads", [](const PythonSimulation& self) { return self.simulation().options().threads; },
+          [](PythonSimulation& self, std::size_t threads) {
+            Simulation& simulation = self.simulation_to_edit();
+            const py::gil_scoped_release release;
+            simulation.set_threads(threads);
+          },
+          "How many threads share the work, or 0 for as many as pay. It changes the speed and never the "
+          "history; one that is loaded has one. Cost: O(n). Error: several where spheres merge, or the "
+          "response "
+          "is a function.")
       .def("__len__", [](const PythonSimulation& self) { return self.simulation().size(); })
       .def(
           "__contains__",

@@ -271,6 +271,7 @@ class Clearance:
 
 class Simulation:
     until: float | None
+    threads: int
     @overload
     def __init__(self, made: Simulation, /) -> None: ...
     @overload

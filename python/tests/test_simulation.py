@@ -67,6 +67,21 @@ class Runs(unittest.TestCase):
             np.testing.assert_array_equal(simulation.velocities[contact.first], 0)
         self.assertNotEqual(simulation.event_log_hash, self.hash_after(gas(), 0.5))
 
+    def test_threads_change_no_event(self):
+        simulation = gas()
+        self.assertEqual(simulation.threads, 1)
+        simulation.run(until=0.3)
+        simulation.threads = 2
+        self.assertEqual(simulation.threads, 2)
+        self.assertEqual(self.hash_after(simulation, 1), self.hash_after(gas(), 1))
+        np.testing.assert_array_equal(simulation.positions, self.run_until(gas(), 1).positions)
+        with self.assertRaisesRegex(hardball.Error, "threads cannot share a response that is a function"):
+            simulation.respond_with(lambda contact: contact.elastic())
+
+    def run_until(self, simulation, until):
+        simulation.run(until=until)
+        return simulation
+
     def hash_after(self, simulation, until):
         simulation.run(until=until)
         return simulation.event_log_hash

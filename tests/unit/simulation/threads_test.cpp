@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// The number of threads that work on a simulation.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/interaction/merging.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "support/gas.hpp"
+
+namespace hardball::threads_test {
+namespace {
+
+World gas() {
+  return support::make_gas({.count = 500, .packing_fraction = 0.2, .seed = 77});
+}
+
+// What the error says; "" without one.
+template <class Work>
+std::string problem_of(Work&& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    return error.problem();
+  }
+  return "";
+}
+
+ResponseTable merging() {
+  return ResponseTable(Merging(), Bounce());
+}
+
+TEST(Threads, CanBeChangedBetweenRuns) {
+  Simulation expected(gas());
+  Simulation simulation(gas());
+  for (int piece = 1; piece <= 4; ++piece) {
+    simulation.set_threads(static_cast<std::size_t>(piece) % 3 + 1);
+    EXPECT_EQ(simulation.options().threads, static_cast<std::size_t>(piece) % 3 + 1);
+    simulation.run_until(0.2 * piece);
+    expected.run_until(0.2 * piece);
+    EXPECT_EQ(simulation.event_log_hash(), expected.event_log_hash());
+    EXPECT_EQ(simulation.positions(), expected.positions());
+    EXPECT_EQ(simulation.counters().collision, expected.counters().collision);
+    simulation.validate();
+  }
+}
+
+TEST(Threads, OfALoadedSimulationAreOneAtFirst) {
+  Simulation simulation(gas(), {.threads = 2});
+  simulation.run_until(0.1);
+  Simulation loaded = Simulation::load(simulation.save());
+  EXPECT_EQ(loaded.options().threads, 1U);
+  loaded.set_threads(2);
+  loaded.run_until(0.3);
+  simulation.run_until(0.3);
+  EXPECT_EQ(loaded.event_log_hash(), simulation.event_log_hash());
+}
+
+TEST(Threads, AreRefusedWhereTheyCannotShareTheWork) {
+  World world = gas();
+  world.set_interactions(merging());
+  EXPECT_EQ(problem_of([&] { Simulation two(world, {.threads = 2}); }),
+            "threads cannot share spheres that merge");
+  Simulation one(world);
+  EXPECT_EQ(problem_of([&] { one.set_threads(2); }), "threads cannot share spheres that merge");
+  Simulation as_many_as_pay(world, {.threads = 0});
+  as_many_as_pay.run_until(0.1);
+  one.run_until(0.1);
+  EXPECT_EQ(as_many_as_pay.event_log_hash(), one.event_log_hash());
+  Simulation two(gas(), {.threads = 2});
+  EXPECT_EQ(problem_of([&] { two.respond_with(merging()); }), "threads cannot share spheres that merge");
+  const auto elastic = [](const Contact& contact) { return Outcome(contact, contact.after); };
+  EXPECT_EQ(problem_of([&] { two.respond_with(elastic); }),
+            "threads cannot share a response that is a function");
+  two.run_until(0.1);
+  two.set_threads(1);
+  two.respond_with(elastic);
+}
+
+TEST(Threads, LeaveNothingToQueriesOfSeveralThreads) {
+  Simulation simulation(gas(), {.threads = 2});
+  Simulation expected(gas());
+  expected.run_until(0.2);
+  simulation.run_until(0.2);
+  const Simulation& shared = simulation;
+  std::vector<std::vector<Vec3>> found(4);
+  std::vector<std::thread> threads;
+  for (std::vector<Vec3>& positions : found)
+    threads.emplace_back([&positions, &shared] { positions = shared.positions(); });
+  for (std::thread& thread : threads) thread.join();
+  for (const std::vector<Vec3>& positions : found) EXPECT_EQ(positions, expected.positions());
+}
+
+}  // namespace
+}  // namespace hardball::threads_test
