@@ -14,7 +14,10 @@ Simulation make_simulation(const Scenario& scenario, World start, const EngineOp
     if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.seed));
     return simulation;
   } catch (const Error& error) {
-    if (options.cell_edge && error.where() == "cell edge") throw;
+    // Of the options, not of the scenario.
+    const bool is_of_options =
+        (options.cell_edge && error.where() == "cell edge") || error.where() == "threads";
+    if (is_of_options) throw;
     throw Error(error.problem(), scenario.name + ": " + error.where(), error.remedy());
   }
 }

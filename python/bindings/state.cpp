@@ -247,9 +247,9 @@ void bind_state(SimulationClass& simulation) {
       .def_property(
           "threads", [](const PythonSimulation& self) { return self.simulation().options().threads; },
           [](PythonSimulation& self, std::size_t threads) {
-            Simulation& simulation = self.simulation_to_edit();
+            Simulation& edited = self.simulation_to_edit();
             const py::gil_scoped_release release;
-            simulation.set_threads(threads);
+            edited.set_threads(threads);
           },
           "How many threads share the work, or 0 for as many as pay. It changes the speed and never the "
           "history; one that is loaded has one. Cost: O(n). Error: several where spheres merge, or the "
