@@ -210,7 +210,7 @@ StartedRun resumed_run(const std::filesystem::path& directory, const std::filesy
   const Scenario scenario = changed_by(started, parse_scenario(state.text, state.name, started.overrides));
   const auto begin = Clock::now();
   Simulation simulation = Simulation::load(sections["simulation"], checkpoint.string());
-  if (options.threads != "1") set_threads(simulation, options);
+  set_threads(simulation, options);
   state.seconds.setup += seconds_since(begin);
   const double time = simulation.time();
   if (*scenario.until < time || (*scenario.until == time && is_finished(directory))) {

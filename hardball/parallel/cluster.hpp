@@ -25,7 +25,7 @@ using ForEach = Function<void(std::size_t count, const Function<void(std::size_t
 struct WindowSettings {
   double contacts = 1000;  ///< So many are aimed at in a window, by all domains.
   double first = 1;        ///< The length of the first window [T].
-  double flight = 1;       ///< In which most spheres fly by some diameter [T].
+  double flight = 1;       ///< In which a sphere of mean speed flies by the largest diameter [T].
 };
 
 /// What a cluster has done to run windows.
@@ -98,7 +98,9 @@ class Cluster {
     const double begin = committed_;
     const bool may_be_cut = static_cast<double>(most) < 4 * settings_.contacts;
     keep_logs(keeps_log || may_be_cut, !keeps_log);
-    for (double until = std::min({end, begin + window_, horizon_});;) {
+    // Few contacts need only a part of a window.
+    const double part = std::min(1.0, static_cast<double>(most) / settings_.contacts);
+    for (double until = std::min({end, begin + std::max(part * window_, least_window()), horizon_});;) {
       each([&](Member& domain, std::size_t) { domain.run(until, most_contacts()); });
       const double bad = compare(until);
       const std::uint64_t contacts = count();
@@ -210,7 +212,8 @@ class Cluster {
 
   void watch_if_due() {
     if (committed_ < horizon_) return;
-    // Soon, all spheres are looked at often; late, many have alarms. A flight of a diameter is between.
+    // A near horizon has all spheres looked at often, and up to a far one many need alarms. By a diameter the
+    // spheres that need one are few.
     constexpr double kFewestWindows = 64;
     constexpr double kMostWindows = 1024;
     horizon_ = committed_ + std::clamp(settings_.flight, kFewestWindows * window_, kMostWindows * window_);

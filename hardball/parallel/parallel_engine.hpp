@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -50,11 +52,11 @@ class ParallelEngine {
         partition_(other.partition_),
         counters_(other.counters_),
         aftermath_(other.aftermath_),
-        is_gathered_(other.is_gathered_),
         is_outdated_(other.is_outdated_),
         looks_ahead_(other.looks_ahead_),
         before_look_ahead_(other.before_look_ahead_) {
     HARDBALL_CHECK(!other.is_open_);
+    gathering_->is_done = other.gathering_->is_done.load();
   }
   ParallelEngine(ParallelEngine&&) noexcept = default;
   ParallelEngine& operator=(ParallelEngine&&) noexcept = default;
@@ -233,6 +235,10 @@ class ParallelEngine {
     Aftermath aftermath;
     Counters counters;
   };
+  struct Gathering {
+    std::mutex mutex;
+    std::atomic<bool> is_done{true};  // whether the world is up to date
+  };
 
   // As late as a moment may be.
   static constexpr double kLastMoment = 1e120;
@@ -275,7 +281,7 @@ class ParallelEngine {
     cluster_ = std::make_unique<Domains>(std::move(domains), now, windows, phase_, for_each());
     take_over(aftermath_);
     is_outdated_ = false;
-    is_gathered_ = true;
+    gathering_->is_done = true;
   }
 
   // As many domains as wanted, but none with too many neighbors.
@@ -302,9 +308,11 @@ class ParallelEngine {
     is_outdated_ = true;
   }
 
-  // Brings the world up to date.
+  // Brings the world up to date; several const queries may need it at once.
   void gather() const {
-    if (is_gathered_ || is_open_ || is_outdated_) return;
+    if (gathering_->is_done.load(std::memory_order_acquire) || is_open_ || is_outdated_) return;
+    const std::scoped_lock lock(gathering_->mutex);
+    if (gathering_->is_done) return;
     const Time now = cluster_->now();
     for (std::size_t k = 0; k < cluster_->size(); ++k) {
       auto& domain = cluster_->domain(k);
@@ -315,7 +323,7 @@ class ParallelEngine {
       });
     }
     world_.note_passage(cluster_->domain(0).world().last_passage());
-    is_gathered_ = true;
+    gathering_->is_done = true;
   }
 
   bool is_idle() {
@@ -352,7 +360,7 @@ class ParallelEngine {
     cluster_->open_window(end, most, static_cast<bool>(observe));
     if (observe) return deliver(sums, observe);
     cluster_->commit_window();
-    is_gathered_ = false;
+    gathering_->is_done = false;
     return true;
   }
 
@@ -419,7 +427,7 @@ class ParallelEngine {
   Partition partition_;
   Counters counters_;    // of earlier divisions
   Aftermath aftermath_;  // while outdated
-  mutable bool is_gathered_ = true;
+  std::unique_ptr<Gathering> gathering_ = std::make_unique<Gathering>();
   bool is_outdated_ = false;
   bool looks_ahead_ = false;
   std::optional<LookAhead> before_look_ahead_;

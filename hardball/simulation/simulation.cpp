@@ -103,8 +103,6 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
     return !is_rescheduled_;
   };
   Agenda agenda(limits, now_);
-  // Several threads may call const queries after the run: none may have to bring the world up to date.
-  const auto update_world = [this] { static_cast<void>(world()); };
   do {
     is_rescheduled_ = false;
     tuner_->engine().end_journal();
@@ -117,7 +115,6 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
       item = agenda.advance(*tuner_, next_action(), sample, sums_, observes ? observe : AnyEngine::Observe());
     } catch (...) {
       now_ = later(now_, sums_.tally.last_change());
-      update_world();
       throw;
     }
     now_ = later(later(now_, sums_.tally.last_change()), agenda.reached());
@@ -130,7 +127,6 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
     }
     tuner_->review_if_due(now_);
   } while (!agenda.is_over());
-  update_world();
   return agenda.status();
 }
 

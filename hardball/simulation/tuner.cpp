@@ -117,6 +117,7 @@ void Tuner::rebuild(const Time& moment) {
 }
 
 void Tuner::set_threads(std::size_t threads, const Time& now) {
+  if (threads == options_.threads && !options_.division) return;
   options_.threads = threads;
   options_.division.reset();
   end_look_ahead(now);

@@ -252,9 +252,8 @@ void bind_state(SimulationClass& simulation) {
             edited.set_threads(threads);
           },
           "How many threads share the work, or 0 for as many as pay. It changes the speed and never the "
-          "history; one that is loaded has one. Cost: O(n). Error: several where spheres merge, or the "
-          "response "
-          "is a function.")
+          "history. A simulation that is loaded has one. Cost: O(n). Error: several where spheres merge, or "
+          "the response is a function.")
       .def("__len__", [](const PythonSimulation& self) { return self.simulation().size(); })
       .def(
           "__contains__",

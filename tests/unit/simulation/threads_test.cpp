@@ -82,7 +82,7 @@ TEST(Threads, AreRefusedWhereTheyCannotShareTheWork) {
   two.respond_with(elastic);
 }
 
-TEST(Threads, LeaveNothingToQueriesOfSeveralThreads) {
+TEST(Threads, DoNotKeepOthersFromQueriesAtTheSameTime) {
   Simulation simulation(gas(), {.threads = 2});
   Simulation expected(gas());
   expected.run_until(0.2);
