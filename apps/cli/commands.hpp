@@ -3,6 +3,7 @@
 #pragma once
 
 #include "apps/cli/options.hpp"
+#include "hardball/processes/processes.hpp"
 
 namespace hardball::cli {
 
@@ -16,6 +17,10 @@ enum class ExitCode : int {
 /// Each executes a command. Error: bad input; RunFailure: the run failed.
 ExitCode run(const Options& options);
 ExitCode resume(const Options& options);
+/// The same in several processes, which call them with the same options: only the first one writes messages,
+/// and files but for checkpoints. Error: in all processes; the scenario asks for what processes cannot share.
+ExitCode run_distributed(const Options& options, Processes& processes);
+ExitCode resume_distributed(const Options& options, Processes& processes);
 ExitCode verify(const Options& options);
 ExitCode check(const Options& options);
 ExitCode tune(const Options& options);

@@ -19,6 +19,9 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/scenario/nearest_name.hpp"
 #include "hardball/scenario/schema.hpp"
+#if HARDBALL_MPI
+#include "apps/mpi/mpi_processes.hpp"
+#endif
 
 namespace hardball::cli {
 namespace {
@@ -113,7 +116,8 @@ void refuse_leftovers(const CLI::App& app, const CLI::App* command) {
                        : suggestion(word, std::vector<std::string_view>(names.begin(), names.end())));
 }
 
-ExitCode parse_and_run(int argument_count, char** arguments) {
+// `processes`: if there are several.
+ExitCode parse_and_run(int argument_count, char** arguments, Processes* processes) {
   Options options;
   CLI::App app("Finds every collision among moving spheres, exactly and in order.", "hardball");
   app.set_version_flag("--version", version_text);
@@ -204,6 +208,12 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   }
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   refuse_leftovers(app, chosen.empty() ? nullptr : chosen.front());
+  if (processes) {
+    if (*run_command) return run_distributed(options, *processes);
+    if (*resume_command) return resume_distributed(options, *processes);
+    throw Error("several processes have only the commands run and resume", "command line",
+                "start it without mpirun");
+  }
   if (*resume_command) return resume(options);
   if (*verify_command) return verify(options);
   if (*check_command) return check(options);
@@ -219,6 +229,36 @@ ExitCode parse_and_run(int argument_count, char** arguments) {
   return run(options);
 }
 
+// The exit code of the program; messages about failures are written if wanted. Only those of which all
+// processes hear are not passed on.
+ExitCode run_program(int argument_count, char** arguments, Processes* processes, bool writes_messages) {
+  try {
+    return parse_and_run(argument_count, arguments, processes);
+  } catch (const Error& error) {
+    if (writes_messages) write_message(error.what());
+    return ExitCode::bad_input;
+  } catch (const RunFailure& failure) {
+    if (writes_messages) write_message(failure.what());
+    return ExitCode::failed;
+  }
+}
+
+#if HARDBALL_MPI
+ExitCode run_in_processes(int argument_count, char** arguments) {
+  MpiProcesses processes;
+  const std::string who = "process " + to_text(processes.rank()) + ": ";
+  try {
+    return run_program(argument_count, arguments, &processes, processes.is_first());
+  } catch (const std::bad_alloc&) {
+    write_message(who + "there is not enough memory");
+  } catch (const std::exception& error) {
+    write_message(who + error.what());
+  }
+  // The others would wait forever.
+  processes.abort(static_cast<int>(ExitCode::failed));
+}
+#endif
+
 }  // namespace
 }  // namespace hardball::cli
 
@@ -227,10 +267,11 @@ int main(int argument_count, char** arguments) {
   cli::secure_streams();
   cli::ExitCode code = cli::ExitCode::failed;
   try {
-    code = cli::parse_and_run(argument_count, arguments);
-  } catch (const Error& error) {
-    cli::write_message(error.what());
-    code = cli::ExitCode::bad_input;
+#if HARDBALL_MPI
+    if (MpiProcesses::are_several())
+      return static_cast<int>(cli::run_in_processes(argument_count, arguments));
+#endif
+    code = cli::run_program(argument_count, arguments, nullptr, true);
   } catch (const std::bad_alloc&) {
     cli::write_message("there is not enough memory");
   } catch (const std::exception& error) {

@@ -24,12 +24,12 @@ std::string readable_duration(double seconds) {
 
 }  // namespace
 
-void Progress::show(const Simulation& simulation) {
+void Progress::show(double time, std::uint64_t collisions) {
   if (!line_.is_due()) return;
-  const double done = until_ > 0 ? std::clamp(simulation.time() / until_, 0.0, 1.0) : 1;
+  const double done = until_ > 0 ? std::clamp(time / until_, 0.0, 1.0) : 1;
   const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
-  const double rate = static_cast<double>(simulation.counters().collision) / std::max(elapsed, 1e-9);
-  line_.show(done, fmt::format("t = {:.6g}  {:.3g} collisions/s  {} left", simulation.time(), rate,
+  const double rate = static_cast<double>(collisions) / std::max(elapsed, 1e-9);
+  line_.show(done, fmt::format("t = {:.6g}  {:.3g} collisions/s  {} left", time, rate,
                                readable_duration(elapsed * (1 - done) / done)));
 }
 

@@ -16,8 +16,8 @@ class Progress {
   /// Shows nothing unless `wanted` and the standard error is a terminal. `until` [T] is when the run ends.
   Progress(bool wanted, double until) : line_(wanted), until_(until) {}
 
-  /// Updates the line, at most ten times a second.
-  void show(const Simulation& simulation);
+  /// Updates the line, at most ten times a second, with the time [T] and the collisions of the run so far.
+  void show(double time, std::uint64_t collisions);
 
  private:
   using Clock = std::chrono::steady_clock;

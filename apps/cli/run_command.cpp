@@ -18,9 +18,9 @@ ExitCode run(const Options& options) {
   Simulation simulation = set_up(options, scenario).simulation;
   std::optional<RunFiles> files;
   if (options.out) {
-    files.emplace(*options.out, scenario, simulation, options.overwrite);
+    files.emplace(*options.out, scenario, &simulation, options.overwrite);
   } else if (scenario.output_directory) {
-    files.emplace(*scenario.output_directory, scenario, simulation, options.overwrite);
+    files.emplace(*scenario.output_directory, scenario, &simulation, options.overwrite);
   }
   // Measures are written to files.
   Measures measures(files ? scenario.measures : MeasureSettings{.names = {}});

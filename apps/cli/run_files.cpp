@@ -116,7 +116,7 @@ std::vector<std::filesystem::path> files_of_run(const std::filesystem::path& dir
 }
 
 RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scenario,
-                   const Simulation& simulation, bool overwrites)
+                   const Simulation* simulation, bool overwrites)
     : directory_(directory), has_measures_(!scenario.measures.names.empty()) {
   for (const char* name : kTrajectories) {
     const std::filesystem::path trajectory = directory / name;
@@ -163,7 +163,7 @@ RunFiles::RunFiles(const std::filesystem::path& directory, const Scenario& scena
     }
     begin(kEvents, scenario.event_log, [&](const Path& path) { events_.emplace(path); });
     begin(kRecording, scenario.recording,
-          [&](const Path& path) { recording_.emplace(begin_recording(path, scenario, simulation)); });
+          [&](const Path& path) { recording_.emplace(begin_recording(path, scenario, *simulation)); });
     for (const char* name : {kSummary, kReport, kCheckpoint}) std::filesystem::remove(directory / name);
     remove_measures(directory / kMeasures);
     remove_checkpoints(directory / kKeptCheckpoints);
@@ -208,6 +208,10 @@ void RunFiles::write_snapshot(const Simulation& simulation) {
   for (auto& [name, trajectory] : trajectories_) trajectory.append(snapshot);
 }
 
+void RunFiles::write_snapshot(std::size_t trajectory, const FrameParts& frame) {
+  trajectories_[trajectory].second.append(frame);
+}
+
 void RunFiles::note(const Contact& contact, const World& world) {
   if (events_) events_->append(contact);
   if (recording_) recording_->note(contact, world);
@@ -225,11 +229,11 @@ void RunFiles::keep_current() {
   for (auto& [name, trajectory] : trajectories_) trajectory.flush();
 }
 
-void RunFiles::finish(const Simulation& simulation, std::span<const Measurement> measurements,
-                      const std::string& summary, const std::string& report) {
+void RunFiles::finish(double time, std::span<const Measurement> measurements, const std::string& summary,
+                      const std::string& report) {
   for (auto& [name, trajectory] : trajectories_) trajectory.close();
   if (events_) events_->close();
-  if (recording_) recording_->close(simulation.time());
+  if (recording_) recording_->close(time);
   if (has_measures_) {
     const std::filesystem::path folder = directory_ / kMeasures;
     for (const Measurement& measurement : measurements) {

@@ -65,8 +65,9 @@ class RunFiles {
  public:
   /// Creates the directory, if necessary, and the files. Files of an earlier run are removed if `overwrites`.
   /// Error: that is impossible; there are files of an earlier run, and they are not to be removed; the
-  /// scenario starts from a file that would be; then nothing created remains.
-  RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const Simulation& simulation,
+  /// scenario starts from a file that would be; then nothing created remains. `simulation`: of which a
+  /// recording begins; without a recording it may be missing.
+  RunFiles(const std::filesystem::path& directory, const Scenario& scenario, const Simulation* simulation,
            bool overwrites);
 
   /// Opens the files of a run to continue from a checkpoint; what follows is cut off once something
@@ -83,6 +84,8 @@ class RunFiles {
   /// Appends a frame at the current time to the trajectories, if there are any. Error (RunFailure): it cannot
   /// be written.
   void write_snapshot(const Simulation& simulation);
+  /// The same for spheres that come in parts, in one of the trajectories.
+  void write_snapshot(std::size_t trajectory, const FrameParts& frame);
   /// Appends to the event log and the recording, if there are any; `world`: after the contact or change.
   /// Error (RunFailure): they cannot be written.
   void note(const Contact& contact, const World& world);
@@ -90,10 +93,10 @@ class RunFiles {
   /// Makes the event log and the trajectories complete for readers, at most once a second, so that little is
   /// lost if the process is killed. Error (RunFailure): it cannot be written.
   void keep_current();
-  /// Completes all files and writes the measures, the summary, and the report unless it is empty. Error
-  /// (RunFailure): they cannot be written.
-  void finish(const Simulation& simulation, std::span<const Measurement> measurements,
-              const std::string& summary, const std::string& report);
+  /// Completes all files at the end, at this time [T], and writes the measures, the summary, and the report
+  /// unless it is empty. Error (RunFailure): they cannot be written.
+  void finish(double time, std::span<const Measurement> measurements, const std::string& summary,
+              const std::string& report);
 
   /// Whether there is a file to which `note` appends.
   bool has_contacts() const { return events_ || recording_; }

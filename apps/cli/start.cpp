@@ -52,14 +52,6 @@ bool is_worth_measuring(const World& start, const Scenario& scenario) {
   throw error;
 }
 
-std::size_t read_threads(const Options& options) {
-  if (options.threads == "auto") return 0;
-  constexpr const char* kRemedy = "give auto or a positive number";
-  const auto threads = parse_number<std::size_t>(options.threads, "--threads", kRemedy);
-  if (threads == 0) throw Error("'0' is not accepted", "--threads", kRemedy);
-  return threads;
-}
-
 }  // namespace
 
 Scenario read_scenario(const Options& options) {
@@ -108,6 +100,14 @@ EngineOptions read_engine_options(const Options& options, const Scenario& scenar
     engine_options.cell_edge = edge;
   }
   return engine_options;
+}
+
+std::size_t read_threads(const Options& options) {
+  if (options.threads == "auto") return 0;
+  constexpr const char* kRemedy = "give auto or a positive number";
+  const auto threads = parse_number<std::size_t>(options.threads, "--threads", kRemedy);
+  if (threads == 0) throw Error("'0' is not accepted", "--threads", kRemedy);
+  return threads;
 }
 
 Simulation start_simulation(const Scenario& scenario, World world, const EngineOptions& options,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "apps/cli/options.hpp"
@@ -25,6 +26,9 @@ EngineOptions read_engine_options(const Options& options, const Scenario& scenar
 /// As make_simulation, with errors in options located on the command line.
 Simulation start_simulation(const Scenario& scenario, World world, const EngineOptions& options,
                             const OnProgress& on_progress = {});
+
+/// The number of threads that the command line says, zero for as many as pay. Error: it is none.
+std::size_t read_threads(const Options& options);
 
 /// Lets a simulation go on with as many threads as the command line says. Error: it cannot have so many.
 void set_threads(Simulation& simulation, const Options& options);

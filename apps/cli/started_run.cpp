@@ -18,6 +18,7 @@
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
 #include "hardball/archive/archive.hpp"
+#include "hardball/distributed/distributed_checkpoint.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/checkpoint_file.hpp"
 #include "hardball/io/read_file.hpp"
@@ -44,13 +45,15 @@ std::uint64_t next_snapshot_contacts(const StartedRun& run) {
   return run.scenario.snapshots.contacts(run.next_snapshot);
 }
 
-// The path of the checkpoint that is kept of a time; its folder is there on return.
-std::filesystem::path kept_checkpoint(const std::filesystem::path& directory, double time) {
-  const std::filesystem::path folder = directory / kKeptCheckpoints;
-  std::error_code failure;
-  std::filesystem::create_directory(folder, failure);
-  if (failure) throw RunFailure("cannot create " + folder.string() + ": " + failure.message());
-  return folder / (to_text(time) + ".hbc");
+// The simulation of a checkpoint, written by one process or by several.
+Simulation loaded(const std::map<std::string, std::string>& sections,
+                  const std::filesystem::path& checkpoint) {
+  const auto distributed = sections.find(kDistributedSection);
+  if (distributed == sections.end()) {
+    const auto whole = sections.find("simulation");
+    return Simulation::load(whole == sections.end() ? "" : whole->second, checkpoint.string());
+  }
+  return DistributedSimulation::load_whole(distributed->second, blocks_of(sections), checkpoint.string());
 }
 
 // The work of a run from where it is to its end.
@@ -103,7 +106,7 @@ class Course {
       bool has_advanced = false;  // however often checkpoints are wanted
       const auto stop = [&] {
         if (run_.files) run_.files->keep_current();
-        progress_.show(run_.simulation);
+        progress_.show(run_.simulation.time(), run_.simulation.counters().collision);
         return is_interrupted() || (std::exchange(has_advanced, true) && is_checkpoint_due());
       };
       const RunLimits limits{
@@ -149,6 +152,14 @@ class Course {
 
 }  // namespace
 
+std::filesystem::path kept_checkpoint(const std::filesystem::path& directory, double time) {
+  const std::filesystem::path folder = directory / kKeptCheckpoints;
+  std::error_code failure;
+  std::filesystem::create_directory(folder, failure);
+  if (failure) throw RunFailure("cannot create " + folder.string() + ": " + failure.message());
+  return folder / (to_text(time) + kCheckpointEnding);
+}
+
 ExitCode carry_out(StartedRun& run) {
   Simulation& simulation = run.simulation;
   if (run.files && run.files->has_contacts()) {
@@ -158,7 +169,8 @@ ExitCode carry_out(StartedRun& run) {
   }
   const bool is_complete = Course(run).complete();
   run.measures.sample_the_rest(simulation.world(), simulation.now());
-  const Summary summary(run.scenario, run.options.overrides, simulation, run.seconds);
+  const Summary summary(run.scenario, run.options.overrides, final_state(run.scenario, simulation),
+                        run.seconds);
   const std::string json = summary.json();
   if (run.files) {
     const std::vector<Measurement> measurements = run.measures.results(simulation.world(), simulation.now());
@@ -170,7 +182,7 @@ ExitCode carry_out(StartedRun& run) {
       report.measurements = measurements;
       html = to_html(report);
     }
-    run.files->finish(simulation, measurements, json, html);
+    run.files->finish(simulation.time(), measurements, json, html);
   }
   write_output(run.options.json ? json : summary.table());
   if (is_complete) return ExitCode::done;
@@ -209,7 +221,7 @@ StartedRun resumed_run(const std::filesystem::path& directory, const std::filesy
   started.quiet = options.quiet;
   const Scenario scenario = changed_by(started, parse_scenario(state.text, state.name, started.overrides));
   const auto begin = Clock::now();
-  Simulation simulation = Simulation::load(sections["simulation"], checkpoint.string());
+  Simulation simulation = loaded(sections, checkpoint);
   set_threads(simulation, options);
   state.seconds.setup += seconds_since(begin);
   const double time = simulation.time();

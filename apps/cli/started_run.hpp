@@ -41,6 +41,10 @@ struct RunState {
   }
 };
 
+/// The path of the checkpoint that is kept of a time [T]; its folder is there on return. Error (RunFailure):
+/// it cannot be created.
+std::filesystem::path kept_checkpoint(const std::filesystem::path& directory, double time);
+
 /// Carries a run out to its end, writes its files, checkpoints on the way, and the summary. Error
 /// (RunFailure): as for Simulation::run; a file cannot be written.
 ExitCode carry_out(StartedRun& run);

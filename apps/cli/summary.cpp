@@ -36,43 +36,59 @@ nlohmann::ordered_json number_or_null(double number) {
 
 }  // namespace
 
-Summary::Summary(const Scenario& scenario, const std::vector<std::string>& overrides,
-                 const Simulation& simulation, const Seconds& seconds)
+FinalState final_state(const Scenario& scenario, const Simulation& simulation) {
+  const World& world = simulation.world();
+  return {.world = world,
+          .spheres = simulation.size(),
+          .now = simulation.now(),
+          .counters = simulation.counters(),
+          .sums = simulation.sums(),
+          .totals = totals_of(world, simulation.now()),
+          .has_spins = world.has_spins(),
+          .audit = audit(world, simulation.now()),
+          .species_counts = species_counts(scenario, world),
+          .thermostat = simulation.thermostat(),
+          .engine = simulation.engine(),
+          .cell_edge = simulation.cell_edge(),
+          .memory_bytes = simulation.memory_bytes()};
+}
+
+Summary::Summary(const Scenario& scenario, const std::vector<std::string>& overrides, const FinalState& state,
+                 const Seconds& seconds)
     : scenario_name_(scenario.name),
       scenario_text_(scenario.text),
       overrides_(overrides),
       seed_(scenario.seed),
-      spheres_(simulation.size()),
-      is_flat_(simulation.world().box().is_flat()),
-      time_(simulation.time()),
-      counters_(simulation.counters()),
-      mergers_(simulation.tally().mergers()),
-      passes_(simulation.tally().passes()),
-      hash_(simulation.event_log_hash()),
-      initial_energy_(simulation.tally().initial_energy()),
-      final_energy_(simulation.world().energy(simulation.now())),
-      momentum_(simulation.world().momentum(simulation.now())),
-      rotational_energy_(simulation.world().has_spins() ? simulation.world().rotational_energy() : kNone),
-      packing_fraction_(hardball::packing_fraction(simulation.world())),
-      thermostat_(simulation.thermostat()),
-      engine_(name_of(simulation.engine())),
-      cell_edge_(simulation.cell_edge() > 0 ? simulation.cell_edge() : kNone),
+      spheres_(state.spheres),
+      is_flat_(state.world.box().is_flat()),
+      time_(state.now.value()),
+      counters_(state.counters),
+      mergers_(state.sums.tally.mergers()),
+      passes_(state.sums.tally.passes()),
+      hash_(state.sums.hash.value()),
+      initial_energy_(state.sums.tally.initial_energy()),
+      final_energy_(state.totals.energy.value()),
+      momentum_(state.totals.total_momentum()),
+      max_overlap_(
+          std::max({state.sums.tally.max_overlap(), state.audit.max_overlap, state.audit.max_escape})),
+      rotational_energy_(state.has_spins ? state.totals.rotational_energy.value() : kNone),
+      packing_fraction_(hardball::packing_fraction(state.world, state.totals.sphere_volume.value())),
+      walls_(summarize_walls(state.world, state.sums.tally, state.now)),
+      thermostat_(state.thermostat),
+      engine_(name_of(state.engine)),
+      cell_edge_(state.cell_edge > 0 ? state.cell_edge : kNone),
       seconds_(seconds),
-      bytes_per_sphere_(static_cast<double>(simulation.memory_bytes()) / static_cast<double>(spheres_)) {
-  const std::vector<std::size_t> counts = species_counts(scenario, simulation.world());
-  for (std::size_t k = 0; k < counts.size(); ++k) species_.push_back({scenario.species[k].name, counts[k]});
-  const Box& box = simulation.world().box();
-  const Audit found = audit(simulation.world(), simulation.now());
-  max_overlap_ = std::max({simulation.tally().max_overlap(), found.max_overlap, found.max_escape});
+      bytes_per_sphere_(static_cast<double>(state.memory_bytes) / static_cast<double>(spheres_)),
+      peak_rss_bytes_(measure_peak_rss()) {
+  for (std::size_t k = 0; k < state.species_counts.size(); ++k)
+    species_.push_back({scenario.species[k].name, state.species_counts[k]});
+  const Box& box = state.world.box();
+  const Tally& tally = state.sums.tally;
   const bool is_bounded = !box.is_any(Boundary::open);
-  compressibility_ = box.is_all(Boundary::periodic) && simulation.world().surfaces().empty()
-                         ? simulation.tally().compressibility(simulation.now())
+  compressibility_ = box.is_all(Boundary::periodic) && state.world.surfaces().empty()
+                         ? tally.compressibility(state.now)
                          : kNone;
-  wall_pressure_ = is_bounded && box.is_any(Boundary::wall)
-                       ? simulation.tally().wall_pressure(box, simulation.now())
-                       : kNone;
-  walls_ = summarize_walls(simulation);
-  peak_rss_bytes_ = measure_peak_rss();
+  wall_pressure_ = is_bounded && box.is_any(Boundary::wall) ? tally.wall_pressure(box, state.now) : kNone;
 }
 
 std::string Summary::json() const {

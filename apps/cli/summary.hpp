@@ -9,6 +9,8 @@
 #include "apps/cli/wall_summary.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/simulation/simulation.hpp"
+#include "hardball/world/audit.hpp"
+#include "hardball/world/totals.hpp"
 
 namespace hardball::cli {
 
@@ -20,12 +22,31 @@ struct Seconds {
   static void persist(auto& archive, auto& self) { archive(self.setup, self.run); }
 };
 
+/// What a summary is made of: a simulation at its current time.
+struct FinalState {
+  const World& world;  ///< Perhaps without spheres.
+  std::size_t spheres = 0;
+  Time now;
+  Counters counters;
+  ContactSums sums;
+  Totals totals;
+  bool has_spins = false;
+  Audit audit;
+  std::vector<std::size_t> species_counts;  ///< As many as the scenario names.
+  std::optional<Thermostat> thermostat;
+  EngineKind engine = EngineKind::automatic;
+  double cell_edge = 0;  ///< [L]
+  std::size_t memory_bytes = 0;
+};
+
+/// Cost: that of an audit. Precondition: the simulation outlives it.
+FinalState final_state(const Scenario& scenario, const Simulation& simulation);
+
 /// The summary of a run.
 class Summary {
  public:
-  /// Summarizes the simulation of a scenario at its current time. `overrides`: those of the scenario. Cost:
-  /// that of an audit.
-  Summary(const Scenario& scenario, const std::vector<std::string>& overrides, const Simulation& simulation,
+  /// Summarizes the run of a scenario. `overrides`: those of the scenario.
+  Summary(const Scenario& scenario, const std::vector<std::string>& overrides, const FinalState& state,
           const Seconds& seconds);
 
   /// One JSON object, with null for what does not apply to this run, and a line break.

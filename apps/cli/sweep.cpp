@@ -88,7 +88,8 @@ Sweep sweep_cell_edges(const Simulation& start, const EngineOptions& options, Bu
   if (!(statistics.mean_speed > 0)) throw Error("nothing moves", "tune", "give the spheres velocities");
   std::vector<Contender> contenders;
   budget.show("preparing");
-  const double chosen_edge = choose_length(start.world(), EngineKind::cells, options, start.now());
+  const double chosen_edge =
+      choose_length(start.world(), statistics, EngineKind::cells, options, start.now());
   const std::optional<std::size_t> added = add(contenders, start, options, chosen_edge);
   if (!added) {
     throw Error("no cells fit the spheres at time " + to_text(start.time()), "tune",

@@ -172,7 +172,8 @@ ExitCode verify(const Options& options) {
 
   engine_options.division.reset();
   engine_options.engine = EngineKind::neighbors;
-  if (choose_engine(comparison.start(), engine_options, Time(0)) == EngineKind::neighbors) {
+  const GasStatistics statistics = gas_statistics(comparison.start(), Time(0));
+  if (choose_engine(comparison.start(), statistics, engine_options, Time(0)) == EngineKind::neighbors) {
     comparison.run("neighbors", engine_options);
   } else {
     comparison.leave_out("neighbors", "the box is too small for neighbor lists");

@@ -9,15 +9,14 @@
 
 namespace hardball::cli {
 
-std::vector<WallSummary> summarize_walls(const Simulation& simulation) {
+std::vector<WallSummary> summarize_walls(const World& world, const Tally& tally, const Time& now) {
   std::vector<WallSummary> walls;
-  const World& world = simulation.world();
-  const double elapsed = simulation.tally().elapsed(simulation.now());
+  const double elapsed = tally.elapsed(now);
   for (const std::uint32_t wall : measured_walls(world)) {
     WallSummary summary;
     summary.name = wall_name(world, wall);
     summary.shape = wall < kFaces ? "face" : std::string(world.surface(wall).name());
-    summary.tally = simulation.tally().wall(wall);
+    summary.tally = tally.wall(wall);
     summary.area = wall_area(world, wall);
     summary.force = summary.tally.normal_impulse / elapsed;
     summary.pressure =

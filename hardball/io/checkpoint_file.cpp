@@ -5,7 +5,9 @@
 #include <xxhash.h>
 #include <zstd.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -23,11 +25,6 @@ constexpr std::uint32_t kZstd = 1;
 // More is not believed of a section: a small file must not claim all memory.
 constexpr std::uint64_t kMaxCompression = 256;
 
-struct Packed {
-  std::uint32_t method;
-  std::string bytes;
-};
-
 // Appends a frame that readers skip, so that there are this many bytes.
 void pad(std::string& frames, std::size_t bytes) {
   constexpr std::uint32_t kSkippable = ZSTD_MAGIC_SKIPPABLE_START;
@@ -36,16 +33,6 @@ void pad(std::string& frames, std::size_t bytes) {
   append_little_endian(frames, kSkippable);
   append_little_endian(frames, static_cast<std::uint32_t>(padding));
   frames.append(padding, '\0');
-}
-
-Packed packed(const std::string& bytes) {
-  // Levels above 1 take longer than the disk gains.
-  std::string packed(ZSTD_compressBound(bytes.size()), '\0');
-  const std::size_t length = ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), 1);
-  if (ZSTD_isError(length) != 0 || length >= bytes.size()) return {kStored, bytes};
-  packed.resize(length);
-  if (length * kMaxCompression < bytes.size()) pad(packed, bytes.size() / kMaxCompression + 1);
-  return {kZstd, std::move(packed)};
 }
 
 [[noreturn]] void refuse(const std::string& what, const std::string& where) {
@@ -76,15 +63,26 @@ class Parts {
   std::size_t at_ = 0;
 };
 
-struct Entry {
-  std::string name;
-  std::uint32_t method = kStored;
-  std::uint64_t length = 0;
-  std::uint64_t packed = 0;
-  std::uint64_t checksum = 0;
-};
+// What stands before the sections.
+std::vector<SectionEntry> read_head(Parts& parts, std::string_view file, const std::string& where) {
+  if (file.size() < kMagic.size() || parts.take(kMagic.size()) != kMagic) {
+    refuse("is not a checkpoint", where);
+  }
+  std::vector<SectionEntry> entries;
+  for (auto left = parts.number<std::uint32_t>(); left > 0; --left) {
+    SectionEntry& entry = entries.emplace_back();
+    entry.name = parts.take(parts.number<std::uint32_t>());
+    entry.method = parts.number<std::uint32_t>();
+    entry.length = parts.number<std::uint64_t>();
+    entry.packed = parts.number<std::uint64_t>();
+    entry.checksum = parts.number<std::uint64_t>();
+  }
+  const std::uint64_t checksum = XXH64(file.data(), parts.at(), 0);
+  if (parts.number<std::uint64_t>() != checksum) refuse("the table of sections is damaged", where);
+  return entries;
+}
 
-std::string unpacked(const Entry& entry, std::string_view bytes, const std::string& where) {
+std::string unpacked(const SectionEntry& entry, std::string_view bytes, const std::string& where) {
   const std::string section = "section '" + entry.name + "' ";
   if (XXH64(bytes.data(), bytes.size(), 0) != entry.checksum) refuse(section + "is damaged", where);
   if (entry.method == kStored && entry.length == entry.packed) return std::string(bytes);
@@ -99,22 +97,47 @@ std::string unpacked(const Entry& entry, std::string_view bytes, const std::stri
 
 }  // namespace
 
-std::string checkpoint_of(std::span<const CheckpointSection> sections) {
-  std::string file(kMagic);
-  append_little_endian(file, static_cast<std::uint32_t>(sections.size()));
-  std::vector<Packed> contents;
-  for (const CheckpointSection& section : sections) {
-    const Packed& content = contents.emplace_back(packed(section.bytes));
-    append_little_endian(file, static_cast<std::uint32_t>(section.name.size()));
-    file += section.name;
-    append_little_endian(file, content.method);
-    append_little_endian(file, std::uint64_t{section.bytes.size()});
-    append_little_endian(file, std::uint64_t{content.bytes.size()});
-    append_little_endian(file, std::uint64_t{XXH64(content.bytes.data(), content.bytes.size(), 0)});
+PackedSection pack(const CheckpointSection& section) {
+  // Levels above 1 take longer than the disk gains.
+  const std::string& bytes = section.bytes;
+  std::string packed(ZSTD_compressBound(bytes.size()), '\0');
+  const std::size_t length = ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), 1);
+  const bool is_worth_it = ZSTD_isError(length) == 0 && length < bytes.size();
+  if (is_worth_it) {
+    packed.resize(length);
+    if (length * kMaxCompression < bytes.size()) pad(packed, bytes.size() / kMaxCompression + 1);
+  } else {
+    packed = bytes;
   }
-  append_little_endian(file, std::uint64_t{XXH64(file.data(), file.size(), 0)});
-  for (const Packed& content : contents) file += content.bytes;
-  return file;
+  const SectionEntry entry{section.name, is_worth_it ? kZstd : kStored, bytes.size(), packed.size(),
+                           XXH64(packed.data(), packed.size(), 0)};
+  return {entry, std::move(packed)};
+}
+
+std::string checkpoint_head(std::span<const SectionEntry> entries) {
+  std::string head(kMagic);
+  append_little_endian(head, static_cast<std::uint32_t>(entries.size()));
+  for (const SectionEntry& entry : entries) {
+    append_little_endian(head, static_cast<std::uint32_t>(entry.name.size()));
+    head += entry.name;
+    append_little_endian(head, entry.method);
+    append_little_endian(head, entry.length);
+    append_little_endian(head, entry.packed);
+    append_little_endian(head, entry.checksum);
+  }
+  append_little_endian(head, std::uint64_t{XXH64(head.data(), head.size(), 0)});
+  return head;
+}
+
+std::string checkpoint_of(std::span<const CheckpointSection> sections) {
+  std::vector<SectionEntry> entries;
+  std::string contents;
+  for (const CheckpointSection& section : sections) {
+    const PackedSection packed = pack(section);
+    entries.push_back(packed.entry);
+    contents += packed.bytes;
+  }
+  return checkpoint_head(entries) + contents;
 }
 
 void write_checkpoint_file(const std::filesystem::path& path, std::span<const CheckpointSection> sections) {
@@ -123,22 +146,8 @@ void write_checkpoint_file(const std::filesystem::path& path, std::span<const Ch
 
 std::map<std::string, std::string> read_checkpoint(std::string_view file, const std::string& where) {
   Parts parts(file, where);
-  if (file.size() < kMagic.size() || parts.take(kMagic.size()) != kMagic) {
-    refuse("is not a checkpoint", where);
-  }
-  std::vector<Entry> entries;
-  for (auto left = parts.number<std::uint32_t>(); left > 0; --left) {
-    Entry& entry = entries.emplace_back();
-    entry.name = parts.take(parts.number<std::uint32_t>());
-    entry.method = parts.number<std::uint32_t>();
-    entry.length = parts.number<std::uint64_t>();
-    entry.packed = parts.number<std::uint64_t>();
-    entry.checksum = parts.number<std::uint64_t>();
-  }
-  const std::uint64_t checksum = XXH64(file.data(), parts.at(), 0);
-  if (parts.number<std::uint64_t>() != checksum) refuse("the table of sections is damaged", where);
   std::map<std::string, std::string> sections;
-  for (const Entry& entry : entries) {
+  for (const SectionEntry& entry : read_head(parts, file, where)) {
     sections[entry.name] = unpacked(entry, parts.take(entry.packed), where);
   }
   if (!parts.is_end()) refuse("continues after its end", where);
@@ -147,6 +156,39 @@ std::map<std::string, std::string> read_checkpoint(std::string_view file, const 
 
 std::map<std::string, std::string> read_checkpoint_file(const std::filesystem::path& path) {
   return read_checkpoint(read_file(path), path.string());
+}
+
+CheckpointReader::CheckpointReader(const std::filesystem::path& path)
+    : where_(path.string()), file_(path, std::ios::binary) {
+  std::error_code unknown;
+  const std::uint64_t size = std::filesystem::file_size(path, unknown);
+  if (!file_ || unknown) refuse("cannot be read", where_);
+  constexpr std::uint64_t kFirst = 1 << 16;
+  for (std::uint64_t length = std::min(kFirst, size);; length = std::min(2 * length, size)) {
+    const std::string begin = read_part(file_, 0, length);
+    Parts parts(begin, where_);
+    try {
+      const std::vector<SectionEntry> entries = read_head(parts, begin, where_);
+      std::uint64_t offset = parts.at();
+      for (const SectionEntry& entry : entries) {
+        names_.push_back(entry.name);
+        places_[entry.name] = {entry, offset};
+        offset += entry.packed;
+      }
+      return;
+    } catch (const Error&) {
+      if (length == size) throw;
+    }
+  }
+}
+
+std::string CheckpointReader::section(const std::string& name) {
+  const auto found = places_.find(name);
+  if (found == places_.end()) refuse("has no section '" + name + "'", where_);
+  const auto& [entry, offset] = found->second;
+  const std::string bytes = read_part(file_, offset, entry.packed);
+  if (bytes.size() < entry.packed) refuse("ends too early", where_);
+  return unpacked(entry, bytes, where_);
 }
 
 }  // namespace hardball

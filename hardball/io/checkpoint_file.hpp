@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hardball/errors/export.hpp"
 
@@ -17,6 +20,31 @@ struct CheckpointSection {
   std::string name;
   std::string bytes;
 };
+
+/// What a checkpoint tells of a section before all sections.
+struct SectionEntry {
+  std::string name;
+  std::uint32_t method = 0;    ///< How it is compressed.
+  std::uint64_t length = 0;    ///< Of its bytes.
+  std::uint64_t packed = 0;    ///< The same as compressed.
+  std::uint64_t checksum = 0;  ///< Of the compressed bytes.
+
+  static void persist(auto& archive, auto& self) {
+    archive(self.name, self.method, self.length, self.packed, self.checksum);
+  }
+};
+
+/// A section as it is stored.
+struct PackedSection {
+  SectionEntry entry;
+  std::string bytes;
+};
+
+/// Compresses a section. Cost: O(bytes).
+PackedSection pack(const CheckpointSection& section);
+
+/// What stands before the sections of a checkpoint; these follow without gaps.
+std::string checkpoint_head(std::span<const SectionEntry> entries);
 
 /// A checkpoint as bytes. Sections are compressed, and each has a checksum. Cost: O(bytes), some 0.5 s for a
 /// million spheres.
@@ -39,5 +67,28 @@ HARDBALL_EXPORT std::map<std::string, std::string> read_checkpoint_file(const st
 /// The same, of the bytes of a file; `where` names it in errors.
 HARDBALL_EXPORT std::map<std::string, std::string> read_checkpoint(std::string_view file,
                                                                    const std::string& where);
+
+/// A checkpoint of which a few sections are read at a time.
+class CheckpointReader {
+ public:
+  /// Error: there is no such file; what stands before its sections is damaged.
+  explicit CheckpointReader(const std::filesystem::path& path);
+
+  /// The names of all sections, in the order in which they are stored.
+  const std::vector<std::string>& names() const { return names_; }
+  /// Error: there is no such section, or it is damaged.
+  std::string section(const std::string& name);
+
+ private:
+  struct Place {
+    SectionEntry entry;
+    std::uint64_t offset = 0;
+  };
+
+  std::string where_;
+  std::ifstream file_;
+  std::vector<std::string> names_;
+  std::map<std::string, Place> places_;
+};
 
 }  // namespace hardball

@@ -36,17 +36,48 @@ void sync_directory(const std::filesystem::path& directory) {
   close(opened);
 }
 
+[[noreturn]] void fail_to_replace(const std::filesystem::path& path, int reason) {
+  throw RunFailure("cannot write " + path.string() + ": " + std::strerror(reason) + "; it is unchanged");
+}
+
 }  // namespace
 
 void replace_file(const std::filesystem::path& path, std::string_view bytes) {
-  const std::string unfinished = path.string() + ".part";
-  if (write_through(unfinished, bytes) && std::rename(unfinished.c_str(), path.c_str()) == 0) {
-    sync_directory(path.parent_path());
-    return;
+  const std::string unfinished = unfinished_name(path).string();
+  if (!write_through(unfinished, bytes)) {
+    const int reason = errno;
+    std::remove(unfinished.c_str());
+    fail_to_replace(path, reason);
   }
+  put_in_place(path);
+}
+
+std::filesystem::path unfinished_name(const std::filesystem::path& path) {
+  return path.string() + ".part";
+}
+
+void write_at(const std::filesystem::path& path, std::uint64_t offset, std::string_view bytes) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  bool is_written = file >= 0;
+  while (is_written && !bytes.empty()) {
+    const ssize_t count = pwrite(file, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    is_written = count > 0 || (count < 0 && errno == EINTR);
+    if (count <= 0) continue;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+    offset += static_cast<std::uint64_t>(count);
+  }
+  is_written = is_written && fsync(file) == 0;
+  const int reason = errno;
+  if (file >= 0) is_written = close(file) == 0 && is_written;
+  if (!is_written) throw RunFailure("cannot write " + path.string() + ": " + std::strerror(reason));
+}
+
+void put_in_place(const std::filesystem::path& path) {
+  const std::string unfinished = unfinished_name(path).string();
+  if (std::rename(unfinished.c_str(), path.c_str()) == 0) return sync_directory(path.parent_path());
   const int reason = errno;
   std::remove(unfinished.c_str());
-  throw RunFailure("cannot write " + path.string() + ": " + std::strerror(reason) + "; it is unchanged");
+  fail_to_replace(path, reason);
 }
 
 }  // namespace hardball

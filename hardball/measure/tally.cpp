@@ -23,13 +23,17 @@ double gain_of_merging(const Contact& contact) {
 }  // namespace
 
 void Tally::begin(const World& world, const Time& now) {
+  begin(world, totals_of(world, now), now);
+}
+
+void Tally::begin(const World& world, const Totals& totals, const Time& now) {
   *this = Tally();
   walls_.resize(kFaces + world.surfaces().size());
   begin_ = now;
   last_ = now;
-  begin_energy_ = world.kinetic_energy(now);
+  begin_energy_ = totals.kinetic_energy.value();
   is_straight_ = world.motion().is_straight();
-  initial_energy_ = world.energy(now);
+  initial_energy_ = totals.energy.value();
   set_interactions(world.interactions());
 }
 

@@ -11,7 +11,8 @@
 #include "hardball/errors/export.hpp"
 #include "hardball/interaction/contact.hpp"
 #include "hardball/interaction/interactions.hpp"
-#include "hardball/measure/exact_sum.hpp"
+#include "hardball/numbers/exact_sum.hpp"
+#include "hardball/world/totals.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -31,6 +32,8 @@ class HARDBALL_EXPORT Tally {
  public:
   /// Starts counting at `now` with the energy of the world. Cost: O(n).
   void begin(const World& world, const Time& now);
+  /// The same with the sums over its spheres; the world may be without them.
+  void begin(const World& world, const Totals& totals, const Time& now);
   /// Tells how the spheres interact from now on; `begin` takes the interactions of the world. Where all
   /// collisions are elastic, those of spheres of finite mass change no energy: what the velocities say is
   /// rounding noise, and not noted.

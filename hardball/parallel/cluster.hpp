@@ -5,49 +5,46 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <exception>
 #include <limits>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "hardball/engine/run.hpp"
+#include "hardball/errors/error.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/parallel/domain.hpp"
+#include "hardball/parallel/exchange.hpp"
 #include "hardball/parallel/merged_log.hpp"
+#include "hardball/parallel/window_counters.hpp"
+#include "hardball/parallel/window_settings.hpp"
 
 namespace hardball {
 
 /// Calls work(k) for each k below a count, perhaps for several at once, and returns when all have returned.
 using ForEach = Function<void(std::size_t count, const Function<void(std::size_t)>& work)>;
 
-/// How long windows are.
-struct WindowSettings {
-  double contacts = 1000;  ///< So many are aimed at in a window, by all domains.
-  double first = 1;        ///< The length of the first window [T].
-  double flight = 1;       ///< In which a sphere of mean speed flies by the largest diameter [T].
-};
-
-/// What a cluster has done to run windows.
-struct WindowCounters {
-  std::uint64_t windows = 0;  ///< Committed, single steps included.
-  std::uint64_t failed = 0;   ///< Undone, as a domain was wrong.
-  std::uint64_t steps = 0;    ///< Of at most one contact, where no window was short enough.
-};
-
 /// Domains that together are one system: in windows of time they run apart, compare, and go back where they
 /// were wrong, so that the contacts are those of one engine to the last bit. Source: docs/parallel.md.
 ///
 /// A window is opened, which finds what happens in it, and then either committed or cut short.
+///
+/// Some of the domains may be in other processes, each with a cluster of its own: their members are called in
+/// all at once, with the same arguments, and return the same.
 template <class Engine, class Sums>
 class Cluster {
  public:
   using Member = Domain<Engine, Sums>;
 
-  /// Takes over domains that together hold a world as it is at `now`.
+  /// Takes over domains that together, with those that `exchange` reaches, hold a world as it is at `now`.
   Cluster(std::vector<std::unique_ptr<Member>> domains, const Time& now, const WindowSettings& settings,
-          const PhaseSettings& phase, ForEach for_each)
+          const PhaseSettings& phase, ForEach for_each, Exchange exchange = Exchange())
       : domains_(std::move(domains)),
+        exchange_(std::move(exchange)),
         settings_(settings),
         phase_(phase),
         for_each_(std::move(for_each)),
@@ -55,7 +52,7 @@ class Cluster {
         window_(settings.first) {
     connect();
   }
-  /// A copy that works in its own way.
+  /// A copy that works in its own way. Precondition: all domains are in this process.
   Cluster(const Cluster& other, ForEach for_each)
       : settings_(other.settings_),
         phase_(other.phase_),
@@ -70,6 +67,7 @@ class Cluster {
     connect();
   }
 
+  /// How many domains are in this process, and these.
   std::size_t size() const { return domains_.size(); }
   const Member& domain(std::size_t number) const { return *domains_[number]; }
   Member& domain(std::size_t number) { return *domains_[number]; }
@@ -78,13 +76,14 @@ class Cluster {
   /// How many collisions and contacts with walls have been committed.
   const Counters& counted() const { return counted_; }
   /// How many contacts the open window has.
-  std::uint64_t open_contacts() const { return open_.contacts; }
+  std::uint64_t open_contacts() const { return open_.contacts.contacts(); }
   /// Up to which all has happened [T].
   double committed() const { return committed_; }
   /// The same, with the last of the events that round to it.
   Time now() const {
     Time now = domains_.front()->begin();
     for (const auto& domain : domains_) now = later(now, domain->begin());
+    for (const Time& other : processes().gather(now)) now = later(now, other);
     return now;
   }
   /// Whether all events that round to committed() have happened, too.
@@ -102,27 +101,26 @@ class Cluster {
     const double part = std::min(1.0, static_cast<double>(most) / settings_.contacts);
     for (double until = std::min({end, begin + std::max(part * window_, least_window()), horizon_});;) {
       each([&](Member& domain, std::size_t) { domain.run(until, most_contacts()); });
-      const double bad = compare(until);
-      const std::uint64_t contacts = count();
-      const bool is_wrong = bad <= until;
+      const Findings found = compare(until);
+      const bool is_wrong = found.bad <= until;
       // With the last of the contacts wanted, the window ends: that takes a step.
-      if (!is_wrong && contacts < most) {
-        open_ = {Time(until), contacts, false};
-        return contacts;
+      if (!is_wrong && found.counted.contacts() < most) {
+        open_ = {Time(until), found.counted, found.has_passing, false};
+        return open_contacts();
       }
       const bool is_cut = is_wrong || are_logs_kept_;
-      const double cut = is_wrong ? double_before(bad) : is_cut ? time_before(most) : until;
+      const double cut = is_wrong ? double_before(found.bad) : is_cut ? time_before(most) : until;
       undo();
       if (is_wrong) note_failure(until - begin);
       if (!is_cut) keep_logs(true, !keeps_log);
       if (cut <= begin) {
         step(std::min(end, horizon_), true);
-        return open_.contacts;
+        return open_contacts();
       }
       until = cut;
     }
   }
-  /// The contacts of the open window, if its log is kept.
+  /// The contacts of the open window, if its log is kept. Precondition: all domains are in this process.
   MergedLog merged_log() const {
     std::vector<std::span<const LoggedContact>> logs;
     for (const auto& domain : domains_) logs.push_back(domain->log());
@@ -132,12 +130,12 @@ class Cluster {
   void commit_window() {
     const double length = open_.end.high - committed_;
     commit();
-    if (!open_.is_step) adapt(length, open_.contacts);
+    if (!open_.is_step) adapt(length, open_contacts());
   }
   /// Ends the open window with the first of its contacts, so many. Precondition: it has as many, and its log
   /// is kept.
   void cut_window(std::uint64_t contacts) {
-    if (open_.is_step && contacts == open_.contacts) return commit_window();
+    if (open_.is_step && contacts == open_contacts()) return commit_window();
     const double end = open_.end.high;
     undo();
     while (contacts > 0) {
@@ -182,20 +180,37 @@ class Cluster {
  private:
   struct OpenWindow {
     Time end;
-    std::uint64_t contacts = 0;
-    bool is_step = false;  // then more may happen in the same double
+    Counters contacts;
+    bool has_passing = false;  // somewhere, spheres pass through each other
+    bool is_step = false;      // then more may happen in the same double
+  };
+  // What domains find when they compare, all together.
+  struct Findings {
+    double bad = std::numeric_limits<double>::infinity();  // before this time all is right [T]
+    Counters counted;
+    bool has_passing = false;
+
+    void add(const Findings& other) {
+      bad = std::min(bad, other.bad);
+      counted = counted + other.counted;
+      has_passing |= other.has_passing;
+    }
   };
 
   void connect() {
-    inboxes_.resize(size());
     bad_.resize(size());
     failures_.resize(size());
     peeked_.resize(size());
-    for (std::size_t domain = 0; domain < size(); ++domain) {
-      for (const DomainNumber neighbor : domains_[domain]->neighbors())
-        inboxes_[domain].push_back(&domains_[neighbor]->outbox_to(static_cast<DomainNumber>(domain)));
+    std::vector<Exchange::Member> members;
+    for (const auto& domain : domains_) {
+      members.push_back(
+          {domain->number(), domain->neighbors(),
+           [&domain = *domain](DomainNumber to) -> const Outbox& { return domain.outbox_to(to); }});
     }
+    exchange_.connect(members);
   }
+
+  Processes& processes() const { return exchange_.processes(); }
 
   void keep_logs(bool are_kept, bool are_summed) {
     for (auto& domain : domains_) domain->keep_log(are_kept, are_summed);
@@ -220,31 +235,30 @@ class Cluster {
     each([&](Member& domain, std::size_t) { domain.watch(horizon_); });
   }
 
-  std::uint64_t count() const {
-    std::uint64_t contacts = 0;
-    for (const auto& domain : domains_) contacts += domain->counted().contacts();
-    return contacts;
-  }
-
-  // A time before which what the domains did up to `until` is right; infinity if all is.
-  double compare(double until) {
-    each([&](Member& domain, std::size_t k) { bad_[k] = domain.verify(inboxes_[k], until); });
+  // What the domains did up to `until`.
+  Findings compare(double until) {
+    exchange_.carry_out(Exchange::Round::window);
+    each([&](Member& domain, std::size_t k) { bad_[k] = domain.verify(exchange_.inboxes(k), until); });
+    exchange_.carry_out(Exchange::Round::doubts);
     each([&](Member& domain, std::size_t k) {
-      bad_[k] = std::min(bad_[k], domain.doubtful_since(inboxes_[k]));
+      bad_[k] = std::min(bad_[k], domain.doubtful_since(exchange_.inboxes(k)));
     });
-    return *std::ranges::min_element(bad_);
+    Findings own;
+    for (std::size_t k = 0; k < size(); ++k)
+      own.add({bad_[k], domains_[k]->counted(), domains_[k]->world().has_passing_pairs()});
+    Findings all;
+    for (const Findings& found : processes().gather(own)) all.add(found);
+    return all;
   }
 
   void commit() {
-    for (const auto& domain : domains_) {
-      counted_.collision += domain->counted().collision;
-      counted_.wall += domain->counted().wall;
-    }
+    counted_ = counted_ + open_.contacts;
     each([&](Member& domain, std::size_t) { domain.commit(open_.end); });
+    exchange_.carry_out(Exchange::Round::arrivals);
     // Before anything is predicted again.
-    if (domains_.front()->world().has_passing_pairs()) share_last_passage();
+    if (open_.has_passing) share_last_passage();
     each([&](Member& domain, std::size_t k) {
-      domain.receive(inboxes_[k]);
+      domain.receive(exchange_.inboxes(k));
       domain.make_ready(phase_);
     });
     committed_ = open_.end.high;
@@ -257,6 +271,9 @@ class Cluster {
     for (const auto& domain : domains_) {
       if (last < domain->world().last_passage()) last = domain->world().last_passage();
     }
+    for (const Event& other : processes().gather(last)) {
+      if (last < other) last = other;
+    }
     for (auto& domain : domains_) domain->set_last_passage(last);
   }
 
@@ -268,12 +285,19 @@ class Cluster {
   }
 
   // The double before the last of so many contacts.
-  double time_before(std::uint64_t contacts) const {
-    std::vector<double> times;
+  double time_before(std::uint64_t contacts) {
+    std::string own;
     for (const auto& domain : domains_) {
       for (const LoggedContact& logged : domain->log()) {
-        if (logged.counts) times.push_back(logged.contact.time.high);
+        const double time = logged.contact.time.high;
+        if (logged.counts) own.append(reinterpret_cast<const char*>(&time), sizeof(time));
       }
+    }
+    std::vector<double> times;
+    for (const std::string& part : processes().gather(own)) {
+      const std::size_t before = times.size();
+      times.resize(before + part.size() / sizeof(double));
+      std::memcpy(times.data() + before, part.data(), part.size());
     }
     const auto last = times.begin() + static_cast<std::ptrdiff_t>(contacts - 1);
     std::ranges::nth_element(times, last);
@@ -287,12 +311,12 @@ class Cluster {
     const double begin = committed_;
     for (double until = end;;) {
       each([&](Member& domain, std::size_t k) { peeked_[k] = domain.peek(until); });
-      const Event next = *std::ranges::min_element(peeked_, std::less<Event>());
+      const Event next = earliest_peeked();
       const double to = next.happens() ? next.time.high : until;
       each([&](Member& domain, std::size_t) { domain.end_peek(to); });
-      const double bad = compare(to);
-      const bool is_known = bad > to;
-      const double cut = is_known ? to : double_before(bad);
+      const Findings found = compare(to);
+      const bool is_known = found.bad > to;
+      const double cut = is_known ? to : double_before(found.bad);
       const bool acts = is_known && next.happens();
       if ((!is_known && cut <= begin) || (acts && !executes)) {
         undo();
@@ -304,20 +328,35 @@ class Cluster {
       if (acts) execute(next);
       const Time moment = acts ? next.time : Time(cut);
       each([&](Member& domain, std::size_t) { domain.end_step(later(moment, domain.begin())); });
-      compare(cut);
-      open_ = {moment, count(), true};
-      HARDBALL_CHECK(open_.contacts == (acts ? 1U : 0U));
+      const Findings done = compare(cut);
+      open_ = {moment, done.counted, done.has_passing, true};
+      HARDBALL_CHECK(open_contacts() == (acts ? 1U : 0U));
       ++window_counters_.steps;
       return acts ? next : Event();
     }
   }
 
+  Event earliest_peeked() {
+    Event earliest = *std::ranges::min_element(peeked_, std::less<Event>());
+    for (const Event& other : processes().gather(earliest)) earliest = std::min(earliest, other);
+    return earliest;
+  }
+
+  // Error: one of those that execute it fails.
   void execute(const Event& next) {
+    std::string failure;
     try {
       each([&](Member& domain, std::size_t k) { domain.execute_if_next(peeked_[k], next); });
+    } catch (const RunFailure& failed) {
+      failure = failed.what();
     } catch (...) {
       undo();
       throw;
+    }
+    for (const std::string& other : processes().gather(failure)) {
+      if (other.empty()) continue;
+      undo();
+      throw RunFailure(other);
     }
   }
 
@@ -342,7 +381,7 @@ class Cluster {
   }
 
   std::vector<std::unique_ptr<Member>> domains_;
-  std::vector<std::vector<const Outbox*>> inboxes_;  // by domain and neighbor
+  Exchange exchange_;
   std::vector<double> bad_;
   std::vector<std::exception_ptr> failures_;
   std::vector<Event> peeked_;

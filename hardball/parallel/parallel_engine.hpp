@@ -20,6 +20,7 @@
 #include "hardball/execution/aftermath.hpp"
 #include "hardball/parallel/cluster.hpp"
 #include "hardball/parallel/division.hpp"
+#include "hardball/parallel/system_size.hpp"
 #include "hardball/parallel/thread_team.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/new_velocity.hpp"
@@ -251,25 +252,16 @@ class ParallelEngine {
   }
 
   void divide(const Time& now) {
+    SystemSize size;
+    size.note(world_, now);
+    halo_ = size.halo(settings_);
     std::vector<Vec3> centers;
     centers.reserve(world_.size());
-    double speeds = 0;
-    for (Slot slot = 0; slot < world_.size(); ++slot) {
-      centers.push_back(world_.position(slot, now));
-      speeds += length(world_.velocity(slot, now));
-    }
-    halo_.contact = 2 * world_.largest_radius() * world_.room_to_grow();
-    halo_.depth = settings_.halo * halo_.contact;
-    halo_.slack = 0.5 * halo_.contact;
+    for (Slot slot = 0; slot < world_.size(); ++slot) centers.push_back(world_.position(slot, now));
     partition_ = partition_of(centers);
     std::vector<DomainNumber> owners;
     owners.reserve(centers.size());
     for (const Vec3& center : centers) owners.push_back(partition_.domain_at(center));
-    const auto count = static_cast<double>(std::max<std::size_t>(world_.size(), 1));
-    const double mean_speed = speeds > 0 ? speeds / count : 1;
-    const double radius = halo_.contact > 0 ? halo_.contact / 2 : 1;
-    const WindowSettings windows{std::max(1.0, settings_.window * count / 2),
-                                 settings_.first_window * radius / mean_speed, 2 * radius / mean_speed};
     std::vector<std::unique_ptr<typename Domains::Member>> domains(partition_.size());
     const auto make = [&](World world) {
       return DomainEngine(std::move(world), Phase(phase_), now, phase_.instructions);
@@ -278,7 +270,8 @@ class ParallelEngine {
       domains[number] = std::make_unique<typename Domains::Member>(
           world_, owners, now, partition_, static_cast<DomainNumber>(number), halo_, make);
     });
-    cluster_ = std::make_unique<Domains>(std::move(domains), now, windows, phase_, for_each());
+    cluster_ =
+        std::make_unique<Domains>(std::move(domains), now, size.windows(settings_), phase_, for_each());
     take_over(aftermath_);
     is_outdated_ = false;
     gathering_->is_done = true;
@@ -288,10 +281,7 @@ class ParallelEngine {
   Partition partition_of(std::span<const Vec3> centers) const {
     for (std::size_t count = settings_.domains;; count /= 2) {
       Partition partition = Partition::bisection(world_.box(), std::max<std::size_t>(count, 1), centers);
-      std::size_t most = 0;
-      for (DomainNumber domain = 0; domain < partition.size(); ++domain)
-        most = std::max(most, partition.neighbors(domain, halo_.neighborhood()).size());
-      if (most <= kMaxNeighbors) return partition;
+      if (partition.most_neighbors(halo_.neighborhood()) <= kMaxNeighbors) return partition;
     }
   }
 

@@ -30,13 +30,30 @@ class Partition {
 
   std::size_t size() const { return blocks_.size(); }
   const Block& block(DomainNumber domain) const { return blocks_[domain]; }
-  /// The domain in whose block a point lies. Cost: O(size()).
+  /// The domain in whose block a point inside the box lies. Cost: O(log(size())).
   DomainNumber domain_at(const Vec3& point) const;
   /// The domains whose blocks come as near as `distance` [L] to that of one, in the order of numbers.
   std::vector<DomainNumber> neighbors(DomainNumber domain, double distance) const;
+  /// How many these are of the domain that has most. Cost: O(size()^2).
+  std::size_t most_neighbors(double distance) const;
 
  private:
+  // A cut across an axis, with what lies below it and from it on: another cut, or if negative the block
+  // -1 - number.
+  struct Cut {
+    std::size_t axis = 0;
+    double place = 0;  // [L]
+    std::int32_t below = 0;
+    std::int32_t above = 0;
+  };
+
+  static constexpr std::int32_t leaf(std::size_t block) { return -1 - static_cast<std::int32_t>(block); }
+
+  template <class Part>
+  std::int32_t divide(Block block, Part part);
+
   std::vector<Block> blocks_;
+  std::vector<Cut> cuts_;  // the first divides the whole
 };
 
 }  // namespace hardball

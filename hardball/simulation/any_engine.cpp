@@ -78,6 +78,13 @@ std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const Eng
   return choice(engine).make(std::move(world), options, settings, now, progress);
 }
 
+std::unique_ptr<AnyDistributedEngine> make_distributed(DistributedStart start, EngineKind engine,
+                                                       const PhaseSettings& settings, bool has_large) {
+  if (engine == EngineKind::neighbors) return make_distributed_neighbors(std::move(start), settings);
+  return (has_large ? make_distributed_large_sphere_cells : make_distributed_cells)(std::move(start),
+                                                                                    settings);
+}
+
 void check(const EngineOptions& options) {
   if (!are_meaningful(options.unit_costs)) {
     throw Error("a cost is negative or not finite, or predictions or crossings cost nothing", "unit costs",
@@ -93,8 +100,8 @@ void check_threads(const EngineOptions& options, const Interactions& interaction
               "threads", "use one thread, or as many as pay");
 }
 
-EngineKind choose_engine(const World& world, const EngineOptions& options, const Time& moment,
-                         EngineKind current) {
+EngineKind choose_engine(const World& world, const GasStatistics& statistics, const EngineOptions& options,
+                         const Time& moment, EngineKind current) {
   if (options.engine == EngineKind::paper && !PaperEngine::supports(world)) {
     throw Error("the paper's engine knows only straight paths, and no images of obstacles", "engine",
                 "use another engine");
@@ -102,7 +109,6 @@ EngineKind choose_engine(const World& world, const EngineOptions& options, const
   if (options.engine == EngineKind::neighbors && !NeighborList::supports(world)) return EngineKind::cells;
   if (options.engine != EngineKind::automatic) return options.engine;
   if (options.cell_edge || !NeighborList::supports(world)) return EngineKind::cells;
-  const GasStatistics statistics = gas_statistics(world, moment);
   const auto cost_of = [&](EngineKind kind) {
     return choice(kind).best(world, moment, statistics, options.unit_costs).cost;
   };
@@ -113,11 +119,11 @@ EngineKind choose_engine(const World& world, const EngineOptions& options, const
   return cost_of(other) < surpass * cost_of(used) ? other : used;
 }
 
-double choose_length(const World& world, EngineKind engine, const EngineOptions& options,
-                     const Time& moment) {
+double choose_length(const World& world, const GasStatistics& statistics, EngineKind engine,
+                     const EngineOptions& options, const Time& moment) {
   const Choice& chosen = choice(engine);
   if (chosen.has_cells && options.cell_edge) return *options.cell_edge;
-  const BestLength best = chosen.best(world, moment, gas_statistics(world, moment), options.unit_costs);
+  const BestLength best = chosen.best(world, moment, statistics, options.unit_costs);
   return allowed_cell_edge(world, engine, best.length);
 }
 

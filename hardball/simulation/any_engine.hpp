@@ -13,6 +13,7 @@
 #include "hardball/memory/function.hpp"
 #include "hardball/simulation/contact_sums.hpp"
 #include "hardball/simulation/engine_options.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 #include "hardball/world/new_velocity.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
@@ -62,15 +63,17 @@ class AnyEngine {
 std::unique_ptr<AnyEngine> make_engine(World world, EngineKind engine, const EngineOptions& options,
                                        double length, const Time& now, const Progress& progress = {});
 
-/// The engine for a world as it is at `moment`: the one that the options fix, if it suits the world, or the
-/// one that kinetic theory predicts to be the fastest; never `automatic`. `current` is the one in use;
-/// another must be cheaper by a tenth to replace it.
-EngineKind choose_engine(const World& world, const EngineOptions& options, const Time& moment,
-                         EngineKind current = EngineKind::automatic);
+/// The engine for a world as it is at `moment`, with these statistics: the one that the options fix, if it
+/// suits the world, or the one that kinetic theory predicts to be the fastest; never `automatic`. `current`
+/// is the one in use; another must be cheaper by a tenth to replace it. The world may be a sample of that
+/// which the statistics describe.
+EngineKind choose_engine(const World& world, const GasStatistics& statistics, const EngineOptions& options,
+                         const Time& moment, EngineKind current = EngineKind::automatic);
 
 /// The length [L] for such an engine: the cell edge that the options fix, or the best one; for neighbor
 /// lists, the skin; for all pairs, any.
-double choose_length(const World& world, EngineKind engine, const EngineOptions& options, const Time& moment);
+double choose_length(const World& world, const GasStatistics& statistics, EngineKind engine,
+                     const EngineOptions& options, const Time& moment);
 
 /// A proposed edge [L], for the paper's engine raised to the largest diameter if it is smaller.
 double allowed_cell_edge(const World& world, EngineKind engine, double edge);

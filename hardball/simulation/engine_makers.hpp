@@ -6,6 +6,7 @@
 
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/parallel/division.hpp"
+#include "hardball/simulation/any_distributed_engine.hpp"
 #include "hardball/simulation/any_engine.hpp"
 
 namespace hardball {
@@ -19,6 +20,13 @@ MakeEngine make_large_sphere_cells;  ///< For others.
 MakeEngine make_neighbors;
 MakeEngine make_all_pairs;
 MakeEngine make_paper;
+
+/// Makes the part of this process in a distributed engine of one kind.
+using MakeDistributed = std::unique_ptr<AnyDistributedEngine>(DistributedStart start,
+                                                              const PhaseSettings& settings);
+MakeDistributed make_distributed_cells;
+MakeDistributed make_distributed_large_sphere_cells;
+MakeDistributed make_distributed_neighbors;
 
 /// How a world is divided among threads.
 Division choose_division(const World& world, const EngineOptions& options);

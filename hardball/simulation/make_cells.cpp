@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/broadphase/cell_grid.hpp"
 #include "hardball/broadphase/large_sphere_grid.hpp"
+#include "hardball/simulation/distributed_engine_model.hpp"
 #include "hardball/simulation/engine_model.hpp"
 
 namespace hardball {
@@ -10,6 +11,11 @@ std::unique_ptr<AnyEngine> make_cells(World world, const EngineOptions& options,
                                       const PhaseSettings& settings, const Time& now,
                                       const Progress& progress) {
   return make_divided<CellGrid, LargeSphereGrid>(std::move(world), options, settings, now, progress);
+}
+
+std::unique_ptr<AnyDistributedEngine> make_distributed_cells(DistributedStart start,
+                                                             const PhaseSettings& settings) {
+  return make_distributed_of<CellGrid>(std::move(start), settings);
 }
 
 }  // namespace hardball

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
 #include "hardball/broadphase/large_sphere_grid.hpp"
+#include "hardball/simulation/distributed_engine_model.hpp"
 #include "hardball/simulation/engine_model.hpp"
 
 namespace hardball {
@@ -9,6 +10,11 @@ std::unique_ptr<AnyEngine> make_large_sphere_cells(World world, const EngineOpti
                                                    const PhaseSettings& settings, const Time& now,
                                                    const Progress& progress) {
   return make_divided<LargeSphereGrid>(std::move(world), options, settings, now, progress);
+}
+
+std::unique_ptr<AnyDistributedEngine> make_distributed_large_sphere_cells(DistributedStart start,
+                                                                          const PhaseSettings& settings) {
+  return make_distributed_of<LargeSphereGrid>(std::move(start), settings);
 }
 
 }  // namespace hardball

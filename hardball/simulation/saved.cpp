@@ -9,6 +9,7 @@
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/simulation/saved.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/simulation/tuner.hpp"
 #include "hardball/simulation/user_data.hpp"
@@ -26,30 +27,6 @@ struct UnusedFlag {
   }
 };
 
-// The options but for `instructions`: where a saved simulation is loaded, others may be available. Before
-// version 3 the responses were among them.
-struct SavedOptions {
-  EngineOptions options;
-  std::optional<ResponseTable> responses = {};
-
-  static void persist(auto& archive, auto& self) {
-    auto& options = self.options;
-    archive(options.engine, options.queue, options.cell_edge);
-    if constexpr (std::remove_cvref_t<decltype(archive)>::kIsReading) {
-      if (archive.version() < 3) {
-        double coefficient = 1;
-        double elastic_below = 0;
-        archive(coefficient, elastic_below, self.responses);
-        const Bounce plain(Restitution(coefficient, elastic_below));
-        if (!self.responses) self.responses = ResponseTable(plain, plain);
-      }
-    }
-    archive(options.unit_costs);
-    archive.require(options.engine >= EngineKind::automatic && options.engine <= EngineKind::paper &&
-                    options.queue >= QueueKind::calendar && options.queue <= QueueKind::ordered);
-  }
-};
-
 }  // namespace
 
 std::string Simulation::save() const {
@@ -57,6 +34,13 @@ std::string Simulation::save() const {
   const Aftermath aftermath = tuner_->engine().aftermath();
   return archived(SavedOptions{options()}, engine(), world(), now_, sums_.hash, sums_.tally, thermostat_,
                   *user_data_, aftermath.merged, UnusedFlag(), counters(), aftermath.collapse);
+}
+
+std::string saved_simulation(const SavedOptions& options, EngineKind engine, const World& world,
+                             const Time& now, const ContactSums& sums, const Counters& counters,
+                             const CollapseGuard& collapse) {
+  return archived(options, engine, world, now, sums.hash, sums.tally, std::optional<Thermostat>(), UserData(),
+                  MergedSpheres(), UnusedFlag(), counters, collapse);
 }
 
 Simulation Simulation::load(std::string_view bytes, const std::string& where) {

@@ -194,6 +194,8 @@ class HARDBALL_EXPORT Simulation {
   /// Hash of all contacts so far, see EventLogHash.
   std::uint64_t event_log_hash() const { return sums_.hash.value(); }
   const Tally& tally() const { return sums_.tally; }
+  /// Both.
+  const ContactSums& sums() const { return sums_; }
   /// The engine in use, never `automatic`.
   EngineKind engine() const;
   /// Edges of a cell along each axis [L], a corner of one lying at the origin; zero if the engine has no

@@ -33,12 +33,12 @@ Tuner::Tuner(const EngineOptions& options, EngineKind kind, const Counters& coun
 }
 
 void Tuner::prepare(World& world, const Time& now) {
-  kind_ = choose_engine(world, options_, now, kind_);
+  kind_ = choose_engine(world, gas_statistics(world, now), options_, now, kind_);
   put_in_order(world, kind_, now);
 }
 
 void Tuner::start(World world, const Time& now, const Progress& progress) {
-  const double length = choose_length(world, kind_, options_, now);
+  const double length = choose_length(world, gas_statistics(world, now), kind_, options_, now);
   engine_ = make_engine(std::move(world), kind_, options_, length, now, progress);
   note_choice(length, now);
   const Counters done = counters();
@@ -84,10 +84,10 @@ void Tuner::review_if_due(const Time& now) {
   const bool is_by_class = kind_ == EngineKind::cells && are_sizes_spread(statistics);
   if (!are_alike(statistics, reviewed_)) {
     reviewed_ = statistics;
-    if (choose_engine(world, options_, moment, kind_) != kind_) return rebuild(moment);
+    if (choose_engine(world, statistics, options_, moment, kind_) != kind_) return rebuild(moment);
     if (is_by_class && !options_.cell_edge) {
       constexpr double kEnough = 1.25;
-      const double best = choose_length(world, kind_, options_, moment);
+      const double best = choose_length(world, statistics, kind_, options_, moment);
       if (std::max(best / watch_.edge(), watch_.edge() / best) > kEnough) return rebuild(moment);
     }
   }
@@ -104,9 +104,11 @@ void Tuner::review_if_due(const Time& now) {
 
 void Tuner::rebuild(const Time& moment) {
   World& world = engine_->world_to_edit();
-  const EngineKind kind = choose_engine(world, options_, moment, kind_);
+  const GasStatistics statistics = gas_statistics(world, moment);
+  const EngineKind kind = choose_engine(world, statistics, options_, moment, kind_);
   // Spheres may have grown.
-  const double length = allowed_cell_edge(world, kind, choose_length(world, kind, options_, moment));
+  const double length =
+      allowed_cell_edge(world, kind, choose_length(world, statistics, kind, options_, moment));
   put_in_order(world, kind, moment);
   if (kind == kind_ && engine_->supports(length)) {
     engine_->rebuild(moment, length);
@@ -122,8 +124,10 @@ void Tuner::set_threads(std::size_t threads, const Time& now) {
   options_.division.reset();
   end_look_ahead(now);
   const Time moment = later(now, engine_->now());
+  const World& world = engine_->world();
+  const GasStatistics statistics = gas_statistics(world, moment);
   const double length =
-      allowed_cell_edge(engine_->world(), kind_, choose_length(engine_->world(), kind_, options_, moment));
+      allowed_cell_edge(world, kind_, choose_length(world, statistics, kind_, options_, moment));
   replace(kind_, length, moment);
   note_choice(length, moment);
 }

@@ -68,8 +68,17 @@ class RepeatedText {
 
 }  // namespace
 
-void append_extended_xyz(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendText& append) {
-  append(to_text(snapshot.spheres.size()) + "\n" + comment_line(snapshot));
+void append_extended_xyz(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append) {
+  append_extended_xyz_head(snapshot, snapshot.spheres.size(), frame, append);
+  append_extended_xyz_spheres(snapshot, append);
+}
+
+void append_extended_xyz_head(const Snapshot& head, std::size_t spheres, std::uint64_t /*frame*/,
+                              const AppendText& append) {
+  append(to_text(spheres) + "\n" + comment_line(head));
+}
+
+void append_extended_xyz_spheres(const Snapshot& snapshot, const AppendText& append) {
   std::string line;
   RepeatedText radius;
   RepeatedText mass;

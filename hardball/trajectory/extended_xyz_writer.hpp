@@ -14,5 +14,11 @@ namespace hardball {
 /// `unbounded=T`; in two dimensions it says `dimensions=2`. The columns `momenta` and `masses` are for ASE,
 /// which computes velocities from them; there kinematic spheres have the mass kLargestMagnitude.
 void append_extended_xyz(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
+void append_extended_xyz_head(const Snapshot& head, std::size_t spheres, std::uint64_t frame,
+                              const AppendText& append);
+void append_extended_xyz_spheres(const Snapshot& part, const AppendText& append);
+
+inline constexpr TextFrame kExtendedXyz{append_extended_xyz, append_extended_xyz_head,
+                                        append_extended_xyz_spheres};
 
 }  // namespace hardball

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "hardball/errors/export.hpp"
 #include "hardball/io/file_position.hpp"
+#include "hardball/memory/function.hpp"
 #include "hardball/trajectory/snapshot.hpp"
 
 namespace hardball {
@@ -25,6 +28,13 @@ struct TrajectoryPosition {
   }
 };
 
+/// A frame whose spheres come in parts, in the order of ids.
+struct FrameParts {
+  Snapshot head;                             ///< Without spheres.
+  std::size_t spheres = 0;                   ///< How many there are.
+  Function<std::optional<Snapshot>()> next;  ///< The next part; nothing at the end.
+};
+
 /// Writes the frames of a file, whatever its format. One that continues a file changes nothing in it
 /// before the first call.
 class HARDBALL_EXPORT FrameWriter {
@@ -34,6 +44,8 @@ class HARDBALL_EXPORT FrameWriter {
   /// Appends frame number `frame`, so that readers find it. Error (RunFailure): it cannot be written; the
   /// file then ends with the previous frame.
   virtual void append(const Snapshot& snapshot, std::uint64_t frame) = 0;
+  /// The same of a frame in parts. Error: the format needs all spheres at once.
+  virtual void append(const FrameParts& parts, std::uint64_t frame);
   /// Makes what tells readers of the frames complete, where that is not done with every frame. Error: as
   /// above.
   virtual void flush() {}

@@ -20,10 +20,10 @@ const char* boundary_of(const SnapshotBox& box, std::size_t axis) {
   return box.is_unbounded ? " ss" : " ff";
 }
 
-std::string header(const Snapshot& snapshot, std::uint64_t frame) {
+std::string header(const Snapshot& snapshot, std::size_t spheres, std::uint64_t frame) {
   const SnapshotBox box = box_of(snapshot);
-  std::string text = "ITEM: TIMESTEP\n" + to_text(frame) + "\nITEM: NUMBER OF ATOMS\n" +
-                     to_text(snapshot.spheres.size()) + "\nITEM: BOX BOUNDS";
+  std::string text = "ITEM: TIMESTEP\n" + to_text(frame) + "\nITEM: NUMBER OF ATOMS\n" + to_text(spheres) +
+                     "\nITEM: BOX BOUNDS";
   for (std::size_t axis = 0; axis < kAxes; ++axis) text += boundary_of(box, axis);
   text += '\n';
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -141,7 +141,16 @@ Snapshot read_frame(Lines& lines) {
 }  // namespace
 
 void append_lammps_dump(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append) {
-  append(header(snapshot, frame));
+  append_lammps_dump_head(snapshot, snapshot.spheres.size(), frame, append);
+  append_lammps_dump_spheres(snapshot, append);
+}
+
+void append_lammps_dump_head(const Snapshot& head, std::size_t spheres, std::uint64_t frame,
+                             const AppendText& append) {
+  append(header(head, spheres, frame));
+}
+
+void append_lammps_dump_spheres(const Snapshot& snapshot, const AppendText& append) {
   std::string line;
   for (std::size_t i = 0; i < snapshot.spheres.size(); ++i) {
     const Sphere& sphere = snapshot.spheres[i];

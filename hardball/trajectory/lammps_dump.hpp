@@ -12,6 +12,12 @@ namespace hardball {
 /// `omegax omegay omegaz moment`. The time step is the number of the frame: the readers that users have
 /// understand no time.
 void append_lammps_dump(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
+void append_lammps_dump_head(const Snapshot& head, std::size_t spheres, std::uint64_t frame,
+                             const AppendText& append);
+void append_lammps_dump_spheres(const Snapshot& part, const AppendText& append);
+
+inline constexpr TextFrame kLammpsDump{append_lammps_dump, append_lammps_dump_head,
+                                       append_lammps_dump_spheres};
 
 /// LAMMPS dumps in text, also those with ITEM: TIME. The columns `x y z vx vy vz` and `radius` or `diameter`
 /// are required. Error, located by file:line:column: a column is missing, the box is triclinic, a value is

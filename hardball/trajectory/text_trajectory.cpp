@@ -8,20 +8,33 @@
 
 namespace hardball {
 
-TextTrajectory::TextTrajectory(std::filesystem::path path, AppendFrame append_frame, bool is_compressed,
+TextTrajectory::TextTrajectory(std::filesystem::path path, const TextFrame& text, bool is_compressed,
                                const std::optional<TrajectoryPosition>& position)
     : file_(position ? OutputFile(std::move(path), position->file) : OutputFile(std::move(path))),
-      append_frame_(append_frame),
+      text_(text),
       compressor_(is_compressed ? std::make_unique<ZstdCompressor>() : nullptr) {}
 
 TextTrajectory::~TextTrajectory() = default;
 
 void TextTrajectory::append(const Snapshot& snapshot, std::uint64_t frame) {
+  append_frame([&](const AppendText& append) { text_.whole(snapshot, frame, append); });
+}
+
+void TextTrajectory::append(const FrameParts& parts, std::uint64_t frame) {
+  if (!text_.spheres) return FrameWriter::append(parts, frame);
+  append_frame([&](const AppendText& append) {
+    text_.head(parts.head, parts.spheres, frame, append);
+    while (const std::optional<Snapshot> part = parts.next()) text_.spheres(*part, append);
+  });
+}
+
+template <class Write>
+void TextTrajectory::append_frame(Write&& write) {
   const AppendText to_file = [&](std::string_view text) { file_.append(text); };
   if (!compressor_) {
-    append_frame_(snapshot, frame, to_file);
+    write(to_file);
   } else {
-    append_frame_(snapshot, frame, [&](std::string_view text) { compressor_->append(text, to_file); });
+    write([&](std::string_view text) { compressor_->append(text, to_file); });
     compressor_->end(to_file);
   }
   file_.flush_complete();

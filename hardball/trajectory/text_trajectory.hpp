@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -20,23 +21,40 @@ class ZstdCompressor;
 using AppendText = std::function<void(std::string_view)>;
 /// Passes on the bytes of a frame.
 using AppendFrame = void (*)(const Snapshot& snapshot, std::uint64_t frame, const AppendText& append);
+/// Passes on what stands before the spheres of a frame, so many; those of `head` do not matter.
+using AppendHead = void (*)(const Snapshot& head, std::size_t spheres, std::uint64_t frame,
+                            const AppendText& append);
+/// Passes on some of the spheres of a frame.
+using AppendSpheres = void (*)(const Snapshot& part, const AppendText& append);
+
+/// How a frame is written: as a whole or, where there are functions for that, in parts.
+struct TextFrame {
+  AppendFrame whole = nullptr;
+  AppendHead head = nullptr;
+  AppendSpheres spheres = nullptr;
+};
 
 /// A file in which frames follow each other, each in one piece, plain or compressed by zstd. Compressed
 /// frames do not depend on each other, so that the file can be cut after any.
 class TextTrajectory final : public FrameWriter {
  public:
   /// Creates the file, or continues from a position. Error: see OutputFile.
-  TextTrajectory(std::filesystem::path path, AppendFrame append_frame, bool is_compressed,
+  TextTrajectory(std::filesystem::path path, const TextFrame& text, bool is_compressed,
                  const std::optional<TrajectoryPosition>& position = {});
   ~TextTrajectory() override;
 
   void append(const Snapshot& snapshot, std::uint64_t frame) override;
+  void append(const FrameParts& parts, std::uint64_t frame) override;
   TrajectoryPosition position() override { return {.file = file_.position()}; }
   void close() override { file_.close(); }
 
  private:
+  // Calls write(append) with a function that appends to the file.
+  template <class Write>
+  void append_frame(Write&& write);
+
   OutputFile file_;
-  AppendFrame append_frame_;
+  TextFrame text_;
   std::unique_ptr<ZstdCompressor> compressor_;  // if it is compressed
 };
 

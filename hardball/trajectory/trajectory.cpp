@@ -19,26 +19,26 @@ namespace {
 
 std::unique_ptr<FrameWriter> make_writer(const std::filesystem::path& path, SnapshotFormat format,
                                          const std::optional<TrajectoryPosition>& position) {
-  const auto text = [&](AppendFrame append_frame, bool is_compressed = false) {
-    return std::make_unique<TextTrajectory>(path, append_frame, is_compressed, position);
+  const auto text = [&](const TextFrame& frame, bool is_compressed = false) {
+    return std::make_unique<TextTrajectory>(path, frame, is_compressed, position);
   };
   switch (format) {
     case SnapshotFormat::extended_xyz:
-      return text(append_extended_xyz);
+      return text(kExtendedXyz);
     case SnapshotFormat::extended_xyz_zst:
-      return text(append_extended_xyz, true);
+      return text(kExtendedXyz, true);
     case SnapshotFormat::gsd:
       return std::make_unique<GsdTrajectory>(path, position);
     case SnapshotFormat::lammps:
-      return text(append_lammps_dump);
+      return text(kLammpsDump);
     case SnapshotFormat::vtp:
       return std::make_unique<VtpTrajectory>(path, position);
     case SnapshotFormat::csv:
-      return text(append_csv);
+      return text({.whole = append_csv});
     case SnapshotFormat::npy:
-      return text(append_npy);
+      return text({.whole = append_npy});
     case SnapshotFormat::sph:
-      return text(append_sph);
+      return text({.whole = append_sph});
   }
   return nullptr;
 }
@@ -58,6 +58,12 @@ void Trajectory::append(const World& world, const Time& moment) {
 void Trajectory::append(const Snapshot& snapshot) {
   HARDBALL_CHECK(frames_ == 0 || !has_single_frame(format_));
   writer_->append(snapshot, frames_);
+  ++frames_;
+}
+
+void Trajectory::append(const FrameParts& parts) {
+  HARDBALL_CHECK(frames_ == 0 || !has_single_frame(format_));
+  writer_->append(parts, frames_);
   ++frames_;
 }
 

@@ -30,6 +30,8 @@ class HARDBALL_EXPORT Trajectory {
   /// single frame has none yet. Cost: O(n). Error (RunFailure): it cannot be written.
   void append(const World& world, const Time& moment);
   void append(const Snapshot& snapshot);
+  /// Appends a frame whose spheres come in parts. Error: as above; the format needs all spheres at once.
+  void append(const FrameParts& parts);
 
   /// Hands to the operating system what readers need to find all frames. Error (RunFailure): it cannot be
   /// written.

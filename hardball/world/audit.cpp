@@ -91,7 +91,10 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
 }
 
 void require_no_overlap(const World& world, const Time& moment, const Progress& progress) {
-  const Audit found = audit(world, moment, progress);
+  require_sound(audit(world, moment, progress), moment);
+}
+
+void require_sound(const Audit& found, const Time& moment) {
   HARDBALL_CHECK(found.not_finite == 0);
   if (found.max_escape > kOverlapTolerance) {
     throw Error("at time " + to_text(moment.value()) + " sphere " + to_text(found.escaped) +

@@ -35,6 +35,9 @@ struct Audit {
 /// Finds overlaps, escapes and numbers that are not finite, without the broad phases. Cost: O(n log n).
 HARDBALL_EXPORT Audit audit(const World& world, const Time& moment, const Progress& progress = {});
 
+/// Refuses an unsound start, of which this was found at `moment`. Error: names the worst pair, or the sphere.
+HARDBALL_EXPORT void require_sound(const Audit& found, const Time& moment);
+
 /// Refuses an unsound start: spheres that overlap or reach through a wall by more than kOverlapTolerance at
 /// `moment`. Error: names the worst pair, or the sphere.
 HARDBALL_EXPORT void require_no_overlap(const World& world, const Time& moment,

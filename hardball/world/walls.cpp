@@ -170,7 +170,11 @@ double accessible_volume(const World& world) {
 }
 
 double packing_fraction(const World& world) {
-  const double fraction = world.sphere_volume() / accessible_volume(world);
+  return packing_fraction(world, world.sphere_volume());
+}
+
+double packing_fraction(const World& world, double sphere_volume) {
+  const double fraction = sphere_volume / accessible_volume(world);
   return fraction > 0 ? fraction : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -64,6 +64,8 @@ HARDBALL_EXPORT double accessible_volume(const World& world);
 
 /// The volume of the spheres over the accessible volume [1]; NaN in unbounded space, and without spheres.
 HARDBALL_EXPORT double packing_fraction(const World& world);
+/// The same for spheres of this volume [L^3]; the world may be without them.
+HARDBALL_EXPORT double packing_fraction(const World& world, double sphere_volume);
 
 /// The displacement of the image of a surface nearest to `position`, in a periodic box [L]; zero if the
 /// surface has none.

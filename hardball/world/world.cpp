@@ -3,6 +3,7 @@
 #include "hardball/world/world.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -10,6 +11,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/numbers/exact_sum.hpp"
 #include "hardball/world/setting.hpp"
 #include "hardball/world/sphere_edit.hpp"
 
@@ -274,35 +276,37 @@ Image World::image(Slot slot, const Time& moment) const {
 }
 
 double World::kinetic_energy(const Time& moment) const {
-  double energy = 0;
-  for_each_by_id([&](Slot slot) { energy += hardball::kinetic_energy(*this, slot, moment); });
-  return energy;
+  ExactSum energy;
+  for (Slot slot = 0; slot < size(); ++slot) energy += hardball::kinetic_energy(*this, slot, moment);
+  return energy.value();
 }
 
 double World::rotational_energy() const {
-  double energy = 0;
-  if (has_spins()) for_each_by_id([&](Slot slot) { energy += hardball::rotational_energy(*this, slot); });
-  return energy;
+  if (!has_spins()) return 0;
+  ExactSum energy;
+  for (Slot slot = 0; slot < size(); ++slot) energy += hardball::rotational_energy(*this, slot);
+  return energy.value();
 }
 
 double World::energy(const Time& moment) const {
-  double energy = 0;
-  for_each_by_id([&](Slot slot) { energy += hardball::energy(*this, slot, moment); });
-  return energy;
+  ExactSum energy;
+  for (Slot slot = 0; slot < size(); ++slot) energy += hardball::energy(*this, slot, moment);
+  return energy.value();
 }
 
 Vec3 World::momentum(const Time& moment) const {
-  Vec3 momentum;
-  for_each_by_id([&](Slot slot) {
-    if (!is_kinematic(slot)) momentum += masses_[slot] * velocity(slot, moment);
-  });
-  return momentum;
+  std::array<ExactSum, kAxes> sums;
+  for (Slot slot = 0; slot < size(); ++slot) {
+    const Vec3 momentum = hardball::momentum(*this, slot, moment);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) sums[axis] += momentum[axis];
+  }
+  return {sums[0].value(), sums[1].value(), sums[2].value()};
 }
 
 double World::sphere_volume() const {
-  double volume = 0;
-  for_each_by_id([&](Slot slot) { volume += box_.sphere_volume(radii_[slot]); });
-  return volume;
+  ExactSum volume;
+  for (Slot slot = 0; slot < size(); ++slot) volume += box_.sphere_volume(radii_[slot]);
+  return volume.value();
 }
 
 double World::largest_radius() const {

@@ -179,7 +179,8 @@ class HARDBALL_EXPORT World {
   /// as for position().
   Image image(Slot slot, const Time& moment) const;
 
-  /// Sum of m v^2 / 2 at `moment` [M L^2 T^-2]; these sums exclude kinematic spheres. Cost: O(n).
+  /// Sum of m v^2 / 2 at `moment` [M L^2 T^-2]. These sums exclude kinematic spheres, and are exact until
+  /// they are rounded, so that the order of spheres does not matter. Cost: O(n).
   double kinetic_energy(const Time& moment) const;
   /// Sum of I w^2 / 2, with the spin w [M L^2 T^-2]. Cost: O(n).
   double rotational_energy() const;
@@ -266,6 +267,11 @@ inline double kinetic_energy(const World& world, Slot slot, const Time& moment) 
   if (world.is_kinematic(slot)) return 0;
   const Vec3 velocity = world.velocity(slot, moment);
   return world.mass(slot) * dot(velocity, velocity) / 2;
+}
+
+/// m v of one sphere at `moment` [M L/T]; zero of a kinematic one.
+inline Vec3 momentum(const World& world, Slot slot, const Time& moment) {
+  return world.is_kinematic(slot) ? Vec3{} : world.mass(slot) * world.velocity(slot, moment);
 }
 
 /// I w^2 / 2 of one sphere [M L^2 T^-2]; zero of a kinematic one.

@@ -41,8 +41,9 @@ class EditedEngine {
   EditedEngine(const RandomWorld& made, const EngineOptions& options, std::uint64_t seed)
       : options_(options), seed_(seed), until_(made.until) {
     World world = made.world;
-    kind_ = choose_engine(world, options_, Time(0));
-    length_ = choose_length(world, kind_, options_, Time(0));
+    const GasStatistics statistics = gas_statistics(world, Time(0));
+    kind_ = choose_engine(world, statistics, options_, Time(0));
+    length_ = choose_length(world, statistics, kind_, options_, Time(0));
     engine_ = make_engine(std::move(world), kind_, options_, length_, Time(0));
     engine_->begin_journal(Time(0));
     sums_.tally.begin(this->world(), Time(0));
@@ -93,8 +94,9 @@ class EditedEngine {
   void rebuild_if_outdated() {
     if (!engine_->is_outdated()) return;
     const Time now = engine_->now();
-    kind_ = choose_engine(world(), options_, now, kind_);
-    length_ = allowed_cell_edge(world(), kind_, choose_length(world(), kind_, options_, now));
+    const GasStatistics statistics = gas_statistics(world(), now);
+    kind_ = choose_engine(world(), statistics, options_, now, kind_);
+    length_ = allowed_cell_edge(world(), kind_, choose_length(world(), statistics, kind_, options_, now));
     was_replaced_ = true;
     engine_ = make_engine(std::move(engine_->world_to_edit()), kind_, options_, length_, now);
   }

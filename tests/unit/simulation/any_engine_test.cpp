@@ -33,6 +33,11 @@ std::unique_ptr<AnyEngine> make(const World& world, EngineKind kind, double leng
   return make_engine(world, kind, {}, length, Time(0));
 }
 
+EngineKind choose(const World& world, const EngineOptions& options = {},
+                  EngineKind current = EngineKind::automatic) {
+  return choose_engine(world, gas_statistics(world, Time(0)), options, Time(0), current);
+}
+
 TEST(AnyEngine, ReportsTheLengthsThatItHas) {
   const World world = gas(0.1);
   const PhaseLengths cells = make(world, EngineKind::cells, 2)->lengths();
@@ -75,18 +80,18 @@ TEST(AnyEngine, KnowsForWhichLengthsItWouldBeMade) {
 }
 
 TEST(AnyEngine, IsTheOneThatCostsLeast) {
-  EXPECT_EQ(choose_engine(gas(0.01), {}, Time(0)), EngineKind::cells);
-  EXPECT_EQ(choose_engine(gas(0.35), {}, Time(0)), EngineKind::neighbors);
-  EXPECT_EQ(choose_engine(gas(0.35), {.cell_edge = 2}, Time(0)), EngineKind::cells);
+  EXPECT_EQ(choose(gas(0.01)), EngineKind::cells);
+  EXPECT_EQ(choose(gas(0.35)), EngineKind::neighbors);
+  EXPECT_EQ(choose(gas(0.35), {.cell_edge = 2}), EngineKind::cells);
   for (const double packing_fraction : {0.1, 0.15, 0.2, 0.22, 0.25, 0.3}) {
     const World world = gas(packing_fraction);
     const GasStatistics statistics = gas_statistics(world, Time(0));
     const double cells = best_cell_edge(statistics, {}).cost;
     const double lists = best_skin(statistics, {}).cost;
-    EXPECT_EQ(choose_engine(world, {}, Time(0)), lists < cells ? EngineKind::neighbors : EngineKind::cells);
-    EXPECT_EQ(choose_engine(world, {}, Time(0), EngineKind::cells),
+    EXPECT_EQ(choose(world), lists < cells ? EngineKind::neighbors : EngineKind::cells);
+    EXPECT_EQ(choose(world, {}, EngineKind::cells),
               lists < 0.9 * cells ? EngineKind::neighbors : EngineKind::cells);
-    EXPECT_EQ(choose_engine(world, {}, Time(0), EngineKind::neighbors),
+    EXPECT_EQ(choose(world, {}, EngineKind::neighbors),
               cells < 0.9 * lists ? EngineKind::cells : EngineKind::neighbors);
   }
 }
@@ -95,16 +100,16 @@ TEST(AnyEngine, StaysWhereNothingMoves) {
   World world(Box::periodic({40, 40, 40}));
   for (int i = 0; i < 10; ++i) world.add({{3.0 + 3 * i, 5, 5}, {}, 0.5, 1});
   for (const EngineKind kind : {EngineKind::cells, EngineKind::neighbors}) {
-    EXPECT_EQ(choose_engine(world, {}, Time(0), kind), kind);
+    EXPECT_EQ(choose(world, {}, kind), kind);
   }
 }
 
 TEST(AnyEngine, HasTheBestLengthOfItsKind) {
   const World world = gas(0.1);
   const GasStatistics statistics = gas_statistics(world, Time(0));
-  EXPECT_EQ(choose_length(world, EngineKind::cells, {}, Time(0)), optimal_cell_edge(statistics));
-  EXPECT_EQ(choose_length(world, EngineKind::neighbors, {}, Time(0)), optimal_skin(statistics));
-  EXPECT_GE(choose_length(world, EngineKind::paper, {}, Time(0)), 2 * world.largest_radius());
+  EXPECT_EQ(choose_length(world, statistics, EngineKind::cells, {}, Time(0)), optimal_cell_edge(statistics));
+  EXPECT_EQ(choose_length(world, statistics, EngineKind::neighbors, {}, Time(0)), optimal_skin(statistics));
+  EXPECT_GE(choose_length(world, statistics, EngineKind::paper, {}, Time(0)), 2 * world.largest_radius());
   for (const EngineKind kind : {EngineKind::cells, EngineKind::paper}) {
     EXPECT_EQ(choose_length(world, kind, {.cell_edge = 7}, Time(0)), 7);
   }
@@ -115,7 +120,7 @@ TEST(AnyEngine, HasTheBestLengthOfItsKind) {
 
 TEST(AnyEngine, RefusesThePapersAlgorithmForCurvedPaths) {
   const World world(Box::open(), {0, 0, -1});
-  EXPECT_THROW(choose_engine(world, {.engine = EngineKind::paper}, Time(0)), Error);
+  EXPECT_THROW(choose(world, {.engine = EngineKind::paper}), Error);
 }
 
 }  // namespace

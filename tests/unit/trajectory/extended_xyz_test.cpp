@@ -77,7 +77,7 @@ TEST(AppendSnapshot, WritesAWorldWithoutSpheres) {
 
 TEST(AppendSnapshot, CutsAnIncompleteFrameOff) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
-  TextTrajectory file("/dev/full", append_extended_xyz, false);
+  TextTrajectory file("/dev/full", kExtendedXyz, false);
   EXPECT_THROW(file.append(snapshot_of(World(), Time(0)), 0), RunFailure);
 }
 

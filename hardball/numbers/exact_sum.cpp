@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/measure/exact_sum.hpp"
+#include "hardball/numbers/exact_sum.hpp"
 
 #include <algorithm>
 #include <cmath>

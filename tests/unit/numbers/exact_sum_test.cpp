@@ -15,7 +15,7 @@
 
 #include "hardball/archive/archive.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/measure/exact_sum.hpp"
+#include "hardball/numbers/exact_sum.hpp"
 #include "hardball/numbers/random.hpp"
 #include "support/effort.hpp"
 

@@ -1,0 +1,342 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// A run in several processes.
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/cli/commands.hpp"
+#include "apps/cli/interruption.hpp"
+#include "apps/cli/progress.hpp"
+#include "apps/cli/run_files.hpp"
+#include "apps/cli/start.hpp"
+#include "apps/cli/started_run.hpp"
+#include "apps/cli/summary.hpp"
+#include "apps/cli/terminal.hpp"
+#include "hardball/archive/archive.hpp"
+#include "hardball/distributed/blocks_in_first.hpp"
+#include "hardball/distributed/distributed_checkpoint.hpp"
+#include "hardball/distributed/distributed_simulation.hpp"
+#include "hardball/distributed/in_all.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/scenario/make_world.hpp"
+
+namespace hardball::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// The scenario without the measures and the report that a run has unless it says otherwise. Error: it asks
+// for what processes cannot share.
+Scenario shared(Scenario scenario) {
+  constexpr const char* kRemedy = "leave it out, or run it in one process";
+  if (scenario.thermostat) throw Error("processes cannot share a thermostat", scenario.name, kRemedy);
+  if (scenario.recording) throw Error("processes cannot share a recording", scenario.name, kRemedy);
+  const std::vector<std::string> by_default = MeasureSettings().names;
+  if (!scenario.measures.names.empty() && scenario.measures.names != by_default)
+    throw Error("processes cannot share measures", scenario.name, kRemedy);
+  for (const SnapshotFormat format : scenario.trajectories) {
+    if (format == SnapshotFormat::extended_xyz || format == SnapshotFormat::extended_xyz_zst ||
+        format == SnapshotFormat::lammps)
+      continue;
+    throw Error("processes cannot write this format of snapshots", scenario.name,
+                "choose extended XYZ or a LAMMPS dump");
+  }
+  scenario.measures.names.clear();
+  scenario.report = false;
+  return scenario;
+}
+
+std::size_t threads_of(const Options& options) {
+  if (options.threads != "auto") return read_threads(options);
+  return 1;
+}
+
+// What a checkpoint holds, of one process or of several.
+DistributedSimulation loaded(CheckpointReader& checkpoint, const std::filesystem::path& path,
+                             std::size_t threads, Processes& processes) {
+  if (std::ranges::count(checkpoint.names(), kDistributedSection) == 0) {
+    std::optional<Simulation> whole;
+    in_all(processes, [&] { whole = Simulation::load(checkpoint.section("simulation"), path.string()); });
+    return DistributedSimulation::of(processes, *whole, threads);
+  }
+  std::string state;
+  std::vector<std::string> blocks;
+  in_all(processes, [&] {
+    state = checkpoint.section(kDistributedSection);
+    blocks = read_blocks(checkpoint, processes.rank(), processes.size());
+  });
+  return DistributedSimulation::load(processes, state, blocks, threads, path.string());
+}
+
+// A run between its start, or a checkpoint, and its end. Files are in the first process alone.
+class DistributedRun {
+ public:
+  DistributedRun(const Options& options, Scenario scenario, DistributedSimulation simulation)
+      : options_(options),
+        scenario_(std::move(scenario)),
+        simulation_(std::move(simulation)),
+        processes_(simulation_.processes()) {
+    std::ranges::sort(scenario_.checkpoint_at);
+  }
+
+  // Opens the files of a new run, in this directory if there is one.
+  void begin_files(const std::optional<std::filesystem::path>& directory) {
+    if (!directory) return;
+    directory_ = *directory;
+    in_first(processes_, [&] { files_.emplace(*directory_, scenario_, nullptr, options_.overwrite); });
+  }
+  // Continues the files of a checkpoint.
+  void continue_files(const std::filesystem::path& directory, const FilesState& state,
+                      std::uint64_t next_snapshot) {
+    directory_ = directory;
+    next_snapshot_ = next_snapshot;
+    in_first(processes_, [&] { files_.emplace(*directory_, scenario_, state); });
+  }
+
+  // To the end. `seconds`: those so far.
+  ExitCode carry_out(const Seconds& seconds) {
+    seconds_ = seconds;
+    seconds_before_ = seconds.run;
+    kept_ = simulation_.time();
+    begin_ = last_checkpoint_ = Clock::now();
+    progress_.emplace(processes_.is_first() && !options_.quiet, *scenario_.until);
+    if (directory_ && !has_checkpoint()) write_checkpoint(*directory_ / kCheckpoint);
+    const bool is_complete = run_to_end();
+    seconds_.run = seconds_before_ + seconds_since(begin_);
+    if (directory_) write_checkpoint(*directory_ / kCheckpoint);
+    progress_.reset();
+    finish(is_complete);
+    return is_complete ? ExitCode::done : ExitCode::failed;
+  }
+
+ private:
+  bool run_to_end() {
+    const double until = *scenario_.until;
+    for (;;) {
+      const double snapshot =
+          has_snapshots() ? scenario_.snapshots.time(next_snapshot_, until) : SnapshotSchedule::kNoTime;
+      const double checkpoint = next_kept_checkpoint();
+      const double next = std::min({snapshot, checkpoint, until});
+      const std::uint64_t contacts =
+          has_snapshots() ? scenario_.snapshots.contacts(next_snapshot_) : SnapshotSchedule::kNoContacts;
+      const RunStatus status = run_to(next, contacts);
+      if (status == RunStatus::stopped) return false;
+      const bool has_counted = status == RunStatus::contacts_reached;
+      if (snapshot <= next || has_counted) {
+        write_snapshot();
+        ++next_snapshot_;
+      }
+      if (has_counted) continue;
+      if (checkpoint <= next) keep_checkpoint(next);
+      const bool is_over = !has_snapshots() || !(scenario_.snapshots.time(next_snapshot_, until) <= until);
+      if (next == until && is_over) return true;
+    }
+  }
+
+  RunStatus run_to(double time, std::uint64_t contacts) {
+    for (;;) {
+      if (says_first(is_checkpoint_due())) write_checkpoint(*directory_ / kCheckpoint);
+      bool has_advanced = false;
+      // Of what the first process sees, the others learn from the status.
+      const auto stop = [&] {
+        if (files_) files_->keep_current();
+        progress_->show(std::max(simulation_.time(), reached_), collisions_);
+        return is_interrupted() || (std::exchange(has_advanced, true) && is_checkpoint_due());
+      };
+      const RunLimits limits{
+          .until = Time(time), .contacts = contacts - simulation_.counters().contacts(), .stop = stop};
+      const RunStatus status =
+          simulation_.run(limits, scenario_.event_log && directory_.has_value(), [&](const Contact& contact) {
+            reached_ = contact.time.value();
+            files_->note(contact, simulation_.empty_world());
+          });
+      collisions_ = simulation_.counters().collision;
+      if (status != RunStatus::stopped || says_first(is_interrupted())) return status;
+    }
+  }
+
+  bool has_snapshots() const { return directory_ && !scenario_.trajectories.empty(); }
+  bool is_checkpoint_due() const {
+    return files_ && seconds_since(last_checkpoint_) >= scenario_.checkpoint_every;
+  }
+  bool says_first(bool own) { return processes_.gather(own ? 1 : 0).front() == 1; }
+  bool has_checkpoint() { return says_first(std::filesystem::exists(*directory_ / kCheckpoint)); }
+
+  double next_kept_checkpoint() const {
+    const std::vector<double>& times = scenario_.checkpoint_at;
+    const auto next = std::ranges::upper_bound(times, kept_);
+    return directory_ && next != times.end() ? *next : std::numeric_limits<double>::infinity();
+  }
+
+  void keep_checkpoint(double time) {
+    kept_ = time;
+    std::filesystem::path path;
+    in_first(processes_, [&] { path = kept_checkpoint(*directory_, time); });
+    path = *directory_ / kKeptCheckpoints / (to_text(time) + kCheckpointEnding);
+    write_checkpoint(path);
+    write_checkpoint(*directory_ / kCheckpoint);
+  }
+
+  void write_checkpoint(const std::filesystem::path& path) {
+    seconds_.run = seconds_before_ + seconds_since(begin_);
+    std::vector<CheckpointSection> sections;
+    // Files first: what they lack when the machine stops, no checkpoint refers to.
+    in_first(processes_, [&] {
+      const FilesState files = files_->save();
+      sections = {
+          {"run", archived(RunState{options_, scenario_.text, scenario_.name, next_snapshot_, seconds_})},
+          {"files", archived(files)},
+          {"measures", archived(Measures(scenario_.measures))}};
+    });
+    write_distributed_checkpoint(simulation_, path, sections);
+    last_checkpoint_ = Clock::now();
+  }
+
+  // The first process writes what it gets from the others block by block.
+  void write_snapshot() {
+    const Snapshot head = head_of_snapshot();
+    const std::vector<std::vector<Traveler>> own = simulation_.own_blocks();
+    for (std::size_t k = 0; k < scenario_.trajectories.size(); ++k) {
+      BlocksInFirst blocks(simulation_, own);
+      const auto next = [&]() -> std::optional<Snapshot> {
+        const std::optional<std::vector<Traveler>> block = blocks.next();
+        if (!block) return std::nullopt;
+        World world = simulation_.empty_world();
+        for (const Traveler& traveler : *block) world.insert(traveler.state);
+        Snapshot part = snapshot_of(world, simulation_.now());
+        part.has_spins = head.has_spins;
+        return part;
+      };
+      in_all(processes_, [&] {
+        try {
+          if (files_) files_->write_snapshot(k, {head, simulation_.size(), next});
+        } catch (const RunFailure&) {
+          blocks.complete();
+          throw;
+        }
+        blocks.complete();
+      });
+    }
+  }
+
+  // All but the spheres.
+  Snapshot head_of_snapshot() {
+    Snapshot head = snapshot_of(simulation_.empty_world(), simulation_.now());
+    head.has_spins = simulation_.has_spins();
+    const Extent extent = simulation_.extent();
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (simulation_.box().is_bounded(axis)) continue;
+      head.box->low[axis] = extent.low[axis];
+      head.box->size[axis] = extent.high[axis] - extent.low[axis];
+    }
+    return head;
+  }
+
+  void finish(bool is_complete) {
+    const Totals totals = simulation_.totals();
+    std::vector<std::size_t> species_counts = simulation_.species_counts();
+    species_counts.resize(scenario_.species.size());
+    const FinalState state{.world = simulation_.empty_world(),
+                           .spheres = simulation_.size(),
+                           .now = simulation_.now(),
+                           .counters = simulation_.counters(),
+                           .sums = simulation_.sums(),
+                           .totals = totals,
+                           .has_spins = simulation_.has_spins(),
+                           .audit = simulation_.audit(),
+                           .species_counts = species_counts,
+                           .thermostat = {},
+                           .engine = simulation_.engine(),
+                           .cell_edge = simulation_.cell_edge(),
+                           .memory_bytes = simulation_.memory_bytes()};
+    in_first(processes_, [&] {
+      const Summary summary(scenario_, options_.overrides, state, seconds_);
+      const std::string json = summary.json();
+      if (files_) files_->finish(simulation_.time(), {}, json, "");
+      write_output(options_.json ? json : summary.table());
+      if (is_complete) return;
+      write_message("interrupted at time " + to_text(simulation_.time()) + " of " +
+                    to_text(*scenario_.until) +
+                    (files_ ? "; 'hardball resume " + directory_->string() + "' resumes it" : ""));
+    });
+  }
+
+  Options options_;
+  Scenario scenario_;
+  DistributedSimulation simulation_;
+  Processes& processes_;
+  std::optional<std::filesystem::path> directory_;
+  std::optional<RunFiles> files_;
+  std::uint64_t next_snapshot_ = 0;
+  Seconds seconds_;
+  double seconds_before_ = 0;
+  double kept_ = 0;
+  double reached_ = 0;  // by the contacts observed [T]
+  std::uint64_t collisions_ = 0;
+  std::optional<Progress> progress_;
+  Clock::time_point begin_;
+  Clock::time_point last_checkpoint_;
+};
+
+}  // namespace
+
+ExitCode run_distributed(const Options& options, Processes& processes) {
+  const Clock::time_point begin = Clock::now();
+  catch_signals();
+  Scenario scenario = shared(read_scenario(options));
+  std::optional<DistributedRun> run;
+  {
+    SetUpProgress progress(processes.is_first() && !options.quiet);
+    const World world = make_world(scenario, progress.part(0, 1));
+    EngineOptions engine_options = read_engine_options(options, scenario, world);
+    engine_options.threads = threads_of(options);
+    run.emplace(options, scenario, DistributedSimulation::of(processes, world, engine_options));
+  }
+  std::optional<std::filesystem::path> directory = scenario.output_directory;
+  if (options.out) directory = *options.out;
+  run->begin_files(directory);
+  return run->carry_out({.setup = seconds_since(begin)});
+}
+
+ExitCode resume_distributed(const Options& options, Processes& processes) {
+  const Clock::time_point begin = Clock::now();
+  catch_signals();
+  const std::filesystem::path directory = options.scenario;
+  const std::filesystem::path path = directory / options.checkpoint.value_or(kCheckpoint);
+  std::optional<CheckpointReader> checkpoint;
+  RunState state;
+  FilesState files;
+  in_all(processes, [&] {
+    checkpoint.emplace(path);
+    restore(checkpoint->section("run"), path.string(), state);
+    restore(checkpoint->section("files"), path.string(), files);
+  });
+  if (options.until) state.options.until = options.until;
+  state.options.json = options.json;
+  state.options.quiet = options.quiet;
+  const Scenario scenario =
+      shared(changed_by(state.options, parse_scenario(state.text, state.name, state.options.overrides)));
+  DistributedSimulation simulation = loaded(*checkpoint, path, threads_of(options), processes);
+  const double time = simulation.time();
+  if (*scenario.until < time || (*scenario.until == time && is_finished(directory))) {
+    throw Error("the run has reached time " + to_text(time), directory.string(),
+                "give a later end with --until");
+  }
+  DistributedRun run(state.options, scenario, std::move(simulation));
+  run.continue_files(directory, files, state.next_snapshot);
+  state.seconds.setup += seconds_since(begin);
+  return run.carry_out(state.seconds);
+}
+
+}  // namespace hardball::cli

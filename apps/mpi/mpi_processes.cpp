@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "apps/mpi/mpi_processes.hpp"
+
+// The C++ interface of MPI, which was removed from the standard, is not wanted.
+#define OMPI_SKIP_MPICXX 1
+#define MPICH_SKIP_MPICXX 1
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "hardball/errors/error.hpp"
+
+namespace hardball {
+namespace {
+
+// As many bytes as one message has at most: lengths are int.
+constexpr std::size_t kMessage = std::size_t{1} << 30;
+
+void require_success(int code, const char* what) {
+  if (code == MPI_SUCCESS) return;
+  throw RunFailure(std::string("MPI failed to ") + what);
+}
+
+// Messages between the same two processes arrive in the order in which they were sent.
+void start_messages(std::string& text, int peer, bool sends, std::vector<MPI_Request>& requests) {
+  for (std::size_t begin = 0; begin < text.size(); begin += kMessage) {
+    const auto length = static_cast<int>(std::min(kMessage, text.size() - begin));
+    MPI_Request& request = requests.emplace_back();
+    char* const data = text.data() + begin;
+    require_success(sends ? MPI_Isend(data, length, MPI_BYTE, peer, 1, MPI_COMM_WORLD, &request)
+                          : MPI_Irecv(data, length, MPI_BYTE, peer, 1, MPI_COMM_WORLD, &request),
+                    "exchange messages");
+  }
+}
+
+void wait_for(std::vector<MPI_Request>& requests) {
+  require_success(MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE),
+                  "exchange messages");
+  requests.clear();
+}
+
+}  // namespace
+
+bool MpiProcesses::are_several() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"}) {
+    const char* const value = std::getenv(name);
+    if (value && (std::string(name) == "PMIX_RANK" || std::atoi(value) > 1)) return true;
+  }
+  return false;
+}
+
+MpiProcesses::MpiProcesses() {
+  int provided = 0;
+  require_success(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided), "start");
+  int rank = 0;
+  int size = 1;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  rank_ = static_cast<std::size_t>(rank);
+  size_ = static_cast<std::size_t>(size);
+}
+
+MpiProcesses::~MpiProcesses() {
+  MPI_Finalize();
+}
+
+std::vector<std::string> MpiProcesses::exchange(std::span<const std::size_t> peers,
+                                                std::span<const std::string> outgoing) {
+  std::vector<std::uint64_t> sent_lengths(peers.size());
+  std::vector<std::uint64_t> lengths(peers.size());
+  std::vector<MPI_Request> requests;
+  for (std::size_t k = 0; k < peers.size(); ++k) {
+    const auto peer = static_cast<int>(peers[k]);
+    sent_lengths[k] = outgoing[k].size();
+    require_success(
+        MPI_Irecv(&lengths[k], 1, MPI_UINT64_T, peer, 0, MPI_COMM_WORLD, &requests.emplace_back()),
+        "exchange messages");
+    require_success(
+        MPI_Isend(&sent_lengths[k], 1, MPI_UINT64_T, peer, 0, MPI_COMM_WORLD, &requests.emplace_back()),
+        "exchange messages");
+  }
+  wait_for(requests);
+  std::vector<std::string> incoming(peers.size());
+  for (std::size_t k = 0; k < peers.size(); ++k) {
+    const auto peer = static_cast<int>(peers[k]);
+    incoming[k].resize(lengths[k]);
+    start_messages(incoming[k], peer, false, requests);
+    // MPI_Isend does not change what it sends.
+    start_messages(const_cast<std::string&>(outgoing[k]), peer, true, requests);
+  }
+  wait_for(requests);
+  return incoming;
+}
+
+void MpiProcesses::abort(int code) {
+  MPI_Abort(MPI_COMM_WORLD, code);
+  std::abort();
+}
+
+void MpiProcesses::gather_bytes(const void* own, std::size_t bytes, void* all) {
+  const auto length = static_cast<int>(bytes);
+  require_success(MPI_Allgather(own, length, MPI_BYTE, all, length, MPI_BYTE, MPI_COMM_WORLD), "gather");
+}
+
+}  // namespace hardball

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hardball/processes/processes.hpp"
+
+namespace hardball {
+
+/// The processes that mpirun has started. One object for the whole life of a program.
+class MpiProcesses final : public Processes {
+ public:
+  /// Whether several processes have been started: as the environment says, so that the program alone does
+  /// without MPI.
+  static bool are_several();
+
+  /// Joins the others. Threads of this process may run, but only the one that calls sends.
+  MpiProcesses();
+  MpiProcesses(const MpiProcesses&) = delete;
+  MpiProcesses& operator=(const MpiProcesses&) = delete;
+  /// Leaves when all do.
+  ~MpiProcesses() override;
+
+  std::size_t rank() const override { return rank_; }
+  std::size_t size() const override { return size_; }
+  std::vector<std::string> exchange(std::span<const std::size_t> peers,
+                                    std::span<const std::string> outgoing) override;
+  /// Ends all processes at once, with this exit code, as one cannot go on.
+  [[noreturn]] void abort(int code);
+
+ private:
+  void gather_bytes(const void* own, std::size_t bytes, void* all) override;
+
+  std::size_t rank_ = 0;
+  std::size_t size_ = 1;
+};
+
+}  // namespace hardball

@@ -1,0 +1,374 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/distributed/distributed_simulation.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "hardball/archive/archive.hpp"
+#include "hardball/broadphase/large_sphere_grid.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/geometry/range.hpp"
+#include "hardball/simulation/any_engine.hpp"
+#include "hardball/simulation/saved.hpp"
+#include "hardball/theory/gas_statistics.hpp"
+
+namespace hardball {
+namespace {
+
+// As archives have it.
+struct SavedTraveler {
+  Traveler traveler;
+
+  static void persist(auto& archive, auto& self) {
+    auto& state = self.traveler.state;
+    archive(state.id, state.path, state.radius, state.mass, state.inertia_factor, state.folded, state.spin,
+            state.species, self.traveler.idle_contacts);
+  }
+};
+
+// What travels as it lies in memory.
+template <class T>
+std::string bytes_of(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+template <class T>
+std::vector<T> gathered(Processes& processes, const std::vector<T>& own) {
+  std::vector<T> all;
+  for (const std::string& part : processes.gather(bytes_of(own))) {
+    const std::size_t before = all.size();
+    all.resize(before + part.size() / sizeof(T));
+    if (!part.empty()) std::memcpy(&all[before], part.data(), part.size());
+  }
+  return all;
+}
+
+// A small part of the spheres that has the whole range of radii, the same in all processes.
+World sample_of(Processes& processes, const World& empty, const std::vector<Traveler>& brought,
+                std::size_t spheres) {
+  constexpr std::size_t kSample = 1 << 14;
+  const std::size_t every = spheres / kSample + 1;
+  std::vector<Traveler> own;
+  for (const Traveler& traveler : brought) {
+    if (traveler.state.id % every == 0) own.push_back(traveler);
+  }
+  if (!brought.empty()) {
+    const auto [smallest, largest] =
+        std::ranges::minmax_element(brought, {}, [](const Traveler& each) { return each.state.radius; });
+    own.push_back(*smallest);
+    own.push_back(*largest);
+  }
+  World sample = empty;
+  for (const Traveler& traveler : gathered(processes, own)) {
+    if (!sample.contains(traveler.state.id)) sample.insert(traveler.state);
+  }
+  return sample;
+}
+
+// Contacts before the start do not count.
+void begin_paths(const World& empty, std::vector<Traveler>& brought, const Time& moment) {
+  for (Traveler& traveler : brought) {
+    if (!(traveler.state.path.time < moment)) continue;
+    World alone = empty;
+    const Slot slot = alone.insert(traveler.state);
+    alone.rewrite_path(slot, moment, alone.velocity(slot, moment));
+    traveler.state = alone.state_of(slot);
+  }
+}
+
+void check_can_be_distributed(const World& empty, const EngineOptions& options) {
+  constexpr const char* kRemedy = "run it in one process";
+  if (empty.interactions().function())
+    throw Error("processes cannot share a response that is a function", "processes", kRemedy);
+  if (empty.interactions().may_merge())
+    throw Error("processes cannot share spheres that merge", "processes", kRemedy);
+  if (options.engine == EngineKind::all_pairs || options.engine == EngineKind::paper) {
+    const auto kind = static_cast<std::size_t>(options.engine);
+    throw Error("the engine " + std::string(kEngineNames[kind]) + " has one process", "engine",
+                "use cells or neighbors, or run it in one process");
+  }
+}
+
+std::vector<Traveler> unarchived(const std::string& block, const std::string& where) {
+  std::vector<SavedTraveler> saved;
+  restore(block, where, saved);
+  std::vector<Traveler> travelers;
+  travelers.reserve(saved.size());
+  for (const SavedTraveler& each : saved) travelers.push_back(each.traveler);
+  return travelers;
+}
+
+}  // namespace
+
+// Where a simulation starts or continues.
+struct DistributedSimulation::State {
+  World empty = World(Box::open());
+  EngineKind kind = EngineKind::automatic;
+  std::optional<Time> now = {};  // none at the start
+  ContactSums sums = {};
+  Counters counters = {};
+
+  static void persist(auto& archive, auto& self) {
+    archive(self.empty, self.kind, self.now, self.sums.hash, self.sums.tally, self.counters);
+  }
+};
+
+DistributedSimulation::DistributedSimulation(Processes& processes, World empty, std::vector<Traveler> brought,
+                                             const EngineOptions& options)
+    : DistributedSimulation(processes, State{.empty = std::move(empty)}, std::move(brought), options) {}
+
+DistributedSimulation::DistributedSimulation(Processes& processes, State state, std::vector<Traveler> brought,
+                                             const EngineOptions& options)
+    : processes_(processes),
+      empty_(std::move(state.empty)),
+      options_(options),
+      counters_before_(state.counters) {
+  hardball::check(options);
+  check_can_be_distributed(empty_, options);
+  for (const std::size_t count : processes.gather(brought.size())) spheres_ += count;
+  Time latest = state.now.value_or(Time(0));
+  for (const Traveler& traveler : brought) {
+    next_id_ = std::max(next_id_, traveler.state.id + 1);
+    latest = later(latest, traveler.state.path.time);
+  }
+  next_id_ = std::ranges::max(processes.gather(next_id_));
+  for (const Time& other : processes.gather(latest)) latest = later(latest, other);
+  now_ = latest;
+  if (!state.now) begin_paths(empty_, brought, now_);
+  const World sample = sample_of(processes, empty_, brought, spheres_);
+  GasStatistics statistics = gas_statistics(sample, now_);
+  statistics.spheres = spheres_;
+  kind_ = choose_engine(sample, statistics, options, now_, state.kind);
+  const double length = choose_length(sample, statistics, kind_, options, now_);
+  const std::size_t threads = std::max<std::size_t>(options.threads, 1);
+  const Division division = options.division.value_or(Division{.domains = threads, .threads = threads});
+  const bool has_large = kind_ == EngineKind::cells && LargeSphereGrid::supports(sample, length);
+  engine_ = make_distributed({empty_, std::move(brought), division, now_, &processes_}, kind_,
+                             {length, options.instructions.value_or(widest_instruction_set())}, has_large);
+  before_ = std::move(state.sums);
+  if (state.now) {
+    before_.tally.set_interactions(empty_.interactions());
+  } else {
+    require_sound(audit(), now_);
+    before_.tally.begin(empty_, totals(), now_);
+  }
+  own_ = before_.part();
+}
+
+DistributedSimulation::DistributedSimulation(DistributedSimulation&& other) noexcept = default;
+DistributedSimulation::~DistributedSimulation() = default;
+
+DistributedSimulation DistributedSimulation::of(Processes& processes, const World& whole,
+                                                const EngineOptions& options) {
+  std::vector<Traveler> brought;
+  for (Slot slot = 0; slot < whole.size(); ++slot) {
+    if (whole.id(slot) % processes.size() == processes.rank()) brought.push_back({whole.state_of(slot)});
+  }
+  return DistributedSimulation(processes, whole.without_spheres(), std::move(brought), options);
+}
+
+RunStatus DistributedSimulation::run(const RunLimits& limits, bool is_observed,
+                                     const Function<void(const Contact&)>& observe) {
+  if (!(limits.until.value() >= now_.value())) {
+    throw Error(to_text(limits.until.value()) + " is in the past; the time is " + to_text(now_.value()),
+                "until", "give a later time");
+  }
+  if (limits.until < kNever) check_moment(limits.until, "until");
+  const RunStatus status = engine_->run(limits, own_, is_observed, observe);
+  const bool is_idle = status == RunStatus::time_reached && !(limits.until < kNever);
+  if (!is_idle) now_ = later(now_, engine_->now());
+  return status;
+}
+
+double DistributedSimulation::cell_edge() const {
+  const Vec3 edges = engine_->lengths().cell_edges;
+  return (edges.x + edges.y + edges.z) / 3;
+}
+
+Counters DistributedSimulation::counters() const {
+  return counters_before_ + engine_->counters();
+}
+
+ContactSums DistributedSimulation::sums() const {
+  ContactSums all = before_;
+  for (const std::string& part : processes_.gather(archived(own_.hash, own_.tally))) {
+    ContactSums sums;
+    restore(part, "the sums of a process", sums.hash, sums.tally);
+    all.add(sums);
+  }
+  return all;
+}
+
+Totals DistributedSimulation::totals() const {
+  Totals own;
+  engine_->for_each_own([&](const World& world, Slot slot, std::uint32_t) { own.note(world, slot, now_); });
+  Totals all;
+  for (const std::string& part : processes_.gather(archived(own))) {
+    Totals totals;
+    restore(part, "the totals of a process", totals);
+    all.add(totals);
+  }
+  return all;
+}
+
+Extent DistributedSimulation::extent() const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Extent nothing{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  const auto widen = [](Extent& extent, const Extent& other) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      extent.low[axis] = std::min(extent.low[axis], other.low[axis]);
+      extent.high[axis] = std::max(extent.high[axis], other.high[axis]);
+    }
+  };
+  Extent own = nothing;
+  engine_->for_each_own([&](const World& world, Slot slot, std::uint32_t) {
+    const Vec3 position = world.position(slot, now_);
+    const Vec3 radius{world.radius(slot), world.radius(slot), world.radius(slot)};
+    widen(own, {position - radius, position + radius});
+  });
+  Extent all = nothing;
+  for (const Extent& other : processes_.gather(own)) widen(all, other);
+  return spheres_ > 0 ? all : Extent{{0, 0, 0}, {1, 1, 1}};
+}
+
+Audit DistributedSimulation::audit() const {
+  std::vector<Audit> found;
+  engine_->for_each_domain([&](const World& world) { found.push_back(hardball::audit(world, now_)); });
+  Audit worst;
+  for (const Audit& each : gathered(processes_, found)) {
+    worst.not_finite += each.not_finite;
+    if (each.max_overlap > worst.max_overlap) {
+      worst.max_overlap = each.max_overlap;
+      worst.overlap_first = each.overlap_first;
+      worst.overlap_second = each.overlap_second;
+    }
+    if (each.max_escape > worst.max_escape) {
+      worst.max_escape = each.max_escape;
+      worst.escaped = each.escaped;
+    }
+  }
+  return worst;
+}
+
+std::vector<std::size_t> DistributedSimulation::species_counts() const {
+  std::vector<std::size_t> own;
+  engine_->for_each_own([&](const World& world, Slot slot, std::uint32_t) {
+    const std::size_t species = world.species(slot);
+    if (species >= own.size()) own.resize(species + 1);
+    ++own[species];
+  });
+  std::vector<std::size_t> all;
+  for (const std::string& part : processes_.gather(bytes_of(own))) {
+    std::vector<std::size_t> counts(part.size() / sizeof(std::size_t));
+    if (!part.empty()) std::memcpy(counts.data(), part.data(), part.size());
+    all.resize(std::max(all.size(), counts.size()));
+    for (std::size_t k = 0; k < counts.size(); ++k) all[k] += counts[k];
+  }
+  return all;
+}
+
+bool DistributedSimulation::has_spins() const {
+  bool has_spins = false;
+  engine_->for_each_domain([&](const World& world) { has_spins |= world.has_spins(); });
+  return std::ranges::max(processes_.gather(has_spins ? 1 : 0)) == 1;
+}
+
+std::size_t DistributedSimulation::memory_bytes() const {
+  std::size_t bytes = 0;
+  for (const std::size_t each : processes_.gather(engine_->memory_bytes())) bytes += each;
+  return bytes;
+}
+
+WindowCounters DistributedSimulation::window_counters() const {
+  return engine_->window_counters();
+}
+
+void DistributedSimulation::validate() const {
+  engine_->validate();
+}
+
+std::vector<std::vector<Traveler>> DistributedSimulation::own_blocks() const {
+  std::vector<Traveler> own;
+  engine_->for_each_own([&](const World& world, Slot slot, std::uint32_t idle_contacts) {
+    own.push_back({world.state_of(slot), idle_contacts});
+  });
+  const std::vector<Traveler> arrived =
+      sent(own, processes_, [&](const Traveler& traveler, const auto& send_to) {
+        send_to(traveler.state.id / kBlock % processes_.size());
+      });
+  std::vector<Traveler>().swap(own);
+  std::vector<std::vector<Traveler>> sorted;
+  for (std::size_t block = processes_.rank(); block < blocks(); block += processes_.size())
+    sorted.emplace_back();
+  for (const Traveler& traveler : arrived)
+    sorted[traveler.state.id / kBlock / processes_.size()].push_back(traveler);
+  for (std::vector<Traveler>& block : sorted)
+    std::ranges::sort(block, {}, [](const Traveler& traveler) { return traveler.state.id; });
+  return sorted;
+}
+
+std::string DistributedSimulation::save() const {
+  return archived(SavedOptions{options_}, State{empty_, kind_, now_, sums(), counters()});
+}
+
+std::string DistributedSimulation::saved_block(const std::vector<Traveler>& block) {
+  std::vector<SavedTraveler> saved;
+  saved.reserve(block.size());
+  for (const Traveler& traveler : block) saved.push_back({traveler});
+  return archived(saved);
+}
+
+DistributedSimulation DistributedSimulation::load(Processes& processes, std::string_view saved,
+                                                  const std::vector<std::string>& blocks, std::size_t threads,
+                                                  const std::string& where) {
+  SavedOptions options;
+  State state;
+  restore(saved, where, options, state);
+  std::vector<Traveler> brought;
+  for (const std::string& block : blocks) {
+    const std::vector<Traveler> spheres = unarchived(block, where);
+    brought.insert(brought.end(), spheres.begin(), spheres.end());
+  }
+  options.options.threads = threads;
+  return DistributedSimulation(processes, std::move(state), std::move(brought), options.options);
+}
+
+DistributedSimulation DistributedSimulation::of(Processes& processes, const Simulation& whole,
+                                                std::size_t threads) {
+  if (whole.thermostat())
+    throw Error("processes cannot share a thermostat", "processes", "resume it in one process");
+  EngineOptions options = whole.options();
+  options.threads = threads;
+  const World& world = whole.world();
+  std::vector<Traveler> brought;
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    if (world.id(slot) % processes.size() == processes.rank()) brought.push_back({world.state_of(slot)});
+  }
+  return DistributedSimulation(
+      processes, {world.without_spheres(), whole.engine(), whole.now(), whole.sums(), whole.counters()},
+      std::move(brought), options);
+}
+
+Simulation DistributedSimulation::load_whole(std::string_view saved, const std::vector<std::string>& blocks,
+                                             const std::string& where) {
+  SavedOptions options;
+  State state;
+  restore(saved, where, options, state);
+  World world = std::move(state.empty);
+  CollapseGuard collapse;
+  for (const std::string& block : blocks) {
+    for (const Traveler& traveler : unarchived(block, where)) {
+      world.insert(traveler.state);
+      collapse.set_idle_contacts(traveler.state.id, traveler.idle_contacts);
+    }
+  }
+  return Simulation::load(
+      saved_simulation(options, state.kind, world, *state.now, state.sums, state.counters, collapse), where);
+}
+
+}  // namespace hardball

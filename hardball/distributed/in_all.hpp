@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hardball/memory/function.hpp"
+#include "hardball/processes/processes.hpp"
+
+namespace hardball {
+
+/// Does what may fail in some of several processes, and returns when it has succeeded in all. Error: in all
+/// processes that of the first, by rank, in which it has failed; only of the types Error and RunFailure.
+void in_all(Processes& processes, const Function<void()>& work);
+
+/// The same for what only the first process does.
+void in_first(Processes& processes, const Function<void()>& work);
+
+}  // namespace hardball

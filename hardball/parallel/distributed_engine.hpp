@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hardball/broadphase/broad_phase.hpp"
+#include "hardball/engine/engine.hpp"
+#include "hardball/engine/run.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/parallel/cluster.hpp"
+#include "hardball/parallel/division.hpp"
+#include "hardball/parallel/system_size.hpp"
+#include "hardball/parallel/thread_team.hpp"
+#include "hardball/parallel/traveler.hpp"
+#include "hardball/processes/processes.hpp"
+#include "hardball/world/curve_order.hpp"
+
+namespace hardball {
+
+/// The part of one process in an engine that several processes are together: to the same contacts as Engine.
+/// No process holds more than the spheres in its domains, and those near them. Its members are called in all
+/// processes at once, with the same arguments but for the spheres and the sums.
+template <EventQueue Queue, BroadPhase Phase, class Sums>
+class DistributedEngine {
+ public:
+  using Observe = Function<void(const Contact&)>;
+
+  /// Divides a system as it is at `now`, of which each process brings some of the spheres, wherever they are;
+  /// all are brought once. `empty`: the world without spheres. `division` is that of the whole, with as many
+  /// domains in each process. Error: there are too many domains for so small a box.
+  DistributedEngine(World empty, std::vector<Traveler> brought, const PhaseSettings& phase,
+                    const Division& division, const Time& now, Processes& processes)
+      : processes_(processes),
+        empty_(std::move(empty)),
+        phase_(phase),
+        division_(division),
+        team_(std::make_unique<ThreadTeam>(division.threads)) {
+    divide(std::move(brought), now);
+  }
+
+  /// As Engine::run. Adds to `sums` the contacts that are counted in this process. If contacts are observed,
+  /// the first process tells its observer of all, in order. Asks RunLimits::stop of the first process.
+  RunStatus run(const RunLimits& limits, Sums& sums, bool is_observed, const Observe& observe) {
+    const ThreadTeam::Pinned pinned(*team_);
+    cluster_->each([part = sums.part()](auto& domain, std::size_t) { domain.clear_sums(part); });
+    const auto collect = [&] {
+      for (std::size_t k = 0; k < cluster_->size(); ++k) sums.add(cluster_->domain(k).sums());
+    };
+    try {
+      const RunStatus status = run_windows(limits, sums, is_observed, observe);
+      collect();
+      return status;
+    } catch (...) {
+      collect();
+      throw;
+    }
+  }
+
+  /// The time up to which events have been handled.
+  Time now() const { return cluster_->now(); }
+  /// Contacts of the whole system, and the other work of all processes.
+  Counters counters() const {
+    Counters own;
+    for (std::size_t k = 0; k < cluster_->size(); ++k) own = own + cluster_->domain(k).engine().counters();
+    Counters all;
+    for (const Counters& counters : processes_.gather(own)) all = all + counters;
+    all.collision = cluster_->counted().collision;
+    all.wall = cluster_->counted().wall;
+    return all;
+  }
+  const WindowCounters& window_counters() const { return cluster_->window_counters(); }
+  PhaseLengths lengths() const { return cluster_->domain(0).engine().lengths(); }
+  /// Of this process alone.
+  std::size_t memory_bytes() const {
+    std::size_t bytes = 0;
+    for (std::size_t k = 0; k < cluster_->size(); ++k) bytes += cluster_->domain(k).memory_bytes();
+    return bytes;
+  }
+  /// Calls visit(world, slot, idle_contacts) for every sphere of this process; see CollapseGuard.
+  template <class Visit>
+  void for_each_own(Visit&& visit) const {
+    for (std::size_t k = 0; k < cluster_->size(); ++k) {
+      const auto& domain = cluster_->domain(k);
+      const CollapseGuard& collapse = domain.engine().aftermath().collapse;
+      for (Slot slot = 0; slot < domain.world().size(); ++slot) {
+        if (domain.residents().is_own(slot))
+          visit(domain.world(), slot, collapse.idle_contacts(domain.world().id(slot)));
+      }
+    }
+  }
+  /// Calls visit(world) for every domain of this process, whose world has copies of spheres near it, too.
+  template <class Visit>
+  void for_each_domain(Visit&& visit) const {
+    for (std::size_t k = 0; k < cluster_->size(); ++k) visit(cluster_->domain(k).world());
+  }
+  void validate() const {
+    for (std::size_t k = 0; k < cluster_->size(); ++k) cluster_->domain(k).engine().validate();
+  }
+
+ private:
+  using DomainEngine = Engine<Queue, Phase>;
+  using Domains = Cluster<DomainEngine, Sums>;
+  using Member = typename Domains::Member;
+
+  // As late as a moment may be.
+  static constexpr double kLastMoment = 1e120;
+
+  ForEach for_each() const {
+    return [team = team_.get()](std::size_t count, const Function<void(std::size_t)>& work) {
+      team->for_each(count, work);
+    };
+  }
+
+  void divide(std::vector<Traveler> brought, const Time& now) {
+    const SystemSize size = size_of(brought, now);
+    const Halo halo = size.halo(division_);
+    const Partition partition = partition_for(sample_centers(brought, size.spheres, now), halo);
+    const DomainsOfProcess domains{partition.size() / processes_.size()};
+    std::vector<Traveler> own = sent(brought, processes_, [&](const Traveler& traveler, const auto& send_to) {
+      send_to(domains.process_of(partition.domain_at(position_of(traveler, now))));
+    });
+    std::vector<Traveler>().swap(brought);
+    World world = empty_;
+    world.reserve(own.size());
+    Aftermath aftermath;
+    for (const Traveler& traveler : own) {
+      world.insert(traveler.state);
+      aftermath.collapse.set_idle_contacts(traveler.state.id, traveler.idle_contacts);
+    }
+    const std::vector<Traveler> ghosts = near_others(own, partition, domains, halo, now);
+    std::vector<Traveler>().swap(own);
+    for (const Traveler& traveler : ghosts) world.insert(traveler.state);
+    world.reorder(order_along_curve(world, now));
+    std::vector<DomainNumber> owners;
+    owners.reserve(world.size());
+    for (Slot slot = 0; slot < world.size(); ++slot)
+      owners.push_back(partition.domain_at(world.position(slot, now)));
+    std::vector<std::unique_ptr<Member>> members(domains.each);
+    for_each()(members.size(), [&](std::size_t k) {
+      const auto make = [&](World part) {
+        return DomainEngine(std::move(part), Phase(phase_), now, phase_.instructions);
+      };
+      const auto number = static_cast<DomainNumber>(processes_.rank() * domains.each + k);
+      members[k] = std::make_unique<Member>(world, owners, now, partition, number, halo, make);
+      members[k]->take_over(aftermath);
+    });
+    cluster_ = std::make_unique<Domains>(std::move(members), now, size.windows(division_), phase_, for_each(),
+                                         Exchange(processes_, domains));
+  }
+
+  Vec3 position_of(const Traveler& traveler, const Time& now) const {
+    Vec3 position = empty_.motion().position_at(traveler.state.path, now);
+    empty_.box().fold(position);
+    return position;
+  }
+
+  SystemSize size_of(const std::vector<Traveler>& brought, const Time& now) const {
+    SystemSize own;
+    for (const Traveler& traveler : brought) {
+      ++own.spheres;
+      own.speeds += length(empty_.motion().velocity_at(traveler.state.path, now));
+      own.contact = std::max(own.contact, 2 * traveler.state.radius);
+    }
+    SystemSize all;
+    for (const SystemSize& other : processes_.gather(own)) all.add(other);
+    return all;
+  }
+
+  // Enough centers to divide the whole evenly.
+  std::vector<Vec3> sample_centers(const std::vector<Traveler>& brought, std::uint64_t spheres,
+                                   const Time& now) const {
+    constexpr std::uint64_t kSample = 1 << 18;
+    const std::uint64_t every = spheres / kSample + 1;
+    std::string own;
+    for (const Traveler& traveler : brought) {
+      if (traveler.state.id % every != 0) continue;
+      const Vec3 center = position_of(traveler, now);
+      own.append(reinterpret_cast<const char*>(&center), sizeof(center));
+    }
+    std::vector<Vec3> centers;
+    for (const std::string& part : processes_.gather(own)) {
+      const std::size_t before = centers.size();
+      centers.resize(before + part.size() / sizeof(Vec3));
+      if (!part.empty()) std::memcpy(&centers[before], part.data(), part.size());
+    }
+    return centers;
+  }
+
+  // With as many domains in each process as there are threads, or fewer if these had too many neighbors.
+  Partition partition_for(const std::vector<Vec3>& centers, const Halo& halo) const {
+    for (std::size_t each = division_.domains; each > 0; each /= 2) {
+      Partition partition = Partition::bisection(empty_.box(), each * processes_.size(), centers);
+      if (partition.most_neighbors(halo.neighborhood()) <= kMaxNeighbors) return partition;
+    }
+    throw Error("the system is too small to be divided among " + to_text(processes_.size()) + " processes",
+                "processes", "use fewer");
+  }
+
+  // What others must know of the spheres here: copies of those near domains in other processes.
+  std::vector<Traveler> near_others(const std::vector<Traveler>& own, const Partition& partition,
+                                    const DomainsOfProcess& domains, const Halo& halo,
+                                    const Time& now) const {
+    std::vector<std::vector<DomainNumber>> neighbors;
+    for (std::size_t k = 0; k < domains.each; ++k) {
+      const auto number = static_cast<DomainNumber>(processes_.rank() * domains.each + k);
+      neighbors.push_back(partition.neighbors(number, halo.neighborhood()));
+    }
+    std::vector<std::size_t> told;
+    return sent(own, processes_, [&](const Traveler& traveler, const auto& send_to) {
+      const Vec3 position = position_of(traveler, now);
+      told.assign(1, processes_.rank());
+      for (const DomainNumber near : neighbors[partition.domain_at(position) % domains.each]) {
+        const std::size_t process = domains.process_of(near);
+        if (std::ranges::find(told, process) != told.end()) continue;
+        if (partition.block(near).distance(position) > halo.depth) continue;
+        told.push_back(process);
+        send_to(process);
+      }
+    });
+  }
+
+  bool has_events() const {
+    bool has_events = false;
+    for (std::size_t k = 0; k < cluster_->size(); ++k)
+      has_events |= cluster_->domain(k).engine().has_events();
+    return std::ranges::max(processes_.gather(has_events ? 1 : 0)) == 1;
+  }
+
+  // Whether the first process is told to stop.
+  bool is_told_to_stop(const RunLimits& limits) const {
+    return processes_.gather(processes_.is_first() && limits.stop && limits.stop() ? 1 : 0).front() == 1;
+  }
+
+  RunStatus run_windows(const RunLimits& limits, Sums& sums, bool is_observed, const Observe& observe) {
+    std::uint64_t contacts = limits.contacts;
+    while (contacts > 0) {
+      if (is_told_to_stop(limits)) return RunStatus::stopped;
+      const bool has_end = std::isfinite(limits.until.high);
+      if (!has_end && !has_events()) return RunStatus::time_reached;
+      const double end = has_end ? limits.until.high : kLastMoment;
+      contacts -= cluster_->open_window(end, contacts, is_observed);
+      if (is_observed) deliver(sums, observe);
+      cluster_->commit_window();
+      if (cluster_->committed() == end && cluster_->is_complete()) return RunStatus::time_reached;
+    }
+    return RunStatus::contacts_reached;
+  }
+
+  // Adds the contacts of the open window, and tells the first process of them.
+  void deliver(Sums& sums, const Observe& observe) {
+    std::string own;
+    for (std::size_t k = 0; k < cluster_->size(); ++k) {
+      const std::span<const LoggedContact> log = cluster_->domain(k).log();
+      for (const LoggedContact& logged : log) {
+        if (logged.counts) sums.note(logged.contact);
+      }
+      const std::uint64_t count = log.size();
+      own.append(reinterpret_cast<const char*>(&count), sizeof(count));
+      own.append(reinterpret_cast<const char*>(log.data()), log.size_bytes());
+    }
+    std::vector<std::vector<LoggedContact>> logs;
+    for (const std::string& part : processes_.gather_in_first(std::move(own))) {
+      for (std::size_t at = 0; at < part.size();) {
+        std::uint64_t count = 0;
+        std::memcpy(&count, part.data() + at, sizeof(count));
+        at += sizeof(count);
+        std::vector<LoggedContact>& log = logs.emplace_back(count);
+        if (count > 0) std::memcpy(log.data(), part.data() + at, count * sizeof(LoggedContact));
+        at += count * sizeof(LoggedContact);
+      }
+    }
+    MergedLog merged({logs.begin(), logs.end()});
+    std::uint64_t told = 0;
+    for (const Contact* contact = merged.next(); contact; contact = merged.next(), ++told) observe(*contact);
+    HARDBALL_CHECK(!processes_.is_first() || told == cluster_->open_contacts());
+  }
+
+  Processes& processes_;
+  World empty_;
+  PhaseSettings phase_;
+  Division division_;
+  std::unique_ptr<ThreadTeam> team_;
+  std::unique_ptr<Domains> cluster_;
+};
+
+}  // namespace hardball

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "hardball/geometry/vec3.hpp"
+#include "hardball/parallel/division.hpp"
+#include "hardball/parallel/halo.hpp"
+#include "hardball/parallel/window_settings.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// What halos and windows follow from: sums over spheres, which may be held in several places.
+struct SystemSize {
+  std::uint64_t spheres = 0;
+  double speeds = 0;   ///< Their sum [L/T].
+  double contact = 0;  ///< The largest distance of two centers at a contact [L].
+
+  /// Adds the spheres of a world as they are at `moment`. Cost: O(n).
+  void note(const World& world, const Time& moment) {
+    spheres += world.size();
+    contact = std::max(contact, 2 * world.largest_radius() * world.room_to_grow());
+    for (Slot slot = 0; slot < world.size(); ++slot) speeds += length(world.velocity(slot, moment));
+  }
+  void add(const SystemSize& other) {
+    spheres += other.spheres;
+    speeds += other.speeds;
+    contact = std::max(contact, other.contact);
+  }
+
+  Halo halo(const Division& division) const { return {division.halo * contact, 0.5 * contact, contact}; }
+  WindowSettings windows(const Division& division) const {
+    const auto count = static_cast<double>(std::max<std::uint64_t>(spheres, 1));
+    const double mean_speed = speeds > 0 ? speeds / count : 1;
+    const double radius = contact > 0 ? contact / 2 : 1;
+    return {std::max(1.0, division.window * count / 2), division.first_window * radius / mean_speed,
+            2 * radius / mean_speed};
+  }
+};
+
+}  // namespace hardball

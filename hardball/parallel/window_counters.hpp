@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace hardball {
+
+/// What a cluster has done to run windows.
+struct WindowCounters {
+  std::uint64_t windows = 0;  ///< Committed, single steps included.
+  std::uint64_t failed = 0;   ///< Undone, as a domain was wrong.
+  std::uint64_t steps = 0;    ///< Of at most one contact, where no window was short enough.
+};
+
+}  // namespace hardball

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace hardball {
+
+/// How long windows are.
+struct WindowSettings {
+  double contacts = 1000;  ///< So many are aimed at in a window, by all domains.
+  double first = 1;        ///< The length of the first window [T].
+  double flight = 1;       ///< In which a sphere of mean speed flies by the largest diameter [T].
+};
+
+}  // namespace hardball

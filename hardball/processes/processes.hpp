@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "hardball/errors/export.hpp"
+
+namespace hardball {
+
+/// Processes that run one system together, each with a part of it: perhaps on several machines.
+///
+/// All of them call the same functions in the same order; a function returns in each when it has heard from
+/// those that it needs.
+class HARDBALL_EXPORT Processes {
+ public:
+  virtual ~Processes() = default;
+
+  /// Which of them this one is; the first is 0.
+  virtual std::size_t rank() const = 0;
+  virtual std::size_t size() const = 0;
+  bool is_first() const { return rank() == 0; }
+
+  /// Sends outgoing[k] to the process peers[k], and returns what each of these has sent. Precondition: the
+  /// peers are in order, without this process; each has this one among its own.
+  virtual std::vector<std::string> exchange(std::span<const std::size_t> peers,
+                                            std::span<const std::string> outgoing) = 0;
+  /// The values of all processes, by rank. Precondition: T is trivially copyable.
+  template <class T>
+  std::vector<T> gather(const T& own) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::vector<T> all(size(), own);
+    gather_bytes(&own, sizeof(T), all.data());
+    return all;
+  }
+  /// The same for texts of any length.
+  std::vector<std::string> gather(const std::string& own);
+  /// The texts of all processes in the first of them, by rank; in the others nothing.
+  std::vector<std::string> gather_in_first(std::string own);
+  /// Sends outgoing[k] to process k, and returns what each has sent. Precondition: `outgoing` has size().
+  std::vector<std::string> exchange_with_all(std::vector<std::string> outgoing);
+
+ private:
+  // Copies as many bytes of each process to `all`, by rank.
+  virtual void gather_bytes(const void* own, std::size_t bytes, void* all) = 0;
+  std::vector<std::size_t> others() const;
+};
+
+/// One process alone.
+class HARDBALL_EXPORT OneProcess final : public Processes {
+ public:
+  std::size_t rank() const override { return 0; }
+  std::size_t size() const override { return 1; }
+  std::vector<std::string> exchange(std::span<const std::size_t>, std::span<const std::string>) override {
+    return {};
+  }
+
+ private:
+  void gather_bytes(const void* own, std::size_t bytes, void* all) override { std::memcpy(all, own, bytes); }
+};
+
+}  // namespace hardball

@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+
+"""Runs scenarios in several processes, and compares hashes and files with those of one, bit by bit.
+
+usage: processes_test.py PROGRAM
+"""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+PROGRAM = str(Path(sys.argv[1]).resolve())
+# More processes than processors are wanted, and root runs them in containers.
+MPIRUN = ["mpirun", "--oversubscribe"]
+ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+               "OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
+
+GAS = """
+[box]
+size = [30.0, 25.0, 30.0]
+boundary = ["periodic", "wall", "periodic"]
+[[spheres]]
+count = 4000
+radius = 0.5
+placement = "fcc"
+temperature = 1.0
+[run]
+until = 3.0
+[output]
+snapshots_every = 0.5
+event_log = true
+"""
+# Species of several sizes, spins, walls, gravity: what domains must hand on.
+MIXTURE = """
+[box]
+size = [20.0, 20.0, 30.0]
+boundary = ["periodic", "periodic", "wall"]
+gravity = [0.0, 0.0, -0.5]
+[[species]]
+name = "large"
+[[species]]
+name = "small"
+[[spheres]]
+species = "large"
+count = 200
+radius = 0.8
+placement = "random"
+mean_speed = 1.0
+[[spheres]]
+species = "small"
+count = 2000
+radius = 0.3
+placement = "random"
+mean_speed = 1.0
+[response]
+restitution = 0.9
+tangential_restitution = 0.3
+[run]
+until = 2.0
+[output]
+snapshots_every = 1.0
+trajectory = ["lammps", "xyz.zst"]
+event_log = true
+"""
+
+
+def run(arguments, processes=None, succeeds=True):
+    command = (MPIRUN + ["-n", str(processes)] if processes else []) + [PROGRAM] + arguments
+    done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=240)
+    if succeeds and done.returncode != 0:
+        raise AssertionError(f"{command}: {done.stderr}")
+    return done
+
+
+class Processes(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def scenario(self, text):
+        path = self.folder / "scenario.toml"
+        path.write_text(text)
+        return str(path)
+
+    def run_alone(self, scenario, *options):
+        run(["run", scenario, "--out", str(self.folder / "alone"), "--quiet", *options])
+        return self.folder / "alone"
+
+    def expect_same(self, directory, expected):
+        for name in ("events.npy", "trajectory.xyz", "trajectory.lammpstrj", "trajectory.xyz.zst"):
+            if (expected / name).exists():
+                self.assertEqual((directory / name).read_bytes(), (expected / name).read_bytes(), name)
+        own, alone = (json.loads((each / "summary.json").read_text()) for each in (directory, expected))
+        for key in ("spheres", "time", "event_log_hash", "energy", "momentum", "packing_fraction", "walls",
+                    "compressibility", "wall_pressure", "max_overlap", "species"):
+            self.assertEqual(own.get(key), alone.get(key), key)
+        for key in ("collision", "wall"):
+            self.assertEqual(own["events"][key], alone["events"][key])
+
+    def test_files_and_hash_are_those_of_one_process(self):
+        for text in (GAS, MIXTURE):
+            scenario = self.scenario(text)
+            expected = self.run_alone(scenario, "--overwrite")
+            for processes, threads in ((2, 1), (3, 2), (5, 1)):
+                directory = self.folder / f"{processes} processes"
+                run(["run", scenario, "--out", str(directory), "--overwrite", "--quiet", "--threads",
+                     str(threads)], processes)
+                self.expect_same(directory, expected)
+
+    def test_any_number_of_processes_resumes(self):
+        scenario = self.scenario(GAS)
+        expected = self.run_alone(scenario)
+        directory = self.folder / "resumed"
+        run(["run", scenario, "--out", str(directory), "--until", "1", "--set", "run.until=1", "--quiet"], 3)
+        run(["resume", str(directory), "--until", "1.5"], 2)
+        run(["resume", str(directory), "--until", "2"])
+        run(["resume", str(directory), "--until", "3", "--threads", "2"], 4)
+        self.expect_same(directory, expected)
+
+    def test_a_killed_process_ends_the_run_which_others_resume(self):
+        scenario = self.scenario(GAS)
+        longer = ["--until", "12", "--set", "output.checkpoint_every=0.2"]
+        expected = self.run_alone(scenario, *longer)
+        directory = self.folder / "killed"
+        started = subprocess.Popen(MPIRUN + ["-n", "3", PROGRAM, "run", scenario, "--out", str(directory), *longer,
+                                             "--quiet"], env=ENVIRONMENT, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        checkpoint = directory / "checkpoint.hbc"
+        while not checkpoint.exists() and started.poll() is None:
+            time.sleep(0.01)
+        first = checkpoint.stat().st_mtime_ns
+        while started.poll() is None and checkpoint.stat().st_mtime_ns == first:
+            time.sleep(0.01)
+        self.assertIsNone(started.poll(), "the run ended before it could be killed")
+        children = Path(f"/proc/{started.pid}/task/{started.pid}/children").read_text().split()
+        os.kill(int(children[1]), signal.SIGKILL)
+        self.assertNotEqual(started.wait(timeout=60), 0)
+        self.assertFalse((directory / "summary.json").exists())
+        run(["resume", str(directory)], 2)
+        self.expect_same(directory, expected)
+
+    def test_what_processes_cannot_share_is_refused(self):
+        scenario = self.scenario(GAS)
+        for change, name in (("output.recording=true", "recording"),
+                             ("thermostat.kind=\"rescale\"", "thermostat"),
+                             ("measures.names=[\"diffusion\"]", "measures"),
+                             ("response.kind=\"merge\"", "merge"),
+                             ("output.trajectory=\"gsd\"", "snapshots")):
+            extra = ["--set", "thermostat.temperature=1.0", "--set", "thermostat.every=1.0"]
+            done = run(["run", scenario, "--out", str(self.folder / "refused"), "--set", change]
+                       + (extra if "thermostat" in change else []), 2, succeeds=False)
+            messages = [line for line in done.stderr.splitlines() if line.startswith("hardball: ")]
+            self.assertEqual(len(messages), 1, done.stderr)
+            self.assertIn(name, messages[0])
+            self.assertFalse((self.folder / "refused").exists())
+        done = run(["check", scenario], 2, succeeds=False)
+        self.assertIn("several processes", done.stderr)
+
+    def test_overlaps_at_the_start_are_refused_once(self):
+        scenario = self.scenario(GAS.replace('count = 4000\n', "").replace('placement = "fcc"\n', "").replace(
+            "temperature = 1.0", "positions = [[1.0, 1.0, 1.0], [1.5, 1.0, 1.0]]\n"
+            "velocities = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]"))
+        done = run(["run", scenario], 2, succeeds=False)
+        messages = [line for line in done.stderr.splitlines() if line.startswith("hardball: ")]
+        self.assertEqual(len(messages), 1, done.stderr)
+        self.assertIn("overlap", messages[0])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

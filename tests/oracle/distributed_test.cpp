@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Worlds that several processes run together, played by threads: the history, the sums and the spheres of one
+// engine that compares all pairs, to the last bit.
+#include "hardball/distributed/distributed_simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "hardball/errors/error.hpp"
+#include "support/effort.hpp"
+#include "support/gas.hpp"
+#include "support/random_world.hpp"
+#include "support/thread_processes.hpp"
+
+namespace hardball::distributed_test {
+namespace {
+
+using support::RandomWorld;
+
+struct Setting {
+  std::size_t processes;
+  Division division;  // of each process
+};
+
+const std::vector<Setting>& settings() {
+  static const std::vector<Setting> all{{2, {.domains = 1, .halo = 1.05, .window = 0.5}},
+                                        {3, {.domains = 1, .halo = 1.75, .window = 0.1}},
+                                        {2, {.domains = 3, .threads = 2, .halo = 1.3, .window = 2}},
+                                        {5, {.domains = 2, .halo = 2, .window = 0.02}}};
+  return all;
+}
+
+RandomWorld any_world(std::uint64_t seed) {
+  constexpr std::array kMakers = {support::make_random_world, support::make_furnished_world,
+                                  support::make_flat_world, support::make_responsive_world,
+                                  support::make_responsive_flat_world};
+  return kMakers[seed % kMakers.size()](seed);
+}
+
+// The spheres of all blocks, as the first process has them.
+std::vector<Traveler> gathered(const DistributedSimulation& simulation) {
+  std::string own;
+  for (const std::vector<Traveler>& block : simulation.own_blocks()) {
+    for (const Traveler& traveler : block)
+      own.append(reinterpret_cast<const char*>(&traveler), sizeof(traveler));
+  }
+  std::vector<Traveler> all;
+  for (const std::string& part : simulation.processes().gather(own)) {
+    const std::size_t before = all.size();
+    all.resize(before + part.size() / sizeof(Traveler));
+    if (!part.empty()) std::memcpy(&all[before], part.data(), part.size());
+  }
+  std::ranges::sort(all, {}, [](const Traveler& traveler) { return traveler.state.id; });
+  return all;
+}
+
+void expect_same_state(const DistributedSimulation& simulation, const Simulation& expected) {
+  ASSERT_EQ(simulation.sums().hash.value(), expected.event_log_hash());
+  ASSERT_EQ(simulation.now(), expected.now());
+  ASSERT_EQ(simulation.counters().collision, expected.counters().collision);
+  ASSERT_EQ(simulation.counters().wall, expected.counters().wall);
+  const Tally tally = simulation.sums().tally;
+  ASSERT_EQ(tally.virial(), expected.tally().virial());
+  ASSERT_EQ(tally.initial_energy(), expected.tally().initial_energy());
+  ASSERT_EQ(tally.max_overlap(), expected.tally().max_overlap());
+  const Totals totals = simulation.totals();
+  ASSERT_EQ(totals.energy.value(), expected.world().energy(expected.now()));
+  ASSERT_EQ(totals.total_momentum(), expected.world().momentum(expected.now()));
+  const std::vector<Traveler> spheres = gathered(simulation);
+  ASSERT_EQ(spheres.size(), expected.size());
+  for (const Traveler& traveler : spheres)
+    ASSERT_EQ(traveler.state, expected.world().state_of(expected.world().slot_of(traveler.state.id)));
+}
+
+class Distributed : public testing::TestWithParam<std::uint64_t> {};
+
+constexpr std::uint64_t kWorlds = 60;
+constexpr std::uint64_t kParts = 4;
+
+TEST_P(Distributed, HasTheHistoryOfAllPairs) {
+  for (std::uint64_t seed = GetParam(); seed < support::cases(kWorlds); seed += kParts) {
+    const RandomWorld made = any_world(seed);
+    if (made.world.interactions().may_merge() || made.world.interactions().function()) continue;
+    SCOPED_TRACE(made.name);
+    const RunLimits limits{.until = Time(made.until), .contacts = 60 + 60 * (seed % 3)};
+    Simulation expected(made.world, {.engine = EngineKind::all_pairs});
+    std::vector<Contact> expected_log;
+    expected.on_contact([&](const Contact& contact) { expected_log.push_back(contact); });
+    std::string failure;
+    RunStatus status = RunStatus::stopped;
+    try {
+      status = expected.run(limits);
+    } catch (const RunFailure& failed) {
+      failure = failed.what();
+    }
+    for (const Setting& setting : settings()) {
+      SCOPED_TRACE(testing::Message() << setting.processes << " processes");
+      const bool is_observed = seed % 2 == 0;
+      std::vector<Contact> log;
+      support::in_processes(setting.processes, [&](Processes& processes) {
+        DistributedSimulation simulation =
+            DistributedSimulation::of(processes, made.world, {.division = setting.division});
+        try {
+          ASSERT_EQ(
+              simulation.run(limits, is_observed, [&](const Contact& contact) { log.push_back(contact); }),
+              status);
+        } catch (const RunFailure& failed) {
+          ASSERT_EQ(failed.what(), failure);
+          return;
+        }
+        ASSERT_EQ(failure, "");
+        expect_same_state(simulation, expected);
+        simulation.validate();
+      });
+      if (testing::Test::HasFatalFailure()) return;
+      if (!is_observed || !failure.empty()) continue;
+      ASSERT_EQ(log.size(), expected_log.size());
+      for (std::size_t i = 0; i < log.size(); ++i) {
+        ASSERT_EQ(log[i].time, expected_log[i].time) << "contact " << i;
+        ASSERT_EQ(log[i].first, expected_log[i].first) << "contact " << i;
+        ASSERT_EQ(log[i].second, expected_log[i].second) << "contact " << i;
+        ASSERT_EQ(log[i].after, expected_log[i].after) << "contact " << i;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Part, Distributed, testing::Range<std::uint64_t>(0, kParts));
+
+// A gas in pieces, saved and loaded between by other numbers of processes, and by one.
+TEST(DistributedGas, ContinuesInAnyNumberOfProcesses) {
+  const World world = support::make_gas({.count = 1000, .packing_fraction = 0.25, .seed = 3});
+  Simulation expected(world);
+  std::string saved;
+  std::vector<std::string> blocks;
+  const auto save = [&](const DistributedSimulation& simulation) {
+    const std::string state = simulation.save();
+    std::vector<std::vector<Traveler>> own = simulation.own_blocks();
+    if (!own.empty()) blocks.assign(1, DistributedSimulation::saved_block(own.front()));
+    if (simulation.processes().is_first()) saved = state;
+  };
+  expected.run_until(0.1);
+  support::in_processes(3, [&](Processes& processes) {
+    DistributedSimulation simulation = DistributedSimulation::of(processes, world, {});
+    simulation.run({.until = Time(0.1)});
+    expect_same_state(simulation, expected);
+    save(simulation);
+  });
+  Simulation whole = DistributedSimulation::load_whole(saved, blocks, "the saved state");
+  double until = 0.1;
+  for (const std::size_t count : {1U, 4U, 2U}) {
+    until += 0.1;
+    expected.run_until(until);
+    const std::string before = saved;
+    const std::vector<std::string> blocks_before = blocks;
+    support::in_processes(count, [&](Processes& processes) {
+      DistributedSimulation simulation = DistributedSimulation::load(
+          processes, before, processes.is_first() ? blocks_before : std::vector<std::string>(), 1, "state");
+      simulation.run({.until = Time(until)});
+      expect_same_state(simulation, expected);
+      save(simulation);
+    });
+  }
+  whole.run_until(until);
+  EXPECT_EQ(whole.event_log_hash(), expected.event_log_hash());
+  EXPECT_EQ(whole.positions(), expected.positions());
+  support::in_processes(2, [&](Processes& processes) {
+    DistributedSimulation simulation = DistributedSimulation::of(processes, whole, 1);
+    simulation.run({.until = Time(until + 0.1)});
+    Simulation further = whole;
+    further.run_until(until + 0.1);
+    expect_same_state(simulation, further);
+  });
+}
+
+// The first process is asked.
+TEST(DistributedGas, StopsWhereTheFirstProcessIsTold) {
+  const World world = support::make_gas({.count = 200, .packing_fraction = 0.25, .seed = 4});
+  support::in_processes(2, [&](Processes& processes) {
+    DistributedSimulation simulation = DistributedSimulation::of(processes, world, {});
+    int asked = 0;
+    const RunStatus status =
+        simulation.run({.until = Time(100), .stop = [&] { return ++asked == 5 && processes.is_first(); }});
+    EXPECT_EQ(status, RunStatus::stopped);
+    EXPECT_EQ(asked, processes.is_first() ? 5 : 0);
+    Simulation expected(world);
+    expected.run_until(simulation.time());
+    EXPECT_EQ(simulation.sums().hash.value(), expected.event_log_hash());
+  });
+}
+
+TEST(DistributedGas, RefusesWhatProcessesCannotShare) {
+  support::in_processes(2, [](Processes& processes) {
+    World overlapping(Box::periodic({10, 10, 10}));
+    overlapping.add({{1, 1, 1}, {1, 0, 0}, 1, 1});
+    overlapping.add({{2, 1, 1}, {1, 0, 0}, 1, 1});
+    EXPECT_THROW(DistributedSimulation::of(processes, overlapping, {}), Error);
+    World merging(Box::periodic({10, 10, 10}));
+    merging.add({{1, 1, 1}, {1, 0, 0}, 1, 1});
+    const World gas = support::make_gas({.count = 20, .packing_fraction = 0.1, .seed = 5});
+    EXPECT_THROW(DistributedSimulation::of(processes, gas, {.engine = EngineKind::paper}), Error);
+    EXPECT_THROW(DistributedSimulation::of(processes, gas, {.engine = EngineKind::all_pairs}), Error);
+    merging.set_interactions(ResponseTable(Merging(), Bounce()));
+    EXPECT_THROW(DistributedSimulation::of(processes, merging, {}), Error);
+  });
+}
+
+}  // namespace
+}  // namespace hardball::distributed_test
