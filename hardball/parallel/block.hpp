@@ -58,6 +58,8 @@ class Block {
     return most;
   }
 
+  friend bool operator==(const Block&, const Block&) = default;
+
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

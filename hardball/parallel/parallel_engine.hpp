@@ -52,6 +52,7 @@ class ParallelEngine {
         halo_(other.halo_),
         partition_(other.partition_),
         counters_(other.counters_),
+        windows_before_(other.windows_before_),
         aftermath_(other.aftermath_),
         is_outdated_(other.is_outdated_),
         looks_ahead_(other.looks_ahead_),
@@ -80,7 +81,10 @@ class ParallelEngine {
   /// Of the first domain.
   PhaseLengths lengths() const { return cluster_->domain(0).engine().lengths(); }
   std::size_t domains() const { return cluster_->size(); }
-  const WindowCounters& window_counters() const { return cluster_->window_counters(); }
+  /// The blocks of the domains.
+  const Partition& partition() const { return partition_; }
+  /// Of all divisions so far.
+  WindowCounters window_counters() const { return windows_before_ + cluster_->window_counters(); }
   /// The time up to which events have been handled.
   Time now() const { return is_open_ ? now_ : cluster_->now(); }
 
@@ -208,6 +212,7 @@ class ParallelEngine {
     Counters work = counters();
     ++work.rebuilds;
     counters_ = work;
+    windows_before_ = window_counters();
     phase_ = settings;
     divide(now);
   }
@@ -415,7 +420,8 @@ class ParallelEngine {
   std::unique_ptr<Domains> cluster_;
   Halo halo_;
   Partition partition_;
-  Counters counters_;    // of earlier divisions
+  Counters counters_;  // of earlier divisions
+  WindowCounters windows_before_;
   Aftermath aftermath_;  // while outdated
   std::unique_ptr<Gathering> gathering_ = std::make_unique<Gathering>();
   bool is_outdated_ = false;

@@ -29,6 +29,7 @@ class Partition {
   static Partition bisection(const Box& box, std::size_t count, std::span<const Vec3> centers);
 
   std::size_t size() const { return blocks_.size(); }
+  std::span<const Block> blocks() const { return blocks_; }
   const Block& block(DomainNumber domain) const { return blocks_[domain]; }
   /// The domain in whose block a point inside the box lies. Cost: O(log(size())).
   DomainNumber domain_at(const Vec3& point) const;

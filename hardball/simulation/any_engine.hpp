@@ -5,12 +5,15 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "hardball/broadphase/broad_phase.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/execution/aftermath.hpp"
 #include "hardball/interaction/contact.hpp"
 #include "hardball/memory/function.hpp"
+#include "hardball/parallel/block.hpp"
+#include "hardball/parallel/window_counters.hpp"
 #include "hardball/simulation/contact_sums.hpp"
 #include "hardball/simulation/engine_options.hpp"
 #include "hardball/theory/gas_statistics.hpp"
@@ -38,6 +41,9 @@ class AnyEngine {
   virtual Counters counters() const = 0;
   virtual std::size_t memory_bytes() const = 0;
   virtual PhaseLengths lengths() const = 0;
+  /// Those of the domains; one, all of the box, without them.
+  virtual std::vector<Block> blocks() const = 0;
+  virtual WindowCounters windows() const = 0;
   /// Adds all contacts to `sums`, and passes them to the observer, if there is one.
   virtual RunStatus run(const RunLimits& limits, ContactSums& sums, const Observe& observe) = 0;
   virtual std::optional<Event> next_contact(const Time& until) = 0;

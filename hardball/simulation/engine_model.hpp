@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "hardball/engine/engine.hpp"
 #include "hardball/events/calendar_queue.hpp"
@@ -32,6 +33,21 @@ class EngineModel final : public AnyEngine {
   Counters counters() const override { return engine_.counters(); }
   std::size_t memory_bytes() const override { return engine_.memory_bytes(); }
   PhaseLengths lengths() const override { return engine_.lengths(); }
+  std::vector<Block> blocks() const override {
+    if constexpr (requires { engine_.partition(); }) {
+      const std::span<const Block> blocks = engine_.partition().blocks();
+      return {blocks.begin(), blocks.end()};
+    } else {
+      return {Block(world().box())};
+    }
+  }
+  WindowCounters windows() const override {
+    if constexpr (requires { engine_.window_counters(); }) {
+      return engine_.window_counters();
+    } else {
+      return {};
+    }
+  }
   RunStatus run(const RunLimits& limits, ContactSums& sums, const Observe& observe) override {
     if constexpr (requires { engine_.run(limits, sums, observe); }) {
       return engine_.run(limits, sums, observe);

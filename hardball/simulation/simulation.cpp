@@ -293,6 +293,14 @@ const EngineOptions& Simulation::options() const {
   return tuner_->options();
 }
 
+std::vector<Block> Simulation::blocks() const {
+  return tuner_->engine().blocks();
+}
+
+WindowCounters Simulation::windows() const {
+  return tuner_->windows();
+}
+
 EngineKind Simulation::engine() const {
   return tuner_->kind();
 }

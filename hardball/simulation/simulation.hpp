@@ -15,6 +15,8 @@
 #include "hardball/interaction/contact.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/memory/value_pointer.hpp"
+#include "hardball/parallel/block.hpp"
+#include "hardball/parallel/window_counters.hpp"
 #include "hardball/queries/queries.hpp"
 #include "hardball/simulation/activity.hpp"
 #include "hardball/simulation/contact_sums.hpp"
@@ -190,6 +192,13 @@ class HARDBALL_EXPORT Simulation {
   /// Lets so many threads work on the simulation from now on; see EngineOptions::threads. One that is loaded
   /// has one thread. Cost: O(n). Error: as there.
   void set_threads(std::size_t threads);
+  /// The blocks into which the box is divided [L], one for each domain (docs/parallel.md): a sphere belongs
+  /// to the domain in whose block it is, up to the end of a window. Blocks change when spheres or cells have
+  /// changed much. One block, all of the box, if one thread works alone. Cost: O(blocks).
+  std::vector<Block> blocks() const;
+  /// The windows of time that the domains have run since the simulation was made or loaded; with one domain
+  /// there are none.
+  WindowCounters windows() const;
   Counters counters() const;
   /// Hash of all contacts so far, see EventLogHash.
   std::uint64_t event_log_hash() const { return sums_.hash.value(); }

@@ -136,6 +136,7 @@ void Tuner::set_threads(std::size_t threads, const Time& now) {
 void Tuner::replace(EngineKind kind, double length, const Time& moment) {
   counters_before_ = counters();
   ++counters_before_.rebuilds;
+  windows_before_ = windows();
   const Aftermath aftermath = engine_->aftermath();
   engine_ = make_engine(std::move(engine_->world_to_edit()), kind, options_, length, moment);
   engine_->take_over(aftermath);

@@ -35,6 +35,8 @@ class Tuner {
   const EngineOptions& options() const { return options_; }
   /// Of all engines so far.
   Counters counters() const { return counters_before_ + engine_->counters(); }
+  /// The same for windows.
+  WindowCounters windows() const { return windows_before_ + engine_->windows(); }
 
   /// Brings an engine that has looked ahead back to `moment`.
   void end_look_ahead(const Time& moment);
@@ -60,6 +62,7 @@ class Tuner {
   EngineKind kind_;
   ValuePointer<AnyEngine> engine_;
   Counters counters_before_;  // of engines replaced
+  WindowCounters windows_before_;
   CellEdgeWatch watch_;
   std::size_t spheres_at_choice_ = 0;  // when engine and cells were last chosen
   std::uint64_t next_review_ = 0;      // at so many crossings and contacts

@@ -82,6 +82,58 @@ TEST(Threads, AreRefusedWhereTheyCannotShareTheWork) {
   two.respond_with(elastic);
 }
 
+// Every sphere is in one block; the blocks touch.
+TEST(Threads, DivideTheBoxIntoBlocks) {
+  Simulation simulation(gas(), {.threads = 3});
+  simulation.run_until(0.2);
+  const std::vector<Block> blocks = simulation.blocks();
+  ASSERT_EQ(blocks.size(), 3U);
+  std::vector<std::size_t> spheres(3);
+  for (const Vec3& position : simulation.positions()) {
+    std::size_t held = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!(blocks[k].distance(position) < 0)) continue;
+      ++spheres[k];
+      ++held;
+    }
+    EXPECT_EQ(held, 1U);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(static_cast<double>(spheres[k]), 500 / 3.0, 25) << k;
+    EXPECT_LE(blocks[k].distance(blocks[(k + 1) % 3]), 0);
+  }
+}
+
+TEST(Threads, OfANumberOfOneHaveOneBlockAndNoWindows) {
+  Simulation simulation(gas());
+  simulation.run_until(0.2);
+  ASSERT_EQ(simulation.blocks().size(), 1U);
+  EXPECT_EQ(simulation.blocks()[0], Block(simulation.world().box()));
+  EXPECT_EQ(simulation.windows(), WindowCounters());
+}
+
+TEST(Threads, CountTheirWindows) {
+  // Windows of so many contacts fail, as halos are shallow.
+  const Division division{.domains = 2, .halo = 1.05, .window = 2, .first_window = 2};
+  Simulation simulation(gas(), {.division = division});
+  simulation.run_until(0.2);
+  const WindowCounters windows = simulation.windows();
+  EXPECT_GT(windows.windows, windows.steps);
+  EXPECT_GT(windows.failed, 0U);
+  const Simulation copy = simulation;
+  EXPECT_EQ(copy.windows(), windows);
+  // Looking ahead has the domains made anew.
+  EXPECT_FALSE(simulation.contacts_within(0.01).empty());
+  simulation.run_until(0.3);
+  const WindowCounters later = simulation.windows();
+  EXPECT_GT(later.windows, windows.windows);
+  EXPECT_GE(later.failed, windows.failed);
+  simulation.set_threads(1);
+  EXPECT_EQ(simulation.windows(), later);
+  simulation.run_until(0.4);
+  EXPECT_EQ(simulation.windows(), later);
+}
+
 TEST(Threads, DoNotKeepOthersFromQueriesAtTheSameTime) {
   Simulation simulation(gas(), {.threads = 2});
   Simulation expected(gas());
