@@ -251,6 +251,8 @@ class DistributedRun {
                            .spheres = simulation_.size(),
                            .now = simulation_.now(),
                            .counters = simulation_.counters(),
+                           .domains = simulation_.domains(),
+                           .windows = simulation_.window_counters(),
                            .sums = simulation_.sums(),
                            .totals = totals,
                            .has_spins = simulation_.has_spins(),

@@ -42,6 +42,8 @@ FinalState final_state(const Scenario& scenario, const Simulation& simulation) {
           .spheres = simulation.size(),
           .now = simulation.now(),
           .counters = simulation.counters(),
+          .domains = simulation.blocks().size(),
+          .windows = simulation.windows(),
           .sums = simulation.sums(),
           .totals = totals_of(world, simulation.now()),
           .has_spins = world.has_spins(),
@@ -63,6 +65,8 @@ Summary::Summary(const Scenario& scenario, const std::vector<std::string>& overr
       is_flat_(state.world.box().is_flat()),
       time_(state.now.value()),
       counters_(state.counters),
+      domains_(state.domains),
+      windows_(state.windows),
       mergers_(state.sums.tally.mergers()),
       passes_(state.sums.tally.passes()),
       hash_(state.sums.hash.value()),
@@ -158,6 +162,11 @@ std::string Summary::table() const {
   add("cells entered, left", fmt::format("{}, {}", counters_.enter, counters_.leave));
   add("stale events", fmt::format("{}", counters_.stale));
   add("pair predictions", fmt::format("{}", counters_.predictions));
+  if (domains_ > 1) {
+    add("domains", fmt::format("{}", domains_));
+    add("windows",
+        fmt::format("{}, {} failed, {} single steps", windows_.windows, windows_.failed, windows_.steps));
+  }
   add("event log hash", hash_text(hash_));
   add("energy", fmt::format("{:.10g} at the start, {:.10g} at the end", initial_energy_, final_energy_));
   if (std::isfinite(rotational_energy_))

@@ -28,6 +28,8 @@ struct FinalState {
   std::size_t spheres = 0;
   Time now;
   Counters counters;
+  std::size_t domains = 1;
+  WindowCounters windows;
   ContactSums sums;
   Totals totals;
   bool has_spins = false;
@@ -83,6 +85,8 @@ class Summary {
   bool is_flat_;
   double time_;
   Counters counters_;
+  std::size_t domains_;
+  WindowCounters windows_;  // in the table alone: files do not depend on the number of threads
   std::uint64_t mergers_;
   std::uint64_t passes_;
   std::vector<SpeciesCount> species_;

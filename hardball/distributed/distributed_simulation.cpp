@@ -284,6 +284,14 @@ std::size_t DistributedSimulation::memory_bytes() const {
   return bytes;
 }
 
+std::size_t DistributedSimulation::domains() const {
+  std::size_t own = 0;
+  engine_->for_each_domain([&](const World&) { ++own; });
+  std::size_t all = 0;
+  for (const std::size_t each : processes_.gather(own)) all += each;
+  return all;
+}
+
 WindowCounters DistributedSimulation::window_counters() const {
   return engine_->window_counters();
 }

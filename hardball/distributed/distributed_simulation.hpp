@@ -83,7 +83,9 @@ class DistributedSimulation {
   bool has_spins() const;
   /// Of all processes [bytes].
   std::size_t memory_bytes() const;
-  /// Of windows of time in which processes have run apart.
+  /// How many domains there are in all processes.
+  std::size_t domains() const;
+  /// Of windows of time in which they have run apart.
   WindowCounters window_counters() const;
   /// Checks all structures; throws BrokenInvariant.
   void validate() const;

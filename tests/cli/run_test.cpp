@@ -148,6 +148,16 @@ TEST_F(Run, PrintsATable) {
   EXPECT_NE(output.find(hash()), std::string::npos) << output;
 }
 
+// Files are the same for any number of threads, and hold what --json prints.
+TEST_F(Run, NamesItsWindowsInTheTableAlone) {
+  use(kPeriodicGas);
+  EXPECT_EQ(run().output.find("windows"), std::string::npos);
+  const std::string output = run({"--threads", "2"}).output;
+  EXPECT_NE(output.find("domains                 2\n"), std::string::npos) << output;
+  EXPECT_NE(output.find(" single steps\n"), std::string::npos) << output;
+  EXPECT_FALSE(run_json({"--threads", "2"}).contains("windows"));
+}
+
 TEST_F(Run, ShowsNoProgressAwayFromATerminal) {
   use(kPeriodicGas);
   EXPECT_EQ(run({"--until", "20"}).messages, "");
