@@ -86,6 +86,7 @@ CLI::App* add_showing_command(CLI::App& app, Options& options, const std::string
                               const std::string& description) {
   CLI::App* command = add_command(app, options, name, description);
   command->get_option("SCENARIO")->description("Scenario file (TOML), or the directory of a recorded run");
+  add_threads_option(*command, options);
   return command;
 }
 #endif

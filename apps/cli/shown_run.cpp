@@ -55,9 +55,9 @@ ShownRun::ShownRun(const Options& options, std::uint64_t most_bytes) {
 void ShownRun::open_directory(const Options& options) {
   const std::filesystem::path directory = options.scenario;
   const std::filesystem::path path = directory / "recording.hbr";
-  if (options.until || options.seed || !options.overrides.empty()) {
-    throw Error("is the directory of a run, which --until, --set and --seed cannot change", options.scenario,
-                "leave them out, or name a scenario");
+  if (options.until || options.seed || !options.overrides.empty() || options.threads != Options().threads) {
+    throw Error("is the directory of a run, which --until, --set, --seed and --threads cannot change",
+                options.scenario, "leave them out, or name a scenario");
   }
   if (!std::filesystem::exists(path)) {
     throw Error("it has no recording.hbr", options.scenario,

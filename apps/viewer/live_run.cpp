@@ -6,6 +6,7 @@
 #include <exception>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "hardball/errors/error.hpp"
 
@@ -36,6 +37,8 @@ LiveRun::LiveRun(Simulation simulation, RecordingWriter writer, SharedRecording&
   simulation_.on_contact([this](const Contact& contact) { writer_.note(contact, simulation_.world()); });
   simulation_.on_velocity_change(
       [this](const VelocityChange& change) { writer_.note(change, simulation_.world()); });
+  note_division();
+  publish();
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -69,12 +72,20 @@ void LiveRun::advance(const std::stop_token& stop) {
     }
     const RunStatus status = simulation_.run(
         {.until = Time(until_), .steps = kStepsPerSlice, .stop = [&stop] { return stop.stop_requested(); }});
+    note_division();
     if (status != RunStatus::steps_reached) return;
     if (Clock::now() < next) continue;
     writer_.flush();
     publish();
     next = Clock::now() + std::chrono::duration_cast<Clock::duration>(time_between_chunks(writer_));
   }
+}
+
+void LiveRun::note_division() {
+  std::vector<Block> blocks = simulation_.blocks();
+  std::vector<TimedBlocks>& divisions = progress_.divisions;
+  if (!divisions.empty() && divisions.back().blocks == blocks) return;
+  divisions.push_back({simulation_.time(), std::move(blocks)});
 }
 
 void LiveRun::publish() {
@@ -84,6 +95,7 @@ void LiveRun::publish() {
   progress_.mergers = simulation_.tally().mergers();
   progress_.walls = counters.wall;
   progress_.rate = seconds > 0 ? static_cast<double>(counters.contacts()) / seconds : 0;
+  progress_.windows = simulation_.windows();
   progress_.hash = simulation_.event_log_hash();
   recording_->update(progress_);
 }

@@ -28,6 +28,7 @@ class LiveRun {
 
   void run(const std::stop_token& stop);
   void advance(const std::stop_token& stop);
+  void note_division();
   void publish();
 
   Simulation simulation_;

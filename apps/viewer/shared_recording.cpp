@@ -21,6 +21,20 @@ nlohmann::json or_null(const std::optional<Value>& value) {
   return value ? nlohmann::json(*value) : nlohmann::json();
 }
 
+nlohmann::json to_json(const std::vector<TimedBlocks>& divisions) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const TimedBlocks& division : divisions) {
+    nlohmann::json blocks = nlohmann::json::array();
+    for (const Block& block : division.blocks) {
+      // Infinity is null.
+      blocks.push_back({{"low", {block.low(0), block.low(1), block.low(2)}},
+                        {"high", {block.high(0), block.high(1), block.high(2)}}});
+    }
+    list.push_back({{"from", division.from}, {"blocks", std::move(blocks)}});
+  }
+  return list;
+}
+
 }  // namespace
 
 SharedRecording::SharedRecording(const std::filesystem::path& path, OnDamage on_damage)
@@ -79,6 +93,10 @@ std::string SharedRecording::status_json(std::uint64_t from) const {
   status["mergers"] = progress_.mergers;
   status["walls"] = progress_.walls;
   status["rate"] = progress_.rate;
+  status["divisions"] = to_json(progress_.divisions);
+  status["windows"] = {{"committed", progress_.windows.windows},
+                       {"failed", progress_.windows.failed},
+                       {"steps", progress_.windows.steps}};
   status["event_log_hash"] = progress_.hash ? nlohmann::json(hash_text(*progress_.hash)) : nlohmann::json();
   return status.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

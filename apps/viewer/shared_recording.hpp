@@ -8,10 +8,19 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "hardball/parallel/block.hpp"
+#include "hardball/parallel/window_counters.hpp"
 #include "hardball/recording/recording_reader.hpp"
 
 namespace hardball::viewer {
+
+/// Blocks into which a run divides the box, from a time on; see Simulation::blocks.
+struct TimedBlocks {
+  double from = 0;  ///< [T]
+  std::vector<Block> blocks;
+};
 
 /// The progress of the run of a recording.
 struct RunProgress {
@@ -21,8 +30,10 @@ struct RunProgress {
   std::uint64_t collisions = 0;            ///< Of spheres that did not pass through each other.
   std::uint64_t mergers = 0;               ///< Those of them after which the spheres were one.
   std::uint64_t walls = 0;
-  double rate = 0;                    ///< Contacts per second of wall-clock time.
-  std::optional<std::uint64_t> hash;  ///< Of the event log.
+  double rate = 0;                          ///< Contacts per second of wall-clock time.
+  std::optional<std::uint64_t> hash;        ///< Of the event log.
+  std::vector<TimedBlocks> divisions = {};  ///< Of a live run, in the order of times.
+  WindowCounters windows = {};
 };
 
 /// A recording for many concurrent readers, which may grow meanwhile.

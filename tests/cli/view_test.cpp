@@ -108,6 +108,16 @@ TEST_F(View, ShowsTheSameHistoryAsRun) {
   EXPECT_GT(get("/page.css").size(), 1000U);
 }
 
+TEST_F(View, HasDomainsWithSeveralThreads) {
+  const json summary = run_json({"--until", "40"});
+  start({"gas.toml", "--until", "40", "--threads", "2"});
+  const json status = final_status();
+  EXPECT_EQ(status["event_log_hash"], summary["event_log_hash"]);
+  ASSERT_FALSE(status["divisions"].empty());
+  EXPECT_EQ(status["divisions"][0]["blocks"].size(), 2U);
+  EXPECT_GT(status["windows"]["committed"], 0);
+}
+
 class StoppedView : public View, public testing::WithParamInterface<int> {};
 
 TEST_P(StoppedView, EndsWellAndLeavesNothing) {
@@ -128,6 +138,7 @@ TEST_F(View, ShowsARecordedRun) {
   EXPECT_EQ(status["collisions"], summary["events"]["collision"]);
   EXPECT_EQ(status["walls"], summary["events"]["wall"]);
   EXPECT_EQ(status["reached"], 40);
+  EXPECT_TRUE(status["divisions"].empty());
   const RecordingReader reader(folder_ / "out/recording.hbr");
   const FileExtent& last = reader.chunks().back().bytes;
   EXPECT_TRUE(get("/api/chunk?number=" + std::to_string(reader.chunks().size() - 1)) ==
@@ -182,6 +193,7 @@ TEST_F(View, RefusesWhatItCannotDo) {
         Arguments{"view", "gas.toml", "--recording-limit", "-1"},
         Arguments{"view", "gas.toml", "--recording-limit", "much"}, Arguments{"view", "out", "--until", "3"},
         Arguments{"view", "out", "--seed", "3"}, Arguments{"view", "out", "--set", "run.seed=3"},
+        Arguments{"view", "out", "--threads", "2"}, Arguments{"view", "gas.toml", "--threads", "0"},
         Arguments{"view", "missing.toml"}, Arguments{"view", "gas.toml", "--no-opne"},
         Arguments{"replay", "gas.toml"}, Arguments{"replay", "gas.toml", "--out", "no/where.html"}}) {
     const Outcome outcome = run_program(folder_, arguments);

@@ -9,6 +9,7 @@
 
 #include "apps/viewer/recorded_progress.hpp"
 #include "hardball/errors/error.hpp"
+#include "hardball/measure/event_log_hash.hpp"
 #include "support/scratch_folder.hpp"
 #include "unit/viewer/small_run.hpp"
 
@@ -52,6 +53,48 @@ TEST(LiveRun, RecordsWhatAnyOtherRunRecords) {
     return contacts;
   };
   EXPECT_TRUE(contacts_in(folder / "live.hbr") == contacts_in(folder / "plain.hbr"));
+}
+
+// The status after the end of a run.
+nlohmann::json final_status(const ScratchFolder& folder, Simulation simulation) {
+  const SmallRun run(folder / "live.hbr", std::move(simulation), 20, kNoLimit);
+  EXPECT_EQ(run.finished().failure, std::nullopt);
+  return nlohmann::json::parse(run.recording().status_json(0));
+}
+
+TEST(LiveRun, TellsHowItsDomainsDivideTheBox) {
+  const ScratchFolder folder;
+  Simulation alone(kGas);
+  alone.run_until(20);
+  const nlohmann::json status = final_status(folder, Simulation(kGas, {.threads = 2}));
+  EXPECT_EQ(status["event_log_hash"], hash_text(alone.event_log_hash()));
+  ASSERT_GE(status["divisions"].size(), 1U);
+  EXPECT_EQ(status["divisions"][0]["from"], 0);
+  double from = 0;
+  for (const nlohmann::json& division : status["divisions"]) {
+    EXPECT_GE(division["from"], from);
+    from = division["from"];
+    ASSERT_EQ(division["blocks"].size(), 2U);
+    // Walls are no ends, and the cut is one for both.
+    int cuts = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      EXPECT_TRUE(division["blocks"][0]["low"][axis].is_null());
+      EXPECT_TRUE(division["blocks"][1]["high"][axis].is_null());
+      EXPECT_EQ(division["blocks"][0]["high"][axis], division["blocks"][1]["low"][axis]);
+      cuts += division["blocks"][0]["high"][axis].is_number() ? 1 : 0;
+    }
+    EXPECT_EQ(cuts, 1);
+  }
+  EXPECT_GT(status["windows"]["committed"], 0);
+  EXPECT_LE(status["windows"]["steps"], status["windows"]["committed"]);
+}
+
+TEST(LiveRun, OfOneThreadHasOneBlockAndNoWindows) {
+  const ScratchFolder folder;
+  const nlohmann::json status = final_status(folder, Simulation(kGas));
+  ASSERT_EQ(status["divisions"].size(), 1U);
+  EXPECT_EQ(status["divisions"][0]["blocks"].size(), 1U);
+  EXPECT_EQ(status["windows"], nlohmann::json::parse(R"({"committed": 0, "failed": 0, "steps": 0})"));
 }
 
 TEST(LiveRun, EndsWhenItIsDestroyed) {

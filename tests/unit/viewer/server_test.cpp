@@ -155,6 +155,7 @@ TEST_F(ServerTest, GivesTheStatus) {
   EXPECT_EQ(status["walls"], 2);
   EXPECT_EQ(status["rate"], 0.5);
   EXPECT_EQ(status["event_log_hash"], "00000000000000ab");
+  EXPECT_TRUE(status["divisions"].empty()) << "a recording has no domains";
   const json rest = json::parse(get("/api/status?from=1")->body)["chunk_ends"];
   EXPECT_EQ(rest.size() + 1, reader.chunks().size());
   EXPECT_EQ(json::parse(get("/api/status?from=99999999999")->body)["chunk_ends"].size(), 0U);

@@ -65,6 +65,10 @@ class SmallRun {
  public:
   SmallRun(const std::filesystem::path& path, World world, double until, std::uint64_t most_bytes = kNoLimit)
       : SmallRun(path, Simulation(std::move(world)), until, most_bytes) {}
+  SmallRun(const std::filesystem::path& path, Simulation simulation, double until, std::uint64_t most_bytes)
+      : writer_(path, {.until = until, .name = "gas"}, simulation.world()),
+        recording_(path),
+        run_(std::move(simulation), std::move(writer_), recording_, until, most_bytes) {}
 
   const SharedRecording& recording() const { return recording_; }
 
@@ -75,11 +79,6 @@ class SmallRun {
   }
 
  private:
-  SmallRun(const std::filesystem::path& path, Simulation simulation, double until, std::uint64_t most_bytes)
-      : writer_(path, {.until = until, .name = "gas"}, simulation.world()),
-        recording_(path),
-        run_(std::move(simulation), std::move(writer_), recording_, until, most_bytes) {}
-
   RecordingWriter writer_;  // until moved into the run
   SharedRecording recording_;
   LiveRun run_;

@@ -33,6 +33,8 @@ export function createApi(viewer) {
     screenPlace: (place) => onPage(view, place),
     /** The radius of sphere `id` now [L]; zero once it is part of another. */
     radius: (id) => viewer.bodies.radii[id],
+    /** The domain in whose block sphere `id` is now; -1 if the run has no domains. */
+    domain: (id) => viewer.domainOf(id),
     /** The orientation of sphere `id` now: a quaternion, its real part last. */
     orientation: (id) => viewer.orientation(id),
     /** How long a CSS pixel is in space, at the distance of the middle of the picture [L]. */

@@ -4,6 +4,7 @@ import { Cells } from './motion/cells.js';
 import { knownUntil, nextContact, recentPaths } from './motion/contacts_of.js';
 import { typicalScales } from './motion/default_speed.js';
 import { Box } from './motion/box.js';
+import { Domains, nearestBlock } from './motion/domains.js';
 import { readCenter, readVelocity } from './motion/path.js';
 import { Player } from './motion/player.js';
 import { partnerName, readSurfaces } from './motion/surfaces.js';
@@ -18,6 +19,7 @@ import { showRunStatus } from './panel/run_status.js';
 import { ScaleBar } from './panel/scale_bar.js';
 import { SpherePanel } from './panel/sphere_panel.js';
 import { Transport } from './panel/transport.js';
+import { WindowsPanel } from './panel/windows_panel.js';
 import { CellLayer, kFew } from './scene/cell_layer.js';
 import { kSpeciesColors } from './scene/colors.js';
 import { EventFlashes } from './scene/event_flashes.js';
@@ -43,6 +45,11 @@ const kRetrySeconds = 2;
 const kUnits = { speed: 'L T⁻¹', size: 'L', spin: 'T⁻¹', collisions: '', 'last contact': 'T' }; // of colorings
 
 const element = (id) => document.getElementById(id);
+
+// The choice of a coloring.
+function optionOf(name) {
+  return new Option(name[0].toUpperCase() + name.slice(1), name);
+}
 
 // The unit vector against gravity; y if there is none.
 function upwardOf(gravity) {
@@ -73,6 +80,8 @@ export class Viewer {
     this.kinds = this.species ?? findKinds(radii, masses);
     this.sizes = new Sizes(radii);
     this.largestRadius = this.sizes.largest;
+    /** Of a live run; none of a recorded one. */
+    this.domains = new Domains();
 
     this.view = new View(element('canvas'), this.box, upwardOf(this.box.gravity));
     this.spheres = new Spheres(this.bodies, this.kinds.of, this.box, this.canTurn);
@@ -89,6 +98,7 @@ export class Viewer {
     this.legend = new ColorLegend();
     this.transport = new Transport(this);
     this.spherePanel = new SpherePanel(this);
+    this.windowsPanel = new WindowsPanel();
     this.scaleBar = new ScaleBar();
     this.help = new Help(this);
     this.quality = new Quality(window.devicePixelRatio, (way) => this.draw(way));
@@ -111,6 +121,7 @@ export class Viewer {
     element('images-label').hidden = !this.surroundings.images.isPeriodic;
     element('surroundings').hidden = this.surfaces.length === 0 && !this.surroundings.images.isPeriodic;
     this.showEvents();
+    this.noteDomains();
   }
 
   /** Starts the animation. */
@@ -201,6 +212,7 @@ export class Viewer {
     element('color-by').value = name;
     this.spheres.uniforms.colorBy.value = kColorBy.indexOf(name);
     if (name === 'species') this.showSpecies();
+    if (name === 'domain') this.showDomains();
     this.colorBy = name;
     this.view.isStale = true;
     if (this.scales) this.updateColors();
@@ -227,6 +239,11 @@ export class Viewer {
   /** The orientation of sphere `id` at the time shown: a quaternion, its real part last. */
   orientation(id) {
     return this.bodies.orientation(id, this.playback.time - this.playback.paths[kPathNumbers * id + 6]);
+  }
+
+  /** The number of the domain in whose block sphere `id` is at the time shown; -1 without domains. */
+  domainOf(id) {
+    return nearestBlock(this.domains.at(this.playback.time), this.center(id));
   }
 
   /** Center of sphere `id` at `time` [T], folded into the box [L]. Error: the chunk cannot be loaded. */
@@ -287,6 +304,7 @@ export class Viewer {
     const { uniforms } = this.spheres;
     const followed = this.followed ?? -1;
     const window = kFlashSeconds * this.player.speed;
+    this.spheres.divide(this.domains.at(this.playback.time));
     this.spheres.update(this.playback);
     const [walls, images] = [element('show-walls').checked, element('show-images').checked];
     this.surroundings.update(this.playback, { walls, images });
@@ -345,6 +363,7 @@ export class Viewer {
     const range = this.spheres.uniforms.colorRange.value;
     this.measureBodies();
     if (this.colorBy === 'species') return this.showSpecies();
+    if (this.colorBy === 'domain') return this.showDomains();
     if (this.colorBy === 'speed') range.set(0, this.plots.fast);
     const isLogarithmic = this.colorBy === 'size' && this.sizes.areWide;
     this.spheres.uniforms.colorIsLogarithmic.value = isLogarithmic;
@@ -382,6 +401,23 @@ export class Viewer {
     this.legend.showSpecies(this.kinds.list);
   }
 
+  // How many spheres are in the block of each domain at the time shown.
+  showDomains() {
+    const blocks = this.domains.at(this.playback.time);
+    const counts = blocks.map(() => 0);
+    for (let id = 0; id < this.bodies.radii.length; ++id)
+      if (this.bodies.exists(id)) ++counts[nearestBlock(blocks, this.center(id))];
+    this.legend.showDomains(counts);
+  }
+
+  // Whether there are domains is known as soon as the run is; there may be several only later.
+  noteDomains() {
+    this.domains.update(this.source.status.divisions);
+    this.windowsPanel.update(this.source.status.windows, this.domains.areSeveral);
+    const isOffered = [...element('color-by').options].some(({ value }) => value === 'domain');
+    if (this.domains.areSeveral && !isOffered) element('color-by').append(optionOf('domain'));
+  }
+
   // Few spheres spin faster [1/T].
   typicalSpin() {
     const { bodies } = this;
@@ -412,6 +448,7 @@ export class Viewer {
       if (this.surroundings.widen(this.playback)) this.view.isStale = true;
       showRunStatus(this.source, this.spheresAtStart, this.isLost);
       this.showEvents();
+      this.noteDomains();
     }
     if (seconds - this.last.plots > kSecondsBetweenPlots) {
       this.last.plots = seconds;
@@ -524,8 +561,8 @@ export class Viewer {
     const canvas = element('canvas');
     element('color-by').replaceChildren(
       ...kColorBy
-        .filter((name) => name !== 'spin' || this.canTurn)
-        .map((name) => new Option(name[0].toUpperCase() + name.slice(1), name)),
+        .filter((name) => name !== 'domain' && (name !== 'spin' || this.canTurn))
+        .map(optionOf),
     );
     element('color-by').addEventListener('change', (event) => this.setColorBy(event.target.value));
     element('fit').addEventListener('click', () => this.fit());

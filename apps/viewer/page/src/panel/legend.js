@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import { kEventColors, kKinematicColor, kMapColors, kSpeciesColors, toCss } from '../scene/colors.js';
+import { kDomainColors, kEventColors, kKinematicColor, kMapColors, kSpeciesColors, toCss } from '../scene/colors.js';
 import { show, showCount } from './numbers.js';
 
 const kMostSurfaces = 12; // named in the legend
@@ -26,17 +26,29 @@ export class ColorLegend {
 
   /** A swatch for each species: named, or known by radius and mass. */
   showSpecies(list) {
-    this.choose('species');
     const texts = list.map(({ name, radius, mass, count }) =>
       name ? `${name}: ${showCount(count)}` : `${showCount(count)} × radius ${show(radius, 3)} L, mass ${show(mass, 3)} M`,
     );
+    this.showSwatches(kSpeciesColors, texts);
+  }
+
+  /** A swatch for each domain, which has so many spheres. */
+  showDomains(counts) {
+    this.showSwatches(
+      kDomainColors,
+      counts.map((count, k) => `domain ${k}: ${showCount(count)}`),
+    );
+  }
+
+  showSwatches(colors, texts) {
+    this.choose('species');
     if (this.texts === texts.join('\n')) return;
     this.texts = texts.join('\n');
-    // As many colors as there are: those of further species are used again.
+    // As many colors as there are: further species and domains use them again.
     this.species.replaceChildren(
       ...texts
-        .slice(0, 3 * kSpeciesColors.length)
-        .map((text, k) => swatch(kSpeciesColors[k % kSpeciesColors.length], text)),
+        .slice(0, 3 * colors.length)
+        .map((text, k) => swatch(colors[k % colors.length], text)),
     );
   }
 
@@ -85,7 +97,8 @@ function describe(surface) {
   return parts.join(', ');
 }
 
-function swatch(color, text, shape = '') {
+/** An entry of a legend: a mark of a color, square or round, and what it means. */
+export function swatch(color, text, shape = '') {
   const item = document.createElement('li');
   const mark = document.createElement('span');
   mark.className = `swatch ${shape}`;

@@ -40,6 +40,9 @@ export class SpherePanel {
     text('sphere-kind', bodies.exists(followed) ? `${show(bodies.radii[followed])}, ${mass}` : 'merged');
     document.getElementById('sphere-species-row').hidden = species === null;
     if (species) text('sphere-species', species.list[species.of[followed]].name);
+    const { domains } = this.viewer;
+    document.getElementById('sphere-domain-row').hidden = !domains.areSeveral;
+    if (domains.areSeveral) text('sphere-domain', String(this.viewer.domainOf(followed)));
     document.getElementById('sphere-spin-row').hidden = !canTurn;
     const spin = bodies.spin(followed);
     if (canTurn) text('sphere-spin', axes === 2 ? show(spin[2], 4) : vector(spin));

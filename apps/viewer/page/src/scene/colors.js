@@ -11,6 +11,9 @@ const kViridis =
 /** The colors of the species, distinct also for the color-blind; Okabe and Ito, 2008. */
 const kSpecies = '0072b2 e69f00 009e73 cc79a7 56b4e9 d55e00 f0e442 8c8c8c';
 
+/** Those that domains have besides, as distinct. */
+const kMoreDomains = '332288 882255 663311 7dff9e 999933 ff3d7f 004d40 a98bf0';
+
 /** The colors of events: red, green, blue from 0 to 1. */
 export const kEventColors = {
   collision: color('d55e00'),
@@ -20,7 +23,11 @@ export const kEventColors = {
   leave: color('e69f00'),
 };
 
+/** The colors of windows of time, by how they end. */
+export const kWindowColors = { committed: color('56b4e9'), failed: color('d55e00'), steps: color('e69f00') };
+
 export const kSpeciesColors = colors(kSpecies);
+export const kDomainColors = [...kSpeciesColors, ...colors(kMoreDomains)];
 export const kMapColors = colors(kViridis);
 
 /** "rgb(…)" of a color whose parts are from 0 to 1. */

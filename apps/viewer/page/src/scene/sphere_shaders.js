@@ -23,6 +23,10 @@ const kMotion = /* glsl */ `
   uniform bool colorIsLogarithmic;
   uniform sampler2D colorMap;
   uniform sampler2D speciesColors;
+  uniform sampler2D domainColors;
+  uniform highp sampler2D domainBlocks; // the lower and the upper end of each
+  uniform int domainCount;
+  uniform vec3 boxPeriod;    // zero along axes that are not periodic
   uniform int followed;      // id, or -1
   uniform vec3 followedCenter;
   uniform float pixels;      // height of the drawing
@@ -63,7 +67,30 @@ const kMotion = /* glsl */ `
     return dot(apart, apart) > reach * reach;
   }
 
-  vec3 colorByNow() {
+  // The domain in whose block a center is; rounding may have put it beside all of them.
+  int domainAt(vec3 center) {
+    vec3 place = center;
+    for (int axis = 0; axis < 3; ++axis)
+      if (boxPeriod[axis] > 0.0) place[axis] -= boxPeriod[axis] * floor(place[axis] / boxPeriod[axis]);
+    int nearest = 0;
+    float least = 1e38;
+    for (int domain = 0; domain < domainCount; ++domain) {
+      vec3 apart = max(texelFetch(domainBlocks, ivec2(0, domain), 0).xyz - place,
+                       place - texelFetch(domainBlocks, ivec2(1, domain), 0).xyz);
+      float outside = max(apart.x, max(apart.y, apart.z));
+      if (outside < least) {
+        least = outside;
+        nearest = domain;
+      }
+    }
+    return nearest;
+  }
+
+  vec3 colorByNow(vec3 center) {
+    if (colorBy == 6) {
+      int colors = textureSize(domainColors, 0).x;
+      return texelFetch(domainColors, ivec2(domainAt(center) % colors, 0), 0).rgb;
+    }
     if (colorBy == 2) return texelFetch(speciesColors, ivec2(int(kind.y), 0), 0).rgb;
     float value = colorBy == 0 ? length(motion.xyz + elapsed * gravity)
                 : colorBy == 1 ? kind.x
@@ -75,8 +102,8 @@ const kMotion = /* glsl */ `
     return texture(colorMap, vec2((32.0 * clamp(share, 0.0, 1.0) + 0.5) / 33.0, 0.5)).rgb;
   }
 
-  vec3 colorNow() {
-    return mix(colorByNow(), kinematicColor, 0.75 * kind.z);
+  vec3 colorNow(vec3 center) {
+    return mix(colorByNow(center), kinematicColor, 0.75 * kind.z);
   }
 `;
 
@@ -135,7 +162,7 @@ export const kImpostorVertex = /* glsl */ `
     ball.xyz = (modelViewMatrix * vec4(center, 1.0)).xyz;
     float distance = length(ball.xyz);
     ball.w = max(kind.x, leastPixels * distance / (projectionMatrix[1][1] * pixels));
-    color = colorNow();
+    color = colorNow(center);
     findMarks();
     isFollowed = gl_InstanceID == followed ? 1.0 : 0.0;
     if (isHidden(center, gl_InstanceID) || (!isFlat && distance <= 1.01 * ball.w)) {
@@ -192,7 +219,7 @@ export const kPointVertex = /* glsl */ `
   void main() {
     vec3 center = centerNow();
     vec4 seen = modelViewMatrix * vec4(center, 1.0);
-    color = colorNow();
+    color = colorNow(center);
     findMarks();
     isFollowed = gl_VertexID == followed ? 1.0 : 0.0;
     gl_Position = isHidden(center, gl_VertexID) ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * seen;

@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-import { Group, Matrix3, Vector2, Vector3 } from 'three';
+import { DataTexture, FloatType, Group, Matrix3, RGBAFormat, Vector2, Vector3 } from 'three';
 import { placeAfter } from '../motion/path.js';
 import { kPathNumbers } from '../recording/chunk.js';
-import { colorTexture, kKinematicColor, kMapColors, kSpeciesColors } from './colors.js';
+import { colorTexture, kDomainColors, kKinematicColor, kMapColors, kSpeciesColors } from './colors.js';
 import { SphereImages } from './sphere_images.js';
 import { kKindNumbers, kMotionNumbers as kNumbers, kTurnNumbers, SphereObject } from './sphere_object.js';
 
 const kBlock = 256; // spheres sent to the graphics card together
+const kFar = 1e30; // instead of infinity, which shaders need not know [L]
 
 /** What spheres can be colored by, in the order in which the shader knows them. */
-export const kColorBy = ['speed', 'size', 'species', 'collisions', 'last contact', 'spin'];
+export const kColorBy = ['speed', 'size', 'species', 'collisions', 'last contact', 'spin', 'domain'];
 
 /**
  * All spheres, drawn by the graphics card. It gets each path once, relative to a reference time, and moves the
@@ -45,6 +46,10 @@ export class Spheres {
       colorIsLogarithmic: { value: false },
       colorMap: { value: colorTexture(kMapColors, true) },
       speciesColors: { value: colorTexture(kSpeciesColors, false) },
+      domainColors: { value: colorTexture(kDomainColors, false) },
+      domainBlocks: { value: null },
+      domainCount: { value: 0 },
+      boxPeriod: { value: new Vector3(...box.period) },
       kinematicColor: { value: new Vector3(...kKinematicColor) },
       hasMarks: { value: canTurn },
       fromCamera: { value: new Matrix3() },
@@ -69,6 +74,20 @@ export class Spheres {
     this.object.add(this.drawn.object);
     this.images.drawAs(way);
     this.way = way;
+  }
+
+  /** Colors spheres by the `blocks` that they are in, where they are colored by domain. */
+  divide(blocks) {
+    if (blocks === this.blocks || blocks.length === 0) return;
+    this.blocks = blocks;
+    const { domainBlocks, domainCount } = this.uniforms;
+    domainBlocks.value?.dispose();
+    const numbers = blocks.flatMap(({ low, high }) =>
+      [...low, 0, ...high, 0].map((place) => Math.min(Math.max(place, -kFar), kFar)),
+    );
+    domainBlocks.value = new DataTexture(new Float32Array(numbers), 2, blocks.length, RGBAFormat, FloatType);
+    domainBlocks.value.needsUpdate = true;
+    domainCount.value = blocks.length;
   }
 
   /** Takes over the paths touched by `playback`, and its time. */
