@@ -1,0 +1,555 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// The program critical_path: what each domain of a divided system would do on a processor of its own. For
+// each number of domains it prints a line of JSON, which parallel_model.py reads.
+//
+// The domains run once in turn, and what they tell each other is recorded. Then each of them is run again by
+// itself, with what it was told, and timed: no other domain is in the caches then. All is deterministic, so
+// that is repeated from the same state, and the time of a step is the median of the repetitions.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "hardball/broadphase/cell_grid.hpp"
+#include "hardball/broadphase/neighbor_list.hpp"
+#include "hardball/engine/engine.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/events/calendar_queue.hpp"
+#include "hardball/geometry/range.hpp"
+#include "hardball/parallel/cluster.hpp"
+#include "hardball/parallel/division.hpp"
+#include "hardball/scenario/make_world.hpp"
+#include "hardball/simulation/any_engine.hpp"
+#include "hardball/simulation/contact_sums.hpp"
+#include "hardball/world/curve_order.hpp"
+
+namespace hardball::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kRadius = 0.5;
+
+struct Options {
+  std::size_t spheres = 0;
+  double packing_fraction = 0;
+  double equilibration = 0;  // collisions per sphere
+  std::vector<std::size_t> domains;
+  std::size_t windows = 0;
+  std::size_t warm_up = 0;  // windows until the first ones are as long as wanted
+  std::size_t repetitions = 0;
+  std::uint64_t seed = 0;
+  Division division;
+};
+
+World make_start(const Options& options) {
+  check_positive(options.packing_fraction, "the packing fraction", "--packing-fraction");
+  SphereGroup group;
+  group.count = options.spheres;
+  group.radius = kRadius;
+  group.placement = Placement::fcc;
+  group.velocity_rule = VelocityRule::temperature;
+  group.velocity_scale = 1;
+  group.where = "--packing-fraction";
+  const double volume = static_cast<double>(options.spheres) * std::numbers::pi / 6;
+  Scenario scenario;
+  scenario.seed = options.seed;
+  scenario.spheres.push_back(group);
+  scenario.box.fill({Boundary::periodic, std::cbrt(volume / options.packing_fraction)});
+  return make_world(scenario);
+}
+
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+template <class Work>
+double processor_seconds_of(Work&& work) {
+  const double start = processor_seconds();
+  work();
+  return processor_seconds() - start;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+double sum_of(std::span<const double> values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum;
+}
+
+// What the domains do between two moments at which all wait for the slowest.
+constexpr std::array<std::string_view, 5> kSteps{"run", "verify", "doubt", "commit", "receive"};
+using StepSeconds = std::array<double, kSteps.size()>;
+
+// What domains tell each other in a window, in bytes.
+struct Traffic {
+  static constexpr std::array<std::string_view, 7> kKinds{"records",  "flights",    "doubts",   "departures",
+                                                          "arrivals", "new_owners", "handovers"};
+  std::array<std::size_t, kKinds.size()> bytes{};
+
+  // Before windows are committed there are records, flights and doubts in an outbox; after that, the others.
+  void note(const Outbox& outbox) {
+    const auto bytes_of = [](const auto& elements) { return elements.size() * sizeof(*elements.data()); };
+    std::size_t holders = 0;
+    for (const Handover& handover : outbox.handovers) holders += bytes_of(handover.holders);
+    const std::array<std::size_t, kKinds.size()> sizes{bytes_of(outbox.records),
+                                                       bytes_of(outbox.flights),
+                                                       bytes_of(outbox.doubts),
+                                                       bytes_of(outbox.departures),
+                                                       bytes_of(outbox.arrivals),
+                                                       bytes_of(outbox.new_owners),
+                                                       bytes_of(outbox.handovers) + holders};
+    for (std::size_t kind = 0; kind < sizes.size(); ++kind) bytes[kind] += sizes[kind];
+  }
+};
+
+template <class Phase>
+class CriticalPath {
+ public:
+  // The spheres, equilibrated, in an order that suits one engine.
+  explicit CriticalPath(const Options& options) : options_(options), engine_(equilibrated(options)) {
+    sums_.tally.begin(engine_.world(), engine_.now());
+  }
+
+  void print(std::size_t count) {
+    Json json;
+    json["spheres"] = options_.spheres;
+    json["packing_fraction"] = options_.packing_fraction;
+    json["domains"] = count;
+    json["halo"] = options_.division.halo;
+    json["window"] = options_.division.window;
+    json["engine"] = kEngineNames[static_cast<std::size_t>(kKind)];
+    const ForEach in_turn = [](std::size_t domains, const Function<void(std::size_t)>& work) {
+      for (std::size_t domain = 0; domain < domains; ++domain) work(domain);
+    };
+    Members members(make_members(count), engine_.now(), window_settings(), phase_, in_turn);
+    for (std::size_t k = 0; k < count; ++k) members.domain(k).clear_sums(sums_.part());
+    for (std::size_t window = 0; window < options_.warm_up; ++window) run_window(members);
+    // All frontiers are watched now, and not again for many windows.
+    members.watch_anew();
+    run_window(members);
+    note_size(members, json);
+    const Members start(members, in_turn);
+    const Stretch stretch = record(members, json);
+    measure(start, stretch, json);
+    fmt::print("{}\n", json.dump());
+    std::fflush(stdout);
+  }
+
+ private:
+  using SingleEngine = Engine<CalendarQueue, Phase>;
+  using Members = Cluster<SingleEngine, ContactSums>;
+  static constexpr EngineKind kKind =
+      std::is_same_v<Phase, CellGrid> ? EngineKind::cells : EngineKind::neighbors;
+
+  SingleEngine make_engine(World world, const Time& now) const {
+    return SingleEngine(std::move(world), Phase(phase_), now, phase_.instructions);
+  }
+
+  SingleEngine equilibrated(const Options& options) {
+    World world = make_start(options);
+    phase_.length = choose_length(world, kKind, {}, Time(0));
+    world.reorder(order_along_curve(world, Time(0)));
+    SingleEngine engine = make_engine(std::move(world), Time(0));
+    const double contacts = options.equilibration * static_cast<double>(options.spheres) / 2;
+    engine.run({.contacts = static_cast<std::uint64_t>(contacts)}, [](const Contact&) {});
+    const Time now = engine.now();
+    World then = engine.world();
+    then.reorder(order_along_curve(then, now));
+    phase_.length = choose_length(then, kKind, {}, now);
+    return make_engine(std::move(then), now);
+  }
+
+  Halo halo() const {
+    Halo halo;
+    halo.contact = 2 * kRadius;
+    halo.depth = options_.division.halo * halo.contact;
+    halo.slack = 0.5 * halo.contact;
+    return halo;
+  }
+
+  double mean_speed() const {
+    double speeds = 0;
+    const World& world = engine_.world();
+    for (Slot slot = 0; slot < world.size(); ++slot) speeds += length(world.velocity(slot, engine_.now()));
+    return speeds / static_cast<double>(world.size());
+  }
+
+  // As ParallelEngine sets them.
+  WindowSettings window_settings() const {
+    const double speed = mean_speed();
+    return {std::max(1.0, options_.division.window * static_cast<double>(options_.spheres) / 2),
+            options_.division.first_window * kRadius / speed, 2 * kRadius / speed};
+  }
+
+  std::vector<std::unique_ptr<typename Members::Member>> make_members(std::size_t count) const {
+    const World& world = engine_.world();
+    std::vector<Vec3> centers;
+    for (Slot slot = 0; slot < world.size(); ++slot) centers.push_back(world.position(slot, engine_.now()));
+    const Partition partition = Partition::bisection(world.box(), count, centers);
+    std::vector<DomainNumber> owners;
+    for (const Vec3& center : centers) owners.push_back(partition.domain_at(center));
+    std::vector<std::unique_ptr<typename Members::Member>> members;
+    for (DomainNumber number = 0; number < count; ++number) {
+      if (partition.neighbors(number, halo().neighborhood()).size() > kMaxNeighbors) {
+        throw Error("a domain has more than " + to_text(kMaxNeighbors) + " neighbors", "--domains",
+                    "give fewer domains, or more spheres");
+      }
+      members.push_back(std::make_unique<typename Members::Member>(
+          world, owners, engine_.now(), partition, number, halo(),
+          [this](World part) { return make_engine(std::move(part), engine_.now()); }));
+    }
+    return members;
+  }
+
+  static void open_window(Members& members) {
+    members.open_window(1e120, std::numeric_limits<std::uint64_t>::max(), false);
+  }
+  static void run_window(Members& members) {
+    open_window(members);
+    members.commit_window();
+  }
+
+  void note_size(const Members& members, Json& json) const {
+    std::size_t ghosts = 0;
+    std::size_t neighbors = 0;
+    std::size_t bytes = 0;
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      ghosts += members.domain(k).residents().ghost_count();
+      neighbors += members.domain(k).neighbors().size();
+      bytes += members.domain(k).memory_bytes();
+    }
+    const auto per_sphere = [&](std::size_t number) {
+      return static_cast<double>(number) / static_cast<double>(options_.spheres);
+    };
+    json["ghosts_per_sphere"] = per_sphere(ghosts);
+    json["neighbors"] = static_cast<double>(neighbors) / static_cast<double>(members.size());
+    json["bytes_per_sphere"] = {{"one_engine", per_sphere(engine_.memory_bytes())},
+                                {"domains", per_sphere(bytes)}};
+  }
+
+  // By domain, and by neighbor.
+  using Outboxes = std::vector<std::vector<Outbox>>;
+  struct RecordedWindow {
+    double end = 0;   // [T]
+    Outboxes before;  // it was committed
+    Outboxes after;
+  };
+  struct Stretch {
+    double start = 0;  // [T]
+    std::vector<RecordedWindow> windows;
+    std::uint64_t hash = 0;
+  };
+
+  // The first windows of copies let their arrays grow.
+  static constexpr std::size_t kUnmeasured = 2;
+  std::size_t windows() const { return kUnmeasured + options_.windows; }
+  double moment_before_measured(const Stretch& stretch) const { return stretch.windows[kUnmeasured - 1].end; }
+
+  static Outboxes inboxes_of(const Members& members, Traffic* traffic) {
+    Outboxes inboxes(members.size());
+    for (DomainNumber domain = 0; domain < members.size(); ++domain) {
+      for (const DomainNumber neighbor : members.domain(domain).neighbors()) {
+        inboxes[domain].push_back(members.domain(neighbor).outbox_to(domain));
+        if (traffic) traffic->note(inboxes[domain].back());
+      }
+    }
+    return inboxes;
+  }
+
+  // Runs on, and keeps what the domains tell each other.
+  Stretch record(Members& members, Json& json) const {
+    Stretch stretch;
+    stretch.start = members.committed();
+    Traffic traffic;
+    WindowCounters first;
+    std::uint64_t contacts = 0;
+    std::uint64_t handled = 0;
+    double squares = 0;  // of the contacts that a domain has handled in a window, ghosts included
+    for (std::size_t window = 0; window < windows(); ++window) {
+      const bool is_measured = window >= kUnmeasured;
+      if (window == kUnmeasured) first = members.window_counters();
+      std::vector<std::uint64_t> before;
+      for (std::size_t k = 0; k < members.size(); ++k)
+        before.push_back(members.domain(k).engine().counters().collision);
+      open_window(members);
+      RecordedWindow& recorded = stretch.windows.emplace_back();
+      Outboxes before_commit = inboxes_of(members, is_measured ? &traffic : nullptr);
+      for (std::size_t k = 0; is_measured && k < members.size(); ++k) {
+        const std::uint64_t done = members.domain(k).engine().counters().collision - before[k];
+        handled += done;
+        squares += static_cast<double>(done) * static_cast<double>(done);
+      }
+      if (is_measured) contacts += members.open_contacts();
+      members.commit_window();
+      Outboxes after_commit = inboxes_of(members, is_measured ? &traffic : nullptr);
+      recorded.end = members.committed();
+      if (options_.repetitions == 0) continue;
+      recorded.before = std::move(before_commit);
+      recorded.after = std::move(after_commit);
+    }
+    const WindowCounters& done = members.window_counters();
+    const double parts = static_cast<double>(options_.windows * members.size());
+    const double mean = static_cast<double>(handled) / parts;
+    json["windows"] = options_.windows;
+    json["failed"] = done.failed - first.failed;
+    json["single_steps"] = done.steps - first.steps;
+    json["contacts"] = contacts;
+    json["handled_contacts"] = handled;
+    json["relative_spread_of_contacts"] = std::sqrt(std::max(squares / parts - mean * mean, 0.0)) / mean;
+    for (std::size_t kind = 0; kind < Traffic::kKinds.size(); ++kind) {
+      json["bytes_per_window_and_domain"][std::string(Traffic::kKinds[kind])] =
+          static_cast<double>(traffic.bytes[kind]) / parts;
+    }
+    ContactSums sums = sums_.part();
+    for (std::size_t k = 0; k < members.size(); ++k) sums.add(members.domain(k).sums());
+    stretch.hash = sums.hash.value();
+    json["event_log_hash"] = hash_text(stretch.hash);
+    return stretch;
+  }
+
+  // What a domain has taken, alone on a processor.
+  struct Alone {
+    std::vector<StepSeconds> windows;
+    double undo = 0;
+    double watch = 0;
+    double per_contact = 0;  // of its engine, with a journal
+  };
+
+  void measure(const Members& start, const Stretch& stretch, Json& json) const {
+    const double length = (stretch.windows.back().end - moment_before_measured(stretch)) /
+                          static_cast<double>(options_.windows);
+    json["window_length"] = length;
+    json["windows_per_watch"] = windows_per_watch(length);
+    std::vector<double> one_engine{seconds_of_one_engine(stretch, false)};
+    if (options_.repetitions == 0) return;
+    std::vector<double> with_journal;
+    std::vector<std::vector<Alone>> alone(start.size());
+    ContactSums sums = sums_.part();
+    for (std::size_t repetition = 0; repetition < options_.repetitions; ++repetition) {
+      if (repetition > 0) one_engine.push_back(seconds_of_one_engine(stretch, false));
+      with_journal.push_back(seconds_of_one_engine(stretch, true));
+      for (std::size_t k = 0; k < start.size(); ++k)
+        alone[k].push_back(run_alone(start.domain(k), stretch, repetition == 0 ? &sums : nullptr));
+    }
+    if (sums.hash.value() != stretch.hash) throw std::logic_error("a domain alone has other contacts");
+    json["one_engine_seconds"] = median(one_engine);
+    json["one_engine_with_journal_seconds"] = median(with_journal);
+    note_times(alone, json);
+  }
+
+  // As Cluster has it.
+  double windows_per_watch(double length) const {
+    constexpr double kFewest = 64;
+    constexpr double kMost = 1024;
+    return std::clamp(window_settings().flight / length, kFewest, kMost);
+  }
+
+  // The time of one engine for the stretch. Error: its contacts are others than the domains'.
+  double seconds_of_one_engine(const Stretch& stretch, bool has_journal) const {
+    SingleEngine engine = engine_;
+    ContactSums sums = sums_.part();
+    const auto note = [&](const Contact& contact) { sums.note(contact); };
+    engine.run({.until = Time(stretch.start)}, note);
+    engine.run({.until = Time(moment_before_measured(stretch))}, note);
+    const double seconds = seconds_in_windows(engine, stretch, sums, has_journal);
+    if (sums.hash.value() != stretch.hash) throw std::logic_error("the domains have other contacts");
+    return seconds;
+  }
+
+  double seconds_in_windows(SingleEngine& engine, const Stretch& stretch, ContactSums& sums,
+                            bool has_journal) const {
+    const auto run_to = [&](double end) {
+      engine.run({.until = Time(end)}, [&](const Contact& contact) { sums.note(contact); });
+    };
+    return processor_seconds_of([&] {
+      if (!has_journal) return run_to(stretch.windows.back().end);
+      for (std::size_t window = kUnmeasured; window < windows(); ++window) {
+        engine.begin_journal(engine.now());
+        run_to(stretch.windows[window].end);
+        engine.end_journal();
+      }
+    });
+  }
+
+  // Runs a domain once more, with what the others have told it.
+  Alone run_alone(const typename Members::Member& start, const Stretch& stretch, ContactSums* sums) const {
+    typename Members::Member domain(start);
+    Alone alone;
+    for (std::size_t window = 0; window < windows(); ++window) {
+      const RecordedWindow& recorded = stretch.windows[window];
+      const auto pointers = [&](const Outboxes& outboxes) {
+        std::vector<const Outbox*> inboxes;
+        for (const Outbox& inbox : outboxes[domain.number()]) inboxes.push_back(&inbox);
+        return inboxes;
+      };
+      const std::vector<const Outbox*> before = pointers(recorded.before);
+      const std::vector<const Outbox*> after = pointers(recorded.after);
+      const auto run = [&] { domain.run(recorded.end, std::numeric_limits<std::uint64_t>::max()); };
+      if (window + 1 == kUnmeasured) {
+        run();
+        alone.undo = processor_seconds_of([&] { domain.undo(); });
+      }
+      double bad = 0;
+      const StepSeconds seconds{
+          processor_seconds_of(run), processor_seconds_of([&] { bad = domain.verify(before, recorded.end); }),
+          processor_seconds_of([&] { bad = std::min(bad, domain.doubtful_since(before)); }),
+          processor_seconds_of([&] { domain.commit(Time(recorded.end)); }), processor_seconds_of([&] {
+            domain.receive(after);
+            domain.make_ready(phase_);
+          })};
+      if (bad <= recorded.end) throw std::logic_error("a domain alone is wrong");
+      if (window >= kUnmeasured) alone.windows.push_back(seconds);
+    }
+    if (sums) sums->add(domain.sums());
+    const double length = stretch.windows.back().end - stretch.windows[windows() - 2].end;
+    const double horizon = stretch.windows.back().end + length * windows_per_watch(length);
+    alone.watch = processor_seconds_of([&] { domain.watch(horizon); });
+    alone.per_contact = seconds_per_contact(start.engine(), stretch);
+    return alone;
+  }
+
+  // Of a domain's engine. What ghosts do is soon wrong, but no other work.
+  double seconds_per_contact(SingleEngine engine, const Stretch& stretch) const {
+    ContactSums sums = sums_.part();
+    engine.run({.until = Time(moment_before_measured(stretch))}, [](const Contact&) {});
+    const std::uint64_t before = engine.counters().collision;
+    const double seconds = seconds_in_windows(engine, stretch, sums, true);
+    return seconds / static_cast<double>(std::max<std::uint64_t>(engine.counters().collision - before, 1));
+  }
+
+  void note_times(const std::vector<std::vector<Alone>>& alone, Json& json) const {
+    const std::size_t domains = alone.size();
+    const auto median_of = [&](std::size_t domain, auto&& value) {
+      std::vector<double> values;
+      for (const Alone& repetition : alone[domain]) values.push_back(value(repetition));
+      return median(std::move(values));
+    };
+    StepSeconds critical{};
+    StepSeconds sum{};
+    double waiting_once = 0;
+    for (std::size_t window = 0; window < options_.windows; ++window) {
+      std::vector<double> of_domain(domains);
+      for (std::size_t step = 0; step < kSteps.size(); ++step) {
+        double most = 0;
+        for (std::size_t domain = 0; domain < domains; ++domain) {
+          const double seconds =
+              median_of(domain, [&](const Alone& repetition) { return repetition.windows[window][step]; });
+          most = std::max(most, seconds);
+          sum[step] += seconds;
+          of_domain[domain] += seconds;
+        }
+        critical[step] += most;
+      }
+      waiting_once += std::ranges::max(of_domain);
+    }
+    for (std::size_t step = 0; step < kSteps.size(); ++step) {
+      json["steps"][std::string(kSteps[step])] = {{"critical_seconds", critical[step]},
+                                                  {"sum_seconds", sum[step]}};
+    }
+    json["critical_seconds"] = sum_of(critical);
+    json["sum_seconds"] = sum_of(sum);
+    json["critical_seconds_waiting_once_a_window"] = waiting_once;
+    const auto mean_of = [&](auto&& value) {
+      double total = 0;
+      for (std::size_t domain = 0; domain < domains; ++domain) total += median_of(domain, value);
+      return total / static_cast<double>(domains);
+    };
+    json["undo_seconds_per_domain"] = mean_of([](const Alone& repetition) { return repetition.undo; });
+    json["watch_seconds_per_domain"] = mean_of([](const Alone& repetition) { return repetition.watch; });
+    json["seconds_per_contact_of_a_domains_engine"] =
+        mean_of([](const Alone& repetition) { return repetition.per_contact; });
+  }
+
+  Options options_;
+  PhaseSettings phase_;
+  SingleEngine engine_;
+  ContactSums sums_;
+};
+
+template <class Phase>
+void print_all(const Options& options) {
+  CriticalPath<Phase> path(options);
+  for (const std::size_t domains : options.domains) path.print(domains);
+}
+
+int parse_and_run(int argument_count, char** arguments) {
+  Options options;
+  CLI::App app("Equal spheres in domains that work in turn: processor time on the critical path, as JSON.",
+               "critical_path");
+  app.add_option("--spheres", options.spheres, "How many")->required();
+  app.add_option("--packing-fraction", options.packing_fraction, "Their volume over the box's")->required();
+  app.add_option("--domains", options.domains, "How many, one number or several")
+      ->required()
+      ->delimiter(',')
+      ->check(CLI::Range(2, 4096));
+  app.add_option("--equilibration", options.equilibration, "Collisions per sphere before measuring")
+      ->default_val(4);
+  app.add_option("--windows", options.windows, "How many are measured")
+      ->default_val(20)
+      ->check(CLI::PositiveNumber);
+  app.add_option("--warm-up", options.warm_up, "Windows before")->default_val(25)->check(CLI::PositiveNumber);
+  app.add_option("--repetitions", options.repetitions, "How often they are timed; 0 counts alone")
+      ->default_val(5);
+  app.add_option("--halo", options.division.halo, "Depth of halos, in diameters");
+  app.add_option("--window", options.division.window, "Contacts for each sphere in a window");
+  app.add_option("--seed", options.seed, "Seed of the random numbers")->default_val(1);
+  try {
+    app.parse(argument_count, arguments);
+  } catch (const CLI::ParseError& error) {
+    // Requests for help are "errors" with exit status 0.
+    if (error.get_exit_code() == 0) return app.exit(error);
+    throw Error(error.what(), "command line", "see critical_path --help");
+  }
+  const bool has_lists = choose_engine(make_start(options), {}, Time(0)) == EngineKind::neighbors;
+  (has_lists ? print_all<NeighborList> : print_all<CellGrid>)(options);
+  return 0;
+}
+
+}  // namespace
+}  // namespace hardball::bench
+
+int main(int argument_count, char** arguments) {
+  constexpr int kFailed = 1;
+  constexpr int kBadInput = 2;
+  const auto complain = [](const std::exception& error) {
+    std::fputs("critical_path: ", stderr);
+    std::fputs(error.what(), stderr);
+    std::fputs("\n", stderr);
+  };
+  try {
+    return hardball::bench::parse_and_run(argument_count, arguments);
+  } catch (const hardball::Error& error) {
+    complain(error);
+    return kBadInput;
+  } catch (const std::exception& error) {
+    complain(error);
+    return kFailed;
+  }
+}
