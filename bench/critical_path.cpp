@@ -91,12 +91,6 @@ double processor_seconds_of(Work&& work) {
   return processor_seconds() - start;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 double sum_of(std::span<const double> values) {
   double sum = 0;
   for (const double value : values) sum += value;
@@ -105,7 +99,6 @@ double sum_of(std::span<const double> values) {
 
 // What the domains do between two moments at which all wait for the slowest.
 constexpr std::array<std::string_view, 5> kSteps{"run", "verify", "doubt", "commit", "receive"};
-using StepSeconds = std::array<double, kSteps.size()>;
 
 // What domains tell each other in a window, in bytes.
 struct Traffic {
@@ -334,12 +327,25 @@ class CriticalPath {
     return stretch;
   }
 
+  static void lower(std::vector<double>& least, const std::vector<double>& other) {
+    for (std::size_t k = 0; k < least.size(); ++k) least[k] = std::min(least[k], other[k]);
+  }
+
   // What a domain has taken, alone on a processor.
   struct Alone {
-    std::vector<StepSeconds> windows;
-    double undo = 0;
-    double watch = 0;
-    double per_contact = 0;  // of its engine, with a journal
+    std::array<std::vector<double>, kSteps.size()> steps;  // by window
+    std::vector<double> engine;                            // which runs with a journal
+    std::uint64_t engine_contacts = 0;
+    std::vector<double> undo;
+    std::vector<double> watch;
+
+    void lower(const Alone& other) {
+      for (std::size_t step = 0; step < steps.size(); ++step)
+        CriticalPath::lower(steps[step], other.steps[step]);
+      CriticalPath::lower(engine, other.engine);
+      CriticalPath::lower(undo, other.undo);
+      CriticalPath::lower(watch, other.watch);
+    }
   };
 
   void measure(const Members& start, const Stretch& stretch, Json& json) const {
@@ -347,20 +353,22 @@ class CriticalPath {
                           static_cast<double>(options_.windows);
     json["window_length"] = length;
     json["windows_per_watch"] = windows_per_watch(length);
-    std::vector<double> one_engine{seconds_of_one_engine(stretch, false)};
+    std::vector<double> one_engine = seconds_of_one_engine(stretch, false);
     if (options_.repetitions == 0) return;
-    std::vector<double> with_journal;
-    std::vector<std::vector<Alone>> alone(start.size());
+    std::vector<double> with_journal = seconds_of_one_engine(stretch, true);
+    std::vector<Alone> alone;
     ContactSums sums = sums_.part();
     for (std::size_t repetition = 0; repetition < options_.repetitions; ++repetition) {
-      if (repetition > 0) one_engine.push_back(seconds_of_one_engine(stretch, false));
-      with_journal.push_back(seconds_of_one_engine(stretch, true));
-      for (std::size_t k = 0; k < start.size(); ++k)
-        alone[k].push_back(run_alone(start.domain(k), stretch, repetition == 0 ? &sums : nullptr));
+      lower(one_engine, seconds_of_one_engine(stretch, false));
+      lower(with_journal, seconds_of_one_engine(stretch, true));
+      for (std::size_t k = 0; k < start.size(); ++k) {
+        Alone again = run_alone(start.domain(k), stretch, repetition == 0 ? &sums : nullptr);
+        repetition == 0 ? alone.push_back(std::move(again)) : alone[k].lower(again);
+      }
     }
     if (sums.hash.value() != stretch.hash) throw std::logic_error("a domain alone has other contacts");
-    json["one_engine_seconds"] = median(one_engine);
-    json["one_engine_with_journal_seconds"] = median(with_journal);
+    json["one_engine_seconds"] = sum_of(one_engine);
+    json["one_engine_with_journal_seconds"] = sum_of(with_journal);
     note_times(alone, json);
   }
 
@@ -371,31 +379,29 @@ class CriticalPath {
     return std::clamp(window_settings().flight / length, kFewest, kMost);
   }
 
-  // The time of one engine for the stretch. Error: its contacts are others than the domains'.
-  double seconds_of_one_engine(const Stretch& stretch, bool has_journal) const {
+  // The time of one engine for each window. Error: its contacts are others than the domains'.
+  std::vector<double> seconds_of_one_engine(const Stretch& stretch, bool has_journal) const {
     SingleEngine engine = engine_;
     ContactSums sums = sums_.part();
-    const auto note = [&](const Contact& contact) { sums.note(contact); };
-    engine.run({.until = Time(stretch.start)}, note);
-    engine.run({.until = Time(moment_before_measured(stretch))}, note);
-    const double seconds = seconds_in_windows(engine, stretch, sums, has_journal);
+    engine.run({.until = Time(stretch.start)}, [&](const Contact& contact) { sums.note(contact); });
+    std::vector<double> seconds = seconds_of_windows(engine, stretch, sums, has_journal);
     if (sums.hash.value() != stretch.hash) throw std::logic_error("the domains have other contacts");
     return seconds;
   }
 
-  double seconds_in_windows(SingleEngine& engine, const Stretch& stretch, ContactSums& sums,
-                            bool has_journal) const {
-    const auto run_to = [&](double end) {
-      engine.run({.until = Time(end)}, [&](const Contact& contact) { sums.note(contact); });
-    };
-    return processor_seconds_of([&] {
-      if (!has_journal) return run_to(stretch.windows.back().end);
-      for (std::size_t window = kUnmeasured; window < windows(); ++window) {
-        engine.begin_journal(engine.now());
-        run_to(stretch.windows[window].end);
-        engine.end_journal();
-      }
-    });
+  // Of those that are measured.
+  std::vector<double> seconds_of_windows(SingleEngine& engine, const Stretch& stretch, ContactSums& sums,
+                                         bool has_journal) const {
+    std::vector<double> seconds;
+    for (const RecordedWindow& window : stretch.windows) {
+      seconds.push_back(processor_seconds_of([&] {
+        if (has_journal) engine.begin_journal(engine.now());
+        engine.run({.until = Time(window.end)}, [&](const Contact& contact) { sums.note(contact); });
+        if (has_journal) engine.end_journal();
+      }));
+    }
+    seconds.erase(seconds.begin(), seconds.begin() + kUnmeasured);
+    return seconds;
   }
 
   // Runs a domain once more, with what the others have told it.
@@ -414,10 +420,10 @@ class CriticalPath {
       const auto run = [&] { domain.run(recorded.end, std::numeric_limits<std::uint64_t>::max()); };
       if (window + 1 == kUnmeasured) {
         run();
-        alone.undo = processor_seconds_of([&] { domain.undo(); });
+        alone.undo = {processor_seconds_of([&] { domain.undo(); })};
       }
       double bad = 0;
-      const StepSeconds seconds{
+      const std::array<double, kSteps.size()> seconds{
           processor_seconds_of(run), processor_seconds_of([&] { bad = domain.verify(before, recorded.end); }),
           processor_seconds_of([&] { bad = std::min(bad, domain.doubtful_since(before)); }),
           processor_seconds_of([&] { domain.commit(Time(recorded.end)); }), processor_seconds_of([&] {
@@ -425,66 +431,68 @@ class CriticalPath {
             domain.make_ready(phase_);
           })};
       if (bad <= recorded.end) throw std::logic_error("a domain alone is wrong");
-      if (window >= kUnmeasured) alone.windows.push_back(seconds);
+      for (std::size_t step = 0; window >= kUnmeasured && step < kSteps.size(); ++step)
+        alone.steps[step].push_back(seconds[step]);
     }
     if (sums) sums->add(domain.sums());
     const double length = stretch.windows.back().end - stretch.windows[windows() - 2].end;
     const double horizon = stretch.windows.back().end + length * windows_per_watch(length);
-    alone.watch = processor_seconds_of([&] { domain.watch(horizon); });
-    alone.per_contact = seconds_per_contact(start.engine(), stretch);
+    alone.watch = {processor_seconds_of([&] { domain.watch(horizon); })};
+    run_engine_alone(start.engine(), stretch, alone);
     return alone;
   }
 
-  // Of a domain's engine. What ghosts do is soon wrong, but no other work.
-  double seconds_per_contact(SingleEngine engine, const Stretch& stretch) const {
+  // What ghosts do is soon wrong, but no other work.
+  void run_engine_alone(SingleEngine engine, const Stretch& stretch, Alone& alone) const {
     ContactSums sums = sums_.part();
-    engine.run({.until = Time(moment_before_measured(stretch))}, [](const Contact&) {});
     const std::uint64_t before = engine.counters().collision;
-    const double seconds = seconds_in_windows(engine, stretch, sums, true);
-    return seconds / static_cast<double>(std::max<std::uint64_t>(engine.counters().collision - before, 1));
+    alone.engine = seconds_of_windows(engine, stretch, sums, true);
+    alone.engine_contacts = engine.counters().collision - before;
   }
 
-  void note_times(const std::vector<std::vector<Alone>>& alone, Json& json) const {
-    const std::size_t domains = alone.size();
-    const auto median_of = [&](std::size_t domain, auto&& value) {
-      std::vector<double> values;
-      for (const Alone& repetition : alone[domain]) values.push_back(value(repetition));
-      return median(std::move(values));
-    };
-    StepSeconds critical{};
-    StepSeconds sum{};
-    double waiting_once = 0;
-    for (std::size_t window = 0; window < options_.windows; ++window) {
-      std::vector<double> of_domain(domains);
-      for (std::size_t step = 0; step < kSteps.size(); ++step) {
-        double most = 0;
-        for (std::size_t domain = 0; domain < domains; ++domain) {
-          const double seconds =
-              median_of(domain, [&](const Alone& repetition) { return repetition.windows[window][step]; });
-          most = std::max(most, seconds);
-          sum[step] += seconds;
-          of_domain[domain] += seconds;
-        }
-        critical[step] += most;
-      }
-      waiting_once += std::ranges::max(of_domain);
-    }
+  void note_times(const std::vector<Alone>& alone, Json& json) const {
+    double critical = 0;
+    double sum = 0;
+    std::vector<std::vector<double>> of_window(options_.windows, std::vector<double>(alone.size()));
     for (std::size_t step = 0; step < kSteps.size(); ++step) {
-      json["steps"][std::string(kSteps[step])] = {{"critical_seconds", critical[step]},
-                                                  {"sum_seconds", sum[step]}};
+      double critical_of_step = 0;
+      double sum_of_step = 0;
+      for (std::size_t window = 0; window < options_.windows; ++window) {
+        double most = 0;
+        for (std::size_t k = 0; k < alone.size(); ++k) {
+          const double seconds = alone[k].steps[step][window];
+          most = std::max(most, seconds);
+          sum_of_step += seconds;
+          of_window[window][k] += seconds;
+        }
+        critical_of_step += most;
+      }
+      json["steps"][std::string(kSteps[step])] = {{"critical_seconds", critical_of_step},
+                                                  {"sum_seconds", sum_of_step}};
+      critical += critical_of_step;
+      sum += sum_of_step;
     }
-    json["critical_seconds"] = sum_of(critical);
-    json["sum_seconds"] = sum_of(sum);
+    double waiting_once = 0;
+    for (const std::vector<double>& seconds : of_window) waiting_once += std::ranges::max(seconds);
+    json["critical_seconds"] = critical;
+    json["sum_seconds"] = sum;
     json["critical_seconds_waiting_once_a_window"] = waiting_once;
-    const auto mean_of = [&](auto&& value) {
-      double total = 0;
-      for (std::size_t domain = 0; domain < domains; ++domain) total += median_of(domain, value);
-      return total / static_cast<double>(domains);
-    };
-    json["undo_seconds_per_domain"] = mean_of([](const Alone& repetition) { return repetition.undo; });
-    json["watch_seconds_per_domain"] = mean_of([](const Alone& repetition) { return repetition.watch; });
+    double undo = 0;
+    double watch = 0;
+    double engine = 0;
+    double contacts = 0;
+    for (const Alone& domain : alone) {
+      undo += domain.undo.front();
+      watch += domain.watch.front();
+      engine += sum_of(domain.engine);
+      contacts += static_cast<double>(domain.engine_contacts);
+    }
+    const auto domains = static_cast<double>(alone.size());
+    json["undo_seconds_per_domain"] = undo / domains;
+    json["watch_seconds_per_domain"] = watch / domains;
+    // Those of windows that are not measured are as many on average.
     json["seconds_per_contact_of_a_domains_engine"] =
-        mean_of([](const Alone& repetition) { return repetition.per_contact; });
+        engine / contacts * static_cast<double>(windows()) / static_cast<double>(options_.windows);
   }
 
   Options options_;
