@@ -137,6 +137,9 @@ class CriticalPath {
     json["domains"] = count;
     json["halo"] = options_.division.halo;
     json["window"] = options_.division.window;
+    json["seed"] = options_.seed;
+    json["equilibration"] = options_.equilibration;
+    json["warm_up"] = options_.warm_up;
     json["engine"] = kEngineNames[static_cast<std::size_t>(kKind)];
     const ForEach in_turn = [](std::size_t domains, const Function<void(std::size_t)>& work) {
       for (std::size_t domain = 0; domain < domains; ++domain) work(domain);
@@ -523,7 +526,7 @@ int parse_and_run(int argument_count, char** arguments) {
       ->default_val(20)
       ->check(CLI::PositiveNumber);
   app.add_option("--warm-up", options.warm_up, "Windows before")->default_val(25)->check(CLI::PositiveNumber);
-  app.add_option("--repetitions", options.repetitions, "How often they are timed; 0 counts alone")
+  app.add_option("--repetitions", options.repetitions, "How often they are timed; 0: only counted")
       ->default_val(5);
   app.add_option("--halo", options.division.halo, "Depth of halos, in diameters");
   app.add_option("--window", options.division.window, "Contacts for each sphere in a window");

@@ -1,0 +1,469 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+"""How fast one system would be in many domains, each on a processor core of its own: measurements and a model.
+
+usage: parallel_model.py measure FILE [--program PROGRAM]    run critical_path over a grid, and store what it prints
+       parallel_model.py report FILE [--figure FIGURE.svg]   fit the model, and print tables in Markdown
+
+The model, in which lengths are in diameters. A domain has m spheres of its own in a block of side s, of which n axes
+are divided. It has k neighbors, and c = w m / 2 contacts in a window; its ghosts have r c more. A window takes
+
+    T = b (c ((t + q_1) (1 + r) + r (q_2 + q_3 k)) + q_0) (1 + l (1 + u)) + C
+
+- t is the time of a contact in one engine; q_1 what each contact costs in addition; q_2 what a contact of a ghost
+  costs, which is told, compared and corrected, and q_3 the same for each neighbor; q_0 a window without contacts.
+- r = g ((1 + 2 h / s)^n - 1), where h is the depth of halos, and g how many contacts a ghost has for one of an own
+  sphere.
+- b = 1 + a sqrt(2 ln D / (c (1 + r))): in each step the slowest of D domains counts.
+- l = p A is the number of failed windows for each that is committed, where A is the area of all frontiers; one costs
+  a window, and u windows to go back.
+- C is the time of communication: see Network.
+"""
+
+import argparse
+import datetime
+import json
+import math
+import platform
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Iterator, Sequence
+
+import numpy as np
+
+PROJECT = Path(__file__).resolve().parent.parent
+PROGRAM = PROJECT / "build/bench/bench/critical_path"
+Row = dict[str, Any]
+
+PACKING_FRACTIONS = [0.02, 0.25, 0.49]
+HALO = 1.75  # diameters
+SLACK = 0.5  # diameters, in which spheres that were ghosts are ghosts still
+WINDOW = 0.02  # contacts for each sphere
+MOST_NEIGHBORS = 31
+# Below this side, in diameters, most spheres of a block are ghosts of another.
+LEAST_SIDE = 12
+
+
+@dataclass
+class Network:
+    """Assumed, not measured: a good network between machines, and processes that do nothing else meanwhile."""
+
+    latency: float = 1.5e-6  # seconds, of a message
+    overhead: float = 0.5e-6  # seconds, of each further message that is sent or received at the same time
+    bandwidth: float = 10e9  # bytes per second, of each domain
+
+    # After run, verify and commit, each domain tells its neighbors; after that, all agree how far they were right.
+    EXCHANGES = 3
+    REDUCTIONS = 1
+
+    def seconds(self, domains: int, neighbors: float, sent: float) -> float:
+        exchange = self.latency + max(neighbors - 1, 0) * self.overhead
+        reduction = 2 * math.ceil(math.log2(domains)) * self.latency
+        return self.EXCHANGES * exchange + self.REDUCTIONS * reduction + sent / self.bandwidth
+
+
+# --- measuring --------------------------------------------------------------------------------------------------
+
+# Spheres, numbers of domains, and windows, of which the first copies of spheres need many where these hardly move.
+TIMED = [(108000, "2,4,8,16"), (256000, "2,4,8,16,32,64"), (1000188, "2,8,64"), (1972156, "8,64")]
+WARM_UP = {0.02: "25", 0.25: "25", 0.49: "150"}
+# Halos and seeds, of which failures are counted.
+COUNTED = [(1.6, 2), (1.75, 1), (1.75, 2), (2.0, 1), (2.25, 1)]
+
+
+def commands() -> Iterator[list[str]]:
+    for fraction in PACKING_FRACTIONS:
+        gas = ["--packing-fraction", str(fraction), "--equilibration", "3"]
+        for spheres, domains in TIMED:
+            yield [*gas, "--spheres", str(spheres), "--domains", domains, "--warm-up", WARM_UP[fraction]] + [
+                "--windows", "10", "--repetitions", "5",
+            ]  # fmt: skip
+        for halo, seed in COUNTED:
+            yield [*gas, "--spheres", "256000", "--domains", "64", "--halo", str(halo), "--seed", str(seed)] + [
+                "--windows", "500", "--repetitions", "0",
+            ]  # fmt: skip
+
+
+def measure(file: Path, program: Path) -> None:
+    results = where_measured() | {"rows": []}
+    for command in commands():
+        lines = subprocess.run([program, *command], check=True, text=True, stdout=subprocess.PIPE).stdout
+        results["rows"] += [json.loads(line) for line in lines.splitlines()]
+        file.write_text(dump(results))
+
+
+def dump(results: Row) -> str:
+    """A row to a line."""
+    rows = ",\n".join(json.dumps(row) for row in results["rows"])
+    head = json.dumps({key: value for key, value in results.items() if key != "rows"}, indent=1)
+    return head.removesuffix("\n}") + ',\n "rows": [\n' + rows + "\n]}\n"
+
+
+def where_measured() -> Row:
+    commit = subprocess.run(["git", "rev-parse", "HEAD"], cwd=PROJECT, text=True, capture_output=True).stdout.strip()
+    return {
+        "commit": commit or "unknown",
+        "date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(),
+        "processor": processor(),
+        "commands": ["critical_path " + " ".join(command) for command in commands()],
+    }
+
+
+def processor() -> str:
+    try:
+        for line in Path("/proc/cpuinfo").read_text().splitlines():
+            if line.startswith("model name"):
+                return line.partition(":")[2].strip()
+    except OSError:
+        pass
+    return platform.processor() or "unknown"
+
+
+# --- geometry ---------------------------------------------------------------------------------------------------
+
+
+@dataclass
+class Blocks:
+    """A periodic cube of equal spheres that is cut in two again and again."""
+
+    spheres: float
+    packing_fraction: float
+    domains: int
+
+    def parts(self) -> list[int]:
+        """Along the axes."""
+        cuts = round(math.log2(self.domains))
+        return [2 ** (cuts // 3 + (axis < cuts % 3)) for axis in range(3)]
+
+    def edge(self) -> float:
+        return (self.spheres * math.pi / 6 / self.packing_fraction) ** (1 / 3)
+
+    def least_side(self) -> float:
+        return self.edge() / max(self.parts())
+
+    def ghosts(self, halo: float) -> float:
+        """For each own sphere."""
+        return math.prod(1 + 2 * halo * parts / self.edge() for parts in self.parts() if parts > 1) - 1
+
+    def neighbors(self) -> int:
+        return math.prod(min(parts, 3) for parts in self.parts()) - 1
+
+    def area(self) -> float:
+        return self.edge() ** 2 * sum(parts for parts in self.parts() if parts > 1)
+
+
+def blocks_of(row: Row) -> Blocks:
+    return Blocks(row["spheres"], row["packing_fraction"], row["domains"])
+
+
+# --- what was measured ------------------------------------------------------------------------------------------
+
+
+def per_window(row: Row, seconds: float) -> float:
+    """From all windows to one, with the share of the watch, which falls into few of them."""
+    return seconds / row["windows"] + row["watch_seconds_per_domain"] / row["windows_per_watch"]
+
+
+def domain_seconds(row: Row) -> float:
+    """Of a window, the mean over the domains."""
+    return per_window(row, row["sum_seconds"] / row["domains"])
+
+
+def critical_seconds(row: Row) -> float:
+    return per_window(row, row["critical_seconds"])
+
+
+def one_engine_seconds(row: Row) -> float:
+    return row["one_engine_seconds"] / row["windows"]
+
+
+def contacts(row: Row) -> float:
+    """Of the own spheres of a domain in a window."""
+    return row["contacts"] / row["windows"] / row["domains"]
+
+
+def redundancy(row: Row) -> float:
+    return row["handled_contacts"] / row["contacts"] - 1
+
+
+# --- the model --------------------------------------------------------------------------------------------------
+
+
+@dataclass
+class Model:
+    work: np.ndarray  # q_1, q_2, q_3 per contact, q_0 per window [s]
+    work_error: float  # root mean square, relative
+    contact: dict[float, float]  # t by packing fraction [s]
+    journal: float  # time with it over that without
+    ghost_contacts: float  # g
+    imbalance: float  # a
+    failures: dict[float, tuple[float, float]]  # ln p = first - second * (halo - HALO)
+    undo: float  # of a window, over the time of a window
+    bytes_per_ghost_contact: float
+
+    def window_seconds(self, own: float, ghosts: float, neighbors: float, contact: float) -> float:
+        return float(self.work @ terms(own, ghosts, neighbors)) + own * contact * (1 + ghosts)
+
+    def imbalance_of(self, own: float, ghosts: float, domains: int) -> float:
+        return 1 + self.imbalance * unevenness(own, ghosts, domains)
+
+    def failures_of(self, blocks: Blocks, halo: float) -> float:
+        constant, decay = self.failures[blocks.packing_fraction]
+        return math.exp(constant - decay * (halo - HALO)) * blocks.area()
+
+    def predict(self, blocks: Blocks, halo: float, network: Network | None) -> Row:
+        own = WINDOW / 2 * blocks.spheres / blocks.domains
+        # In the long run spheres that have left the halo fill its slack by half.
+        ghosts = self.ghost_contacts * blocks.ghosts(halo + SLACK / 2)
+        contact = self.contact[blocks.packing_fraction]
+        work = self.window_seconds(own, ghosts, blocks.neighbors(), contact * self.journal)
+        balanced = work * self.imbalance_of(own, ghosts, blocks.domains)
+        failed = self.failures_of(blocks, halo)
+        computing = balanced * (1 + failed * (1 + self.undo))
+        sent = self.bytes_per_ghost_contact * ghosts * own
+        waiting = network.seconds(blocks.domains, blocks.neighbors(), sent) if network else 0
+        waiting *= 1 + failed
+        return {
+            "speed_up": own * blocks.domains * contact / (computing + waiting),
+            "halo": halo,
+            "side": blocks.least_side(),
+            "ghosts": blocks.ghosts(halo + SLACK / 2),
+            "imbalance": balanced / work,
+            "failed": failed,
+            "sent": sent,
+            "waiting": waiting / (computing + waiting),
+            "window_seconds": computing + waiting,
+        }
+
+    def best(self, blocks: Blocks, network: Network | None) -> Row:
+        """With the depth of halos that makes it fastest."""
+        halos = [1.75 + 0.25 * step for step in range(10)]
+        return max((self.predict(blocks, halo, network) for halo in halos), key=lambda row: row["speed_up"])
+
+
+def terms(own: float, ghosts: float, neighbors: float) -> np.ndarray:
+    return np.array([own * (1 + ghosts), own * ghosts, own * ghosts * neighbors, 1])
+
+
+def unevenness(own: float, ghosts: float, domains: int) -> float:
+    return math.sqrt(2 * math.log(domains) / (own * (1 + ghosts)))
+
+
+def fit(rows: Sequence[Row]) -> Model:
+    timed = timed_rows(rows)
+    matrix, excess = [], []
+    for row in timed:
+        own, ghosts, seconds = contacts(row), redundancy(row), domain_seconds(row)
+        known = own * (1 + ghosts) * row["seconds_per_contact_of_a_domains_engine"]
+        matrix.append(terms(own, ghosts, row["neighbors"]) / seconds)
+        excess.append(1 - known / seconds)
+    work = least_squares_not_negative(np.array(matrix), np.array(excess))
+    errors = np.array(matrix) @ work - np.array(excess)
+    uneven = np.array([unevenness(contacts(row), redundancy(row), row["domains"]) for row in timed])
+    lost = np.array([critical_seconds(row) / domain_seconds(row) - 1 for row in timed])
+    shares = [sum(row["bytes_per_window_and_domain"].values()) / (redundancy(row) * contacts(row)) for row in timed]
+    return Model(
+        work=work,
+        work_error=float(np.sqrt(np.mean(errors**2))),
+        contact={fraction: contact_seconds(timed, fraction) for fraction in PACKING_FRACTIONS},
+        journal=float(np.median([row["one_engine_with_journal_seconds"] / row["one_engine_seconds"] for row in timed])),
+        ghost_contacts=float(np.median([redundancy(row) / row["ghosts_per_sphere"] for row in timed])),
+        imbalance=float(uneven @ lost / (uneven @ uneven)),
+        failures={fraction: failure_rate(rows, fraction) for fraction in PACKING_FRACTIONS},
+        undo=float(np.median([row["undo_seconds_per_domain"] / domain_seconds(row) for row in timed])),
+        bytes_per_ghost_contact=float(np.median(shares)),
+    )
+
+
+def contact_seconds(timed: Sequence[Row], fraction: float) -> float:
+    """Of one engine with as many spheres as were measured."""
+    rows = [row for row in timed if row["packing_fraction"] == fraction]
+    largest = max(row["spheres"] for row in rows)
+    return min(row["one_engine_seconds"] / row["contacts"] for row in rows if row["spheres"] == largest)
+
+
+def least_squares_not_negative(matrix: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+    """Drops the terms that would be negative."""
+    kept = list(range(matrix.shape[1]))
+    while True:
+        found = np.linalg.lstsq(matrix[:, kept], wanted, rcond=None)[0]
+        if (found >= 0).all():
+            break
+        kept.pop(int(np.argmin(found)))
+    values = np.zeros(matrix.shape[1])
+    values[kept] = found
+    return values
+
+
+def failure_rate(rows: Sequence[Row], fraction: float) -> tuple[float, float]:
+    """Constant and decay of the number of failures, which fall with the depth of halos: the slowest decay that is
+    still likely."""
+    counted = [row for row in rows if "sum_seconds" not in row and row["packing_fraction"] == fraction]
+    places = np.array([row["halo"] - HALO for row in counted])
+    exposures = np.array([row["windows"] * blocks_of(row).area() for row in counted])
+    failed = np.array([row["failed"] for row in counted])
+
+    def surprise(decay: float) -> tuple[float, float]:
+        """Of these numbers, by Poisson's distribution, with the rate that suits the decay best, and its logarithm."""
+        weights = exposures * np.exp(-decay * places)
+        # One half, so that a rate is not zero because no failure was seen.
+        rate = (failed.sum() + 0.5) / weights.sum()
+        expected = rate * weights
+        return float((expected - failed * np.log(expected)).sum()), math.log(rate)
+
+    decays = [0.1 * step for step in range(200)]
+    surprises = [surprise(decay) for decay in decays]
+    least = min(surprises)[0]
+    likely = next(number for number, (each, _) in enumerate(surprises) if each < least + 2)
+    return surprises[likely][1], decays[likely]
+
+
+# --- tables -----------------------------------------------------------------------------------------------------
+
+SIZES = [1e6, 1e8, 1e9]
+DOMAINS = [8, 64, 1024]
+
+
+def markdown(rows: Sequence[Sequence[str]]) -> Iterator[str]:
+    for number, row in enumerate(rows):
+        yield "| " + " | ".join(row) + " |"
+        if number == 0:
+            yield "|" + "---:|" * len(row)
+
+
+def timed_rows(rows: Sequence[Row]) -> list[Row]:
+    timed = [row for row in rows if "sum_seconds" in row]
+    return sorted(timed, key=lambda row: (row["packing_fraction"], row["spheres"], row["domains"]))
+
+
+def place(row: Row) -> list[str]:
+    return [f"{row['spheres']:,}", f"{row['packing_fraction']:.2f}".lstrip("0"), str(row["domains"])]
+
+
+def measured_table(rows: Sequence[Row], model: Model) -> Iterator[str]:
+    table = [
+        ["spheres", "packing fraction", "domains", "side", "ghosts", "all domains over one engine"]
+        + ["by the model", "slowest domain over mean", "by the model", "one engine over critical path"]
+    ]
+    for row in timed_rows(rows):
+        own, ghosts = contacts(row), redundancy(row)
+        contact = row["seconds_per_contact_of_a_domains_engine"]
+        predicted = model.window_seconds(own, ghosts, row["neighbors"], contact)
+        one = one_engine_seconds(row)
+        table.append(
+            place(row)
+            + [f"{blocks_of(row).least_side():.0f}", f"{row['ghosts_per_sphere']:.2f}"]
+            + [f"{domain_seconds(row) * row['domains'] / one:.2f}", f"{predicted * row['domains'] / one:.2f}"]
+            + [f"{critical_seconds(row) / domain_seconds(row):.2f}"]
+            + [f"{model.imbalance_of(own, ghosts, row['domains']):.2f}", f"{one / critical_seconds(row):.2f}"]
+        )
+    yield from markdown(table)
+
+
+def step_table(rows: Sequence[Row]) -> Iterator[str]:
+    steps = ["run", "verify", "doubt", "commit", "receive"]
+    table = [["spheres", "packing fraction", "domains", *steps, "watch", "its engine alone"]]
+    for row in timed_rows(rows):
+        handled = row["handled_contacts"]
+        watch = row["watch_seconds_per_domain"] / row["windows_per_watch"] * row["windows"] * row["domains"]
+        seconds = [row["steps"][step]["sum_seconds"] for step in steps]
+        table.append(
+            place(row)
+            + [f"{each / handled * 1e9:.0f}" for each in [*seconds, watch]]
+            + [f"{row['seconds_per_contact_of_a_domains_engine'] * 1e9:.0f}"]
+        )
+    yield from markdown(table)
+
+
+def is_reasonable(predicted: Row, blocks: Blocks) -> bool:
+    return predicted["side"] >= LEAST_SIDE and predicted["speed_up"] > blocks.domains / 4
+
+
+def prediction_table(model: Model, network: Network) -> Iterator[str]:
+    table = [
+        ["spheres", "packing fraction", "domains", "side", "halo", "ghosts", "imbalance", "failed of a hundred windows"]
+        + ["kilobytes sent", "share of communication", "speed-up, one machine", "speed-up, network"]
+    ]
+    for spheres in SIZES:
+        for fraction in PACKING_FRACTIONS:
+            for domains in DOMAINS:
+                blocks = Blocks(spheres, fraction, domains)
+                near, far = model.best(blocks, None), model.best(blocks, network)
+                mark = "" if is_reasonable(far, blocks) else " *"
+                table.append(
+                    [f"{spheres:,.0f}", f"{fraction:.2f}".lstrip("0"), f"{domains:,}"]
+                    + [f"{far['side']:.0f}", f"{far['halo']:.2f}", f"{far['ghosts']:.2f}", f"{far['imbalance']:.2f}"]
+                    + [f"{100 * far['failed']:.2g}", f"{far['sent'] / 1e3:.0f}", f"{far['waiting']:.1%}"]
+                    + [f"{near['speed_up']:.3g}", f"{far['speed_up']:.3g}{mark}"]
+                )
+    yield from markdown(table)
+
+
+def report(results: Row, figure: Path | None) -> None:
+    rows, network = results["rows"], Network()
+    model = fit(rows)
+    print(f"{results['processor']}, commit {results['commit'][:12]}, {results['date']}\n")
+    print("\n".join(measured_table(rows, model)) + "\n")
+    print("Nanoseconds for each contact that a domain handles:\n\n" + "\n".join(step_table(rows)) + "\n")
+    for name, value in zip(("q_1", "q_2", "q_3", "q_0"), model.work):
+        print(f"{name} = {value * 1e9:.0f} ns")
+    print(f"root mean square error of the work: {model.work_error:.1%}")
+    print("t = " + ", ".join(f"{value * 1e9:.0f} ns at {fraction}" for fraction, value in model.contact.items()))
+    print(f"g = {model.ghost_contacts:.2f}, a = {model.imbalance:.2f}, u = {model.undo:.2f}")
+    print(f"one engine with a journal over one without: {model.journal:.3f}")
+    for fraction, (constant, decay) in model.failures.items():
+        print(f"p = {math.exp(constant):.1e} exp(-{decay:.1f} (halo - {HALO})) at {fraction}")
+    print(f"{model.bytes_per_ghost_contact:.0f} bytes for a contact of a ghost; {network}\n")
+    print("\n".join(prediction_table(model, network)))
+    if figure:
+        draw(rows, model, network, figure)
+
+
+def draw(rows: Sequence[Row], model: Model, network: Network, figure: Path) -> None:
+    import matplotlib
+
+    matplotlib.use("svg")
+    matplotlib.rcParams |= {"svg.fonttype": "none", "svg.hashsalt": "parallel_model", "font.family": "sans-serif"}
+    from matplotlib import pyplot
+
+    drawing, axes = pyplot.subplots(1, 3, figsize=(11, 4), sharey=True, constrained_layout=True)
+    counts = [2**power for power in range(1, 13)]
+    for axis, fraction in zip(axes, PACKING_FRACTIONS):
+        axis.plot(counts, counts, color="#999999", linewidth=0.8, linestyle="--")
+        for spheres, color in zip(SIZES, ("#d55e00", "#0072b2", "#009e73")):
+            shown = [count for count in counts if Blocks(spheres, fraction, count).least_side() >= LEAST_SIDE]
+            speed_ups = [model.best(Blocks(spheres, fraction, count), network)["speed_up"] for count in shown]
+            axis.plot(shown, speed_ups, color=color, label=f"{spheres:,.0f}, model")
+        largest = 1_000_188  # the nearest to the least size
+        points = [row for row in timed_rows(rows) if row["packing_fraction"] == fraction and row["spheres"] == largest]
+        axis.plot(
+            [row["domains"] for row in points],
+            [one_engine_seconds(row) / critical_seconds(row) for row in points],
+            "o", color="#d55e00", markersize=5, label=f"{largest:,}, measured",
+        )  # fmt: skip
+        axis.set(xscale="log", yscale="log", title=f"packing fraction {fraction}", xlabel="domains")
+        axis.grid(which="major", color="#dddddd", linewidth=0.6)
+    axes[0].set_ylabel("speed-up over one engine")
+    axes[0].legend(frameon=False)
+    drawing.savefig(figure, metadata={"Date": None})
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("command", choices=["measure", "report"])
+    parser.add_argument("file", type=Path)
+    parser.add_argument("--program", type=Path, default=PROGRAM, help="default: build/bench/bench/critical_path")
+    parser.add_argument("--figure", type=Path, help="where to draw the speed-ups")
+    options = parser.parse_args()
+    if options.command == "measure":
+        measure(options.file, options.program)
+    else:
+        report(json.loads(options.file.read_text()), options.figure)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
