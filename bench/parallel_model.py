@@ -11,8 +11,9 @@ are divided. It has k neighbors, and c = w m / 2 contacts in a window; its ghost
 
     T = b (c ((t + q_1) (1 + r) + r (q_2 + q_3 k)) + q_0) (1 + l (1 + u)) + C
 
-- t is the time of a contact in one engine; q_1 what each contact costs in addition; q_2 what a contact of a ghost
-  costs, which is told, compared and corrected, and q_3 the same for each neighbor; q_0 a window without contacts.
+- t is the time of a contact in one engine of all spheres; q_1 what each contact costs in addition; q_2 what a contact
+  of a ghost costs, which is told, compared and corrected, and q_3 the same for each neighbor; q_0 a window without
+  contacts. Each packing fraction has its own.
 - r = g ((1 + 2 h / s)^n - 1), where h is the depth of halos, and g how many contacts a ghost has for one of an own
   sphere.
 - b = 1 + a sqrt(2 ln D / (c (1 + r))): in each step the slowest of D domains counts.
@@ -71,7 +72,7 @@ class Network:
 TIMED = [(108000, "2,4,8,16"), (256000, "2,4,8,16,32,64"), (1000188, "2,8,64"), (1972156, "8,64")]
 WARM_UP = {0.02: "25", 0.25: "25", 0.49: "150"}
 # Halos and seeds, of which failures are counted.
-COUNTED = [(1.6, 2), (1.75, 1), (1.75, 2), (2.0, 1), (2.25, 1)]
+COUNTED = [(1.6, 2), (1.75, 1), (1.75, 2), (2.0, 1), (2.0, 2), (2.25, 1)]
 
 
 def commands() -> Iterator[list[str]]:
@@ -180,6 +181,16 @@ def one_engine_seconds(row: Row) -> float:
     return row["one_engine_seconds"] / row["windows"]
 
 
+def seconds_per_contact(row: Row) -> float:
+    """Of one engine."""
+    return row["one_engine_seconds"] / row["contacts"]
+
+
+def bytes_per_window(row: Row) -> float:
+    """That a domain sends."""
+    return sum(row["bytes_per_window_and_domain"].values())
+
+
 def contacts(row: Row) -> float:
     """Of the own spheres of a domain in a window."""
     return row["contacts"] / row["windows"] / row["domains"]
@@ -194,40 +205,34 @@ def redundancy(row: Row) -> float:
 
 @dataclass
 class Model:
-    work: np.ndarray  # q_1, q_2, q_3 per contact, q_0 per window [s]
-    work_error: float  # root mean square, relative
+    work: dict[float, np.ndarray]  # q_1, q_2, q_3 per contact, q_0 per window [s], by packing fraction
+    work_error: dict[float, float]  # root mean square, relative
     contact: dict[float, float]  # t by packing fraction [s]
-    journal: float  # time with it over that without
     ghost_contacts: float  # g
     imbalance: float  # a
-    failures: dict[float, tuple[float, float]]  # ln p = first - second * (halo - HALO)
+    failures: dict[float, "FailureRate"]
     undo: float  # of a window, over the time of a window
-    bytes_per_ghost_contact: float
+    sent: dict[float, float]  # bytes for a contact of a ghost
 
-    def window_seconds(self, own: float, ghosts: float, neighbors: float, contact: float) -> float:
-        return float(self.work @ terms(own, ghosts, neighbors)) + own * contact * (1 + ghosts)
+    def window_seconds(self, fraction: float, own: float, ghosts: float, neighbors: float, contact: float) -> float:
+        return float(self.work[fraction] @ terms(own, ghosts, neighbors)) + own * contact * (1 + ghosts)
 
     def imbalance_of(self, own: float, ghosts: float, domains: int) -> float:
         return 1 + self.imbalance * unevenness(own, ghosts, domains)
 
-    def failures_of(self, blocks: Blocks, halo: float) -> float:
-        constant, decay = self.failures[blocks.packing_fraction]
-        return math.exp(constant - decay * (halo - HALO)) * blocks.area()
-
-    def predict(self, blocks: Blocks, halo: float, network: Network | None) -> Row:
+    def predict(self, blocks: Blocks, halo: float, network: Network, is_cautious: bool = False) -> Row:
+        fraction = blocks.packing_fraction
         own = WINDOW / 2 * blocks.spheres / blocks.domains
         # In the long run spheres that have left the halo fill its slack by half.
         ghosts = self.ghost_contacts * blocks.ghosts(halo + SLACK / 2)
-        contact = self.contact[blocks.packing_fraction]
-        work = self.window_seconds(own, ghosts, blocks.neighbors(), contact * self.journal)
+        work = self.window_seconds(fraction, own, ghosts, blocks.neighbors(), self.contact[fraction])
         balanced = work * self.imbalance_of(own, ghosts, blocks.domains)
-        failed = self.failures_of(blocks, halo)
+        failed = self.failures[fraction].at(halo, is_cautious) * blocks.area()
         computing = balanced * (1 + failed * (1 + self.undo))
-        sent = self.bytes_per_ghost_contact * ghosts * own
-        waiting = network.seconds(blocks.domains, blocks.neighbors(), sent) if network else 0
-        waiting *= 1 + failed
+        sent = self.sent[fraction] * ghosts * own
+        waiting = network.seconds(blocks.domains, blocks.neighbors(), sent) * (1 + failed)
         return {
-            "speed_up": own * blocks.domains * contact / (computing + waiting),
+            "speed_up": own * blocks.domains * self.contact[fraction] / (computing + waiting),
             "halo": halo,
             "side": blocks.least_side(),
             "ghosts": blocks.ghosts(halo + SLACK / 2),
@@ -235,13 +240,13 @@ class Model:
             "failed": failed,
             "sent": sent,
             "waiting": waiting / (computing + waiting),
-            "window_seconds": computing + waiting,
         }
 
-    def best(self, blocks: Blocks, network: Network | None) -> Row:
+    def best(self, blocks: Blocks, network: Network, is_cautious: bool = False) -> Row:
         """With the depth of halos that makes it fastest."""
-        halos = [1.75 + 0.25 * step for step in range(10)]
-        return max((self.predict(blocks, halo, network) for halo in halos), key=lambda row: row["speed_up"])
+        halos = [HALO + 0.25 * step for step in range(8)]
+        predictions = (self.predict(blocks, halo, network, is_cautious) for halo in halos)
+        return max(predictions, key=lambda row: row["speed_up"])
 
 
 def terms(own: float, ghosts: float, neighbors: float) -> np.ndarray:
@@ -254,35 +259,46 @@ def unevenness(own: float, ghosts: float, domains: int) -> float:
 
 def fit(rows: Sequence[Row]) -> Model:
     timed = timed_rows(rows)
-    matrix, excess = [], []
-    for row in timed:
-        own, ghosts, seconds = contacts(row), redundancy(row), domain_seconds(row)
-        known = own * (1 + ghosts) * row["seconds_per_contact_of_a_domains_engine"]
-        matrix.append(terms(own, ghosts, row["neighbors"]) / seconds)
-        excess.append(1 - known / seconds)
-    work = least_squares_not_negative(np.array(matrix), np.array(excess))
-    errors = np.array(matrix) @ work - np.array(excess)
+    work = {fraction: fit_work(timed, fraction) for fraction in PACKING_FRACTIONS}
     uneven = np.array([unevenness(contacts(row), redundancy(row), row["domains"]) for row in timed])
     lost = np.array([critical_seconds(row) / domain_seconds(row) - 1 for row in timed])
-    shares = [sum(row["bytes_per_window_and_domain"].values()) / (redundancy(row) * contacts(row)) for row in timed]
     return Model(
-        work=work,
-        work_error=float(np.sqrt(np.mean(errors**2))),
+        work={fraction: found for fraction, (found, _) in work.items()},
+        work_error={fraction: error for fraction, (_, error) in work.items()},
         contact={fraction: contact_seconds(timed, fraction) for fraction in PACKING_FRACTIONS},
-        journal=float(np.median([row["one_engine_with_journal_seconds"] / row["one_engine_seconds"] for row in timed])),
         ghost_contacts=float(np.median([redundancy(row) / row["ghosts_per_sphere"] for row in timed])),
         imbalance=float(uneven @ lost / (uneven @ uneven)),
         failures={fraction: failure_rate(rows, fraction) for fraction in PACKING_FRACTIONS},
         undo=float(np.median([row["undo_seconds_per_domain"] / domain_seconds(row) for row in timed])),
-        bytes_per_ghost_contact=float(np.median(shares)),
+        sent={fraction: bytes_sent(timed, fraction) for fraction in PACKING_FRACTIONS},
     )
+
+
+def fit_work(timed: Sequence[Row], fraction: float) -> tuple[np.ndarray, float]:
+    """The costs, and the root mean square of the relative errors."""
+    matrix, excess = [], []
+    for row in timed:
+        if row["packing_fraction"] != fraction:
+            continue
+        own, ghosts, seconds = contacts(row), redundancy(row), domain_seconds(row)
+        matrix.append(terms(own, ghosts, row["neighbors"]) / seconds)
+        excess.append(1 - own * (1 + ghosts) * seconds_per_contact(row) / seconds)
+    work = least_squares_not_negative(np.array(matrix), np.array(excess))
+    errors = np.array(matrix) @ work - np.array(excess)
+    return work, float(np.sqrt(np.mean(errors**2)))
 
 
 def contact_seconds(timed: Sequence[Row], fraction: float) -> float:
     """Of one engine with as many spheres as were measured."""
     rows = [row for row in timed if row["packing_fraction"] == fraction]
     largest = max(row["spheres"] for row in rows)
-    return min(row["one_engine_seconds"] / row["contacts"] for row in rows if row["spheres"] == largest)
+    return min(seconds_per_contact(row) for row in rows if row["spheres"] == largest)
+
+
+def bytes_sent(timed: Sequence[Row], fraction: float) -> float:
+    """For a contact of a ghost."""
+    rows = [row for row in timed if row["packing_fraction"] == fraction]
+    return float(np.median([bytes_per_window(row) / (redundancy(row) * contacts(row)) for row in rows]))
 
 
 def least_squares_not_negative(matrix: np.ndarray, wanted: np.ndarray) -> np.ndarray:
@@ -298,27 +314,38 @@ def least_squares_not_negative(matrix: np.ndarray, wanted: np.ndarray) -> np.nda
     return values
 
 
-def failure_rate(rows: Sequence[Row], fraction: float) -> tuple[float, float]:
-    """Constant and decay of the number of failures, which fall with the depth of halos: the slowest decay that is
-    still likely."""
+@dataclass
+class FailureRate:
+    """The number of failures, for a window and a square diameter of frontier, falls exponentially with the halo."""
+
+    likely: tuple[float, float]  # logarithm at the depth HALO, and decay for a diameter
+    cautious: tuple[float, float]  # with the slowest decay that the counts allow
+
+    def at(self, halo: float, is_cautious: bool) -> float:
+        logarithm, decay = self.cautious if is_cautious else self.likely
+        return math.exp(logarithm - decay * (halo - HALO))
+
+
+def failure_rate(rows: Sequence[Row], fraction: float) -> FailureRate:
     counted = [row for row in rows if "sum_seconds" not in row and row["packing_fraction"] == fraction]
     places = np.array([row["halo"] - HALO for row in counted])
     exposures = np.array([row["windows"] * blocks_of(row).area() for row in counted])
     failed = np.array([row["failed"] for row in counted])
 
-    def surprise(decay: float) -> tuple[float, float]:
-        """Of these numbers, by Poisson's distribution, with the rate that suits the decay best, and its logarithm."""
+    def of_decay(decay: float) -> tuple[float, tuple[float, float]]:
+        """How unlikely the counts are, by Poisson's distribution, at the likeliest rate; and rate and decay."""
         weights = exposures * np.exp(-decay * places)
         # One half, so that a rate is not zero because no failure was seen.
         rate = (failed.sum() + 0.5) / weights.sum()
         expected = rate * weights
-        return float((expected - failed * np.log(expected)).sum()), math.log(rate)
+        return float((expected - failed * np.log(expected)).sum()), (math.log(rate), decay)
 
-    decays = [0.1 * step for step in range(200)]
-    surprises = [surprise(decay) for decay in decays]
-    least = min(surprises)[0]
-    likely = next(number for number, (each, _) in enumerate(surprises) if each < least + 2)
-    return surprises[likely][1], decays[likely]
+    # A factor of a thousand within a diameter is the most that is believed.
+    tried = [of_decay(0.1 * step) for step in range(70)]
+    least, likely = min(tried)
+    # Likelihoods within two standard deviations.
+    cautious = next(rate for unlikeliness, rate in tried if unlikeliness < least + 2)
+    return FailureRate(likely, cautious)
 
 
 # --- tables -----------------------------------------------------------------------------------------------------
@@ -350,8 +377,9 @@ def measured_table(rows: Sequence[Row], model: Model) -> Iterator[str]:
     ]
     for row in timed_rows(rows):
         own, ghosts = contacts(row), redundancy(row)
-        contact = row["seconds_per_contact_of_a_domains_engine"]
-        predicted = model.window_seconds(own, ghosts, row["neighbors"], contact)
+        predicted = model.window_seconds(
+            row["packing_fraction"], own, ghosts, row["neighbors"], seconds_per_contact(row)
+        )
         one = one_engine_seconds(row)
         table.append(
             place(row)
@@ -365,7 +393,7 @@ def measured_table(rows: Sequence[Row], model: Model) -> Iterator[str]:
 
 def step_table(rows: Sequence[Row]) -> Iterator[str]:
     steps = ["run", "verify", "doubt", "commit", "receive"]
-    table = [["spheres", "packing fraction", "domains", *steps, "watch", "its engine alone"]]
+    table = [["spheres", "packing fraction", "domains", *steps, "watch", "one engine", "journal"]]
     for row in timed_rows(rows):
         handled = row["handled_contacts"]
         watch = row["watch_seconds_per_domain"] / row["windows_per_watch"] * row["windows"] * row["domains"]
@@ -373,8 +401,22 @@ def step_table(rows: Sequence[Row]) -> Iterator[str]:
         table.append(
             place(row)
             + [f"{each / handled * 1e9:.0f}" for each in [*seconds, watch]]
-            + [f"{row['seconds_per_contact_of_a_domains_engine'] * 1e9:.0f}"]
+            + [f"{seconds_per_contact(row) * 1e9:.0f}"]
+            + [f"{row['one_engine_with_journal_seconds'] / row['one_engine_seconds']:.2f}"]
         )
+    yield from markdown(table)
+
+
+def failure_table(rows: Sequence[Row]) -> Iterator[str]:
+    counted = [row for row in rows if "sum_seconds" not in row]
+    halos = sorted({row["halo"] for row in counted})
+    table = [["packing fraction", *(f"halo {halo:.2f}" for halo in halos)]]
+    for fraction in PACKING_FRACTIONS:
+        cells = []
+        for halo in halos:
+            here = [row for row in counted if (row["packing_fraction"], row["halo"]) == (fraction, halo)]
+            cells.append(f"{sum(row['failed'] for row in here)} of {sum(row['windows'] for row in here):,}")
+        table.append([f"{fraction:.2f}".lstrip("0"), *cells])
     yield from markdown(table)
 
 
@@ -384,22 +426,29 @@ def is_reasonable(predicted: Row, blocks: Blocks) -> bool:
 
 def prediction_table(model: Model, network: Network) -> Iterator[str]:
     table = [
-        ["spheres", "packing fraction", "domains", "side", "halo", "ghosts", "imbalance", "failed of a hundred windows"]
-        + ["kilobytes sent", "share of communication", "speed-up, one machine", "speed-up, network"]
+        ["spheres", "packing fraction", "domains", "side", "halo", "ghosts", "imbalance", "failed windows, %"]
+        + ["sent, kB", "communication, %", "speed-up", "at least", f"with halos of {HALO}"]
     ]
     for spheres in SIZES:
         for fraction in PACKING_FRACTIONS:
             for domains in DOMAINS:
                 blocks = Blocks(spheres, fraction, domains)
-                near, far = model.best(blocks, None), model.best(blocks, network)
-                mark = "" if is_reasonable(far, blocks) else " *"
+                best = model.best(blocks, network)
+                least = model.best(blocks, network, is_cautious=True)["speed_up"]
+                fixed = model.predict(blocks, HALO, network)["speed_up"]
+                mark = "" if is_reasonable(best, blocks) else " *"
                 table.append(
                     [f"{spheres:,.0f}", f"{fraction:.2f}".lstrip("0"), f"{domains:,}"]
-                    + [f"{far['side']:.0f}", f"{far['halo']:.2f}", f"{far['ghosts']:.2f}", f"{far['imbalance']:.2f}"]
-                    + [f"{100 * far['failed']:.2g}", f"{far['sent'] / 1e3:.0f}", f"{far['waiting']:.1%}"]
-                    + [f"{near['speed_up']:.3g}", f"{far['speed_up']:.3g}{mark}"]
+                    + [f"{best['side']:.0f}", f"{best['halo']:.2f}", f"{best['ghosts']:.2f}"]
+                    + [f"{best['imbalance']:.2f}", f"{100 * best['failed']:.1f}", f"{best['sent'] / 1e3:,.0f}"]
+                    + [f"{100 * best['waiting']:.1f}", to_text(best["speed_up"]) + mark]
+                    + [to_text(min(least, best["speed_up"])), to_text(fixed)]
                 )
     yield from markdown(table)
+
+
+def to_text(speed_up: float) -> str:
+    return f"{speed_up:.1f}" if speed_up < 10 else f"{speed_up:.0f}"
 
 
 def report(results: Row, figure: Path | None) -> None:
@@ -408,15 +457,21 @@ def report(results: Row, figure: Path | None) -> None:
     print(f"{results['processor']}, commit {results['commit'][:12]}, {results['date']}\n")
     print("\n".join(measured_table(rows, model)) + "\n")
     print("Nanoseconds for each contact that a domain handles:\n\n" + "\n".join(step_table(rows)) + "\n")
-    for name, value in zip(("q_1", "q_2", "q_3", "q_0"), model.work):
-        print(f"{name} = {value * 1e9:.0f} ns")
-    print(f"root mean square error of the work: {model.work_error:.1%}")
-    print("t = " + ", ".join(f"{value * 1e9:.0f} ns at {fraction}" for fraction, value in model.contact.items()))
-    print(f"g = {model.ghost_contacts:.2f}, a = {model.imbalance:.2f}, u = {model.undo:.2f}")
-    print(f"one engine with a journal over one without: {model.journal:.3f}")
-    for fraction, (constant, decay) in model.failures.items():
-        print(f"p = {math.exp(constant):.1e} exp(-{decay:.1f} (halo - {HALO})) at {fraction}")
-    print(f"{model.bytes_per_ghost_contact:.0f} bytes for a contact of a ghost; {network}\n")
+    print("Windows that failed:\n\n" + "\n".join(failure_table(rows)) + "\n")
+    heads = ["packing fraction", "t, ns", "q_1, ns", "q_2, ns", "q_3, ns", "q_0, µs", "error of work, %", "p", "decay"]
+    costs = [heads]
+    for fraction in PACKING_FRACTIONS:
+        work, rate = model.work[fraction], model.failures[fraction]
+        costs.append(
+            [f"{fraction:.2f}".lstrip("0"), f"{model.contact[fraction] * 1e9:.0f}"]
+            + [f"{each * 1e9:.0f}" for each in work[:3]]
+            + [f"{work[3] * 1e6:.0f}", f"{100 * model.work_error[fraction]:.0f}"]
+            + [f"{math.exp(rate.likely[0]):.1e}", f"{rate.cautious[1]:.1f} to {rate.likely[1]:.1f}"]
+        )
+    print("\n".join(markdown(costs)))
+    print(f"\ng = {model.ghost_contacts:.2f}, a = {model.imbalance:.2f}, u = {model.undo:.2f}")
+    print("bytes for a contact of a ghost: " + ", ".join(f"{sent:.0f} at {at}" for at, sent in model.sent.items()))
+    print(f"{network}\n")
     print("\n".join(prediction_table(model, network)))
     if figure:
         draw(rows, model, network, figure)
@@ -438,7 +493,8 @@ def draw(rows: Sequence[Row], model: Model, network: Network, figure: Path) -> N
             speed_ups = [model.best(Blocks(spheres, fraction, count), network)["speed_up"] for count in shown]
             axis.plot(shown, speed_ups, color=color, label=f"{spheres:,.0f}, model")
         largest = 1_000_188  # the nearest to the least size
-        points = [row for row in timed_rows(rows) if row["packing_fraction"] == fraction and row["spheres"] == largest]
+        at_fraction = [row for row in timed_rows(rows) if row["packing_fraction"] == fraction]
+        points = [row for row in at_fraction if row["spheres"] == largest]
         axis.plot(
             [row["domains"] for row in points],
             [one_engine_seconds(row) / critical_seconds(row) for row in points],
