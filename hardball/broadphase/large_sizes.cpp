@@ -21,7 +21,14 @@ double smallest_edge(const Subdivision& cells) {
   return std::min({cells.edge(0), cells.edge(1), cells.edge(2)});
 }
 
-// The sizes if radii of up to so many edges are not large.
+// Nothing if no sphere is large, or so many that other cells suit the world better.
+std::optional<LargeSizes> if_they_pay(const std::optional<LargeSizes>& sizes, const World& world) {
+  if (!sizes || sizes->count == 0 || 2 * sizes->count > world.size()) return std::nullopt;
+  const auto spheres = static_cast<double>(world.size());
+  return sizes->surfaces > kMaxCellsPerSphere * spheres ? std::nullopt : sizes;
+}
+
+// The sizes if radii of up to so many edges are not large; nothing if candidates would not be nearest images.
 std::optional<LargeSizes> sizes_above(double largest_in_edges, const World& world, const Subdivision& cells) {
   const double edge = smallest_edge(cells);
   LargeSizes sizes;
@@ -40,9 +47,7 @@ std::optional<LargeSizes> sizes_above(double largest_in_edges, const World& worl
     second_largest = std::max(second_largest, std::min(radius, largest));
     largest = std::max(largest, radius);
   }
-  const auto spheres = static_cast<double>(world.size());
-  if (count == 0 || 2 * count > world.size() || sizes.surfaces > kMaxCellsPerSphere * spheres)
-    return std::nullopt;
+  sizes.count = count;
   sizes.skin = LargeSizes::kSkin * edge;
   sizes.largest = largest;
   sizes.second_largest = second_largest;
@@ -100,12 +105,18 @@ double LargeSizes::cells_of_surface(double radius, std::size_t dimensions) {
 
 std::optional<LargeSizes> LargeSizes::in(const World& world, const Subdivision& cells) {
   if (world.radii().is_common()) return std::nullopt;
-  const std::optional<LargeSizes> in_blocks = sizes_above(kLargestInCell, world, cells);
+  const auto in_blocks = if_they_pay(sizes_above(kLargestInCell, world, cells), world);
   const auto spheres = static_cast<double>(world.size());
   if (in_blocks && largest_in_edges(in_blocks->surfaces, spheres) == kLargestInCell) return in_blocks;
   if (world.largest_radius() <= kLargestInRows * smallest_edge(cells)) return std::nullopt;
-  const std::optional<LargeSizes> in_rows = sizes_above(kLargestInRows, world, cells);
+  const auto in_rows = if_they_pay(sizes_above(kLargestInRows, world, cells), world);
   return in_rows ? in_rows : in_blocks;
+}
+
+std::optional<LargeSizes> LargeSizes::in_part(const World& part, const Subdivision& cells) {
+  if (const std::optional<LargeSizes> sizes = in(part, cells)) return sizes;
+  const std::optional<LargeSizes> in_blocks = sizes_above(kLargestInCell, part, cells);
+  return in_blocks ? in_blocks : sizes_above(kLargestInRows, part, cells);
 }
 
 }  // namespace hardball

@@ -21,7 +21,7 @@ bool LargeSphereGrid::supports(const World& world, double edge) {
 }
 
 void LargeSphereGrid::build(const World& world, const Time& now, CompactPaths& copies) {
-  const std::optional<LargeSizes> sizes = LargeSizes::in(world, Subdivision(world.box(), wanted_edge_));
+  const auto sizes = LargeSizes::in_part(world, Subdivision(world.box(), wanted_edge_));
   HARDBALL_CHECK(sizes.has_value());
   grid_ = CellGrid(wanted_edge_, sizes->largest_in_grid, sizes->farthest);
   grid_.build(world, now, copies);

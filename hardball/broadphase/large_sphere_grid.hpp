@@ -32,7 +32,8 @@ class LargeSphereGrid {
   /// The speed assumed by lists, over the root mean square of all.
   static constexpr double kUsualSpeed = 2.5;
 
-  /// The length is the wanted edge of a cell; see Subdivision. Precondition: supports(world, edge).
+  /// The length is the wanted edge of a cell; see Subdivision. Precondition: supports(world, edge), where the
+  /// world is all that is built, or has it as a part.
   explicit LargeSphereGrid(const PhaseSettings& settings) : wanted_edge_(settings.length), grid_(settings) {}
 
   /// Whether some spheres are too large for such cells; see LargeSizes. Cost: O(n). Error: the edge is not

@@ -57,6 +57,22 @@ TEST(LargeSizes, DoNotExistWhereNoSphereIsLargeOrTheBoxIsSmall) {
   EXPECT_FALSE(sizes_in(10, {3, 3}, 5000)) << "candidates may be half a box apart";
 }
 
+// A part of a world may have none of its large spheres, or nothing else.
+TEST(LargeSizes, AreOfAnyPartOfAWorldThatTheCellsSuit) {
+  const Subdivision cells(Box::periodic({40, 40, 40}), 1);
+  const auto sizes_of_part = [&](const std::vector<double>& radii) {
+    World part(Box::periodic({40, 40, 40}));
+    for (const double radius : radii) part.add({{1, 1, 1}, {}, radius, 1});
+    return LargeSizes::in_part(part, cells);
+  };
+  EXPECT_EQ(sizes_of_part({0.45, 3, 0.1, 0.1, 0.1}).value().largest, 3);
+  EXPECT_EQ(sizes_of_part({3, 3}).value().second_largest, 3);
+  EXPECT_EQ(sizes_of_part({0.45, 0.1}).value().largest_in_grid, 0.45);
+  EXPECT_EQ(sizes_of_part({0.1, 0.1}).value().largest, 0);
+  EXPECT_TRUE(sizes_of_part({}));
+  EXPECT_FALSE(sizes_of_part({15, 15})) << "candidates may be half a box apart";
+}
+
 TEST(LargeSizes, LeaveLessSkinInASmallBox) {
   const std::optional<LargeSizes> sizes = sizes_in(20, {4.9, 4.9}, 5000);
   ASSERT_TRUE(sizes);
