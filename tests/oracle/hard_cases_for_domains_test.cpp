@@ -1,0 +1,327 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Worlds that are hard to divide among domains, each for a reason of its own: the history of one engine, to
+// the last bit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hardball/broadphase/cell_grid.hpp"
+#include "hardball/events/calendar_queue.hpp"
+#include "hardball/numbers/random.hpp"
+#include "hardball/parallel/parallel_engine.hpp"
+#include "hardball/placement/placement.hpp"
+#include "hardball/simulation/contact_sums.hpp"
+#include "hardball/world/audit.hpp"
+#include "support/crystal.hpp"
+#include "support/discs.hpp"
+#include "support/effort.hpp"
+#include "support/gas.hpp"
+#include "support/history.hpp"
+#include "support/interacting.hpp"
+
+namespace hardball::hard_cases_for_domains_test {
+namespace {
+
+using support::History;
+using support::kIsSlowBuild;
+
+std::string name_of(const Division& division) {
+  return to_text(division.domains) + " domains, " + to_text(division.threads) + " threads, halo " +
+         to_text(division.halo) + ", window " + to_text(division.window);
+}
+
+// From one domain to sixteen, with halos from the least to far more than is needed, and windows from a few
+// contacts to far too many.
+std::vector<Division> divisions() {
+  return {{.domains = 1},
+          {.domains = 2, .halo = 1.05, .window = 1},
+          {.domains = 3, .threads = 2, .halo = 1.5, .window = 0.1},
+          {.domains = 5, .halo = 1.2, .window = 0.01},
+          {.domains = 8, .threads = 3, .halo = 1.75, .window = 0.3, .first_window = 10},
+          {.domains = 13, .halo = 4},
+          {.domains = 16, .halo = 1.05, .window = 2}};
+}
+
+struct Outcome {
+  History history;
+  std::vector<Contact> log;
+  double virial = 0;
+};
+
+Outcome run_through(const World& world, const EngineOptions& options, const RunLimits& limits,
+                    const std::optional<Thermostat>& thermostat, bool is_heard) {
+  Simulation simulation(world, options);
+  simulation.set_thermostat(thermostat);
+  Outcome outcome;
+  if (is_heard) simulation.on_contact([&](const Contact& contact) { outcome.log.push_back(contact); });
+  outcome.history = support::run_on(simulation, limits);
+  outcome.virial = simulation.tally().virial();
+  if (outcome.history.failure.empty()) simulation.validate();
+  return outcome;
+}
+
+// A world has the same history in all divisions, in every other one with a listener. Returns that of one
+// engine.
+History expect_one_history(const World& world, const RunLimits& limits,
+                           const std::optional<Thermostat>& thermostat = {},
+                           const std::vector<Division>& all = divisions()) {
+  const Outcome expected = run_through(world, {}, limits, thermostat, true);
+  bool is_heard = true;
+  for (const Division& division : all) {
+    SCOPED_TRACE(name_of(division));
+    is_heard = !is_heard;
+    const Outcome divided = run_through(world, {.division = division}, limits, thermostat, is_heard);
+    EXPECT_EQ(support::difference(divided.history, expected.history), "");
+    EXPECT_EQ(divided.virial, expected.virial);
+    if (!is_heard) continue;
+    const auto are_same = [](const Contact& a, const Contact& b) {
+      return a.time == b.time && a.kind == b.kind && a.first == b.first && a.second == b.second &&
+             a.after == b.after;
+    };
+    EXPECT_TRUE(std::ranges::equal(divided.log, expected.log, are_same)) << "the order of contacts";
+  }
+  return expected.history;
+}
+
+// About so many contacts for each sphere, fewer in a slow build.
+RunLimits contacts_each(const World& world, double contacts) {
+  const double share = kIsSlowBuild ? 0.25 : 1;
+  const auto all = static_cast<std::uint64_t>(share * contacts * static_cast<double>(world.size()));
+  return {.until = Time(1000), .contacts = all + 1};
+}
+
+// Adds spheres of these radii with thermal velocities, each at the first of many random places where there is
+// room.
+void fill(World& world, const Region& region, const std::vector<double>& radii, std::uint64_t seed) {
+  Random random(seed);
+  for (const double radius : radii) {
+    constexpr int kAttempts = 1000;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      Sphere sphere{.position = {}, .velocity = random.normal_vector(3), .radius = radius};
+      for (std::size_t axis = 0; axis < world.box().dimensions(); ++axis) {
+        const double room = region.high[axis] - region.low[axis] - 2 * radius;
+        sphere.position[axis] = region.low[axis] + radius + random.uniform() * room;
+      }
+      if (world.box().is_flat()) sphere.velocity.z = 0;
+      if (distance_to_surfaces(world, sphere.position, Time(0)) < radius) continue;
+      const auto slot = static_cast<Slot>(world.size());
+      world.add(sphere);
+      try {
+        require_room(world, slot, all_slots(world), Time(0));
+        break;
+      } catch (const Error&) {
+        world.undo_add();
+      }
+    }
+  }
+}
+
+World filled(const Box& box, std::size_t count, std::uint64_t seed) {
+  World world(box);
+  fill(world, {{}, box.size()}, std::vector<double>(count, 0.5), seed);
+  return world;
+}
+
+// Rows of touching spheres. All that the first of a row does goes through all domains in one moment, and
+// happens in several rows at once.
+TEST(HardCasesForDomains, NewtonsCradles) {
+  World world(Box::walls({64, 8, 8}));
+  for (int row = 0; row < 4; ++row) {
+    const double y = 1.5 + 2 * (row % 2);
+    const double z = 1.5 + 2 * static_cast<double>(row / 2);
+    world.add({.position = {4, y, z}, .velocity = {1, 0, 0}, .radius = 0.5});
+    for (int k = 0; k < 24; ++k) world.add({.position = {16.0 + k, y, z}, .radius = 0.5});
+    if (row > 1) world.add({.position = {50, y, z}, .velocity = {-1, 0, 0}, .radius = 0.5});
+  }
+  const History history = expect_one_history(world, {.until = Time(60)});
+  EXPECT_GT(history.contacts, 4U * 24);
+}
+
+TEST(HardCasesForDomains, CrystalsOfWhichOneSphereIsKicked) {
+  for (const double spacing : {1.0, 1.0625}) {
+    const std::uint64_t most = spacing == 1 ? 60 : 400;
+    World world(support::make_crystal(support::simple_cubic(), 4, spacing));
+    Simulation kicked(std::move(world));
+    kicked.change_velocity(0, {1, 0, 0});
+    kicked.change_velocity(50, {0.5, 0.25, -1});
+    EXPECT_EQ(expect_one_history(kicked.world(), {.until = Time(20), .contacts = most}).contacts, most);
+  }
+}
+
+TEST(HardCasesForDomains, SpheresThatAllStartInOneBlock) {
+  for (const Boundary boundary : {Boundary::wall, Boundary::periodic, Boundary::open}) {
+    World world(Box({boundary, boundary, boundary}, {40, 40, 40}));
+    fill(world, {{5, 5, 5}, {11, 11, 11}}, std::vector<double>(60, 0.5), 2);
+    EXPECT_GT(expect_one_history(world, {.until = Time(100), .contacts = 150}).contacts, 30U);
+  }
+}
+
+TEST(HardCasesForDomains, FewerSpheresThanDomains) {
+  for (std::size_t count = 0; count <= 4; ++count) {
+    expect_one_history(filled(Box::walls({8, 8, 8}), count, count), {.until = Time(40), .contacts = 30});
+    expect_one_history(filled(Box::periodic({3, 3, 3}), count, count), {.until = Time(40), .contacts = 30});
+    expect_one_history(filled(Box::flat_walls(6, 3), count, count), {.until = Time(40), .contacts = 30});
+  }
+}
+
+// They cross several domains in a window that suits the others.
+TEST(HardCasesForDomains, Bullets) {
+  for (const double speed : {30.0, 3000.0}) {
+    World world(Box::periodic({60, 6, 6}));
+    fill(world, {{0, 0, 0}, {3, 6, 6}}, {0.5, 0.5}, 1);
+    Simulation shot(world);
+    shot.change_velocity(0, {speed, 0.1 * speed, 0});
+    shot.change_velocity(1, {-0.7 * speed, 0.01 * speed, 0.3 * speed});
+    world = shot.world();
+    fill(world, {{3, 0, 0}, {60, 6, 6}}, std::vector<double>(200, 0.5), 7);
+    expect_one_history(world, contacts_each(world, 4));
+  }
+}
+
+// Each domain is the neighbor of the other on both sides, and a halo may reach around the box.
+TEST(HardCasesForDomains, SmallPeriodicBoxes) {
+  for (const double edge : {1.25, 2.1, 3.0, 4.2}) {
+    const World world = filled(Box::periodic({edge, edge, edge}), static_cast<std::size_t>(4 * edge), 5);
+    SCOPED_TRACE(testing::Message() << world.size() << " spheres in a box of " << edge);
+    expect_one_history(world, contacts_each(world, 6));
+    const World flat = filled(Box::flat_periodic(edge, 2 * edge), static_cast<std::size_t>(2 * edge), 5);
+    expect_one_history(flat, contacts_each(flat, 6));
+  }
+}
+
+TEST(HardCasesForDomains, Discs) {
+  for (const Boundary boundary : {Boundary::wall, Boundary::periodic, Boundary::open}) {
+    const World world = support::make_discs(200, 0.4, 4, boundary);
+    expect_one_history(world, contacts_each(world, boundary == Boundary::open ? 1 : 4));
+  }
+}
+
+// All blocks are slices of a tube.
+TEST(HardCasesForDomains, Slabs) {
+  for (const Boundary boundary : {Boundary::wall, Boundary::periodic}) {
+    const World world = filled(Box({boundary, boundary, boundary}, {80, 2.5, 2.5}), 150, 6);
+    expect_one_history(world, contacts_each(world, 5));
+  }
+}
+
+TEST(HardCasesForDomains, MovingWallsObstaclesAndGravity) {
+  const std::vector<Surface> surfaces{
+      Surface(OscillatingPlane({0, 0, 1}, 0.25, 3), {0, 0, 0.75}),
+      Surface(Plane({-1, 0, 0}), {19, 0, 0}, {-0.05, 0, 0}),
+      Surface(Obstacle(1.5), {9, 4, 4}),
+      Surface(Obstacle(0.5), {14, 1, 5}, {}, {.restitution = 0.5}),
+  };
+  for (const double restitution : {1.0, 0.9}) {
+    World world(Box::walls({20, 8, 8}), {0.1, 0, -0.5}, surfaces);
+    fill(world, {{0, 0, 1.5}, {18, 8, 8}}, std::vector<double>(120, 0.5), 8);
+    world.set_interactions(Restitution(restitution, 0.01));
+    expect_one_history(world, contacts_each(world, 5));
+  }
+  // Along a periodic axis spheres fall ever faster, through more and more domains.
+  World falling(Box::periodic({8, 8, 24}), {0, 0, -1});
+  fill(falling, {{}, {8, 8, 24}}, std::vector<double>(80, 0.5), 9);
+  expect_one_history(falling, contacts_each(falling, 2));
+}
+
+// Large spheres, which need cells of their own, are in some domains only.
+TEST(HardCasesForDomains, MixturesOfSizes) {
+  World world(Box::periodic({24, 6, 6}));
+  fill(world, {{}, {6, 6, 6}}, {2, 1.5}, 10);
+  fill(world, {{}, {24, 6, 6}}, std::vector<double>(400, 0.125), 11);
+  fill(world, {{}, {24, 6, 6}}, std::vector<double>(50, 0.25), 12);
+  expect_one_history(world, contacts_each(world, 3));
+
+  World pair(Box::walls({30, 8, 8}));
+  fill(pair, {{12, 0, 0}, {18, 8, 8}}, {2}, 13);
+  fill(pair, {{}, {30, 8, 8}}, std::vector<double>(40, 0.1), 14);
+  expect_one_history(pair, contacts_each(pair, 8));
+}
+
+// What of a contact between spheres that pass through each other matters is who owns them.
+TEST(HardCasesForDomains, SpeciesThatPassThroughEachOther) {
+  for (const bool with_ties : {false, true}) {
+    World world(Box::periodic({24, 6, 6}));
+    Random random(15);
+    for (int x = 0; x < 12; ++x) {
+      for (int y = 0; y < 3; ++y) {
+        for (int z = 0; z < 3; ++z) {
+          const Vec3 velocity =
+              with_ties ? Vec3{x % 2 == 0 ? 1.0 : -1.0, 0, 0} : Vec3(random.normal_vector(3));
+          const auto species = static_cast<SpeciesId>((x + y + z) % 3);
+          world.add({.position = {2.0 * x, 2.0 * y, 2.0 * z},
+                     .velocity = velocity,
+                     .radius = 0.5,
+                     .species = species});
+        }
+      }
+    }
+    const World passing = support::interacting(world, support::passing({{0, 1}, {2, 2}}));
+    expect_one_history(passing, contacts_each(passing, 8));
+  }
+}
+
+TEST(HardCasesForDomains, RoughSpheres) {
+  World world(Box::walls({20, 6, 6}));
+  fill(world, {{}, {20, 6, 6}}, std::vector<double>(150, 0.5), 16);
+  BounceRules rules;
+  rules.restitution = ConstantRestitution{0.95};
+  rules.tangential_restitution = 0.5;
+  const History history = expect_one_history(
+      support::interacting(world, ResponseTable(Bounce(rules), Bounce(rules))), contacts_each(world, 5));
+  EXPECT_TRUE(std::ranges::any_of(history.spins, [](const Vec3& spin) { return !(spin == Vec3{}); }));
+}
+
+TEST(HardCasesForDomains, Thermostats) {
+  const World world = filled(Box::periodic({20, 6, 6}), 150, 17);
+  for (const Thermostat& thermostat :
+       {Thermostat(Andersen(1, 0.5), 1), Thermostat(Rescale(2, 0.25), 2), Thermostat(Heating(1, 0.25), 3)}) {
+    expect_one_history(world, contacts_each(world, 4), thermostat);
+  }
+}
+
+// A cluster on the border of two domains that collapses, and others that come near it: who was without time
+// between contacts is known to the next owner, too.
+TEST(HardCasesForDomains, InelasticCollapses) {
+  World world(Box::walls({16, 4, 4}));
+  for (int k = 0; k < 6; ++k) {
+    world.add({.position = {3 + 2.0 * k + 0.03125 * (k % 3), 2, 2},
+               .velocity = {k < 3 ? 1.0 : -1.0, 0, 0},
+               .radius = 0.5});
+  }
+  world.set_interactions(Restitution(0.05));
+  const History history =
+      expect_one_history(world, {.until = Time(100), .contacts = 100000}, {}, {{.domains = 3, .halo = 1.05}});
+  EXPECT_NE(history.failure, "");
+}
+
+// Windows of many contacts for each sphere fail again and again, until single steps lead on.
+TEST(HardCasesForDomains, WindowsThatAreFarTooLong) {
+  using Divided = ParallelEngine<CalendarQueue, CellGrid, ContactSums>;
+  for (const double packing_fraction : {0.005, 0.3}) {
+    for (std::uint64_t seed = 0; seed < support::cases(5); ++seed) {
+      const World world =
+          support::make_gas({.count = 150, .packing_fraction = packing_fraction, .seed = seed});
+      Simulation reference(world);
+      const History expected = support::run_on(reference, {.contacts = 300});
+      Divided divided(world, PhaseSettings(1.5),
+                      {.domains = 6, .halo = 1.05, .window = 3, .first_window = 100}, Time(0));
+      ContactSums sums;
+      divided.run({.contacts = 300}, sums, {});
+      EXPECT_EQ(sums.hash.value(), expected.hash);
+      EXPECT_GT(divided.window_counters().failed, 10U);
+      EXPECT_GT(divided.window_counters().steps, 0U);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hardball::hard_cases_for_domains_test
