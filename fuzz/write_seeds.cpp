@@ -13,6 +13,7 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/io/checkpoint_file.hpp"
 #include "hardball/measure/measures.hpp"
+#include "hardball/numbers/random.hpp"
 #include "hardball/recording/recording_writer.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/trajectory/trajectory.hpp"
@@ -87,6 +88,17 @@ void write_measured_seeds(const std::filesystem::path& corpus) {
   }
 }
 
+// Of worlds of all kinds, with any division and changes.
+void write_divided_seeds(const std::filesystem::path& corpus) {
+  constexpr std::size_t kBytes = 24;
+  Random random(kSeeds);
+  for (std::uint64_t seed = 0; seed < 2 * kSeeds; ++seed) {
+    std::string bytes;
+    for (std::size_t k = 0; k < kBytes; ++k) bytes += static_cast<char>(256 * random.uniform() - 128);
+    support::write_text(corpus / "domains" / std::to_string(seed), bytes);
+  }
+}
+
 }  // namespace
 }  // namespace hardball
 
@@ -94,7 +106,8 @@ int main(int count, char** arguments) {
   using namespace hardball;
   if (count != 2) return 2;
   const std::filesystem::path corpus = arguments[1];
-  for (const char* target : {"checkpoint", "measured_run", "recording", "recording_state", "simulation"}) {
+  for (const char* target :
+       {"checkpoint", "domains", "measured_run", "recording", "recording_state", "simulation"}) {
     std::filesystem::create_directories(corpus / target);
   }
   for (const auto& [target, ending] : kSnapshots) std::filesystem::create_directories(corpus / target);
@@ -106,4 +119,5 @@ int main(int count, char** arguments) {
     write_seeds_of_world(corpus, "world" + std::to_string(seed), made, thermostat);
   }
   write_measured_seeds(corpus);
+  write_divided_seeds(corpus);
 }
