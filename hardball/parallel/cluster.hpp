@@ -99,7 +99,8 @@ class Cluster {
     keep_logs(keeps_log || may_be_cut, !keeps_log);
     // Few contacts need only a part of a window.
     const double part = std::min(1.0, static_cast<double>(most) / settings_.contacts);
-    for (double until = std::min({end, begin + std::max(part * window_, least_window()), horizon_});;) {
+    wanted_ = std::max(part * window_, least_window());
+    for (double until = std::min({end, begin + wanted_, horizon_});;) {
       each([&](Member& domain, std::size_t) { domain.run(until, most_contacts()); });
       const Findings found = compare(until);
       const bool is_wrong = found.bad <= until;
@@ -373,7 +374,7 @@ class Cluster {
     constexpr double kMost = 1.5;
     const double most = kMost * window_;
     if (contacts == 0) {
-      if (length >= 0.5 * window_) window_ = most;  // unless it was cut short
+      if (length >= 0.5 * wanted_) window_ = most;  // unless it was cut short
     } else {
       const double wanted = length * settings_.contacts / static_cast<double>(contacts);
       window_ = std::max(std::clamp(wanted, window_ / kMost, most), least_window());
@@ -391,6 +392,7 @@ class Cluster {
   double committed_;
   bool is_complete_ = false;
   double window_;
+  double wanted_ = 0;  // the length of the open window, unless it fails or something ends it
   double horizon_ = -std::numeric_limits<double>::infinity();
   bool are_logs_kept_ = false;
   OpenWindow open_;
