@@ -148,7 +148,7 @@ TEST(HardCasesForDomains, NewtonsCradles) {
 
 TEST(HardCasesForDomains, CrystalsOfWhichOneSphereIsKicked) {
   for (const double spacing : {1.0, 1.0625}) {
-    const std::uint64_t most = spacing == 1 ? 60 : 400;
+    const std::uint64_t most = spacing == 1 ? 20 : 200;
     World world(support::make_crystal(support::simple_cubic(), 4, spacing));
     Simulation kicked(std::move(world));
     kicked.change_velocity(0, {1, 0, 0});
@@ -189,7 +189,7 @@ TEST(HardCasesForDomains, Bullets) {
 
 // Each domain is the neighbor of the other on both sides, and a halo may reach around the box.
 TEST(HardCasesForDomains, SmallPeriodicBoxes) {
-  for (const double edge : {1.25, 2.1, 3.0, 4.2}) {
+  for (const double edge : {1.25, 2.1, 3.0}) {
     const World world = filled(Box::periodic({edge, edge, edge}), static_cast<std::size_t>(4 * edge), 5);
     SCOPED_TRACE(testing::Message() << world.size() << " spheres in a box of " << edge);
     expect_one_history(world, contacts_each(world, 6));
