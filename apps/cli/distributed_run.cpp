@@ -62,6 +62,21 @@ std::size_t threads_of(const Options& options) {
   return 1;
 }
 
+// The same in all processes.
+EngineOptions shared_engine_options(const Options& options, const Scenario& scenario, const World& empty) {
+  if (options.cell_edge == "paper")
+    throw Error("the paper's cell edge needs all spheres in one process", "--cell-edge",
+                "give auto or a length");
+  if (options.unit_costs == "measured")
+    throw Error("processes would measure different costs", "--unit-costs",
+                "give standard, or all four costs");
+  if (options.queue != "calendar")
+    throw Error("several processes have no other queue than the calendar", "--queue", "leave it out");
+  EngineOptions engine_options = read_engine_options(options, scenario, empty);
+  engine_options.threads = threads_of(options);
+  return engine_options;
+}
+
 // What a checkpoint holds, of one process or of several.
 DistributedSimulation loaded(CheckpointReader& checkpoint, const std::filesystem::path& path,
                              std::size_t threads, Processes& processes) {
@@ -300,10 +315,13 @@ ExitCode run_distributed(const Options& options, Processes& processes) {
   std::optional<DistributedRun> run;
   {
     SetUpProgress progress(processes.is_first() && !options.quiet);
-    const World world = make_world(scenario, progress.part(0, 1));
-    EngineOptions engine_options = read_engine_options(options, scenario, world);
-    engine_options.threads = threads_of(options);
-    run.emplace(options, scenario, DistributedSimulation::of(processes, world, engine_options));
+    std::vector<Traveler> brought;
+    World empty = make_part(
+        scenario, [&](SphereId id) { return id % processes.size() == processes.rank(); },
+        [&](const SphereState& state) { brought.push_back({state}); }, progress.part(0, 1));
+    const EngineOptions engine_options = shared_engine_options(options, scenario, empty);
+    run.emplace(options, scenario,
+                DistributedSimulation(processes, std::move(empty), std::move(brought), engine_options));
   }
   std::optional<std::filesystem::path> directory = scenario.output_directory;
   if (options.out) directory = *options.out;

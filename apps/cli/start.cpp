@@ -40,6 +40,7 @@ std::size_t choose(const std::string& text, std::span<const std::string_view> na
 // Whether the run will be so long that measuring takes less than a hundredth of it.
 bool is_worth_measuring(const World& start, const Scenario& scenario) {
   constexpr double kLong = 10e9;  // nanoseconds
+  if (start.size() == 0) return false;
   const GasStatistics statistics = gas_statistics(start, Time(0));
   const double rate = cost_rate(expected_counts(statistics, optimal_cell_edge(statistics)), UnitCosts{});
   return rate * static_cast<double>(start.size()) * *scenario.until > kLong;

@@ -37,7 +37,8 @@ std::optional<LargeSizes> sizes_above(double largest_in_edges, const World& worl
   std::size_t count = 0;
   double largest = 0;
   double second_largest = 0;
-  for (const double radius : world.radii().each()) {
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    const double radius = world.radius(slot);
     if (radius <= largest_in_edges * edge) {
       sizes.largest_in_grid = std::max(sizes.largest_in_grid, radius);
       continue;

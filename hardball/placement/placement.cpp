@@ -372,7 +372,14 @@ std::vector<Vec3> place_randomly(const Box& box, const Region& region, std::span
 std::vector<Vec3> place_on_lattice(const Box& box, const Region& region, std::size_t count, double radius,
                                    const std::string& where) {
   std::vector<Vec3> centers;
-  if (count == 0) return centers;
+  centers.reserve(count);
+  place_on_lattice(box, region, count, radius, where, [&](const Vec3& center) { centers.push_back(center); });
+  return centers;
+}
+
+void place_on_lattice(const Box& box, const Region& region, std::size_t count, double radius,
+                      const std::string& where, const Function<void(const Vec3&)>& take) {
+  if (count == 0) return;
   check_region(box, region, where);
   check_positive(radius, "radius", where);
   check_fits(box, region, radius, where);
@@ -382,7 +389,6 @@ std::vector<Vec3> place_on_lattice(const Box& box, const Region& region, std::si
                     " spheres of radius " + to_text(radius) + " in this box",
                 where, "with this count and box the radius can be at most " + to_text(lattice.nearest / 2));
   }
-  centers.reserve(count);
   const std::size_t sites = lattice.sites();
   std::size_t site = 0;
   for (std::size_t x = 0; x < lattice.points[0]; ++x) {
@@ -392,13 +398,12 @@ std::vector<Vec3> place_on_lattice(const Box& box, const Region& region, std::si
         const bool taken = (site + 1) * count / sites > site * count / sites;
         ++site;
         if (!taken) continue;
-        centers.push_back({lattice.origin.x + static_cast<double>(x) * lattice.half_edge.x,
-                           lattice.origin.y + static_cast<double>(y) * lattice.half_edge.y,
-                           lattice.origin.z + static_cast<double>(z) * lattice.half_edge.z});
+        take({lattice.origin.x + static_cast<double>(x) * lattice.half_edge.x,
+              lattice.origin.y + static_cast<double>(y) * lattice.half_edge.y,
+              lattice.origin.z + static_cast<double>(z) * lattice.half_edge.z});
       }
     }
   }
-  return centers;
 }
 
 }  // namespace hardball

@@ -39,5 +39,8 @@ HARDBALL_EXPORT std::vector<Vec3> place_randomly(const Box& box, const Region& r
 /// its place: a number out of range; no such lattice leaves room for the spheres.
 HARDBALL_EXPORT std::vector<Vec3> place_on_lattice(const Box& box, const Region& region, std::size_t count,
                                                    double radius, const std::string& where);
+/// The same for those who cannot keep all: calls take(center) for one after the other.
+HARDBALL_EXPORT void place_on_lattice(const Box& box, const Region& region, std::size_t count, double radius,
+                                      const std::string& where, const Function<void(const Vec3&)>& take);
 
 }  // namespace hardball

@@ -186,6 +186,13 @@ double moment_of(const Scenario& scenario, const SphereGroup& group) {
   return scenario.species[group.species].inertia_factor.value_or(uniform);
 }
 
+// A random spin of a sphere of a group whose rotational temperature is positive.
+Vec3 spin_of(const Scenario& scenario, const SphereGroup& group, std::size_t index, Random& random) {
+  const double radius = group.radius_of(index);
+  const double inertia = moment_of(scenario, group) * group.mass_of(index) * radius * radius;
+  return spin_at(group.rotational_temperature / inertia, group.dimensions, random);
+}
+
 // Drawn after all other random numbers, so that spheres that do not spin are where they would be without it.
 std::vector<Vec3> draw_spins(const Scenario& scenario, Groups groups, Random& random) {
   std::vector<Vec3> spins;
@@ -194,13 +201,8 @@ std::vector<Vec3> draw_spins(const Scenario& scenario, Groups groups, Random& ra
       spins.insert(spins.end(), group.spins.begin(), group.spins.end());
       continue;
     }
-    for (std::size_t i = 0; i < group.count; ++i) {
-      const double radius = group.radius_of(i);
-      const double inertia = moment_of(scenario, group) * group.mass_of(i) * radius * radius;
-      spins.push_back(group.rotational_temperature > 0
-                          ? spin_at(group.rotational_temperature / inertia, group.dimensions, random)
-                          : Vec3{});
-    }
+    for (std::size_t i = 0; i < group.count; ++i)
+      spins.push_back(group.rotational_temperature > 0 ? spin_of(scenario, group, i, random) : Vec3{});
   }
   return spins;
 }
@@ -232,6 +234,49 @@ void add_groups(const Scenario& scenario, World& world, const Progress& progress
           group.where);
     }
   }
+}
+
+// Whether the spheres can be made one after the other, by those who cannot keep all.
+bool can_be_made_in_turn(const Scenario& scenario) {
+  if (scenario.start_file || scenario.spheres.size() != 1) return false;
+  const SphereGroup& group = scenario.spheres.front();
+  const bool is_on_lattice = group.placement == Placement::fcc || group.placement == Placement::hexagonal;
+  return is_on_lattice && !group.distribution && group.velocity_rule != VelocityRule::listed &&
+         group.spins.empty();
+}
+
+// As add_groups makes them.
+std::vector<Sphere> make_wanted(const Scenario& scenario, const World& empty,
+                                const Function<bool(SphereId)>& is_wanted) {
+  const Groups groups = scenario.spheres;
+  const SphereGroup& group = groups.front();
+  const Region region = make_region(scenario, groups, empty.surfaces());
+  check_room(empty.box(), groups, region);
+  std::vector<Sphere> wanted;
+  SphereId id = 0;
+  place_on_lattice(empty.box(), region, group.count, group.radius, group.where, [&](const Vec3& center) {
+    if (!is_wanted(id++)) return;
+    wanted.push_back({.position = center,
+                      .radius = group.radius,
+                      .mass = group.mass_of(0),
+                      .species = group.species,
+                      .inertia_factor = moment_of(scenario, group)});
+  });
+  Random random(scenario.seed);
+  const DrawnVelocities velocities(groups, empty.box().is_all(Boundary::periodic), random,
+                                   DrawnVelocities::Memory::none);
+  id = 0;
+  auto next = wanted.begin();
+  velocities.for_each([&](const SphereGroup&, std::size_t, const Vec3& velocity) {
+    if (is_wanted(id++)) (next++)->velocity = velocity;
+  });
+  if (!(group.rotational_temperature > 0)) return wanted;
+  next = wanted.begin();
+  for (id = 0; id < group.count; ++id) {
+    const Vec3 spin = spin_of(scenario, group, 0, random);
+    if (is_wanted(id)) (next++)->spin = spin;
+  }
+  return wanted;
 }
 
 // Gives the spheres of a file without velocities those of the scenario.
@@ -305,6 +350,31 @@ World make_world(const Scenario& scenario, const OnProgress& on_progress) {
   world.set_interactions(make_responses(scenario));
   progress.note_end();
   return world;
+}
+
+World make_part(const Scenario& scenario, const Function<bool(SphereId)>& is_wanted,
+                const Function<void(const SphereState&)>& take, const OnProgress& on_progress) {
+  if (!can_be_made_in_turn(scenario)) {
+    const World whole = make_world(scenario, on_progress);
+    whole.for_each_by_id([&](Slot slot) {
+      if (is_wanted(whole.id(slot))) take(whole.state_of(slot));
+    });
+    return whole.without_spheres();
+  }
+  const Box box = make_box(scenario);
+  World empty(box, scenario.gravity, make_surfaces(scenario, box));
+  empty.set_interactions(make_responses(scenario));
+  World alone = empty;
+  SphereId id = 0;
+  for (const Sphere& sphere : make_wanted(scenario, empty, is_wanted)) {
+    while (!is_wanted(id)) ++id;
+    add(alone, sphere, scenario.spheres.front().where);
+    SphereState state = alone.state_of(0);
+    alone.undo_add();
+    state.id = id++;
+    take(state);
+  }
+  return empty;
 }
 
 }  // namespace hardball

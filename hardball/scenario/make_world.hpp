@@ -3,6 +3,7 @@
 #pragma once
 
 #include "hardball/errors/export.hpp"
+#include "hardball/memory/function.hpp"
 #include "hardball/scenario/scenario.hpp"
 #include "hardball/world/progress.hpp"
 #include "hardball/world/world.hpp"
@@ -24,5 +25,13 @@ HARDBALL_EXPORT Box make_box(const Scenario& scenario);
 /// not fit; groups on a lattice have several radii; what draw_radii refuses; what World::add refuses.
 /// Overlaps among listed or read positions are not checked here.
 HARDBALL_EXPORT World make_world(const Scenario& scenario, const OnProgress& on_progress = {});
+
+/// The same for one of those who share a world, and cannot keep all of it: returns the world without spheres,
+/// and calls take(state) for the spheres that are wanted, in the order of ids. Memory: that of all spheres
+/// only where they are placed at random or listed, are of several groups, or come from a file. Error: as for
+/// make_world.
+HARDBALL_EXPORT World make_part(const Scenario& scenario, const Function<bool(SphereId)>& is_wanted,
+                                const Function<void(const SphereState&)>& take,
+                                const OnProgress& on_progress = {});
 
 }  // namespace hardball

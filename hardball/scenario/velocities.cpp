@@ -38,15 +38,6 @@ Vec3 draw(const SphereGroup& group, std::size_t index, Random& random) {
   return spread(group, index) * random.normal_vector(group.dimensions);
 }
 
-// Calls visit(group, velocities of its spheres) for every group.
-template <class Visit>
-void for_each_group(std::span<const SphereGroup> groups, std::span<Vec3> velocities, Visit&& visit) {
-  for (const SphereGroup& group : groups) {
-    visit(group, velocities.first(group.count));
-    velocities = velocities.subspan(group.count);
-  }
-}
-
 double total_mass(const SphereGroup& group) {
   if (!group.density) return group.mass * static_cast<double>(group.count);
   double mass = 0;
@@ -54,55 +45,99 @@ double total_mass(const SphereGroup& group) {
   return mass;
 }
 
-void remove_drift(std::span<const SphereGroup> groups, std::span<Vec3> velocities) {
+}  // namespace
+
+DrawnVelocities::DrawnVelocities(std::span<const SphereGroup> groups, bool without_drift, Random& random,
+                                 Memory memory)
+    : groups_(groups), before_(random), are_kept_(memory == Memory::all) {
+  std::size_t count = 0;
+  for (const SphereGroup& group : groups) count += group.count;
+  if (are_kept_) kept_.reserve(count);
+  for (const SphereGroup& group : groups) {
+    for (std::size_t i = 0; i < group.count; ++i) {
+      const Vec3 velocity = draw(group, i, random);
+      if (are_kept_) kept_.push_back(velocity);
+    }
+  }
+  const bool removes_drift =
+      without_drift && count >= 2 && std::all_of(groups.begin(), groups.end(), is_maxwell);
+  // Scaling several groups by different factors brings back some momentum, far less in each round.
+  const int rounds = removes_drift && groups.size() > 1 ? 20 : 1;
+  for (int round = 0; round < rounds; ++round) {
+    if (removes_drift) remove_drift();
+    for (const SphereGroup& group : groups) {
+      if (is_maxwell(group)) scale_to_rule(group);
+    }
+  }
+}
+
+std::vector<Vec3> draw_velocities(std::span<const SphereGroup> groups, bool without_drift, Random& random) {
+  const DrawnVelocities drawn(groups, without_drift, random, DrawnVelocities::Memory::all);
+  std::vector<Vec3> velocities;
+  drawn.for_each(
+      [&](const SphereGroup&, std::size_t, const Vec3& velocity) { velocities.push_back(velocity); });
+  return velocities;
+}
+
+void DrawnVelocities::for_each(
+    const Function<void(const SphereGroup&, std::size_t, const Vec3&)>& visit) const {
+  Random random = before_;
+  std::size_t next = 0;
+  for (const SphereGroup& group : groups_) {
+    for (std::size_t i = 0; i < group.count; ++i, ++next) {
+      if (are_kept_) {
+        visit(group, i, kept_[next]);
+        continue;
+      }
+      Vec3 velocity = draw(group, i, random);
+      for (const Adjustment& adjustment : adjustments_) adjustment.apply_to(group, velocity);
+      visit(group, i, velocity);
+    }
+  }
+}
+
+void DrawnVelocities::Adjustment::apply_to(const SphereGroup& its_group, Vec3& velocity) const {
+  if (!group) {
+    velocity -= drift;
+  } else if (group == &its_group) {
+    velocity = factor * velocity;
+  }
+}
+
+void DrawnVelocities::adjust(const Adjustment& adjustment) {
+  if (!are_kept_) return adjustments_.push_back(adjustment);
+  std::size_t next = 0;
+  for (const SphereGroup& group : groups_) {
+    for (std::size_t i = 0; i < group.count; ++i, ++next) adjustment.apply_to(group, kept_[next]);
+  }
+}
+
+void DrawnVelocities::remove_drift() {
   Vec3 momentum;
-  double mass = 0;
-  for_each_group(groups, velocities, [&](const SphereGroup& group, std::span<Vec3> own) {
-    for (std::size_t i = 0; i < own.size(); ++i) momentum += group.mass_of(i) * own[i];
-    mass += total_mass(group);
+  for_each([&](const SphereGroup& group, std::size_t i, const Vec3& velocity) {
+    momentum += group.mass_of(i) * velocity;
   });
-  const Vec3 drift = (1 / mass) * momentum;
-  for (Vec3& velocity : velocities) velocity -= drift;
+  double mass = 0;
+  for (const SphereGroup& group : groups_) mass += total_mass(group);
+  adjust({nullptr, (1 / mass) * momentum, 1});
 }
 
 // Gives a group of Maxwell velocities exactly the mean it should have.
-void scale_to_rule(const SphereGroup& group, std::span<Vec3> velocities) {
-  const auto count = static_cast<double>(velocities.size());
+void DrawnVelocities::scale_to_rule(const SphereGroup& group) {
   double speeds = 0;
   double squares = 0;  // weighted by the masses relative to that of the first
-  for (std::size_t i = 0; i < velocities.size(); ++i) {
-    speeds += length(velocities[i]);
-    squares += group.mass_of(i) / group.mass_of(0) * dot(velocities[i], velocities[i]);
-  }
+  for_each([&](const SphereGroup& its_group, std::size_t i, const Vec3& velocity) {
+    if (&its_group != &group) return;
+    speeds += length(velocity);
+    squares += group.mass_of(i) / group.mass_of(0) * dot(velocity, velocity);
+  });
   if (!(speeds > 0)) return;
+  const auto count = static_cast<double>(group.count);
   const double factor = group.velocity_rule == VelocityRule::mean_speed
                             ? group.velocity_scale / (speeds / count)
                             : std::sqrt(group.velocity_scale / (group.mass_of(0) * squares / count /
                                                                 static_cast<double>(group.dimensions)));
-  for (Vec3& velocity : velocities) velocity = factor * velocity;
-}
-
-}  // namespace
-
-std::vector<Vec3> draw_velocities(std::span<const SphereGroup> groups, bool without_drift, Random& random) {
-  std::size_t count = 0;
-  for (const SphereGroup& group : groups) count += group.count;
-  std::vector<Vec3> velocities;
-  velocities.reserve(count);
-  for (const SphereGroup& group : groups) {
-    for (std::size_t i = 0; i < group.count; ++i) velocities.push_back(draw(group, i, random));
-  }
-  const bool removes_drift =
-      without_drift && velocities.size() >= 2 && std::all_of(groups.begin(), groups.end(), is_maxwell);
-  // Scaling several groups by different factors brings back some momentum, far less in each round.
-  const int rounds = removes_drift && groups.size() > 1 ? 20 : 1;
-  for (int round = 0; round < rounds; ++round) {
-    if (removes_drift) remove_drift(groups, velocities);
-    for_each_group(groups, velocities, [](const SphereGroup& group, std::span<Vec3> own) {
-      if (is_maxwell(group)) scale_to_rule(group, own);
-    });
-  }
-  return velocities;
+  adjust({&group, {}, factor});
 }
 
 }  // namespace hardball

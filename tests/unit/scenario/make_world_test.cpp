@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/world/audit.hpp"
@@ -360,6 +361,41 @@ TEST(MakeWorld, RefusesToMixPlacements) {
   scenario.spheres = {make_group(5, VelocityRule::speed, 0), make_group(5, VelocityRule::speed, 0)};
   scenario.spheres[1].placement = Placement::fcc;
   EXPECT_TRUE(contains(error_of(scenario), "different ways")) << error_of(scenario);
+}
+
+// Those who share a world have together what make_world makes, to the last bit.
+TEST(MakePart, HasTheSpheresThatAreWanted) {
+  std::vector<Scenario> scenarios;
+  for (const VelocityRule rule : {VelocityRule::mean_speed, VelocityRule::temperature, VelocityRule::speed}) {
+    for (const Boundary boundary : {Boundary::periodic, Boundary::wall}) {
+      Scenario scenario = make_scenario(boundary, 12);
+      scenario.spheres = {make_group(500, rule, 1.5)};
+      scenario.spheres[0].placement = Placement::fcc;
+      scenario.spheres[0].mass = 2;
+      scenarios.push_back(scenario);
+      scenario.spheres[0].rotational_temperature = 0.5;
+      scenarios.push_back(scenario);
+      // Two groups are made whole.
+      scenario.spheres.push_back(make_group(100, rule, 1));
+      scenario.spheres[1].placement = Placement::fcc;
+      scenarios.push_back(scenario);
+    }
+  }
+  for (const Scenario& scenario : scenarios) {
+    const World whole = make_world(scenario);
+    std::size_t taken = 0;
+    for (SphereId part = 0; part < 3; ++part) {
+      const World empty = make_part(
+          scenario, [&](SphereId id) { return id % 3 == part; },
+          [&](const SphereState& state) {
+            EXPECT_EQ(state, whole.state_of(whole.slot_of(state.id)));
+            EXPECT_EQ(state.id % 3, part);
+            ++taken;
+          });
+      EXPECT_EQ(empty.size(), 0U);
+    }
+    EXPECT_EQ(taken, whole.size());
+  }
 }
 
 TEST(MakeWorld, ReportsItsProgress) {

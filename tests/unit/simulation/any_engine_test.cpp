@@ -111,9 +111,10 @@ TEST(AnyEngine, HasTheBestLengthOfItsKind) {
   EXPECT_EQ(choose_length(world, statistics, EngineKind::neighbors, {}, Time(0)), optimal_skin(statistics));
   EXPECT_GE(choose_length(world, statistics, EngineKind::paper, {}, Time(0)), 2 * world.largest_radius());
   for (const EngineKind kind : {EngineKind::cells, EngineKind::paper}) {
-    EXPECT_EQ(choose_length(world, kind, {.cell_edge = 7}, Time(0)), 7);
+    EXPECT_EQ(choose_length(world, statistics, kind, {.cell_edge = 7}, Time(0)), 7);
   }
-  EXPECT_EQ(choose_length(world, EngineKind::neighbors, {.cell_edge = 7}, Time(0)), optimal_skin(statistics));
+  EXPECT_EQ(choose_length(world, statistics, EngineKind::neighbors, {.cell_edge = 7}, Time(0)),
+            optimal_skin(statistics));
   EXPECT_EQ(allowed_cell_edge(world, EngineKind::cells, 0.1), 0.1);
   EXPECT_EQ(allowed_cell_edge(world, EngineKind::paper, 0.1), 2 * world.largest_radius());
 }

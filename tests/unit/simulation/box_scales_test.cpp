@@ -16,6 +16,8 @@
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/tuning/cell_counts.hpp"
+#include "hardball/tuning/cell_edge.hpp"
 #include "hardball/tuning/neighbor_counts.hpp"
 #include "hardball/world/audit.hpp"
 #include "support/history.hpp"
