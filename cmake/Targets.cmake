@@ -4,6 +4,10 @@
 # Options of every target that we compile. Nothing here affects users of the library.
 function(hardball_compile_strictly target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  # Most of the time is spent reading headers.
+  if(HARDBALL_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+  endif()
   if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     # A square root is one instruction: we never read errno.
     target_compile_options(${target} PRIVATE -fno-math-errno)

@@ -9,7 +9,6 @@
 #include <ctime>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include "apps/cli/response_text.hpp"
@@ -18,6 +17,7 @@
 #include "hardball/theory/fluid_theory.hpp"
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/theory/no_number.hpp"
 #include "hardball/theory/species_list.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 #include "hardball/tuning/cell_counts.hpp"
@@ -27,8 +27,6 @@
 
 namespace hardball::cli {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::string date_now() {
   const std::time_t now = std::time(nullptr);
@@ -90,7 +88,7 @@ std::vector<Quantity> rates(const Simulation& simulation, const GasStatistics& s
   const bool theory = is_uniform(world) && !simulation.thermostat() && has_theory(world, statistics) &&
                       (fluid.holds() || has_one_mass(species));
   const auto add = [&](const std::string& name, const std::string& unit, double value, double expected) {
-    if (std::isfinite(value)) all.push_back({name, unit, value, kNone, theory ? expected : kNone});
+    if (std::isfinite(value)) all.push_back({name, unit, value, kNoNumber, theory ? expected : kNoNumber});
   };
   const Counters counters = simulation.counters();
   const double span = static_cast<double>(simulation.size()) * simulation.time();

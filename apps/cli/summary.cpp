@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/response_text.hpp"
@@ -15,13 +14,12 @@
 #include "apps/cli/terminal.hpp"
 #include "apps/cli/version.hpp"
 #include "hardball/measure/event_log_hash.hpp"
+#include "hardball/theory/no_number.hpp"
 #include "hardball/world/audit.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball::cli {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 long measure_peak_rss() {
   rusage usage{};
@@ -75,12 +73,12 @@ Summary::Summary(const Scenario& scenario, const std::vector<std::string>& overr
       momentum_(state.totals.total_momentum()),
       max_overlap_(
           std::max({state.sums.tally.max_overlap(), state.audit.max_overlap, state.audit.max_escape})),
-      rotational_energy_(state.has_spins ? state.totals.rotational_energy.value() : kNone),
+      rotational_energy_(state.has_spins ? state.totals.rotational_energy.value() : kNoNumber),
       packing_fraction_(hardball::packing_fraction(state.world, state.totals.sphere_volume.value())),
       walls_(summarize_walls(state.world, state.sums.tally, state.now)),
       thermostat_(state.thermostat),
       engine_(name_of(state.engine)),
-      cell_edge_(state.cell_edge > 0 ? state.cell_edge : kNone),
+      cell_edge_(state.cell_edge > 0 ? state.cell_edge : kNoNumber),
       seconds_(seconds),
       bytes_per_sphere_(static_cast<double>(state.memory_bytes) / static_cast<double>(spheres_)),
       peak_rss_bytes_(measure_peak_rss()) {
@@ -91,8 +89,8 @@ Summary::Summary(const Scenario& scenario, const std::vector<std::string>& overr
   const bool is_bounded = !box.is_any(Boundary::open);
   compressibility_ = box.is_all(Boundary::periodic) && state.world.surfaces().empty()
                          ? tally.compressibility(state.now)
-                         : kNone;
-  wall_pressure_ = is_bounded && box.is_any(Boundary::wall) ? tally.wall_pressure(box, state.now) : kNone;
+                         : kNoNumber;
+  wall_pressure_ = is_bounded && box.is_any(Boundary::wall) ? tally.wall_pressure(box, state.now) : kNoNumber;
 }
 
 std::string Summary::json() const {

@@ -32,7 +32,7 @@ namespace hardball::cli {
 namespace {
 
 // A quantity both predicted and counted, for one size of cells.
-struct Comparison {
+struct Compared {
   double predicted;
   double counted;
 };
@@ -46,7 +46,7 @@ double rate(const Sweep& sweep, std::size_t spheres, std::uint64_t events) {
   return static_cast<double>(events) / (static_cast<double>(spheres) * sweep.span);
 }
 
-Comparison candidates_after_contact(const SweepPoint& point) {
+Compared candidates_after_contact(const SweepPoint& point) {
   const CellCounts& expected = point.expected;
   const double passes = static_cast<double>(2 * point.counted.collision + point.counted.wall);
   return {ratio(expected.collision * expected.candidates_after_collision +
@@ -55,17 +55,17 @@ Comparison candidates_after_contact(const SweepPoint& point) {
           ratio(static_cast<double>(point.counted.contact_predictions), passes)};
 }
 
-Comparison candidates_after_enter(const SweepPoint& point) {
+Compared candidates_after_enter(const SweepPoint& point) {
   return {point.expected.candidates_after_enter, ratio(static_cast<double>(point.counted.enter_predictions),
                                                        static_cast<double>(point.counted.enter))};
 }
 
-Comparison stale_per_collision(const SweepPoint& point) {
+Compared stale_per_collision(const SweepPoint& point) {
   return {ratio(2 * point.expected.stale, point.expected.collision),
           ratio(static_cast<double>(point.counted.stale), static_cast<double>(point.counted.collision))};
 }
 
-std::string pair_of(const Comparison& comparison) {
+std::string pair_of(const Compared& comparison) {
   return fmt::format("  {:>9.4g} {:>9.4g}", comparison.predicted, comparison.counted);
 }
 
@@ -124,9 +124,9 @@ std::string csv(const Sweep& sweep, std::size_t spheres) {
       "predicted_enter [1/T],counted_enter [1/T],predicted_after_contact [1],counted_after_contact [1],"
       "predicted_after_enter [1],counted_after_enter [1],predicted_stale [1],counted_stale [1],marks\n";
   for (const SweepPoint& point : sweep.points) {
-    const Comparison contact = candidates_after_contact(point);
-    const Comparison enter = candidates_after_enter(point);
-    const Comparison stale = stale_per_collision(point);
+    const Compared contact = candidates_after_contact(point);
+    const Compared enter = candidates_after_enter(point);
+    const Compared stale = stale_per_collision(point);
     text +=
         fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", point.edge, point.predicted_seconds,
                     point.median_seconds(), point.seconds.front(), point.seconds.back(), point.expected.enter,
@@ -138,11 +138,11 @@ std::string csv(const Sweep& sweep, std::size_t spheres) {
 
 // The predicted curve and the measured points.
 void add_series(chart::Chart& chart, const Sweep& sweep, const std::string& name,
-                const std::function<Comparison(const SweepPoint&)>& what) {
+                const std::function<Compared(const SweepPoint&)>& what) {
   chart::Series theory{.name = name + ", predicted", .marks = false};
   chart::Series measured{.name = name + ", measured", .line = false, .like_previous = true};
   for (const SweepPoint& point : sweep.points) {
-    const Comparison comparison = what(point);
+    const Compared comparison = what(point);
     theory.x.push_back(point.edge);
     theory.y.push_back(comparison.predicted);
     measured.x.push_back(point.edge);
@@ -158,7 +158,7 @@ std::string figure(const Sweep& sweep, const Scenario& scenario, std::size_t sph
   cost.x = {.label = "edge of the cells [L]", .logarithmic = true};
   cost.y = {.label = "seconds for a unit of simulated time [s/T]", .logarithmic = true};
   add_series(cost, sweep, "cost", [](const SweepPoint& point) {
-    return Comparison{point.predicted_seconds, point.median_seconds()};
+    return Compared{point.predicted_seconds, point.median_seconds()};
   });
   cost.markers = {{sweep.chosen().edge, "auto"}};
   if (&sweep.paper() != &sweep.chosen()) cost.markers.push_back({sweep.paper().edge, "paper"});
@@ -167,7 +167,7 @@ std::string figure(const Sweep& sweep, const Scenario& scenario, std::size_t sph
   counts.x = cost.x;
   counts.y = {.label = "number", .logarithmic = true};
   add_series(counts, sweep, "enters per sphere and time", [&](const SweepPoint& point) {
-    return Comparison{point.expected.enter, rate(sweep, spheres, point.counted.enter)};
+    return Compared{point.expected.enter, rate(sweep, spheres, point.counted.enter)};
   });
   add_series(counts, sweep, "predictions after a contact", candidates_after_contact);
   add_series(counts, sweep, "predictions after an enter", candidates_after_enter);

@@ -9,7 +9,7 @@
 namespace hardball {
 namespace {
 
-constexpr double kMaxCellsPerSphere = 1000;
+constexpr double kMaxSurfacesPerSphere = 1000;
 
 // The least skin over the edge of a cell [1].
 constexpr double kLeastSkin = 0.01;
@@ -25,7 +25,7 @@ double smallest_edge(const Subdivision& cells) {
 std::optional<LargeSizes> if_they_pay(const std::optional<LargeSizes>& sizes, const World& world) {
   if (!sizes || sizes->count == 0 || 2 * sizes->count > world.size()) return std::nullopt;
   const auto spheres = static_cast<double>(world.size());
-  return sizes->surfaces > kMaxCellsPerSphere * spheres ? std::nullopt : sizes;
+  return sizes->surfaces > kMaxSurfacesPerSphere * spheres ? std::nullopt : sizes;
 }
 
 // The sizes if radii of up to so many edges are not large; nothing if candidates would not be nearest images.

@@ -19,7 +19,7 @@ namespace {
 // By which shells are larger than they need to be, and centers cross earlier, as fractions of the farthest
 // distance of neighbors: far more than the errors of positions on the grid and of distances in single
 // precision.
-constexpr double kShellMargin = 0x1p-19;
+constexpr double kListMargin = 0x1p-19;
 constexpr double kCrossingMargin = 0x1p-21;
 
 // How far an estimate from packed positions is off at most along an axis, in units: each position is rounded
@@ -31,10 +31,10 @@ constexpr std::size_t kLongShare = 32;
 
 // Distances of neighbors stay below this fraction of a periodic box: then only one image of each is near,
 // and there are at least three cells along each axis.
-constexpr double kLargestShare = 0.33;
+constexpr double kLargestListShare = 0.33;
 
 // The skin is at least this fraction of the largest radius.
-constexpr double kLeastSkin = 0.02;
+constexpr double kLeastListSkin = 0.02;
 
 // The largest distance between the centers of two neighbors: shells in contact, and both displaced from
 // their anchors.
@@ -52,8 +52,8 @@ double smallest_period(const Box& box) {
 
 // Whether lists can be made for spheres of up to this radius.
 bool fits(const Box& box, double largest_radius) {
-  return farthest_neighbors(largest_radius, kLeastSkin * largest_radius) <=
-         kLargestShare * smallest_period(box);
+  return farthest_neighbors(largest_radius, kLeastListSkin * largest_radius) <=
+         kLargestListShare * smallest_period(box);
 }
 
 }  // namespace
@@ -70,12 +70,12 @@ void NeighborList::build(const World& world, const Time& now, CompactPaths& copi
   HARDBALL_CHECK(supports(world));
   const double grown = world.room_to_grow() * world.largest_radius();
   const double radius = largest_built_ = fits(world.box(), grown) ? grown : world.largest_radius();
-  const double largest = (kLargestShare * smallest_period(world.box()) - 2 * radius) / 4;
-  skin_ = std::max(kLeastSkin * radius, std::min(wanted_skin_, largest));
+  const double largest = (kLargestListShare * smallest_period(world.box()) - 2 * radius) / 4;
+  skin_ = std::max(kLeastListSkin * radius, std::min(wanted_skin_, largest));
   // Without spheres any distance will do.
   const double any_radius = world.size() > 0 ? radius : 1;
   const double farthest = farthest_neighbors(any_radius, skin_);
-  const double margin = kShellMargin * farthest;
+  const double margin = kListMargin * farthest;
   room_ = skin_ - kCrossingMargin * farthest;
   cells_ = Subdivision(world.box(), cell_edge(any_radius, skin_) + 2 * margin);
   copies.reset(world, farthest + 2 * margin, now);

@@ -35,7 +35,7 @@ void pad(std::string& frames, std::size_t bytes) {
   frames.append(padding, '\0');
 }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& where) {
+[[noreturn]] void refuse_checkpoint(const std::string& what, const std::string& where) {
   throw Error(what, where, "use an undamaged copy, or start the run again");
 }
 
@@ -45,7 +45,7 @@ class Parts {
   Parts(std::string_view file, const std::string& where) : file_(file), where_(where) {}
 
   std::string_view take(std::uint64_t length) {
-    if (length > file_.size() - at_) refuse("ends too early", where_);
+    if (length > file_.size() - at_) refuse_checkpoint("ends too early", where_);
     const std::string_view part = file_.substr(at_, length);
     at_ += length;
     return part;
@@ -66,7 +66,7 @@ class Parts {
 // What stands before the sections.
 std::vector<SectionEntry> read_head(Parts& parts, std::string_view file, const std::string& where) {
   if (file.size() < kMagic.size() || parts.take(kMagic.size()) != kMagic) {
-    refuse("is not a checkpoint", where);
+    refuse_checkpoint("is not a checkpoint", where);
   }
   std::vector<SectionEntry> entries;
   for (auto left = parts.number<std::uint32_t>(); left > 0; --left) {
@@ -78,20 +78,21 @@ std::vector<SectionEntry> read_head(Parts& parts, std::string_view file, const s
     entry.checksum = parts.number<std::uint64_t>();
   }
   const std::uint64_t checksum = XXH64(file.data(), parts.at(), 0);
-  if (parts.number<std::uint64_t>() != checksum) refuse("the table of sections is damaged", where);
+  if (parts.number<std::uint64_t>() != checksum) refuse_checkpoint("the table of sections is damaged", where);
   return entries;
 }
 
 std::string unpacked(const SectionEntry& entry, std::string_view bytes, const std::string& where) {
   const std::string section = "section '" + entry.name + "' ";
-  if (XXH64(bytes.data(), bytes.size(), 0) != entry.checksum) refuse(section + "is damaged", where);
+  if (XXH64(bytes.data(), bytes.size(), 0) != entry.checksum)
+    refuse_checkpoint(section + "is damaged", where);
   if (entry.method == kStored && entry.length == entry.packed) return std::string(bytes);
   if (entry.method != kZstd || entry.length / kMaxCompression > entry.packed) {
-    refuse(section + "is compressed in an unknown way", where);
+    refuse_checkpoint(section + "is compressed in an unknown way", where);
   }
   std::string whole(entry.length, '\0');
   const std::size_t length = ZSTD_decompress(whole.data(), whole.size(), bytes.data(), bytes.size());
-  if (ZSTD_isError(length) != 0 || length != whole.size()) refuse(section + "is damaged", where);
+  if (ZSTD_isError(length) != 0 || length != whole.size()) refuse_checkpoint(section + "is damaged", where);
   return whole;
 }
 
@@ -150,7 +151,7 @@ std::map<std::string, std::string> read_checkpoint(std::string_view file, const 
   for (const SectionEntry& entry : read_head(parts, file, where)) {
     sections[entry.name] = unpacked(entry, parts.take(entry.packed), where);
   }
-  if (!parts.is_end()) refuse("continues after its end", where);
+  if (!parts.is_end()) refuse_checkpoint("continues after its end", where);
   return sections;
 }
 
@@ -162,7 +163,7 @@ CheckpointReader::CheckpointReader(const std::filesystem::path& path)
     : where_(path.string()), file_(path, std::ios::binary) {
   std::error_code unknown;
   const std::uint64_t size = std::filesystem::file_size(path, unknown);
-  if (!file_ || unknown) refuse("cannot be read", where_);
+  if (!file_ || unknown) refuse_checkpoint("cannot be read", where_);
   constexpr std::uint64_t kFirst = 1 << 16;
   for (std::uint64_t length = std::min(kFirst, size);; length = std::min(2 * length, size)) {
     const std::string begin = read_part(file_, 0, length);
@@ -184,10 +185,10 @@ CheckpointReader::CheckpointReader(const std::filesystem::path& path)
 
 std::string CheckpointReader::section(const std::string& name) {
   const auto found = places_.find(name);
-  if (found == places_.end()) refuse("has no section '" + name + "'", where_);
+  if (found == places_.end()) refuse_checkpoint("has no section '" + name + "'", where_);
   const auto& [entry, offset] = found->second;
   const std::string bytes = read_part(file_, offset, entry.packed);
-  if (bytes.size() < entry.packed) refuse("ends too early", where_);
+  if (bytes.size() < entry.packed) refuse_checkpoint("ends too early", where_);
   return unpacked(entry, bytes, where_);
 }
 

@@ -14,11 +14,11 @@
 namespace hardball {
 namespace {
 
-constexpr std::string_view kMagic = "\x93NUMPY";
+constexpr std::string_view kNpyMagic = "\x93NUMPY";
 constexpr std::size_t kPrefixBytes = 10;
 constexpr std::size_t kLongestHeader = 1 << 16;
 
-[[noreturn]] void refuse(const std::string& name, const std::string& problem) {
+[[noreturn]] void refuse_array(const std::string& name, const std::string& problem) {
   throw Error(problem, name, "give an array that numpy.save has written, of little-endian numbers");
 }
 
@@ -52,7 +52,7 @@ class Description {
 
  private:
   [[noreturn]] void fail() const {
-    refuse(name_, "the header of the array is damaged, or describes nested fields");
+    refuse_array(name_, "the header of the array is damaged, or describes nested fields");
   }
 
   char peek() {
@@ -114,7 +114,7 @@ class Description {
     const bool is_integer = (field.kind == 'i' || field.kind == 'u') &&
                             (field.bytes == 1 || field.bytes == 2 || field.bytes == 4 || field.bytes == 8);
     if (!is_float && !is_integer && !(field.kind == 'b' && field.bytes == 1)) {
-      refuse(name_, "the array holds items of type '" + type.substr(0, 20) + "'");
+      refuse_array(name_, "the array holds items of type '" + type.substr(0, 20) + "'");
     }
     return field;
   }
@@ -182,25 +182,27 @@ NpyHeader read_npy_header(const std::filesystem::path& path) {
   if (!file || unknown) throw Error("the file cannot be read", name, "name a NumPy file");
   std::string text(std::min<std::uint64_t>(length, kLongestHeader), '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (static_cast<std::size_t>(file.gcount()) != text.size()) refuse(name, "the file has become shorter");
-  if (!text.starts_with(kMagic) || text.size() < kPrefixBytes + 2)
-    refuse(name, "the file is not a NumPy file");
-  const auto version = static_cast<unsigned char>(text[kMagic.size()]);
+  if (static_cast<std::size_t>(file.gcount()) != text.size())
+    refuse_array(name, "the file has become shorter");
+  if (!text.starts_with(kNpyMagic) || text.size() < kPrefixBytes + 2)
+    refuse_array(name, "the file is not a NumPy file");
+  const auto version = static_cast<unsigned char>(text[kNpyMagic.size()]);
   if (version < 1 || version > 3)
-    refuse(name, "the file has version " + to_text(int{version}) + " of the format");
+    refuse_array(name, "the file has version " + to_text(int{version}) + " of the format");
   NpyHeader header;
   const std::uint64_t text_bytes = version == 1 ? read_little_endian<std::uint16_t>(&text[8])
                                                 : read_little_endian<std::uint32_t>(&text[8]);
   const std::size_t text_offset = version == 1 ? kPrefixBytes : kPrefixBytes + 2;
   header.offset = text_offset + text_bytes;
-  if (header.offset > text.size()) refuse(name, "the header does not end within the file, or within 64 KiB");
+  if (header.offset > text.size())
+    refuse_array(name, "the header does not end within the file, or within 64 KiB");
   Description(std::string_view(text).substr(text_offset, text_bytes), name).read(header);
   // No item is without bytes, so that the length of the file bounds their number.
-  if (header.item_bytes == 0) refuse(name, "the items of the array are empty");
+  if (header.item_bytes == 0) refuse_array(name, "the items of the array are empty");
   std::uint64_t items_left = (length - header.offset) / header.item_bytes;
   if (std::ranges::find(header.shape, 0U) != header.shape.end()) return header;
   for (const std::uint64_t extent : header.shape) {
-    if (extent > items_left) refuse(name, "the file is shorter than its header says");
+    if (extent > items_left) refuse_array(name, "the file is shorter than its header says");
     items_left /= extent;
   }
   return header;

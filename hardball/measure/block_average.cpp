@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/theory/no_number.hpp"
 
 namespace hardball {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // The error from blocks, or the larger one if there are too few independent blocks.
 double error_of(std::span<const double> blocks, double of_groups) {
@@ -184,7 +182,7 @@ Estimate BlockAverage::estimate(const FunctionOfMeans& quantity, Groups groups) 
   const Parts of_blocks = jackknife(sums, std::span(weights_).subspan(first_, blocks()), quantity);
   if (groups == Groups::none) return {of_blocks.value, error_of_series(of_blocks.shares)};
   const std::vector<double> shares = shares_of_groups(quantity, first_, end());
-  double of_groups = is_of_few(shares) ? kNone : error_of_independent(shares);
+  double of_groups = is_of_few(shares) ? kNoNumber : error_of_independent(shares);
   if (groups == Groups::coupled) of_groups *= std::numbers::sqrt2;
   if (groups == Groups::exchanging) {
     double of_one_block = 0;

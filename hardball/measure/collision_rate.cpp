@@ -5,19 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
 #include "hardball/measure/transient.hpp"
+#include "hardball/theory/no_number.hpp"
 
 namespace hardball {
-namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
 CollisionRate::CollisionRate(const Scene& scene)
     : species_(scene.species()),
       theory_(scene.fluid()),
@@ -82,10 +76,10 @@ Measurement CollisionRate::result(const Scene& scene) const {
   const BlockAverage contacts = transient.left_out_of(whole);
   const BlockAverage speeds = transient.left_out_of(speed_);
   const bool is_conserved = is_energy_conserved(motion_, scene.thermal_motion());
-  const double temperature = is_conserved ? motion_.temperature() : kNone;
+  const double temperature = is_conserved ? motion_.temperature() : kNoNumber;
   const double expected = theory_.collision_rate(temperature);
   const auto add = [&](std::string name, const char* unit, const Estimate& estimate, double theory) {
-    const double expectation = std::isfinite(theory) ? theory : kNone;
+    const double expectation = std::isfinite(theory) ? theory : kNoNumber;
     found.quantities.push_back({std::move(name), unit, estimate.value, estimate.error, expectation,
                                 theory_.tolerance() * expectation});
   };
@@ -110,7 +104,7 @@ Measurement CollisionRate::result(const Scene& scene) const {
   add("mean_free_time", "T", free_time, 1 / expected);
   const Estimate speed = mean_speed(speeds, kSpeed, kSquare, kSpheres, is_conserved);
   add("mean_free_path", "L", speed * free_time, theory_.mean_speed(temperature) / expected);
-  if (has_walls_) add_rate("wall_rate", kWalls, 1 / spheres_, kNone);
+  if (has_walls_) add_rate("wall_rate", kWalls, 1 / spheres_, kNoNumber);
   for (std::size_t a = 0; species_.size() > 1 && a < species_.size(); ++a) {
     for (std::size_t b = a; b < species_.size(); ++b) {
       // Of two spheres of the same species both have collided.

@@ -18,16 +18,16 @@ double power_integral(std::size_t bin, std::size_t power) {
 }
 
 // A polynomial in the gap: its means in the bins, and its value at contact.
-struct Polynomial {
+struct GapPolynomial {
   ContactExtrapolation::Bins means{};
   double at_contact = 0;
 
-  double product(const Polynomial& other) const {
+  double product(const GapPolynomial& other) const {
     double sum = 0;
     for (std::size_t bin = 0; bin < means.size(); ++bin) sum += means[bin] * other.means[bin];
     return sum;
   }
-  void add(double factor, const Polynomial& other) {
+  void add(double factor, const GapPolynomial& other) {
     for (std::size_t bin = 0; bin < means.size(); ++bin) means[bin] += factor * other.means[bin];
     at_contact += factor * other.at_contact;
   }
@@ -46,9 +46,9 @@ ContactExtrapolation::ContactExtrapolation(double width, double radius, std::siz
   };
   // Least squares by orthogonal polynomials, each of which adds its part. Source: Golub and Van Loan, Matrix
   // Computations, section 5.2 (modified Gram and Schmidt).
-  std::array<Polynomial, kCoefficients> basis;
+  std::array<GapPolynomial, kCoefficients> basis;
   for (std::size_t power = 0; power < kCoefficients; ++power) {
-    Polynomial& next = basis[power];
+    GapPolynomial& next = basis[power];
     next.at_contact = power == 0 ? 1 : 0;
     for (std::size_t bin = 0; bin < kBins; ++bin) {
       next.means[bin] = integral(bin, power) / integral(bin, 0);

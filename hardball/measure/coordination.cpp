@@ -20,14 +20,14 @@ namespace {
 constexpr std::size_t kMaxNeighbors = 100;
 
 // Bins: spheres by their number of neighbors, all of these, and all neighbors.
-constexpr std::size_t kSpheres = kMaxNeighbors + 1;
-constexpr std::size_t kNeighbors = kSpheres + 1;
-constexpr std::size_t kBins = kNeighbors + 1;
+constexpr std::size_t kCenters = kMaxNeighbors + 1;
+constexpr std::size_t kNeighbors = kCenters + 1;
+constexpr std::size_t kCoordinationBins = kNeighbors + 1;
 
 }  // namespace
 
 Coordination::Coordination(const Scene& scene, double reach)
-    : reach_(reach), begin_(scene.now()), average_(kBins, kSphereGroups) {
+    : reach_(reach), begin_(scene.now()), average_(kCoordinationBins, kSphereGroups) {
   const World& world = scene.world();
   if (world.size() == 0) return;
   sample_cost_ = NeighborQuery::effort(world, 2 * reach_ * world.largest_radius()).cost;
@@ -51,7 +51,7 @@ void Coordination::sample(const Scene& scene) {
       }
       average_.put(kNeighbors, 1, group_of_pair(center, neighbor));
     });
-    average_.put(kSpheres, 1, group_of(center));
+    average_.put(kCenters, 1, group_of(center));
     // Nearby spheres have neighbors in common.
     const std::size_t group = neighbors > 0 ? group_of_pair(center, nearest_one) : group_of(center);
     average_.put(std::min(neighbors, kMaxNeighbors), 1, group);
@@ -66,12 +66,12 @@ Measurement Coordination::result(const Scene& /*scene*/) const {
       .formula = "fraction of the spheres with $k$ neighbors closer than a multiple of the sum of the radii",
       .source = "Bernal and Mason, Nature 188 (1960) 910"};
   const FunctionOfMeans neighbors_of = [](std::span<const double> means) {
-    return means[kNeighbors] / means[kSpheres];
+    return means[kNeighbors] / means[kCenters];
   };
   const Transient transient =
       find_transient(average_, std::array{neighbors_of}, BlockAverage::Groups::separate);
   const BlockAverage average = transient.left_out_of(average_);
-  const Estimate mean = average.ratio(kNeighbors, kSpheres);
+  const Estimate mean = average.ratio(kNeighbors, kCenters);
   found.quantities = {
       {"mean_neighbors", "1", mean.value, mean.error},
       {"neighbor_reach", "1", reach_},
@@ -83,7 +83,7 @@ Measurement Coordination::result(const Scene& /*scene*/) const {
   Column neighbors{"neighbors", "1", ColumnRole::argument, {}};
   Column value{"fraction", "1", ColumnRole::value, {}};
   Column error{"fraction_error", "1", ColumnRole::error, {}};
-  for (const Estimate& fraction : average.histogram(0, rows, kSpheres)) {
+  for (const Estimate& fraction : average.histogram(0, rows, kCenters)) {
     neighbors.values.push_back(static_cast<double>(neighbors.values.size()));
     value.values.push_back(fraction.value);
     error.values.push_back(fraction.error);
@@ -94,7 +94,7 @@ Measurement Coordination::result(const Scene& /*scene*/) const {
 }
 
 bool Coordination::restored() const {
-  return average_.has(kBins, kSphereGroups) && reach_ > 0 && std::isfinite(reach_);
+  return average_.has(kCoordinationBins, kSphereGroups) && reach_ > 0 && std::isfinite(reach_);
 }
 
 }  // namespace hardball

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "hardball/theory/no_number.hpp"
+
 namespace hardball {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // Of a series whose error can be estimated.
 constexpr std::size_t kMinParts = 16;
@@ -69,7 +69,7 @@ Parts jackknife(std::span<const double> sums, std::span<const double> weights,
 
 double error_of_independent(std::span<const double> shares) {
   constexpr std::size_t kMin = 4;
-  if (shares.size() < kMin) return kNone;
+  if (shares.size() < kMin) return kNoNumber;
   const auto parts = static_cast<double>(shares.size());
   return error_of(autocovariance(shares, 0), parts, parts);
 }
@@ -96,9 +96,9 @@ double independent_parts(std::span<const double> shares) {
 }
 
 double error_of_series(std::span<const double> shares) {
-  if (shares.size() < kMinParts) return kNone;
+  if (shares.size() < kMinParts) return kNoNumber;
   const double independent = independent_parts(shares);
-  if (!(independent >= kMinIndependent)) return kNone;
+  if (!(independent >= kMinIndependent)) return kNoNumber;
   return error_of(autocovariance(shares, 0), static_cast<double>(shares.size()), independent);
 }
 

@@ -12,11 +12,10 @@
 #include <vector>
 
 #include "hardball/measure/transient.hpp"
+#include "hardball/theory/no_number.hpp"
 
 namespace hardball {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // Along any direction in the space of all velocities, scaled by the square roots of the masses, the motion of
 // an isolated system has one component, u, distributed as (1 - u^2 / 2E)^((f - 3) / 2): uniform on a sphere
@@ -101,7 +100,7 @@ Measurement ImpactSpeeds::result(const Scene& scene) const {
         if (share != 0) sum += share * of_mass(reduced_mass(species_, a, b));
       }
     }
-    return is_equilibrium && average_.samples() > 0 ? sum : kNone;
+    return is_equilibrium && average_.samples() > 0 ? sum : kNoNumber;
   };
   found.quantities.push_back({"mean_impact_speed", "L T^-1", average.mean(kSpeed), average.error(kSpeed),
                               over_pairs([&](double mass) { return theory.mean() / std::sqrt(mass); })});

@@ -3,18 +3,16 @@
 #include "hardball/measure/mean_square_displacement.hpp"
 
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/theory/no_number.hpp"
 
 namespace hardball {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 void add_squares(std::span<const Vec3> earlier, std::span<const Vec3> later, double* sum) {
   for (std::size_t i = 0; i < later.size(); ++i) {
@@ -70,7 +68,7 @@ Measurement MeanSquareDisplacement::result(const Scene& scene) const {
       .is_logarithmic_in_argument = true,
       .is_logarithmic_in_value = true};
   const double temperature =
-      is_energy_conserved(motion_, scene.thermal_motion()) ? motion_.temperature() : kNone;
+      is_energy_conserved(motion_, scene.thermal_motion()) ? motion_.temperature() : kNoNumber;
   const double enskog = theory_.enskog_diffusion(temperature);
   const SpeciesList& species = average_.species();
   const std::vector<double> lags = average_.lags();

@@ -3,19 +3,17 @@
 #include "hardball/measure/pressure.hpp"
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
 #include "hardball/measure/transient.hpp"
 #include "hardball/measure/units.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/theory/no_number.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct Component {
   std::size_t first;
@@ -148,7 +146,7 @@ Measurement Pressure::result(const Scene& scene) const {
   const Transient transient = find_transient(whole, std::array{compressibility});
   const BlockAverage average = transient.left_out_of(whole);
   const double expected =
-      is_energy_conserved(motion_, scene.thermal_motion()) ? theory_.compressibility() : kNone;
+      is_energy_conserved(motion_, scene.thermal_motion()) ? theory_.compressibility() : kNoNumber;
   const double tolerance = theory_.tolerance() * (expected - 1);
   const double kinetic_pressure = 2 * motion_.energy / (dimensions_ * volume);
   const auto add = [&](std::string name, const char* unit, const FunctionOfMeans& quantity, double scale) {

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <vector>
+
+#include "hardball/theory/no_number.hpp"
 
 namespace hardball {
 namespace {
@@ -60,13 +61,12 @@ BlockAverage Transient::left_out_of(const BlockAverage& average) const {
 }
 
 void Transient::note_in(Measurement& measurement) const {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   measurement.transient = end.value_or(0);
   measurement.is_transient_over = is_over;
   if (is_over) return;
-  for (Quantity& quantity : measurement.quantities) quantity.error = kNone;
+  for (Quantity& quantity : measurement.quantities) quantity.error = kNoNumber;
   for (Column& column : measurement.columns) {
-    if (column.role == ColumnRole::error) std::fill(column.values.begin(), column.values.end(), kNone);
+    if (column.role == ColumnRole::error) std::fill(column.values.begin(), column.values.end(), kNoNumber);
   }
 }
 

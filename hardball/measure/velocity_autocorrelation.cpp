@@ -3,18 +3,16 @@
 #include "hardball/measure/velocity_autocorrelation.hpp"
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "hardball/measure/diffusion.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/theory/no_number.hpp"
 
 namespace hardball {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 constexpr const char* kBegunEarlier = "the run was begun by a version that did not follow positions";
 
@@ -63,7 +61,7 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
           "Allen and Tildesley, Computer Simulation of Liquids, section 2.7; D: Speedy, Mol. "
           "Phys. 62 (1987) 509; Enskog: Chapman and Cowling, section 16.3"};
   const bool is_conserved = is_energy_conserved(motion_, scene.thermal_motion());
-  const double temperature = is_conserved ? motion_.temperature() : kNone;
+  const double temperature = is_conserved ? motion_.temperature() : kNoNumber;
   const double enskog = theory_.enskog_diffusion(temperature);
   const SpeciesList& species = average_.species();
   const std::vector<double> lags = average_.lags();
@@ -75,7 +73,7 @@ Measurement VelocityAutocorrelation::result(const Scene& scene) const {
   const bool is_all_energy =
       average_.followed() == scene.world().size() && species.is_one_kind() && is_conserved;
   for (std::size_t s = 0; s < species.size(); ++s) {
-    const double square = lags.empty() ? kNone : average_.at(s, 0).value;
+    const double square = lags.empty() ? kNoNumber : average_.at(s, 0).value;
     const auto product = [&](std::size_t lag, std::size_t which) -> FunctionOfMeans {
       return [=, this, index = lag * kShape.products + which](std::span<const double> means) {
         return means[index] / (which == kIntegral ? dimensions_ : 1) *

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -12,6 +11,7 @@
 
 #include "hardball/measure/sphere_groups.hpp"
 #include "hardball/measure/transient.hpp"
+#include "hardball/theory/no_number.hpp"
 
 namespace hardball {
 namespace {
@@ -91,9 +91,8 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
   const auto dimensions = static_cast<double>(dimensions_);
   const double of_many = (dimensions + 2) / dimensions;
   const double mean_of_maxwell = dimensions_ == 2 ? std::numbers::pi / 2 : 8 / std::numbers::pi;
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   // Faces that heat or drag the spheres keep them out of equilibrium.
-  const double theory = scene.world().box().has_plain_faces() ? 1 : kNone;
+  const double theory = scene.world().box().has_plain_faces() ? 1 : kNoNumber;
   const double tolerance = scene.has_equilibrium(motion_) ? 0 : kForComparison;
   found.quantities = {{"speed_kurtosis", "1", kurtosis.value, kurtosis.error,
                        theory * of_many * freedom / (freedom + 2), tolerance},
@@ -123,7 +122,7 @@ Measurement VelocityDistribution::result(const Scene& scene) const {
     speed_error.values.push_back(of_speed.error / kWidth);
     speed_theory.values.push_back(
         is_speed ? theory * (speed_below(high, dimensions_) - speed_below(low, dimensions_)) / kWidth
-                 : kNone);
+                 : kNoNumber);
   }
   found.columns = {std::move(argument),         std::move(component), std::move(component_error),
                    std::move(component_theory), std::move(speed),     std::move(speed_error),

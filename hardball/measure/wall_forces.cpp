@@ -4,19 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <variant>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/measure/energy_gain.hpp"
 #include "hardball/measure/units.hpp"
+#include "hardball/theory/no_number.hpp"
 #include "hardball/world/walls.hpp"
 
 namespace hardball {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // The axis along which a unit vector lies, or kAxes if there is none.
 std::size_t axis_along(const Vec3& direction) {
@@ -28,7 +26,7 @@ std::size_t axis_along(const Vec3& direction) {
 
 double area_of(const Box& box, const Vec3& normal) {
   const std::size_t axis = axis_along(normal);
-  return axis < kAxes ? box.face_area(axis) : kNone;
+  return axis < kAxes ? box.face_area(axis) : kNoNumber;
 }
 double area_of(const Box& box, const Plane& plane) {
   return area_of(box, plane.normal());
@@ -39,7 +37,7 @@ double area_of(const Box& box, const OscillatingPlane& plane) {
 double area_of(const Box& box, const Cylinder& cylinder) {
   if (box.is_flat()) return box.sphere_surface(cylinder.radius());
   const std::size_t axis = axis_along(cylinder.axis());
-  return axis < kAxes ? 2 * std::numbers::pi * cylinder.radius() * box.size()[axis] : kNone;
+  return axis < kAxes ? 2 * std::numbers::pi * cylinder.radius() * box.size()[axis] : kNoNumber;
 }
 double area_of(const Box& box, const auto& sphere) {
   return box.sphere_surface(sphere.radius());

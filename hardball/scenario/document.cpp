@@ -40,10 +40,6 @@ constexpr void expect(bool condition) {
 namespace hardball {
 namespace {
 
-std::string in_quotes(std::string_view text) {
-  return "'" + std::string(text) + "'";
-}
-
 bool has_parser_fault(std::string_view text) {
   try {
     static_cast<void>(toml::parse(text));
@@ -187,6 +183,10 @@ Node& at_key(Node::Table& table, const std::string& key, const Location& locatio
 }
 
 }  // namespace
+
+std::string in_quotes(std::string_view text) {
+  return "'" + std::string(text) + "'";
+}
 
 Document::Document(std::string name, std::string_view text)
     : name_(std::move(name)), root_(convert(parse_toml(text, name_))) {}

@@ -61,4 +61,7 @@ class Document {
 /// The kind of a value with its article, as in "an integer".
 std::string kind_of(const Node& node);
 
+/// A name or value as messages show it.
+std::string in_quotes(std::string_view text);
+
 }  // namespace hardball

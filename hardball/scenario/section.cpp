@@ -13,10 +13,6 @@
 namespace hardball {
 namespace {
 
-std::string in_quotes(std::string_view text) {
-  return "'" + std::string(text) + "'";
-}
-
 void check_range(double number, const KeyDescription& key, const std::string& where) {
   const auto refuse = [&](const std::string& remedy) {
     throw Error(std::string(key.name) + " is " + to_text(number), where, remedy);

@@ -11,7 +11,7 @@
 namespace hardball {
 namespace {
 
-constexpr double kForever = std::numeric_limits<double>::infinity();
+constexpr double kNoDescent = std::numeric_limits<double>::infinity();
 
 // The points t >= 0 at which a polynomial changes its sign.
 struct Points {
@@ -104,14 +104,14 @@ double earliest_descent_of_line_or_parabola(const Polynomial& p) {
   const double constant = sign_of(p.coefficients[0]);
   const double slope = sign_of(p.coefficients[1]);
   const double half_curvature = sign_of(p.coefficients[2]);
-  if (half_curvature == 0) return slope < 0 ? std::max(0.0, -constant / slope) : kForever;
+  if (half_curvature == 0) return slope < 0 ? std::max(0.0, -constant / slope) : kNoDescent;
   const DoubleDouble<> four{4, 0};
   const DoubleDouble<> discriminant =
       p.coefficients[1] * p.coefficients[1] - four * (p.coefficients[0] * p.coefficients[2]);
   const bool has_roots = sign_of(discriminant) > 0;
   const double root = has_roots ? std::sqrt(std::max(discriminant.high, 0.0)) : 0;
   if (half_curvature > 0) {
-    if (slope >= 0 || !has_roots) return kForever;
+    if (slope >= 0 || !has_roots) return kNoDescent;
   } else {
     if (!has_roots) return std::max(0.0, -slope / (2 * half_curvature));
     if (slope > 0) return (-slope - root) / (2 * half_curvature);
@@ -159,7 +159,7 @@ double earliest_descent(const Polynomial& p) {
     begin = turns.at[i];
     descends = !(sign_of(slope(begin)) > 0);
   }
-  return kForever;
+  return kNoDescent;
 }
 
 }  // namespace hardball

@@ -7,7 +7,7 @@
 namespace hardball {
 namespace {
 
-constexpr DoubleDouble<> kTurn{0x1.921fb54442d18p+2, 0x1.1a62633145c07p-52};  // 2 pi
+constexpr DoubleDouble<> kExactTurn{0x1.921fb54442d18p+2, 0x1.1a62633145c07p-52};  // 2 pi
 
 // 1 - x / ((k + 1) k) + x^2 / ((k + 3) (k + 2) (k + 1) k) - ..., k being `first`. Up to an eighth of a turn,
 // what is left out is below 2^-106.
@@ -31,7 +31,7 @@ Circular circular(double frequency, const Time& time) {
   turns = turns - DoubleDouble<>{std::floor(turns.high), 0};
   turns = turns - DoubleDouble<>{std::floor(turns.high), 0};
   const double quarter = std::floor(4 * turns.high + 0.5);
-  const DoubleDouble<> angle = kTurn * (turns - DoubleDouble<>{quarter / 4, 0});
+  const DoubleDouble<> angle = kExactTurn * (turns - DoubleDouble<>{quarter / 4, 0});
   const DoubleDouble<> square = angle * angle;
   const DoubleDouble<> sine = angle * alternating_series(square, 2);
   const DoubleDouble<> cosine = alternating_series(square, 1);

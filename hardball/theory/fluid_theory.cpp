@@ -4,17 +4,16 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "hardball/theory/gas_statistics.hpp"
 #include "hardball/theory/kinetic_theory.hpp"
+#include "hardball/theory/no_number.hpp"
 #include "hardball/theory/thermal_motion.hpp"
 
 namespace hardball {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPi = std::numbers::pi;
 
 // `xi` holds pi / 6 times the number density times the mean k-th power of the diameter.
@@ -55,7 +54,7 @@ FluidTheory::FluidTheory(const World& world, const SpeciesList& species)
              world.surfaces().empty() && world.size() > 1),
       has_equal_radii_(world.radii().is_common()),
       density_(static_cast<double>(world.size()) / world.box().volume()),
-      compressibility_(kNone) {
+      compressibility_(kNoNumber) {
   if (!holds_) return;
   std::array<double, 4> xi{};
   world.for_each_by_id([&](Slot slot) {
@@ -128,12 +127,12 @@ double FluidTheory::fixed_energy() const {
 // With the total momentum fixed n spheres have the degrees of freedom of n - 1, and meet a little faster
 // than their mean energy suggests.
 double FluidTheory::compressibility() const {
-  if (!holds_) return kNone;
+  if (!holds_) return kNoNumber;
   return 1 + (compressibility_ - 1) * fixed_number() * spheres() / (spheres() - 1);
 }
 
 double FluidTheory::contact_value(std::size_t a, std::size_t b) const {
-  if (!holds_) return kNone;
+  if (!holds_) return kNoNumber;
   return fixed_number() * contact_value_of_many(a, b);
 }
 
@@ -174,7 +173,7 @@ double FluidTheory::collision_rate(double temperature) const {
 }
 
 double FluidTheory::mean_speed(double temperature) const {
-  if (!holds_) return kNone;
+  if (!holds_) return kNoNumber;
   double mass = 0;  // of all spheres
   for (std::size_t a = 0; a < species_.size(); ++a)
     mass += spheres() * species_.fraction(a) * species_.mass(a);
@@ -187,7 +186,7 @@ double FluidTheory::mean_speed(double temperature) const {
 }
 
 double FluidTheory::enskog_diffusion(double temperature) const {
-  if (!species_.is_one_kind() || !holds_) return kNone;
+  if (!species_.is_one_kind() || !holds_) return kNoNumber;
   // The dilute gas to first and to higher order in Sonine polynomials.
   constexpr double kHigherOrders = 1.01896;
   const double diameter = 2 * species_.radius(0);
@@ -218,7 +217,7 @@ double FluidTheory::viscosity(double temperature) const {
 }
 
 double FluidTheory::diffusion(double temperature) const {
-  if (!species_.is_one_kind() || !holds_ || is_flat_) return kNone;
+  if (!species_.is_one_kind() || !holds_ || is_flat_) return kNoNumber;
   constexpr double kSpheresOfSpeedy = 500;
   constexpr double kCubicLattice = 2.837297;
   const double diameter = 2 * species_.radius(0);

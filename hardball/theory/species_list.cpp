@@ -3,20 +3,19 @@
 #include "hardball/theory/species_list.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/theory/no_number.hpp"
 
 namespace hardball {
 namespace {
 
 // What all spheres have; NaN if they differ, or there are none.
 double common(const auto& of, std::size_t spheres) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (Slot slot = 1; slot < spheres; ++slot) {
-    if (of(slot) != of(0)) return kNone;
+    if (of(slot) != of(0)) return kNoNumber;
   }
-  return spheres > 0 ? of(0) : kNone;
+  return spheres > 0 ? of(0) : kNoNumber;
 }
 
 }  // namespace

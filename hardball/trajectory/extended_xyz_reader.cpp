@@ -149,13 +149,7 @@ std::size_t parse_count(const Lines& lines) {
               lines.location().text(token.offset), "begin every frame with the number of its spheres");
 }
 
-[[noreturn]] void report_end(const Lines& lines, std::size_t count, std::size_t found) {
-  throw Error(
-      "the file ends after " + to_text(found) + " of the " + to_text(count) + " spheres of its last frame",
-      lines.location().text(), "remove the incomplete frame");
-}
-
-void skip_frame(Lines& lines) {
+void skip_extended_xyz_frame(Lines& lines) {
   const std::size_t count = parse_count(lines);
   if (!lines.next()) report_end(lines, count, 0);
   for (std::size_t i = 0; i < count; ++i) {
@@ -244,7 +238,7 @@ std::optional<SnapshotBox> box_of(const Pairs& pairs) {
   return box;
 }
 
-Snapshot read_frame(Lines& lines) {
+Snapshot read_extended_xyz_frame(Lines& lines) {
   const std::size_t count = parse_count(lines);
   if (!lines.next()) report_end(lines, count, 0);
   const std::string comment(lines.line());
@@ -288,7 +282,7 @@ Snapshot read_frame(Lines& lines) {
 }  // namespace
 
 TextFormat extended_xyz_format() {
-  return {skip_frame, read_frame,
+  return {skip_extended_xyz_frame, read_extended_xyz_frame,
           "give an extended XYZ file with the columns pos:R:3, velo:R:3 and radius:R:1"};
 }
 

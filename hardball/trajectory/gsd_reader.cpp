@@ -16,7 +16,7 @@ namespace {
 using gsd::Chunk;
 using gsd::Type;
 
-constexpr const char* kRemedy = "give a GSD file as the schema hoomd describes";
+constexpr const char* kGiveGsd = "give a GSD file as the schema hoomd describes";
 
 double single_at(const std::string& bytes, std::size_t index) {
   return double{std::bit_cast<float>(read_little_endian<std::uint32_t>(&bytes[4 * index]))};
@@ -54,7 +54,7 @@ std::string GsdReader::chunk(std::size_t frame, Chunk chunk, Type type, std::uin
   if (entry->type != static_cast<std::uint8_t>(type) || entry->rows != rows || entry->columns != columns) {
     throw Error(
         "chunk " + std::string(name_of(chunk)) + " of frame " + to_text(frame) + " has another type or shape",
-        file_.name(), kRemedy);
+        file_.name(), kGiveGsd);
   }
   return file_.read(*entry);
 }
@@ -64,7 +64,7 @@ std::uint64_t GsdReader::count_of(std::size_t frame) {
   if (!entry) entry = file_.find(0, name_of(Chunk::count));
   if (!entry) return 0;
   const std::string bytes = file_.read(*entry);
-  if (bytes.size() != 4) throw Error("chunk particles/N has another type or shape", file_.name(), kRemedy);
+  if (bytes.size() != 4) throw Error("chunk particles/N has another type or shape", file_.name(), kGiveGsd);
   return read_little_endian<std::uint32_t>(bytes.data());
 }
 
@@ -103,7 +103,7 @@ Snapshot GsdReader::read(std::size_t frame) {
   // The single precision positions must be there: their chunk bounds how many spheres there may be.
   const std::string positions = chunk(frame, Chunk::position, Type::float32, count, kAxes);
   if (positions.empty() && count > 0) {
-    throw Error("frame " + to_text(frame) + " has no positions", file_.name(), kRemedy);
+    throw Error("frame " + to_text(frame) + " has no positions", file_.name(), kGiveGsd);
   }
   const Vec3 center = snapshot.box ? 0.5 * snapshot.box->size + snapshot.box->low : Vec3{};
   const bool is_flat = snapshot.box && snapshot.box->is_flat;

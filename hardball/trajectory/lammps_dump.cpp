@@ -47,11 +47,6 @@ struct Header {
   std::optional<SnapshotBox> box;
 };
 
-void need_line(Lines& lines) {
-  if (lines.next()) return;
-  throw Error("the file ends within a frame", lines.location().text(), "remove the incomplete frame");
-}
-
 SnapshotBox read_box(Lines& lines, std::string_view axes) {
   SnapshotBox box;
   const std::vector<Token> boundaries = tokens_of(axes);
@@ -109,20 +104,14 @@ Header read_header(Lines& lines) {
   return header;
 }
 
-[[noreturn]] void report_end(const Lines& lines, std::size_t count, std::size_t found) {
-  throw Error(
-      "the file ends after " + to_text(found) + " of the " + to_text(count) + " spheres of its last frame",
-      lines.location().text(), "remove the incomplete frame");
-}
-
-void skip_frame(Lines& lines) {
+void skip_lammps_frame(Lines& lines) {
   const Header header = read_header(lines);
   for (std::size_t i = 0; i < header.count; ++i) {
     if (!lines.next()) report_end(lines, header.count, i);
   }
 }
 
-Snapshot read_frame(Lines& lines) {
+Snapshot read_lammps_frame(Lines& lines) {
   const Header header = read_header(lines);
   const std::string names(lines.line());
   std::vector<Token> columns = tokens_of(names);
@@ -172,7 +161,7 @@ void append_lammps_dump_spheres(const Snapshot& snapshot, const AppendText& appe
 }
 
 TextFormat lammps_dump_format() {
-  return {skip_frame, read_frame, "give a LAMMPS dump in text"};
+  return {skip_lammps_frame, read_lammps_frame, "give a LAMMPS dump in text"};
 }
 
 }  // namespace hardball

@@ -17,7 +17,7 @@
 namespace hardball {
 namespace {
 
-constexpr const char* kRemedy =
+constexpr const char* kGiveArray =
     "give a structured array with the fields x, y, z, vx, vy, vz and radius, or one of shape (N, 7)";
 
 // A column of the array: where its number is in the items.
@@ -92,12 +92,12 @@ NpySnapshotReader::NpySnapshotReader(const std::filesystem::path& path)
     : path_(path), header_(read_npy_header(path)) {
   const std::size_t axes = header_.is_structured() ? 1 : 2;
   if (header_.shape.size() != axes) {
-    throw Error("the array has " + to_text(header_.shape.size()) + " axes", path.string(), kRemedy);
+    throw Error("the array has " + to_text(header_.shape.size()) + " axes", path.string(), kGiveArray);
   }
   if (header_.is_structured()) return;
   constexpr std::uint64_t kLeastColumns = 7;
   if (header_.shape[1] < kLeastColumns || header_.shape[1] > kPlainColumns.size()) {
-    throw Error("the array has " + to_text(header_.shape[1]) + " columns", path.string(), kRemedy);
+    throw Error("the array has " + to_text(header_.shape[1]) + " columns", path.string(), kGiveArray);
   }
 }
 
@@ -130,7 +130,7 @@ Snapshot NpySnapshotReader::read(std::size_t /*frame*/) {
   std::string items(length, '\0');
   file.read(items.data(), static_cast<std::streamsize>(length));
   if (static_cast<std::uint64_t>(file.gcount()) != length)
-    throw Error("the file has become shorter", name, kRemedy);
+    throw Error("the file has become shorter", name, kGiveArray);
 
   Snapshot snapshot;
   snapshot.spheres.reserve(count);

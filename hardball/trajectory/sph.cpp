@@ -22,11 +22,6 @@ std::size_t read_count(const Lines& lines) {
               lines.location().text(), "begin every frame with the number of its spheres");
 }
 
-void need_line(Lines& lines) {
-  if (lines.next()) return;
-  throw Error("the file ends within a frame", lines.location().text(), "remove the incomplete frame");
-}
-
 // The values of the next line. Error: there are not as many.
 std::vector<Token> next_values(Lines& lines, std::size_t count, const char* remedy) {
   need_line(lines);
@@ -49,13 +44,13 @@ SpeciesId species_of(const Token& token) {
   return 0;
 }
 
-void skip_frame(Lines& lines) {
+void skip_sph_frame(Lines& lines) {
   const std::size_t count = read_count(lines);
   need_line(lines);
   for (std::size_t i = 0; i < count; ++i) need_line(lines);
 }
 
-Snapshot read_frame(Lines& lines) {
+Snapshot read_sph_frame(Lines& lines) {
   const std::size_t count = read_count(lines);
   Snapshot snapshot;
   snapshot.has_velocities = false;
@@ -95,7 +90,7 @@ void append_sph(const Snapshot& snapshot, std::uint64_t /*frame*/, const AppendT
 }
 
 TextFormat sph_format() {
-  return {skip_frame, read_frame,
+  return {skip_sph_frame, read_sph_frame,
           "give a file of the EDMD codes, with the number of spheres on its first line"};
 }
 

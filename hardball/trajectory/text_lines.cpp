@@ -89,4 +89,15 @@ bool Lines::next_text() {
   return false;
 }
 
+void need_line(Lines& lines) {
+  if (lines.next()) return;
+  throw Error("the file ends within a frame", lines.location().text(), "remove the incomplete frame");
+}
+
+void report_end(const Lines& lines, std::size_t count, std::size_t found) {
+  throw Error(
+      "the file ends after " + to_text(found) + " of the " + to_text(count) + " spheres of its last frame",
+      lines.location().text(), "remove the incomplete frame");
+}
+
 }  // namespace hardball

@@ -81,6 +81,11 @@ class Lines {
   std::size_t number_ = 0;
 };
 
+/// Reads the next line of a frame. Error: there is none.
+void need_line(Lines& lines);
+/// Error: the text ends after `found` of the `count` spheres of a frame.
+[[noreturn]] void report_end(const Lines& lines, std::size_t count, std::size_t found);
+
 /// Opens a text from its start.
 using OpenText = std::function<std::unique_ptr<std::istream>()>;
 
