@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/distributed/blocks_in_first.hpp"
 
-#include <cstring>
 #include <string>
+
+#include "hardball/processes/bytes.hpp"
 
 namespace hardball {
 
@@ -14,8 +15,8 @@ std::optional<std::vector<Traveler>> BlocksInFirst::next() {
   if (holder == processes_.rank()) return own_[block / processes_.size()];
   const std::string nothing;
   const std::string bytes = processes_.exchange({&holder, 1}, {&nothing, 1}).front();
-  std::vector<Traveler> spheres(bytes.size() / sizeof(Traveler));
-  if (!bytes.empty()) std::memcpy(spheres.data(), bytes.data(), bytes.size());
+  std::vector<Traveler> spheres;
+  append_bytes(bytes, spheres);
   return spheres;
 }
 
@@ -26,7 +27,7 @@ void BlocksInFirst::complete() {
   }
   const std::size_t first = 0;
   for (const std::vector<Traveler>& block : own_) {
-    const std::string bytes(reinterpret_cast<const char*>(block.data()), block.size() * sizeof(Traveler));
+    const std::string bytes = bytes_of(block);
     processes_.exchange({&first, 1}, {&bytes, 1});
   }
 }

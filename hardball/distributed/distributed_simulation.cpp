@@ -3,7 +3,6 @@
 #include "hardball/distributed/distributed_simulation.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <span>
@@ -13,6 +12,7 @@
 #include "hardball/broadphase/large_sphere_grid.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
+#include "hardball/processes/bytes.hpp"
 #include "hardball/simulation/any_engine.hpp"
 #include "hardball/simulation/saved.hpp"
 #include "hardball/theory/gas_statistics.hpp"
@@ -31,20 +31,10 @@ struct SavedTraveler {
   }
 };
 
-// What travels as it lies in memory.
-template <class T>
-std::string bytes_of(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
-
 template <class T>
 std::vector<T> gathered(Processes& processes, const std::vector<T>& own) {
   std::vector<T> all;
-  for (const std::string& part : processes.gather(bytes_of(own))) {
-    const std::size_t before = all.size();
-    all.resize(before + part.size() / sizeof(T));
-    if (!part.empty()) std::memcpy(&all[before], part.data(), part.size());
-  }
+  for (const std::string& part : processes.gather(bytes_of(own))) append_bytes(part, all);
   return all;
 }
 
@@ -264,8 +254,8 @@ std::vector<std::size_t> DistributedSimulation::species_counts() const {
   });
   std::vector<std::size_t> all;
   for (const std::string& part : processes_.gather(bytes_of(own))) {
-    std::vector<std::size_t> counts(part.size() / sizeof(std::size_t));
-    if (!part.empty()) std::memcpy(counts.data(), part.data(), part.size());
+    std::vector<std::size_t> counts;
+    append_bytes(part, counts);
     all.resize(std::max(all.size(), counts.size()));
     for (std::size_t k = 0; k < counts.size(); ++k) all[k] += counts[k];
   }
@@ -321,7 +311,9 @@ std::vector<std::vector<Traveler>> DistributedSimulation::own_blocks() const {
 }
 
 std::string DistributedSimulation::save() const {
-  return archived(SavedOptions{options_}, State{empty_, kind_, now_, sums(), counters()});
+  World empty = empty_;
+  empty.note_passage(engine_->last_passage());
+  return archived(SavedOptions{options_}, State{empty, kind_, now_, sums(), counters()});
 }
 
 std::string DistributedSimulation::saved_block(const std::vector<Traveler>& block) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -19,9 +18,11 @@
 #include "hardball/memory/function.hpp"
 #include "hardball/parallel/domain.hpp"
 #include "hardball/parallel/exchange.hpp"
+#include "hardball/parallel/load.hpp"
 #include "hardball/parallel/merged_log.hpp"
 #include "hardball/parallel/window_counters.hpp"
 #include "hardball/parallel/window_settings.hpp"
+#include "hardball/processes/bytes.hpp"
 
 namespace hardball {
 
@@ -61,6 +62,7 @@ class Cluster {
         is_complete_(other.is_complete_),
         window_(other.window_),
         horizon_(other.horizon_),
+        done_(other.done_),
         counted_(other.counted_),
         window_counters_(other.window_counters_) {
     for (const auto& domain : other.domains_) domains_.push_back(std::make_unique<Member>(*domain));
@@ -77,6 +79,12 @@ class Cluster {
   const Counters& counted() const { return counted_; }
   /// How many contacts the open window has.
   std::uint64_t open_contacts() const { return open_.contacts.contacts(); }
+  /// What has been done since the start.
+  Load load() const {
+    Load load{{}, window_counters_};
+    for (const std::string& part : processes().gather(bytes_of(done_))) append_bytes(part, load.contacts);
+    return load;
+  }
   /// Up to which all has happened [T].
   double committed() const { return committed_; }
   /// The same, with the last of the events that round to it.
@@ -200,6 +208,7 @@ class Cluster {
 
   void connect() {
     bad_.resize(size());
+    done_.resize(size());
     failures_.resize(size());
     peeked_.resize(size());
     std::vector<Exchange::Member> members;
@@ -254,6 +263,7 @@ class Cluster {
 
   void commit() {
     counted_ = counted_ + open_.contacts;
+    for (std::size_t k = 0; k < size(); ++k) done_[k] += domains_[k]->counted().contacts();
     each([&](Member& domain, std::size_t) { domain.commit(open_.end); });
     exchange_.carry_out(Exchange::Round::arrivals);
     // Before anything is predicted again.
@@ -287,19 +297,14 @@ class Cluster {
 
   // The double before the last of so many contacts.
   double time_before(std::uint64_t contacts) {
-    std::string own;
+    std::vector<double> own;
     for (const auto& domain : domains_) {
       for (const LoggedContact& logged : domain->log()) {
-        const double time = logged.contact.time.high;
-        if (logged.counts) own.append(reinterpret_cast<const char*>(&time), sizeof(time));
+        if (logged.counts) own.push_back(logged.contact.time.high);
       }
     }
     std::vector<double> times;
-    for (const std::string& part : processes().gather(own)) {
-      const std::size_t before = times.size();
-      times.resize(before + part.size() / sizeof(double));
-      std::memcpy(times.data() + before, part.data(), part.size());
-    }
+    for (const std::string& part : processes().gather(bytes_of(own))) append_bytes(part, times);
     const auto last = times.begin() + static_cast<std::ptrdiff_t>(contacts - 1);
     std::ranges::nth_element(times, last);
     return double_before(*last);
@@ -396,6 +401,7 @@ class Cluster {
   double horizon_ = -std::numeric_limits<double>::infinity();
   bool are_logs_kept_ = false;
   OpenWindow open_;
+  std::vector<std::uint64_t> done_;  // contacts that have been committed, by domain
   Counters counted_;
   WindowCounters window_counters_;
 };

@@ -51,16 +51,13 @@ class DistributedEngine {
   /// the first process tells its observer of all, in order. Asks RunLimits::stop of the first process.
   RunStatus run(const RunLimits& limits, Sums& sums, bool is_observed, const Observe& observe) {
     const ThreadTeam::Pinned pinned(*team_);
-    cluster_->each([part = sums.part()](auto& domain, std::size_t) { domain.clear_sums(part); });
-    const auto collect = [&] {
-      for (std::size_t k = 0; k < cluster_->size(); ++k) sums.add(cluster_->domain(k).sums());
-    };
+    clear_sums(sums);
     try {
       const RunStatus status = run_windows(limits, sums, is_observed, observe);
-      collect();
+      collect(sums);
       return status;
     } catch (...) {
-      collect();
+      collect(sums);
       throw;
     }
   }
@@ -75,9 +72,11 @@ class DistributedEngine {
     for (const Counters& counters : processes_.gather(own)) all = all + counters;
     all.collision = cluster_->counted().collision;
     all.wall = cluster_->counted().wall;
-    return all;
+    return counters_ + all;
   }
-  const WindowCounters& window_counters() const { return cluster_->window_counters(); }
+  WindowCounters window_counters() const { return windows_ + cluster_->window_counters(); }
+  /// The last contact of spheres that passed through each other; see World.
+  const Event& last_passage() const { return cluster_->domain(0).world().last_passage(); }
   PhaseLengths lengths() const { return cluster_->domain(0).engine().lengths(); }
   /// Of this process alone.
   std::size_t memory_bytes() const {
@@ -111,6 +110,8 @@ class DistributedEngine {
   using Domains = Cluster<DomainEngine, Sums>;
   using Member = typename Domains::Member;
 
+  // After so many windows, whether another division would pay.
+  static constexpr std::uint64_t kWindowsPerReview = 64;
   // As late as a moment may be.
   static constexpr double kLastMoment = 1e120;
 
@@ -120,13 +121,16 @@ class DistributedEngine {
     };
   }
 
-  void divide(std::vector<Traveler> brought, const Time& now) {
+  void divide(std::vector<Traveler> brought, const Time& now, const Load* load = nullptr) {
     const SystemSize size = size_of(brought, now);
-    const Halo halo = size.halo(division_);
-    const Partition partition = partition_for(sample_centers(brought, size.spheres, now), halo);
-    const DomainsOfProcess domains{partition.size() / processes_.size()};
+    spheres_ = size.spheres;
+    halo_ = size.halo(division_);
+    const std::vector<Vec3> centers = sample_centers(brought, size.spheres, now);
+    partition_ = partition_for(load ? centers_by_load(centers, partition_, *load) : centers);
+    next_review_ = kWindowsPerReview;
+    const DomainsOfProcess domains{partition_.size() / processes_.size()};
     std::vector<Traveler> own = sent(brought, processes_, [&](const Traveler& traveler, const auto& send_to) {
-      send_to(domains.process_of(partition.domain_at(position_of(traveler, now))));
+      send_to(domains.process_of(partition_.domain_at(position_of(traveler, now))));
     });
     std::vector<Traveler>().swap(brought);
     World world = empty_;
@@ -136,21 +140,21 @@ class DistributedEngine {
       world.insert(traveler.state);
       aftermath.collapse.set_idle_contacts(traveler.state.id, traveler.idle_contacts);
     }
-    const std::vector<Traveler> ghosts = near_others(own, partition, domains, halo, now);
+    const std::vector<Traveler> ghosts = near_others(own, domains, now);
     std::vector<Traveler>().swap(own);
     for (const Traveler& traveler : ghosts) world.insert(traveler.state);
     world.reorder(order_along_curve(world, now));
     std::vector<DomainNumber> owners;
     owners.reserve(world.size());
     for (Slot slot = 0; slot < world.size(); ++slot)
-      owners.push_back(partition.domain_at(world.position(slot, now)));
+      owners.push_back(partition_.domain_at(world.position(slot, now)));
     std::vector<std::unique_ptr<Member>> members(domains.each);
     for_each()(members.size(), [&](std::size_t k) {
       const auto make = [&](World part) {
         return DomainEngine(std::move(part), Phase(phase_), now, phase_.instructions);
       };
       const auto number = static_cast<DomainNumber>(processes_.rank() * domains.each + k);
-      members[k] = std::make_unique<Member>(world, owners, now, partition, number, halo, make);
+      members[k] = std::make_unique<Member>(world, owners, now, partition_, number, halo_, make);
       members[k]->take_over(aftermath);
     });
     cluster_ = std::make_unique<Domains>(std::move(members), now, size.windows(division_), phase_, for_each(),
@@ -180,48 +184,41 @@ class DistributedEngine {
                                    const Time& now) const {
     constexpr std::uint64_t kSample = 1 << 18;
     const std::uint64_t every = spheres / kSample + 1;
-    std::string own;
+    std::vector<Vec3> own;
     for (const Traveler& traveler : brought) {
-      if (traveler.state.id % every != 0) continue;
-      const Vec3 center = position_of(traveler, now);
-      own.append(reinterpret_cast<const char*>(&center), sizeof(center));
+      if (traveler.state.id % every == 0) own.push_back(position_of(traveler, now));
     }
     std::vector<Vec3> centers;
-    for (const std::string& part : processes_.gather(own)) {
-      const std::size_t before = centers.size();
-      centers.resize(before + part.size() / sizeof(Vec3));
-      if (!part.empty()) std::memcpy(&centers[before], part.data(), part.size());
-    }
+    for (const std::string& part : processes_.gather(bytes_of(own))) append_bytes(part, centers);
     return centers;
   }
 
   // With as many domains in each process as there are threads, or fewer if these had too many neighbors.
-  Partition partition_for(const std::vector<Vec3>& centers, const Halo& halo) const {
+  Partition partition_for(const std::vector<Vec3>& centers) const {
     for (std::size_t each = division_.domains; each > 0; each /= 2) {
       Partition partition = Partition::bisection(empty_.box(), each * processes_.size(), centers);
-      if (partition.most_neighbors(halo.neighborhood()) <= kMaxNeighbors) return partition;
+      if (partition.most_neighbors(halo_.neighborhood()) <= kMaxNeighbors) return partition;
     }
     throw Error("the system is too small to be divided among " + to_text(processes_.size()) + " processes",
                 "processes", "use fewer");
   }
 
   // What others must know of the spheres here: copies of those near domains in other processes.
-  std::vector<Traveler> near_others(const std::vector<Traveler>& own, const Partition& partition,
-                                    const DomainsOfProcess& domains, const Halo& halo,
+  std::vector<Traveler> near_others(const std::vector<Traveler>& own, const DomainsOfProcess& domains,
                                     const Time& now) const {
     std::vector<std::vector<DomainNumber>> neighbors;
     for (std::size_t k = 0; k < domains.each; ++k) {
       const auto number = static_cast<DomainNumber>(processes_.rank() * domains.each + k);
-      neighbors.push_back(partition.neighbors(number, halo.neighborhood()));
+      neighbors.push_back(partition_.neighbors(number, halo_.neighborhood()));
     }
     std::vector<std::size_t> told;
     return sent(own, processes_, [&](const Traveler& traveler, const auto& send_to) {
       const Vec3 position = position_of(traveler, now);
       told.assign(1, processes_.rank());
-      for (const DomainNumber near : neighbors[partition.domain_at(position) % domains.each]) {
+      for (const DomainNumber near : neighbors[partition_.domain_at(position) % domains.each]) {
         const std::size_t process = domains.process_of(near);
         if (std::ranges::find(told, process) != told.end()) continue;
-        if (partition.block(near).distance(position) > halo.depth) continue;
+        if (partition_.block(near).distance(position) > halo_.depth) continue;
         told.push_back(process);
         send_to(process);
       }
@@ -240,6 +237,36 @@ class DistributedEngine {
     return processes_.gather(processes_.is_first() && limits.stop && limits.stop() ? 1 : 0).front() == 1;
   }
 
+  void clear_sums(const Sums& sums) {
+    cluster_->each([part = sums.part()](auto& domain, std::size_t) { domain.clear_sums(part); });
+  }
+  void collect(Sums& sums) const {
+    for (std::size_t k = 0; k < cluster_->size(); ++k) sums.add(cluster_->domain(k).sums());
+  }
+
+  // Divides the system anew if that pays.
+  void review_division(Sums& sums) {
+    const std::uint64_t windows = cluster_->window_counters().windows;
+    if (windows < next_review_ || partition_.size() == 1) return;
+    next_review_ = windows + kWindowsPerReview;
+    const Load load = cluster_->load();
+    const bool becomes_deeper = load.has_shallow_halos() && deepen(division_, partition_, halo_);
+    if (!becomes_deeper && !load.is_uneven(spheres_)) return;
+    collect(sums);
+    counters_ = counters();
+    ++counters_.rebuilds;
+    windows_ = window_counters();
+    const Time now = cluster_->now();
+    empty_.note_passage(last_passage());
+    std::vector<Traveler> own;
+    for_each_own([&](const World& world, Slot slot, std::uint32_t idle_contacts) {
+      own.push_back({world.state_of(slot), idle_contacts});
+    });
+    cluster_.reset();
+    divide(std::move(own), now, &load);
+    clear_sums(sums);
+  }
+
   RunStatus run_windows(const RunLimits& limits, Sums& sums, bool is_observed, const Observe& observe) {
     std::uint64_t contacts = limits.contacts;
     while (contacts > 0) {
@@ -251,6 +278,7 @@ class DistributedEngine {
       if (is_observed) deliver(sums, observe);
       cluster_->commit_window();
       if (cluster_->committed() == end && cluster_->is_complete()) return RunStatus::time_reached;
+      review_division(sums);
     }
     return RunStatus::contacts_reached;
   }
@@ -288,6 +316,12 @@ class DistributedEngine {
   World empty_;
   PhaseSettings phase_;
   Division division_;
+  std::uint64_t spheres_ = 0;
+  Halo halo_;
+  Partition partition_;
+  std::uint64_t next_review_ = 0;
+  Counters counters_;  // of earlier divisions
+  WindowCounters windows_;
   std::unique_ptr<ThreadTeam> team_;
   std::unique_ptr<Domains> cluster_;
 };

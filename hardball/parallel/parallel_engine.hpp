@@ -51,6 +51,7 @@ class ParallelEngine {
         cluster_(std::make_unique<Domains>(*other.cluster_, for_each())),
         halo_(other.halo_),
         partition_(other.partition_),
+        next_review_(other.next_review_),
         counters_(other.counters_),
         windows_before_(other.windows_before_),
         aftermath_(other.aftermath_),
@@ -113,16 +114,13 @@ class ParallelEngine {
     const ThreadTeam::Pinned pinned(*team_);
     keep_for_rewind();
     if (observe) return run_windows(limits, sums, observe);
-    cluster_->each([part = sums.part()](auto& domain, std::size_t) { domain.clear_sums(part); });
-    const auto collect = [&] {
-      for (std::size_t k = 0; k < cluster_->size(); ++k) sums.add(cluster_->domain(k).sums());
-    };
+    clear_sums(sums);
     try {
       const RunStatus status = run_windows(limits, sums, observe);
-      collect();
+      collect(sums);
       return status;
     } catch (...) {
-      collect();
+      collect(sums);
       throw;
     }
   }
@@ -246,6 +244,8 @@ class ParallelEngine {
     std::atomic<bool> is_done{true};  // whether the world is up to date
   };
 
+  // After so many windows, whether another division would pay.
+  static constexpr std::uint64_t kWindowsPerReview = 64;
   // As late as a moment may be.
   static constexpr double kLastMoment = 1e120;
 
@@ -263,7 +263,8 @@ class ParallelEngine {
     std::vector<Vec3> centers;
     centers.reserve(world_.size());
     for (Slot slot = 0; slot < world_.size(); ++slot) centers.push_back(world_.position(slot, now));
-    partition_ = partition_of(centers);
+    partition_ = partition_of(load_ ? centers_by_load(centers, partition_, *load_) : centers);
+    next_review_ = kWindowsPerReview;
     std::vector<DomainNumber> owners;
     owners.reserve(centers.size());
     for (const Vec3& center : centers) owners.push_back(partition_.domain_at(center));
@@ -328,6 +329,13 @@ class ParallelEngine {
     return !has_events;
   }
 
+  void clear_sums(const Sums& sums) {
+    cluster_->each([part = sums.part()](auto& domain, std::size_t) { domain.clear_sums(part); });
+  }
+  void collect(Sums& sums) const {
+    for (std::size_t k = 0; k < cluster_->size(); ++k) sums.add(cluster_->domain(k).sums());
+  }
+
   RunStatus run_windows(const RunLimits& limits, Sums& sums, const Observe& observe) {
     std::uint64_t contacts = limits.contacts;
     std::uint64_t steps = limits.steps;
@@ -345,8 +353,24 @@ class ParallelEngine {
       if (!continues) return RunStatus::observer_stopped;
       if (!is_outdated_ && cluster_->committed() == end && cluster_->is_complete())
         return RunStatus::time_reached;
+      if (!is_outdated_) review_division(sums, !observe);
     }
     return RunStatus::contacts_reached;
+  }
+
+  // Divides the system anew if that pays. The domains may have added up contacts.
+  void review_division(Sums& sums, bool have_sums) {
+    const std::uint64_t windows = cluster_->window_counters().windows;
+    if (windows < next_review_ || cluster_->size() == 1) return;
+    next_review_ = windows + kWindowsPerReview;
+    Load load = cluster_->load();
+    const bool becomes_deeper = load.has_shallow_halos() && deepen(settings_, partition_, halo_);
+    if (!becomes_deeper && !load.is_uneven(world_.size())) return;
+    if (have_sums) collect(sums);
+    load_ = std::move(load);
+    rebuild(cluster_->now(), phase_);
+    load_.reset();
+    if (have_sums) clear_sums(sums);
   }
 
   // Runs through one window; false if the observer has stopped the run.
@@ -420,6 +444,8 @@ class ParallelEngine {
   std::unique_ptr<Domains> cluster_;
   Halo halo_;
   Partition partition_;
+  std::optional<Load> load_;  // while it is divided anew
+  std::uint64_t next_review_ = 0;
   Counters counters_;  // of earlier divisions
   WindowCounters windows_before_;
   Aftermath aftermath_;  // while outdated

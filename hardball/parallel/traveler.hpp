@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "hardball/processes/bytes.hpp"
 #include "hardball/processes/processes.hpp"
 #include "hardball/world/journal.hpp"
 
@@ -31,9 +31,7 @@ std::vector<Traveler> sent(const std::vector<Traveler>& travelers, Processes& pr
   }
   std::vector<Traveler> arrived;
   for (std::string& part : processes.exchange_with_all(std::move(outgoing))) {
-    const std::size_t before = arrived.size();
-    arrived.resize(before + part.size() / sizeof(Traveler));
-    if (!part.empty()) std::memcpy(&arrived[before], part.data(), part.size());
+    append_bytes(part, arrived);
     std::string().swap(part);
   }
   return arrived;

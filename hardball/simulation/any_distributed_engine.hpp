@@ -30,7 +30,8 @@ class AnyDistributedEngine {
                         const Observe& observe) = 0;
   virtual Time now() const = 0;
   virtual Counters counters() const = 0;
-  virtual const WindowCounters& window_counters() const = 0;
+  virtual WindowCounters window_counters() const = 0;
+  virtual const Event& last_passage() const = 0;
   virtual PhaseLengths lengths() const = 0;
   virtual std::size_t memory_bytes() const = 0;
   virtual void for_each_own(const Function<void(const World&, Slot, std::uint32_t)>& visit) const = 0;

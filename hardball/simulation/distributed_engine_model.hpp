@@ -23,7 +23,8 @@ class DistributedEngineModel final : public AnyDistributedEngine {
   }
   Time now() const override { return engine_.now(); }
   Counters counters() const override { return engine_.counters(); }
-  const WindowCounters& window_counters() const override { return engine_.window_counters(); }
+  WindowCounters window_counters() const override { return engine_.window_counters(); }
+  const Event& last_passage() const override { return engine_.last_passage(); }
   PhaseLengths lengths() const override { return engine_.lengths(); }
   std::size_t memory_bytes() const override { return engine_.memory_bytes(); }
   void for_each_own(const Function<void(const World&, Slot, std::uint32_t)>& visit) const override {

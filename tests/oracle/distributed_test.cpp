@@ -7,11 +7,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
-#include <limits>
+#include <string>
 #include <vector>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/processes/bytes.hpp"
 #include "support/effort.hpp"
 #include "support/gas.hpp"
 #include "support/random_world.hpp"
@@ -45,16 +47,9 @@ RandomWorld any_world(std::uint64_t seed) {
 // The spheres of all blocks, as the first process has them.
 std::vector<Traveler> gathered(const DistributedSimulation& simulation) {
   std::string own;
-  for (const std::vector<Traveler>& block : simulation.own_blocks()) {
-    for (const Traveler& traveler : block)
-      own.append(reinterpret_cast<const char*>(&traveler), sizeof(traveler));
-  }
+  for (const std::vector<Traveler>& block : simulation.own_blocks()) own += bytes_of(block);
   std::vector<Traveler> all;
-  for (const std::string& part : simulation.processes().gather(own)) {
-    const std::size_t before = all.size();
-    all.resize(before + part.size() / sizeof(Traveler));
-    if (!part.empty()) std::memcpy(&all[before], part.data(), part.size());
-  }
+  for (const std::string& part : simulation.processes().gather(own)) append_bytes(part, all);
   std::ranges::sort(all, {}, [](const Traveler& traveler) { return traveler.state.id; });
   return all;
 }
