@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/parallel/load.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "hardball/numbers/random.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "support/gas.hpp"
+
+namespace hardball::load_test {
+namespace {
+
+std::vector<Vec3> random_centers(std::size_t count) {
+  Random random(7);
+  std::vector<Vec3> centers;
+  for (std::size_t i = 0; i < count; ++i)
+    centers.push_back({20 * random.uniform(), 10 * random.uniform(), 10 * random.uniform()});
+  return centers;
+}
+
+TEST(Load, IsUnevenWhereDomainsWait) {
+  EXPECT_EQ((Load{{100, 100, 100}, {}}.waited()), 0U);
+  EXPECT_EQ((Load{{100, 300, 200}, {}}.waited()), 300U);
+  EXPECT_FALSE((Load{{0, 400}, {}}.is_uneven(100)));
+  EXPECT_TRUE((Load{{0, 401}, {}}.is_uneven(100)));
+}
+
+TEST(Load, HasShallowHalosWhereManyWindowsFail) {
+  EXPECT_FALSE((Load{{1, 1}, {.windows = 160, .failed = 10}}.has_shallow_halos()));
+  EXPECT_TRUE((Load{{1, 1}, {.windows = 160, .failed = 11}}.has_shallow_halos()));
+}
+
+TEST(Load, DeepensHalosByStepsWhileNeighborsAreFew) {
+  const Box box = Box::periodic({20, 10, 10});
+  const Partition partition = Partition::bisection(box, 4, random_centers(1000));
+  Division division{.domains = 4, .halo = 3.7};
+  EXPECT_TRUE(deepen(division, partition, {3.7, 0.5, 1}));
+  EXPECT_DOUBLE_EQ(division.halo, 3.95);
+  EXPECT_FALSE(deepen(division, partition, {3.95, 0.5, 1}));
+  EXPECT_DOUBLE_EQ(division.halo, 3.95);
+  // In many thin blocks, more would concern each other than a domain can tell apart.
+  const Partition thin = Partition::bisection(box, 64, random_centers(1000));
+  Division shallow{.domains = 64, .halo = 1.1};
+  EXPECT_FALSE(deepen(shallow, thin, {1.1, 0.5, 1}));
+}
+
+// The blocks that are made have the same load, if spheres of a domain are alike.
+TEST(Load, MovesCutsToWhereContactsAre) {
+  const Box box = Box::periodic({20, 10, 10});
+  const std::vector<Vec3> centers = random_centers(20000);
+  const Partition before = Partition::bisection(box, 2, centers);
+  ASSERT_NEAR(before.block(0).high(0), 10, 0.2);
+  const Partition after =
+      Partition::bisection(box, 2, centers_by_load(centers, before, {{30000, 10000}, {}}));
+  // Three quarters of the contacts are below 10, evenly: half of all are below 20 / 3.
+  EXPECT_NEAR(after.block(0).high(0), 20.0 / 3, 0.2);
+  const Partition same = Partition::bisection(box, 2, centers_by_load(centers, before, {{20000, 20000}, {}}));
+  EXPECT_NEAR(same.block(0).high(0), before.block(0).high(0), 0.2);
+}
+
+// Fast spheres on one side, slow ones on the other.
+TEST(Load, HasSystemsDividedAnew) {
+  World world = support::make_gas({.count = 2000, .packing_fraction = 0.3, .seed = 11});
+  const double middle = world.box().size().x / 2;
+  for (Slot slot = 0; slot < world.size(); ++slot) {
+    if (world.path(slot).position.x > middle)
+      world.change_velocity(slot, Time(0), 0.01 * world.velocity(slot, Time(0)));
+  }
+  Simulation expected(world);
+  Simulation divided(world, {.division = Division{.domains = 4, .window = 0.5}});
+  const auto cuts = [&] {
+    std::vector<double> places;
+    for (const Block& block : divided.blocks()) {
+      for (std::size_t axis = 0; axis < kAxes; ++axis) places.push_back(block.low(axis));
+    }
+    return places;
+  };
+  const std::vector<double> cuts_before = cuts();
+  expected.run_contacts(60000);
+  divided.run_contacts(60000);
+  EXPECT_EQ(divided.event_log_hash(), expected.event_log_hash());
+  EXPECT_EQ(divided.positions(), expected.positions());
+  EXPECT_EQ(divided.tally().virial(), expected.tally().virial());
+  EXPECT_NE(cuts(), cuts_before);
+  EXPECT_EQ(expected.counters().collision, divided.counters().collision);
+}
+
+}  // namespace
+}  // namespace hardball::load_test
