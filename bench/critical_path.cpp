@@ -37,9 +37,11 @@
 #include "hardball/geometry/range.hpp"
 #include "hardball/parallel/cluster.hpp"
 #include "hardball/parallel/division.hpp"
+#include "hardball/parallel/system_size.hpp"
 #include "hardball/scenario/make_world.hpp"
 #include "hardball/simulation/any_engine.hpp"
 #include "hardball/simulation/contact_sums.hpp"
+#include "hardball/theory/gas_statistics.hpp"
 #include "hardball/world/curve_order.hpp"
 
 namespace hardball::bench {
@@ -170,7 +172,7 @@ class CriticalPath {
 
   SingleEngine equilibrated(const Options& options) {
     World world = make_start(options);
-    phase_.length = choose_length(world, kKind, {}, Time(0));
+    phase_.length = choose_length(world, gas_statistics(world, Time(0)), kKind, {}, Time(0));
     world.reorder(order_along_curve(world, Time(0)));
     SingleEngine engine = make_engine(std::move(world), Time(0));
     const double contacts = options.equilibration * static_cast<double>(options.spheres) / 2;
@@ -178,31 +180,17 @@ class CriticalPath {
     const Time now = engine.now();
     World then = engine.world();
     then.reorder(order_along_curve(then, now));
-    phase_.length = choose_length(then, kKind, {}, now);
+    phase_.length = choose_length(then, gas_statistics(then, now), kKind, {}, now);
     return make_engine(std::move(then), now);
   }
 
-  Halo halo() const {
-    Halo halo;
-    halo.contact = 2 * kRadius;
-    halo.depth = options_.division.halo * halo.contact;
-    halo.slack = 0.5 * halo.contact;
-    return halo;
+  SystemSize system_size() const {
+    SystemSize size;
+    size.note(engine_.world(), engine_.now());
+    return size;
   }
-
-  double mean_speed() const {
-    double speeds = 0;
-    const World& world = engine_.world();
-    for (Slot slot = 0; slot < world.size(); ++slot) speeds += length(world.velocity(slot, engine_.now()));
-    return speeds / static_cast<double>(world.size());
-  }
-
-  // As ParallelEngine sets them.
-  WindowSettings window_settings() const {
-    const double speed = mean_speed();
-    return {std::max(1.0, options_.division.window * static_cast<double>(options_.spheres) / 2),
-            options_.division.first_window * kRadius / speed, 2 * kRadius / speed};
-  }
+  Halo halo() const { return system_size().halo(options_.division); }
+  WindowSettings window_settings() const { return system_size().windows(options_.division); }
 
   std::vector<std::unique_ptr<typename Members::Member>> make_members(std::size_t count) const {
     const World& world = engine_.world();
@@ -212,13 +200,14 @@ class CriticalPath {
     std::vector<DomainNumber> owners;
     for (const Vec3& center : centers) owners.push_back(partition.domain_at(center));
     std::vector<std::unique_ptr<typename Members::Member>> members;
+    const Halo around = halo();
     for (DomainNumber number = 0; number < count; ++number) {
-      if (partition.neighbors(number, halo().neighborhood()).size() > kMaxNeighbors) {
+      if (partition.neighbors(number, around.neighborhood()).size() > kMaxNeighbors) {
         throw Error("a domain has more than " + to_text(kMaxNeighbors) + " neighbors", "--domains",
                     "give fewer domains, or more spheres");
       }
       members.push_back(std::make_unique<typename Members::Member>(
-          world, owners, engine_.now(), partition, number, halo(),
+          world, owners, engine_.now(), partition, number, around,
           [this](World part) { return make_engine(std::move(part), engine_.now()); }));
     }
     return members;
@@ -538,7 +527,9 @@ int parse_and_run(int argument_count, char** arguments) {
     if (error.get_exit_code() == 0) return app.exit(error);
     throw Error(error.what(), "command line", "see critical_path --help");
   }
-  const bool has_lists = choose_engine(make_start(options), {}, Time(0)) == EngineKind::neighbors;
+  const World start = make_start(options);
+  const EngineKind kind = choose_engine(start, gas_statistics(start, Time(0)), {}, Time(0));
+  const bool has_lists = kind == EngineKind::neighbors;
   (has_lists ? print_all<NeighborList> : print_all<CellGrid>)(options);
   return 0;
 }

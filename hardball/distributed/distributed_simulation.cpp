@@ -362,10 +362,10 @@ Simulation DistributedSimulation::load_whole(std::string_view saved, const std::
   World world = std::move(state.empty);
   CollapseGuard collapse;
   for (const std::string& block : blocks) {
-    for (const Traveler& traveler : unarchived(block, where)) {
-      world.insert(traveler.state);
+    const std::vector<Traveler> spheres = unarchived(block, where);
+    world.insert_all(spheres.size(), [&](std::size_t k) { return spheres[k].state; });
+    for (const Traveler& traveler : spheres)
       collapse.set_idle_contacts(traveler.state.id, traveler.idle_contacts);
-    }
   }
   return Simulation::load(
       saved_simulation(options, state.kind, world, *state.now, state.sums, state.counters, collapse), where);

@@ -133,16 +133,14 @@ class DistributedEngine {
       send_to(domains.process_of(partition_.domain_at(position_of(traveler, now))));
     });
     std::vector<Traveler>().swap(brought);
-    World world = empty_;
-    world.reserve(own.size());
     Aftermath aftermath;
-    for (const Traveler& traveler : own) {
-      world.insert(traveler.state);
+    for (const Traveler& traveler : own)
       aftermath.collapse.set_idle_contacts(traveler.state.id, traveler.idle_contacts);
-    }
     const std::vector<Traveler> ghosts = near_others(own, domains, now);
+    own.insert(own.end(), ghosts.begin(), ghosts.end());
+    World world = empty_;
+    world.insert_all(own.size(), [&](std::size_t k) { return own[k].state; });
     std::vector<Traveler>().swap(own);
-    for (const Traveler& traveler : ghosts) world.insert(traveler.state);
     world.reorder(order_along_curve(world, now));
     std::vector<DomainNumber> owners;
     owners.reserve(world.size());

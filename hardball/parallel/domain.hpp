@@ -280,17 +280,20 @@ class Domain {
   };
 
   World residents_of(const World& whole, std::span<const DomainNumber> owners, const Time& now) {
-    World world = whole.without_spheres();
+    std::vector<Slot> slots;
     for (Slot slot = 0; slot < whole.size(); ++slot) {
       const bool is_own = owners[slot] == number_;
-      const Vec3 position = whole.position(slot, now);
-      if (!is_own && frontier_.block().distance(position) > frontier_.halo().depth) continue;
-      const SphereState state = whole.state_of(slot);
-      world.insert(state);
-      if (is_own) {
-        residents_.add_own(frontier_.holders_at(position, 0));
+      if (is_own || frontier_.block().distance(whole.position(slot, now)) <= frontier_.halo().depth)
+        slots.push_back(slot);
+    }
+    World world = whole.without_spheres();
+    world.insert_all(slots.size(), [&](std::size_t k) { return whole.state_of(slots[k]); });
+    residents_.reserve(slots.size());
+    for (const Slot slot : slots) {
+      if (owners[slot] == number_) {
+        residents_.add_own(frontier_.holders_at(whole.position(slot, now), 0));
       } else {
-        residents_.add_ghost(state.id, neighbor_number(owners[slot]));
+        residents_.add_ghost(whole.id(slot), neighbor_number(owners[slot]));
       }
     }
     begin_ = now;

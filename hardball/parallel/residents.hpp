@@ -45,6 +45,9 @@ class Residents {
 
   void prefetch(Slot slot) const { hardball::prefetch(roles_.data() + slot); }
 
+  /// Leaves room for so many and some more.
+  void reserve(std::size_t count) { roles_.reserve(count + count / 16); }
+
   /// An own sphere is stored in slot size().
   void add_own(NeighborSet holders) { roles_.push_back(holders); }
   /// A ghost is stored in slot size().

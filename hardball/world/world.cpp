@@ -155,6 +155,13 @@ Slot World::insert(const SphereState& state) {
   return static_cast<Slot>(size() - 1);
 }
 
+// When many have been appended.
+void World::order_ids() {
+  HARDBALL_CHECK(!has_journal_);
+  for (const SphereId id : ids_) next_id_ = std::max(next_id_, id + 1);
+  order_.sort(ids_, next_id_);
+}
+
 void World::remove(SphereId id, const Time& moment) {
   const Slot slot = slot_of(id);
   if (has_journal_) journal_.note(Journal::Kind::death, moment, slot, state_of(slot));

@@ -69,6 +69,15 @@ class HARDBALL_EXPORT World {
   /// slot, the last. Precondition: no sphere has this id; there is no journal. Cost: O(log n), and as of
   /// IdOrder::insert.
   Slot insert(const SphereState& state);
+  /// The same for many: state_of(k) returns the k-th. Leaves some room for others. Cost: O(n log n), or O(ids
+  /// ever given).
+  template <class StateOf>
+  void insert_all(std::size_t count, StateOf&& state_of) {
+    constexpr std::size_t kRoom = 16;
+    reserve(size() + count + count / kRoom);
+    for (std::size_t k = 0; k < count; ++k) append(state_of(k));
+    order_ids();
+  }
 
   /// Removes a sphere; the one in the last slot takes its place. `moment` is for the journal. Cost: O(log n)
   /// amortized. Error: no sphere has this id.
@@ -233,6 +242,7 @@ class HARDBALL_EXPORT World {
   void reshape(Slot slot, double radius, double mass, double inertia_factor);
   void set_state(Slot slot, const SphereState& state);
   void append(const SphereState& state);
+  void order_ids();
   void check_spin(const Vec3& spin, const std::string& where) const;
   void check_in_plane(const Vec3& vector, const char* what, const std::string& where) const;
   void note_traits();
