@@ -71,8 +71,8 @@ class HARDBALL_EXPORT World {
   Slot insert(const SphereState& state);
   /// The same for many: state_of(k) returns the k-th. Leaves some room for others. Cost: O(n log n), or O(ids
   /// ever given).
-  template <class StateOf>
-  void insert_all(std::size_t count, StateOf&& state_of) {
+  template <class MakeState>
+  void insert_all(std::size_t count, MakeState&& state_of) {
     constexpr std::size_t kRoom = 16;
     reserve(size() + count + count / kRoom);
     for (std::size_t k = 0; k < count; ++k) append(state_of(k));
