@@ -165,19 +165,34 @@ class DistributedRun {
       bool has_advanced = false;
       // Of what the first process sees, the others learn from the status.
       const auto stop = [&] {
-        if (files_) files_->keep_current();
+        write([&] { files_->keep_current(); });
         progress_->show(std::max(simulation_.time(), reached_), collisions_);
-        return is_interrupted() || (std::exchange(has_advanced, true) && is_checkpoint_due());
+        return !failure_.empty() || is_interrupted() ||
+               (std::exchange(has_advanced, true) && is_checkpoint_due());
       };
       const RunLimits limits{
           .until = Time(time), .contacts = contacts - simulation_.counters().contacts(), .stop = stop};
       const RunStatus status =
           simulation_.run(limits, scenario_.event_log && directory_.has_value(), [&](const Contact& contact) {
             reached_ = contact.time.value();
-            files_->note(contact, simulation_.empty_world());
+            write([&] { files_->note(contact, simulation_.empty_world()); });
           });
       collisions_ = simulation_.counters().collision;
+      in_first(processes_, [&] {
+        if (!failure_.empty()) throw RunFailure(failure_);
+      });
       if (status != RunStatus::stopped || says_first(is_interrupted())) return status;
+    }
+  }
+
+  // Writes to files in the midst of a run, of which the others hear of a failure when it has stopped.
+  template <class Work>
+  void write(Work&& work) {
+    if (!files_ || !failure_.empty()) return;
+    try {
+      work();
+    } catch (const RunFailure& failure) {
+      failure_ = failure.what();
     }
   }
 
@@ -197,8 +212,7 @@ class DistributedRun {
   void keep_checkpoint(double time) {
     kept_ = time;
     std::filesystem::path path;
-    in_first(processes_, [&] { path = kept_checkpoint(*directory_, time); });
-    path = *directory_ / kKeptCheckpoints / (to_text(time) + kCheckpointEnding);
+    in_all(processes_, [&] { path = kept_checkpoint(*directory_, time); });
     write_checkpoint(path);
     write_checkpoint(*directory_ / kCheckpoint);
   }
@@ -301,6 +315,7 @@ class DistributedRun {
   double kept_ = 0;
   double reached_ = 0;  // by the contacts observed [T]
   std::uint64_t collisions_ = 0;
+  std::string failure_;  // of files, in the midst of a run
   std::optional<Progress> progress_;
   Clock::time_point begin_;
   Clock::time_point last_checkpoint_;

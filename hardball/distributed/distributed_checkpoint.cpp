@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <system_error>
 #include <utility>
 
 #include "hardball/archive/archive.hpp"
@@ -65,7 +66,8 @@ void write_distributed_checkpoint(const DistributedSimulation& simulation, const
   const std::string head = checkpoint_head(entries);
   const std::filesystem::path unfinished = unfinished_name(path);
   in_first(processes, [&] {
-    std::filesystem::remove(unfinished);
+    std::error_code missing;
+    std::filesystem::remove(unfinished, missing);
     write_at(unfinished, 0, head);
   });
   in_all(processes, [&] {

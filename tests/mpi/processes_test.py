@@ -168,6 +168,17 @@ class Processes(unittest.TestCase):
         done = run(["check", scenario], 2, succeeds=False)
         self.assertIn("several processes", done.stderr)
 
+    def test_a_file_that_cannot_be_written_ends_all(self):
+        scenario = self.scenario(GAS)
+        directory = self.folder / "full"
+        directory.mkdir()
+        (directory / "events.npy").symlink_to("/dev/full")
+        done = run(["run", scenario, "--out", str(directory), "--quiet", "--until", "20"], 2, succeeds=False)
+        self.assertNotEqual(done.returncode, 0)
+        messages = [line for line in done.stderr.splitlines() if line.startswith("hardball: ")]
+        self.assertEqual(len(messages), 1, done.stderr)
+        self.assertIn("cannot write", messages[0])
+
     def test_overlaps_at_the_start_are_refused_once(self):
         scenario = self.scenario(GAS.replace('count = 4000\n', "").replace('placement = "fcc"\n', "").replace(
             "temperature = 1.0", "positions = [[1.0, 1.0, 1.0], [1.5, 1.0, 1.0]]\n"
