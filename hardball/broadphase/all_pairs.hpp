@@ -24,6 +24,7 @@ class AllPairs : public WithSphereLines<Vec3> {  // the middles of the intervals
 
   void build(const World& world, const Time& now, CompactPaths& copies);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
+  bool keeps(const World&, Slot, const Time&, const CompactPaths&) const { return true; }
   bool admits(const World&, Slot) const { return true; }
   void insert(const World& world, Slot slot, const Time& now, const CompactPaths&);
   void erase(Slot) {}

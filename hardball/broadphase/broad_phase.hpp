@@ -45,6 +45,8 @@ struct PhaseLengths {
 ///   distance [L] that candidates are at most apart and that no sphere exceeds between two crossings.
 /// - `refresh(world, slot, now, folded)` updates the region of a sphere whose path was rewritten at `now`;
 ///   its center has been folded back by `folded` boxes.
+/// - `keeps(world, slot, now, copies)`: whether a sphere that has been put on another path at `now`, and
+///   copied, may keep its region; if so, `refresh` must follow, and otherwise it needs another.
 /// - `admits(world, slot)`: whether a sphere of this size can get a region without another `build`.
 /// - `insert(world, slot, now, copies)` gives a region to a sphere that has none, and has been copied at
 ///   `now`. Precondition: admits(world, slot).
@@ -80,6 +82,7 @@ concept BroadPhase = requires(Phase phase, const Phase& view, const World& world
   { view.lengths() } -> std::same_as<PhaseLengths>;
   phase.build(world, now, copies);
   phase.refresh(world, slot, now, image);
+  { view.keeps(world, slot, now, copied) } -> std::same_as<bool>;
   { view.admits(world, slot) } -> std::same_as<bool>;
   phase.insert(world, slot, now, copied);
   phase.erase(slot);

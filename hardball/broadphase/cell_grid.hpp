@@ -40,6 +40,11 @@ class CellGrid : public WithSphereLines<CellRegion> {
   /// Error: the edge is not positive, or so small that a sphere would lie in hundreds of cells.
   void build(const World& world, const Time& now, CompactPaths& copies);
   void refresh(const World& world, Slot slot, const Time& now, const Image& folded);
+  bool keeps(const World& world, Slot slot, const Time& now, const CompactPaths&) const {
+    const CellRange exact = range_at(world, slot, now);
+    const CellRange own = lines_[slot].region.range();
+    return own.contains(exact.low) && own.contains(exact.high);
+  }
   bool admits(const World& world, Slot slot) const;
   void insert(const World& world, Slot slot, const Time& now, const CompactPaths&);
   void erase(Slot slot);

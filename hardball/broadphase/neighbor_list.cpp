@@ -123,6 +123,23 @@ void NeighborList::erase(Slot slot) {
   neighbors_.assign(slot, {});
 }
 
+bool NeighborList::keeps(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const {
+  const Anchor& anchor = lines_[slot].region;
+  const CellIndex cell = cells_.cell_of(world.position(slot, now));
+  bool is_near = copies.is_bounded(slot);
+  float room = room_squared_;
+  for_each_axis([&](auto axis) {
+    // On the grid alone, a place far away may seem near.
+    const std::int32_t rows = std::abs(cell[axis] - anchor.cell[axis]);
+    is_near &= rows <= 1 || rows == cells_.period(axis) - 1;
+    const auto steps = static_cast<std::uint32_t>(copies.paths()[slot].position[axis]) -
+                       static_cast<std::uint32_t>(anchor.position[axis]);
+    const float apart = static_cast<float>(static_cast<std::int32_t>(steps)) * copies.scale().grid[axis];
+    room -= apart * apart;
+  });
+  return is_near && room > 0;
+}
+
 void NeighborList::move(Slot from, Slot to) {
   points_.erase(table_.list(lines_[from].region.cell), from);
   lines_[to] = lines_[from];

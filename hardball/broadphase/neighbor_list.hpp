@@ -50,6 +50,7 @@ class NeighborList : public WithSphereLines<Anchor> {
   static double cell_edge(double largest_radius, double skin);
 
   void build(const World& world, const Time& now, CompactPaths& copies);
+  bool keeps(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const;
   bool admits(const World& world, Slot slot) const { return world.radius(slot) <= largest_built_; }
   void insert(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
   void erase(Slot slot);

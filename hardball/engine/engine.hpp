@@ -87,7 +87,7 @@ class Engine {
           next = least_until(limits.until);
           if (next == kNoOwner) return RunStatus::time_reached;
           if (steps++ == limits.steps) return RunStatus::steps_reached;
-          prefetching_.prefetch_ahead(forecast_, queue_, observe);
+          prefetching_.prefetch_ahead(forecast_, queue_);
         } while (handle_without_contact(next));
         carry_out(next);
       } else {
@@ -179,11 +179,17 @@ class Engine {
     std::vector<Slot> slots;
     is_outdated_ = !hardball::put(forecast_, spheres, !is_outdated_, slots);
     if (is_outdated_) return;
-    for (const Slot slot : slots) {
-      queue_.add_owner(slot);
-      forecast_.predict(slot);
-      queue_.schedule(slot, forecast_);
-    }
+    for (const Slot slot : slots) queue_.add_owner(slot);
+    predict_all(forecast_, queue_, slots);
+  }
+
+  /// See put.hpp. Precondition: likewise.
+  void put_on_paths(std::span<const NewPath> paths, const Time& moment) {
+    HARDBALL_CHECK(moment >= now());
+    forecast_.advance(moment);
+    std::vector<Slot> slots;
+    hardball::put_on_paths(forecast_, paths, !is_outdated_, slots);
+    if (!is_outdated_) predict_all(forecast_, queue_, slots);
   }
 
   /// Where the spheres of the last contact are stored. Precondition: they have not merged.
@@ -296,8 +302,11 @@ class Engine {
     const SphereId partner_id = forecast_.id(partner);
     // Branchless: which id is lower is unpredictable.
     const Slot exchange = (slot ^ partner) & (Slot{0} - static_cast<Slot>(partner_id < id));
-    const Participants participants{slot ^ exchange, partner ^ exchange, forecast_.uses_minimum_image()};
-    participants_ = participants;
+    // One by one: as a whole they would be copied before the processor has stored them.
+    participants_.first = slot ^ exchange;
+    participants_.second = partner ^ exchange;
+    participants_.nearest = forecast_.uses_minimum_image();
+    const Participants& participants = participants_;
     const Event event =
         is_collision ? make_collision(plan.contact_time(), id, partner_id, forecast_.image_in_event(slot))
                      : Event{plan.contact_time(), EventKind::wall, id, plan.wall(), {}};

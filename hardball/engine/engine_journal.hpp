@@ -8,6 +8,7 @@
 #include "hardball/engine/run.hpp"
 #include "hardball/execution/merged_spheres.hpp"
 #include "hardball/geometry/inlining.hpp"
+#include "hardball/memory/prefetch.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -81,7 +82,7 @@ class EngineJournal {
  private:
   // Apart, so that it takes no room in the hot loop.
   HARDBALL_NEVER_INLINE void append(Kind kind, Time moment, StoredSphere first, StoredSphere second) {
-    events_.push_back({kind, moment, first, second});
+    append_ahead(events_, Done{kind, moment, first, second});
   }
 
   struct Done {

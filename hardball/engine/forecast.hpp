@@ -157,6 +157,9 @@ class Forecast {
     compact_.copy(world_, slot, now_);
   }
 
+  /// Takes note that a sphere is on another path, perhaps elsewhere. It remains to be predicted.
+  void note_moved(Slot slot);
+
   /// Predicts a sphere's contacts with its candidates and the walls, and its crossing. Precondition: its path
   /// has been copied.
   void predict(Slot slot) {

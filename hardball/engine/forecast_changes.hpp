@@ -42,6 +42,17 @@ void Forecast<Phase>::erase(Slot slot) {
 }
 
 template <BroadPhase Phase>
+void Forecast<Phase>::note_moved(Slot slot) {
+  compact_.copy(world_, slot, now_);
+  if (phase_.keeps(world_, slot, now_, compact_)) {
+    phase_.refresh(world_, slot, now_, Image());
+    return note_revision(slot);
+  }
+  erase(slot);
+  insert(slot);
+}
+
+template <BroadPhase Phase>
 void Forecast<Phase>::remove(Slot slot) {
   const auto last = static_cast<Slot>(world_.size() - 1);
   erase(slot);

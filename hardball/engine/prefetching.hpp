@@ -14,15 +14,14 @@ namespace hardball {
 /// Prefetches what the next events need, as the calendar knows which spheres come next.
 class Prefetching {
  public:
-  /// To be called before every event. If the observer has `prefetch(slot)`, it is called for spheres that may
-  /// soon have a contact.
-  template <class Forecast, class Queue, class Observer>
-  void prefetch_ahead(const Forecast& forecast, const Queue& queue, const Observer& observer) {
+  /// To be called before every event.
+  template <class Forecast, class Queue>
+  void prefetch_ahead(const Forecast& forecast, const Queue& queue) {
     if constexpr (requires { queue.upcoming(0); }) {
       if (forecast.is_cached()) {
         prefetch_regions(forecast, queue);
       } else {
-        prefetch_in_stages(forecast, queue, observer);
+        prefetch_in_stages(forecast, queue);
       }
     }
   }
@@ -56,8 +55,8 @@ class Prefetching {
   }
 
   // Each stage runs a few events before the next, whose addresses it loads.
-  template <class Forecast, class Queue, class Observer>
-  void prefetch_in_stages(const Forecast& forecast, const Queue& queue, const Observer& observer) {
+  template <class Forecast, class Queue>
+  void prefetch_in_stages(const Forecast& forecast, const Queue& queue) {
     constexpr std::size_t kSphere = 9;
     constexpr std::size_t kPartner = 6;
     constexpr std::size_t kLists = 4;
@@ -73,15 +72,9 @@ class Prefetching {
     };
     const auto& phase = forecast.phase();
     for_upcoming(kSphere, [&](Slot slot) { forecast.prefetch_sphere(slot); });
-    const auto prefetch_for_observer = [&observer]([[maybe_unused]] Slot slot) {
-      if constexpr (requires { observer.prefetch(slot); }) observer.prefetch(slot);
-    };
     for_upcoming(kPartner, [&](Slot slot) {
       const Plan& plan = forecast.plan(slot);
-      prefetch_for_observer(slot);
-      if (!plan.meets_first()) return;
-      forecast.prefetch_sphere(plan.partner());
-      prefetch_for_observer(plan.partner());
+      if (plan.meets_first()) forecast.prefetch_sphere(plan.partner());
     });
     for_upcoming(kLists, [&](Slot slot) {
       const Plan& plan = forecast.plan(slot);

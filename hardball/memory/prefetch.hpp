@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+
 namespace hardball {
 
 /// Prefetches the cache line at `address`, which need not be valid.
@@ -13,6 +15,17 @@ inline void prefetch(const void* address) {
   __builtin_prefetch(address);
 #else
   static_cast<void>(address);
+#endif
+}
+
+/// Appends to a vector, and prefetches where it will append some time later, to write there: it is memory
+/// that was used long ago.
+template <class Vector, class Element>
+void append_ahead(Vector& vector, const Element& element) {
+  constexpr std::size_t kAheadBytes = 1024;
+  vector.push_back(element);
+#if defined(__GNUC__)
+  __builtin_prefetch(reinterpret_cast<const char*>(vector.data() + vector.size()) + kAheadBytes, 1);
 #endif
 }
 

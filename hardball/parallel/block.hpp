@@ -37,6 +37,10 @@ class Block {
   /// The ends [L]; infinite where the box has no ends or walls, which nothing passes.
   double low(std::size_t axis) const { return low_[axis]; }
   double high(std::size_t axis) const { return high_[axis]; }
+  /// Of the box [L]; zero along an axis that is not periodic.
+  double period(std::size_t axis) const { return period_[axis]; }
+  /// Whether the block is only a part of the box along an axis.
+  bool is_divided(std::size_t axis) const { return is_divided_[axis]; }
 
   /// How far a point is outside [L], by the axis along which it is farthest; negative inside, minus infinity
   /// if no axis is divided. Precondition: it is less than a box away from the box.

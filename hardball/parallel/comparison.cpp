@@ -138,10 +138,6 @@ double Comparison::compare(const World& world, const Residents& residents, const
   });
 
   double bad = kNeverBad;
-  const auto meets_own = [&](const PathRecord& record) {
-    return record.partner != PathRecord::kWall && residents.find_ghost(record.partner) == IdMap::kNone &&
-           world.contains(record.partner);
-  };
   for (auto first = references_.begin(); first != references_.end();) {
     const std::uint32_t ghost = first->ghost;
     const auto last =
@@ -151,8 +147,7 @@ double Comparison::compare(const World& world, const Residents& residents, const
     auto own_one = middle;
     for (; true_one != middle && own_one != last && *true_one->record == *own_one->record; ++own_one)
       ++true_one;
-    const Residents::Ghost& described = residents.ghost(ghost);
-    const Slot slot = *world.find(described.sphere, described.slot);
+    const Slot slot = residents.ghost(ghost).slot;
     const Path& begin_path = middle != last ? middle->own->path_before : world.path(slot);
     const Vec3 begin_spin = middle != last ? middle->own->spin_before : world.spin(slot);
     const Path& common = true_one == first ? begin_path : (true_one - 1)->record->path;
@@ -163,11 +158,11 @@ double Comparison::compare(const World& world, const Residents& residents, const
     Course course(world, frontier, common, begin);
     for (auto k = own_one; k != last; ++k) {
       since = std::min(since, k->record->time.high);
-      if (meets_own(*k->record)) bad = std::min(bad, k->record->time.high);
+      if (k->record->is_partner_own) bad = std::min(bad, k->record->time.high);
     }
     for (auto k = true_one; k != middle; ++k) {
       since = std::min(since, k->record->time.high);
-      if (meets_own(*k->record)) bad = std::min(bad, k->record->time.high);
+      if (k->record->is_partner_own) bad = std::min(bad, k->record->time.high);
       course.turn(k->record->path);
     }
     course.end(end);

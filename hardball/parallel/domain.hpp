@@ -106,6 +106,13 @@ class Domain {
     changed_.clear();
     have_all_changed_ = false;
   }
+  /// Adds its own spheres as they are at `moment` to a sum over spheres.
+  template <class SumOverSpheres>
+  void note_own_spheres(SumOverSpheres& sum, const Time& moment) const {
+    for (Slot slot = 0; slot < world().size(); ++slot) {
+      if (residents_.is_own(slot)) sum.note(world(), slot, moment);
+    }
+  }
   /// How many contacts count in this window: collisions, and contacts with walls.
   const Counters& counted() const { return counted_; }
 
@@ -175,9 +182,8 @@ class Domain {
     for (const Frontier::Alarm& alarm : due_) {
       if (alarm.time > moment.high) {
         frontier_.put_back(alarm);
-      } else if (const std::optional<Slot> slot = world().find(alarm.sphere, alarm.slot);
-                 slot && is_on(*slot, alarm.path)) {
-        touched_.push_back(*slot);
+      } else if (concerns_own(alarm)) {
+        touched_.push_back(alarm.slot);
       }
     }
     due_.clear();
@@ -191,16 +197,15 @@ class Domain {
     for (const Outbox* inbox : inboxes) {
       for (const SphereId sphere : inbox->departures) remove(sphere, begin_);
     }
+    correct();
     arriving_.clear();
-    for (const Correction& correction : comparison_.corrections()) correct(correction);
-    const std::size_t corrected = arriving_.size();
     for (const Outbox* inbox : inboxes) {
       for (const Arrival& arrival : inbox->arrivals) {
         if (residents_.find_ghost(arrival.sphere.id) == IdMap::kNone) arriving_.push_back(arrival.sphere);
       }
     }
     engine_.put(arriving_, begin_);
-    std::size_t next = corrected;
+    std::size_t next = 0;
     for (const Outbox* inbox : inboxes) {
       for (const Arrival& arrival : inbox->arrivals) {
         if (next == arriving_.size() || arriving_[next].id != arrival.sphere.id) continue;
@@ -243,6 +248,8 @@ class Domain {
     const Slot slot = world().slot_of(sphere);
     engine_.remove(sphere, moment);
     residents_.erase(slot);
+    // The sphere that is stored there now.
+    if (slot < world().size() && residents_.is_own(slot)) set_alarm(slot);
   }
   /// Holds a sphere that is new to the whole world, if it is near enough. Precondition: as for
   /// change_velocity.
@@ -252,7 +259,7 @@ class Domain {
     begin_ = later(begin_, moment);
     engine_.put({&sphere, 1}, moment);
     if (is_own) {
-      residents_.add_own(frontier_.holders_at(sphere.path.position, 0));
+      residents_.add_own(frontier_.holders_at(sphere.path.position));
       set_alarm(static_cast<Slot>(world().size() - 1));
     } else {
       residents_.add_ghost(sphere.id, neighbor_number(owner));
@@ -267,7 +274,12 @@ class Domain {
   void watch(double horizon) {
     frontier_.restart(begin_.high, horizon);
     for (Slot slot = 0; slot < world().size(); ++slot) {
-      if (residents_.is_own(slot)) set_alarm(slot);
+      if (!residents_.is_own(slot)) continue;
+      const Path& path = world().path(slot);
+      const bool is_interior = residents_.holders(slot) == 0 &&
+                               frontier_.is_interior(path.position, 0, path.time.high,
+                                                     largest_component(path.velocity), path.time.high);
+      if (!is_interior) set_alarm(slot);
     }
   }
 
@@ -276,7 +288,6 @@ class Domain {
   struct Notes {
     Domain& domain;
     void operator()(const Contact& contact) const { domain.note(contact); }
-    void prefetch(Slot slot) const { domain.residents_.prefetch(slot); }
   };
 
   World residents_of(const World& whole, std::span<const DomainNumber> owners, const Time& now) {
@@ -291,7 +302,7 @@ class Domain {
     residents_.reserve(slots.size());
     for (const Slot slot : slots) {
       if (owners[slot] == number_) {
-        residents_.add_own(frontier_.holders_at(whole.position(slot, now), 0));
+        residents_.add_own(frontier_.holders_at(whole.position(slot, now)));
       } else {
         residents_.add_ghost(whole.id(slot), neighbor_number(owners[slot]));
       }
@@ -334,15 +345,16 @@ class Domain {
       note_own(participants.first, contact.first, contact.position, contact.before.first, contact.after.first,
                contact.first_since, contact, is_collision ? participants.second : participants.first);
     } else if (turns || owns_second) {
-      note_ghost(participants.first, contact, is_collision ? contact.second : PathRecord::kWall,
-                 contact.spins_before.first);
+      note_ghost(participants.first, contact.first, contact,
+                 is_collision ? participants.second : participants.first, contact.spins_before.first);
     }
     if (!is_collision) return;
     if (owns_second) {
       note_own(participants.second, contact.second, contact.second_position, contact.before.second,
                contact.after.second, contact.second_since, contact, participants.first);
     } else if (turns || owns_first) {
-      note_ghost(participants.second, contact, contact.first, contact.spins_before.second);
+      note_ghost(participants.second, contact.second, contact, participants.first,
+                 contact.spins_before.second);
     }
   }
 
@@ -355,8 +367,11 @@ class Domain {
     log_.push_back(logged);
   }
 
-  PathRecord record_of(Slot slot, const Contact& contact, SphereId partner) const {
-    return {world().path(slot), world().spin(slot), contact.time, world().id(slot), partner};
+  // What a contact did to one of its spheres.
+  PathRecord record_of(Slot slot, SphereId id, const Contact& contact) const {
+    const SphereId partner = id == contact.first ? contact.second : contact.first;
+    return {world().path(slot), world().spin(slot), contact.time, id,
+            contact.is_collision() ? partner : PathRecord::kWall};
   }
 
   // An own sphere has had a contact; `partner` is where the other one is stored, itself at a wall.
@@ -369,22 +384,29 @@ class Domain {
     if (holders == 0 && frontier_.is_interior(position, largest_component(before), since.high,
                                               largest_component(after), now)) [[likely]]
       return;
-    note_near_frontier(slot, position, before, since, contact, partner);
+    note_near_frontier(slot, id, {since.high, now, position, before}, after, contact, partner);
   }
 
-  HARDBALL_NEVER_INLINE void note_near_frontier(Slot slot, const Vec3& position, const Vec3& before,
-                                                const Time& since, const Contact& contact, Slot partner) {
+  HARDBALL_NEVER_INLINE void note_near_frontier(Slot slot, SphereId id, const Leg& leg, const Vec3& after,
+                                                const Contact& contact, Slot partner) {
     const NeighborSet holders = residents_.holders(slot);
-    frontier_.note({since.high, contact.time.high, position, before}, holders, outboxes_);
-    touched_.push_back(slot);
-    set_alarm(slot);
-    const PathRecord record =
-        record_of(slot, contact, partner == slot ? PathRecord::kWall : world().id(partner));
+    const Frontier::Distances place = frontier_.distances(leg.end_position);
+    frontier_.note(leg, place, holders, outboxes_);
+    const double distance = frontier_.distance_to_change(place, holders);
+    if (distance > 0) {
+      frontier_.set_alarm({0, id, slot, world().path(slot).time}, distance, after, leg.end);
+    } else {
+      touched_.push_back(slot);
+    }
+    if (holders == 0) return;
+    PathRecord record = record_of(slot, id, contact);
     const bool turns = contact.outcome == ContactOutcome::bounce;
+    const std::size_t owner = owner_of(partner);
     for (std::size_t neighbor = 0; neighbor < outboxes_.size(); ++neighbor) {
       if ((holders >> neighbor & 1) == 0) continue;
+      record.is_partner_own = owner == neighbor;
       // Spheres that pass through each other concern their owners alone.
-      if (turns || owner_of(partner) == neighbor) outboxes_[neighbor].records.push_back(record);
+      if (turns || record.is_partner_own) append_ahead(outboxes_[neighbor].records, record);
     }
   }
 
@@ -393,12 +415,15 @@ class Domain {
     return residents_.is_own(slot) ? outboxes_.size() : residents_.ghost(residents_.ghost_number(slot)).owner;
   }
 
-  HARDBALL_NEVER_INLINE void note_ghost(Slot slot, const Contact& contact, SphereId partner,
+  // `partner` is where the other sphere is stored, itself at a wall.
+  HARDBALL_NEVER_INLINE void note_ghost(Slot slot, SphereId id, const Contact& contact, Slot partner,
                                         const Vec3& spin_before) {
     const bool turns = contact.outcome == ContactOutcome::bounce;
-    ghost_records_.push_back({record_of(slot, contact, partner),
-                              turns ? world().journal().path_before(slot) : world().path(slot), spin_before,
-                              residents_.ghost_number(slot)});
+    GhostRecord noted{record_of(slot, id, contact),
+                      turns ? world().journal().path_before(slot) : world().path(slot), spin_before,
+                      residents_.ghost_number(slot)};
+    noted.record.is_partner_own = partner != slot && residents_.is_own(partner);
+    append_ahead(ghost_records_, noted);
   }
 
   void keep_own_counts() {
@@ -410,12 +435,15 @@ class Domain {
     engine_.take_over(aftermath);
   }
 
+  Frontier::Alarm alarm_of(Slot slot) const { return {0, world().id(slot), slot, world().path(slot).time}; }
+
   void set_alarm(Slot slot) {
     const Time now = later(later(begin_, engine_.now()), world().path(slot).time);
     State state = world().motion().state_at(world().path(slot), now);
     world().box().fold(state.position);
-    frontier_.set_alarm(world().id(slot), slot, world().path(slot).time, residents_.holders(slot), state,
-                        now.high);
+    const Frontier::Distances place = frontier_.distances(state.position);
+    frontier_.set_alarm(alarm_of(slot), frontier_.distance_to_change(place, residents_.holders(slot)),
+                        state.velocity, now.high);
   }
 
   // The legs of spheres without a contact since their alarm was set.
@@ -423,37 +451,37 @@ class Domain {
     frontier_.take_alarms(until, due_);
     for (std::size_t k = 0; k < due_.size(); ++k) {
       constexpr std::size_t kAhead = 8;
-      if (k + kAhead < due_.size()) prefetch(due_[k + kAhead].slot);
+      if (k + kAhead < due_.size()) world().prefetch(due_[k + kAhead].slot);
       const Frontier::Alarm& alarm = due_[k];
-      const std::optional<Slot> slot = world().find(alarm.sphere, alarm.slot);
-      if (!slot || !is_on(*slot, alarm.path)) continue;
-      const Path& path = world().path(*slot);
+      if (!concerns_own(alarm)) continue;
+      const Path& path = world().path(alarm.slot);
       State state = world().motion().state_at(path, later(Time(until), path.time));
       world().box().fold(state.position);
-      frontier_.note({path.time.high, until, state.position, state.velocity}, residents_.holders(*slot),
-                     outboxes_);
+      frontier_.note({path.time.high, until, state.position, state.velocity},
+                     frontier_.distances(state.position), residents_.holders(alarm.slot), outboxes_);
     }
   }
 
-  void prefetch(Slot slot) const {
-    world().prefetch(slot);
-    residents_.prefetch(slot);
-  }
-  bool is_on(Slot slot, const Time& path) const {
-    return residents_.is_own(slot) && world().path(slot).time == path;
+  // Whether the sphere is on the path for which the alarm was set. If it is in another slot, it has another
+  // alarm.
+  bool concerns_own(const Frontier::Alarm& alarm) const {
+    return alarm.slot < world().size() && world().path(alarm.slot).time == alarm.path &&
+           residents_.is_own(alarm.slot) && world().id(alarm.slot) == alarm.sphere;
   }
 
   // Decides who owns and holds an own sphere.
   void review(Slot slot) {
     if (!residents_.is_own(slot)) return;
-    const Vec3 position = world().position(slot, begin_);
+    State state = world().motion().state_at(world().path(slot), begin_);
+    world().box().fold(state.position);
+    const Frontier::Distances place = frontier_.distances(state.position);
     const SphereId id = world().id(slot);
     const NeighborSet before = residents_.holders(slot);
-    NeighborSet holders = frontier_.holders_at(position, before);
-    const bool is_outside = frontier_.block().distance(position) > 0;
+    NeighborSet holders = frontier_.holders_at(place, before);
+    const bool is_outside = place.own > 0;
     std::uint32_t owner = 0;
     if (is_outside) {
-      owner = frontier_.nearest_neighbor(position);
+      owner = frontier_.nearest_neighbor(place);
       holders |= NeighborSet{1} << owner;
     }
     for (std::uint32_t neighbor = 0; neighbor < outboxes_.size(); ++neighbor) {
@@ -466,7 +494,8 @@ class Domain {
     }
     if (!is_outside) {
       residents_.set_holders(slot, holders);
-      return set_alarm(slot);
+      return frontier_.set_alarm(alarm_of(slot), frontier_.distance_to_change(place, holders), state.velocity,
+                                 begin_.high);
     }
     hand_over(slot, id, holders, owner);
   }
@@ -483,8 +512,10 @@ class Domain {
   }
 
   void take_over(const Handover& handover) {
-    const Slot slot = world().slot_of(handover.sphere.id);
-    HARDBALL_CHECK(world().path(slot) == handover.sphere.path);
+    const std::uint32_t ghost = residents_.find_ghost(handover.sphere.id);
+    HARDBALL_CHECK(ghost != IdMap::kNone);
+    const Slot slot = residents_.ghost(ghost).slot;
+    HARDBALL_CHECK(world().id(slot) == handover.sphere.id && world().path(slot) == handover.sphere.path);
     SphereEdit(engine_.world_to_edit(), begin_, slot).store(slot, handover.sphere);
     NeighborSet holders = 0;
     for (const DomainNumber holder : handover.holders) holders |= NeighborSet{1} << neighbor_number(holder);
@@ -498,15 +529,17 @@ class Domain {
     set_alarm(slot);
   }
 
-  void correct(const Correction& correction) {
-    const SphereId sphere = residents_.ghost(correction.ghost).sphere;
-    if (residents_.find_ghost(sphere) != correction.ghost) return;  // gone
-    const Slot slot = *world().find(sphere, residents_.ghost(correction.ghost).slot);
-    SphereState state = world().state_of(slot);
-    if (state.path == correction.path && state.spin == correction.spin) return;
-    state.path = correction.path;
-    state.spin = correction.spin;
-    arriving_.push_back(state);
+  // Puts ghosts that are not what their owners say on the right paths.
+  void correct() {
+    corrected_.clear();
+    for (const Correction& correction : comparison_.corrections()) {
+      const Residents::Ghost& ghost = residents_.ghost(correction.ghost);
+      if (residents_.find_ghost(ghost.sphere) != correction.ghost) continue;  // gone
+      const Slot slot = ghost.slot;
+      if (world().path(slot) == correction.path && world().spin(slot) == correction.spin) continue;
+      corrected_.push_back({slot, correction.path, correction.spin});
+    }
+    engine_.put_on_paths(corrected_, begin_);
   }
 
   DomainNumber number_;
@@ -528,6 +561,7 @@ class Domain {
   std::vector<GhostRecord> ghost_records_;
   std::vector<Frontier::Alarm> due_;
   std::vector<Slot> touched_;  // own spheres whose owner or holders may change
+  std::vector<NewPath> corrected_;
   std::vector<SphereState> arriving_;
   std::vector<SphereId> changed_;  // own spheres, since the last take_changed()
   bool have_all_changed_ = false;  // then it is not kept

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "hardball/geometry/motion.hpp"
 #include "hardball/parallel/alarms.hpp"
+#include "hardball/parallel/block_distances.hpp"
 #include "hardball/parallel/halo.hpp"
 #include "hardball/parallel/messages.hpp"
 #include "hardball/parallel/partition.hpp"
@@ -38,6 +40,11 @@ struct Leg {
 class Frontier {
  public:
   using Alarm = Alarms::Alarm;
+  /// How far a point is outside the own block and those of the neighbors [L].
+  struct Distances {
+    double own;
+    BlockDistances::Distances neighbors;
+  };
 
   Frontier(const Partition& partition, DomainNumber domain, const Halo& halo, const Motion& motion)
       : block_(partition.block(domain)),
@@ -45,29 +52,49 @@ class Frontier {
         halo_(halo),
         gravity_(motion.gravity()),
         fall_(largest_component(motion.gravity())) {
-    for (const DomainNumber neighbor : neighbors_) blocks_.push_back(partition.block(neighbor));
+    std::vector<Block> blocks;
+    for (const DomainNumber neighbor : neighbors_) blocks.push_back(partition.block(neighbor));
+    blocks_ = BlockDistances(blocks);
   }
 
   const std::vector<DomainNumber>& neighbors() const { return neighbors_; }
   const Block& block() const { return block_; }
   const Halo& halo() const { return halo_; }
+  Distances distances(const Vec3& point) const {
+    Distances distances;
+    distances.own = block_.distance(point);
+    blocks_.find(point, distances.neighbors);
+    return distances;
+  }
   /// The neighbors whose halos hold a point, but for those in `held`, whose halos are deeper by the slack.
-  NeighborSet holders_at(const Vec3& point, NeighborSet held) const {
+  NeighborSet holders_at(const Distances& point, NeighborSet held) const {
     NeighborSet holders = 0;
-    if (block_.distance(point) < -halo_.outer()) return holders;
-    for (std::size_t neighbor = 0; neighbor < blocks_.size(); ++neighbor) {
+    for (std::size_t neighbor = 0; neighbor < neighbors_.size(); ++neighbor) {
       const bool is_held = (held >> neighbor & 1) != 0;
-      const double distance = blocks_[neighbor].distance(point);
-      if (distance <= (is_held ? halo_.outer() : halo_.depth)) holders |= NeighborSet{1} << neighbor;
+      if (point.neighbors[neighbor] <= (is_held ? halo_.outer() : halo_.depth))
+        holders |= NeighborSet{1} << neighbor;
     }
     return holders;
   }
+  NeighborSet holders_at(const Vec3& point) const {
+    return block_.distance(point) < -halo_.outer() ? 0 : holders_at(distances(point), 0);
+  }
 
   /// The neighbor whose block is nearest. Precondition: there are neighbors.
-  std::uint32_t nearest_neighbor(const Vec3& point) const {
-    const auto nearest =
-        std::ranges::min_element(blocks_, {}, [&](const Block& block) { return block.distance(point); });
-    return static_cast<std::uint32_t>(nearest - blocks_.begin());
+  std::uint32_t nearest_neighbor(const Distances& point) const {
+    const auto* const first = point.neighbors.begin();
+    return static_cast<std::uint32_t>(std::min_element(first, first + neighbors_.size()) - first);
+  }
+
+  /// How far a sphere can fly from a point before its owner or its holders change [L]; not positive if they
+  /// do at once.
+  double distance_to_change(const Distances& point, NeighborSet holders) const {
+    double farthest_held = -std::numeric_limits<double>::infinity();
+    for (std::size_t neighbor = 0; neighbor < neighbors_.size(); ++neighbor) {
+      if ((holders >> neighbor & 1) != 0) farthest_held = std::max(farthest_held, point.neighbors[neighbor]);
+    }
+    return std::min(
+        {-point.own, halo_.outer() - farthest_held, nearest_not_held(point, holders) - halo_.depth});
   }
 
   /// Begins to watch anew up to a horizon: an alarm must be set for every own sphere.
@@ -88,33 +115,36 @@ class Frontier {
            depth > way(speed_after, alarms_.horizon() - now);
   }
 
-  /// Sets the alarm of a sphere that is where the state says now.
-  void set_alarm(SphereId sphere, Slot slot, const Time& path, NeighborSet holders, const State& state,
-                 double now) {
-    const double distance = distance_to_change(state.position, holders);
-    const double speed = largest_component(state.velocity);
-    const double wait = time_to_pass(distance, speed, fall_) * (1 - 0x1p-30);
-    if (now + wait <= alarms_.horizon()) alarms_.set({now + wait, sphere, slot, path});
+  /// Sets the alarm of a sphere that can fly so far before it must be looked at, with its velocity now;
+  /// `time` of the alarm need not be set.
+  void set_alarm(Alarm alarm, double distance, const Vec3& velocity, double now) {
+    const double speed = largest_component(velocity);
+    const double wait = time_to_pass(std::max(distance, 0.0), speed, fall_) * (1 - 0x1p-30);
+    alarm.time = now + wait;
+    if (alarm.time <= alarms_.horizon()) alarms_.set(alarm);
   }
   /// Takes the alarms up to a time.
   void take_alarms(double until, std::vector<Alarm>& taken) { alarms_.take(until, taken); }
   void put_back(const Alarm& alarm) { alarms_.set(alarm); }
 
-  /// Notes a leg of an own sphere that these neighbors hold, and tells others whom it may concern.
-  void note(const Leg& leg, NeighborSet holders, std::vector<Outbox>& outboxes) {
+  /// Notes a leg of an own sphere that these neighbors hold, and tells others whom it may concern. `end` are
+  /// the distances where it ends.
+  void note(const Leg& leg, const Distances& end, NeighborSet holders, std::vector<Outbox>& outboxes) {
     const double begin = std::max(begin_, leg.begin);
     const double wait = leg.end - begin;
-    const Vec3 start = leg.end_position - wait * (leg.end_velocity - (0.5 * wait) * gravity_);
     const double speed = largest_component(leg.end_velocity) + fall_ * wait;
+    const double longest = speed * wait;
+    if (end.own + longest <= 0 && nearest_not_held(end, holders) - longest > halo_.depth) return;
+    const Vec3 start = leg.end_position - wait * (leg.end_velocity - (0.5 * wait) * gravity_);
     // By how much a parabola leaves its chord.
     const double sag = fall_ * wait * wait / 8;
-    note_excursion(block_.distance(start) + sag, block_.distance(leg.end_position) + sag, begin, wait);
+    const Distances from = distances(start);
+    note_excursion(from.own + sag, end.own + sag, begin, wait);
     const double step = largest_component(leg.end_position - start);
-    for (std::size_t neighbor = 0; neighbor < blocks_.size(); ++neighbor) {
+    for (std::size_t neighbor = 0; neighbor < neighbors_.size(); ++neighbor) {
       if ((holders >> neighbor & 1) != 0) continue;
-      const double first = blocks_[neighbor].distance(start);
-      const double last = blocks_[neighbor].distance(leg.end_position);
-      const double least = (first + last - step) / 2 - sag;
+      const double first = from.neighbors[neighbor];
+      const double least = (first + end.neighbors[neighbor] - step) / 2 - sag;
       if (least <= halo_.depth) outboxes[neighbor].flights.push_back({begin, first, speed, least});
     }
   }
@@ -137,15 +167,12 @@ class Frontier {
  private:
   double way(double speed, double wait) const { return wait * (speed + 0.5 * wait * fall_); }
 
-  // How far a sphere can fly before its owner or its holders change.
-  double distance_to_change(const Vec3& point, NeighborSet holders) const {
-    double least = -block_.distance(point);
-    for (std::size_t neighbor = 0; neighbor < blocks_.size(); ++neighbor) {
-      const double distance = blocks_[neighbor].distance(point);
-      const bool is_held = (holders >> neighbor & 1) != 0;
-      least = std::min(least, is_held ? halo_.outer() - distance : distance - halo_.depth);
+  double nearest_not_held(const Distances& point, NeighborSet holders) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t neighbor = 0; neighbor < neighbors_.size(); ++neighbor) {
+      if ((holders >> neighbor & 1) == 0) nearest = std::min(nearest, point.neighbors[neighbor]);
     }
-    return std::max(least, 0.0);
+    return nearest;
   }
 
   // Along a chord the distance from a block is convex.
@@ -160,7 +187,7 @@ class Frontier {
 
   Block block_;
   std::vector<DomainNumber> neighbors_;
-  std::vector<Block> blocks_;  // of the neighbors
+  BlockDistances blocks_;  // of the neighbors
   Halo halo_;
   Vec3 gravity_;
   double fall_;  // the largest component of gravity

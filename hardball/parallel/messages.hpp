@@ -22,6 +22,8 @@ struct PathRecord {
   Time time;  ///< Of the contact.
   SphereId sphere = 0;
   SphereId partner = kWall;  ///< Whom the sphere met.
+  /// Whether that is an own sphere of the domain that is told, or that notes it of a ghost.
+  bool is_partner_own = false;
 
   friend bool operator==(const PathRecord&, const PathRecord&) = default;
 };

@@ -76,6 +76,18 @@ class ParallelEngine {
     outdate();
     return world_;
   }
+  /// A sum over all spheres as they are at `moment`, for which the world need not be brought up to date:
+  /// note(world, slot, moment) adds a sphere, and add(part) what was added elsewhere. Precondition: not
+  /// is_outdated().
+  template <class SumOverSpheres>
+  SumOverSpheres sum_over_spheres(const Time& moment) const {
+    HARDBALL_CHECK(!is_outdated_);
+    std::vector<SumOverSpheres> parts(cluster_->size());
+    cluster_->each([&](auto& domain, std::size_t number) { domain.note_own_spheres(parts[number], moment); });
+    SumOverSpheres all;
+    for (const SumOverSpheres& part : parts) all.add(part);
+    return all;
+  }
   static bool supports(const World& world, double length) {
     return Phase::supports(world, length) && !world.interactions().may_merge();
   }

@@ -9,7 +9,6 @@
 #include "hardball/errors/error.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/memory/huge_pages.hpp"
-#include "hardball/memory/prefetch.hpp"
 #include "hardball/parallel/id_map.hpp"
 
 namespace hardball {
@@ -24,13 +23,13 @@ class Residents {
   struct Ghost {
     SphereId sphere = 0;
     std::uint32_t owner = 0;  ///< The number of the neighbor.
-    Slot slot = 0;            ///< Where it was stored at first.
+    Slot slot = 0;            ///< Where it is stored.
   };
 
-  bool is_own(Slot slot) const { return (roles_[slot] & kGhost) == 0; }
+  bool is_own(Slot slot) const { return !is_shared(slot) || (roles_[slot] & kGhost) == 0; }
   /// The neighbors that hold an own sphere.
-  NeighborSet holders(Slot slot) const { return roles_[slot]; }
-  void set_holders(Slot slot, NeighborSet holders) { roles_[slot] = holders; }
+  NeighborSet holders(Slot slot) const { return is_shared(slot) ? roles_[slot] : 0; }
+  void set_holders(Slot slot, NeighborSet holders) { set_role(slot, holders); }
   /// The number of a ghost, which stays the same.
   std::uint32_t ghost_number(Slot slot) const { return roles_[slot] & ~kGhost; }
   /// The same of a sphere by id; IdMap::kNone if it is no ghost.
@@ -43,16 +42,21 @@ class Residents {
   /// Ghosts have lower numbers.
   std::size_t ghost_numbers() const { return ghosts_.size(); }
 
-  void prefetch(Slot slot) const { hardball::prefetch(roles_.data() + slot); }
-
   /// Leaves room for so many and some more.
-  void reserve(std::size_t count) { roles_.reserve(count + count / 16); }
+  void reserve(std::size_t count) {
+    const std::size_t all = count + count / 16;
+    roles_.reserve(all);
+    are_shared_.reserve(all / kBits + 1);
+  }
 
   /// An own sphere is stored in slot size().
-  void add_own(NeighborSet holders) { roles_.push_back(holders); }
+  void add_own(NeighborSet holders) {
+    add_slot();
+    set_role(static_cast<Slot>(size() - 1), holders);
+  }
   /// A ghost is stored in slot size().
   void add_ghost(SphereId sphere, std::uint32_t owner) {
-    roles_.push_back(0);
+    add_slot();
     make_ghost(static_cast<Slot>(size() - 1), sphere, owner);
   }
   /// An own sphere is a ghost from now on.
@@ -66,27 +70,42 @@ class Residents {
     }
     ghosts_[number] = {sphere, owner, slot};
     numbers_.set(sphere, number);
-    roles_[slot] = number | kGhost;
+    set_role(slot, number | kGhost);
   }
   /// A ghost is an own sphere from now on.
   void make_own(Slot slot, NeighborSet holders) {
     release(slot);
-    roles_[slot] = holders;
+    set_role(slot, holders);
   }
   /// A sphere is gone; the one in the last slot takes its place.
   void erase(Slot slot) {
     if (!is_own(slot)) release(slot);
-    roles_[slot] = roles_.back();
+    set_role(slot, roles_.back());
     roles_.pop_back();
+    if (slot < size() && !is_own(slot)) ghosts_[ghost_number(slot)].slot = slot;
   }
 
   std::size_t memory_bytes() const {
-    return roles_.capacity() * sizeof(std::uint32_t) + ghosts_.capacity() * sizeof(Ghost) +
-           free_numbers_.capacity() * sizeof(std::uint32_t) + numbers_.memory_bytes();
+    return roles_.capacity() * sizeof(std::uint32_t) + are_shared_.capacity() * sizeof(std::uint64_t) +
+           ghosts_.capacity() * sizeof(Ghost) + free_numbers_.capacity() * sizeof(std::uint32_t) +
+           numbers_.memory_bytes();
   }
 
  private:
   static constexpr std::uint32_t kGhost = 1U << kMaxNeighbors;
+  static constexpr std::size_t kBits = 64;
+
+  bool is_shared(Slot slot) const { return (are_shared_[slot / kBits] >> (slot % kBits) & 1) != 0; }
+  void add_slot() {
+    roles_.push_back(0);
+    if (are_shared_.size() * kBits < size()) are_shared_.push_back(0);
+  }
+  void set_role(Slot slot, std::uint32_t role) {
+    const std::uint64_t bit = std::uint64_t{1} << (slot % kBits);
+    std::uint64_t& bits = are_shared_[slot / kBits];
+    bits = role == 0 ? bits & ~bit : bits | bit;
+    roles_[slot] = role;
+  }
 
   void release(Slot slot) {
     HARDBALL_CHECK(!is_own(slot));
@@ -95,6 +114,8 @@ class Residents {
   }
 
   LargeVector<std::uint32_t> roles_;  // by slot: holders, or the number of the ghost with its mark
+  // By slot, whether the role is not zero, in bits that caches hold: most spheres concern nobody else.
+  std::vector<std::uint64_t> are_shared_;
   std::vector<Ghost> ghosts_;
   std::vector<std::uint32_t> free_numbers_;
   IdMap numbers_;

@@ -43,6 +43,8 @@ class AnyEngine {
   virtual PhaseLengths lengths() const = 0;
   /// Those of the domains; one, all of the box, without them.
   virtual std::vector<Block> blocks() const = 0;
+  /// Of the world as it is at `moment`. Precondition: not is_outdated(). Cost: O(n).
+  virtual GasStatistics statistics(const Time& moment) const = 0;
   virtual WindowCounters windows() const = 0;
   /// Adds all contacts to `sums`, and passes them to the observer, if there is one.
   virtual RunStatus run(const RunLimits& limits, ContactSums& sums, const Observe& observe) = 0;

@@ -41,6 +41,13 @@ class EngineModel final : public AnyEngine {
       return {Block(world().box())};
     }
   }
+  GasStatistics statistics(const Time& moment) const override {
+    if constexpr (requires { engine_.template sum_over_spheres<GasSums>(moment); }) {
+      if (fills_box(whole()))
+        return gas_statistics(engine_.template sum_over_spheres<GasSums>(moment), whole());
+    }
+    return gas_statistics(world(), moment);
+  }
   WindowCounters windows() const override {
     if constexpr (requires { engine_.window_counters(); }) {
       return engine_.window_counters();

@@ -78,12 +78,12 @@ void Tuner::review_if_due(const Time& now) {
   const Counters done = counters();
   if (done.enter + done.contacts() < next_review_) return;
   next_review_ = done.enter + done.contacts() + kEventsPerReview * engine_->size();
-  const World& world = engine_->world();
   const Time moment = later(now, engine_->now());
-  const GasStatistics statistics = gas_statistics(world, moment);
+  const GasStatistics statistics = engine_->statistics(moment);
   const bool is_by_class = kind_ == EngineKind::cells && are_sizes_spread(statistics);
   if (!are_alike(statistics, reviewed_)) {
     reviewed_ = statistics;
+    const World& world = engine_->world();
     if (choose_engine(world, statistics, options_, moment, kind_) != kind_) return rebuild(moment);
     if (is_by_class && !options_.cell_edge) {
       constexpr double kEnough = 1.25;
@@ -96,7 +96,7 @@ void Tuner::review_if_due(const Time& now) {
   const std::optional<double> better = watch_.update(statistics, duration(last_review_, moment));
   last_review_ = moment;
   if (!better) return;
-  const double edge = allowed_cell_edge(world, kind_, *better);
+  const double edge = allowed_cell_edge(engine_->world(), kind_, *better);
   if (!engine_->supports(edge)) return rebuild(moment);
   put_in_order(engine_->world_to_edit(), kind_, moment);
   engine_->rebuild(moment, edge);

@@ -37,32 +37,57 @@ double GasStatistics::packing_fraction() const {
   return number_density() * 4 * std::numbers::pi / 3 * radius_power[3];
 }
 
-GasStatistics gas_statistics(const World& world, const Time& moment) {
+void GasSums::note(const World& world, Slot slot, const Time& moment) {
+  ++spheres;
+  const double radius = world.radius(slot);
+  double power = 1;
+  for (ExactSum& sum : radius_power) {
+    sum += power;
+    power *= radius;
+  }
+  speed += length(world.velocity(slot, moment));
+  largest_radius = std::max(largest_radius, radius);
+}
+
+void GasSums::add(const GasSums& other) {
+  spheres += other.spheres;
+  for (std::size_t k = 0; k < radius_power.size(); ++k) radius_power[k].add(other.radius_power[k]);
+  speed.add(other.speed);
+  largest_radius = std::max(largest_radius, other.largest_radius);
+}
+
+// Surfaces and gravity may keep spheres together in a part of the box.
+bool fills_box(const World& world) {
+  bool has_open_axes = false;
+  for (std::size_t axis = 0; axis < world.box().dimensions(); ++axis)
+    has_open_axes |= world.box().is_open(axis);
+  return !has_open_axes && world.surfaces().empty() && world.motion().is_straight();
+}
+
+GasStatistics gas_statistics(const GasSums& sums, const World& world) {
   GasStatistics statistics;
-  statistics.spheres = world.size();
+  statistics.spheres = sums.spheres;
   statistics.box = world.box();
-  if (world.size() == 0) return statistics;
-  statistics.radius_power = {};
-  // In order of ids, so that the sums do not depend on how spheres are stored.
-  world.for_each_by_id([&](Slot slot) {
-    double power = 1;
-    for (double& sum : statistics.radius_power) {
-      sum += power;
-      power *= world.radius(slot);
-    }
-    statistics.mean_speed += length(world.velocity(slot, moment));
-  });
-  const double per_sphere = 1 / static_cast<double>(world.size());
-  for (double& sum : statistics.radius_power) sum *= per_sphere;
-  statistics.mean_speed *= per_sphere;
-  statistics.largest_radius = world.largest_radius();
-  // Surfaces and gravity may keep spheres together in a part of the box.
+  if (sums.spheres == 0) return statistics;
+  const double per_sphere = 1 / static_cast<double>(sums.spheres);
+  for (std::size_t k = 0; k < sums.radius_power.size(); ++k)
+    statistics.radius_power[k] = sums.radius_power[k].value() * per_sphere;
+  statistics.mean_speed = sums.speed.value() * per_sphere;
+  statistics.largest_radius = sums.largest_radius;
+  for (std::size_t axis = 0; axis < statistics.box.dimensions(); ++axis)
+    statistics.extent[axis] = world.box().size()[axis];
+  return statistics;
+}
+
+GasStatistics gas_statistics(const World& world, const Time& moment) {
+  GasSums sums;
+  for (Slot slot = 0; slot < world.size(); ++slot) sums.note(world, slot, moment);
+  GasStatistics statistics = gas_statistics(sums, world);
+  if (fills_box(world) || world.size() == 0) return statistics;
   const bool is_confined = !world.surfaces().empty() || !world.motion().is_straight();
   for (std::size_t axis = 0; axis < statistics.box.dimensions(); ++axis) {
-    statistics.extent[axis] = world.box().size()[axis];
-    if (world.box().is_open(axis) || is_confined) {
+    if (world.box().is_open(axis) || is_confined)
       statistics.extent[axis] = std::min(statistics.extent[axis], stretch(world, axis, moment));
-    }
   }
   return statistics;
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "hardball/errors/export.hpp"
+#include "hardball/numbers/exact_sum.hpp"
 #include "hardball/world/world.hpp"
 
 namespace hardball {
@@ -33,8 +34,27 @@ struct HARDBALL_EXPORT GasStatistics {
   double packing_fraction() const;                                                   ///< [1]
 };
 
+/// Sums over spheres, of which these averages are made: the same to the bit in whichever order spheres are
+/// noted, and however they are divided among several such sums.
+struct HARDBALL_EXPORT GasSums {
+  std::size_t spheres = 0;
+  std::array<ExactSum, 6> radius_power;  ///< [L^k]
+  ExactSum speed;                        ///< [L/T]
+  double largest_radius = 0;             ///< [L]
+
+  /// Adds a sphere as it is at `moment`.
+  void note(const World& world, Slot slot, const Time& moment);
+  void add(const GasSums& other);
+};
+
 /// Cost: O(n).
 HARDBALL_EXPORT GasStatistics gas_statistics(const World& world, const Time& moment);
+
+/// Whether the sums tell all, and it does not matter where the spheres of a world are.
+HARDBALL_EXPORT bool fills_box(const World& world);
+/// The same of sums over the spheres of a world, which itself tells only of the box. Precondition:
+/// fills_box(world).
+HARDBALL_EXPORT GasStatistics gas_statistics(const GasSums& sums, const World& world);
 
 /// Whether choices for one world hold for the other: as many spheres, moving, of about the same size in about
 /// the same space.

@@ -58,8 +58,8 @@ void World::undo() {
   const Journal::Change change = journal_.back();
   switch (change.kind) {
     case Journal::Kind::path:
-      paths_[change.slot] = change.path;
-      if (!change.folded.is_zero()) folded_[change.slot] = folded_[change.slot] - change.folded;
+      paths_[change.slot] = journal_.path();
+      folded_[change.slot] = folded_[change.slot] - journal_.folded();
       break;
     case Journal::Kind::state:
       set_state(change.slot, journal_.state());

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "hardball/errors/error.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/path.hpp"
 #include "hardball/geometry/time.hpp"
 #include "hardball/memory/huge_pages.hpp"
+#include "hardball/memory/prefetch.hpp"
 #include "hardball/world/sphere.hpp"
 
 namespace hardball {
@@ -29,7 +32,7 @@ struct SphereState {
 
 /// The changes of a world in their order, with what is needed to undo them.
 ///
-/// Most are new paths, two for each contact: what only others need is kept apart.
+/// Most are new paths, two for each contact: they are kept apart from the rest, each in a cache line.
 class Journal {
  public:
   /// What has changed.
@@ -41,9 +44,7 @@ class Journal {
     passage,  ///< Two spheres began to pass through each other.
   };
   struct Change {
-    Path path;      ///< Before, if that has changed.
     Time time;      ///< Of the change [T].
-    Image folded;   ///< By how many boxes the center was folded back with it.
     Slot slot = 0;  ///< Where the sphere is stored, or was.
     Kind kind = Kind::path;
   };
@@ -51,57 +52,92 @@ class Journal {
   bool empty() const { return changes_.empty(); }
   /// The last change. Precondition: there is one.
   const Change& back() const { return changes_.back(); }
+  /// The path before the last change. Precondition: it is a path.
+  const Path& path() const { return paths_.back(); }
+  /// By how many boxes the center was folded back with the last change. Precondition: it is a path.
+  Image folded() const { return has_folded() ? folds_.back().image : Image(); }
   /// The sphere before the last change, or after a birth. Precondition: it is a state, a birth
   /// or a death.
   const SphereState& state() const { return states_.back(); }
   /// The last passage before the last change. Precondition: it is a passage.
   const Event& passage() const { return passages_.back(); }
   /// The path that a sphere had before the last change of its path. Precondition: there is one.
-  const Path& path_before(Slot slot) const { return changes_[last_path(slot)].path; }
+  const Path& path_before(Slot slot) const { return paths_[last_path(slot)]; }
 
   void note_path(const Time& moment, Slot slot, const Path& before) {
-    changes_.push_back({before, moment, {}, slot, Kind::path});
+    append_ahead(changes_, Change{moment, slot, Kind::path});
+    append_ahead(paths_, before);
   }
-  /// The center was folded back with the last change of the path.
+  /// The center was folded back with the last change of the path, one after another if several paths have
+  /// changed at once.
   void note_folded(Slot slot, const Image& folded) {
-    Image& all = changes_[last_path(slot)].folded;
-    all = all + folded;
+    const std::size_t path = last_path(slot);
+    HARDBALL_CHECK(folds_.empty() || folds_.back().path < path);
+    folds_.push_back({path, folded});
   }
   void note(Kind kind, const Time& moment, Slot slot, const SphereState& before) {
-    changes_.push_back({{}, moment, {}, slot, kind});
+    changes_.push_back({moment, slot, kind});
     states_.push_back(before);
   }
   void note_passage(const Time& moment, const Event& before) {
-    changes_.push_back({{}, moment, {}, 0, Kind::passage});
+    changes_.push_back({moment, 0, Kind::passage});
     passages_.push_back(before);
   }
   /// Forgets the last change.
   void pop() {
-    const Kind kind = back().kind;
-    if (kind == Kind::passage) passages_.pop_back();
-    if (kind == Kind::state || kind == Kind::birth || kind == Kind::death) states_.pop_back();
+    switch (back().kind) {
+      case Kind::path:
+        if (has_folded()) folds_.pop_back();
+        paths_.pop_back();
+        break;
+      case Kind::passage:
+        passages_.pop_back();
+        break;
+      case Kind::state:
+      case Kind::birth:
+      case Kind::death:
+        states_.pop_back();
+    }
     changes_.pop_back();
   }
   void clear() {
     changes_.clear();
+    paths_.clear();
+    folds_.clear();
     states_.clear();
     passages_.clear();
   }
 
   std::size_t memory_bytes() const {
-    return changes_.capacity() * sizeof(Change) + states_.capacity() * sizeof(SphereState) +
+    return changes_.capacity() * sizeof(Change) + paths_.capacity() * sizeof(Path) +
+           folds_.capacity() * sizeof(Fold) + states_.capacity() * sizeof(SphereState) +
            passages_.capacity() * sizeof(Event);
   }
 
  private:
+  // Most changes of a path fold nothing back.
+  struct Fold {
+    std::size_t path = 0;  // its number in the list
+    Image image;
+  };
+
+  // Whether the last path, which is the last change, has been folded back.
+  bool has_folded() const { return !folds_.empty() && folds_.back().path + 1 == paths_.size(); }
+
   // It is among the last few.
   std::size_t last_path(Slot slot) const {
-    std::size_t last = changes_.size() - 1;
-    while (changes_[last].kind != Kind::path || changes_[last].slot != slot) --last;
-    return last;
+    std::size_t path = paths_.size();
+    for (std::size_t change = changes_.size();;) {
+      --change;
+      if (changes_[change].kind != Kind::path) continue;
+      --path;
+      if (changes_[change].slot == slot) return path;
+    }
   }
 
   LargeVector<Change> changes_;
+  LargeVector<Path> paths_;
+  std::vector<Fold> folds_;
   std::vector<SphereState> states_;
   std::vector<Event> passages_;
 };

@@ -29,7 +29,12 @@ class ComparisonTest : public testing::Test {
   // What a contact with a partner did to a ghost.
   static PathRecord record(SphereId ghost, SphereId partner, double time) {
     const Path path{.position = {11, 2, 2}, .velocity = {1, 0, 0}, .time = Time(time)};
-    return {.path = path, .spin = {}, .time = Time(time), .sphere = ghost, .partner = partner};
+    return {.path = path,
+            .spin = {},
+            .time = Time(time),
+            .sphere = ghost,
+            .partner = partner,
+            .is_partner_own = partner == 0};
   }
   GhostRecord noted(const PathRecord& record) const {
     const Slot slot = world_.slot_of(record.sphere);

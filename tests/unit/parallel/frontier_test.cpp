@@ -33,34 +33,36 @@ class FrontierTest : public testing::Test {
 TEST_F(FrontierTest, KnowsSinceWhenASphereMayHaveMetOneNotHeld) {
   first_.begin(0);
   EXPECT_EQ(first_.far_since(), kInfinity);
-  first_.note(kLeg, 1, outboxes_);
+  first_.note(kLeg, first_.distances(kLeg.end_position), 1, outboxes_);
   EXPECT_NEAR(first_.far_since(), 1.5, kRounding);
   EXPECT_LT(first_.far_since(), 1.5);
   EXPECT_EQ(first_.excursion(), 2);
   first_.begin(1.75);
-  first_.note(kLeg, 1, outboxes_);
+  first_.note(kLeg, first_.distances(kLeg.end_position), 1, outboxes_);
   EXPECT_EQ(first_.far_since(), 1.75) << "from the start of the window on";
 }
 
 TEST_F(FrontierTest, TellsOfNewcomersThoseWhoDoNotHoldThem) {
   first_.begin(0);
   second_.begin(0);
-  first_.note(kLeg, 1, outboxes_);
+  first_.note(kLeg, first_.distances(kLeg.end_position), 1, outboxes_);
   EXPECT_TRUE(outboxes_[0].flights.empty());
-  first_.note(kLeg, 0, outboxes_);
+  first_.note(kLeg, first_.distances(kLeg.end_position), 0, outboxes_);
   ASSERT_EQ(outboxes_[0].flights.size(), 1U);
   const Flight& flight = outboxes_[0].flights.front();
   EXPECT_NEAR(second_.time_within_guard(flight), 0.5, kRounding);
   EXPECT_LT(second_.time_within_guard(flight), 0.5);
   // An own sphere that has been half a unit outside may have met it earlier.
   std::vector<Outbox> others(1);
-  second_.note({.begin = 0, .end = 2, .end_position = {4.5, 2, 2}, .end_velocity = {}}, 1, others);
+  const Leg out{.begin = 0, .end = 2, .end_position = {4.5, 2, 2}, .end_velocity = {}};
+  second_.note(out, second_.distances(out.end_position), 1, others);
   EXPECT_NEAR(second_.time_within_guard(flight), 0.25, kRounding);
 }
 
 TEST_F(FrontierTest, DoesNotTellOfSpheresThatStayAway) {
   first_.begin(0);
-  first_.note({.begin = 0, .end = 2, .end_position = {2.5, 2, 2}, .end_velocity = {1, 0, 0}}, 0, outboxes_);
+  const Leg leg{.begin = 0, .end = 2, .end_position = {2.5, 2, 2}, .end_velocity = {1, 0, 0}};
+  first_.note(leg, first_.distances(leg.end_position), 0, outboxes_);
   EXPECT_TRUE(outboxes_[0].flights.empty());
 }
 
