@@ -61,6 +61,7 @@ class Cluster {
         committed_(other.committed_),
         is_complete_(other.is_complete_),
         window_(other.window_),
+        steps_in_a_row_(other.steps_in_a_row_),
         horizon_(other.horizon_),
         done_(other.done_),
         counted_(other.counted_),
@@ -139,6 +140,7 @@ class Cluster {
   void commit_window() {
     const double length = open_.end.high - committed_;
     commit();
+    steps_in_a_row_ = open_.is_step ? steps_in_a_row_ + 1 : 0;
     if (!open_.is_step) adapt(length, open_contacts());
   }
   /// Ends the open window with the first of its contacts, so many. Precondition: it has as many, and its log
@@ -228,11 +230,14 @@ class Cluster {
   }
 
   // Of a domain in a window. If it has many more than are aimed at, the window is much too long: the spheres
-  // have become fast, perhaps only because ghosts are wrong.
+  // have become fast, perhaps only because ghosts are wrong. Where single steps follow one another, as in a
+  // collapse, the window between two of them is tried for ever fewer contacts.
   std::uint64_t most_contacts() const {
     constexpr double kWindows = 16;
     constexpr double kAlways = 256;
-    return static_cast<std::uint64_t>(kAlways + kWindows * settings_.contacts);
+    constexpr std::uint64_t kFewest = 4;
+    const auto usual = static_cast<std::uint64_t>(kAlways + kWindows * settings_.contacts);
+    return std::max(usual >> std::min<std::uint64_t>(steps_in_a_row_, 63), kFewest);
   }
 
   void watch_if_due() {
@@ -397,6 +402,7 @@ class Cluster {
   double committed_;
   bool is_complete_ = false;
   double window_;
+  std::uint64_t steps_in_a_row_ = 0;
   double wanted_ = 0;  // the length of the open window, unless it fails or something ends it
   double horizon_ = -std::numeric_limits<double>::infinity();
   bool are_logs_kept_ = false;
