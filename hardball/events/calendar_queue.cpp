@@ -144,6 +144,7 @@ void CalendarQueue::drop_duplicates() {
 void CalendarQueue::distribute() {
   taken_in_turn_ = 0;
   current_ = 0;
+  ring_end_ = ring_size();
   if (overflow_.empty()) return;
   const auto by_time = [](const Entry& a, const Entry& b) { return a.time < b.time; };
   const std::size_t half = overflow_.size() / 2;

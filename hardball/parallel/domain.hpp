@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hardball/broadphase/broad_phase.hpp"
+#include "hardball/engine/put.hpp"
 #include "hardball/engine/run.hpp"
 #include "hardball/execution/aftermath.hpp"
 #include "hardball/execution/execute.hpp"
@@ -171,60 +172,10 @@ class Domain {
 
   /// Takes the window, up to `moment`, as what has happened. Decides who owns and holds its spheres from then
   /// on, and tells the neighbors.
-  void commit(const Time& moment) {
-    engine_.end_journal();
-    begin_ = later(moment, engine_.now());
-    if (is_summed_ && counted_.contacts() > 0) sums_.add(window_sums_);
-    keep_own_counts();
-    if (changed_.size() > world().size()) have_all_changed_ = true;
-    if (have_all_changed_) changed_.clear();
-    for (Outbox& outbox : outboxes_) outbox.clear();
-    for (const Frontier::Alarm& alarm : due_) {
-      if (alarm.time > moment.high) {
-        frontier_.put_back(alarm);
-      } else if (concerns_own(alarm)) {
-        touched_.push_back(alarm.slot);
-      }
-    }
-    due_.clear();
-    std::ranges::sort(touched_);
-    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-    for (const Slot slot : touched_) review(slot);
-  }
+  void commit(const Time& moment);
 
   /// Makes the ghosts what their owners say, and lets spheres come and go. Precondition: all have committed.
-  void receive(std::span<const Outbox* const> inboxes) {
-    for (const Outbox* inbox : inboxes) {
-      for (const SphereId sphere : inbox->departures) remove(sphere, begin_);
-    }
-    correct();
-    arriving_.clear();
-    for (const Outbox* inbox : inboxes) {
-      for (const Arrival& arrival : inbox->arrivals) {
-        if (residents_.find_ghost(arrival.sphere.id) == IdMap::kNone) arriving_.push_back(arrival.sphere);
-      }
-    }
-    engine_.put(arriving_, begin_);
-    std::size_t next = 0;
-    for (const Outbox* inbox : inboxes) {
-      for (const Arrival& arrival : inbox->arrivals) {
-        if (next == arriving_.size() || arriving_[next].id != arrival.sphere.id) continue;
-        residents_.add_ghost(arrival.sphere.id, neighbor_number(arrival.owner));
-        ++next;
-      }
-    }
-    for (const Outbox* inbox : inboxes) {
-      for (const NewOwner& change : inbox->new_owners) {
-        const std::uint32_t ghost = residents_.find_ghost(change.sphere);
-        HARDBALL_CHECK(ghost != IdMap::kNone);
-        residents_.set_owner(ghost, neighbor_number(change.owner));
-      }
-    }
-    for (const Outbox* inbox : inboxes) {
-      for (const Handover& handover : inbox->handovers) take_over(handover);
-    }
-    HARDBALL_CHECK(residents_.size() == world().size());
-  }
+  void receive(std::span<const Outbox* const> inboxes);
 
   /// Rebuilds the engine where spheres do not fit it. Precondition: no window is under way.
   void make_ready(const PhaseSettings& settings) {
@@ -327,7 +278,6 @@ class Domain {
     failed_at_ = std::numeric_limits<double>::infinity();
     log_.clear();
     ghost_records_.clear();
-    touched_.clear();
   }
 
   HARDBALL_ALWAYS_INLINE void note(const Contact& contact) {
@@ -392,12 +342,7 @@ class Domain {
     const NeighborSet holders = residents_.holders(slot);
     const Frontier::Distances place = frontier_.distances(leg.end_position);
     frontier_.note(leg, place, holders, outboxes_);
-    const double distance = frontier_.distance_to_change(place, holders);
-    if (distance > 0) {
-      frontier_.set_alarm({0, id, slot, world().path(slot).time}, distance, after, leg.end);
-    } else {
-      touched_.push_back(slot);
-    }
+    frontier_.set_alarm({0, id, slot, world().path(slot).time}, place, holders, after, leg.end);
     if (holders == 0) return;
     PathRecord record = record_of(slot, id, contact);
     const bool turns = contact.outcome == ContactOutcome::bounce;
@@ -442,8 +387,7 @@ class Domain {
     State state = world().motion().state_at(world().path(slot), now);
     world().box().fold(state.position);
     const Frontier::Distances place = frontier_.distances(state.position);
-    frontier_.set_alarm(alarm_of(slot), frontier_.distance_to_change(place, residents_.holders(slot)),
-                        state.velocity, now.high);
+    frontier_.set_alarm(alarm_of(slot), place, residents_.holders(slot), state.velocity, now.high);
   }
 
   // The legs of spheres without a contact since their alarm was set.
@@ -470,77 +414,11 @@ class Domain {
   }
 
   // Decides who owns and holds an own sphere.
-  void review(Slot slot) {
-    if (!residents_.is_own(slot)) return;
-    State state = world().motion().state_at(world().path(slot), begin_);
-    world().box().fold(state.position);
-    const Frontier::Distances place = frontier_.distances(state.position);
-    const SphereId id = world().id(slot);
-    const NeighborSet before = residents_.holders(slot);
-    NeighborSet holders = frontier_.holders_at(place, before);
-    const bool is_outside = place.own > 0;
-    std::uint32_t owner = 0;
-    if (is_outside) {
-      owner = frontier_.nearest_neighbor(place);
-      holders |= NeighborSet{1} << owner;
-    }
-    for (std::uint32_t neighbor = 0; neighbor < outboxes_.size(); ++neighbor) {
-      const NeighborSet bit = NeighborSet{1} << neighbor;
-      if ((before & bit) != 0 && (holders & bit) == 0) outboxes_[neighbor].departures.push_back(id);
-      if ((before & bit) == 0 && (holders & bit) != 0) {
-        outboxes_[neighbor].arrivals.push_back(
-            {world().state_of(slot), is_outside && neighbor != owner ? neighbors()[owner] : number_});
-      }
-    }
-    if (!is_outside) {
-      residents_.set_holders(slot, holders);
-      return frontier_.set_alarm(alarm_of(slot), frontier_.distance_to_change(place, holders), state.velocity,
-                                 begin_.high);
-    }
-    hand_over(slot, id, holders, owner);
-  }
-
-  void hand_over(Slot slot, SphereId id, NeighborSet holders, std::uint32_t owner) {
-    Handover handover{world().state_of(slot), {number_}, engine_.aftermath().collapse.idle_contacts(id)};
-    for (std::uint32_t neighbor = 0; neighbor < outboxes_.size(); ++neighbor) {
-      if ((holders >> neighbor & 1) == 0 || neighbor == owner) continue;
-      handover.holders.push_back(neighbors()[neighbor]);
-      outboxes_[neighbor].new_owners.push_back({id, neighbors()[owner]});
-    }
-    outboxes_[owner].handovers.push_back(std::move(handover));
-    residents_.make_ghost(slot, id, owner);
-  }
-
-  void take_over(const Handover& handover) {
-    const std::uint32_t ghost = residents_.find_ghost(handover.sphere.id);
-    HARDBALL_CHECK(ghost != IdMap::kNone);
-    const Slot slot = residents_.ghost(ghost).slot;
-    HARDBALL_CHECK(world().id(slot) == handover.sphere.id && world().path(slot) == handover.sphere.path);
-    SphereEdit(engine_.world_to_edit(), begin_, slot).store(slot, handover.sphere);
-    NeighborSet holders = 0;
-    for (const DomainNumber holder : handover.holders) holders |= NeighborSet{1} << neighbor_number(holder);
-    residents_.make_own(slot, holders);
-    if (handover.idle_contacts > 0) {
-      Aftermath aftermath = engine_.aftermath();
-      aftermath.collapse.set_idle_contacts(handover.sphere.id, handover.idle_contacts);
-      engine_.take_over(aftermath);
-    }
-    changed_.push_back(handover.sphere.id);
-    set_alarm(slot);
-  }
-
+  void review(Slot slot);
+  void hand_over(Slot slot, SphereId id, NeighborSet holders, std::uint32_t owner);
+  void take_over(const Handover& handover);
   // Puts ghosts that are not what their owners say on the right paths.
-  void correct() {
-    corrected_.clear();
-    for (const Correction& correction : comparison_.corrections()) {
-      const Residents::Ghost& ghost = residents_.ghost(correction.ghost);
-      if (residents_.find_ghost(ghost.sphere) != correction.ghost) continue;  // gone
-      const Slot slot = ghost.slot;
-      if (world().path(slot) == correction.path && world().spin(slot) == correction.spin) continue;
-      corrected_.push_back({slot, correction.path, correction.spin});
-    }
-    engine_.put_on_paths(corrected_, begin_);
-  }
+  void correct();
 
   DomainNumber number_;
   Frontier frontier_;
@@ -568,3 +446,5 @@ class Domain {
 };
 
 }  // namespace hardball
+
+#include "hardball/parallel/domain_changes.hpp"

@@ -86,17 +86,6 @@ class Frontier {
     return static_cast<std::uint32_t>(std::min_element(first, first + neighbors_.size()) - first);
   }
 
-  /// How far a sphere can fly from a point before its owner or its holders change [L]; not positive if they
-  /// do at once.
-  double distance_to_change(const Distances& point, NeighborSet holders) const {
-    double farthest_held = -std::numeric_limits<double>::infinity();
-    for (std::size_t neighbor = 0; neighbor < neighbors_.size(); ++neighbor) {
-      if ((holders >> neighbor & 1) != 0) farthest_held = std::max(farthest_held, point.neighbors[neighbor]);
-    }
-    return std::min(
-        {-point.own, halo_.outer() - farthest_held, nearest_not_held(point, holders) - halo_.depth});
-  }
-
   /// Begins to watch anew up to a horizon: an alarm must be set for every own sphere.
   void restart(double now, double horizon) { alarms_.restart(now, horizon); }
   /// Begins a window.
@@ -115,12 +104,16 @@ class Frontier {
            depth > way(speed_after, alarms_.horizon() - now);
   }
 
-  /// Sets the alarm of a sphere that can fly so far before it must be looked at, with its velocity now;
-  /// `time` of the alarm need not be set.
-  void set_alarm(Alarm alarm, double distance, const Vec3& velocity, double now) {
-    const double speed = largest_component(velocity);
-    const double wait = time_to_pass(std::max(distance, 0.0), speed, fall_) * (1 - 0x1p-30);
-    alarm.time = now + wait;
+  /// Sets the alarm of a sphere that these neighbors hold, for when its owner or its holders may change: at
+  /// once if they do where it is now. `time` of the alarm need not be set.
+  void set_alarm(Alarm alarm, const Distances& place, NeighborSet holders, const Vec3& velocity, double now) {
+    const double nearest = nearest_not_held(place, holders);
+    const double farthest = farthest_held(place, holders);
+    const bool is_due = place.own > 0 || nearest <= halo_.depth || farthest > halo_.outer();
+    const double distance = std::min({-place.own, halo_.outer() - farthest, nearest - halo_.depth});
+    // A sphere at rest does not pass even no distance.
+    const double wait = is_due ? 0 : time_to_pass(distance, largest_component(velocity), fall_);
+    alarm.time = now + wait * (1 - 0x1p-30);
     if (alarm.time <= alarms_.horizon()) alarms_.set(alarm);
   }
   /// Takes the alarms up to a time.
@@ -167,6 +160,13 @@ class Frontier {
  private:
   double way(double speed, double wait) const { return wait * (speed + 0.5 * wait * fall_); }
 
+  double farthest_held(const Distances& point, NeighborSet holders) const {
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (std::size_t neighbor = 0; neighbor < neighbors_.size(); ++neighbor) {
+      if ((holders >> neighbor & 1) != 0) farthest = std::max(farthest, point.neighbors[neighbor]);
+    }
+    return farthest;
+  }
   double nearest_not_held(const Distances& point, NeighborSet holders) const {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t neighbor = 0; neighbor < neighbors_.size(); ++neighbor) {

@@ -298,6 +298,31 @@ TYPED_TEST(EveryQueue, ForgetsAnEntryThatIsReplacedByNever) {
   EXPECT_EQ(pair.least(), kNoOwner);
 }
 
+// Nothing is left to happen again and again, at first in the middle of a turn of the ring.
+TYPED_TEST(EveryQueue, IsFilledAgainAfterItHasBecomeEmpty) {
+  Random random(8);
+  for (std::uint64_t round = 0; round < support::cases(3000); ++round) {
+    const auto owners = static_cast<std::size_t>(1 + random.bits() % 12);
+    Pair<TypeParam> pair(owners);
+    Time now(0);
+    for (int filling = 0; filling < 4; ++filling) {
+      const auto schedule = [&](Owner owner) {
+        pair.schedule(owner, random_event(random, now, Waits::even));
+      };
+      for (Owner owner = 0; owner < owners; ++owner) schedule(owner);
+      for (std::uint64_t step = random.bits() % 30; step > 0; --step) {
+        const Owner least = pair.list.least();
+        ASSERT_EQ(pair.least(), least) << "round " << round << ", filling " << filling;
+        now = pair.list.event(least).time;
+        pair.pop();
+        schedule(least);
+      }
+      for (Owner owner = 0; owner < owners; ++owner) pair.schedule(owner, Event{});
+      ASSERT_EQ(pair.least(), kNoOwner);
+    }
+  }
+}
+
 TYPED_TEST(EveryQueue, TakesEventsBeforeThoseItHasShown) {
   Pair<TypeParam> pair(3);
   pair.schedule(0, wall_at(Time(100), 0));
