@@ -246,7 +246,9 @@ class Cluster {
     // spheres that need one are few.
     constexpr double kFewestWindows = 64;
     constexpr double kMostWindows = 1024;
-    horizon_ = committed_ + std::clamp(settings_.flight, kFewestWindows * window_, kMostWindows * window_);
+    // As long as windows will be: a horizon nearer than one of them would keep them from growing.
+    const double window = std::max(window_, least_window());
+    horizon_ = committed_ + std::clamp(settings_.flight, kFewestWindows * window, kMostWindows * window);
     each([&](Member& domain, std::size_t) { domain.watch(horizon_); });
   }
 
