@@ -14,7 +14,7 @@ namespace {
 using support::History;
 using support::RandomWorld;
 
-constexpr std::uint64_t kWorlds = 2000;
+constexpr std::uint64_t kWorlds = 4000;
 constexpr std::uint64_t kParts = 8;
 
 // The history by one engine, whose structures are checked; nothing if the cells are refused as too small.

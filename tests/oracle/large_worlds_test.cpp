@@ -20,7 +20,7 @@ namespace {
 
 using support::History;
 
-constexpr std::uint64_t kWorlds = 16;
+constexpr std::uint64_t kWorlds = 24;
 constexpr std::uint64_t kParts = 4;
 
 struct LargeWorld {

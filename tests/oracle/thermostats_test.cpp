@@ -18,7 +18,7 @@ namespace {
 using support::History;
 using support::RandomWorld;
 
-constexpr std::uint64_t kWorlds = 200;
+constexpr std::uint64_t kWorlds = 300;
 constexpr std::uint64_t kParts = 4;
 
 // One of the three kinds, which acts a few times to a few hundred times in the run.

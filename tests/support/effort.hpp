@@ -16,16 +16,9 @@ inline constexpr bool kIsSlowBuild = true;
 inline constexpr bool kIsSlowBuild = false;
 #endif
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr std::uint64_t kShareOfCases = 30;
-#else
-inline constexpr std::uint64_t kShareOfCases = kIsSlowBuild ? 10 : 1;
-#endif
-
-/// The number of cases to try: all in an optimized build, a tenth in one slowed down by checks, a thirtieth
-/// with sanitizers.
+/// The number of cases to try: all in an optimized build, a tenth in one slowed down by checks.
 constexpr std::uint64_t cases(std::uint64_t all) {
-  return kShareOfCases > 1 ? all / kShareOfCases + 1 : all;
+  return kIsSlowBuild ? all / 10 + 1 : all;
 }
 
 }  // namespace hardball::support
