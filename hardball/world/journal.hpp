@@ -4,9 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
-#include "hardball/errors/error.hpp"
 #include "hardball/events/event.hpp"
 #include "hardball/geometry/path.hpp"
 #include "hardball/geometry/time.hpp"
@@ -68,12 +68,17 @@ class Journal {
     append_ahead(changes_, Change{moment, slot, Kind::path});
     append_ahead(paths_, before);
   }
-  /// The center was folded back with the last change of the path, one after another if several paths have
-  /// changed at once.
+  /// The center was folded back with the last change of the path.
   void note_folded(Slot slot, const Image& folded) {
     const std::size_t path = last_path(slot);
-    HARDBALL_CHECK(folds_.empty() || folds_.back().path < path);
-    folds_.push_back({path, folded});
+    auto place = folds_.end();
+    while (place != folds_.begin() && std::prev(place)->path > path) --place;
+    if (place != folds_.begin() && std::prev(place)->path == path) {
+      Image& all = std::prev(place)->image;
+      all = all + folded;
+    } else {
+      folds_.insert(place, {path, folded});
+    }
   }
   void note(Kind kind, const Time& moment, Slot slot, const SphereState& before) {
     changes_.push_back({moment, slot, kind});
