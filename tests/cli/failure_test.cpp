@@ -137,7 +137,7 @@ TEST_P(Interruption, EndsARunInWhichNothingEverMeets) {
              "[box]\nsize = [10.0, 10.0, 10.0]\nboundary = [\"periodic\", \"periodic\", \"periodic\"]\n"
              "[[spheres]]\ncount = 1\nradius = 0.5\nplacement = \"random\"\nmean_speed = 1.0\n"
              "[run]\nuntil = 1e12\n[output]\ndirectory = \"out\"\n");
-  const Program program(folder_, {"run", "lone.toml", "--engine", "cells"});
+  const Program program(folder_, {"run", "lone.toml", "--engine", "cells", "--unit-costs", "standard"});
   const std::filesystem::path checkpoint = folder_ / "out/checkpoint.hbc";
   for (int i = 0; i < 2000 && !std::filesystem::exists(checkpoint); ++i) std::this_thread::sleep_for(10ms);
   kill(program.process(), GetParam());
