@@ -42,7 +42,7 @@ class LargeSphereGrid {
   PhaseLengths lengths() const { return grid_.lengths(); }
 
   void build(const World& world, const Time& now, CompactPaths& copies);
-  // Lists of large spheres rely on how small ones have moved.
+  // Never: the lists of large spheres rely on how small ones have moved.
   bool keeps(const World&, Slot, const Time&, const CompactPaths&) const { return false; }
   bool admits(const World& world, Slot slot) const;
   void insert(const World& world, Slot slot, const Time& now, const CompactPaths& copies);

@@ -76,6 +76,7 @@ class Frontier {
     }
     return holders;
   }
+  /// The same for a sphere that nobody holds yet.
   NeighborSet holders_at(const Vec3& point) const {
     return block_.distance(point) < -halo_.outer() ? 0 : holders_at(distances(point), 0);
   }

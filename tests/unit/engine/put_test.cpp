@@ -81,7 +81,7 @@ TEST(PutOnPaths, GivesTheContactsOfANewEngine) {
   }
 }
 
-// How much work it is tells whether regions were kept.
+// A center keeps its region as long as it is in the ball around the anchor.
 TEST(PutOnPaths, KeepsTheRegionsOfSpheresThatHaveHardlyMoved) {
   const World gas = support::make_gas({.count = 200, .packing_fraction = 0.3, .seed = 3});
   NeighborList phase(0.3);
