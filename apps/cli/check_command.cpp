@@ -84,6 +84,7 @@ std::string describe(const Surface& surface) {
       [&](const auto& shape) {
         if constexpr (requires { shape.normal(); }) text += ", normal " + describe(shape.normal());
         if constexpr (requires { shape.axis(); }) text += ", axis " + describe(shape.axis());
+        if constexpr (requires { shape.slope(); }) text += ", slope " + readable(shape.slope());
         if constexpr (requires { shape.radius(); }) text += ", radius " + readable(shape.radius());
         if constexpr (requires { shape.amplitude(); }) {
           text += ", amplitude " + readable(shape.amplitude()) + ", frequency " + readable(shape.frequency());
@@ -92,6 +93,15 @@ std::string describe(const Surface& surface) {
       surface.shape());
   if (surface.velocity() != Vec3{}) text += ", moving with " + describe(surface.velocity());
   return text + describe(surface.material());
+}
+
+std::string describe(const GrowthRules& rules) {
+  std::string text = "rate " + readable(rules.rate);
+  if (std::isfinite(rules.until_packing_fraction))
+    text += ", to the packing fraction " + readable(rules.until_packing_fraction);
+  if (std::isfinite(rules.until_compressibility))
+    text += ", to PV/NkT = " + readable(rules.until_compressibility);
+  return text;
 }
 
 std::string describe(const ThermostatKind& kind) {
@@ -110,10 +120,10 @@ std::string describe(const ThermostatKind& kind) {
 // The radius of all spheres, or the mean, the least and the largest.
 std::string describe_radii(const World& world) {
   double sum = 0;
-  double least = world.radius(0);
+  double least = world.base_radius(0);
   double most = least;
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    const double radius = world.radius(slot);
+    const double radius = world.base_radius(slot);
     sum += radius;
     least = std::min(least, radius);
     most = std::max(most, radius);
@@ -200,6 +210,7 @@ ExitCode check(const Options& options) {
   for (std::uint32_t k = 0; k < space.surfaces().size(); ++k) {
     add(wall_name(space, kFaces + k), describe(space.surfaces()[k]));
   }
+  if (const auto& growth = scenario.growth) add("growth", describe(*growth));
   if (simulation.thermostat()) add("thermostat", describe(simulation.thermostat()->kind()));
   for (const ResponseText& text_of : response_texts(scenario)) add(text_of.who, text_of.what);
   const Kinds kinds = kinds_of(scenario, outlook);

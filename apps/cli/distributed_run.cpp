@@ -41,6 +41,7 @@ double seconds_since(Clock::time_point begin) {
 Scenario shared(Scenario scenario) {
   constexpr const char* kRemedy = "leave it out, or run it in one process";
   if (scenario.thermostat) throw Error("processes cannot share a thermostat", scenario.name, kRemedy);
+  if (scenario.growth) throw Error("processes cannot share a growth", scenario.name, kRemedy);
   if (scenario.recording) throw Error("processes cannot share a recording", scenario.name, kRemedy);
   const std::vector<std::string> by_default = MeasureSettings().names;
   if (!scenario.measures.names.empty() && scenario.measures.names != by_default)
@@ -288,6 +289,7 @@ class DistributedRun {
                            .audit = simulation_.audit(),
                            .species_counts = species_counts,
                            .thermostat = {},
+                           .growth = {},
                            .engine = simulation_.engine(),
                            .cell_edge = simulation_.cell_edge(),
                            .memory_bytes = simulation_.memory_bytes()};

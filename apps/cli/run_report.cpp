@@ -85,8 +85,8 @@ std::vector<Quantity> rates(const Simulation& simulation, const GasStatistics& s
   const World& world = simulation.world();
   const SpeciesList species(world);
   const FluidTheory fluid(world, species);
-  const bool theory = is_uniform(world) && !simulation.thermostat() && has_theory(world, statistics) &&
-                      (fluid.holds() || has_one_mass(species));
+  const bool theory = is_uniform(world) && !simulation.thermostat() && !simulation.growth() &&
+                      has_theory(world, statistics) && (fluid.holds() || has_one_mass(species));
   const auto add = [&](const std::string& name, const std::string& unit, double value, double expected) {
     if (std::isfinite(value)) all.push_back({name, unit, value, kNoNumber, theory ? expected : kNoNumber});
   };
@@ -249,6 +249,14 @@ report::Report run_report(const Options& options, const Scenario& scenario,
     report.thermostat = {.kind = std::string(hardball::name_of(thermostat->kind())),
                          .events = thermostat->events(),
                          .energy = thermostat->energy()};
+  }
+
+  if (const auto& growth = simulation.growth()) {
+    report.growth = {.state = std::string(hardball::name_of(growth->state())),
+                     .epochs = growth->epochs(),
+                     .compressibility = growth->compressibility(),
+                     .work = simulation.tally().growth_work(),
+                     .energy = growth->energy()};
   }
 
   report.engine = name_of(simulation.engine());

@@ -48,6 +48,7 @@ FinalState final_state(const Scenario& scenario, const Simulation& simulation) {
           .audit = audit(world, simulation.now()),
           .species_counts = species_counts(scenario, world),
           .thermostat = simulation.thermostat(),
+          .growth = simulation.growth(),
           .engine = simulation.engine(),
           .cell_edge = simulation.cell_edge(),
           .memory_bytes = simulation.memory_bytes()};
@@ -77,6 +78,8 @@ Summary::Summary(const Scenario& scenario, const std::vector<std::string>& overr
       packing_fraction_(hardball::packing_fraction(state.world, state.totals.sphere_volume.value())),
       walls_(summarize_walls(state.world, state.sums.tally, state.now)),
       thermostat_(state.thermostat),
+      growth_(state.growth),
+      growth_work_(state.sums.tally.growth_work()),
       engine_(name_of(state.engine)),
       cell_edge_(state.cell_edge > 0 ? state.cell_edge : kNoNumber),
       seconds_(seconds),
@@ -87,7 +90,8 @@ Summary::Summary(const Scenario& scenario, const std::vector<std::string>& overr
   const Box& box = state.world.box();
   const Tally& tally = state.sums.tally;
   const bool is_bounded = !box.is_any(Boundary::open);
-  compressibility_ = box.is_all(Boundary::periodic) && state.world.surfaces().empty()
+  // Of spheres that grow, that of the last epoch.
+  compressibility_ = box.is_all(Boundary::periodic) && state.world.surfaces().empty() && !state.growth
                          ? tally.compressibility(state.now)
                          : kNoNumber;
   wall_pressure_ = is_bounded && box.is_any(Boundary::wall) ? tally.wall_pressure(box, state.now) : kNoNumber;
@@ -129,6 +133,13 @@ std::string Summary::json() const {
     json["thermostat"] = {{"kind", hardball::name_of(thermostat_->kind())},
                           {"events", thermostat_->events()},
                           {"energy", thermostat_->energy()}};
+  }
+  if (growth_) {
+    json["growth"] = {{"state", hardball::name_of(growth_->state())},
+                      {"epochs", growth_->epochs()},
+                      {"compressibility", number_or_null(growth_->compressibility())},
+                      {"work", growth_work_},
+                      {"energy", growth_->energy()}};
   }
   json["engine"] = engine_;
   json["cell_edge"] = number_or_null(cell_edge_);
@@ -182,6 +193,12 @@ std::string Summary::table() const {
     add("thermostat",
         fmt::format("{}, {} events, energy given {:.6g}", hardball::name_of(thermostat_->kind()),
                     thermostat_->events(), thermostat_->energy()));
+  }
+  if (growth_) {
+    add("growth", fmt::format("{}, {} epochs, the last with PV/NkT = {:.6g}", name_of(growth_->state()),
+                              growth_->epochs(), growth_->compressibility()));
+    add("  energy",
+        fmt::format("{:.6g} by growing, {:.6g} by halving velocities", growth_work_, growth_->energy()));
   }
   add("engine", engine_);
   add_if_meant("cell edge", cell_edge_);

@@ -36,6 +36,7 @@ struct FinalState {
   Audit audit;
   std::vector<std::size_t> species_counts;  ///< As many as the scenario names.
   std::optional<Thermostat> thermostat;
+  std::optional<GrowthSchedule> growth;
   EngineKind engine = EngineKind::automatic;
   double cell_edge = 0;  ///< [L]
   std::size_t memory_bytes = 0;
@@ -102,6 +103,8 @@ class Summary {
   double wall_pressure_;
   std::vector<WallSummary> walls_;
   std::optional<Thermostat> thermostat_;
+  std::optional<GrowthSchedule> growth_;
+  double growth_work_ = 0;
   std::string engine_;
   double cell_edge_;
   Seconds seconds_;

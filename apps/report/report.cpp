@@ -72,16 +72,24 @@ double energy_change(const Report& report) {
   return relative_to_energy(report, report.final_energy - report.initial_energy);
 }
 
-// By surfaces and the thermostat.
+// By surfaces, the thermostat and growth.
 double given_energy(const Report& report) {
-  return work_of_surfaces(report) + (report.thermostat ? report.thermostat->energy : 0);
+  const double by_growth = report.growth ? report.growth->work + report.growth->energy : 0;
+  return work_of_surfaces(report) + (report.thermostat ? report.thermostat->energy : 0) + by_growth;
 }
 
 // What gave this energy; empty if nothing did.
 std::string givers(const Report& report) {
-  const bool is_work = work_of_surfaces(report) != 0;
-  if (!report.thermostat) return is_work ? "surfaces" : "";
-  return is_work ? "surfaces and the thermostat" : "the thermostat";
+  std::vector<std::string> givers;
+  if (work_of_surfaces(report) != 0) givers.emplace_back("surfaces");
+  if (report.growth) givers.emplace_back("growth");
+  if (report.thermostat) givers.emplace_back("the thermostat");
+  std::string text;
+  for (std::size_t k = 0; k < givers.size(); ++k) {
+    if (k > 0) text += k + 1 == givers.size() ? " and " : ", ";
+    text += givers[k];
+  }
+  return text;
 }
 
 // What the energy given does not account for, relative to the largest of the energies.
@@ -164,7 +172,8 @@ std::string verdict(const Report& report, const Agreement& agreement) {
   }
   const double given = given_energy(report);
   const std::string by = givers(report);
-  const std::string gift = report.thermostat ? "what " + by + " gave" : "the work of the surfaces";
+  const bool is_work_alone = !report.thermostat && !report.growth;
+  const std::string gift = is_work_alone ? "the work of the surfaces" : "what " + by + " gave";
   if (!is_elastic(report)) {
     const double taken = report.initial_energy - report.final_energy + given;
     text += by.empty() ? fmt::format("; collisions took {}% of the energy",
@@ -232,7 +241,14 @@ std::string certificate(const Report& report) {
     conserved.add_row("given by the thermostat",
                       {in_unit(number_text(report.thermostat->energy, 10), "M L^2 T^-2")});
   }
-  if ((!report.surfaces.empty() || report.thermostat) && is_elastic(report)) {
+  if (report.growth) {
+    const GrowthReport& growth = *report.growth;
+    conserved.add_row("growth", {fmt::format("{}, {} epochs, the last with PV/NkT = {}", growth.state,
+                                             growth.epochs, number_text(growth.compressibility, 4))});
+    conserved.add_row("work of growth", {in_unit(number_text(growth.work, 10), "M L^2 T^-2")});
+    conserved.add_row("given by halving velocities", {in_unit(number_text(growth.energy, 10), "M L^2 T^-2")});
+  }
+  if ((!report.surfaces.empty() || report.thermostat || report.growth) && is_elastic(report)) {
     conserved.add_row("change beyond it", {typeset(number_text(energy_drift(report), 2))});
   }
   conserved.add_row("momentum at the end", {in_unit(vector_text(report.momentum, 2), "M L T^-1")});

@@ -46,6 +46,15 @@ struct ThermostatReport {
   double energy = 0;         ///< That it gave to the spheres [M L^2 T^-2].
 };
 
+/// How the spheres have grown.
+struct GrowthReport {
+  std::string state;                                                  ///< As in summaries: "reached".
+  std::uint64_t epochs = 0;                                           ///< How many have begun.
+  double compressibility = std::numeric_limits<double>::quiet_NaN();  ///< Of the last epoch [1].
+  double work = 0;    ///< The energy that contacts of growing spheres have given [M L^2 T^-2].
+  double energy = 0;  ///< That given by halving velocities, negative [M L^2 T^-2].
+};
+
 /// One of several species. A number that differs between its spheres is NaN.
 struct SpeciesReport {
   std::string name;                                          ///< As in the scenario; empty if it has none.
@@ -104,6 +113,7 @@ struct Report {
   bool is_flat = false;  ///< In two dimensions spheres have areas, and surfaces lengths.
   std::vector<SurfaceReport> surfaces;
   std::optional<ThermostatReport> thermostat;
+  std::optional<GrowthReport> growth;
   std::vector<Quantity> rates;  ///< With the predictions of kinetic theory.
   CostCurve choice;
   std::vector<Measurement> measurements;

@@ -100,7 +100,14 @@ void CompactPaths::choose_units(const World& world) {
   }
   scale_.has_gravity = fall > 0;
   longest_age_of_all_ = scale_.has_gravity ? 0 : longest_age_;
-  const double w = 2 * v;
+  growth_ = world.motion().growth();
+  per_scale_ = 1 / growth_.largest_scale();
+  scale_.has_growth = world.motion().has_growth();
+  const double growth = std::max(0.0, growth_.rate * per_scale_ * time_unit_);
+  scale_.growth = rounded_up(growth);
+  // The greatest rate at which a gap may change.
+  const double w = 2 * v + growth * l;
+  scale_.speed_error = rounded_up(0x1p-23 * w);
   scale_.tick = static_cast<float>(1 / kTicks);
   scale_.reach_allowance = rounded_up(0x1p-20 * l);
   scale_.square_allowance = rounded_up(0x1p-20 * l * l);
@@ -113,13 +120,13 @@ void CompactPaths::choose_units(const World& world) {
 
 void CompactPaths::copy_radii(const World& world) {
   radii_.clear();
-  if (!world.radii().is_common()) radii_.resize(paths_.size());
-  scale_.radii.fill(world.size() > 0 ? rounded_up(world.radius(0) / length_unit_) : 0);
+  if (!world.base_radii().is_common()) radii_.resize(paths_.size());
+  scale_.radii.fill(world.size() > 0 ? rounded_up(world.bounding_radius(0) / length_unit_) : 0);
   scale_.are_radii_alike = radii_.empty();
   scale_.common_reach = scale_.radii[0] + scale_.radii[0] + scale_.reach_allowance;
   kinds_ = 1;
   are_radii_few_ = true;
-  for (Slot slot = 0; slot < world.size(); ++slot) copy_radius(slot, world.radius(slot));
+  for (Slot slot = 0; slot < world.size(); ++slot) copy_radius(slot, world.bounding_radius(slot));
 }
 
 void CompactPaths::copy_radius(Slot slot, double radius) {
@@ -135,11 +142,11 @@ void CompactPaths::copy_radius(Slot slot, double radius) {
 
 void CompactPaths::insert(const World& world, Slot slot, const Time& now) {
   if (slot == paths_.size()) append_sparingly(paths_, CompactPath{});
-  if (scale_.are_radii_alike != world.radii().is_common() || world.size() == 1) {
+  if (scale_.are_radii_alike != world.base_radii().is_common() || world.size() == 1) {
     copy_radii(world);
   } else {
     if (!radii_.empty() && slot >= radii_.size()) radii_.resize(slot + 1);
-    copy_radius(slot, world.radius(slot));
+    copy_radius(slot, world.bounding_radius(slot));
   }
   copy(world, slot, now);
 }

@@ -78,6 +78,14 @@ class CompactPaths {
     return scale_.has_gravity ? longest_age_of_falling(slot) : longest_age_;
   }
 
+  /// What radii are at a moment, over the largest of the epoch, rounded up [1].
+  float size_at(double moment) const {
+    if (!scale_.has_growth) [[likely]]
+      return 1;
+    constexpr double kRoundedUp = 1 + 0x1p-22;
+    return static_cast<float>(growth_.scale_at(Time(moment)) * per_scale_ * kRoundedUp);
+  }
+
   /// The distance given to reset() [L].
   double farthest() const { return farthest_; }
 
@@ -89,7 +97,7 @@ class CompactPaths {
   /// The units of the compact paths [L], [T].
   double length_unit() const { return length_unit_; }
   double time_unit() const { return time_unit_; }
-  /// Radii by slot, in units, rounded up; null if all are `radius(0)`.
+  /// The largest radii of the epoch by slot, in units, rounded up; null if all are `radius(0)`.
   const float* radii() const { return radii_.empty() ? nullptr : radii_.data(); }
   /// The same for bounds; null if scale() has all.
   const float* radii_for_bounds() const { return are_radii_few_ ? nullptr : radii(); }
@@ -141,6 +149,8 @@ class CompactPaths {
   Vec3 farthest_position_;
   double greatest_speed_squared_ = 0;
   Time epoch_;
+  Growth growth_;
+  double per_scale_ = 1;  // of the growth, at its largest
   // Since units were chosen:
   std::uint64_t copies_ = 0;
   std::uint64_t unbounded_ = 0;  // copies that say nothing, of spheres too fast or too far away

@@ -39,7 +39,8 @@ AllPairs::Images AllPairs::images_within_reach(const World& world, Slot slot, Sl
     if (!world.box().is_periodic(axis)) continue;
     const double size = world.box().size()[axis];
     const double apart = lines_[other].region[axis] - lines_[slot].region[axis];
-    const double reach = 2 * kHalfInterval * size + world.radius(slot) + world.radius(other) + kMargin * size;
+    const double reach = 2 * kHalfInterval * size + world.bounding_radius(slot) +
+                         world.bounding_radius(other) + kMargin * size;
     images.low[axis] = static_cast<std::int32_t>(std::ceil((-reach - apart) / size));
     images.high[axis] = static_cast<std::int32_t>(std::floor((reach - apart) / size));
   }

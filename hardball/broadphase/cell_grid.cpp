@@ -56,7 +56,7 @@ void CellGrid::enter(const World& world, Slot slot, const Time& now) {
 }
 
 bool CellGrid::admits(const World& world, Slot slot) const {
-  const double radius = world.radius(slot);
+  const double radius = world.bounding_radius(slot);
   if (blocks_) return fits_into_cells(radius);
   if (radius <= largest_built_) return true;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -87,7 +87,8 @@ void CellGrid::refuse_tiny_cells(const World& world) const {
   for (Slot slot = 0; slot < world.size(); ++slot) {
     if (!holds(world, slot)) continue;
     double own = 1;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) own *= 2 * world.radius(slot) / cells_.edge(axis) + 1;
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+      own *= 2 * world.bounding_radius(slot) / cells_.edge(axis) + 1;
     cells += own;
   }
   if (cells <= kMaxCellsPerSphere * static_cast<double>(world.size())) return;
@@ -178,8 +179,9 @@ double CellGrid::next_crossing(const World& world, Slot slot, const Time& now, c
 
 double CellGrid::next_crossing_of_any(const World& world, Slot slot, const Time& now) {
   CellRegion& region = lines_[slot].region;
-  const CellCrossing next = cells_.next_enter(world.unfolded_position(slot, now), world.velocity(slot, now),
-                                              world.motion().gravity(), world.radius(slot), region.range());
+  const CellCrossing next =
+      cells_.next_enter(world.unfolded_position(slot, now), world.velocity(slot, now),
+                        world.motion().gravity(), world.bounding_radius(slot), region.range());
   region.crossed_face = static_cast<std::uint8_t>(face_of(next.axis, next.up));
   return rounded_down(now) + next.wait;
 }
@@ -230,7 +232,7 @@ void CellGrid::cross_range(const World& world, Slot slot, const Time& now, Candi
 void CellGrid::refresh_block(const World& world, Slot slot, const Time& now, const Image& folded) {
   CellRegion& region = lines_[slot].region;
   const Vec3 position = world.unfolded_position(slot, now);
-  const double radius = world.radius(slot);
+  const double radius = world.bounding_radius(slot);
   std::uint32_t below = 0;  // axes along which it touches the lower half of the block
   std::uint32_t above = 0;
   for_each_axis([&](auto axis) {
@@ -248,7 +250,7 @@ void CellGrid::cross_block(const World& world, Slot slot, const Time& now, Candi
   CellRegion& region = lines_[slot].region;
   const Vec3 position = world.unfolded_position(slot, now);
   const Vec3 velocities = world.velocity(slot, now);
-  const double radius = world.radius(slot);
+  const double radius = world.bounding_radius(slot);
   std::uint32_t up = 0;     // axes along which it moves upwards
   std::uint32_t ahead = 0;  // axes along which it touches only the half of the block ahead
   for_each_axis([&](auto axis) {
@@ -288,7 +290,7 @@ void CellGrid::leave_halves(Slot slot, std::uint32_t axes, std::uint32_t up) {
 }
 
 CellRange CellGrid::range_at(const World& world, Slot slot, const Time& now) const {
-  return cells_.range_at(world.unfolded_position(slot, now), world.radius(slot));
+  return cells_.range_at(world.unfolded_position(slot, now), world.bounding_radius(slot));
 }
 
 // Collects the spheres in the cells of a range, for a sphere.
@@ -367,7 +369,7 @@ void CellGrid::validate(const World& world, const Time& now, const CompactPaths&
     if (!holds(world, slot)) continue;
     const CellRange range = lines_[slot].region.range();
     const Vec3 position = world.unfolded_position(slot, now);
-    const double radius = world.radius(slot);
+    const double radius = world.bounding_radius(slot);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       HARDBALL_CHECK(!blocks_ || range.high[axis] <= range.low[axis] + 1);
       const double low = range.low[axis] * cells_.edge(axis);

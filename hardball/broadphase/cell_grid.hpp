@@ -151,7 +151,7 @@ class CellGrid : public WithSphereLines<CellRegion> {
   void leave(Slot slot, const CellRange& old, const CellRange& kept);
 
   // Whether the grid has a region for the sphere.
-  bool holds(const World& world, Slot slot) const { return world.radius(slot) <= largest_radius_; }
+  bool holds(const World& world, Slot slot) const { return world.bounding_radius(slot) <= largest_radius_; }
 
   double wanted_edge_;
   double largest_radius_ = std::numeric_limits<double>::infinity();

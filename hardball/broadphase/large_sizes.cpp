@@ -38,7 +38,7 @@ std::optional<LargeSizes> sizes_above(double largest_in_edges, const World& worl
   double largest = 0;
   double second_largest = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    const double radius = world.radius(slot);
+    const double radius = world.bounding_radius(slot);
     if (radius <= largest_in_edges * edge) {
       sizes.largest_in_grid = std::max(sizes.largest_in_grid, radius);
       continue;
@@ -105,7 +105,7 @@ double LargeSizes::cells_of_surface(double radius, std::size_t dimensions) {
 }
 
 std::optional<LargeSizes> LargeSizes::in(const World& world, const Subdivision& cells) {
-  if (world.radii().is_common()) return std::nullopt;
+  if (world.base_radii().is_common()) return std::nullopt;
   const auto in_blocks = if_they_pay(sizes_above(kLargestInCell, world, cells), world);
   const auto spheres = static_cast<double>(world.size());
   if (in_blocks && largest_in_edges(in_blocks->surfaces, spheres) == kLargestInCell) return in_blocks;

@@ -37,7 +37,7 @@ void LargeSphereGrid::build(const World& world, const Time& now, CompactPaths& c
   large_numbers_.assign(world.size(), 0);
   left_count_ = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    if (world.radius(slot) > sizes->largest_in_grid) insert_large(world, slot, now);
+    if (world.bounding_radius(slot) > sizes->largest_in_grid) insert_large(world, slot, now);
   }
   double squares = 0;
   for (Slot slot = 0; slot < world.size(); ++slot) {
@@ -61,13 +61,13 @@ void LargeSphereGrid::insert_large(const World& world, Slot slot, const Time& no
   mark_large(slot, true, static_cast<std::uint32_t>(large_.size()));
   LargeSphere& large = large_.emplace_back();
   large.slot = slot;
-  large.radius = world.radius(slot);
+  large.radius = world.bounding_radius(slot);
   move_anchor(world, large, now);
   insert_guest(large);
 }
 
 bool LargeSphereGrid::admits(const World& world, Slot slot) const {
-  const double radius = world.radius(slot);
+  const double radius = world.bounding_radius(slot);
   if (radius <= std::max(sizes_.largest_in_grid, sizes_.second_largest)) return true;
   return radius <= sizes_.largest && std::ranges::all_of(large_, [&](const LargeSphere& other) {
            return other.radius <= sizes_.second_largest || other.slot == slot;
@@ -77,7 +77,7 @@ bool LargeSphereGrid::admits(const World& world, Slot slot) const {
 void LargeSphereGrid::insert(const World& world, Slot slot, const Time& now, const CompactPaths& copies) {
   mark_large(slot, false, 0);
   grid_.insert(world, slot, now, copies);
-  if (world.radius(slot) > sizes_.largest_in_grid) insert_large(world, slot, now);
+  if (world.bounding_radius(slot) > sizes_.largest_in_grid) insert_large(world, slot, now);
   collect(world, slot, found_);
   list_at_large(slot, found_);
 }
@@ -245,7 +245,7 @@ void LargeSphereGrid::validate(const World& world, const Time& now, const Compac
   HARDBALL_CHECK(large_numbers_.size() >= world.size());
   grid_.validate(world, now, copies);
   for (const LargeSphere& large : large_) {
-    HARDBALL_CHECK(is_large(large.slot) && large.radius == world.radius(large.slot));
+    HARDBALL_CHECK(is_large(large.slot) && large.radius == world.bounding_radius(large.slot));
     HARDBALL_CHECK(length(position_of(world, large, now)) <=
                    skin_ + coordinate_error(world, large.slot, now));
     for_each_cell(large, [&](const CellIndex& cell) {

@@ -51,7 +51,7 @@ class NeighborList : public WithSphereLines<Anchor> {
 
   void build(const World& world, const Time& now, CompactPaths& copies);
   bool keeps(const World& world, Slot slot, const Time& now, const CompactPaths& copies) const;
-  bool admits(const World& world, Slot slot) const { return world.radius(slot) <= largest_built_; }
+  bool admits(const World& world, Slot slot) const { return world.bounding_radius(slot) <= largest_built_; }
   void insert(const World& world, Slot slot, const Time& now, const CompactPaths& copies);
   void erase(Slot slot);
   void move(Slot from, Slot to);

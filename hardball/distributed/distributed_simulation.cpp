@@ -218,7 +218,8 @@ Extent DistributedSimulation::extent() const {
   Extent own = nothing;
   engine_->for_each_own([&](const World& world, Slot slot, std::uint32_t) {
     const Vec3 position = world.position(slot, now_);
-    const Vec3 radius{world.radius(slot), world.radius(slot), world.radius(slot)};
+    const double of_sphere = world.radius(slot, now_);
+    const Vec3 radius{of_sphere, of_sphere, of_sphere};
     widen(own, {position - radius, position + radius});
   });
   Extent all = nothing;
@@ -342,6 +343,8 @@ DistributedSimulation DistributedSimulation::of(Processes& processes, const Simu
                                                 std::size_t threads) {
   if (whole.thermostat())
     throw Error("processes cannot share a thermostat", "processes", "resume it in one process");
+  if (whole.world().motion().has_growth())
+    throw Error("processes cannot share a growth", "processes", "resume it in one process");
   EngineOptions options = whole.options();
   options.threads = threads;
   const World& world = whole.world();

@@ -26,8 +26,8 @@ void Predictor::compute(const World& world, const Time& now, PairContacts& pairs
               pairs.second[0]);
   const PairQuery query{
       .paths = world.paths().data(),
-      .radii = world.radii().is_common() ? nullptr : world.radii().each().data(),
-      .radius = world.radius(0),
+      .radii = world.base_radii().is_common() ? nullptr : world.base_radii().each().data(),
+      .radius = world.base_radius(0),
       .first = pairs.first.data(),
       .second = pairs.second.data(),
       .count = pairs.count,
@@ -36,6 +36,7 @@ void Predictor::compute(const World& world, const Time& now, PairContacts& pairs
       .now_high = now.high,
       .now_low = now.low,
       .gravity = gravity_of(world),
+      .growth = growth_of(world),
   };
   kernels_->contacts_of_pairs(query, pairs.high.data(), pairs.low.data());
 }
@@ -61,9 +62,9 @@ BoundedContacts Predictor::bound_with_care(const CompactPaths& copies, const Can
       for (std::size_t i = 0; i < count; ++i) note(base, others[i]);
       continue;
     }
-    const BoundKeys keys =
-        kernels_->bound_contacts(copies.scale(), copies.paths().data(), copies.radii_for_bounds(),
-                                 {.self = self, .others = others, .count = count});
+    const BoundKeys keys = kernels_->bound_contacts(
+        copies.scale(), copies.paths().data(), copies.radii_for_bounds(),
+        {.self = self, .others = others, .count = count, .size = copies.size_at(base)});
     for (const std::uint32_t key : {keys.first, keys.second}) {
       if (!BoundKeys::touches(key)) break;
       note(base + copies.time_unit() * static_cast<double>(BoundKeys::wait(key)),

@@ -64,6 +64,11 @@ inline const Vec3* gravity_of(const World& world) {
   return world.motion().is_straight() ? nullptr : &world.motion().gravity();
 }
 
+/// The same of growth: null if radii are base radii.
+inline const Growth* growth_of(const World& world) {
+  return world.motion().has_growth() ? &world.motion().growth() : nullptr;
+}
+
 /// The contact of a sphere with one of its candidates, collected at `now`.
 Event contact_with(const World& world, const Candidates& candidates, std::size_t i, const Time& now);
 
@@ -84,8 +89,8 @@ class Predictor {
     }
     const ContactQuery query{
         .paths = world.paths().data(),
-        .radii = world.radii().is_common() ? nullptr : world.radii().each().data(),
-        .radius = world.radius(candidates.self()),
+        .radii = world.base_radii().is_common() ? nullptr : world.base_radii().each().data(),
+        .radius = world.base_radius(candidates.self()),
         .self = candidates.self(),
         .others = candidates.slots(),
         .count = candidates.size(),
@@ -95,6 +100,7 @@ class Predictor {
         .now_high = now.high,
         .now_low = now.low,
         .gravity = gravity_of(world),
+        .growth = growth_of(world),
     };
     const EarliestContact found = kernels_->earliest_contact(query);
     if (!(found.high < kNever.high)) return {};
@@ -112,8 +118,8 @@ class Predictor {
     const double base = rounded_down(now);
     if (!is_usual(copies, candidates)) [[unlikely]]
       return bound_with_care(copies, candidates, base);
-    const BoundKeys keys = kernels_->bound_contacts(copies.scale(), copies.paths().data(),
-                                                    copies.radii_for_bounds(), query_of(candidates));
+    const BoundKeys keys = kernels_->bound_contacts(
+        copies.scale(), copies.paths().data(), copies.radii_for_bounds(), query_of(copies, candidates, base));
     return contacts_of(keys, copies, candidates, base);
   }
 
@@ -124,8 +130,9 @@ class Predictor {
     if (!is_usual(copies, one) || !is_usual(copies, other)) [[unlikely]]
       return {bound(copies, one, now), bound(copies, other, now)};
     const double base = rounded_down(now);
-    const std::array<BoundKeys, 2> keys = kernels_->bound_contacts_of_two(
-        copies.scale(), copies.paths().data(), copies.radii_for_bounds(), query_of(one), query_of(other));
+    const std::array<BoundKeys, 2> keys =
+        kernels_->bound_contacts_of_two(copies.scale(), copies.paths().data(), copies.radii_for_bounds(),
+                                        query_of(copies, one, base), query_of(copies, other, base));
     return {contacts_of(keys[0], copies, one, base), contacts_of(keys[1], copies, other, base)};
   }
 
@@ -136,8 +143,11 @@ class Predictor {
   static bool is_usual(const CompactPaths& copies, const Candidates& candidates) {
     return copies.is_bounded(candidates.self()) && candidates.size() <= BoundKeys::kMax;
   }
-  static BoundQuery query_of(const Candidates& candidates) {
-    return {.self = candidates.self(), .others = candidates.slots(), .count = candidates.size()};
+  static BoundQuery query_of(const CompactPaths& copies, const Candidates& candidates, double base) {
+    return {.self = candidates.self(),
+            .others = candidates.slots(),
+            .count = candidates.size(),
+            .size = copies.size_at(base)};
   }
   static BoundedContacts contacts_of(const BoundKeys& keys, const CompactPaths& copies,
                                      const Candidates& candidates, double base) {

@@ -29,11 +29,11 @@ bool have_not_parted(const Contact& contact) {
   const double coordinate =
       std::max(largest_coordinate(contact.position), largest_coordinate(contact.second_position));
   const Vec3 normal = contact.normal();
-  const double closing = dot(contact.before.first - contact.before.second, normal);
+  const double closing = dot(contact.before.first - contact.before.second, normal) + contact.growth;
   if (closing * flight > kResolution * (coordinate + contact.reach)) return false;
   constexpr double kElastic = 1 - 1e-6;
   constexpr double kRounding = 1e-14;
-  const double opening = dot(contact.after.second - contact.after.first, normal);
+  const double opening = dot(contact.after.second - contact.after.first, normal) - contact.growth;
   return opening < kElastic * closing ||
          closing <= kRounding * (length(contact.before.first) + length(contact.before.second));
 }

@@ -37,27 +37,29 @@ std::string to_text(const Vec3& vector) {
 
 void undo_approach_to_face(Contact& contact) {
   double& velocity = contact.after.first[axis_of(contact.second)];
-  const bool approaching = is_upper(contact.second) ? velocity > 0 : velocity < 0;
-  if (!approaching) return;
-  if (std::fabs(velocity) > kRounding * length(contact.before.first)) refuse_approach(contact);
-  velocity = 0;
+  const double approach = (is_upper(contact.second) ? velocity : -velocity) + contact.growth;
+  if (!(approach > 0)) return;
+  if (approach > kRounding * (length(contact.before.first) + std::fabs(contact.growth)))
+    refuse_approach(contact);
+  velocity = is_upper(contact.second) ? -contact.growth : contact.growth;
 }
 
 // The speeds that matter: rounding errors are relative to them.
 double speeds_of(const Contact& contact) {
-  return length(contact.before.first) + length(contact.before.second) + length(contact.after.first);
+  return length(contact.before.first) + length(contact.before.second) + length(contact.after.first) +
+         std::fabs(contact.growth);
 }
 
-void undo_approach_to_surface(const World& world, Contact& contact) {
+void undo_approach_to_surface(const World& world, Contact& contact, double base_radius) {
   const Surface& surface = world.surface(contact.second);
   const Vec3 image = nearest_image_of(world, surface, contact.position);
   const Vec3 settled = contact.after.first;
-  double excess = dot(settled - contact.before.second, contact.wall_normal);
+  double excess = dot(settled - contact.before.second, contact.wall_normal) + contact.growth;
   if (excess > kRounding * speeds_of(contact) + kSmallestMagnitude) refuse_approach(contact);
   excess = std::max(excess, 0x1p-60 * speeds_of(contact));
   const auto approaches = [&] {
     return surface.is_approached(world.motion(),
-                                 {contact.position - image, contact.after.first, contact.time});
+                                 {contact.position - image, contact.after.first, contact.time}, base_radius);
   };
   while (approaches()) {
     contact.after.first = settled - excess * contact.wall_normal;
@@ -72,16 +74,24 @@ double share_of_first(const Contact& contact) {
                                          : contact.second_mass / (contact.first_mass + contact.second_mass);
 }
 
-void undo_approach_of_spheres(Contact& contact) {
+void undo_approach_of_spheres(const World& world, Contact& contact) {
   const Vec3& r = contact.separation;
-  const double excess = approach(r, contact.after);
+  // As contacts are predicted.
+  const auto approach_with = [&](const Velocities& velocities) {
+    if (!world.motion().has_growth()) return approach(r, velocities);
+    return approach(
+        GrowingPair<double>{r, velocities.second - velocities.first, contact.reach, contact.growth});
+  };
+  const double excess = approach_with(contact.after);
+  if (!(excess < 0)) return;
   const double speeds = length(contact.before.first) + length(contact.before.second) +
-                        length(contact.after.first) + length(contact.after.second);
+                        length(contact.after.first) + length(contact.after.second) +
+                        std::fabs(contact.growth);
   if (-excess > length(r) * (kRounding * speeds + kSmallestMagnitude)) refuse_approach(contact);
   const double share = share_of_first(contact);
   double exchange = excess / dot(r, r);
   Velocities settled = contact.after;
-  while (approach(r, settled) < 0) {
+  while (approach_with(settled) < 0) {
     settled.first = contact.after.first + (exchange * share) * r;
     settled.second = contact.after.second - (exchange * (1 - share)) * r;
     exchange *= 2;
@@ -102,6 +112,15 @@ void describe_traits(const World& world, const Participants& participants, Conta
   contact.first_species = world.species(first);
   contact.second_species = is_collision ? world.species(second) : SpeciesId{0};
   if (is_collision && world.pass(first, second)) contact.outcome = ContactOutcome::pass;
+}
+
+// Gives a contact whose radii are base radii those that they are at its time, and their growth.
+void describe_growth(const Growth& growth, Contact& contact) {
+  const double scale = growth.scale_at(contact.time);
+  contact.growth = contact.reach * growth.rate;
+  contact.reach *= scale;
+  contact.first_radius *= scale;
+  contact.second_radius *= scale;
 }
 
 // What a contact tells of its wall, and the wall's velocity. Precondition: time and position are set.
@@ -137,7 +156,7 @@ Participants participants_of(const World& world, const Event& event) {
 void contact_at(const World& world, const Event& event, const Participants& participants, Executed& done) {
   const Box& box = world.box();
   const Path& path = world.path(participants.first);
-  const double radius = world.radius(participants.first);
+  const double radius = world.base_radius(participants.first);
   auto [position, velocity] = world.motion().state_at(path, event.time);
   done.folded[0] = box.fold(position);
   Velocities before;
@@ -152,7 +171,7 @@ void contact_at(const World& world, const Event& event, const Participants& part
   contact.first_since = path.time;
   if (event.kind == EventKind::collision) {
     const Path& second_path = world.path(participants.second);
-    const double second_radius = world.radius(participants.second);
+    const double second_radius = world.base_radius(participants.second);
     auto [second_position, second_velocity] = world.motion().state_at(second_path, event.time);
     done.folded[1] = box.fold(second_position);
     contact.image = participants.nearest ? box.nearest_image(position - second_position)
@@ -174,6 +193,9 @@ void contact_at(const World& world, const Event& event, const Participants& part
     before = {velocity, {}};
     describe_wall(world, event.second, contact, before.second);
   }
+  contact.growth = 0;
+  if (world.motion().has_growth()) [[unlikely]]
+    describe_growth(world.motion().growth(), contact);
   contact.outcome = ContactOutcome::bounce;
   // Without traits, spins are zero unless the last response returned others that were refused.
   if (world.has_traits() || done.may_turn) [[unlikely]]
@@ -226,13 +248,27 @@ void refuse_velocities(const Box& box, const Contact& contact) {
                                 : "return finite velocities of magnitude at most 1e60");
 }
 
-void undo_approach(const World& world, Contact& contact) {
+bool decide_between_surfaces(const Interactions& interactions, Contact& contact) {
+  const Velocities centers = contact.before;
+  // A radius grows by as much of `growth` as it has of `reach`.
+  const Vec3 rate = (contact.growth / contact.reach) * contact.normal();
+  contact.before.first += contact.first_radius * rate;
+  if (contact.is_collision()) contact.before.second -= contact.second_radius * rate;
+  contact.after = contact.before;
+  const bool may_turn = interactions.decide(contact);
+  contact.after.first = centers.first + (contact.after.first - contact.before.first);
+  contact.after.second = centers.second + (contact.after.second - contact.before.second);
+  contact.before = centers;
+  return may_turn;
+}
+
+void undo_approach(const World& world, Contact& contact, const Participants& participants) {
   if (contact.is_collision()) {
-    undo_approach_of_spheres(contact);
+    undo_approach_of_spheres(world, contact);
   } else if (contact.second < kFaces) {
     undo_approach_to_face(contact);
   } else {
-    undo_approach_to_surface(world, contact);
+    undo_approach_to_surface(world, contact, world.base_radius(participants.first));
   }
 }
 

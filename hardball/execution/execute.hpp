@@ -65,15 +65,22 @@ inline void check_velocities(const Box& box, const Contact& contact) {
   refuse_velocities(box, contact);
 }
 
+/// Lets the response decide about spheres whose sizes change: it sees the velocities of their surfaces where
+/// they meet, so that surfaces part as they would at constant size. Returns whether spins may have changed.
+/// Source: docs/decisions/0033-growth-is-a-motion.md.
+bool decide_between_surfaces(const Interactions& interactions, Contact& contact);
+
 /// Removes an approach of the bodies of `contact` with the velocities `after`; see settle.
-void undo_approach(const World& world, Contact& contact);
+void undo_approach(const World& world, Contact& contact, const Participants& participants);
 
 /// Ensures that the bodies of `contact` do not approach with the velocities `after`: an approach that
 /// rounding explains is removed by the least impulse that does so, so that no contact repeats itself. Error:
 /// the response left them approaching by more than rounding.
-inline void settle(const World& world, Contact& contact) {
-  if (contact.is_collision() && !(approach(contact.separation, contact.after) < 0)) return;
-  undo_approach(world, contact);
+inline void settle(const World& world, Contact& contact, const Participants& participants) {
+  if (!world.motion().has_growth() && contact.is_collision() &&
+      !(approach(contact.separation, contact.after) < 0))
+    return;
+  undo_approach(world, contact, participants);
 }
 
 /// Makes the first of the two spheres of a collision one with the mass, momentum, angular momentum and volume
@@ -95,7 +102,8 @@ inline void execute(World& world, CollapseGuard& guard, const Event& event, cons
     return world.note_passage(event);
   }
   done.may_turn = true;  // until the response tells otherwise, and if it throws
-  done.may_turn = world.interactions().decide(contact);
+  done.may_turn = world.motion().has_growth() ? decide_between_surfaces(world.interactions(), contact)
+                                              : world.interactions().decide(contact);
   const bool is_collision = contact.is_collision();
   if (contact.outcome == ContactOutcome::merge) [[unlikely]]
     return merge(world, contact, participants);
@@ -104,7 +112,7 @@ inline void execute(World& world, CollapseGuard& guard, const Event& event, cons
   check_velocities(world.box(), contact);
   if (done.may_turn) [[unlikely]]
     check_spins(world.box(), contact);
-  settle(world, contact);
+  settle(world, contact, participants);
   guard.note_contact(contact);
   SphereEdit edit(world, event.time, participants.first,
                   is_collision ? participants.second : participants.first);

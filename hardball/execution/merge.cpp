@@ -4,21 +4,10 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/execution/execute.hpp"
+#include "hardball/numbers/cube_root.hpp"
 
 namespace hardball {
 namespace {
-
-// The cube root of a positive normal number: of a number from 1 to 8, by Newton's method, and a power of two.
-double portable_cube_root(double x) {
-  int exponent = 0;
-  const double fraction = std::frexp(x, &exponent);
-  const int power = (exponent + 3 * 2048 - 1) / 3 - 2048;
-  const double reduced = std::ldexp(fraction, exponent - 3 * power);
-  double root = 1.5;
-  constexpr int kSteps = 8;
-  for (int step = 0; step < kSteps; ++step) root -= (root - reduced / (root * root)) / 3;
-  return std::ldexp(root, power);
-}
 
 double cube(double x) {
   return x * x * x;
@@ -35,8 +24,7 @@ void merge(World& world, Contact& contact, const Participants& participants) {
   const double mass = contact.first_mass + contact.second_mass;
   const double a = contact.first_radius;
   const double b = contact.second_radius;
-  const double radius =
-      world.box().is_flat() ? std::sqrt(a * a + b * b) : portable_cube_root(cube(a) + cube(b));
+  const double radius = world.box().is_flat() ? std::sqrt(a * a + b * b) : cube_root(cube(a) + cube(b));
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_bounded(axis) || 2 * radius <= world.box().size()[axis]) continue;
     throw RunFailure("spheres " + to_text(contact.first) + " and " + to_text(contact.second) +

@@ -7,6 +7,7 @@
 
 #include "hardball/errors/export.hpp"
 #include "hardball/geometry/grazing_time.hpp"
+#include "hardball/geometry/growing_contact.hpp"
 #include "hardball/geometry/motion.hpp"
 
 namespace hardball {
@@ -94,6 +95,33 @@ HARDBALL_ALWAYS_INLINE TimeOf<Number> contact_time(const AnyMotion& motion, cons
   const TimeOf<Number> start = later(a.time, b.time);
   const StateOf<Number> relative = relative_state_at(motion, a, b, shift, start);
   return after(start, time_to_reach(relative.position, relative.velocity, reach));
+}
+
+/// The same where sizes change, `reach` [L] being the sum of the base radii: a function of the two paths and
+/// of the epoch alone, computed from the latest of their start times. A contact after the end of the epoch is
+/// none.
+template <class Number>
+HARDBALL_ALWAYS_INLINE TimeOf<Number> contact_time(const GrowingMotion<Number>& motion,
+                                                   const PathOf<Number>& a, const PathOf<Number>& b,
+                                                   const std::type_identity_t<VectorOf<Number>>& shift,
+                                                   const std::type_identity_t<Number>& reach) {
+  const TimeOf<Number> start = later(later(a.time, b.time), motion.begin);
+  const StateOf<Number> relative = relative_state_at(motion, a, b, shift, start);
+  return after(start,
+               time_to_touch(GrowingPair<Number>{relative.position, relative.velocity,
+                                                 reach * motion.scale_at(start), reach * motion.rate}));
+}
+
+/// The same, compiled once.
+HARDBALL_EXPORT Time contact_time_of_growing(const Growth& growth, const Path& a, const Path& b,
+                                             const Vec3& shift, double reach);
+
+/// The same for any motion; where sizes change, `reach` is the sum of the base radii [L].
+HARDBALL_ALWAYS_INLINE Time contact_time(const Motion& motion, const Path& a, const Path& b,
+                                         const Vec3& shift, double reach) {
+  if (motion.has_growth()) [[unlikely]]
+    return contact_time_of_growing(motion.growth(), a, b, shift, reach);
+  return contact_time<Motion, double>(motion, a, b, shift, reach);
 }
 
 }  // namespace hardball

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
+#include "hardball/geometry/growth.hpp"
 #include "hardball/geometry/inlining.hpp"
 #include "hardball/geometry/path.hpp"
 
@@ -43,14 +45,31 @@ struct FallingMotion {
   VectorOf<Number> gravity;  ///< The acceleration [L/T^2].
 };
 
-/// How the centers of all spheres move along their paths between contacts: uniformly, or along parabolas.
+/// Motion along straight paths of spheres whose sizes change; see Growth.
+template <class Number>
+struct GrowingMotion : StraightMotion {
+  GrowingMotion(const Growth& growth)  // NOLINT(google-explicit-constructor)
+      : begin(Number(growth.begin.high), Number(growth.begin.low)), scale(growth.scale), rate(growth.rate) {}
+
+  /// See Growth::scale_at.
+  HARDBALL_ALWAYS_INLINE Number scale_at(const TimeOf<Number>& moment) const {
+    return scale + rate * duration(begin, moment);
+  }
+
+  TimeOf<Number> begin;  ///< Of the epoch [T].
+  Number scale;          ///< At the begin [1].
+  Number rate;           ///< [1/T]
+};
+
+/// How all spheres move along their paths between contacts: uniformly, or along parabolas; and how their
+/// sizes change meanwhile.
 ///
 /// The same for all, so that the separation of two centers always changes uniformly. Whether there is gravity
-/// is a branch that the processor predicts; kernels, where it would cost, are compiled for StraightMotion and
-/// for FallingMotion.
+/// or growth, which exclude each other, is a branch that the processor predicts; kernels, where it would
+/// cost, are compiled for each kind.
 class Motion {
  public:
-  /// Straight paths.
+  /// Straight paths of spheres of constant size.
   Motion() = default;
   /// Free fall with this acceleration [L/T^2]; straight paths if it is zero.
   explicit Motion(const Vec3& gravity) : gravity_(gravity), is_straight_(gravity == Vec3{}) {}
@@ -58,6 +77,19 @@ class Motion {
   bool is_straight() const { return is_straight_; }
   /// The acceleration of every center [L/T^2].
   const Vec3& gravity() const { return gravity_; }
+  /// Whether radii differ from base radii, or change.
+  bool has_growth() const { return has_growth_; }
+  const Growth& growth() const { return growth_; }
+  /// Begins an epoch.
+  void set_growth(const Growth& growth) {
+    growth_ = growth;
+    has_growth_ = growth.is_present();
+    largest_scale_ = growth.largest_scale();
+  }
+  /// What base radii are to be multiplied by at `moment` [1]. Precondition: it is in the epoch.
+  double scale_at(const Time& moment) const { return has_growth_ ? growth_.scale_at(moment) : 1; }
+  /// The greatest of the epoch [1].
+  double largest_scale() const { return largest_scale_; }
 
   /// The state at `moment`; the center may lie outside a periodic box. Precondition: `moment` is finite.
   HARDBALL_ALWAYS_INLINE State state_at(const Path& path, const Time& moment) const {
@@ -71,9 +103,14 @@ class Motion {
 
  private:
   friend class Persistence;
-  static void persist(auto& archive, auto& self) { archive(self.gravity_); }
+  static constexpr std::uint32_t kVersionOfGrowth = 5;  // of archives
+  static void persist(auto& archive, auto& self) {
+    archive(self.gravity_);
+    if (archive.version() >= kVersionOfGrowth) archive(self.growth_);
+  }
   bool restored() {
     is_straight_ = gravity_ == Vec3{};
+    set_growth(growth_);
     return true;
   }
 
@@ -83,6 +120,9 @@ class Motion {
 
   Vec3 gravity_;
   bool is_straight_ = true;
+  bool has_growth_ = false;
+  double largest_scale_ = 1;
+  Growth growth_;
 };
 
 /// The time until a point that moves along a line with velocity `v` [L/T] and acceleration `a` [L/T^2] first

@@ -57,15 +57,18 @@ struct Contact {
   /// perpendicular. [L]
   Vec3 separation;
   double reach = 0;         ///< Sum of the radii, or the radius: the length `separation` should have [L].
+  double growth = 0;        ///< The rate at which `reach` grows [L/T].
   double first_radius = 0;  ///< [L]
   /// Collision: the radius of the second sphere. Wall: zero. [L]
   double second_radius = 0;
   double first_mass = 0;   ///< [M]; infinite for a kinematic sphere.
   double second_mass = 0;  ///< [M]; infinite for a wall, too.
-  Velocities before;       ///< [L/T]
-  Velocities after;        ///< [L/T]; equal to `before` while the response is called.
-  Spins spins_before;      ///< [1/T]
-  Spins spins_after;       ///< [1/T]; equal to `spins_before` while the response is called.
+  /// Of the centers [L/T]. While the response is called, those of the surfaces where they meet, which differ
+  /// if the spheres grow.
+  Velocities before;
+  Velocities after;    ///< [L/T]; equal to `before` while the response is called.
+  Spins spins_before;  ///< [1/T]
+  Spins spins_after;   ///< [1/T]; equal to `spins_before` while the response is called.
   /// Moments of inertia over mass and squared radius [1].
   double first_inertia_factor = kSphereInertiaFactor;
   double second_inertia_factor = kSphereInertiaFactor;
@@ -96,7 +99,7 @@ struct Contact {
   double flight() const { return duration(later(first_since, second_since), time); }
   /// The speed at which the surfaces met, along the normal [L/T]; not negative.
   double impact_speed() const {
-    const double speed = dot(before.first - before.second, normal());
+    const double speed = dot(before.first - before.second, normal()) + growth;
     return speed > 0 ? speed : 0;
   }
   /// How far the surfaces overlapped by rounding, as a fraction of `reach` [1]; negative for a gap.

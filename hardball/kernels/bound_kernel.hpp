@@ -21,13 +21,16 @@ struct BoundScale {
   std::array<float, 3> grid{};                     ///< The step of the grid along each axis [L].
   float tick = 0;                                  ///< [T]
   bool has_gravity = false;                        ///< Whether paths are parabolas.
-  std::array<float, 3> gravity{};                  ///< [L/T^2]
-  float reach_allowance = 0;     ///< Added to the sum of two radii: error of a separation [L].
-  float square_allowance = 0;    ///< Subtracted from a squared distance [L^2].
-  float approach_allowance = 0;  ///< k_b: subtracted from separation times velocity [L^2/T].
-  float speed_allowance = 0;     ///< G: subtracted from a squared relative velocity [L^2/T^2].
-  float excess_allowance = 0;    ///< kappa, of the discriminant [L^2].
-  float least_discriminant = 0;  ///< D_0 [L^4/T^2].
+  bool has_growth = false;                         ///< Whether sizes change.
+  float growth = 0;       ///< kappa_s: of radii, relative to the largest of the epoch; not negative [1/T].
+  float speed_error = 0;  ///< g: of a relative velocity [L/T].
+  std::array<float, 3> gravity{};  ///< [L/T^2]
+  float reach_allowance = 0;       ///< Added to the sum of two radii: error of a separation [L].
+  float square_allowance = 0;      ///< Subtracted from a squared distance [L^2].
+  float approach_allowance = 0;    ///< k_b: subtracted from separation times velocity [L^2/T].
+  float speed_allowance = 0;       ///< G: subtracted from a squared relative velocity [L^2/T^2].
+  float excess_allowance = 0;      ///< kappa, of the discriminant [L^2].
+  float least_discriminant = 0;    ///< D_0 [L^4/T^2].
 };
 
 /// The least two of the lower bounds of the waits until a sphere touches its candidates, of different ones,
@@ -55,11 +58,12 @@ struct BoundQuery {
   std::uint32_t self;
   const std::uint32_t* others;
   std::size_t count;  ///< At most BoundKeys::kMax.
+  float size = 1;     ///< Of radii, relative to the largest of the epoch, rounded up [1].
 };
 
 /// Bounds the waits of a sphere, from the moment at which its path was copied, until it touches others. Paths
-/// are by slot, and so are radii [L], rounded up; null if `scale` has them. A bound may differ in its last
-/// bits between instruction sets: contact times are never computed from it.
+/// are by slot, and so are radii [L], the largest of the epoch, rounded up; null if `scale` has them. A bound
+/// may differ in its last bits between instruction sets: contact times are never computed from it.
 using BoundKernel = BoundKeys (*)(const BoundScale& scale, const CompactPath* paths, const float* radii,
                                   const BoundQuery& query);
 

@@ -42,13 +42,25 @@ struct BoundedSphere {
   Floats reach;  // the sum of both radii if all are equal, otherwise the sphere's own
 };
 
+/// What bounds depend on besides straight paths.
+enum class BoundedMotion { straight, falling, growing };
+
+/// Of the quadratic whose first zero is a bound; see docs/bounds.md.
+template <class Floats>
+struct Coefficients {
+  Floats approach;
+  Floats speed_squared;
+  Floats excess;
+};
+
 /// Lower bounds of the waits for Floats::kWidth candidates, as bits with room for their indices; infinite for
 /// those that will not touch, and for the sphere itself. Source: docs/bounds.md, in the order of its steps.
-template <bool has_gravity, class Floats>
+template <BoundedMotion kind, class Floats>
 HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& scale,
                                                              const CompactPath* paths, const float* radii,
                                                              const BoundedSphere<Floats>& own,
-                                                             const std::uint32_t* others) {
+                                                             const std::uint32_t* others, float size) {
+  constexpr bool has_gravity = kind == BoundedMotion::falling;
   using Integers = typename Floats::Integers;
   const Floats zero(0.0F);
   CompactPathsOfLanes<Floats> other;
@@ -82,12 +94,32 @@ HARDBALL_ALWAYS_INLINE typename Floats::Integers bound_waits(const BoundScale& s
   }
 
   // Each coefficient is no larger than that of the true quadratic.
-  const Floats approach = dot_plus(r, v, Floats(-scale.approach_allowance));
-  const Floats speed_squared = dot_plus(v, v, Floats(-scale.speed_allowance));
-  const Floats excess = dot_plus(r, r, zero - multiply_add(reach, reach, Floats(scale.square_allowance)));
+  Coefficients<Floats> p;
+  if constexpr (kind == BoundedMotion::growing) {
+    // From the sizes at the moment of the copy on, at the greatest rate.
+    const Floats growth = reach * Floats(scale.growth);
+    reach = multiply_add(reach, Floats(size), Floats(scale.reach_allowance));
+    constexpr float kRoundedUp = 1 + 0x1p-20F;
+    constexpr float kRoundedDown = 1 - 0x1p-20F;
+    p.approach = dot_plus(r, v, zero - multiply_add(reach, growth, Floats(scale.approach_allowance)));
+    const Floats overtaking = (growth * Floats(kRoundedUp)) * (growth + Floats(2 * scale.speed_error));
+    p.speed_squared =
+        dot_plus(v, v, zero) * Floats(kRoundedDown) - (overtaking + Floats(scale.speed_allowance));
+  } else {
+    p.approach = dot_plus(r, v, Floats(-scale.approach_allowance));
+    p.speed_squared = dot_plus(v, v, Floats(-scale.speed_allowance));
+  }
+  p.excess = dot_plus(r, r, zero - multiply_add(reach, reach, Floats(scale.square_allowance)));
+  const auto [approach, speed_squared, excess] = p;
+  Floats allowed = Floats(scale.excess_allowance) - excess;
+  if constexpr (kind == BoundedMotion::growing) {
+    // Where sizes grow faster than centers part, the square is negative: less must be taken from the excess.
+    allowed =
+        select(speed_squared < zero, zero - Floats(scale.excess_allowance), Floats(scale.excess_allowance)) -
+        excess;
+  }
   const Floats discriminant = multiply_add(
-      approach, approach,
-      multiply_add(speed_squared, Floats(scale.excess_allowance) - excess, Floats(scale.least_discriminant)));
+      approach, approach, multiply_add(speed_squared, allowed, Floats(scale.least_discriminant)));
   // NaN, of a candidate too fast to be bounded, passes as touching at once.
   const auto never = discriminant < zero || (approach >= zero && speed_squared >= zero) ||
                      Integers::load(others) == own.self;
@@ -107,7 +139,7 @@ struct Keys {
   alignas(64) std::uint32_t all[is_single ? 1 : BoundKeys::kMax];
 };
 
-template <bool has_radii, bool has_gravity, class Floats, bool is_single>
+template <bool has_radii, BoundedMotion kind, class Floats, bool is_single>
 HARDBALL_ALWAYS_INLINE void find_keys(const BoundScale& scale, const CompactPath* paths, const float* radii,
                                       const BoundQuery& query, Keys<Floats, is_single>& keys) {
   using Integers = typename Floats::Integers;
@@ -115,12 +147,12 @@ HARDBALL_ALWAYS_INLINE void find_keys(const BoundScale& scale, const CompactPath
   const BoundedSphere<Floats> own(scale, paths[query.self], radii, query.self);
   Integers indices = Integers::ascending();
   if constexpr (is_single) {
-    keys.least = bound_waits<has_gravity>(scale, paths, radii, own, query.others) | indices;
+    keys.least = bound_waits<kind>(scale, paths, radii, own, query.others, query.size) | indices;
     return;
   }
   keys.least = Integers(BoundKeys::kForever);
   for (std::size_t i = 0; i < query.count; i += Floats::kWidth) {
-    const Integers key = bound_waits<has_gravity>(scale, paths, radii, own, query.others + i) | indices;
+    const Integers key = bound_waits<kind>(scale, paths, radii, own, query.others + i, query.size) | indices;
     indices = indices + Integers(static_cast<std::uint32_t>(Floats::kWidth));
     key.store(keys.all + i);
     keys.least = minimum(keys.least, key);
@@ -145,64 +177,76 @@ HARDBALL_ALWAYS_INLINE BoundKeys least_two(const BoundQuery& query, const Keys<F
   return {first, least_of(second)};
 }
 
-template <class Floats, bool has_radii, bool has_gravity, bool is_single>
+template <class Floats, bool has_radii, BoundedMotion kind, bool is_single>
 HARDBALL_ALWAYS_INLINE BoundKeys bound_one(const BoundScale& scale, const CompactPath* paths,
                                            const float* radii, const BoundQuery& query) {
   Keys<Floats, is_single> keys;
-  find_keys<has_radii, has_gravity>(scale, paths, radii, query, keys);
+  find_keys<has_radii, kind>(scale, paths, radii, query, keys);
   return least_two(query, keys);
 }
 
-template <class Floats, bool has_radii, bool has_gravity, bool is_single>
+template <class Floats, bool has_radii, BoundedMotion kind, bool is_single>
 HARDBALL_ALWAYS_INLINE std::array<BoundKeys, 2> bound_two(const BoundScale& scale, const CompactPath* paths,
                                                           const float* radii, const BoundQuery& one,
                                                           const BoundQuery& other) {
   Keys<Floats, is_single> keys_of_one;
   Keys<Floats, is_single> keys_of_other;
-  find_keys<has_radii, has_gravity>(scale, paths, radii, one, keys_of_one);
-  find_keys<has_radii, has_gravity>(scale, paths, radii, other, keys_of_other);
+  find_keys<has_radii, kind>(scale, paths, radii, one, keys_of_one);
+  find_keys<has_radii, kind>(scale, paths, radii, other, keys_of_other);
   return {least_two(one, keys_of_one), least_two(other, keys_of_other)};
 }
 
-template <class Floats, bool has_radii, bool has_gravity>
+template <class Floats, bool has_radii, BoundedMotion kind>
 HARDBALL_ALWAYS_INLINE BoundKeys bound_any(const BoundScale& scale, const CompactPath* paths,
                                            const float* radii, const BoundQuery& query) {
   return query.count <= Floats::kWidth
-             ? bound_one<Floats, has_radii, has_gravity, true>(scale, paths, radii, query)
-             : bound_one<Floats, has_radii, has_gravity, false>(scale, paths, radii, query);
+             ? bound_one<Floats, has_radii, kind, true>(scale, paths, radii, query)
+             : bound_one<Floats, has_radii, kind, false>(scale, paths, radii, query);
 }
 
-template <class Floats, bool has_radii, bool has_gravity>
+template <class Floats, bool has_radii, BoundedMotion kind>
 HARDBALL_ALWAYS_INLINE std::array<BoundKeys, 2> bound_any_two(const BoundScale& scale,
                                                               const CompactPath* paths, const float* radii,
                                                               const BoundQuery& one,
                                                               const BoundQuery& other) {
   return (one.count <= Floats::kWidth) & (other.count <= Floats::kWidth)
-             ? bound_two<Floats, has_radii, has_gravity, true>(scale, paths, radii, one, other)
-             : bound_two<Floats, has_radii, has_gravity, false>(scale, paths, radii, one, other);
+             ? bound_two<Floats, has_radii, kind, true>(scale, paths, radii, one, other)
+             : bound_two<Floats, has_radii, kind, false>(scale, paths, radii, one, other);
+}
+
+template <class Floats, BoundedMotion kind>
+BoundKeys bound_contacts_moving(const BoundScale& scale, const CompactPath* paths, const float* radii,
+                                const BoundQuery& query) {
+  return radii == nullptr ? bound_any<Floats, false, kind>(scale, paths, radii, query)
+                          : bound_any<Floats, true, kind>(scale, paths, radii, query);
 }
 
 template <class Floats>
 BoundKeys bound_contacts(const BoundScale& scale, const CompactPath* paths, const float* radii,
                          const BoundQuery& query) {
-  if (scale.has_gravity) {
-    return radii == nullptr ? bound_any<Floats, false, true>(scale, paths, radii, query)
-                            : bound_any<Floats, true, true>(scale, paths, radii, query);
-  }
-  return radii == nullptr ? bound_any<Floats, false, false>(scale, paths, radii, query)
-                          : bound_any<Floats, true, false>(scale, paths, radii, query);
+  using enum BoundedMotion;
+  if (scale.has_growth) return bound_contacts_moving<Floats, growing>(scale, paths, radii, query);
+  if (scale.has_gravity) return bound_contacts_moving<Floats, falling>(scale, paths, radii, query);
+  return bound_contacts_moving<Floats, straight>(scale, paths, radii, query);
+}
+
+template <class Floats, BoundedMotion kind>
+std::array<BoundKeys, 2> bound_contacts_of_two_moving(const BoundScale& scale, const CompactPath* paths,
+                                                      const float* radii, const BoundQuery& one,
+                                                      const BoundQuery& other) {
+  return radii == nullptr ? bound_any_two<Floats, false, kind>(scale, paths, radii, one, other)
+                          : bound_any_two<Floats, true, kind>(scale, paths, radii, one, other);
 }
 
 template <class Floats>
 std::array<BoundKeys, 2> bound_contacts_of_two(const BoundScale& scale, const CompactPath* paths,
                                                const float* radii, const BoundQuery& one,
                                                const BoundQuery& other) {
-  if (scale.has_gravity) {
-    return radii == nullptr ? bound_any_two<Floats, false, true>(scale, paths, radii, one, other)
-                            : bound_any_two<Floats, true, true>(scale, paths, radii, one, other);
-  }
-  return radii == nullptr ? bound_any_two<Floats, false, false>(scale, paths, radii, one, other)
-                          : bound_any_two<Floats, true, false>(scale, paths, radii, one, other);
+  using enum BoundedMotion;
+  if (scale.has_growth) return bound_contacts_of_two_moving<Floats, growing>(scale, paths, radii, one, other);
+  if (scale.has_gravity)
+    return bound_contacts_of_two_moving<Floats, falling>(scale, paths, radii, one, other);
+  return bound_contacts_of_two_moving<Floats, straight>(scale, paths, radii, one, other);
 }
 
 }  // namespace hardball

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "hardball/geometry/growth.hpp"
 #include "hardball/geometry/path.hpp"
 
 namespace hardball {
@@ -12,8 +13,8 @@ namespace hardball {
 /// One sphere and its candidates, as plain arrays.
 struct ContactQuery {
   const Path* paths;            ///< By slot.
-  const double* radii;          ///< By slot; null if all are `radius`.
-  double radius;                ///< Of the sphere [L].
+  const double* radii;          ///< Base radii by slot; null if all are `radius`.
+  double radius;                ///< The base radius of the sphere [L].
   std::uint32_t self;           ///< Its slot.
   const std::uint32_t* others;  ///< Slots of the candidates, padded with the sphere itself.
   std::size_t count;            ///< Of the candidates.
@@ -23,7 +24,8 @@ struct ContactQuery {
   const Vec3* inverse_period;  ///< Zero along axes that are not periodic.
   double now_high;             ///< When images are the nearest; any time if they are given.
   double now_low;
-  const Vec3* gravity;  ///< Of all spheres [L/T^2]; null if paths are straight.
+  const Vec3* gravity;   ///< Of all spheres [L/T^2]; null if paths are straight.
+  const Growth* growth;  ///< Of all spheres; null if radii are base radii.
 };
 
 /// The earliest contact of a sphere with its candidates.
@@ -37,7 +39,7 @@ struct EarliestContact {
 /// Pairs of spheres, whose nearest images are meant, as plain arrays.
 struct PairQuery {
   const Path* paths;            ///< By slot.
-  const double* radii;          ///< By slot; null if all are `radius`.
+  const double* radii;          ///< Base radii by slot; null if all are `radius`.
   double radius;                ///< [L]
   const std::uint32_t* first;   ///< A slot of each pair, padded to a whole vector with any slots.
   const std::uint32_t* second;  ///< The other, likewise.
@@ -46,7 +48,8 @@ struct PairQuery {
   const Vec3* inverse_period;   ///< Zero along axes that are not periodic.
   double now_high;              ///< When images are the nearest.
   double now_low;
-  const Vec3* gravity;  ///< Of all spheres [L/T^2]; null if paths are straight.
+  const Vec3* gravity;   ///< Of all spheres [L/T^2]; null if paths are straight.
+  const Growth* growth;  ///< Of all spheres; null if radii are base radii.
 };
 
 /// Computes the contact time of each pair, as contact_time (geometry/contact_time.hpp) does, in two

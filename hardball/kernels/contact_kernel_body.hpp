@@ -22,11 +22,12 @@ HARDBALL_ALWAYS_INLINE VectorOf<Lanes> in_all_lanes(const Vec3& vector) {
   return {Lanes(vector.x), Lanes(vector.y), Lanes(vector.z)};
 }
 
-/// Calls `compute` with the kind of motion: free fall, or straight paths if `gravity` is null.
+/// Calls `compute` with the kind of motion that a query names.
 template <class Lanes, class Compute>
-HARDBALL_ALWAYS_INLINE auto for_motion(const Vec3* gravity, const Compute& compute) {
-  return gravity == nullptr ? compute(StraightMotion{})
-                            : compute(FallingMotion<Lanes>{in_all_lanes<Lanes>(*gravity)});
+HARDBALL_ALWAYS_INLINE auto for_motion(const auto& query, const Compute& compute) {
+  if (query.growth != nullptr) return compute(GrowingMotion<Lanes>(*query.growth));
+  if (query.gravity != nullptr) return compute(FallingMotion<Lanes>{in_all_lanes<Lanes>(*query.gravity)});
+  return compute(StraightMotion{});
 }
 
 /// The displacements of the images that are nearest when a query says.
@@ -72,7 +73,7 @@ void contacts_of_moving_pairs(const PairQuery& query, const AnyMotion& motion, d
 /// The kernel for pairs.
 template <class Lanes>
 void contacts_of_pairs(const PairQuery& query, double* high, double* low) {
-  for_motion<Lanes>(query.gravity,
+  for_motion<Lanes>(query,
                     [&](const auto& motion) { contacts_of_moving_pairs<Lanes>(query, motion, high, low); });
 }
 
@@ -149,7 +150,7 @@ EarliestContact earliest_contact_of_moving(const ContactQuery& query, const AnyM
 template <class Lanes>
 EarliestContact earliest_contact(const ContactQuery& query) {
   return for_motion<Lanes>(
-      query.gravity, [&](const auto& motion) { return earliest_contact_of_moving<Lanes>(query, motion); });
+      query, [&](const auto& motion) { return earliest_contact_of_moving<Lanes>(query, motion); });
 }
 
 }  // namespace hardball

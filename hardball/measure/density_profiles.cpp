@@ -22,7 +22,7 @@ constexpr double kMaxBins = 2000;
 
 double mean_radius(const World& world) {
   double sum = 0;
-  world.for_each_by_id([&](Slot slot) { sum += world.radius(slot); });
+  world.for_each_by_id([&](Slot slot) { sum += world.base_radius(slot); });
   return sum / static_cast<double>(world.size());
 }
 
@@ -125,7 +125,7 @@ void DensityProfiles::sample(const Scene& scene) {
   auto next = scene.centers().begin();
   world.for_each_by_id([&](Slot slot) {
     const Vec3& center = *next++;
-    const double radius = world.radius(slot);
+    const double radius = world.base_radius(slot);
     for (std::size_t axis = 0; axis < box_.dimensions(); ++axis) {
       const auto bin = static_cast<std::size_t>(std::max(center[axis] / bin_width_, 0.0));
       ++centers[axis * most_bins_ + std::min(bin, bins_[axis] - 1)];

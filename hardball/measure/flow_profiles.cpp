@@ -43,8 +43,8 @@ FlowProfiles::FlowProfiles(const Scene& scene) : box_(scene.world().box()), begi
   double sum = 0;
   least_radius_ = std::numeric_limits<double>::infinity();
   world.for_each_by_id([&](Slot slot) {
-    sum += world.radius(slot);
-    least_radius_ = std::min(least_radius_, world.radius(slot));
+    sum += world.base_radius(slot);
+    least_radius_ = std::min(least_radius_, world.base_radius(slot));
   });
   const double mean_radius = sum / static_cast<double>(world.size());
   constexpr double kCostPerSphere = 15;

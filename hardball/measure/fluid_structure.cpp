@@ -12,8 +12,9 @@ namespace hardball {
 
 double fluid_packing_fraction(const Scene& scene) {
   const World& world = scene.world();
-  const bool holds = world.radii().is_common() && scene.fluid().holds();
-  return holds ? world.sphere_volume() / world.box().volume() : std::numeric_limits<double>::quiet_NaN();
+  const bool holds = world.base_radii().is_common() && scene.fluid().holds();
+  return holds ? world.sphere_volume(scene.now()) / world.box().volume()
+               : std::numeric_limits<double>::quiet_NaN();
 }
 
 double percus_yevick_structure_factor(double packing_fraction, double wave_number) {

@@ -38,7 +38,7 @@ NeighborQuery::NeighborQuery(const World& world, std::span<const Vec3> centers, 
       ball_(edge_of(world.box(), kSpheresInCell * extent / static_cast<double>(centers.size())) / 2),
       neighborhood_(world.box(), centers.size(), ball_) {
   radii_.reserve(centers.size());
-  world.for_each_by_id([&](Slot slot) { radii_.push_back(world.radius(slot)); });
+  world.for_each_by_id([&](Slot slot) { radii_.push_back(world.base_radius(slot)); });
   for (const Vec3& center : centers) neighborhood_.insert(center, ball_);
 }
 

@@ -43,8 +43,8 @@ RadialDistribution::RadialDistribution(const Scene& scene, double range, double 
   double mean_diameter = 0;
   low_ = 2 * world.largest_radius();
   world.for_each_by_id([&](Slot slot) {
-    mean_diameter += 2 * world.radius(slot) / static_cast<double>(world.size());
-    low_ = std::min(low_, 2 * world.radius(slot));
+    mean_diameter += 2 * world.base_radius(slot) / static_cast<double>(world.size());
+    low_ = std::min(low_, 2 * world.base_radius(slot));
   });
   const std::size_t species = is_by_species_ ? species_.size() : 1;
   kind_of_.resize(species * species);

@@ -57,7 +57,7 @@ void Tally::note(const Contact& contact) {
   if (contact.outcome != ContactOutcome::bounce) [[unlikely]]
     return note_outcome(contact);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (!(is_elastic_ && contact.first_mass + contact.second_mass < kInfinity)) {
+  if (!(is_elastic_ && contact.growth == 0 && contact.first_mass + contact.second_mass < kInfinity)) {
     note_gain(energy_gain(contact.first_mass, contact.before.first, contact.after.first) +
                   energy_gain(contact.second_mass, contact.before.second, contact.after.second),
               contact.time);
@@ -65,9 +65,11 @@ void Tally::note(const Contact& contact) {
   // As Contact has them, from one root.
   const double distance = length(contact.separation);
   max_overlap_ = std::max(max_overlap_, 1 - distance / contact.reach);
-  virial_ += -dot(contact.impulse(), contact.separation);
-  const double speed =
-      std::max(0.0, dot(contact.before.first - contact.before.second, contact.separation) / distance);
+  const double virial = -dot(contact.impulse(), contact.separation);
+  virial_ += virial;
+  if (contact.growth != 0) growth_work_ += virial / distance * contact.growth;
+  const double speed = std::max(
+      0.0, dot(contact.before.first - contact.before.second, contact.separation) / distance + contact.growth);
   impact_speed_sum_ += speed;
   impact_speed_square_sum_ += speed * speed;
 }
@@ -82,9 +84,12 @@ void Tally::note_wall_contact(const Contact& contact) {
   const double work = dot(impulse, contact.before.second);
   ++wall.contacts;
   for (std::size_t axis = 0; axis < kAxes; ++axis) wall.impulse[axis] += -impulse[axis];
-  wall.normal_impulse += -dot(impulse, contact.wall_normal);
+  const double normal_impulse = -dot(impulse, contact.wall_normal);
+  wall.normal_impulse += normal_impulse;
+  const double of_growth = normal_impulse * contact.growth;
+  if (of_growth != 0) growth_work_ += of_growth;
   wall.work += work;
-  wall.heat += gain + rotational_energy_gain_of_first(contact) - work;
+  wall.heat += gain + rotational_energy_gain_of_first(contact) - work - of_growth;
 }
 
 void Tally::note_outcome(const Contact& contact) {
@@ -120,6 +125,7 @@ void Tally::add(const Tally& other) {
   wall_contacts_ += other.wall_contacts_;
   max_overlap_ = std::max(max_overlap_, other.max_overlap_);
   virial_.add(other.virial_);
+  growth_work_.add(other.growth_work_);
   impact_speed_sum_.add(other.impact_speed_sum_);
   impact_speed_square_sum_.add(other.impact_speed_square_sum_);
   for (std::size_t wall = 0; wall < walls_.size(); ++wall) walls_[wall].add(other.walls_[wall]);

@@ -63,6 +63,9 @@ class HARDBALL_EXPORT Tally {
   /// Spheres that pass through each other or merge count among collisions, and in none of these sums.
   /// Sum over collisions of impulse times separation of centers [M L^2/T].
   double virial() const { return virial_.value(); }
+  /// The energy that spheres have gained by growing: the sum over contacts of the impulse times the rate of
+  /// the sum of the radii [M L^2 T^-2].
+  double growth_work() const { return growth_work_.value(); }
   /// Sums over collisions of the impact speed [L/T] and of its square [L^2 T^-2].
   double impact_speed_sum() const { return impact_speed_sum_.value(); }
   double impact_speed_square_sum() const { return impact_speed_square_sum_.value(); }
@@ -96,8 +99,10 @@ class HARDBALL_EXPORT Tally {
     archive(self.collisions_, self.mergers_, self.passes_, self.wall_contacts_, self.max_overlap_,
             self.virial_, self.impact_speed_sum_, self.impact_speed_square_sum_, self.is_straight_,
             self.walls_);
+    if (archive.version() >= kVersionOfGrowth) archive(self.growth_work_);
   }
   static constexpr std::uint32_t kVersionOfGains = 4;  // of archives
+  static constexpr std::uint32_t kVersionOfGrowth = 5;
 
   // The sums of WallTally.
   struct WallSums {
@@ -132,6 +137,7 @@ class HARDBALL_EXPORT Tally {
   std::uint64_t wall_contacts_ = 0;
   double max_overlap_ = 0;
   ExactSum virial_;
+  ExactSum growth_work_;
   ExactSum impact_speed_sum_;
   ExactSum impact_speed_square_sum_;
   bool is_straight_ = true;

@@ -39,6 +39,9 @@ double area_of(const Box& box, const Cylinder& cylinder) {
   const std::size_t axis = axis_along(cylinder.axis());
   return axis < kAxes ? 2 * std::numbers::pi * cylinder.radius() * box.size()[axis] : kNoNumber;
 }
+double area_of(const Box&, const Cone&) {
+  return kNoNumber;
+}
 double area_of(const Box& box, const auto& sphere) {
   return box.sphere_surface(sphere.radius());
 }

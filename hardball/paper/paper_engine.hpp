@@ -251,7 +251,7 @@ class PaperEngine {
   }
 
   CellRange range_now(Slot slot) const {
-    return subdivision_.range_at(world_.unfolded_position(slot, now_), world_.radius(slot));
+    return subdivision_.range_at(world_.unfolded_position(slot, now_), world_.bounding_radius(slot));
   }
 
   void add_to(const CellRange& subspaces, Slot slot) {
@@ -342,7 +342,7 @@ class PaperEngine {
       return event.kind == EventKind::enter || event.kind == EventKind::leave;
     });
     const Path& path = world_.path(slot);
-    const double radius = world_.radius(slot);
+    const double radius = world_.bounding_radius(slot);
     const CellRange& subspaces = records_[slot].subspaces;
     const CellCrossing enter = subdivision_.next_enter(path.position, path.velocity, {}, radius, subspaces);
     const CellCrossing leave = subdivision_.next_leave(path, radius, subspaces);
@@ -361,7 +361,7 @@ class PaperEngine {
 
   // Whether a sphere intersects no more than eight subspaces.
   bool admits(Slot slot) const {
-    const double diameter = 2 * world_.radius(slot);
+    const double diameter = 2 * world_.bounding_radius(slot);
     const Vec3 edges = subdivision_.edges();
     return diameter <= edges.x && diameter <= edges.y && diameter <= edges.z;
   }

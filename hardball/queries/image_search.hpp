@@ -131,7 +131,7 @@ void search_in_intervals(Stride&& stride, double end, Search&& search) {
 }
 
 // Notes other spheres that are touched in an interval, as seen from a body at `from`; `wait_of(slot, other)`
-// is the time until an image is touched.
+// is the time until an image is touched. Sizes do not change.
 template <class StateAt, class WaitOf>
 void note_spheres(const World& world, const Time& start, const State& from, double radius, Slot self,
                   const StateAt& state_at, const WaitOf& wait_of, Interval during, First& first) {
@@ -139,7 +139,7 @@ void note_spheres(const World& world, const Time& start, const State& from, doub
     if (slot == self) continue;
     const State state = state_at(slot);
     const Relative other{state.position - from.position, state.velocity - from.velocity,
-                         radius + world.radius(slot)};
+                         radius + world.base_radius(slot)};
     if (is_missed(world.box(), other, during)) continue;
     for_each_image(world.box(), other, during, [&](const Vec3& separation) {
       const double wait = wait_of(slot, Relative{separation, other.velocity, other.reach});

@@ -19,6 +19,11 @@ namespace {
 
 using namespace image_search;
 
+void refuse_growth(const World& world, const char* where) {
+  if (!world.motion().has_growth()) return;
+  throw Error("spheres grow, and it is not known how long", where, "ask when their sizes are constant");
+}
+
 // Spheres that pass through each other, and have begun to, do not touch; see are_passing (world.hpp).
 double time_to_begin(const World& world, const Time& now, SphereId id, SphereId other_id,
                      const Relative& other) {
@@ -32,6 +37,7 @@ double time_to_begin(const World& world, const Time& now, SphereId id, SphereId 
 template <class Pass>
 std::optional<NextContact> first_contact_on(const World& world, SphereId id, Slot self, const Path& path,
                                             double radius, const Pass& pass, const Time& until) {
+  refuse_growth(world, "first_contact");
   const Time& now = path.time;
   const Box& box = world.box();
   const double last = until.high < kNever.high ? duration(now, until) : until.high;
@@ -177,7 +183,7 @@ std::optional<Clearance> clearance_of(const World& world, const Time& now, const
     for_each_axis([&](auto axis) {
       apart[axis] -= round_to_integer(apart[axis] * box.inverse_period()[axis]) * box.period()[axis];
     });
-    const double reach = radius + world.radius(slot);
+    const double reach = radius + world.radius(slot, now);
     const double square = dot(apart, apart);
     // Most are certainly farther, and need no square root.
     const double within = least + reach;
@@ -205,7 +211,7 @@ std::optional<NextContact> first_contact(const World& world, const Time& now, Sp
   world.check_velocity(id, velocity);
   const Path path{world.position(slot, now), velocity, now};
   const auto pass = [&](Slot other) { return world.pass(slot, other); };
-  return first_contact_on(world, id, slot, path, world.radius(slot), pass, until);
+  return first_contact_on(world, id, slot, path, world.base_radius(slot), pass, until);
 }
 
 std::optional<NextContact> first_contact(const World& world, const Time& now, const Sphere& sphere,
@@ -223,6 +229,7 @@ std::optional<NextContact> first_contact(const World& world, const Time& now, co
 std::optional<RayHit> ray(const World& world, const Time& now, const Vec3& origin, const Vec3& direction,
                           double most) {
   constexpr const char* kWhere = "ray";
+  refuse_growth(world, kWhere);
   const Box& box = world.box();
   check_vector(direction, "the direction", kWhere);
   const double norm = length(direction);
@@ -258,7 +265,7 @@ std::optional<Clearance> clearance(const World& world, const Time& now, const Ve
 
 std::optional<Clearance> clearance(const World& world, const Time& now, SphereId id) {
   const Slot slot = world.slot_of(id);
-  return clearance_of(world, now, world.position(slot, now), world.radius(slot), slot);
+  return clearance_of(world, now, world.position(slot, now), world.radius(slot, now), slot);
 }
 
 }  // namespace hardball

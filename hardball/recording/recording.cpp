@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<const char*, 4> kBoundaryNames{"wall", "periodic", "open", "flat"};
 
 // In the order of RecordedSurface::Shape.
-constexpr std::array<const char*, 4> kShapeNames{"plane", "cylinder", "sphere", "obstacle"};
+constexpr std::array<const char*, 5> kShapeNames{"plane", "cylinder", "sphere", "obstacle", "cone"};
 
 Json json_vector(const Vec3& vector) {
   return {vector.x, vector.y, vector.z};
@@ -47,6 +47,7 @@ Json json_surface(const RecordedSurface& surface) {
   json["point"] = json_vector(surface.point);
   json["direction"] = json_vector(surface.direction);
   json["radius"] = surface.radius;
+  if (surface.shape == RecordedSurface::Shape::cone) json["slope"] = surface.slope;
   json["velocity"] = json_vector(surface.velocity);
   json["amplitude"] = surface.amplitude;
   json["frequency"] = surface.frequency;
@@ -164,8 +165,11 @@ class HeaderReader {
     surface.shape = static_cast<Shape>(index_of(member(value, "shape"), kShapeNames, "shape"));
     surface.point = vector(member(value, "point"));
     const bool is_plane = surface.shape == Shape::plane;
-    if (is_plane || surface.shape == Shape::cylinder) surface.direction = vector(member(value, "direction"));
-    if (!is_plane) surface.radius = number(member(value, "radius"));
+    const bool is_cone = surface.shape == Shape::cone;
+    if (is_plane || is_cone || surface.shape == Shape::cylinder)
+      surface.direction = vector(member(value, "direction"));
+    if (is_cone) surface.slope = number(member(value, "slope"));
+    if (!is_plane && !is_cone) surface.radius = number(member(value, "radius"));
     read(value, "velocity", [&](const Json& entry) { surface.velocity = vector(entry); });
     read(value, "amplitude", [&](const Json& entry) { surface.amplitude = number(entry); });
     read(value, "frequency", [&](const Json& entry) { surface.frequency = number(entry); });
@@ -225,7 +229,9 @@ class HeaderReader {
     const double square = dot(surface.direction, surface.direction);
     if (!(std::fabs(square - 1) <= kTolerance)) fail("the direction is not a unit vector");
     const bool is_plane = surface.shape == RecordedSurface::Shape::plane;
-    if (!is_plane && !(surface.radius > 0)) fail("the radius is " + to_text(surface.radius));
+    const bool is_cone = surface.shape == RecordedSurface::Shape::cone;
+    if (is_cone && !(surface.slope > 0)) fail("the slope is " + to_text(surface.slope));
+    if (!is_plane && !is_cone && !(surface.radius > 0)) fail("the radius is " + to_text(surface.radius));
     if (!is_plane && surface.amplitude != 0) fail("only planes oscillate");
     if (!(surface.frequency >= 0)) fail("the frequency is " + to_text(surface.frequency));
     if (surface.temperature && !(*surface.temperature >= 0)) {

@@ -61,12 +61,14 @@ struct RecordedSurface {
     cylinder,  ///< Unbounded along its axis; spheres are inside.
     sphere,    ///< Spheres are inside.
     obstacle,  ///< A sphere; the spheres are outside.
+    cone,      ///< Unbounded; spheres are inside.
   };
 
   Shape shape = Shape::plane;
-  Vec3 point = {};                         ///< Of the plane or the axis at time 0, or the center [L].
+  Vec3 point = {};                         ///< Of the plane or the axis at time 0, center or apex [L].
   Vec3 direction = {0, 0, 1};              ///< Unit normal of a plane, unit vector along an axis [1].
-  double radius = 0;                       ///< [L]; 0 for a plane.
+  double radius = 0;                       ///< [L]; 0 for a plane or a cone.
+  double slope = 0;                        ///< Of a cone: its radius over the distance from the apex [1].
   Vec3 velocity = {};                      ///< With which the point moves [L/T].
   double amplitude = 0;                    ///< Of a plane's oscillation along its normal [L].
   double frequency = 0;                    ///< Of that oscillation: cycles per time [1/T].

@@ -31,6 +31,10 @@ RecordedSurface recorded(const Surface& surface, double restitution) {
   } else if (const auto* sphere = std::get_if<HollowSphere>(&surface.shape())) {
     recorded.shape = Shape::sphere;
     recorded.radius = sphere->radius();
+  } else if (const auto* cone = std::get_if<Cone>(&surface.shape())) {
+    recorded.shape = Shape::cone;
+    recorded.direction = cone->axis();
+    recorded.slope = cone->slope();
   } else {
     recorded.shape = Shape::obstacle;
     recorded.radius = std::get<Obstacle>(surface.shape()).radius();

@@ -138,7 +138,8 @@ RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader hea
     const SphereId id = world.id(slot);
     const Path& stored = world.path(slot);
     state_.keyframe[id] = {stored.position, stored.velocity, stored.time.value()};
-    bodies[id] = {world.spin(slot), {}, world.radius(slot), world.mass(slot), world.inertia_factor(slot)};
+    bodies[id] = {
+        world.spin(slot), {}, world.base_radius(slot), world.mass(slot), world.inertia_factor(slot)};
   });
   std::string bytes = preamble(header);
   for (const RecordedBody& body : bodies) append_little_endian(bytes, body.radius);
@@ -208,7 +209,7 @@ void RecordingWriter::note(const Contact& contact, const World& world) {
     if (contact.outcome == ContactOutcome::merge) {
       recorded.first_position = world.path(first).position;
       recorded.second_velocity = {};
-      recorded.merged = {world.radius(first), world.mass(first), world.inertia_factor(first)};
+      recorded.merged = {world.base_radius(first), world.mass(first), world.inertia_factor(first)};
     } else if (contact.is_collision()) {
       recorded.second_spin = world.spin(world.slot_of(contact.second));
     }

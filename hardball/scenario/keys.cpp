@@ -427,15 +427,17 @@ TableDescription walls_keys() {
   std::vector<KeyDescription> keys{
       {.name = "shape",
        .type = choice,
-       .choices = {"plane", "cylinder", "sphere"},
+       .choices = {"plane", "cylinder", "sphere", "cone"},
        .is_required = true,
-       .meaning = "its shape; the spheres are inside a cylinder or a sphere",
+       .meaning = "its shape; the spheres are inside a cylinder, a sphere or a cone",
        .example = "\"plane\""},
       {.name = "point",
        .type = vector,
        .dimension = "L",
        .is_required = true,
-       .meaning = "a point of the plane, a point on the axis of the cylinder, or the center of the sphere",
+       .meaning =
+           "a point of the plane, a point on the axis of the cylinder, the center of the sphere, or the "
+           "apex of the cone",
        .example = "[5.0, 5.0, 5.0]"},
       {.name = "normal",
        .type = vector,
@@ -446,9 +448,9 @@ TableDescription walls_keys() {
       {.name = "axis",
        .type = vector,
        .is_required = true,
-       .meaning = "a vector of any length along the axis",
+       .meaning = "a vector of any length along the axis; of a cone, from the apex into it",
        .example = "[0.0, 0.0, 1.0]",
-       .only_for = {"cylinder"}},
+       .only_for = {"cylinder", "cone"}},
       {.name = "radius",
        .range = positive,
        .dimension = "L",
@@ -456,6 +458,12 @@ TableDescription walls_keys() {
        .meaning = "its radius",
        .example = "4.0",
        .only_for = {"cylinder", "sphere"}},
+      {.name = "slope",
+       .range = positive,
+       .is_required = true,
+       .meaning = "its radius over the distance from its apex",
+       .example = "0.5",
+       .only_for = {"cone"}},
       {.name = "velocity",
        .type = vector,
        .dimension = "L/T",
@@ -542,6 +550,27 @@ TableDescription thermostat_keys() {
                 .meaning = "the time between two actions on all spheres",
                 .example = "0.1",
                 .only_for = {"rescale", "heating"}}}};
+}
+
+TableDescription growth_keys() {
+  return {.title = "[growth]",
+          .keys = {
+              {.name = "rate",
+               .default_value = "0.01",
+               .meaning =
+                   "the rate at which the mean diameter grows, over the thermal speed √(kT/m); negative if "
+                   "the spheres shrink",
+               .example = "0.01"},
+              {.name = "packing_fraction",
+               .range = positive,
+               .meaning = "the fraction of the volume at which growth ends; spheres that shrink "
+                          "need it; if not given, growth ends where the largest sphere just fits the box and "
+                          "its walls, or by `compressibility`",
+               .example = "0.6"},
+              {.name = "compressibility",
+               .range = positive,
+               .meaning = "PV/NkT, averaged over some collisions, beyond which growth ends",
+               .example = "1e4"}}};
 }
 
 TableDescription run_keys() {
@@ -667,7 +696,7 @@ TableDescription all_keys() {
                     .table = make(start_keys())},
                    {.name = "walls",
                     .type = tables,
-                    .meaning = "walls besides those of the box: planes, cylinders and spheres",
+                    .meaning = "walls besides those of the box: planes, cylinders, spheres and cones",
                     .table = make(walls_keys())},
                    {.name = "obstacles",
                     .type = tables,
@@ -685,6 +714,10 @@ TableDescription all_keys() {
                     .type = table,
                     .meaning = "what exchanges energy with the spheres between contacts",
                     .table = make(thermostat_keys())},
+                   {.name = "growth",
+                    .type = table,
+                    .meaning = "how all spheres grow, or shrink",
+                    .table = make(growth_keys())},
                    {.name = "run", .type = table, .meaning = "the run", .table = make(run_keys())},
                    {.name = "output",
                     .type = table,

@@ -12,6 +12,7 @@ Simulation make_simulation(const Scenario& scenario, World start, const EngineOp
   try {
     Simulation simulation(std::move(start), options, on_progress);
     if (scenario.thermostat) simulation.set_thermostat(Thermostat(*scenario.thermostat, scenario.seed));
+    if (scenario.growth) simulation.grow(*scenario.growth);
     return simulation;
   } catch (const Error& error) {
     // Of the options, not of the scenario.

@@ -26,6 +26,8 @@ Shape make_shape(const WallDescription& wall) {
   switch (wall.shape) {
     case WallDescription::Shape::cylinder:
       return Cylinder(normalized(wall.direction), wall.radius);
+    case WallDescription::Shape::cone:
+      return Cone(normalized(wall.direction), wall.slope);
     case WallDescription::Shape::sphere:
       return HollowSphere(wall.radius);
     case WallDescription::Shape::plane:
@@ -83,6 +85,9 @@ Interval interval_between(std::span<const Surface> surfaces, std::size_t axis) {
       enclose(coordinate, sphere->radius());
     } else if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
       if (cylinder->axis()[axis] == 0) enclose(coordinate, cylinder->radius());
+    } else if (const auto* cone = std::get_if<Cone>(&shape)) {
+      if (cone->axis()[axis] == 1) interval.low = std::max(interval.low, coordinate);
+      if (cone->axis()[axis] == -1) interval.high = std::min(interval.high, coordinate);
     } else if (const auto* plane = std::get_if<Plane>(&shape)) {
       bound(plane->normal(), coordinate, 0);
     } else if (const auto* moving = std::get_if<OscillatingPlane>(&shape)) {

@@ -55,8 +55,11 @@ WallDescription read_wall(const Section& section, std::size_t dimensions) {
   wall.shape = static_cast<Shape>(section.need("shape").choice());
   wall.point = section.need("point").vector(dimensions);
   if (wall.shape == Shape::plane) wall.direction = read_direction(section, "normal", dimensions);
-  if (wall.shape == Shape::cylinder) wall.direction = read_direction(section, "axis", dimensions);
-  if (wall.shape != Shape::plane) wall.radius = section.need("radius").number();
+  if (wall.shape == Shape::cylinder || wall.shape == Shape::cone)
+    wall.direction = read_direction(section, "axis", dimensions);
+  if (wall.shape == Shape::cone) wall.slope = section.need("slope").number();
+  if (wall.shape == Shape::cylinder || wall.shape == Shape::sphere)
+    wall.radius = section.need("radius").number();
   read_surface(section, wall);
   read_motion(section, dimensions, wall);
   return wall;

@@ -121,6 +121,20 @@ ThermostatKind read_thermostat(const Section& section) {
   }
 }
 
+GrowthRules read_growth(const Section& section) {
+  GrowthRules rules;
+  if (const auto rate = section.find("rate")) rules.rate = rate->number();
+  if (const auto fraction = section.find("packing_fraction"))
+    rules.until_packing_fraction = fraction->number();
+  if (const auto most = section.find("compressibility")) rules.until_compressibility = most->number();
+  try {
+    static_cast<void>(GrowthSchedule(rules));
+  } catch (const Error& error) {
+    throw Error(error.problem(), section.location(), error.remedy());
+  }
+  return rules;
+}
+
 void read_run(const Section& section, Scenario& scenario) {
   if (const auto until = section.find("until")) scenario.until = until->number();
   if (const auto seed = section.find("seed")) scenario.seed = seed->integer();
@@ -183,15 +197,17 @@ void read_measures(const Section& section, MeasureSettings& measures) {
   if (const auto from = section.find("from")) measures.from = from->number();
 }
 
-// Measures need the same spheres throughout, and finite masses.
+// Measures need the same spheres throughout, of constant sizes, and finite masses.
 void leave_out_measures(const Section& root, Scenario& scenario) {
   const bool is_kinematic = std::ranges::any_of(scenario.spheres, &SphereGroup::is_kinematic);
-  if (!scenario.has_merging() && !is_kinematic) return;
+  if (!scenario.has_merging() && !is_kinematic && !scenario.growth) return;
   const std::optional<Section> measures = root.section("measures");
   if (measures && measures->find("names") && !scenario.measures.names.empty()) {
-    throw Error(is_kinematic ? "measures do not support kinematic spheres"
-                             : "measures do not support spheres that merge",
-                measures->need("names").location(), "give names = [], for no measures");
+    const char* const unsupported = is_kinematic      ? "kinematic spheres"
+                                    : scenario.growth ? "spheres that grow"
+                                                      : "spheres that merge";
+    throw Error(std::string("measures do not support ") + unsupported, measures->need("names").location(),
+                "give names = [], for no measures");
   }
   scenario.measures.names.clear();
 }
@@ -214,6 +230,7 @@ Scenario read_scenario(const Document& document) {
   scenario.obstacles = read_obstacles(root, scenario.dimensions());
   read_response(root, scenario);
   if (const auto thermostat = root.section("thermostat")) scenario.thermostat = read_thermostat(*thermostat);
+  if (const auto growth = root.section("growth")) scenario.growth = read_growth(*growth);
   if (const auto run = root.section("run")) read_run(*run, scenario);
   if (const auto output = root.section("output")) read_output(*output, scenario);
   if (const auto measures = root.section("measures")) read_measures(*measures, scenario.measures);

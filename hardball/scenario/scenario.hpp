@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hardball/errors/export.hpp"
+#include "hardball/growth/growth_schedule.hpp"
 #include "hardball/interaction/bounce.hpp"
 #include "hardball/measure/measure_settings.hpp"
 #include "hardball/thermostats/thermostat.hpp"
@@ -96,12 +97,13 @@ struct FaceDescription {
 
 /// A wall inside the box or around it: a table [[walls]] of a scenario.
 struct WallDescription {
-  enum class Shape { plane, cylinder, sphere };
+  enum class Shape { plane, cylinder, sphere, cone };
 
   Shape shape = Shape::plane;
-  Vec3 point;         ///< Of the plane, on the axis, or the center [L].
+  Vec3 point;         ///< Of the plane, on the axis, the center, or the apex [L].
   Vec3 direction;     ///< The normal of a plane, toward the spheres, or the axis; of any length.
   double radius = 0;  ///< Of a cylinder or sphere [L].
+  double slope = 0;   ///< Of a cone [1].
   std::optional<double> restitution;  ///< Instead of Scenario::restitution [1].
   std::optional<double> temperature;  ///< k T of a thermal wall [M L^2 T^-2].
   Vec3 velocity;                      ///< [L/T]
@@ -163,6 +165,7 @@ struct HARDBALL_EXPORT Scenario {
   bool merges = false;                      ///< Whether all spheres that `pairs` does not name merge.
   std::vector<PairDescription> pairs;
   std::optional<ThermostatKind> thermostat;  ///< Its seed is that of the run.
+  std::optional<GrowthRules> growth;         ///< Of all spheres, from the start on.
   std::optional<double> until;               ///< When the run ends [T].
   std::uint64_t seed = 1;
   std::optional<std::filesystem::path> output_directory;

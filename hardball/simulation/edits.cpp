@@ -49,6 +49,26 @@ void Simulation::set_thermostat(std::optional<Thermostat> thermostat) {
   is_rescheduled_ = true;
 }
 
+void Simulation::grow(const GrowthRules& rules) {
+  check_editable("grow");
+  tuner_->end_look_ahead(now_);
+  GrowthSchedule schedule(rules);
+  begin_epoch({schedule.begin(world(), sums_.tally, now_)}, now_, nullptr);
+  growth_ = schedule;
+  is_rescheduled_ = true;
+}
+
+void Simulation::stop_growing() {
+  check_editable("stop_growing");
+  growth_.reset();
+  if (!world().motion().has_growth()) return;
+  tuner_->end_look_ahead(now_);
+  tuner_->engine().rewind(now_);
+  tuner_->engine().world_to_edit().end_growth(now_);
+  tuner_->rebuild(now_);
+  is_rescheduled_ = true;
+}
+
 void Simulation::change_velocity(SphereId id, const Vec3& velocity) {
   check_editable("change_velocity");
   const VelocityEdit edit{id, velocity};

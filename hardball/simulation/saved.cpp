@@ -27,20 +27,29 @@ struct UnusedFlag {
   }
 };
 
+// Since version 5.
+struct SavedGrowth {
+  std::optional<GrowthSchedule> schedule;
+  static void persist(auto& archive, auto& self) {
+    if (archive.version() >= 5) archive(self.schedule);
+  }
+};
+
 }  // namespace
 
 std::string Simulation::save() const {
   if (activity_.kind() == Activity::Kind::running) check_idle("save");
   const Aftermath aftermath = tuner_->engine().aftermath();
   return archived(SavedOptions{options()}, engine(), world(), now_, sums_.hash, sums_.tally, thermostat_,
-                  *user_data_, aftermath.merged, UnusedFlag(), counters(), aftermath.collapse);
+                  *user_data_, aftermath.merged, UnusedFlag(), counters(), aftermath.collapse,
+                  SavedGrowth{growth_});
 }
 
 std::string saved_simulation(const SavedOptions& options, EngineKind engine, const World& world,
                              const Time& now, const ContactSums& sums, const Counters& counters,
                              const CollapseGuard& collapse) {
   return archived(options, engine, world, now, sums.hash, sums.tally, std::optional<Thermostat>(), UserData(),
-                  MergedSpheres(), UnusedFlag(), counters, collapse);
+                  MergedSpheres(), UnusedFlag(), counters, collapse, SavedGrowth());
 }
 
 Simulation Simulation::load(std::string_view bytes, const std::string& where) {
@@ -51,8 +60,11 @@ Simulation Simulation::load(std::string_view bytes, const std::string& where) {
   Aftermath aftermath;
   UnusedFlag unused;
   Counters counters;
+  SavedGrowth growth;
   restore(bytes, where, saved, kind, world, loaded.now_, loaded.sums_.hash, loaded.sums_.tally,
-          loaded.thermostat_, *loaded.user_data_, aftermath.merged, unused, counters, aftermath.collapse);
+          loaded.thermostat_, *loaded.user_data_, aftermath.merged, unused, counters, aftermath.collapse,
+          growth);
+  loaded.growth_ = growth.schedule;
   if (saved.responses) {
     saved.responses->pass_as_in(world.interactions().table());
     world.set_interactions(*saved.responses);

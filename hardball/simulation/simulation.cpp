@@ -90,6 +90,10 @@ std::uint64_t Simulation::run_contacts(std::uint64_t count, double until) {
 RunStatus Simulation::run(const RunLimits& limits, Measures& measures) {
   check_idle("run");
   measures.check_spheres(world());
+  if (world().motion().has_growth() && measures.is_any_wanted()) {
+    throw Error("spheres grow, and measures need constant sizes", "measures",
+                "run without measures until growth has been stopped");
+  }
   return run_with(limits, &measures);
 }
 
@@ -157,14 +161,45 @@ void Simulation::call_listener(const Contact& contact, Activity::Kind activity) 
   listener_(contact);
 }
 
-// When the thermostat acts next; kNever without one.
+// When the thermostat acts next, or an epoch of growth begins; kNever without either.
 Time Simulation::next_action() const {
-  return thermostat_ ? Time(thermostat_->next()) : kNever;
+  const Time epoch = growth_ ? Time(growth_->next()) : kNever;
+  return thermostat_ ? earlier(epoch, Time(thermostat_->next())) : epoch;
+}
+
+// Whether the next action is a new epoch: at the same time it comes before the thermostat.
+bool Simulation::grows_next() const {
+  return growth_ && (!thermostat_ || growth_->next() <= thermostat_->next());
+}
+
+void Simulation::begin_epoch(const GrowthEpoch& epoch, const Time& moment, Measures* measures) {
+  // An event in the same double may have carried the engine on.
+  tuner_->engine().rewind(moment);
+  World& world = tuner_->engine().world_to_edit();
+  std::vector<NewVelocity> changes;
+  if (epoch.speed_factor != 1) {
+    const double energy_before = world.kinetic_energy(moment);
+    world.for_each_by_id([&](Slot slot) {
+      const Vec3 velocity = world.velocity(slot, moment);
+      changes.push_back({slot, velocity, epoch.speed_factor * velocity});
+    });
+    for (const NewVelocity& change : changes) world.rewrite_path(change.slot, moment, change.after);
+    const double given = world.kinetic_energy(moment) - energy_before;
+    sums_.tally.note_edit(given, moment);
+    growth_->note_energy(given);
+  }
+  world.set_growth(epoch.growth);
+  tell_of_changes(moment, changes, measures);
+  tuner_->rebuild(moment);
 }
 
 // Lets the thermostat act, and returns how many velocities it has changed, at least one. Precondition: all
 // contacts that round to that time or an earlier one have been handled, and `now_` is no earlier.
 std::uint64_t Simulation::act(const Time& moment, Measures* measures) {
+  if (grows_next()) {
+    begin_epoch(growth_->act(world(), sums_.tally, moment), moment, measures);
+    return world().size();
+  }
   const double energy_before = thermostat_->energy();
   const std::span<const NewVelocity> changes = let_thermostat_act(moment);
   sums_.tally.note_edit(thermostat_->energy() - energy_before, moment);

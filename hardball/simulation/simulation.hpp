@@ -12,6 +12,7 @@
 
 #include "hardball/engine/run.hpp"
 #include "hardball/errors/export.hpp"
+#include "hardball/growth/growth_schedule.hpp"
 #include "hardball/interaction/contact.hpp"
 #include "hardball/memory/function.hpp"
 #include "hardball/memory/value_pointer.hpp"
@@ -90,6 +91,17 @@ class HARDBALL_EXPORT Simulation {
   /// give a finite time or a number of contacts that will happen. Cost: O(n). Error: as for change_velocity.
   void set_thermostat(std::optional<Thermostat> thermostat);
   const std::optional<Thermostat>& thermostat() const { return thermostat_; }
+
+  /// Lets all spheres grow from now on, or shrink, until they fill as much as the rules say; replaces a
+  /// growth that is not over. The epochs of the growth begin at times of their own, each after all contacts
+  /// that round to the same double as that time, or an earlier one; at some of them all velocities are halved
+  /// or doubled. Cost: O(n) now and for each epoch. Error: see World::set_growth and GrowthSchedule.
+  void grow(const GrowthRules& rules);
+  /// Ends a growth: from now on spheres keep the sizes that they have, as if nothing had ever grown. Measures
+  /// need this, also after growth has reached its end. Cost: O(n).
+  void stop_growing();
+  /// The growth that has begun last, and may be over; none after stop_growing.
+  const std::optional<GrowthSchedule>& growth() const { return growth_; }
 
   /// Sets a listener, called after every change of a velocity without a contact: by the thermostat, or by
   /// change_velocity. It may query the simulation. Error, from the call in question: it runs or edits it.
@@ -228,10 +240,14 @@ class HARDBALL_EXPORT Simulation {
   void take_next_listener();
   void call_listener(const Contact& contact, Activity::Kind activity);
   Time next_action() const;
+  bool grows_next() const;
+  void begin_epoch(const GrowthEpoch& epoch, const Time& moment, Measures* measures);
   std::uint64_t act(const Time& moment, Measures* measures);
   std::span<const NewVelocity> let_thermostat_act(const Time& moment);
   void forget_at_thermostat(SphereId id);
   void look_ahead(const Time& until, std::uint64_t most, const Function<void(const Contact&)>& observe);
+  void look_ahead_in_copy(const Time& until, std::uint64_t most,
+                          const Function<void(const Contact&)>& observe) const;
   void edit_velocities(std::span<const VelocityEdit> edits, Measures* measures);
   void tell_of_changes(const Time& moment, std::span<const NewVelocity> changes, Measures* measures);
   void check_idle(const char* what) const;
@@ -243,6 +259,7 @@ class HARDBALL_EXPORT Simulation {
   ContactSums sums_;
   ValuePointer<UserData> user_data_;
   std::optional<Thermostat> thermostat_;
+  std::optional<GrowthSchedule> growth_;
   Function<void(const Contact&)> listener_;
   std::optional<Function<void(const Contact&)>> next_listener_;  // set by the listener itself
   Function<void(const VelocityChange&)> change_listener_;

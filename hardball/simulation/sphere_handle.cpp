@@ -19,7 +19,7 @@ Vec3 SphereHandle::velocity() const {
 }
 
 double SphereHandle::radius() const {
-  return simulation_->world().radius(simulation_->world().slot_of(id_));
+  return simulation_->world().radius(simulation_->world().slot_of(id_), simulation_->now());
 }
 
 double SphereHandle::mass() const {

@@ -21,9 +21,9 @@ class Cylinder {
 
   /// The difference of the squared distances of the surface and of the center of a touching sphere from the
   /// axis [L^2], as a function of time.
-  Polynomial gap(const Passage& passage, double radius) const {
+  Polynomial gap(const Passage& passage) const {
     const PreciseVector axis = precise(axis_);
-    return room_within(radius_ - radius,
+    return room_within(radius_, passage,
                        squared_distance(cross(passage.position, axis), cross(passage.velocity, axis),
                                         cross(half(passage.acceleration), axis)));
   }

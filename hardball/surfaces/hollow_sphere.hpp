@@ -20,8 +20,8 @@ class HollowSphere {
 
   /// The difference of the squared distances of the surface and of the center of a touching sphere from the
   /// origin [L^2], as a function of time.
-  Polynomial gap(const Passage& passage, double radius) const {
-    return room_within(radius_ - radius,
+  Polynomial gap(const Passage& passage) const {
+    return room_within(radius_, passage,
                        squared_distance(passage.position, passage.velocity, half(passage.acceleration)));
   }
   /// The distance from a point to the surface [L]; negative beyond it.

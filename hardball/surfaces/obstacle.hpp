@@ -21,21 +21,19 @@ class Obstacle {
 
   /// The difference of the squared distance of a sphere's center from the origin and that at which it touches
   /// [L^2], as a function of time.
-  Polynomial gap(const Passage& passage, double radius) const {
-    Polynomial gap = squared_distance(passage.position, passage.velocity, half(passage.acceleration));
-    const DoubleDouble<> reach = sum(radius_, radius);
-    gap.coefficients[0] = gap.coefficients[0] - reach * reach;
-    return gap;
+  Polynomial gap(const Passage& passage) const {
+    return difference(squared_distance(passage.position, passage.velocity, half(passage.acceleration)),
+                      square_of(sum(radius_, passage.radius), {passage.growth, 0}));
   }
   /// Whether a sphere certainly passes by: a cheap test, as most do.
-  bool is_missed(const Passage& passage, double radius) const {
-    if (rounded(passage.acceleration) != Vec3{}) return false;
+  bool is_missed(const Passage& passage) const {
+    if (rounded(passage.acceleration) != Vec3{} || passage.growth != 0) return false;
     const Vec3 position = rounded(passage.position);
     const Vec3 velocity = rounded(passage.velocity);
     const double square = dot(position, position);
     const double speed_squared = dot(velocity, velocity);
     const double approach = dot(position, velocity);
-    const double reach = radius_ + radius;
+    const double reach = radius_ + passage.radius;
     // Far more than rounding.
     constexpr double kMargin = 1e-12;
     if (!(square > (1 + kMargin) * (reach * reach))) return false;

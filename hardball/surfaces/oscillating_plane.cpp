@@ -81,9 +81,9 @@ bool OscillatingPlane::is_met(const Flight& flight, const Polynomial& room, doub
 
 // A sphere that stays within the plane's reach is met within a turn. If it is not, one double counts too
 // coarsely from the start of the flight, or the plane passes by the sphere so closely that no number tells.
-Time OscillatingPlane::contact_time(const Passage& passage, double radius) const {
+Time OscillatingPlane::contact_time(const Passage& passage) const {
   constexpr double kManyTurns = 64;  // of which one double knows the phase less well than the place
-  Flight flight{rest_.gap(passage, radius), passage.start};
+  Flight flight{rest_.gap(passage), passage.start};
   double passed_by = 0;  // as a fraction of the amplitude
   double t = 0;
   const auto count_from = [&](double moment) {
@@ -118,7 +118,7 @@ Time OscillatingPlane::contact_time(const Passage& passage, double radius) const
 }
 
 DoubleDouble<> OscillatingPlane::opening_speed(const Passage& passage) const {
-  return {gap_at({rest_.gap(passage, 0), passage.start}, 0).opening_speed, 0};
+  return {gap_at({rest_.gap(passage), passage.start}, 0).opening_speed, 0};
 }
 
 Vec3 OscillatingPlane::displacement_at(const Time& moment) const {

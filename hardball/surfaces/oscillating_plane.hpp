@@ -24,11 +24,11 @@ class HARDBALL_EXPORT OscillatingPlane {
   double amplitude() const { return amplitude_; }
   double frequency() const { return frequency_; }
 
-  /// When a sphere of this radius first touches the plane while they approach, at the start of a passage or
+  /// When a sphere first touches the plane while they approach, at the start of a passage or
   /// later; kNever if it never does. The gap, a parabola less a sine, is evaluated in twice the precision,
   /// and advanced by steps in which a bound of its curvature excludes a contact, to the last bit. Cost: that
   /// of a few turns, however long the passage.
-  Time contact_time(const Passage& passage, double radius) const;
+  Time contact_time(const Passage& passage) const;
   /// How fast the gap opens at the start of a passage [L/T]; negative if it closes.
   DoubleDouble<> opening_speed(const Passage& passage) const;
 

@@ -26,12 +26,15 @@ inline DoubleDouble<> dot(const PreciseVector& a, const PreciseVector& b) {
   return sum_of_three(a.x * b.x, a.y * b.y, a.z * b.z);
 }
 
-/// The motion of a sphere's center past a surface, from the start of its path on: where it is relative to the
-/// point that defines the surface, and in the frame in which that point rests. A parabola, or a line.
+/// The motion of a sphere past a surface, from the start of its path or of the epoch of its growth on: where
+/// its center is relative to the point that defines the surface, in the frame in which that point rests, on a
+/// parabola or a line; and its radius.
 struct Passage {
   PreciseVector position;      ///< At the start [L].
   PreciseVector velocity;      ///< At the start [L/T].
   PreciseVector acceleration;  ///< [L/T^2]
+  double radius = 0;           ///< At the start [L].
+  double growth = 0;           ///< Rate of the radius [L/T].
   Time start;                  ///< [T]
 };
 
@@ -53,12 +56,24 @@ inline PreciseVector half(const PreciseVector& a) {
   return {of(a.x), of(a.y), of(a.z)};
 }
 
-/// The difference between the greatest squared distance and this one: positive inside.
-inline Polynomial room_within(double distance, const Polynomial& squared) {
-  Polynomial room;
-  for (std::size_t i = 0; i <= Polynomial::kMaxDegree; ++i) room.coefficients[i] = -squared.coefficients[i];
-  room.coefficients[0] = product(distance, distance) - squared.coefficients[0];
-  return room;
+/// The square of a length that changes uniformly.
+inline Polynomial square_of(const DoubleDouble<>& length, const DoubleDouble<>& rate) {
+  const DoubleDouble<> two{2, 0};
+  return {{length * length, two * length * rate, rate * rate}};
+}
+
+/// a - b.
+inline Polynomial difference(const Polynomial& a, const Polynomial& b) {
+  Polynomial difference;
+  for (std::size_t i = 0; i <= Polynomial::kMaxDegree; ++i)
+    difference.coefficients[i] = a.coefficients[i] - b.coefficients[i];
+  return difference;
+}
+
+/// The difference between the squared distance that a center may have, `distance` less the radius, and the
+/// one that it has: positive inside.
+inline Polynomial room_within(double distance, const Passage& passage, const Polynomial& squared) {
+  return difference(square_of({distance - passage.radius, 0}, {-passage.growth, 0}), squared);
 }
 
 }  // namespace hardball

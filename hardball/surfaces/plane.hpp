@@ -18,10 +18,11 @@ class Plane {
 
   const Vec3& normal() const { return normal_; }
 
-  /// The gap between the surface and a sphere of this radius [L], as a function of time.
-  Polynomial gap(const Passage& passage, double radius) const {
+  /// The gap between the surface and a sphere [L], as a function of time.
+  Polynomial gap(const Passage& passage) const {
     const PreciseVector n = precise(normal_);
-    return {{dot(passage.position, n) - DoubleDouble<>{radius, 0}, dot(passage.velocity, n),
+    return {{dot(passage.position, n) - DoubleDouble<>{passage.radius, 0},
+             dot(passage.velocity, n) - DoubleDouble<>{passage.growth, 0},
              dot(half(passage.acceleration), n)}};
   }
   /// The distance from a point to the surface [L]; negative beyond it.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/surfaces/surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hardball/errors/error.hpp"
@@ -43,12 +44,17 @@ void check(const HollowSphere& sphere) {
 void check(const Obstacle& obstacle) {
   check_radius(obstacle.radius());
 }
+void check(const Cone& cone) {
+  check_direction(cone.axis(), "axis");
+  if (cone.slope() > 0 && std::isfinite(cone.slope() * cone.slope())) return;
+  throw Error("the slope of a cone is " + to_text(cone.slope()), "surface", "give a positive number");
+}
 
 DoubleDouble<> opening_speed(const auto& shape, const Passage& passage) {
   if constexpr (requires { shape.opening_speed(passage); }) {
     return shape.opening_speed(passage);
   } else {
-    return shape.gap(passage, 0).coefficients[1];
+    return shape.gap(passage).coefficients[1];
   }
 }
 
@@ -67,55 +73,69 @@ std::string_view Surface::name() const {
   return std::visit([](const auto& shape) { return std::string_view(shape.kName); }, shape_);
 }
 
-Passage Surface::passage_of(const Motion& motion, const Path& path) const {
-  Passage passage{precise_difference(path.position, point_), precise_difference(path.velocity, velocity_),
-                  precise(motion.gravity()), path.time};
+Passage Surface::passage_of(const Motion& motion, const Path& path, double radius) const {
+  Time start = path.time;
+  Vec3 position = path.position;
+  double growth = 0;
+  if (motion.has_growth()) {
+    start = later(start, motion.growth().begin);
+    position = motion.position_at(path, start);
+    growth = radius * motion.growth().rate;
+  }
+  Passage passage{precise_difference(position, point_),
+                  precise_difference(path.velocity, velocity_),
+                  precise(motion.gravity()),
+                  radius * motion.scale_at(start),
+                  growth,
+                  start};
   if (velocity_ == Vec3{}) return passage;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    passage.position[axis] = passage.position[axis] - (product(velocity_[axis], path.time.high) +
-                                                       product(velocity_[axis], path.time.low));
+    passage.position[axis] =
+        passage.position[axis] - (product(velocity_[axis], start.high) + product(velocity_[axis], start.low));
   }
   return passage;
 }
 
 Time Surface::contact_time(const Motion& motion, const Path& path, double radius) const {
-  const Passage passage = passage_of(motion, path);
+  const Passage passage = passage_of(motion, path, radius);
   return std::visit(
       [&](const auto& shape) {
-        if constexpr (requires { shape.contact_time(passage, radius); }) {
-          return shape.contact_time(passage, radius);
+        if constexpr (requires { shape.contact_time(passage); }) {
+          return shape.contact_time(passage);
         } else {
-          if constexpr (requires { shape.is_missed(passage, radius); }) {
-            if (shape.is_missed(passage, radius)) return kNever;
+          if constexpr (requires { shape.is_missed(passage); }) {
+            if (shape.is_missed(passage)) return kNever;
           }
-          return after(path.time, earliest_descent(shape.gap(passage, radius)));
+          return after(passage.start, earliest_descent(shape.gap(passage)));
         }
       },
       shape_);
 }
 
-bool Surface::is_approached(const Motion& motion, const Path& path) const {
-  const Passage passage = passage_of(motion, path);
+bool Surface::is_approached(const Motion& motion, const Path& path, double radius) const {
+  const Passage passage = passage_of(motion, path, radius);
   const DoubleDouble<> speed =
       std::visit([&](const auto& shape) { return opening_speed(shape, passage); }, shape_);
   return speed.high < 0 || (speed.high == 0 && speed.low < 0);
 }
 
 double Surface::free_until(const Motion& motion, const Path& path, double radius, const Time& now) const {
+  const double size = radius * motion.scale_at(now);
+  const double growth = std::max(0.0, radius * motion.growth().rate);
   // More than distance, speed and wait are rounded by.
   constexpr double kRounding = 0x1p-40;
   const Vec3 position = motion.position_at(path, now);
-  const double scale = length(position) + length(point_) + length(velocity_) * std::fabs(now.high) + radius;
+  const double scale = length(position) + length(point_) + length(velocity_) * std::fabs(now.high) + size;
   const Vec3 relative = (position - now.high * velocity_) - point_;
   const double gap = std::visit(
       [&](const auto& shape) {
-        const double distance = shape.distance(relative) - radius - kRounding * scale;
+        const double distance = shape.distance(relative) - size - kRounding * scale;
         if constexpr (requires { shape.amplitude(); }) return distance - shape.amplitude();
         return distance;
       },
       shape_);
   if (!(gap > 0)) return rounded_down(now);
-  const double speed = length(motion.velocity_at(path, now) - velocity_);
+  const double speed = length(motion.velocity_at(path, now) - velocity_) + growth;
   const double acceleration = length(motion.gravity());
   const double wait = 2 * gap / (speed + std::sqrt(speed * speed + 2 * acceleration * gap));
   return rounded_down(now) + (1 - kRounding) * wait;

@@ -8,6 +8,7 @@
 
 #include "hardball/errors/export.hpp"
 #include "hardball/geometry/motion.hpp"
+#include "hardball/surfaces/cone.hpp"
 #include "hardball/surfaces/cylinder.hpp"
 #include "hardball/surfaces/hollow_sphere.hpp"
 #include "hardball/surfaces/obstacle.hpp"
@@ -19,11 +20,11 @@ namespace hardball {
 
 /// The shapes of surfaces, each in a file of its own: where a sphere touches it, and which way it lies.
 ///
-/// A shape has `kName`; `gap(passage, radius)`, a polynomial that is positive while a sphere does not touch
-/// it, or `contact_time(passage, radius)` and `opening_speed(passage)`; `distance(position)` and
-/// `towards(position)`; and if it moves by itself, `displacement_at(moment)` and `velocity_at(moment)`.
-/// Positions are relative to the surface's point.
-using Shape = std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle>;
+/// A shape has `kName`; `gap(passage)`, a polynomial that is positive while a sphere does not touch it, or
+/// `contact_time(passage)` and `opening_speed(passage)`; `distance(position)` and `towards(position)`; and if
+/// it moves by itself, `displacement_at(moment)` and `velocity_at(moment)`. Positions are relative to the
+/// surface's point.
+using Shape = std::variant<Plane, OscillatingPlane, Cylinder, HollowSphere, Obstacle, Cone>;
 
 /// A wall or an obstacle that spheres bounce off: at rest, in uniform motion, or oscillating.
 class HARDBALL_EXPORT Surface {
@@ -39,12 +40,12 @@ class HARDBALL_EXPORT Surface {
   const SurfaceMaterial& material() const { return material_; }
   std::string_view name() const;
 
-  /// When a sphere on `path` first touches the surface while they approach, at the start of the path or
-  /// later; kNever if it never does. A function of the path alone.
+  /// When a sphere on `path` of this base radius first touches the surface while they approach, at the start
+  /// of the path or of the epoch of its growth, or later; kNever if it never does. A function of these alone.
   Time contact_time(const Motion& motion, const Path& path, double radius) const;
   /// Whether a sphere at the start of `path` approaches the surface: if not, and if it touches it, it does so
   /// again only later.
-  bool is_approached(const Motion& motion, const Path& path) const;
+  bool is_approached(const Motion& motion, const Path& path, double radius) const;
   /// A time before which a sphere on `path` does not touch the surface [T], from where it is at `now`.
   double free_until(const Motion& motion, const Path& path, double radius, const Time& now) const;
 
@@ -66,7 +67,7 @@ class HARDBALL_EXPORT Surface {
     return true;
   }
 
-  Passage passage_of(const Motion& motion, const Path& path) const;
+  Passage passage_of(const Motion& motion, const Path& path, double radius) const;
   Vec3 relative_position(const Vec3& position, const Time& moment) const;
 
   Shape shape_;

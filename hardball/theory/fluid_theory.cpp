@@ -52,7 +52,7 @@ FluidTheory::FluidTheory(const World& world, const SpeciesList& species)
       is_flat_(world.box().is_flat()),
       holds_(world.box().is_all(Boundary::periodic) && world.motion().is_straight() &&
              world.surfaces().empty() && world.size() > 1),
-      has_equal_radii_(world.radii().is_common()),
+      has_equal_radii_(world.base_radii().is_common()),
       density_(static_cast<double>(world.size()) / world.box().volume()),
       compressibility_(kNoNumber) {
   if (!holds_) return;
@@ -61,7 +61,7 @@ FluidTheory::FluidTheory(const World& world, const SpeciesList& species)
     double power = 1;
     for (double& sum : xi) {
       sum += power;
-      power *= 2 * world.radius(slot);
+      power *= 2 * world.base_radius(slot);
     }
   });
   if (is_flat_) {

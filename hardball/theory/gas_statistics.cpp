@@ -39,14 +39,14 @@ double GasStatistics::packing_fraction() const {
 
 void GasSums::note(const World& world, Slot slot, const Time& moment) {
   ++spheres;
-  const double radius = world.radius(slot);
+  const double radius = world.radius(slot, moment);
   double power = 1;
   for (ExactSum& sum : radius_power) {
     sum += power;
     power *= radius;
   }
   speed += length(world.velocity(slot, moment));
-  largest_radius = std::max(largest_radius, radius);
+  largest_radius = std::max(largest_radius, world.bounding_radius(slot));
 }
 
 void GasSums::add(const GasSums& other) {

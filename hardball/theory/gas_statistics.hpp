@@ -23,7 +23,7 @@ struct HARDBALL_EXPORT GasStatistics {
   Vec3 extent;
   /// The mean of the k-th power of the radius, k = 0 to 5 [L^k].
   std::array<double, 6> radius_power{1, 0, 0, 0, 0, 0};
-  double largest_radius = 0;  ///< [L]
+  double largest_radius = 0;  ///< In the epoch [L].
   double mean_speed = 0;      ///< [L/T]
 
   bool is_flat() const { return box.is_flat(); }

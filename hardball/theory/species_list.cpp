@@ -22,7 +22,7 @@ double common(const auto& of, std::size_t spheres) {
 
 SpeciesList::SpeciesList(const World& world) {
   world.for_each_by_id([&](Slot slot) {
-    const double radius = world.radius(slot);
+    const double radius = world.base_radius(slot);
     const double mass = world.mass(slot);
     std::size_t kind = 0;
     const SpeciesId label = world.species(slot);
@@ -38,7 +38,7 @@ SpeciesList::SpeciesList(const World& world) {
   });
   is_one_kind_ = kinds_.size() <= 1;
   if (kinds_.empty() || kinds_.size() > kMaxSpecies) {
-    kinds_ = {{common([&](Slot slot) { return world.radius(slot); }, world.size()),
+    kinds_ = {{common([&](Slot slot) { return world.base_radius(slot); }, world.size()),
                common([&](Slot slot) { return world.mass(slot); }, world.size()), 0, world.size()}};
   }
   if (kinds_.size() == 1) species_ = {};

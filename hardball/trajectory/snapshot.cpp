@@ -55,7 +55,7 @@ Snapshot snapshot_of(const World& world, const Time& moment) {
   world.for_each_by_id([&](Slot slot) {
     snapshot.spheres.push_back({.position = world.position(slot, moment),
                                 .velocity = world.velocity(slot, moment),
-                                .radius = world.radius(slot),
+                                .radius = world.radius(slot, moment),
                                 .mass = world.mass(slot),
                                 .spin = world.spin(slot),
                                 .species = world.species(slot),

@@ -29,7 +29,7 @@ std::vector<SizeClass> size_classes(const World& world, const Time& moment) {
   constexpr double kPerOctave = 4;
   std::map<int, SizeClass> classes;
   world.for_each_by_id([&](Slot slot) {
-    const double radius = world.radius(slot);
+    const double radius = world.bounding_radius(slot);
     SizeClass& own = classes[static_cast<int>(std::floor(kPerOctave * std::log2(radius)))];
     own.spheres += 1;
     own.radius += radius;

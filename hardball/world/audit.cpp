@@ -19,7 +19,7 @@ bool is_finite(const Vec3& a) {
 }
 
 void note_escape(const World& world, Slot slot, const Vec3& position, const Time& moment, Audit& found) {
-  const double radius = world.radius(slot);
+  const double radius = world.radius(slot, moment);
   const auto note = [&](double reach_through) {
     const double through = reach_through / (2 * radius);
     if (through <= found.max_escape) return;
@@ -55,9 +55,9 @@ std::vector<Slot> all_slots(const World& world) {
 Audit audit(const World& world, const Time& moment, const Progress& progress) {
   Audit found;
   std::vector<Slot> by_size = all_slots(world);
-  if (!world.radii().is_common()) {
+  if (!world.base_radii().is_common()) {
     std::stable_sort(by_size.begin(), by_size.end(),
-                     [&](Slot a, Slot b) { return world.radius(a) > world.radius(b); });
+                     [&](Slot a, Slot b) { return world.base_radius(a) > world.base_radius(b); });
   }
   const bool passes = world.has_passing_pairs();
   StaticHashGrid neighborhood(world.box(), world.size(), world.largest_radius());
@@ -73,7 +73,7 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
     }
     const Vec3 position = world.position(slot, moment);
     note_escape(world, slot, position, moment, found);
-    neighborhood.for_each_near(position, world.radius(slot),
+    neighborhood.for_each_near(position, world.radius(slot, moment),
                                [&](std::uint32_t index, const Vec3& separation, double reach) {
                                  // With a margin for rounding; most neighbors are farther away.
                                  if (dot(separation, separation) > 1.001 * (reach * reach)) return;
@@ -84,7 +84,7 @@ Audit audit(const World& world, const Time& moment, const Progress& progress) {
                                  found.overlap_first = std::min(world.id(slot), world.id(inserted[index]));
                                  found.overlap_second = std::max(world.id(slot), world.id(inserted[index]));
                                });
-    neighborhood.insert(position, world.radius(slot));
+    neighborhood.insert(position, world.radius(slot, moment));
     inserted.push_back(slot);
   }
   return found;
@@ -109,8 +109,8 @@ void require_sound(const Audit& found, const Time& moment) {
 
 void require_room(const World& world, Slot added, std::span<const Slot> others, const Time& moment) {
   const double through =
-      world.radius(added) - distance_to_surfaces(world, world.position(added, moment), moment);
-  if (through > 2 * world.radius(added) * kOverlapTolerance) {
+      world.radius(added, moment) - distance_to_surfaces(world, world.position(added, moment), moment);
+  if (through > 2 * world.radius(added, moment) * kOverlapTolerance) {
     throw Error("the new sphere reaches through a wall by " + to_text(through), "sphere to add",
                 "place it elsewhere or shrink it");
   }
@@ -118,7 +118,7 @@ void require_room(const World& world, Slot added, std::span<const Slot> others, 
   double its_overlap = 0;
   for (const Slot other : others) {
     if (other == added || world.pass(added, other)) continue;
-    const double reach = world.radius(added) + world.radius(other);
+    const double reach = world.radius(added, moment) + world.radius(other, moment);
     const double overlap = 1 - length(nearest_separation(world, added, other, moment)) / reach;
     if (overlap <= kOverlapTolerance || (in_the_way && world.id(other) >= *in_the_way)) continue;
     in_the_way = world.id(other);
@@ -137,7 +137,7 @@ std::vector<Event> overlaps_of(const World& world, Slot slot, std::span<const Sl
     const Image image = nearest_image(world, slot, other, now);
     const Vec3 separation =
         separation_at(world.motion(), world.path(slot), world.path(other), world.box().shift(image), now);
-    const double reach = world.radius(slot) + world.radius(other);
+    const double reach = world.radius(slot, now) + world.radius(other, now);
     if (!(dot(separation, separation) < reach * reach)) continue;
     overlaps.push_back(make_collision(now, world.id(slot), world.id(other), image));
   }

@@ -44,6 +44,12 @@ class PerSphere {
     if (!each_.empty()) each_[slot] = value;
   }
 
+  /// Multiplies all by one factor.
+  void multiply(double factor) {
+    common_ *= factor;
+    for (double& value : each_) value *= factor;
+  }
+
   /// Removes the number of a slot; that of the last slot takes its place.
   void erase(Slot slot) {
     if (!each_.empty()) {

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "hardball/world/setting.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
+#include <variant>
 
 #include "hardball/errors/error.hpp"
 #include "hardball/geometry/range.hpp"
@@ -30,6 +34,8 @@ void refuse_out_of_plane(const Surface& surface) {
     throw Error("the axis of " + name + " is not z in a box of two dimensions", "walls",
                 "make it (0, 0, 1): a circle around the discs");
   }
+  if (const auto* cone = std::get_if<Cone>(&surface.shape()))
+    refuse_out_of_plane(cone->axis(), "the axis of " + name, "walls");
   if (const Vec3* const normal = normal_of(surface))
     refuse_out_of_plane(*normal, "the normal of " + name, "walls");
 }
@@ -67,6 +73,7 @@ void refuse_in_periodic_box(const Surface& surface, const Box& box) {
       if ((*normal)[axis] != 0) refuse(axis, "make it parallel to the axis, or the axis not periodic");
       continue;
     }
+    if (std::holds_alternative<Cone>(surface.shape())) refuse(axis, "make the axis a wall, or open");
     const auto* cylinder = std::get_if<Cylinder>(&surface.shape());
     if (cylinder != nullptr && std::fabs(cylinder->axis()[axis]) == 1) continue;
     if (cylinder != nullptr && cylinder->axis()[axis] != 0)
@@ -122,6 +129,52 @@ void check_setting(const Box& box, const Motion& motion, std::span<const Surface
   if (!box.is_flat()) return;
   refuse_out_of_plane(gravity, "gravity", "gravity");
   for (const Surface& surface : surfaces) refuse_out_of_plane(surface);
+}
+
+void check_growth(const Growth& growth) {
+  const auto refuse = [](const std::string& what, const char* remedy) {
+    throw Error(what, "growth", remedy);
+  };
+  if (growth == Growth()) return;
+  check_moment(growth.begin, "growth");
+  check_positive(growth.scale, "scale", "growth");
+  check_finite(growth.rate, "rate", "growth");
+  if (growth.rate != 0) check_moment(growth.end, "growth");
+  if (growth.end < growth.begin) refuse("an epoch ends before it begins", "give a later end");
+  if (growth.rate != 0 && !(growth.scale_at(growth.end) >= kSmallestMagnitude)) {
+    refuse("spheres shrink to the scale " + to_text(growth.scale_at(growth.end)),
+           "end the epoch while they have a size");
+  }
+}
+
+void check_walls_for_growth(const Box& box, std::span<const Surface> surfaces) {
+  const auto check = [](const SurfaceMaterial& material, const Vec3& velocity) {
+    if (velocity != Vec3{}) throw Error("spheres grow, and a wall moves", "growth", "keep it at rest");
+    if (!material.temperature) return;
+    throw Error("spheres grow, and a wall has a temperature", "growth", "let it reflect them");
+  };
+  for (Face face = 0; face < kFaces; ++face) {
+    if (box.is_wall(axis_of(face))) check(box.face(face).material, box.face(face).velocity);
+  }
+  for (const Surface& surface : surfaces) {
+    check(surface.material(), surface.velocity());
+    if (!std::holds_alternative<OscillatingPlane>(surface.shape())) continue;
+    throw Error("spheres grow, and a wall oscillates", "growth", "keep it at rest");
+  }
+}
+
+double largest_fitting_radius(const Box& box, std::span<const Surface> surfaces) {
+  double radius = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (box.is_bounded(axis)) radius = std::min(radius, box.size()[axis] / 2);
+  }
+  for (const Surface& surface : surfaces) {
+    if (const auto* cylinder = std::get_if<Cylinder>(&surface.shape()))
+      radius = std::min(radius, cylinder->radius());
+    if (const auto* sphere = std::get_if<HollowSphere>(&surface.shape()))
+      radius = std::min(radius, sphere->radius());
+  }
+  return radius;
 }
 
 void check_reachable(const Box& box, std::span<const Surface> surfaces) {

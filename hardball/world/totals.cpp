@@ -10,7 +10,7 @@ void Totals::note(const World& world, Slot slot, const Time& moment) {
   energy += hardball::energy(world, slot, moment);
   const Vec3 of_sphere = hardball::momentum(world, slot, moment);
   for (std::size_t axis = 0; axis < kAxes; ++axis) momentum[axis] += of_sphere[axis];
-  sphere_volume += world.box().sphere_volume(world.radius(slot));
+  sphere_volume += world.box().sphere_volume(world.radius(slot, moment));
 }
 
 void Totals::add(const Totals& other) {

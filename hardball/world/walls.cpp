@@ -30,7 +30,8 @@ template <class Visit>
 void for_each_image(const World& world, const Surface& surface, const Path& path, double radius,
                     const Time& now, double boxes, Visit&& visit) {
   if (!has_images(world, surface)) return visit(path);
-  const double touching = std::get<Obstacle>(surface.shape()).radius() + radius;
+  const double touching =
+      std::get<Obstacle>(surface.shape()).radius() + radius * world.motion().largest_scale();
   const Vec3 position = world.motion().position_at(path, now);
   const Vec3 apart = position - surface.point();
   static_cast<void>(world.box().boxes_beyond(apart));  // which refuses what is too far to count
@@ -54,14 +55,38 @@ void for_each_image(const World& world, const Surface& surface, const Path& path
   }
 }
 
-// The time after the start of a path at which a sphere touches a face; infinity if never.
-double time_to_face(const World& world, const Path& path, double radius, std::size_t axis, bool upper) {
-  const double distance =
-      upper ? (world.box().size()[axis] - radius) - path.position[axis] : path.position[axis] - radius;
+// How far from a face a sphere is.
+double gap_to_face(const Box& box, const Vec3& position, double radius, std::size_t axis, bool upper) {
+  return upper ? (box.size()[axis] - radius) - position[axis] : position[axis] - radius;
+}
+
+// When a sphere touches a face; kNever if never.
+Time time_of_face(const World& world, const Path& path, double radius, std::size_t axis, bool upper) {
+  const Motion& motion = world.motion();
   const double approach = upper ? path.velocity[axis] : -path.velocity[axis];
-  const double pull = upper ? world.motion().gravity()[axis] : -world.motion().gravity()[axis];
-  if (pull == 0) return time_to_plane(distance, approach);
-  return earliest_descent({{{{distance, 0}, {-approach, 0}, {-0.5 * pull, 0}}}});
+  if (motion.has_growth()) {
+    const Time start = later(path.time, motion.growth().begin);
+    const double gap = gap_to_face(world.box(), motion.position_at(path, start),
+                                   radius * motion.growth().scale_at(start), axis, upper);
+    return after(start, time_to_plane(gap, approach + radius * motion.growth().rate));
+  }
+  const double gap = gap_to_face(world.box(), path.position, radius, axis, upper);
+  const double pull = upper ? motion.gravity()[axis] : -motion.gravity()[axis];
+  if (pull == 0) return after(path.time, time_to_plane(gap, approach));
+  return after(path.time, earliest_descent({{{{gap, 0}, {-approach, 0}, {-0.5 * pull, 0}}}}));
+}
+
+// The part of a cone between two faces of the box across its axis; NaN if its axis is none of the box's.
+double volume_within(const Cone& cone, const Vec3& apex, const Box& box) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const double direction = cone.axis()[axis];
+    if (std::fabs(direction) != 1) continue;
+    const double near = std::max(0.0, direction > 0 ? -apex[axis] : apex[axis] - box.size()[axis]);
+    const double far = std::max(0.0, direction > 0 ? box.size()[axis] - apex[axis] : apex[axis]);
+    if (box.is_flat()) return cone.slope() * (far * far - near * near);
+    return std::numbers::pi / 3 * cone.slope() * cone.slope() * (far * far * far - near * near * near);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
@@ -90,7 +115,7 @@ Event next_wall_event(const World& world, SphereId id, const Path& path, double 
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (!world.box().is_wall(axis)) continue;
     for (const bool upper : {false, true}) {
-      note(after(path.time, time_to_face(world, path, radius, axis, upper)), face_of(axis, upper));
+      note(time_of_face(world, path, radius, axis, upper), face_of(axis, upper));
     }
   }
   std::uint32_t number = kFaces;
@@ -105,13 +130,14 @@ Event next_wall_event(const World& world, SphereId id, const Path& path, double 
 }
 
 Event next_wall_event(const World& world, Slot slot, const Time& now, double boxes) {
-  return next_wall_event(world, world.id(slot), world.path(slot), world.radius(slot), now, boxes);
+  return next_wall_event(world, world.id(slot), world.path(slot), world.base_radius(slot), now, boxes);
 }
 
 bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const Time& now, double boxes) {
   if (!(time < kNever.high)) return true;
   const Path& path = world.path(slot);
-  const double radius = world.radius(slot);
+  const double radius = world.base_radius(slot);
+  const double largest_radius = world.bounding_radius(slot);
   constexpr double kRounding = 1 + 0x1p-48;
   const double elapsed = (time - rounded_down(path.time)) * kRounding;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -119,8 +145,8 @@ bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const
     const double gravity = world.motion().gravity()[axis];
     const double way =
         elapsed * (std::fabs(path.velocity[axis]) + 0.5 * elapsed * std::fabs(gravity)) * kRounding;
-    const double below = path.position[axis] - radius;
-    const double above = (world.box().size()[axis] - radius) - path.position[axis];
+    const double below = gap_to_face(world.box(), path.position, largest_radius, axis, false);
+    const double above = gap_to_face(world.box(), path.position, largest_radius, axis, true);
     if (std::min(below, above) <= way) return true;
   }
   bool may = false;
@@ -164,13 +190,15 @@ double accessible_volume(const World& world) {
         if (std::fabs(cylinder->axis()[axis]) != 1) continue;
         volume = box.is_flat() ? section : section * box.size()[axis];
       }
+    } else if (const auto* cone = std::get_if<Cone>(&shape)) {
+      volume = volume_within(*cone, surface.point(), box);
     }
   }
   return volume - obstacles;
 }
 
-double packing_fraction(const World& world) {
-  return packing_fraction(world, world.sphere_volume());
+double packing_fraction(const World& world, const Time& moment) {
+  return packing_fraction(world, world.sphere_volume(moment));
 }
 
 double packing_fraction(const World& world, double sphere_volume) {

@@ -25,21 +25,21 @@ HARDBALL_EXPORT bool has_images_of_obstacles(const World& world);
 /// `boxes` box lengths away along each axis from where the sphere is now.
 HARDBALL_EXPORT Event next_wall_event(const World& world, Slot slot, const Time& now, double boxes);
 
-/// The same for a sphere on any path: the event is that of sphere `id`.
+/// The same for a sphere on any path, of this base radius [L]: the event is that of sphere `id`.
 HARDBALL_EXPORT Event next_wall_event(const World& world, SphereId id, const Path& path, double radius,
                                       const Time& now, double boxes);
 
-/// What may_meet_wall does for surfaces, and for faces of the box if there is gravity.
+/// What may_meet_wall does for surfaces, and for faces of the box if there is gravity or growth.
 HARDBALL_EXPORT bool may_meet_wall_of_any_kind(const World& world, Slot slot, double time, const Time& now,
                                                double boxes);
 
 /// Whether a sphere may meet a wall before `time`, from products instead of quotients: if not, the high part
 /// of the time of next_wall_event is no less than `time`. Precondition: its path does not start later.
 inline bool may_meet_wall(const World& world, Slot slot, double time, const Time& now, double boxes) {
-  if (!world.motion().is_straight() || !world.surfaces().empty()) [[unlikely]]
+  if (!world.motion().is_straight() || world.motion().has_growth() || !world.surfaces().empty()) [[unlikely]]
     return may_meet_wall_of_any_kind(world, slot, time, now, boxes);
   const Path& path = world.path(slot);
-  const double radius = world.radius(slot);
+  const double radius = world.base_radius(slot);
   // More than the difference, the quotient and the product are rounded by.
   constexpr double kRounding = 1 + 0x1p-50;
   const double elapsed = (time - rounded_down(path.time)) * kRounding;
@@ -58,12 +58,13 @@ inline bool may_meet_wall(const World& world, Slot slot, double time, const Time
 /// it, and infinite if there are none.
 HARDBALL_EXPORT double distance_to_surfaces(const World& world, const Vec3& position, const Time& moment);
 
-/// The volume that spheres share: that of the box less the obstacles, or of the one hollow sphere or tube
-/// along an axis that encloses them [L^3]; infinite in open space, NaN between other surfaces.
+/// The volume that spheres share: that of the box less the obstacles, or of the one hollow sphere, or tube or
+/// cone along an axis, that encloses them [L^3]; infinite in open space, NaN between other surfaces.
 HARDBALL_EXPORT double accessible_volume(const World& world);
 
-/// The volume of the spheres over the accessible volume [1]; NaN in unbounded space, and without spheres.
-HARDBALL_EXPORT double packing_fraction(const World& world);
+/// The volume of the spheres at `moment` over the accessible volume [1]; NaN in unbounded space, and without
+/// spheres.
+HARDBALL_EXPORT double packing_fraction(const World& world, const Time& moment);
 /// The same for spheres of this volume [L^3]; the world may be without them.
 HARDBALL_EXPORT double packing_fraction(const World& world, double sphere_volume);
 

@@ -58,6 +58,9 @@ void World::reserve(std::size_t count) {
 }
 
 SphereId World::add(const Sphere& sphere, const Time& moment) {
+  if (motion_.has_growth()) {
+    throw Error("spheres grow, and none can be added", name_of(next_id_), "add all before growth begins");
+  }
   check(sphere);
   check_moment(moment, name_of(next_id_));
   const Image beyond = box_.boxes_beyond(sphere.position);
@@ -254,6 +257,39 @@ void World::reshape(Slot slot, double radius, double mass, double inertia_factor
 void World::set_interactions(const Interactions& interactions) {
   interactions_ = interactions;
   note_traits();
+  if (motion_.has_growth()) refuse_growth_with_others();
+}
+
+void World::set_growth(const Growth& growth) {
+  check_growth(growth);
+  refuse_growth_with_others();
+  const double largest = radii_.largest() * growth.largest_scale();
+  const double room = largest_fitting_radius(box_, surfaces_);
+  if (largest > room * (1 + kWallTolerance)) {
+    throw Error("a sphere would grow to the radius " + to_text(largest) + " where " + to_text(room) + " fits",
+                "growth", "end the growth earlier");
+  }
+  motion_.set_growth(growth);
+}
+
+void World::end_growth(const Time& moment) {
+  HARDBALL_CHECK(!has_journal_);
+  radii_.multiply(motion_.scale_at(moment));
+  motion_.set_growth({});
+  // When the present paths began, spheres of these sizes might have overlapped.
+  for (Slot slot = 0; slot < size(); ++slot) rewrite_path(slot, moment, velocity(slot, moment));
+}
+
+void World::refuse_growth_with_others() const {
+  const auto refuse = [](const char* what, const char* remedy) {
+    throw Error(std::string("spheres grow, and ") + what, "growth", remedy);
+  };
+  if (!motion_.is_straight()) refuse("there is gravity", "remove one of them");
+  if (kinematic_count_ > 0) refuse("some are kinematic, of infinite mass", "give them a finite mass");
+  if (has_spins() || interactions_.table().is_rough()) refuse("some are rough, or spin", "make them smooth");
+  if (interactions_.table().has_merging()) refuse("some merge", "let them bounce");
+  if (interactions_.has_passing()) refuse("some pass through each other", "let them bounce");
+  check_walls_for_growth(box_, surfaces_);
 }
 
 std::optional<Slot> World::find(SphereId id, Slot hint) const {
@@ -310,14 +346,14 @@ Vec3 World::momentum(const Time& moment) const {
   return {sums[0].value(), sums[1].value(), sums[2].value()};
 }
 
-double World::sphere_volume() const {
+double World::sphere_volume(const Time& moment) const {
   ExactSum volume;
-  for (Slot slot = 0; slot < size(); ++slot) volume += box_.sphere_volume(radii_[slot]);
+  for (Slot slot = 0; slot < size(); ++slot) volume += box_.sphere_volume(radius(slot, moment));
   return volume.value();
 }
 
 double World::largest_radius() const {
-  return radii_.largest();
+  return radii_.largest() * motion_.largest_scale();
 }
 
 std::size_t World::memory_bytes() const {
@@ -330,7 +366,7 @@ std::size_t World::memory_bytes() const {
 double rotational_energy(const World& world, Slot slot) {
   if (!world.has_spins() || world.is_kinematic(slot)) return 0;
   const Vec3 spin = world.spin(slot);
-  const double radius = world.radius(slot);
+  const double radius = world.base_radius(slot);
   return world.inertia_factor(slot) * world.mass(slot) * radius * radius * dot(spin, spin) / 2;
 }
 
@@ -346,7 +382,7 @@ bool are_passing(const World& world, Slot a, Slot b, const Image& image) {
   const Path& second = world.path(b);
   const Vec3 separation =
       separation_at(world.motion(), first, second, world.box().shift(image), later(first.time, second.time));
-  return are_inside(separation, world.radius(a) + world.radius(b)) ||
+  return are_inside(separation, world.base_radius(a) + world.base_radius(b)) ||
          is_recorded(make_collision(contact_time(world, a, b, image), world.id(a), world.id(b), {}),
                      world.last_passage());
 }
@@ -359,6 +395,7 @@ bool World::restored() {
                            fits(species_);
   if (!is_complete || last_passage_.kind > EventKind::wall) return false;
   check_setting(box_, motion_, surfaces_);
+  check_growth(motion_.growth());
   std::vector<SphereId> sorted(ids_.begin(), ids_.end());
   std::ranges::sort(sorted);
   if (std::ranges::adjacent_find(sorted) != sorted.end() || (count > 0 && sorted.back() >= next_id_))
@@ -385,6 +422,7 @@ bool World::restored() {
   }
   order_.sort(ids_, next_id_);
   note_traits();
+  if (motion_.has_growth()) set_growth(motion_.growth());
   return true;
 }
 

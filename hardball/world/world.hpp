@@ -49,10 +49,10 @@ class HARDBALL_EXPORT World {
 
   /// Adds a sphere in its state at `moment`, and returns its id: ids count up from zero.
   /// Positions outside a periodic box are folded into it. Overlaps are not checked here (see audit.hpp).
-  /// Error: a number that is NaN, infinite or out of range; a radius, mass or inertia factor that is not
-  /// positive; a center closer to a wall than the radius, or more than 2^30 boxes away; a box too small to
-  /// hold the sphere; a kinematic sphere where there is gravity; in two dimensions, a position or velocity
-  /// out of the plane, or a spin within it.
+  /// Error: spheres grow; a number that is NaN, infinite or out of range; a radius, mass or inertia factor
+  /// that is not positive; a center closer to a wall than the radius, or more than 2^30 boxes away; a box too
+  /// small to hold the sphere; a kinematic sphere where there is gravity; in two dimensions, a position or
+  /// velocity out of the plane, or a spin within it.
   SphereId add(const Sphere& sphere, const Time& moment = Time(0));
 
   /// Error: `add` would refuse this sphere.
@@ -103,8 +103,18 @@ class HARDBALL_EXPORT World {
   /// box, and the new velocity. Returns by how many boxes the center was folded back.
   Image rewrite_path(Slot slot, const Time& moment, const Vec3& velocity);
 
-  /// How much larger spheres may be expected to become [1]: if some have grown, others may, too, and
-  /// structures that are made for the largest leave room.
+  /// Begins an epoch of growth, in which all radii are the base radii times a scale (geometry/growth.hpp).
+  /// Whoever has made structures for the spheres must rebuild them. Error: a number that is not finite, or a
+  /// scale that is not positive throughout; spheres that do not fit the box or a surface at its largest
+  /// scale; anything that growth excludes: gravity, kinematic spheres, spins, rough spheres, species that
+  /// merge or pass through each other, walls that move or have a temperature.
+  void set_growth(const Growth& growth);
+  /// Ends growth: the radii at `moment` are the base radii from now on, and all paths begin anew. Whoever has
+  /// made structures must rebuild them. Precondition: there is no journal.
+  void end_growth(const Time& moment);
+
+  /// How much larger spheres may be expected to become by merging [1]: if some have grown, others may, too,
+  /// and structures that are made for the largest leave room.
   double room_to_grow() const {
     constexpr double kRoom = 1.25;
     return has_grown_ ? kRoom : 1;
@@ -115,7 +125,12 @@ class HARDBALL_EXPORT World {
   void set_interactions(const Interactions& interactions);
 
   SphereId id(Slot slot) const { return ids_[slot]; }
-  double radius(Slot slot) const { return radii_[slot]; }
+  /// The radius at a scale of one; where sizes do not change, that of the sphere [L]. See Growth.
+  double base_radius(Slot slot) const { return radii_[slot]; }
+  /// The radius at `moment` [L]. Precondition: the moment is in the present epoch.
+  double radius(Slot slot, const Time& moment) const { return radii_[slot] * motion_.scale_at(moment); }
+  /// The largest radius that a sphere has in the present epoch [L].
+  double bounding_radius(Slot slot) const { return radii_[slot] * motion_.largest_scale(); }
   double mass(Slot slot) const { return masses_[slot]; }
   bool is_kinematic(Slot slot) const { return std::isinf(masses_[slot]); }
   /// Angular velocity [1/T].
@@ -133,7 +148,7 @@ class HARDBALL_EXPORT World {
   bool pass(Slot a, Slot b) const {
     return interactions_.pass(species(a), species(b)) || (is_kinematic(a) && is_kinematic(b));
   }
-  const PerSphere& radii() const { return radii_; }
+  const PerSphere& base_radii() const { return radii_; }
   const Path& path(Slot slot) const { return paths_[slot]; }
   /// Where the path leads at `moment`, perhaps out of a periodic box [L]. Precondition: `moment` is finite.
   Vec3 unfolded_position(Slot slot, const Time& moment) const {
@@ -198,9 +213,9 @@ class HARDBALL_EXPORT World {
   double energy(const Time& moment) const;
   /// Sum of m v at `moment` [M L/T]. Cost: O(n).
   Vec3 momentum(const Time& moment) const;
-  /// Volume of the spheres [L^3], in two dimensions the area of the discs [L^2]. Cost: O(n).
-  double sphere_volume() const;
-  /// The largest radius [L]; zero in an empty world.
+  /// Volume of the spheres at `moment` [L^3], in two dimensions the area of the discs [L^2]. Cost: O(n).
+  double sphere_volume(const Time& moment) const;
+  /// The largest radius that any sphere has in the present epoch [L]; zero in an empty world.
   double largest_radius() const;
 
   /// The last contact of spheres that passed through each other; before the first, earlier than any.
@@ -248,6 +263,7 @@ class HARDBALL_EXPORT World {
   void note_traits();
   void check_mass(double mass, const std::string& where) const;
   void check_fits(double radius, std::size_t axis, const std::string& where) const;
+  void refuse_growth_with_others() const;
   std::size_t rank_of(SphereId id) const { return order_.rank_of(id, ids_); }
 
   Box box_;
@@ -303,7 +319,7 @@ inline Image nearest_image(const World& world, Slot a, Slot b, const Time& momen
 /// The moment at which two spheres touch, `image` being that of `b` which `a` meets; kNever if never.
 inline Time contact_time(const World& world, Slot a, Slot b, const Image& image) {
   return contact_time(world.motion(), world.path(a), world.path(b), world.box().shift(image),
-                      world.radius(a) + world.radius(b));
+                      world.base_radius(a) + world.base_radius(b));
 }
 
 /// Whether two spheres are passing through each other, and so will not touch on their present paths: they are

@@ -153,6 +153,9 @@ CallText text_of(const OscillatingPlane& plane) {
 CallText text_of(const Cylinder& cylinder) {
   return CallText("Surface.cylinder").add(cylinder.axis()).add(cylinder.radius());
 }
+CallText text_of(const Cone& cone) {
+  return CallText("Surface.cone").add(cone.axis()).add(cone.slope());
+}
 CallText text_of(const HollowSphere& sphere) {
   return CallText("Surface.sphere").add(sphere.radius());
 }
@@ -217,6 +220,18 @@ void bind_surface(py::module_& module) {
           py::arg("axis"), py::arg("radius"), py::arg("point") = origin, py::kw_only(),
           py::arg("restitution") = py::none(), py::arg("temperature") = py::none(), py::arg("seed") = 0,
           "A tube of `radius` [L] in which spheres move; `axis`, of any length, passes through `point` [L].")
+      .def_static(
+          "cone",
+          [](const py::object& axis, double slope, const py::object& point, std::optional<double> restitution,
+             std::optional<double> temperature, std::uint64_t seed) {
+            return surface_of(Cone(unit(vector_of(axis, "axis", kMayBeFlat)), slope), point,
+                              py::make_tuple(0.0, 0.0, 0.0), restitution, temperature, seed);
+          },
+          py::arg("axis"), py::arg("slope"), py::arg("point") = origin, py::kw_only(),
+          py::arg("restitution") = py::none(), py::arg("temperature") = py::none(), py::arg("seed") = 0,
+          "A cone with its apex at `point` [L] in which spheres move; `axis`, of any length, leads from the "
+          "apex "
+          "into it, and `slope` is its radius over the distance from the apex.")
       .def_static(
           "sphere",
           [](double radius, const py::object& point, std::optional<double> restitution,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -82,6 +83,16 @@ void remove(PythonSimulation& self, const py::object& ids) {
   }
 }
 
+void grow(PythonSimulation& self, double rate, std::optional<double> packing_fraction,
+          std::optional<double> compressibility) {
+  GrowthRules rules;
+  rules.rate = rate;
+  if (packing_fraction) rules.until_packing_fraction = *packing_fraction;
+  if (compressibility) rules.until_compressibility = *compressibility;
+  self.check_spheres_may_change("grow");
+  self.simulation_to_edit().grow(rules);
+}
+
 }  // namespace
 
 void bind_edits(SimulationClass& simulation) {
@@ -107,6 +118,18 @@ void bind_edits(SimulationClass& simulation) {
            "no such sphere; one is given twice; measures are on.")
       .def("set_thermostat", &set_thermostat, py::arg("thermostat"), py::arg("seed") = 1,
            "Replaces the thermostat, which starts now; None removes it. Warns as set_velocity does.")
+      .def(
+          "grow", &grow, py::arg("rate") = GrowthRules().rate, py::kw_only(),
+          py::arg("packing_fraction") = py::none(), py::arg("compressibility") = py::none(),
+          "Lets all spheres grow from now on, in proportion: the mean diameter by `rate` times the thermal "
+          "speed, sqrt(kT/m); negative where they shrink, and then a packing fraction is needed. Growth ends "
+          "at `packing_fraction`, where PV/NkT exceeds `compressibility`, or where the largest sphere just "
+          "fits; see `growth`. Collisions heat spheres that grow; whenever their speed has doubled, all "
+          "velocities are halved. Error: measures are on; anything that growth excludes, such as gravity.")
+      .def(
+          "stop_growing", [](PythonSimulation& self) { self.simulation_to_edit().stop_growing(); },
+          "Ends a growth: from now on spheres keep the sizes that they have. Measures need this, also after "
+          "growth has reached its end.")
       .def("respond_with", &respond_with, py::arg("response"),
            "Replaces the response: a Bounce, a Merging, a ResponseTable, a coefficient of restitution, or a "
            "function that takes a Contact and returns the velocities of both bodies, or an Outcome. None "

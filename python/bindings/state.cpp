@@ -124,8 +124,8 @@ void bind_arrays(SimulationClass& simulation) {
       "All angular velocities, in the order of ids [1/T]. Shape (size, 3).");
   of_world(
       "radii",
-      [](const World& world, const Time&) {
-        return numbers_by_id<double>(world, [&](Slot slot) { return world.radius(slot); });
+      [](const World& world, const Time& now) {
+        return numbers_by_id<double>(world, [&](Slot slot) { return world.radius(slot, now); });
       },
       "In the order of ids [L].");
   of_world(
@@ -188,7 +188,7 @@ void bind_numbers(SimulationClass& simulation) {
       "k T [M L^2 T^-2]: twice the kinetic energy relative to a common drift along axes without walls, over "
       "the degrees of freedom, like the measure of this name; NaN if there are none. Cost: O(n).");
   number(
-      "packing_fraction", [](const Simulation& self) { return packing_fraction(self.world()); },
+      "packing_fraction", [](const Simulation& self) { return packing_fraction(self.world(), self.now()); },
       doc::packing_fraction);
   number(
       "momentum",
@@ -240,6 +240,17 @@ void bind_state(SimulationClass& simulation) {
             return std::visit([](const auto& kind) { return py::cast(kind); }, thermostat->kind());
           },
           "The Andersen, Rescale or Heating in use, or None.")
+      .def_property_readonly(
+          "growth",
+          [](const PythonSimulation& self) -> std::optional<std::string> {
+            const std::optional<GrowthSchedule>& growth = self.simulation().growth();
+            if (!growth) return std::nullopt;
+            return std::string(name_of(growth->state()));
+          },
+          "None without growth; \"measuring\" or \"growing\" while it goes on, \"measuring\" being the "
+          "moment "
+          "in which it is found out how dense the spheres are; why it has ended: \"reached\", the packing "
+          "fraction, \"over_pressure\" or \"no_room\".")
       .def_property(
           "until", &PythonSimulation::until,
           [](PythonSimulation& self, const py::object& time) { self.set_until(time_or_none(time)); },

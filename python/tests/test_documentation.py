@@ -104,6 +104,7 @@ class Documentation(unittest.TestCase):
             "hardball.Surface.plane([1, 0, 0], point=[1, 2, 3], velocity=[0, 0, -1], restitution=0.5)",
             "hardball.Surface.plane([0, 0, 1], amplitude=0.5, frequency=2, temperature=1.5, seed=7)",
             "hardball.Surface.cylinder([0, 0, 1], 2, point=[1, 1, 0])",
+            "hardball.Surface.cone([0, 0, 1], 0.5, point=[1, 1, 0])",
             "hardball.Surface.sphere(5.5)",
             "hardball.Surface.obstacle(0.5, velocity=[1, 0, 0])",
         ):

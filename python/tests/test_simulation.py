@@ -526,6 +526,25 @@ class Edits(unittest.TestCase):
         simulation.set_thermostat(hardball.Heating(0.5, 0.25))
         self.assertEqual((simulation.thermostat.strength, simulation.thermostat.every), (0.5, 0.25))
 
+    def test_growth(self):
+        simulation = gas()
+        self.assertIsNone(simulation.growth)
+        before = simulation.packing_fraction
+        radii = simulation.radii.copy()
+        simulation.grow(0.1, packing_fraction=1.5 * before)
+        self.assertEqual(simulation.growth, "growing")
+        while simulation.growth == "growing":
+            simulation.run(collisions=100)
+        self.assertEqual(simulation.growth, "reached")
+        self.assertAlmostEqual(simulation.packing_fraction, 1.5 * before, places=12)
+        np.testing.assert_allclose(simulation.radii, radii * 1.5 ** (1 / 3), rtol=1e-12)
+        simulation.stop_growing()
+        self.assertIsNone(simulation.growth)
+        with self.assertRaisesRegex(hardball.Error, "packing_fraction"):
+            simulation.grow(-0.1)
+        with self.assertRaisesRegex(hardball.Error, "rate"):
+            simulation.grow(0.0)
+
     def test_measures(self):
         simulation = gas()
         simulation.measure(["temperature", "radial_distribution"], every=0.1)

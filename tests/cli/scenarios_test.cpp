@@ -121,6 +121,15 @@ TEST(Scenario, HeatedGranularGasIsHeatedToItsSteadyTemperature) {
   EXPECT_GT(summary["thermostat"]["energy"], 5000);
 }
 
+TEST(Scenario, GrowingSpheresReachTheirPackingFraction) {
+  const json summary = run("growing_spheres");
+  EXPECT_EQ(summary["growth"]["state"], "reached");
+  EXPECT_NEAR(summary["packing_fraction"].get<double>(), 0.62, 1e-12);
+  const double given = summary["growth"]["work"].get<double>() + summary["growth"]["energy"].get<double>();
+  const double change = summary["energy"]["final"].get<double>() - summary["energy"]["initial"].get<double>();
+  EXPECT_NEAR(change, given, 1e-9 * summary["growth"]["work"].get<double>());
+}
+
 TEST(Scenario, DiluteGasHasThePressureOfTheory) {
   // Carnahan and Starling at a packing fraction of 0.01. The virial of 7,000 collisions scatters by about 1%.
   EXPECT_NEAR(run("dilute_gas")["compressibility"].get<double>() - 1, 0.0410, 4 * 0.0410 / std::sqrt(7000));

@@ -159,7 +159,7 @@ World motley_gas() {
   world.for_each_by_id([&](Slot slot) {
     Sphere sphere{.position = world.path(slot).position,
                   .velocity = world.path(slot).velocity,
-                  .radius = world.radius(slot),
+                  .radius = world.base_radius(slot),
                   .mass = world.mass(slot)};
     sphere.species = static_cast<SpeciesId>(slot % 3);
     const double spin = random.normal();

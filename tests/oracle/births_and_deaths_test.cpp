@@ -32,7 +32,7 @@ class Editor {
     for (Slot slot = 0; slot < world.size(); ++slot) {
       const Vec3& velocity = world.path(slot).velocity;
       squares += dot(velocity, velocity);
-      radii_.push_back(world.radius(slot));
+      radii_.push_back(world.base_radius(slot));
     }
     speed_ = std::sqrt(squares / static_cast<double>(world.size()));
     std::ranges::sort(radii_);
@@ -84,7 +84,7 @@ class Editor {
     if (ids.empty() || length(way) == 0) return;
     const SphereId beside = ids[below(ids.size())];
     const Vec3 place = simulation.position(beside) +
-                       (distance * (radius + world.radius(world.slot_of(beside))) / length(way)) * way;
+                       (distance * (radius + world.base_radius(world.slot_of(beside))) / length(way)) * way;
     try {
       Sphere sphere{place, its_velocity, radius, 1};
       sphere.species = species;

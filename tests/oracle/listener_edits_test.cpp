@@ -27,7 +27,8 @@ class Editor {
   Editor(const RandomWorld& made, std::uint64_t seed) : random_(seed), speed_(rms_speed(made.world)) {
     for (Slot slot = 0; slot < made.world.size(); ++slot) {
       ids_.push_back(made.world.id(slot));
-      smallest_ = slot == 0 ? made.world.radius(slot) : std::min(smallest_, made.world.radius(slot));
+      smallest_ =
+          slot == 0 ? made.world.base_radius(slot) : std::min(smallest_, made.world.base_radius(slot));
     }
   }
 

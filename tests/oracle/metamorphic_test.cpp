@@ -109,6 +109,7 @@ Surface scaled(const Surface& surface, double length, double speed) {
         }
         if constexpr (std::is_same_v<Old, Cylinder>) return Cylinder(old.axis(), length * old.radius());
         if constexpr (std::is_same_v<Old, HollowSphere>) return HollowSphere(length * old.radius());
+        if constexpr (std::is_same_v<Old, Cone>) return old;
         if constexpr (std::is_same_v<Old, Obstacle>) return Obstacle(length * old.radius());
       },
       surface.shape());
@@ -122,7 +123,7 @@ std::size_t below(Random& random, std::size_t count) {
 Sphere sphere_of(const World& world, Slot slot) {
   return {.position = world.path(slot).position,
           .velocity = world.path(slot).velocity,
-          .radius = world.radius(slot),
+          .radius = world.base_radius(slot),
           .mass = world.mass(slot),
           .spin = world.spin(slot),
           .species = world.species(slot),

@@ -50,7 +50,7 @@ class PlainSimulation {
         body.x[axis] = path.position[axis];
         body.v[axis] = path.velocity[axis];
       }
-      body.radius = world.radius(slot);
+      body.radius = world.base_radius(slot);
       body.mass = world.mass(slot);
       bodies_.push_back(body);
     }

@@ -172,7 +172,7 @@ TEST(Queries, ASphereNotInTheWorldMeetsWhatOneInItsPlaceWould) {
         simulation.time() + some_duration(world, simulation.now(), velocity, made.until, random);
     const Sphere sphere{.position = simulation.position(id),
                         .velocity = velocity,
-                        .radius = world.radius(slot),
+                        .radius = world.base_radius(slot),
                         .mass = world.mass(slot),
                         .species = world.species(slot)};
     std::optional<NextContact> expected = simulation.first_contact(id, velocity, until);
@@ -212,6 +212,25 @@ long double root_ahead(const Vec3& a, const Vec3& b, long double r, bool greater
   return root >= 0 ? root : kInfinity;
 }
 
+// Where a ray from inside a cone around the origin leaves it; infinity if it never does.
+long double root_in_cone(const Vec3& from, const Vec3& direction, const Cone& cone) {
+  const auto product = [&](const Vec3& p, const Vec3& q) {
+    const long double square = static_cast<long double>(cone.slope()) * cone.slope();
+    return square * dot(p, cone.axis()) * dot(q, cone.axis()) -
+           dot(cross(p, cone.axis()), cross(q, cone.axis()));
+  };
+  const long double half = product(from, direction) / product(direction, direction);
+  const long double rest = product(from, from) / product(direction, direction);
+  const long double square = half * half - rest;
+  if (!(square >= 0)) return kInfinity;
+  for (const int sign : {-1, 1}) {
+    const long double root = -half + sign * std::sqrt(square);
+    const long double height = dot(from, cone.axis()) + root * dot(direction, cone.axis());
+    if (root >= 0 && height >= 0) return root;
+  }
+  return kInfinity;
+}
+
 // Hits a little earlier or later than the first are returned as well.
 std::vector<SlowHit> slow_hits(const World& world, const Time& now, const Vec3& origin,
                                const Vec3& direction) {
@@ -224,7 +243,7 @@ std::vector<SlowHit> slow_hits(const World& world, const Time& now, const Vec3& 
     const Vec3 center = world.position(slot, now);
     for_each_image(world.box(), kBoxes, [&](const Image& image) {
       const Vec3 from = origin - (center + world.box().shift(image));
-      note(root_ahead(from, direction, world.radius(slot), false), EventKind::collision, world.id(slot));
+      note(root_ahead(from, direction, world.base_radius(slot), false), EventKind::collision, world.id(slot));
     });
   }
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -250,6 +269,8 @@ std::vector<SlowHit> slow_hits(const World& world, const Time& now, const Vec3& 
     } else if (const auto* tube = std::get_if<Cylinder>(&surface.shape())) {
       note(root_ahead(cross(from, tube->axis()), cross(direction, tube->axis()), tube->radius(), true),
            EventKind::wall, number);
+    } else if (const auto* cone = std::get_if<Cone>(&surface.shape())) {
+      note(root_in_cone(from, direction, *cone), EventKind::wall, number);
     } else {
       const Vec3 normal = std::visit(
           [](const auto& shape) {
@@ -347,7 +368,7 @@ double slow_clearance(const World& world, const Time& now, const Vec3& center, d
     if (slot == self) continue;
     for_each_image(world.box(), kBoxes, [&](const Image& image) {
       const Vec3 apart = (world.position(slot, now) + world.box().shift(image)) - place;
-      least = std::min(least, length(apart) - radius - world.radius(slot));
+      least = std::min(least, length(apart) - radius - world.base_radius(slot));
     });
   }
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -368,13 +389,13 @@ double distance_to(const World& world, const Time& now, const Vec3& center, doub
   World only(world.box());
   if (nearest.kind != EventKind::collision) return nearest.distance;
   const Slot slot = world.slot_of(nearest.body);
-  only.add({world.position(slot, now), {}, world.radius(slot), 1});
+  only.add({world.position(slot, now), {}, world.base_radius(slot), 1});
   double least = kInfinity;
   for_each_image(world.box(), 2, [&](const Image& image) {
     Vec3 place = center;
     world.box().fold(place);
     const Vec3 apart = (only.position(0, Time(0)) + world.box().shift(image)) - place;
-    least = std::min(least, length(apart) - radius - world.radius(slot));
+    least = std::min(least, length(apart) - radius - world.base_radius(slot));
   });
   return least;
 }
@@ -401,11 +422,11 @@ TEST(Queries, ClearancesAreThoseOfTheNearestImage) {
 
       const std::optional<Clearance> gap = simulation.clearance(world.id(slot));
       const Vec3 center = world.position(slot, now);
-      const double expected = slow_clearance(world, now, center, world.radius(slot), slot);
+      const double expected = slow_clearance(world, now, center, world.base_radius(slot), slot);
       ASSERT_EQ(gap.has_value(), expected < kInfinity);
       if (!gap) continue;
       ASSERT_NEAR(gap->distance, expected, tolerance);
-      ASSERT_NEAR(gap->distance, distance_to(world, now, center, world.radius(slot), *gap), tolerance);
+      ASSERT_NEAR(gap->distance, distance_to(world, now, center, world.base_radius(slot), *gap), tolerance);
     }
   }
 }

@@ -129,10 +129,10 @@ class EditedEngine {
     } else if (kind < 0.9) {
       const Slot beside = slot_at_random();
       Sphere sphere;
-      sphere.radius = world().radius(beside) * (0.7 + 0.5 * random.uniform());
+      sphere.radius = world().base_radius(beside) * (0.7 + 0.5 * random.uniform());
       sphere.velocity = world().velocity(slot_at_random(), moment);
       sphere.position = world().position(beside, moment) +
-                        1.5 * (sphere.radius + world().radius(beside)) * in_plane(random.direction());
+                        1.5 * (sphere.radius + world().base_radius(beside)) * in_plane(random.direction());
       try {
         engine_->add(sphere, moment);
         ++edits_;
@@ -177,7 +177,7 @@ std::string difference(const World& a, const World& b) {
       return;
     }
     const Slot other = b.slot_of(id);
-    const bool same = a.path(slot) == b.path(other) && a.radius(slot) == b.radius(other) &&
+    const bool same = a.path(slot) == b.path(other) && a.base_radius(slot) == b.base_radius(other) &&
                       a.mass(slot) == b.mass(other) && a.spin(slot) == b.spin(other) &&
                       a.species(slot) == b.species(other) &&
                       a.image(slot, a.path(slot).time) == b.image(other, a.path(slot).time);

@@ -70,7 +70,8 @@ class Program {
       : simulation_(made.world, options), random_(seed), saves_(saves), period_(0.02 * made.until) {
     for (Slot slot = 0; slot < made.world.size(); ++slot) {
       ids_.push_back(made.world.id(slot));
-      smallest_ = slot == 0 ? made.world.radius(slot) : std::min(smallest_, made.world.radius(slot));
+      smallest_ =
+          slot == 0 ? made.world.base_radius(slot) : std::min(smallest_, made.world.base_radius(slot));
       speed_ = std::max(speed_, length(made.world.path(slot).velocity));
     }
   }

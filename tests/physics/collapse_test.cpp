@@ -68,7 +68,7 @@ World random_cavity(Random& random, int number) {
     const auto is_free_of = [&](const Surface& surface) { return surface.distance(place, Time(0)) > size; };
     bool is_free = std::ranges::all_of(surfaces, is_free_of);
     for (Slot slot = 0; slot < world.size(); ++slot) {
-      is_free = is_free && length(place - world.path(slot).position) > size + world.radius(slot);
+      is_free = is_free && length(place - world.path(slot).position) > size + world.base_radius(slot);
     }
     if (is_free) world.add({place, random.direction(), size, 0.5 + random.uniform()});
   }

@@ -31,7 +31,7 @@ std::vector<Contact> first_contacts(const World& world, double restitution, std:
 }
 
 Sphere sphere_at(const World& world, Slot slot) {
-  return {world.path(slot).position, world.path(slot).velocity, world.radius(slot), world.mass(slot)};
+  return {world.path(slot).position, world.path(slot).velocity, world.base_radius(slot), world.mass(slot)};
 }
 
 template <class Change>

@@ -104,7 +104,7 @@ World stretched(const World& world, Boundary boundary, double stretch) {
   for (Slot slot = 0; slot < world.size(); ++slot) {
     other.add({.position = stretch * world.path(slot).position,
                .velocity = world.path(slot).velocity,
-               .radius = world.radius(slot)});
+               .radius = world.base_radius(slot)});
   }
   return other;
 }

@@ -23,7 +23,7 @@ Vec3 thermal_velocity(Random& random, double temperature) {
 
 bool overlaps(const World& world, const Vec3& place, double radius) {
   for (Slot slot = 0; slot < world.size(); ++slot) {
-    if (length(world.path(slot).position - place) < radius + world.radius(slot)) return true;
+    if (length(world.path(slot).position - place) < radius + world.base_radius(slot)) return true;
   }
   return false;
 }

@@ -118,7 +118,8 @@ TEST(MeasuredRelaxation, IsLeftOutOfMeans) {
   World start(world.box());
   for (Slot slot = 0; slot < world.size(); ++slot) {
     velocity = slot % 2 == 0 ? std::sqrt(3.0) * random.direction() : -velocity;
-    start.add({.position = world.path(slot).position, .velocity = velocity, .radius = world.radius(slot)});
+    start.add(
+        {.position = world.path(slot).position, .velocity = velocity, .radius = world.base_radius(slot)});
   }
   Simulation simulation(std::move(start));
   Measures measures({.names = {"velocity_distribution"}, .every = 0.25});

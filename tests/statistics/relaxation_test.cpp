@@ -38,7 +38,7 @@ World equal_speeds() {
   Vec3 velocity;
   for (Slot slot = 0; slot < gas.size(); ++slot) {
     velocity = slot % 2 == 0 ? std::sqrt(3.0) * random.direction() : -velocity;
-    world.add({.position = gas.path(slot).position, .velocity = velocity, .radius = gas.radius(slot)});
+    world.add({.position = gas.path(slot).position, .velocity = velocity, .radius = gas.base_radius(slot)});
   }
   return world;
 }

@@ -53,7 +53,7 @@ Vec3 angular_momentum(const Simulation& simulation) {
   const World& world = simulation.world();
   Vec3 sum;
   world.for_each_by_id([&](Slot slot) {
-    const double radius = world.radius(slot);
+    const double radius = world.base_radius(slot);
     sum += world.mass(slot) *
            cross(world.unwrapped_position(slot, simulation.now()), world.velocity(slot, simulation.now()));
     sum += (world.inertia_factor(slot) * world.mass(slot) * radius * radius) * world.spin(slot);

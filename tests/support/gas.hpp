@@ -108,7 +108,7 @@ inline World restarted(const Simulation& simulation) {
   for (Slot slot = 0; slot < simulation.size(); ++slot) {
     world.add({.position = simulation.world().position(slot, simulation.now()),
                .velocity = simulation.world().path(slot).velocity,
-               .radius = simulation.world().radius(slot),
+               .radius = simulation.world().base_radius(slot),
                .mass = simulation.world().mass(slot)});
   }
   return world;

@@ -105,7 +105,7 @@ inline History run_on(Simulation& simulation, const RunLimits& limits) {
   simulation.world().for_each_by_id([&](Slot slot) {
     history.paths.push_back(simulation.world().path(slot));
     history.spins.push_back(simulation.world().spin(slot));
-    history.radii.push_back(simulation.world().radius(slot));
+    history.radii.push_back(simulation.world().base_radius(slot));
   });
   return history;
 }

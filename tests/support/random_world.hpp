@@ -82,6 +82,25 @@ class RandomWorldMaker {
     return finish();
   }
 
+  /// A world whose spheres may grow, furnished or not, in two or three dimensions.
+  RandomWorld make_growing() {
+    if (chance(0.3)) dimensions_ = 2;
+    choose_scales();
+    grows_ = true;
+    is_furnished_ = chance(0.5);
+    const double kind = random_.uniform();
+    if (kind < 0.6 || (kind < 0.75 && is_furnished_)) {
+      make_gas();
+    } else if (kind < 0.75) {
+      make_lattice();
+    } else if (kind < 0.9) {
+      make_clumps();
+    } else {
+      make_streams();
+    }
+    return finish();
+  }
+
   /// A world in two dimensions, half of them with gravity, surfaces, or both.
   RandomWorld make_flat() {
     dimensions_ = 2;
@@ -164,7 +183,7 @@ class RandomWorldMaker {
     furnish_faces(box);
     Vec3 gravity;
     const double extent = std::max({size_.x, size_.y, size_.z});
-    if (chance(0.6)) {
+    if (chance(0.6) && !grows_) {
       const double strength = speed_ * speed_ / extent * std::ldexp(1, static_cast<int>(below(6)) - 4);
       gravity = strength * (chance(0.5) ? downwards() : random_direction());
       // Along a periodic axis spheres fall ever faster.
@@ -183,7 +202,7 @@ class RandomWorldMaker {
     SurfaceMaterial material;
     material.seed = seed_;
     if (chance(0.3)) material.restitution = between(0.2, 1);
-    if (chance(0.2)) {
+    if (chance(0.2) && !grows_) {
       material.restitution = std::nullopt;
       material.temperature = speed_ * speed_ * between(0.1, 2);
     }
@@ -195,7 +214,7 @@ class RandomWorldMaker {
     for (Face face = 0; face < kFaces; ++face) {
       if (!box.is_wall(axis_of(face)) || chance(0.7)) continue;
       FaceProperties properties{.material = random_material()};
-      if (chance(0.5)) properties.velocity = 0.5 * random_velocity();
+      if (chance(0.5) && !grows_) properties.velocity = 0.5 * random_velocity();
       properties.velocity[axis_of(face)] = 0;
       box.set_face(face, properties);
     }
@@ -225,7 +244,7 @@ class RandomWorldMaker {
       }
       const double depth = 0.5 * between(0.5, 1) * narrowest();
       const Vec3 point = center - depth * normal;
-      const double motion = random_.uniform();
+      const double motion = grows_ ? 1 : random_.uniform();
       if (motion < 0.3) {
         const double amplitude = 0.2 * depth;
         const double frequency = speed_ / (amplitude * between(2, 60));
@@ -238,6 +257,12 @@ class RandomWorldMaker {
       return;
     }
     const bool is_all_walled = walled.size() == dimensions_;
+    if (is_all_walled && chance(0.2)) {
+      const Vec3 direction = random_direction();
+      surfaces.emplace_back(Cone(direction, between(0.3, 2)),
+                            center - between(0.5, 1.5) * narrowest() * direction, Vec3{}, material);
+      return;
+    }
     if (is_all_walled && kind < 0.85) {
       surfaces.emplace_back(HollowSphere(between(0.5, 0.9) * narrowest()), center, Vec3{}, material);
       return;
@@ -495,7 +520,8 @@ class RandomWorldMaker {
   double elastic_below_ = 0;
   std::optional<Interactions> interactions_;
   bool is_furnished_ = false;
-  Vec3 size_;  // of the box; along open axes, of the interval in which spheres start
+  bool grows_ = false;  // then nothing is made that growth excludes
+  Vec3 size_;           // of the box; along open axes, of the interval in which spheres start
   std::vector<Sphere> spheres_;
 };
 
@@ -520,6 +546,10 @@ inline RandomWorld make_responsive_world(std::uint64_t seed) {
 }
 
 /// A random or furnished world in two dimensions.
+inline RandomWorld make_growing_world(std::uint64_t seed) {
+  return RandomWorldMaker(seed).make_growing();
+}
+
 inline RandomWorld make_flat_world(std::uint64_t seed) {
   return RandomWorldMaker(seed).make_flat();
 }

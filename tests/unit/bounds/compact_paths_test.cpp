@@ -130,8 +130,8 @@ TEST(CompactPaths, HoldVelocitiesAndRadiiInTheirUnits) {
             EXPECT_NEAR(copied / speed, velocity[axis] / speed, 0x1p-24);
           }
           const double radius = static_cast<double>(copies.radius(slot)) * copies.length_unit();
-          EXPECT_GE(radius, world.radius(slot)) << "rounded up";
-          EXPECT_LE(radius, world.radius(slot) * (1 + 0x1p-23));
+          EXPECT_GE(radius, world.base_radius(slot)) << "rounded up";
+          EXPECT_LE(radius, world.base_radius(slot) * (1 + 0x1p-23));
         }
         // Single precision holds the fourth powers of what is about one.
         EXPECT_GE(1.5 * length / copies.length_unit(), 0.5);

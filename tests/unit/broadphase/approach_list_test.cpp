@@ -48,7 +48,8 @@ class Approach : public testing::Test {
     double least = kSkin * 100;
     for (int i = 0; i <= 1000; ++i) {
       const Time time(list_.expiry() * i / 1000);
-      least = std::min(least, length(world_.position(slot, time) - kCenter) - kRadius - world_.radius(slot));
+      least =
+          std::min(least, length(world_.position(slot, time) - kCenter) - kRadius - world_.base_radius(slot));
     }
     return least;
   }

@@ -98,8 +98,8 @@ std::set<Partner> touching(const World& world, Slot slot, const Time& now) {
   for (Slot other = 0; other < world.size(); ++other) {
     if (other == slot) continue;
     const Vec3 apart = world.unfolded_position(other, now) - world.unfolded_position(slot, now);
-    const double reach = world.radius(slot) + world.radius(other);
-    const double inside = std::fabs(world.radius(slot) - world.radius(other));
+    const double reach = world.base_radius(slot) + world.base_radius(other);
+    const double inside = std::fabs(world.base_radius(slot) - world.base_radius(other));
     Image middle;
     Image span;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {

@@ -118,8 +118,8 @@ TYPED_TEST(EveryEngine, NamesSpheresByTheirIdsWhereverTheyAreStored) {
   for (int gone = 0; gone < 3; ++gone) world.add({{5, 1, 1}, {}, 0.5, 1});
   const World cradle = newtons_cradle();
   for (Slot slot = 0; slot < cradle.size(); ++slot) {
-    world.add(
-        {cradle.path(slot).position, cradle.path(slot).velocity, cradle.radius(slot), cradle.mass(slot)});
+    world.add({cradle.path(slot).position, cradle.path(slot).velocity, cradle.base_radius(slot),
+               cradle.mass(slot)});
   }
   for (SphereId gone = 0; gone < 3; ++gone) world.remove(gone);
   world.reorder(std::array<Slot, 6>{5, 4, 3, 2, 1, 0});

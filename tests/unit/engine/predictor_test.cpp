@@ -373,7 +373,7 @@ TEST_P(EveryPredictor, AgreesWithThePlainLoop) {
     Random random(seed);
     PairMaker maker(GetParam(), seed);
     World world = maker.make(random.bits() % (seed % 4 == 0 ? 200 : 71));
-    ASSERT_EQ(world.radii().is_common(), world.size() == 1 || !GetParam().mixed_radii);
+    ASSERT_EQ(world.base_radii().is_common(), world.size() == 1 || !GetParam().mixed_radii);
     shuffle(world, random);
     // Most meet sphere 0 in the middle; from another one they differ.
     for (const Slot self : {world.slot_of(0), static_cast<Slot>(random.bits() % world.size())}) {

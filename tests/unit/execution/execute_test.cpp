@@ -177,7 +177,7 @@ TEST(Settle, UndoesAnApproachThatRoundingLeft) {
     contact.after = {common + rounding(), common + rounding()};
     const Velocities wanted = contact.after;
     settled += approach_after(contact) < 0;
-    settle(World(), contact);
+    settle(World(), contact, {});
     ASSERT_GE(approach_after(contact), 0) << "no contact may repeat itself";
     ASSERT_LT(length(contact.after.first - wanted.first), 1e-14 * (1 + length(common)));
     ASSERT_LT(length(contact.after.second - wanted.second), 1e-14 * (1 + length(common)));
@@ -192,7 +192,7 @@ TEST(Settle, LeavesSeparatingBodiesAlone) {
   contact.before = {{0, 1, 0}, {0, -1, 0}};
   contact.after = {{3, -1, 0}, {0, -1, 4}};
   const Velocities after = contact.after;
-  settle(World(), contact);
+  settle(World(), contact, {});
   EXPECT_EQ(contact.after, after);
 }
 
@@ -202,15 +202,15 @@ TEST(Settle, RefusesAnApproachBeyondRounding) {
   contact.first_mass = contact.second_mass = 1;
   contact.before = {{1, 0, 0}, {-1, 0, 0}};
   contact.after = {{1e-9, 0, 0}, {0, 0, 0}};
-  EXPECT_THROW(settle(World(), contact), Error);
+  EXPECT_THROW(settle(World(), contact, {}), Error);
   Contact wall;
   wall.kind = EventKind::wall;
   wall.second = face_of(2, false);
   wall.before.first = {0, 0, -1};
   wall.after.first = {0, 0, -1e-9};
-  EXPECT_THROW(settle(World(), wall), Error);
+  EXPECT_THROW(settle(World(), wall, {}), Error);
   wall.after.first = {5, 5, -1e-15};
-  settle(World(), wall);
+  settle(World(), wall, {});
   EXPECT_EQ(wall.after.first, (Vec3{5, 5, 0}));
 }
 
@@ -260,7 +260,7 @@ TEST(Settle, UndoesApproachesBelowTheOperatingRange) {
   contact.first_mass = contact.second_mass = 1;
   contact.before = {{3e-323, 0, 0}, {-1.5e-323, 0, 0}};
   contact.after = {{1e-323, 0, 0}, {5e-324, 0, 0}};
-  ASSERT_NO_THROW(settle(World(), contact));
+  ASSERT_NO_THROW(settle(World(), contact, {}));
   EXPECT_GE(approach_after(contact), 0);
 }
 

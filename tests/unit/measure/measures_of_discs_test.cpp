@@ -145,7 +145,7 @@ TEST(DensityProfilesOfDiscs, AddUpToTheDiscs) {
       area += column(found, "packing_fraction_" + name).values[bin] * slab;
     }
     EXPECT_NEAR(discs, 5, 1e-9);
-    EXPECT_NEAR(area, world.sphere_volume(), 1e-9);
+    EXPECT_NEAR(area, world.sphere_volume(Time(0)), 1e-9);
   }
   EXPECT_EQ(column(found, "number_density_x").unit, "L^-2");
   EXPECT_EQ(quantity(found, "pressure_at_walls").unit, "M T^-2");

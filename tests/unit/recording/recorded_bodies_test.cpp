@@ -49,7 +49,7 @@ World drops_and_mist(std::size_t count) {
     const auto species = static_cast<SpeciesId>(slot < count / 3 ? 0 : 1);
     world.add({.position = gas.position(slot, Time(0)),
                .velocity = gas.velocity(slot, Time(0)),
-               .radius = gas.radius(slot),
+               .radius = gas.base_radius(slot),
                .mass = slot == 7 ? kInfinity : 1,
                .species = species,
                .inertia_factor = slot % 2 == 0 ? 0.4 : 0.6});
@@ -117,7 +117,7 @@ void expect_same(const Moment& recorded, const Snapshot& actual) {
     if (!body.exists()) continue;
     ++present;
     const Slot slot = world.slot_of(id);
-    EXPECT_EQ(body.radius, world.radius(slot));
+    EXPECT_EQ(body.radius, world.base_radius(slot));
     EXPECT_EQ(body.mass, world.mass(slot));
     EXPECT_EQ(body.inertia_factor, world.inertia_factor(slot));
     EXPECT_EQ(body.spin, world.spin(slot));

@@ -657,7 +657,10 @@ TEST(Recording, InvalidSurfacesAreRefusedByNumber) {
   };
   expect_refused("3", "is not an object");
   expect_refused("{}", "key 'shape' is missing");
-  expect_refused(R"({"shape": "cone", "point": [0, 0, 0]})", "a shape is unknown");
+  expect_refused(R"({"shape": "torus", "point": [0, 0, 0]})", "a shape is unknown");
+  const std::string cone = R"({"shape": "cone", "point": [0, 0, 0], "direction": [0, 0, 1], "slope": )";
+  ASSERT_EQ(refusal_of_surfaces("[" + cone + "0.5}]"), "");
+  expect_refused(cone + "0}", "the slope is 0");
   expect_refused(R"({"shape": 1, "point": [0, 0, 0]})", "a shape is unknown");
   expect_refused(R"({"shape": "plane", "direction": [0, 0, 1]})", "key 'point' is missing");
   expect_refused(R"({"shape": "plane", "point": [0, 0, 0]})", "key 'direction' is missing");

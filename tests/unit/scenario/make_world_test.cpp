@@ -184,7 +184,7 @@ TEST(MakeWorld, DrawsRadiiAndGivesMassesByDensity) {
   double least = 1;
   double most = 0;
   for (Slot slot = 0; slot < 300; ++slot) {
-    const double radius = world.radius(slot);
+    const double radius = world.base_radius(slot);
     least = std::min(least, radius);
     most = std::max(most, radius);
     EXPECT_NEAR(world.mass(slot), 4 * std::numbers::pi * radius * radius * radius, 1e-12);
@@ -193,7 +193,7 @@ TEST(MakeWorld, DrawsRadiiAndGivesMassesByDensity) {
   EXPECT_LT(least, 0.15);
   EXPECT_GT(most, 0.55);
   EXPECT_LE(most, 0.6);
-  EXPECT_EQ(world.radius(300), 0.5);
+  EXPECT_EQ(world.base_radius(300), 0.5);
   EXPECT_EQ(world.mass(300), 1);
   EXPECT_EQ(audit(world, Time(0)).max_overlap, 0);
   EXPECT_NEAR(temperature(world, 0, 300), 2.5, 1e-13);
@@ -202,8 +202,8 @@ TEST(MakeWorld, DrawsRadiiAndGivesMassesByDensity) {
   const World again = make_world(scenario);
   scenario.seed = 2;
   const World other = make_world(scenario);
-  EXPECT_EQ(again.radius(0), world.radius(0));
-  EXPECT_NE(other.radius(0), world.radius(0));
+  EXPECT_EQ(again.base_radius(0), world.base_radius(0));
+  EXPECT_NE(other.base_radius(0), world.base_radius(0));
 }
 
 TEST(MakeWorld, RefusesALatticeOfDistributedRadii) {
@@ -275,7 +275,7 @@ TEST(MakeWorld, ReadsTheStartFile) {
   ASSERT_EQ(world.size(), 2U);
   EXPECT_EQ(world.path(0).position, (Vec3{1, 2, 3}));
   EXPECT_EQ(world.mass(0), 3);
-  EXPECT_EQ(world.radius(1), 0.25);
+  EXPECT_EQ(world.base_radius(1), 0.25);
   EXPECT_EQ(world.path(1).velocity, (Vec3{0.5, 0, 0}));
 }
 
@@ -290,7 +290,7 @@ TEST(MakeWorld, GivesTheSpheresOfAFileWithoutVelocitiesThoseOfTheScenario) {
   const World world = make_world(scenario);
   ASSERT_EQ(world.size(), 3U);
   EXPECT_EQ(world.path(1).position, (Vec3{4, 5, 6}));
-  EXPECT_EQ(world.radius(1), 0.25);
+  EXPECT_EQ(world.base_radius(1), 0.25);
   EXPECT_EQ(world.species(2), 2);
   EXPECT_NEAR(world.kinetic_energy(Time(0)), 3 * 3 * 2 / 2.0, 1e-12);
   EXPECT_NEAR(length(world.momentum(Time(0))), 0, 1e-12);
@@ -303,7 +303,7 @@ TEST(MakeWorld, RefusesTwoSourcesOfVelocities) {
   write_text(folder / "start.csv", "x,y,z,vx,vy,vz,diameter\n1,2,3,4,5,6,0.5\n");
   Scenario scenario = make_scenario(Boundary::periodic, 10);
   scenario.start_file = folder / "start.csv";
-  EXPECT_EQ(make_world(scenario).radius(0), 0.25);
+  EXPECT_EQ(make_world(scenario).base_radius(0), 0.25);
   scenario.start_velocity_rule = VelocityRule::mean_speed;
   EXPECT_TRUE(contains(error_of(scenario), "has velocities")) << error_of(scenario);
 }

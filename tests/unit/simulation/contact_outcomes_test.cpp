@@ -109,7 +109,7 @@ TEST_P(ContactOutcomes, OfMergingSpheresKeepsMassMomentumVolumeAndAngularMomentu
     const World& merged = simulation.world();
     const double mass = first.mass + second.mass;
     EXPECT_EQ(merged.mass(0), mass);
-    EXPECT_NEAR(std::pow(merged.radius(0), 3), std::pow(first.radius, 3) + std::pow(second.radius, 3),
+    EXPECT_NEAR(std::pow(merged.base_radius(0), 3), std::pow(first.radius, 3) + std::pow(second.radius, 3),
                 1e-14 * 8);
     const Vec3 momentum = first.mass * first.velocity + second.mass * second.velocity;
     EXPECT_LE(length(merged.momentum(simulation.now()) - momentum), 1e-14);
@@ -123,7 +123,7 @@ TEST_P(ContactOutcomes, OfMergingSpheresKeepsMassMomentumVolumeAndAngularMomentu
                                   second.mass * cross(second.position, second.velocity) + own(first) +
                                   own(second);
     const Vec3 orbital = mass * cross(center, (1 / mass) * momentum);
-    const double inertia = merged.inertia_factor(0) * mass * merged.radius(0) * merged.radius(0);
+    const double inertia = merged.inertia_factor(0) * mass * merged.base_radius(0) * merged.base_radius(0);
     EXPECT_LE(length(orbital + inertia * merged.spin(0) - angular_momentum), 1e-12);
   }
 }

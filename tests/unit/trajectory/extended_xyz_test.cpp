@@ -94,7 +94,7 @@ TEST(ReadSnapshot, LosesNoBit) {
   for (Slot slot = 0; slot < 2; ++slot) {
     EXPECT_EQ(snapshot.spheres[slot].position, world.position(slot, Time(0.3)));
     EXPECT_EQ(snapshot.spheres[slot].velocity, world.path(slot).velocity);
-    EXPECT_EQ(snapshot.spheres[slot].radius, world.radius(slot));
+    EXPECT_EQ(snapshot.spheres[slot].radius, world.base_radius(slot));
     EXPECT_EQ(snapshot.spheres[slot].mass, world.mass(slot));
   }
   EXPECT_EQ(snapshot.time, 0.3);

@@ -24,7 +24,7 @@ double deepest_overlap(const World& world, const Time& moment) {
         for (std::size_t axis = 0; axis < kAxes; ++axis) {
           if (world.box().is_periodic(axis)) apart[axis] += boxes[axis] * world.box().size()[axis];
         }
-        deepest = std::max(deepest, 1 - length(apart) / (world.radius(a) + world.radius(b)));
+        deepest = std::max(deepest, 1 - length(apart) / (world.base_radius(a) + world.base_radius(b)));
       }
     }
   }
@@ -37,7 +37,7 @@ double farthest_escape(const World& world, const Time& moment) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (!world.box().is_wall(axis)) continue;
       const double x = world.position(slot, moment)[axis];
-      const double radius = world.radius(slot);
+      const double radius = world.base_radius(slot);
       const double through = std::max(radius - x, x + radius - world.box().size()[axis]);
       farthest = std::max(farthest, through / (2 * radius));
     }

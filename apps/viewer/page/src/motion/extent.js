@@ -30,7 +30,7 @@ export function extentOf({ paths, spheres, time, bodies }, box, surfaces, larges
     high[axis] = Math.max(high[axis], to);
   };
   for (const surface of surfaces) {
-    if (surface.shape === 'plane') continue;
+    if (surface.shape === 'plane' || surface.shape === 'cone') continue;
     const point = surface.pointAt(time);
     for (let axis = 0; axis < 3; ++axis) {
       // A cylinder reaches less far along axes to which its own is inclined, and is unbounded along its own.

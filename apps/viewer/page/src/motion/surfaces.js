@@ -8,13 +8,15 @@ export const kBoxFaces = 6;
 export class Surface {
   /** `entry`: as in the header of a recording; `number`: its place in the list there. */
   constructor(entry, number) {
-    /** "plane", "cylinder", "sphere" or "obstacle". */
+    /** "plane", "cylinder", "sphere", "obstacle" or "cone". */
     this.shape = entry.shape;
     this.point = entry.point;
     /** Unit normal of a plane, to the side of the spheres; unit vector along an axis. */
     this.direction = entry.direction ?? [0, 0, 1];
     /** [L] */
     this.radius = entry.radius ?? 0;
+    /** Of a cone: its radius over the distance from the apex. */
+    this.slope = entry.slope ?? 0;
     this.velocity = entry.velocity ?? [0, 0, 0];
     this.amplitude = entry.amplitude ?? 0;
     this.frequency = entry.frequency ?? 0;
@@ -37,7 +39,7 @@ export class Surface {
     return this.moves || this.temperature !== null || this.restitution !== 1;
   }
 
-  /** Where its point is at `time` [T]: a point of the plane or of the axis, or the center [L]. */
+  /** Where its point is at `time` [T]: a point of the plane or of the axis, the center, or the apex [L]. */
   pointAt(time) {
     const swing = this.oscillates ? this.amplitude * Math.sin(2 * Math.PI * this.frequency * time) : 0;
     return this.point.map((place, axis) => place + time * this.velocity[axis] + swing * this.direction[axis]);
@@ -48,9 +50,15 @@ export class Surface {
     if (this.shape === 'plane') return center.map((place, axis) => place - radius * this.direction[axis]);
     const point = this.pointAt(time);
     const apart = center.map((place, axis) => box.nearest(place - point[axis], axis));
-    if (this.shape === 'cylinder') {
+    if (this.shape === 'cylinder' || this.shape === 'cone') {
       const along = apart.reduce((sum, part, axis) => sum + part * this.direction[axis], 0);
       for (let axis = 0; axis < 3; ++axis) apart[axis] -= along * this.direction[axis];
+    }
+    if (this.shape === 'cone') {
+      // Perpendicular to the wall, which is inclined to the axis.
+      const fromAxis = Math.hypot(...apart) || 1;
+      for (let axis = 0; axis < 3; ++axis)
+        apart[axis] = apart[axis] / fromAxis - this.slope * this.direction[axis];
     }
     const distance = Math.hypot(...apart) || 1;
     const reach = this.shape === 'obstacle' ? -radius : radius;

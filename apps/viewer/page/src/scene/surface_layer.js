@@ -3,10 +3,10 @@
 import { Group, Vector3 } from 'three';
 import { surfaceColors } from './colors.js';
 import { Obstacles } from './obstacles.js';
-import { CircleWall, CylinderWall, PlaneWall, SphereWall } from './wall.js';
+import { CircleWall, ConeWall, CylinderWall, PlaneWall, SphereWall, WedgeWall } from './wall.js';
 
-const kWalls = { plane: PlaneWall, cylinder: CylinderWall, sphere: SphereWall };
-const kFlatWalls = { plane: PlaneWall, cylinder: CircleWall, sphere: CircleWall };
+const kWalls = { plane: PlaneWall, cylinder: CylinderWall, sphere: SphereWall, cone: ConeWall };
+const kFlatWalls = { plane: PlaneWall, cylinder: CircleWall, sphere: CircleWall, cone: WedgeWall };
 const kFlattened = 1e-4; // heights over the plane of two dimensions, so that only lines are seen
 
 /** The surfaces that spheres bounce off, besides the faces of the box, where they are at the time shown. */

@@ -7,6 +7,7 @@ import {
   Float32BufferAttribute,
   GLSL3,
   Group,
+  Line,
   LineLoop,
   LineSegments,
   Mesh,
@@ -133,6 +134,50 @@ export class CylinderWall {
     const [from, to] = rangeAlong(point, direction, low, high);
     this.object.scale.set(radius, Math.max(to - from, 1e-9 * radius), radius);
     this.object.position.set(...point.map((place, axis) => place + ((from + to) / 2) * direction[axis]));
+  }
+}
+
+/** A cone within the box, with the spheres inside. */
+export class ConeWall {
+  constructor(surface, tint, shared) {
+    this.surface = surface;
+    this.moves = surface.moves;
+    const geometry = new CylinderGeometry(1, 0, 1, 4 * kLinesAround, 1, true);
+    useSpots(geometry, kLinesAround, kLinesAcross);
+    this.object = new Mesh(geometry, wallMaterial(tint, shared, 1, 0.3));
+    // The geometry's axis is y.
+    this.object.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...surface.direction));
+    this.object.frustumCulled = false;
+  }
+
+  /** As for a plane. */
+  update(time, low, high) {
+    const { direction, slope } = this.surface;
+    const point = this.surface.pointAt(time);
+    const height = Math.max(rangeAlong(point, direction, low, high)[1], 1e-9);
+    this.object.scale.set(slope * height, height, slope * height);
+    this.object.position.set(...point.map((place, axis) => place + (height / 2) * direction[axis]));
+  }
+}
+
+/** What a cone is in two dimensions: two lines from its apex, with the discs between them. */
+export class WedgeWall {
+  constructor(surface, tint) {
+    this.surface = surface;
+    this.moves = surface.moves;
+    const [x, y] = surface.direction;
+    const ends = [surface.slope, -surface.slope].map((slope) => [x - slope * y, y + slope * x, 0]);
+    const points = [...ends[0], 0, 0, 0, ...ends[1]];
+    const geometry = new BufferGeometry().setAttribute('position', new Float32BufferAttribute(points, 3));
+    this.object = new Line(geometry, lineMaterial(tint));
+    this.object.frustumCulled = false;
+  }
+
+  /** As for a plane. */
+  update(time, low, high) {
+    const point = this.surface.pointAt(time);
+    this.object.scale.setScalar(Math.max(rangeAlong(point, this.surface.direction, low, high)[1], 1e-9));
+    this.object.position.set(...point);
   }
 }
 

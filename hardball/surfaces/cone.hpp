@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "hardball/surfaces/passage.hpp"
+
+namespace hardball {
+
+/// A cone whose apex is the origin, in which spheres move: a funnel or a tapering bed.
+class Cone {
+ public:
+  static constexpr std::string_view kName = "cone";
+
+  /// `axis` is a unit vector, from the apex into the cone; `slope` [1] its radius over the distance from the
+  /// apex, the tangent of half the opening angle.
+  Cone(const Vec3& axis, double slope) : axis_(axis), slope_(slope), secant_(std::sqrt(1 + slope * slope)) {}
+
+  const Vec3& axis() const { return axis_; }
+  double slope() const { return slope_; }
+
+  /// When a sphere first touches the cone while they approach, at the start of a passage or later.
+  Time contact_time(const Passage& passage) const {
+    const Room room = room_of(passage);
+    // On the axis, a sphere that comes to the apex is met where it has no room left.
+    const double wait = std::min(earliest_descent(gap(passage, room)),
+                                 earliest_descent({{room.at_start, room.rate, room.half_curvature}}));
+    return after(passage.start, wait);
+  }
+  /// Half the speed at which the difference of squares that `contact_time` follows changes, or, at the apex,
+  /// that at which the room does.
+  DoubleDouble<> opening_speed(const Passage& passage) const {
+    const Room room = room_of(passage);
+    const DoubleDouble<> speed = gap(passage, room).coefficients[1];
+    return speed.high == 0 && speed.low == 0 ? room.rate : speed;
+  }
+  /// The distance from a point to the surface [L]; negative beyond it.
+  double distance(const Vec3& position) const {
+    const double along = dot(position, axis_);
+    return (along * slope_ - length(position - along * axis_)) / secant_;
+  }
+  /// The unit vector toward the surface.
+  Vec3 towards(const Vec3& position) const {
+    const double along = dot(position, axis_);
+    const Vec3 outwards = position - along * axis_;
+    const double from_axis = length(outwards);
+    if (!(from_axis > 0)) return -axis_;  // the apex
+    return (1 / secant_) * ((1 / from_axis) * outwards - slope_ * axis_);
+  }
+
+ private:
+  friend class Persistence;
+  Cone() : Cone({0, 0, 1}, 1) {}
+  static void persist(auto& archive, auto& self) { archive(self.axis_, self.slope_); }
+  bool restored() {
+    *this = Cone(axis_, slope_);
+    return true;
+  }
+
+  // How far from the axis the center of a sphere may be [L], a polynomial in time.
+  struct Room {
+    DoubleDouble<> at_start;
+    DoubleDouble<> rate;
+    DoubleDouble<> half_curvature;
+  };
+  Room room_of(const Passage& passage) const {
+    const PreciseVector axis = precise(axis_);
+    const DoubleDouble<> slope{slope_, 0};
+    const DoubleDouble<> secant{secant_, 0};
+    return {slope * dot(passage.position, axis) - secant * DoubleDouble<>{passage.radius, 0},
+            slope * dot(passage.velocity, axis) - secant * DoubleDouble<>{passage.growth, 0},
+            slope * dot(half(passage.acceleration), axis)};
+  }
+  // The difference of the squares of the distance that the center may have from the axis and that it has.
+  Polynomial gap(const Passage& passage, const Room& room) const {
+    const PreciseVector axis = precise(axis_);
+    const DoubleDouble<> two{2, 0};
+    const DoubleDouble<>& a = room.at_start;
+    const DoubleDouble<>& b = room.rate;
+    const DoubleDouble<>& c = room.half_curvature;
+    const Polynomial allowed{{a * a, two * a * b, b * b + two * a * c, two * b * c, c * c}};
+    return difference(allowed, squared_distance(cross(passage.position, axis), cross(passage.velocity, axis),
+                                                cross(half(passage.acceleration), axis)));
+  }
+
+  Vec3 axis_;
+  double slope_;
+  double secant_;  // the distance of two points on the wall over that along the axis
+};
+
+}  // namespace hardball

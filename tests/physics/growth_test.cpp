@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+
+// Spheres that grow, in cases that are known exactly.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/simulation/simulation.hpp"
+#include "hardball/world/audit.hpp"
+#include "hardball/world/walls.hpp"
+#include "support/crystal.hpp"
+#include "support/gas.hpp"
+
+namespace hardball::growth_test {
+namespace {
+
+// Two spheres approach each other with u = -1 while the sum of their radii grows with 1/2: they part with
+// u' = 2 * 1/2 + 1 = 2.
+TEST(GrowingSpheres, PartByTwiceTheGrowth) {
+  World world(Box::open());
+  world.add({.position = {0, 0, 0}, .velocity = {0.5, 0, 0}, .radius = 0.5});
+  world.add({.position = {4, 0, 0}, .velocity = {-0.5, 0, 0}, .radius = 0.5});
+  world.set_growth({Time(0), Time(10), 1, 0.5});
+  Simulation simulation(world);
+  // 4 - t = 1 + t / 2
+  EXPECT_EQ(simulation.next_contact(10)->time, 2);
+  simulation.run_until(2);
+  EXPECT_EQ(simulation.velocity(1) - simulation.velocity(0), (Vec3{2, 0, 0}));
+  EXPECT_EQ(simulation.tally().growth_work(), 0.75);
+  EXPECT_EQ(simulation.sphere(0).radius(), 1);
+}
+
+// A sphere at rest between walls meets both at once, and then moves as fast as they close in.
+TEST(GrowingSpheres, MeetWalls) {
+  World world(Box::walls({10, 10, 10}));
+  world.add({.position = {2, 5, 5}, .velocity = {-0.5, 0, 0}, .radius = 0.5});
+  world.set_growth({Time(0), Time(4), 1, 0.5});
+  Simulation simulation(world);
+  // 2 - t / 2 = 1/2 + t / 4
+  EXPECT_EQ(simulation.next_contact(4)->time, 2);
+  simulation.run_until(2);
+  EXPECT_EQ(simulation.velocity(0), (Vec3{1, 0, 0}));
+}
+
+// At rest all neighbors of a crystal touch at one moment, with no speed but that of growth, and could grow no
+// further. What each contact gives is the work of growth.
+TEST(GrowingSpheres, OfACrystalAtRestTouchAtOnce) {
+  World world = support::make_crystal(support::face_centered_cubic(), 3, 1.25);
+  world.set_growth({Time(0), Time(1.2), 1, 0.25});
+  Simulation simulation(world);
+  std::vector<double> times;
+  simulation.on_contact([&](const Contact& contact) { times.push_back(contact.time.value()); });
+  ASSERT_EQ(simulation.run_contacts(6 * world.size()), 6 * world.size());
+  for (const double time : times) EXPECT_NEAR(time, 1, 1e-12);
+  EXPECT_NEAR(simulation.world().kinetic_energy(simulation.now()), simulation.tally().growth_work(),
+              1e-12 * simulation.tally().growth_work());
+  EXPECT_LT(audit(simulation.world(), simulation.now()).max_overlap, 1e-12);
+}
+
+// When growth has been stopped, spheres are as if they had always had their sizes.
+TEST(GrowingSpheres, KeepTheirSizesAfterwards) {
+  Simulation simulation(support::make_gas({.count = 200, .packing_fraction = 0.2}));
+  simulation.grow({.rate = 0.1, .until_packing_fraction = 0.4});
+  simulation.run_until(1);
+  const double radius = simulation.sphere(7).radius();
+  simulation.stop_growing();
+  EXPECT_FALSE(simulation.world().motion().has_growth());
+  EXPECT_FALSE(simulation.growth());
+  EXPECT_EQ(simulation.sphere(7).radius(), radius);
+  EXPECT_EQ(simulation.world().base_radius(7), radius);
+  const double energy = simulation.world().kinetic_energy(simulation.now());
+  simulation.run_contacts(2000);
+  EXPECT_NEAR(simulation.world().kinetic_energy(simulation.now()), energy, 1e-12 * energy);
+  EXPECT_LT(audit(simulation.world(), simulation.now()).max_overlap, 1e-12);
+  simulation.validate();
+}
+
+// d ln T / dC = sqrt(pi) / 3 times the rate, for each collision of a sphere, at constant rate: T is a square.
+TEST(GrowingSpheres, AreHeatedByEveryCollision) {
+  World world = support::make_gas({.count = 2000, .packing_fraction = 0.1, .seed = 3});
+  constexpr double kRate = 0.01;
+  world.set_growth({Time(0), Time(40), 1, kRate});
+  Simulation simulation(world);
+  const double before = simulation.world().kinetic_energy(simulation.now());
+  simulation.run_contacts(10 * world.size());
+  const double after = simulation.world().kinetic_energy(simulation.now());
+  const double of_a_sphere = 2.0 * 10;
+  const double expected = std::pow(1 + std::sqrt(std::numbers::pi) / 6 * kRate * of_a_sphere, 2);
+  EXPECT_NEAR((after / before - 1) / (expected - 1), 1, 0.03);
+}
+
+// Growth ends with exactly what was wanted, and constant sizes.
+TEST(GrowingSpheres, ReachThePackingFractionWanted) {
+  for (const double rate : {0.3, 0.03, -0.1}) {
+    const double from = rate > 0 ? 0.2 : 0.3;
+    Simulation simulation(support::make_gas({.count = 300, .packing_fraction = from}));
+    const double to = rate > 0 ? 0.5 : 0.1;
+    simulation.grow({.rate = rate, .until_packing_fraction = to});
+    while (!simulation.growth()->is_over()) simulation.run_until(simulation.growth()->next());
+    EXPECT_EQ(simulation.growth()->state(), GrowthSchedule::State::reached);
+    EXPECT_NEAR(packing_fraction(simulation.world(), simulation.now()), to, 1e-13 * to);
+    const double hash_time = simulation.time();
+    simulation.run_until(hash_time + 1);
+    EXPECT_NEAR(packing_fraction(simulation.world(), simulation.now()), to, 1e-13 * to);
+    EXPECT_LT(audit(simulation.world(), simulation.now()).max_overlap, 1e-12);
+  }
+}
+
+// Spheres that cannot go on growing are not compressed without end.
+TEST(GrowingSpheres, EndWhereOnlyOneFits) {
+  World world(Box::periodic({3, 3, 3}));
+  world.add({.position = {1, 1, 1}, .velocity = {1, 0.3, 0.2}, .radius = 0.5});
+  Simulation simulation(world);
+  simulation.grow({.rate = 0.5});
+  simulation.run_until(100);
+  EXPECT_EQ(simulation.growth()->state(), GrowthSchedule::State::no_room);
+  EXPECT_NEAR(simulation.sphere(0).radius(), 1.5, 1e-6);
+}
+
+TEST(GrowingSpheres, AreRefusedWhereTheyCannotBe) {
+  const World gas = support::make_gas({.count = 50, .packing_fraction = 0.2});
+  const auto message_of = [](const auto& act) -> std::string {
+    try {
+      act();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto refusal = [&](World world) {
+    return message_of([&] { world.set_growth({Time(0), Time(1), 1, 0.1}); });
+  };
+  World falling(Box::open(), {0, 0, -1});
+  EXPECT_NE(refusal(falling).find("gravity"), std::string::npos);
+  World spinning = gas;
+  Simulation simulation(gas);
+  EXPECT_NE(message_of([&] { simulation.grow({.rate = 0}); }).find("rate"), std::string::npos);
+  EXPECT_NE(message_of([&] { simulation.grow({.until_packing_fraction = 0.1}); }).find("0.1"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] { simulation.grow({.rate = -0.1}); }).find("packing_fraction"), std::string::npos);
+  World at_rest(Box::periodic({5, 5, 5}));
+  at_rest.add({.position = {1, 1, 1}, .radius = 0.5});
+  Simulation resting(at_rest);
+  EXPECT_NE(message_of([&] { resting.grow({}); }).find("rest"), std::string::npos);
+  World mixed(Box::periodic({5, 5, 5}));
+  mixed.add({.position = {1, 1, 1}, .radius = 0.5, .mass = std::numeric_limits<double>::infinity()});
+  EXPECT_NE(refusal(mixed).find("kinematic"), std::string::npos);
+  simulation.grow({.rate = 0.1, .until_packing_fraction = 0.3});
+  EXPECT_NE(message_of([&] {
+              simulation.add({.position = {1, 1, 1}, .radius = 0.01});
+            }).find("grow"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] {
+              static_cast<void>(simulation.ray({1, 1, 1}, {1, 0, 0}, 1));
+            }).find("grow"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace hardball::growth_test
