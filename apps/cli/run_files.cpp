@@ -221,6 +221,10 @@ void RunFiles::note(const VelocityChange& change, const World& world) {
   if (recording_) recording_->note(change, world);
 }
 
+void RunFiles::note(const Growth& epoch) {
+  if (recording_) recording_->note(epoch);
+}
+
 void RunFiles::keep_current() {
   const auto now = std::chrono::steady_clock::now();
   if (now < next_flush_) return;

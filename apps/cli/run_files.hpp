@@ -90,6 +90,7 @@ class RunFiles {
   /// Error (RunFailure): they cannot be written.
   void note(const Contact& contact, const World& world);
   void note(const VelocityChange& change, const World& world);
+  void note(const Growth& epoch);
   /// Makes the event log and the trajectories complete for readers, at most once a second, so that little is
   /// lost if the process is killed. Error (RunFailure): it cannot be written.
   void keep_current();

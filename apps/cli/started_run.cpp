@@ -166,6 +166,7 @@ ExitCode carry_out(StartedRun& run) {
     simulation.on_contact([&](const Contact& contact) { run.files->note(contact, run.simulation.world()); });
     simulation.on_velocity_change(
         [&](const VelocityChange& change) { run.files->note(change, run.simulation.world()); });
+    simulation.on_epoch([&](const Growth& epoch) { run.files->note(epoch); });
   }
   const bool is_complete = Course(run).complete();
   run.measures.sample_the_rest(simulation.world(), simulation.now());

@@ -37,6 +37,7 @@ LiveRun::LiveRun(Simulation simulation, RecordingWriter writer, SharedRecording&
   simulation_.on_contact([this](const Contact& contact) { writer_.note(contact, simulation_.world()); });
   simulation_.on_velocity_change(
       [this](const VelocityChange& change) { writer_.note(change, simulation_.world()); });
+  simulation_.on_epoch([this](const Growth& epoch) { writer_.note(epoch); });
   note_division();
   publish();
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });

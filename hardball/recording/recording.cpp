@@ -256,6 +256,7 @@ std::string to_json(const RecordingHeader& header) {
   Json json;
   json["spheres"] = header.spheres;
   json["bodies"] = header.has_bodies;
+  if (header.has_growth) json["growth"] = true;
   json["box"]["size"] = json_vector(size);
   json["box"]["boundary"] = boundary;
   if (!header.box.has_plain_faces()) json["box"]["faces"] = json_faces(header.box);
@@ -286,6 +287,8 @@ RecordingHeader parse_recording_header(std::string_view json, const std::string&
   header.version = version;
   // So that no damage to its mark turns a file into one of another version.
   if (object.contains("bodies") != (version > 2)) in.fail("is of another version than the file");
+  header.has_growth = header.layout().has_growth();
+  if (object.contains("growth") != header.has_growth) in.fail("is of another version than the file");
   header.has_bodies = version > 2 ? in.truth(object["bodies"]) : version == 2;
   const Json& box = in.member(object, "box");
   header.box = Box(in.boundary(in.member(box, "boundary")), in.vector(in.member(box, "size")));
@@ -324,14 +327,14 @@ Orientation Orientation::turned(const Vec3& spin, double duration) const {
 }
 
 void RecordedContact::rewrite(std::vector<RecordedPath>& paths) const {
-  if (outcome == ContactOutcome::pass) return;
+  if (outcome == ContactOutcome::pass || is_epoch()) return;
   paths[first] = {first_position, first_velocity, time};
   if (is_collision()) paths[static_cast<std::size_t>(second)] = {second_position, second_velocity, time};
 }
 
 void RecordedContact::rewrite(std::vector<RecordedBody>& bodies,
                               const std::vector<RecordedPath>& paths) const {
-  if (outcome == ContactOutcome::pass) return;
+  if (outcome == ContactOutcome::pass || is_epoch()) return;
   const auto turn = [&](SphereId id, const Vec3& spin) {
     bodies[id].orientation = bodies[id].orientation.turned(bodies[id].spin, time - paths[id].time);
     bodies[id].spin = spin;
@@ -369,6 +372,16 @@ std::vector<RecordedBody> RecordedChunk::bodies_at(double time) const {
     contact.rewrite(paths);
   }
   return all;
+}
+
+double RecordedChunk::scale_at(double time) const {
+  HARDBALL_CHECK(begin <= time && time <= end);
+  RecordedEpoch present = epoch;
+  for (const RecordedContact& contact : contacts) {
+    if (contact.time > time) break;
+    if (contact.is_epoch()) present = contact.epoch();
+  }
+  return present.scale_at(time);
 }
 
 }  // namespace hardball

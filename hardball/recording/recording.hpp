@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,9 +22,11 @@ namespace hardball {
 
 /// The layout of the file, see docs/recording.md.
 namespace recording_format {
-inline constexpr int kVersion = 3;
-inline constexpr std::array<std::string_view, 3> kMagics{"HBREC001", "HBREC002",
-                                                         "HBREC003"};  // by version, from 1 on
+inline constexpr int kVersion = 4;
+/// Of recordings of spheres that do not grow: earlier readers know it.
+inline constexpr int kVersionWithoutGrowth = 3;
+inline constexpr std::array<std::string_view, 4> kMagics{"HBREC001", "HBREC002", "HBREC003",
+                                                         "HBREC004"};  // by version, from 1 on
 inline constexpr std::uint64_t kMagicBytes = 8;
 inline constexpr std::uint32_t kChunkMagic = 0x4b4e4843;
 inline constexpr std::uint64_t kLengthBytes = 4;  // of the length of the header's text
@@ -34,11 +37,15 @@ struct Layout {
   static constexpr std::uint64_t kHeadBytes = 4 + 4 + 8 + 2 * 8;
   static constexpr std::uint64_t kPathBytes = 7 * 8;
   static constexpr std::uint64_t kBodyBytes = 10 * 8;
+  static constexpr std::uint64_t kGrowthBytes = 3 * 8;
 
-  int version = kVersion;
+  int version = kVersionWithoutGrowth;
   bool has_bodies = false;
 
   bool has_checksums() const { return version > 2; }
+  bool has_growth() const { return version > kVersionWithoutGrowth; }
+  /// Length of what a chunk says of the growth at its begin.
+  std::uint64_t growth_bytes() const { return has_growth() ? kGrowthBytes : 0; }
   /// Length of a checksum in bytes; zero without them.
   std::uint64_t checksum_bytes() const { return has_checksums() ? 8 : 0; }
   /// Length of the head of a chunk, with its checksum.
@@ -49,7 +56,8 @@ struct Layout {
   std::uint64_t contact_bytes() const { return has_bodies ? 8 + 4 * 4 + 18 * 8 : 8 + 2 * 4 + 12 * 8; }
   /// Length of a chunk. Precondition: both counts are below 2^32.
   std::uint64_t chunk_bytes(std::uint64_t spheres, std::uint64_t contacts) const {
-    return head_bytes() + keyframe_bytes() * spheres + contact_bytes() * contacts + checksum_bytes();
+    return head_bytes() + growth_bytes() + keyframe_bytes() * spheres + contact_bytes() * contacts +
+           checksum_bytes();
   }
 };
 }  // namespace recording_format
@@ -83,8 +91,10 @@ struct RecordedSurface {
 /// A recording is the whole history of a run in a file: where the spheres were at the start, and every
 /// contact with the motion after it. docs/recording.md describes the format.
 struct RecordingHeader {
-  int version = recording_format::kVersion;  ///< Of the format, as read; the latest is written.
-  bool has_bodies = false;                   ///< Whether spheres may spin, merge or pass through each other.
+  /// Of the format, as read; when written, the latest that is needed. Spheres grow in the last alone.
+  int version = recording_format::kVersionWithoutGrowth;
+  bool has_bodies = false;  ///< Whether spheres may spin, merge or pass through each other.
+  bool has_growth = false;  ///< Whether spheres may grow.
   std::size_t spheres = 0;  ///< Their ids are below this; without bodies, all of them exist at the start.
   Box box = {};
   double begin = 0;                  ///< [T]
@@ -108,7 +118,7 @@ HARDBALL_EXPORT std::string to_json(const RecordingHeader& header);
 /// names the recording in messages. Error: it is not such an object, or describes an impossible box or
 /// surface.
 HARDBALL_EXPORT RecordingHeader parse_recording_header(std::string_view json, const std::string& where,
-                                                       int version = recording_format::kVersion);
+                                                       int version = recording_format::kVersionWithoutGrowth);
 
 /// The motion of a sphere from a contact, or from the start, on.
 struct HARDBALL_EXPORT RecordedPath {
@@ -146,6 +156,7 @@ struct RecordedBody {
   Vec3 spin = {};                ///< Angular velocity [1/T].
   Orientation orientation = {};  ///< When the sphere's path started.
   /// [L]; zero once the sphere has become part of another, or if it was removed before the start.
+  /// Where spheres grow, the base radius.
   double radius = 0;
   double mass = 0;                               ///< [M]; infinite for a kinematic sphere.
   double inertia_factor = kSphereInertiaFactor;  ///< Moment of inertia over mass and squared radius [1].
@@ -154,14 +165,28 @@ struct RecordedBody {
   friend bool operator==(const RecordedBody&, const RecordedBody&) = default;
 };
 
+/// The scale of all radii from some time on; see Growth.
+struct RecordedEpoch {
+  static constexpr bool kIsPlain = true;  ///< To archives.
+
+  double begin = 0;  ///< [T]
+  double scale = 1;  ///< At the begin [1].
+  double rate = 0;   ///< [1/T]
+
+  double scale_at(double time) const { return scale + rate * (time - begin); }
+  friend bool operator==(const RecordedEpoch&, const RecordedEpoch&) = default;
+};
+
 /// A collision, a contact with a surface, or a change of one sphere's velocity without a contact, and the
-/// motion after it.
+/// motion after it; or the begin of an epoch of growth.
 struct HARDBALL_EXPORT RecordedContact {
   double time = 0;  ///< [T]
   SphereId first = 0;
   /// The id of the other sphere; `first` where there is no contact; or -(k + 1) for surface k: 0 to 5 are the
-  /// faces of the box (see Face), and 6 + i is surface i of the header.
+  /// faces of the box (see Face), and 6 + i is surface i of the header. kEpoch if an epoch begins: then
+  /// `first` is no sphere, and the first two components of `first_position` are its scale and its rate.
   std::int32_t second = 0;
+  static constexpr std::int32_t kEpoch = std::numeric_limits<std::int32_t>::min();
   Vec3 first_position = {};   ///< Center, folded into the box [L].
   Vec3 first_velocity = {};   ///< [L/T]
   Vec3 second_position = {};  ///< Zero unless it is a collision.
@@ -181,9 +206,12 @@ struct HARDBALL_EXPORT RecordedContact {
   };
   Merged merged = {};
 
-  bool is_wall() const { return second < 0; }
+  bool is_epoch() const { return second == kEpoch; }
+  bool is_wall() const { return second < 0 && !is_epoch(); }
   /// Whether two spheres meet, even if they pass through each other.
-  bool is_collision() const { return !is_wall() && static_cast<SphereId>(second) != first; }
+  bool is_collision() const { return second >= 0 && static_cast<SphereId>(second) != first; }
+  /// Precondition: is_epoch().
+  RecordedEpoch epoch() const { return {time, first_position.x, first_position.y}; }
   /// Sets the paths of the contact's spheres to those after it. `paths`: by id.
   void rewrite(std::vector<RecordedPath>& paths) const;
   /// The same for bodies; `paths`: those before the contact.
@@ -205,11 +233,14 @@ struct HARDBALL_EXPORT RecordedChunk {
   std::vector<RecordedPath> keyframe;     ///< By id: the paths at `begin`, before any contact of the chunk.
   std::vector<RecordedBody> bodies;       ///< By id: likewise.
   std::vector<RecordedContact> contacts;  ///< In order.
+  RecordedEpoch epoch = {};               ///< Of the growth at `begin`.
 
   /// By id: the paths after all contacts up to `time` [T]. Precondition: begin <= time <= end.
   std::vector<RecordedPath> paths_at(double time) const;
   /// By id: the bodies likewise; that of a sphere that has become part of another does not exist.
   std::vector<RecordedBody> bodies_at(double time) const;
+  /// What the radii of the bodies are to be multiplied by at `time`. Precondition: likewise.
+  double scale_at(double time) const;
 };
 
 }  // namespace hardball

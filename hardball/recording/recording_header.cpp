@@ -59,6 +59,7 @@ bool needs_bodies(const Simulation& simulation) {
 RecordingHeader recording_header(const Simulation& simulation) {
   RecordingHeader header;
   header.has_bodies = needs_bodies(simulation);
+  header.has_growth = simulation.growth() || simulation.world().motion().has_growth();
   header.begin = simulation.time();
   header.cell_edge = simulation.cell_edges();
   header.restitution = restitution_of(simulation).value_or(std::numeric_limits<double>::quiet_NaN());

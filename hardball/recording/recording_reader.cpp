@@ -58,6 +58,10 @@ bool is_finite(const Vec3& vector) {
   return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
 
+bool is_sound(const RecordedEpoch& epoch) {
+  return std::isfinite(epoch.begin) && is_positive(epoch.scale) && std::isfinite(epoch.rate);
+}
+
 }  // namespace
 
 RecordingReader::RecordingReader(const std::filesystem::path& path, OnDamage on_damage)
@@ -169,6 +173,11 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
   }
   Numbers numbers(bytes);
   RecordedChunk recorded{extent.begin, extent.end, {}, {}, {}};
+  if (layout.has_growth()) {
+    RecordedEpoch& epoch = recorded.epoch;
+    for (double* const number : {&epoch.begin, &epoch.scale, &epoch.rate}) *number = numbers.take<double>();
+    refuse_unless(is_sound(epoch) && epoch.begin <= extent.begin);
+  }
   const bool has_bodies = header_.has_bodies;
   recorded.keyframe.reserve(header_.spheres);
   for (std::size_t id = 0; id < header_.spheres; ++id) {
@@ -217,6 +226,13 @@ RecordedChunk RecordingReader::read(std::size_t chunk) {
       contact.second_velocity = {};
     }
     refuse_unless(last <= contact.time && contact.time <= extent.end);
+    if (contact.is_epoch()) {
+      refuse_unless(layout.has_growth() && is_sound(contact.epoch()));
+      contact.outcome = ContactOutcome::pass;
+      last = contact.time;
+      recorded.contacts.push_back(contact);
+      continue;
+    }
     refuse_unless(contact.first < header_.spheres);
     refuse_unless(contact.is_wall() ? static_cast<std::size_t>(~contact.second) < walls
                                     : static_cast<std::size_t>(contact.second) < header_.spheres);

@@ -124,7 +124,10 @@ RecordingWriter::RecordingWriter(std::filesystem::path path, RecordingHeader hea
     : file_(std::move(path)) {
   const std::size_t count = count_with_gaps(world);
   const bool needs_bodies = world.has_spins() || world.has_passing_pairs() || count > world.size();
-  header.version = recording_format::kVersion;
+  const Growth& growth = world.motion().growth();
+  header.has_growth = header.has_growth || world.motion().has_growth();
+  header.version = header.has_growth ? recording_format::kVersion : recording_format::kVersionWithoutGrowth;
+  state_.epoch = {growth.begin.value(), growth.scale, growth.rate};
   header.has_bodies = header.has_bodies || needs_bodies;
   state_.layout = header.layout();
   state_.most_contacts = std::clamp(count, kLeastContacts, kMaxContactBytes / contact_bytes());
@@ -167,6 +170,7 @@ RecordingWriter::State RecordingWriter::restored(std::string_view saved, const s
 bool RecordingWriter::State::restored() {
   if (layout.version < 3) layout.has_bodies = layout.version == 2;
   const auto is_among_them = [this](const RecordedContact& contact) {
+    if (contact.is_epoch()) return layout.has_growth();
     return contact.first < keyframe.size() &&
            (contact.is_wall() || static_cast<std::size_t>(contact.second) < keyframe.size());
   };
@@ -230,6 +234,15 @@ void RecordingWriter::note(const VelocityChange& change, const World& world) {
   add(recorded);
 }
 
+void RecordingWriter::note(const Growth& epoch) {
+  HARDBALL_CHECK(state_.layout.has_growth());
+  add({.time = epoch.begin.value(),
+       .first = std::numeric_limits<SphereId>::max(),
+       .second = RecordedContact::kEpoch,
+       .first_position = {epoch.scale, epoch.rate, 0},
+       .outcome = ContactOutcome::pass});
+}
+
 void RecordingWriter::add(const RecordedContact& contact) {
   is_untouched_ = false;
   if (state_.contacts.size() >= state_.most_contacts && contact.time > state_.contacts.back().time) {
@@ -273,6 +286,12 @@ void RecordingWriter::write_chunk(std::size_t contacts, double end) {
   summed_head.close(layout);
   const auto behind = state_.contacts.begin() + static_cast<std::ptrdiff_t>(contacts);
   SummedPart body(file_);
+  if (layout.has_growth()) {
+    std::string epoch;
+    for (const double number : {state_.epoch.begin, state_.epoch.scale, state_.epoch.rate})
+      append_little_endian(epoch, number);
+    body.append(epoch);
+  }
   body.append_all(state_.keyframe.begin(), state_.keyframe.end());
   body.append_all(state_.bodies.begin(), state_.bodies.end());
   body.append_all(state_.contacts.begin(), behind, layout.has_bodies);
@@ -283,6 +302,7 @@ void RecordingWriter::write_chunk(std::size_t contacts, double end) {
   for (auto contact = state_.contacts.begin(); contact != behind; ++contact) {
     if (layout.has_bodies) contact->rewrite(state_.bodies, state_.keyframe);
     contact->rewrite(state_.keyframe);
+    if (contact->is_epoch()) state_.epoch = contact->epoch();
   }
   state_.contacts.erase(state_.contacts.begin(), behind);
   state_.begin = end;

@@ -28,9 +28,9 @@ class HARDBALL_EXPORT RecordingWriter {
  public:
   /// Creates the file and records the spheres of `world`, whose number, box and species replace those of
   /// `header`. It must have bodies where contacts may turn spheres or merge them; where spheres spin or may
-  /// pass through each other, or one has been removed, it gets them. Precondition: no contact has happened
-  /// since header.begin, nor lies between the stored paths and it. Error: the file cannot be opened for
-  /// writing.
+  /// pass through each other, or one has been removed, it gets them. It must have growth where spheres may
+  /// grow. Precondition: no contact has happened since header.begin, nor lies between the stored paths and
+  /// it. Error: the file cannot be opened for writing.
   RecordingWriter(std::filesystem::path path, RecordingHeader header, const World& world);
 
   /// Opens an existing file to continue from what `save` returned then; what follows in it is cut off as
@@ -48,6 +48,8 @@ class HARDBALL_EXPORT RecordingWriter {
   /// written.
   void note(const Contact& contact, const World& world);
   void note(const VelocityChange& change, const World& world);
+  /// An epoch of growth has begun. Precondition: likewise; the header says that spheres may grow.
+  void note(const Growth& epoch);
 
   /// Closes the chunk and hands it to the operating system, so that readers see it. Contacts at the time of
   /// the last one are kept for the next chunk, since others may follow at the same time. Error (RunFailure):
@@ -82,12 +84,15 @@ class HARDBALL_EXPORT RecordingWriter {
     std::vector<RecordedPath> keyframe;     // of the open chunk
     std::vector<RecordedBody> bodies;       // likewise, if the layout has them
     std::vector<RecordedContact> contacts;  // of the open chunk, so far
+    RecordedEpoch epoch;                    // at the begin of the open chunk
 
     static void persist(auto& archive, auto& self) {
       archive(self.layout.version, self.file);
       if (archive.version() > 1) archive(self.layout.has_bodies);
       archive(self.most_contacts, self.has_chunks, self.begin, self.keyframe, self.bodies, self.contacts);
+      if (archive.version() >= kVersionOfGrowth) archive(self.epoch);
     }
+    static constexpr std::uint32_t kVersionOfGrowth = 5;  // of archives
     bool restored();
   };
 

@@ -64,8 +64,10 @@ void Simulation::stop_growing() {
   if (!world().motion().has_growth()) return;
   tuner_->end_look_ahead(now_);
   tuner_->engine().rewind(now_);
+  const Growth last{now_, kNever, world().motion().scale_at(now_), 0};
   tuner_->engine().world_to_edit().end_growth(now_);
   tuner_->rebuild(now_);
+  tell_of_epoch(last);
   is_rescheduled_ = true;
 }
 

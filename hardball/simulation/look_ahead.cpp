@@ -49,6 +49,7 @@ void Simulation::look_ahead_in_copy(const Time& until, std::uint64_t most,
                                     const Function<void(const Contact&)>& observe) const {
   Simulation copy(*this);
   copy.change_listener_ = {};
+  copy.epoch_listener_ = {};
   copy.on_contact(observe);
   copy.run({.until = until, .contacts = most});
 }

@@ -81,6 +81,11 @@ void Simulation::on_velocity_change(Function<void(const VelocityChange&)> listen
   change_listener_ = std::move(listener);
 }
 
+void Simulation::on_epoch(Function<void(const Growth&)> listener) {
+  check_editable("on_epoch");
+  epoch_listener_ = std::move(listener);
+}
+
 std::uint64_t Simulation::run_contacts(std::uint64_t count, double until) {
   const std::uint64_t before = counters().contacts();
   run({.until = Time(until), .contacts = count});
@@ -90,7 +95,7 @@ std::uint64_t Simulation::run_contacts(std::uint64_t count, double until) {
 RunStatus Simulation::run(const RunLimits& limits, Measures& measures) {
   check_idle("run");
   measures.check_spheres(world());
-  if (world().motion().has_growth() && measures.is_any_wanted()) {
+  if ((growth_ || world().motion().has_growth()) && measures.is_any_wanted()) {
     throw Error("spheres grow, and measures need constant sizes", "measures",
                 "run without measures until growth has been stopped");
   }
@@ -190,7 +195,14 @@ void Simulation::begin_epoch(const GrowthEpoch& epoch, const Time& moment, Measu
   }
   world.set_growth(epoch.growth);
   tell_of_changes(moment, changes, measures);
+  tell_of_epoch(epoch.growth);
   tuner_->rebuild(moment);
+}
+
+void Simulation::tell_of_epoch(const Growth& epoch) {
+  if (!epoch_listener_) return;
+  const Activity::During running(activity_, Activity::Kind::running);
+  epoch_listener_(epoch);
 }
 
 // Lets the thermostat act, and returns how many velocities it has changed, at least one. Precondition: all

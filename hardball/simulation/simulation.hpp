@@ -107,6 +107,11 @@ class HARDBALL_EXPORT Simulation {
   /// change_velocity. It may query the simulation. Error, from the call in question: it runs or edits it.
   void on_velocity_change(Function<void(const VelocityChange&)> listener);
 
+  /// Sets a listener, called whenever an epoch of growth has begun, after the changes of velocities that
+  /// belong to it, and with the last sizes when growth has been stopped. It may query the simulation. Error,
+  /// from the call in question: it runs or edits it.
+  void on_epoch(Function<void(const Growth&)> listener);
+
   /// Runs to `time` [T], events at that time included. Error: `time` is in the past, NaN, or finite and
   /// beyond 1e120.
   void run_until(double time) { run({.until = Time(time)}); }
@@ -241,6 +246,7 @@ class HARDBALL_EXPORT Simulation {
   void call_listener(const Contact& contact, Activity::Kind activity);
   Time next_action() const;
   bool grows_next() const;
+  void tell_of_epoch(const Growth& epoch);
   void begin_epoch(const GrowthEpoch& epoch, const Time& moment, Measures* measures);
   std::uint64_t act(const Time& moment, Measures* measures);
   std::span<const NewVelocity> let_thermostat_act(const Time& moment);
@@ -263,6 +269,7 @@ class HARDBALL_EXPORT Simulation {
   Function<void(const Contact&)> listener_;
   std::optional<Function<void(const Contact&)>> next_listener_;  // set by the listener itself
   Function<void(const VelocityChange&)> change_listener_;
+  Function<void(const Growth&)> epoch_listener_;
   Activity activity_;
   bool is_rescheduled_ = false;  // when the thermostat acts next has changed during a stretch of a run
 };

@@ -70,8 +70,11 @@ class Cone {
     const PreciseVector axis = precise(axis_);
     const DoubleDouble<> slope{slope_, 0};
     const DoubleDouble<> secant{secant_, 0};
-    return {slope * dot(passage.position, axis) - secant * DoubleDouble<>{passage.radius, 0},
-            slope * dot(passage.velocity, axis) - secant * DoubleDouble<>{passage.growth, 0},
+    DoubleDouble<> at_start =
+        slope * dot(passage.position, axis) - secant * DoubleDouble<>{passage.radius, 0};
+    // By rounding a sphere at the apex has less than none, whose square would be some.
+    if (at_start.high < 0) at_start = {0, 0};
+    return {at_start, slope * dot(passage.velocity, axis) - secant * DoubleDouble<>{passage.growth, 0},
             slope * dot(half(passage.acceleration), axis)};
   }
   // The difference of the squares of the distance that the center may have from the axis and that it has.

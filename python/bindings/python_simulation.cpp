@@ -284,6 +284,7 @@ void PythonSimulation::record_ahead(const std::filesystem::path& path, double en
     writer.emplace(path, header, copy.world());
     copy.on_contact([&](const Contact& contact) { writer->note(contact, copy.world()); });
     copy.on_velocity_change([&](const VelocityChange& change) { writer->note(change, copy.world()); });
+    copy.on_epoch([&](const Growth& epoch) { writer->note(epoch); });
   };
   double reached = 0;
   run_ahead(end, contacts, watch, [&](const Simulation& copy) {

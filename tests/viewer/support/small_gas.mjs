@@ -193,8 +193,11 @@ export function writeRecording(header, radii, masses, chunks) {
   return bytes;
 }
 
-/** A recording of version 1 or 2 as one of version 3, with checksums. */
-export function withChecksums(bytes) {
+/**
+ * A recording of version 1 or 2 as one of version 3, with checksums; with `epochs`, three numbers for each chunk,
+ * as one of version 4.
+ */
+export function withChecksums(bytes, epochs = null) {
   const old = Buffer.from(bytes);
   const parts = [];
   const seal = (...part) => {
@@ -204,18 +207,20 @@ export function withChecksums(bytes) {
   };
   const textEnd = 12 + old.readUInt32LE(8);
   const header = JSON.parse(old.subarray(12, textEnd).toString());
-  let text = JSON.stringify({ ...header, bodies: old.subarray(0, 8).toString() === 'HBREC002' });
+  const growth = epochs ? { growth: true } : {};
+  let text = JSON.stringify({ ...header, ...growth, bodies: old.subarray(0, 8).toString() === 'HBREC002' });
   while ((12 + text.length) % 8 !== 0) text += ' ';
   const length = Buffer.alloc(4);
   length.writeUInt32LE(text.length);
   let at = textEnd + 16 * header.spheres;
-  seal(Buffer.from('HBREC003'), length, Buffer.from(text), old.subarray(textEnd, at));
-  while (at < old.length) {
+  seal(Buffer.from(epochs ? 'HBREC004' : 'HBREC003'), length, Buffer.from(text), old.subarray(textEnd, at));
+  for (let chunk = 0; at < old.length; ++chunk) {
+    const epoch = Buffer.from(Float64Array.from(epochs?.[chunk] ?? []).buffer);
     const end = at + Number(old.readBigUInt64LE(at + 8));
     const head = Buffer.from(old.subarray(at, at + 32));
-    head.writeBigUInt64LE(BigInt(end - at + 16), 8);
+    head.writeBigUInt64LE(BigInt(end - at + 16 + epoch.length), 8);
     seal(head);
-    seal(old.subarray(at + 32, end));
+    seal(epoch, old.subarray(at + 32, end));
     at = end;
   }
   return Uint8Array.from(Buffer.concat(parts)).buffer;

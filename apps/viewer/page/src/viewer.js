@@ -306,6 +306,7 @@ export class Viewer {
     const window = kFlashSeconds * this.player.speed;
     this.spheres.divide(this.domains.at(this.playback.time));
     this.spheres.update(this.playback);
+    this.largestRadius = this.surroundings.largestRadius = this.playback.scale * this.sizes.largest;
     const [walls, images] = [element('show-walls').checked, element('show-images').checked];
     this.surroundings.update(this.playback, { walls, images });
     uniforms.hasMarks.value = this.canTurn && element('show-spin').checked;
@@ -382,7 +383,7 @@ export class Viewer {
     const { bodies } = this;
     if (bodies.count === this.measuredCount) return;
     this.measuredCount = bodies.count;
-    this.sizes = new Sizes(bodies.radii);
+    this.sizes = new Sizes(bodies.baseRadii);
     for (const kind of this.kinds.list) kind.count = 0;
     for (let id = 0; id < bodies.radii.length; ++id)
       if (bodies.exists(id)) ++this.kinds.list[this.kinds.of[id]].count;

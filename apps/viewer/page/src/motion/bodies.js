@@ -22,8 +22,12 @@ export function turned([i, j, k, real], [x, y, z], duration) {
 export class Bodies {
   /** Those of a recording's start: radii [L] and masses [M]. */
   constructor(radii, masses) {
-    /** [L] */
+    /** At the time shown [L]. */
     this.radii = Float64Array.from(radii);
+    /** Without growth [L]. */
+    this.baseRadii = Float64Array.from(radii);
+    /** What they are multiplied by. */
+    this.scale = 1;
     /** [M]; infinite for kinematic spheres. */
     this.masses = Float64Array.from(masses);
     /** Of inertia, over mass and squared radius. */
@@ -35,6 +39,18 @@ export class Bodies {
     for (let id = 0; id < radii.length; ++id) this.orientations[4 * id + 3] = 1;
     /** How many spheres there are. */
     this.count = this.radii.reduce((count, radius) => count + (radius > 0 ? 1 : 0), 0);
+  }
+
+  setRadius(id, base) {
+    this.baseRadii[id] = base;
+    this.radii[id] = this.scale * base;
+  }
+
+  /** Gives all spheres the sizes of a moment of growth. */
+  scaleTo(scale) {
+    if (scale === this.scale) return;
+    this.scale = scale;
+    for (let id = 0; id < this.radii.length; ++id) this.radii[id] = scale * this.baseRadii[id];
   }
 
   exists(id) {
@@ -62,7 +78,7 @@ export class Bodies {
       const start = kBodyNumbers * id;
       this.spins.set(bodies.subarray(start, start + 3), 3 * id);
       this.orientations.set(bodies.subarray(start + 3, start + 7), 4 * id);
-      this.radii[id] = bodies[start + 7];
+      this.setRadius(id, bodies[start + 7]);
       this.masses[id] = bodies[start + 8];
       this.moments[id] = bodies[start + 9];
       if (this.exists(id)) ++this.count;
@@ -81,7 +97,9 @@ export class Bodies {
     turn(first, chunk.firstPlace(k));
     if (chunk.isMerger(k)) {
       const place = chunk.secondPlace(k) + 3;
-      [this.radii[first], this.masses[first], this.moments[first]] = chunk.numbers.subarray(place, place + 3);
+      const [radius, mass, moment] = chunk.numbers.subarray(place, place + 3);
+      this.setRadius(first, radius);
+      [this.masses[first], this.moments[first]] = [mass, moment];
       this.remove(second);
     } else if (chunk.isCollision(k)) {
       turn(second, chunk.secondPlace(k));
@@ -89,7 +107,8 @@ export class Bodies {
   }
 
   remove(id) {
-    this.radii[id] = this.masses[id] = 0;
+    this.setRadius(id, 0);
+    this.masses[id] = 0;
     this.spins.fill(0, 3 * id, 3 * id + 3);
     --this.count;
   }

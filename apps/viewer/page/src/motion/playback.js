@@ -32,6 +32,14 @@ export class Playback {
     /** Whether all paths may have changed. */
     this.allTouched = true;
     this.collisionsAtBegin = new CollisionsAtBegin();
+    /** The epoch of growth; see Chunk. */
+    this.epoch = { since: 0, scale: 1, rate: 0 };
+  }
+
+  /** What radii at the start are multiplied by at the time shown. */
+  get scale() {
+    const { since, scale, rate } = this.epoch;
+    return scale + rate * (this.time - since);
   }
 
   /** Goes to `time` in `chunk`, which is chunk `number`. Precondition: `time` lies in it. */
@@ -48,6 +56,7 @@ export class Playback {
     }
     this.pass(time);
     this.time = time;
+    this.bodies.scaleTo(this.scale);
   }
 
   /** Clears the list of touched spheres. */
@@ -59,6 +68,7 @@ export class Playback {
   enter(chunk, number) {
     this.paths.set(chunk.keyframe);
     this.bodies.set(chunk.bodies);
+    this.epoch = chunk.epoch ?? this.epoch;
     this.countBefore(chunk, number);
     this.chunk = chunk;
     this.number = number;
@@ -95,6 +105,7 @@ export class Playback {
     const { contacts } = chunk;
     while (this.cursor < contacts && chunk.time(this.cursor) <= time) {
       const k = this.cursor++;
+      if (chunk.isEpoch?.(k)) this.epoch = chunk.epochOf(k);
       if (chunk.isPass(k)) continue;
       if (chunk.bodies) this.bodies.pass(chunk, k, this.paths);
       const first = chunk.first(k);

@@ -16,6 +16,8 @@ export const kBodyNumbers = 10;
 const kMagic = 0x4b4e4843; // "CHNK"
 const kHeadBytes = 32;
 export const kChecksumBytes = 8;
+const kGrowthNumbers = 3;
+const kEpoch = -(2 ** 31); // in place of a contact's second sphere, where an epoch of growth begins
 
 // Where the numbers of a contact are, without bodies and with them: how many; the offsets of those of its spheres.
 const kWithoutBodies = { bodies: 0, contact: 14, first: 2, second: 8 };
@@ -28,6 +30,11 @@ function layoutOf({ version, bodies }) {
 /** The length of each checksum in a recording of this version. */
 export function checksumBytes(version) {
   return version > 2 ? kChecksumBytes : 0;
+}
+
+/** How many numbers a chunk of a recording of this version has for the growth at its begin. */
+function growthNumbers(version) {
+  return version > 3 ? kGrowthNumbers : 0;
 }
 
 const kPass = 1;
@@ -44,7 +51,8 @@ export function chunkLength(buffer, offset, header) {
   const view = new DataView(buffer, offset, kHeadBytes);
   const contacts = view.getUint32(4, true);
   const length = Number(view.getBigUint64(8, true));
-  const numbers = (kPathNumbers + bodies) * header.spheres + contact * contacts;
+  const numbers =
+    growthNumbers(header.version) + (kPathNumbers + bodies) * header.spheres + contact * contacts;
   const isSound = checksum === 0 || hasItsChecksum(buffer, offset, offset + kHeadBytes);
   if (!isSound || view.getUint32(0, true) !== kMagic || length !== kHeadBytes + 8 * numbers + 2 * checksum) {
     throw new Error(`the recording is damaged: no chunk at byte ${offset}`);
@@ -69,8 +77,9 @@ export class Chunk {
     const sphereCount = header.spheres;
     const checksum = checksumBytes(header.version);
     this.layout = layoutOf(header);
-    const keyframe = offset + kHeadBytes + checksum;
-    if (checksum > 0 && !hasItsChecksum(buffer, keyframe, offset + length - checksum)) {
+    const body = offset + kHeadBytes + checksum;
+    const keyframe = body + 8 * growthNumbers(header.version);
+    if (checksum > 0 && !hasItsChecksum(buffer, body, offset + length - checksum)) {
       const begin = view.getFloat64(16, true);
       throw new Error(`the recording is damaged after time ${begin}: wrong checksum at byte ${offset}`);
     }
@@ -89,6 +98,9 @@ export class Chunk {
     /** The bodies likewise, shape (spheres, kBodyNumbers); null where they stay as they were. */
     this.bodies =
       this.layout.bodies > 0 ? new Float64Array(buffer, bodies, kBodyNumbers * sphereCount) : null;
+    const [since, scale, rate] = new Float64Array(buffer, body, growthNumbers(header.version));
+    /** The epoch of growth at `begin`: since when [T], the scale of all radii then, and its rate [1/T]. */
+    this.epoch = { since: since ?? 0, scale: scale ?? 1, rate: rate ?? 0 };
     this.numbers = new Float64Array(buffer, first, this.layout.contact * this.contacts);
     this.integers = new Int32Array(buffer, first, 2 * this.layout.contact * this.contacts);
   }
@@ -109,7 +121,18 @@ export class Chunk {
   }
 
   isWall(k) {
-    return this.second(k) < 0;
+    return this.second(k) < 0 && !this.isEpoch(k);
+  }
+
+  /** Whether an epoch of growth begins, and nothing is touched. */
+  isEpoch(k) {
+    return this.second(k) === kEpoch;
+  }
+
+  /** That epoch; see `epoch`. */
+  epochOf(k) {
+    const place = this.firstPlace(k);
+    return { since: this.time(k), scale: this.numbers[place], rate: this.numbers[place + 1] };
   }
 
   /** Whether two spheres meet, and do not pass through each other. */
@@ -117,8 +140,9 @@ export class Chunk {
     return !this.isWall(k) && this.second(k) !== this.first(k) && !this.isPass(k);
   }
 
-  /** Whether two spheres pass through each other, and nothing changes. */
+  /** Whether no path changes: two spheres pass through each other, or an epoch of growth begins. */
   isPass(k) {
+    if (this.isEpoch(k)) return true;
     return this.bodies !== null && this.integers[2 * this.layout.contact * k + 4] === kPass;
   }
 

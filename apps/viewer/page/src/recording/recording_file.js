@@ -3,7 +3,7 @@
 import { Chunk, checksumBytes, chunkLength } from './chunk.js';
 import { hasItsChecksum } from './crc32.js';
 
-const kMagics = ['HBREC001', 'HBREC002', 'HBREC003']; // by version, from 1 on
+const kMagics = ['HBREC001', 'HBREC002', 'HBREC003', 'HBREC004']; // by version, from 1 on
 
 /**
  * Reads a whole recording: its header and version, radii [L], masses [M], and chunks, which are views of `buffer`.
@@ -19,7 +19,7 @@ export function readRecording(buffer) {
   const header = { ...JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 12, headerLength))), version };
   // So that no damage to its mark turns a recording into one of another version.
   const saysBodies = 'bodies' in header;
-  if (saysBodies !== version > 2) throw new Error('the recording is damaged: of another version');
+  if (saysBodies !== version > 2 || 'growth' in header !== version > 3) throw new Error('the recording is damaged: of another version');
   const radiiStart = 12 + headerLength;
   const massesStart = radiiStart + 8 * header.spheres;
   const checksum = checksumBytes(version);

@@ -8,13 +8,14 @@ const kMotion = /* glsl */ `
 
   in vec4 place;      // center at the reference time, and the path's start relative to it
   in vec4 motion;     // velocity at the reference time, and the collisions so far
-  in vec3 kind;       // radius, species, and 1 for a kinematic sphere
+  in vec3 kind;       // radius without growth, species, and 1 for a kinematic sphere
   in vec3 spin;
   in vec4 turn;       // orientation at the reference time: a quaternion, the real part last
 
   uniform mat4 projectionMatrix;
   uniform mat4 modelViewMatrix;
   uniform float elapsed;     // since the reference time
+  uniform float scale;       // of all radii, by growth
   uniform vec3 gravity;
   uniform vec3 period;       // of the box, zero along axes that are not periodic
   uniform vec3 inversePeriod; // likewise zero
@@ -161,7 +162,7 @@ export const kImpostorVertex = /* glsl */ `
     vec3 center = centerNow();
     ball.xyz = (modelViewMatrix * vec4(center, 1.0)).xyz;
     float distance = length(ball.xyz);
-    ball.w = max(kind.x, leastPixels * distance / (projectionMatrix[1][1] * pixels));
+    ball.w = max(scale * kind.x, leastPixels * distance / (projectionMatrix[1][1] * pixels));
     color = colorNow(center);
     findMarks();
     isFollowed = gl_InstanceID == followed ? 1.0 : 0.0;
@@ -223,7 +224,7 @@ export const kPointVertex = /* glsl */ `
     findMarks();
     isFollowed = gl_VertexID == followed ? 1.0 : 0.0;
     gl_Position = isHidden(center, gl_VertexID) ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * seen;
-    gl_PointSize = max(leastPixels, kind.x * projectionMatrix[1][1] * pixels / max(-seen.z, 1e-6));
+    gl_PointSize = max(leastPixels, scale * kind.x * projectionMatrix[1][1] * pixels / max(-seen.z, 1e-6));
   }
 `;
 

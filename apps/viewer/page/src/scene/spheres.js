@@ -26,7 +26,7 @@ export class Spheres {
     this.kinds = new Float32Array(kKindNumbers * this.count);
     this.turns = canTurn ? new Float32Array(kTurnNumbers * this.count) : null;
     for (let id = 0; id < this.count; ++id) {
-      this.kinds[kKindNumbers * id] = bodies.radii[id];
+      this.kinds[kKindNumbers * id] = bodies.baseRadii[id];
       this.kinds[kKindNumbers * id + 1] = species[id] % kSpeciesColors.length;
       this.kinds[kKindNumbers * id + 2] = bodies.isKinematic(id) ? 1 : 0;
     }
@@ -38,6 +38,7 @@ export class Spheres {
     this.longest = Math.max(...box.size);
     this.uniforms = {
       elapsed: { value: 0 },
+      scale: { value: 1 },
       gravity: { value: new Vector3(...box.gravity) },
       period: { value: new Vector3(...box.period) },
       inversePeriod: { value: new Vector3(...box.period.map((period) => (period > 0 ? 1 / period : 0))) },
@@ -105,6 +106,7 @@ export class Spheres {
     }
     playback.takeTouched();
     this.uniforms.elapsed.value = time - this.reference;
+    this.uniforms.scale.value = playback.scale;
   }
 
   // Makes the time of `playback` the reference. It holds until spheres have crossed the space they occupy a few
@@ -149,7 +151,7 @@ export class Spheres {
     this.turns.set(bodies.spin(id), kTurnNumbers * id);
     this.turns.set(bodies.orientation(id, elapsed), kTurnNumbers * id + 3);
     const kind = kKindNumbers * id;
-    const radius = Math.fround(bodies.radii[id]);
+    const radius = Math.fround(bodies.baseRadii[id]);
     const isKinematic = bodies.isKinematic(id) ? 1 : 0;
     if (this.kinds[kind] === radius && this.kinds[kind + 2] === isKinematic) return;
     this.kinds[kind] = radius;
