@@ -57,7 +57,6 @@ struct Contact {
   /// perpendicular. [L]
   Vec3 separation;
   double reach = 0;         ///< Sum of the radii, or the radius: the length `separation` should have [L].
-  double growth = 0;        ///< The rate at which `reach` grows [L/T].
   double first_radius = 0;  ///< [L]
   /// Collision: the radius of the second sphere. Wall: zero. [L]
   double second_radius = 0;
@@ -80,6 +79,7 @@ struct Contact {
   ContactOutcome outcome = ContactOutcome::bounce;
   Vec3 wall_normal;               ///< Wall: the unit vector from the center toward it [1].
   double pressing = 0;            ///< Wall: the acceleration of the sphere toward it [L/T^2].
+  double growth = 0;              ///< The rate at which `reach` grows [L/T].
   SurfaceMaterial wall_material;  ///< Wall: what it does.
 
   bool is_collision() const { return kind == EventKind::collision; }

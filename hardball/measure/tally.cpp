@@ -12,6 +12,12 @@
 namespace hardball {
 namespace {
 
+// The kinetic energy that both spheres gain.
+double energy_gain_of(const Contact& contact) {
+  return energy_gain(contact.first_mass, contact.before.first, contact.after.first) +
+         energy_gain(contact.second_mass, contact.before.second, contact.after.second);
+}
+
 // The kinetic energy that spheres gain which merge to one.
 double gain_of_merging(const Contact& contact) {
   const auto energy = [](double mass, const Vec3& velocity) { return energy_gain(mass, {}, velocity); };
@@ -57,21 +63,21 @@ void Tally::note(const Contact& contact) {
   if (contact.outcome != ContactOutcome::bounce) [[unlikely]]
     return note_outcome(contact);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (!(is_elastic_ && contact.growth == 0 && contact.first_mass + contact.second_mass < kInfinity)) {
-    note_gain(energy_gain(contact.first_mass, contact.before.first, contact.after.first) +
-                  energy_gain(contact.second_mass, contact.before.second, contact.after.second),
-              contact.time);
-  }
+  const bool is_known_to_conserve = is_elastic_ && contact.first_mass + contact.second_mass < kInfinity;
+  if (!is_known_to_conserve) note_gain(energy_gain_of(contact), contact.time);
   // As Contact has them, from one root.
   const double distance = length(contact.separation);
   max_overlap_ = std::max(max_overlap_, 1 - distance / contact.reach);
   const double virial = -dot(contact.impulse(), contact.separation);
   virial_ += virial;
-  if (contact.growth != 0) growth_work_ += virial / distance * contact.growth;
   const double speed = std::max(
       0.0, dot(contact.before.first - contact.before.second, contact.separation) / distance + contact.growth);
   impact_speed_sum_ += speed;
   impact_speed_square_sum_ += speed * speed;
+  if (contact.growth == 0) [[likely]]
+    return;
+  growth_work_ += virial / distance * contact.growth;
+  if (is_known_to_conserve) note_gain(energy_gain_of(contact), contact.time);
 }
 
 void Tally::note_wall_contact(const Contact& contact) {

@@ -194,7 +194,7 @@ TEST_P(GrowthAgrees, OnRandomWorlds) {
           simulation.validate();
           const double energy = simulation.world().energy(simulation.now());
           const double before = simulation.tally().initial_energy();
-          if (made.restitution == 1 && made.world.surfaces().empty()) {
+          if (made.restitution == 1 && made.world.surfaces().empty() && made.world.box().has_plain_faces()) {
             ASSERT_NEAR(energy, before + outcome.work + edits,
                         1e-12 * (energy + before + std::fabs(outcome.work) + std::fabs(edits)));
           }
@@ -218,12 +218,13 @@ INSTANTIATE_TEST_SUITE_P(Part, GrowthAgrees, testing::Range(std::uint64_t{0}, kP
 
 // Negating the velocities and the rate leads back to the start.
 TEST(Growth, IsReversible) {
+  std::uint64_t contacts = 0;
   for (std::uint64_t seed = 0; seed < support::cases(60); ++seed) {
     RandomWorld made =
         support::make_random_gas(seed, {Boundary::periodic, Boundary::wall, Boundary::periodic}, 30);
     if (made.world.size() < 5 || made.restitution < 1) continue;
     World start = made.world;
-    const double end = 0.3 * made.until;
+    const double end = 0.05 * made.until;
     const double rate = 0.2 / end * (seed % 3 == 0 ? -1 : 1);
     double scale = 1;
     if (rate > 0) {
@@ -233,7 +234,9 @@ TEST(Growth, IsReversible) {
     start.set_growth({Time(0), Time(end), scale, rate});
     Simulation there(start);
     there.run_until(end);
-    if (there.counters().contacts() > 300) continue;
+    // Rounding errors grow with every contact.
+    if (there.counters().contacts() > 4 * start.size()) continue;
+    contacts += there.counters().contacts();
     World turn(start.box());
     turn.set_interactions(start.interactions());
     there.world().for_each_by_id([&](Slot slot) {
@@ -256,6 +259,7 @@ TEST(Growth, IsReversible) {
       EXPECT_LT(length(apart), 1e-5 * size) << seed;
     }
   }
+  EXPECT_GT(contacts, 5 * support::cases(60));
 }
 
 }  // namespace
