@@ -204,6 +204,24 @@ void print_thermostats() {
   print("rescaled_gas", Rescale(2, 0.5));
 }
 
+// Spheres that grow until they have halved their velocities a few times.
+void print_growth(const char* name, World world, const GrowthRules& rules) {
+  Simulation simulation(std::move(world));
+  simulation.grow(rules);
+  simulation.run_contacts(30000);
+  std::printf("%s %016llx\n", name, static_cast<unsigned long long>(simulation.event_log_hash()));
+}
+
+// Between the wall of a cone and the upper face of the box.
+World filled_cone() {
+  const World gas = random_gas(Box::walls({20, 20, 20}), {{8, 8, 14}, {12, 12, 19}}, 60, 0.3, 2, 16);
+  World world(gas.box(), {}, {Surface(Cone({0, 0, 1}, 0.5), {10, 10, 0})});
+  gas.for_each_by_id([&](Slot slot) {
+    world.add({gas.path(slot).position, gas.path(slot).velocity, gas.base_radius(slot), gas.mass(slot)});
+  });
+  return world;
+}
+
 World two_spheres() {
   World world(Box::walls({10, 10, 10}));
   world.add({{2.5, 3, 4}, {1, 0.3, -0.7}, 1.5, 1});
@@ -250,4 +268,7 @@ int main() {
   print("sheared_gas", sheared_gas(), 20000);
   const Bounce rough({.contact_duration = 1e-4, .tangential_restitution = 0.25});
   print("rough_sheared_gas", sheared_gas(), 1000, ResponseTable(rough, rough));
+  print_growth("growing_mixture", random_gas(Box::periodic({20, 20, 20}), cube, 300, 0.4, 3, 17),
+               {.rate = 0.1, .until_packing_fraction = 0.5});
+  print_growth("growing_in_a_cone", filled_cone(), {.rate = 0.05, .until_compressibility = 1000});
 }
