@@ -219,7 +219,7 @@ INSTANTIATE_TEST_SUITE_P(Part, GrowthAgrees, testing::Range(std::uint64_t{0}, kP
 // Negating the velocities and the rate leads back to the start.
 TEST(Growth, IsReversible) {
   std::uint64_t contacts = 0;
-  for (std::uint64_t seed = 0; seed < support::cases(60); ++seed) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
     RandomWorld made =
         support::make_random_gas(seed, {Boundary::periodic, Boundary::wall, Boundary::periodic}, 30);
     if (made.world.size() < 5 || made.restitution < 1) continue;
@@ -259,7 +259,7 @@ TEST(Growth, IsReversible) {
       EXPECT_LT(length(apart), 1e-5 * size) << seed;
     }
   }
-  EXPECT_GT(contacts, 5 * support::cases(60));
+  EXPECT_GT(contacts, 300U);
 }
 
 }  // namespace
