@@ -248,18 +248,21 @@ void refuse_velocities(const Box& box, const Contact& contact) {
                                 : "return finite velocities of magnitude at most 1e60");
 }
 
-bool decide_between_surfaces(const Interactions& interactions, Contact& contact) {
+void decide_between_surfaces(const Interactions& interactions, Contact& contact) {
   const Velocities centers = contact.before;
   // A radius grows by as much of `growth` as it has of `reach`.
   const Vec3 rate = (contact.growth / contact.reach) * contact.normal();
   contact.before.first += contact.first_radius * rate;
   if (contact.is_collision()) contact.before.second -= contact.second_radius * rate;
   contact.after = contact.before;
-  const bool may_turn = interactions.decide(contact);
+  static_cast<void>(interactions.decide(contact));
+  if (contact.outcome == ContactOutcome::merge)
+    refuse_response(contact, "spheres that grow are to merge", "let them bounce");
+  if (!(contact.spins_after == contact.spins_before))
+    refuse_response(contact, "spheres that grow are to spin", "leave their spins as they are");
   contact.after.first = centers.first + (contact.after.first - contact.before.first);
   contact.after.second = centers.second + (contact.after.second - contact.before.second);
   contact.before = centers;
-  return may_turn;
 }
 
 void undo_approach(const World& world, Contact& contact, const Participants& participants) {

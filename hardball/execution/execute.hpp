@@ -66,9 +66,9 @@ inline void check_velocities(const Box& box, const Contact& contact) {
 }
 
 /// Lets the response decide about spheres whose sizes change: it sees the velocities of their surfaces where
-/// they meet, so that surfaces part as they would at constant size. Returns whether spins may have changed.
-/// Source: docs/decisions/0033-growth-is-a-motion.md.
-bool decide_between_surfaces(const Interactions& interactions, Contact& contact);
+/// they meet, so that surfaces part as they would at constant size. Error: it merges spheres, or changes a
+/// spin. Source: docs/decisions/0033-growth-is-a-motion.md.
+void decide_between_surfaces(const Interactions& interactions, Contact& contact);
 
 /// Removes an approach of the bodies of `contact` with the velocities `after`; see settle.
 void undo_approach(const World& world, Contact& contact, const Participants& participants);
@@ -102,8 +102,12 @@ inline void execute(World& world, CollapseGuard& guard, const Event& event, cons
     return world.note_passage(event);
   }
   done.may_turn = true;  // until the response tells otherwise, and if it throws
-  done.may_turn = world.motion().has_growth() ? decide_between_surfaces(world.interactions(), contact)
-                                              : world.interactions().decide(contact);
+  if (world.motion().has_growth()) [[unlikely]] {
+    decide_between_surfaces(world.interactions(), contact);
+    done.may_turn = false;
+  } else {
+    done.may_turn = world.interactions().decide(contact);
+  }
   const bool is_collision = contact.is_collision();
   if (contact.outcome == ContactOutcome::merge) [[unlikely]]
     return merge(world, contact, participants);

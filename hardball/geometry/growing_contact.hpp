@@ -35,9 +35,9 @@ HARDBALL_ALWAYS_INLINE Number approach(const GrowingPair<Number>& pair) {
 /// never do.
 ///
 /// Overlapping and approaching means now (zero); touching without overlap means never, and so do centers at
-/// the same place, which have no direction to part in. Surfaces that recede
-/// may meet later where radii grow faster than the centers part. The coefficients of the quadratic are
-/// computed to 106 bits: near jamming, the gaps between spheres are the last bits of their distances.
+/// the same place, which have no direction to part in. Surfaces that recede may meet later where radii grow
+/// faster than the centers part. The coefficients of the quadratic are computed to 106 bits: near jamming,
+/// the gaps between spheres are the last bits of their distances.
 template <class Number>
 HARDBALL_ALWAYS_INLINE Number time_to_touch(const GrowingPair<Number>& pair) {
   const Number zero(0.0);

@@ -62,8 +62,8 @@ struct Contact {
   double second_radius = 0;
   double first_mass = 0;   ///< [M]; infinite for a kinematic sphere.
   double second_mass = 0;  ///< [M]; infinite for a wall, too.
-  /// Of the centers [L/T]. While the response is called, those of the surfaces where they meet, which differ
-  /// if the spheres grow.
+  /// Of the centers [L/T]; but of spheres that grow, while the response is called, of their surfaces where
+  /// they meet.
   Velocities before;
   Velocities after;    ///< [L/T]; equal to `before` while the response is called.
   Spins spins_before;  ///< [1/T]

@@ -18,13 +18,14 @@ class Tuner;
 /// than about 10 ms, so that the run can be stopped, and the tuning be reviewed, wherever nothing else comes.
 class Agenda {
  public:
-  /// What is to be done after a stretch: an action of the thermostat, or a sample of the measures.
+  /// What is to be done after a stretch: an action of the thermostat or a new epoch of growth, or a sample of
+  /// the measures.
   enum class Item { nothing, action, sample };
 
   /// Begins a run at `now`.
   Agenda(const RunLimits& limits, const Time& now) : left_(limits), begin_(now), reached_(now) {}
 
-  /// Runs the engine to what comes next, when the thermostat acts at `action` and a sample is due at
+  /// Runs the engine to what comes next, when there is an action at `action` and a sample is due at
   /// `sample`; kNever for neither. A sample that was due before the run is taken when it begins.
   Item advance(Tuner& tuner, const Time& action, const Time& sample, ContactSums& sums,
                const AnyEngine::Observe& observe);

@@ -115,6 +115,7 @@ void Simulation::edit_velocities(std::span<const VelocityEdit> edits, Measures* 
 
 SphereId Simulation::add(const Sphere& sphere) {
   check_editable("add");
+  check_not_growing("add");
   tuner_->end_look_ahead(now_);
   const SphereId id = tuner_->engine().add(sphere, now_);
   sums_.tally.note_edit(kinetic_energy(world(), world().slot_of(id), now_), now_);
@@ -127,6 +128,7 @@ SphereId Simulation::add(const Sphere& sphere) {
 
 void Simulation::remove(SphereId id) {
   check_editable("remove");
+  check_not_growing("remove");
   const double energy = kinetic_energy(world(), world().slot_of(id), now_);
   tuner_->end_look_ahead(now_);
   tuner_->engine().remove(id, now_);

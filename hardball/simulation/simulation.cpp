@@ -265,6 +265,12 @@ void Simulation::check_editable(const char* what) const {
   }
 }
 
+// How large spheres are to become is known from their volume.
+void Simulation::check_not_growing(const char* what) const {
+  if (!growth_ || growth_->is_over()) return;
+  throw Error("spheres grow, and their number must stay", what, "wait until growth is over, or stop it");
+}
+
 void Simulation::check_not_past(const Time& time) const {
   if (!(time.value() >= now_.value())) {
     throw Error(to_text(time.value()) + " is in the past; the time is " + to_text(now_.value()), "until",
@@ -288,8 +294,8 @@ std::vector<Vec3> Simulation::positions() const {
 std::vector<Vec3> Simulation::positions_at(double time) {
   check_moment(Time(time), "positions_at");
   if (next_action().value() < time) {
-    throw Error("the thermostat acts at " + to_text(next_action().value()) + ", before the requested time, " +
-                    to_text(time),
+    throw Error((grows_next() ? "an epoch of growth begins at " : "the thermostat acts at ") +
+                    to_text(next_action().value()) + ", before the requested time, " + to_text(time),
                 "positions_at", "run_until that time first");
   }
   const std::optional<NextContact> next = next_contact(time);

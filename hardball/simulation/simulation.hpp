@@ -166,7 +166,7 @@ class HARDBALL_EXPORT Simulation {
   /// All centers now [L], in the order of ids, folded into a periodic box. Shape (size, 3).
   std::vector<Vec3> positions() const;
   /// All centers at `time` [L], which is finite, not in the past and not after the next contact, nor after
-  /// the thermostat acts next. Error: any other time.
+  /// the thermostat acts or an epoch of growth begins. Error: any other time.
   std::vector<Vec3> positions_at(double time);
 
   /// Changes the velocity of a sphere [L/T], now. Error: no such sphere; a number that is NaN, infinite or
@@ -178,9 +178,9 @@ class HARDBALL_EXPORT Simulation {
   /// The same between runs with `measures`, which treat it as the action of a thermostat; see Measures.
   void change_velocities(std::span<const VelocityEdit> edits, Measures& measures);
   /// Adds a sphere, now. Cost: that of a collision, amortized; O(n) for the first of a larger radius than all
-  /// others. Error: see World::add; it overlaps another sphere.
+  /// others. Error: spheres grow; see World::add; it overlaps another sphere.
   SphereId add(const Sphere& sphere);
-  /// Removes a sphere, now. Cost: that of a collision. Error: no sphere has this id.
+  /// Removes a sphere, now. Cost: that of a collision. Error: spheres grow; no sphere has this id.
   void remove(SphereId id);
 
   /// A handle on a sphere. Error: no sphere has this id.
@@ -258,6 +258,7 @@ class HARDBALL_EXPORT Simulation {
   void tell_of_changes(const Time& moment, std::span<const NewVelocity> changes, Measures* measures);
   void check_idle(const char* what) const;
   void check_editable(const char* what) const;
+  void check_not_growing(const char* what) const;
   void check_not_past(const Time& time) const;
 
   ValuePointer<Tuner> tuner_;  // with the engine

@@ -30,8 +30,8 @@ class Cone {
                                  earliest_descent({{room.at_start, room.rate, room.half_curvature}}));
     return after(passage.start, wait);
   }
-  /// Half the speed at which the difference of squares that `contact_time` follows changes, or, at the apex,
-  /// that at which the room does.
+  /// The speed at which the difference of squares that `contact_time` follows changes; at the apex, where
+  /// that is zero, the one at which the room does.
   DoubleDouble<> opening_speed(const Passage& passage) const {
     const Room room = room_of(passage);
     const DoubleDouble<> speed = gap(passage, room).coefficients[1];
@@ -80,13 +80,9 @@ class Cone {
   // The difference of the squares of the distance that the center may have from the axis and that it has.
   Polynomial gap(const Passage& passage, const Room& room) const {
     const PreciseVector axis = precise(axis_);
-    const DoubleDouble<> two{2, 0};
-    const DoubleDouble<>& a = room.at_start;
-    const DoubleDouble<>& b = room.rate;
-    const DoubleDouble<>& c = room.half_curvature;
-    const Polynomial allowed{{a * a, two * a * b, b * b + two * a * c, two * b * c, c * c}};
-    return difference(allowed, squared_distance(cross(passage.position, axis), cross(passage.velocity, axis),
-                                                cross(half(passage.acceleration), axis)));
+    return difference(square_of(room.at_start, room.rate, room.half_curvature),
+                      squared_distance(cross(passage.position, axis), cross(passage.velocity, axis),
+                                       cross(half(passage.acceleration), axis)));
   }
 
   Vec3 axis_;

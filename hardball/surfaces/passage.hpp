@@ -56,10 +56,10 @@ inline PreciseVector half(const PreciseVector& a) {
   return {of(a.x), of(a.y), of(a.z)};
 }
 
-/// The square of a length that changes uniformly.
-inline Polynomial square_of(const DoubleDouble<>& length, const DoubleDouble<>& rate) {
+/// The square of the length a + b t + c t^2.
+inline Polynomial square_of(const DoubleDouble<>& a, const DoubleDouble<>& b, const DoubleDouble<>& c = {}) {
   const DoubleDouble<> two{2, 0};
-  return {{length * length, two * length * rate, rate * rate}};
+  return {{a * a, two * a * b, b * b + two * a * c, two * b * c, c * c}};
 }
 
 /// a - b.

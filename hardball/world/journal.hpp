@@ -20,7 +20,7 @@ namespace hardball {
 struct SphereState {
   SphereId id = 0;
   Path path;
-  double radius = 0;          ///< [L]
+  double radius = 0;          ///< The base radius [L].
   double mass = 0;            ///< [M]
   double inertia_factor = 0;  ///< [1]
   Image folded;               ///< By how many boxes its center has been folded back.

@@ -59,7 +59,8 @@ void World::reserve(std::size_t count) {
 
 SphereId World::add(const Sphere& sphere, const Time& moment) {
   if (motion_.has_growth()) {
-    throw Error("spheres grow, and none can be added", name_of(next_id_), "add all before growth begins");
+    throw Error("spheres grow, and none can be added", name_of(next_id_),
+                "add all before growth begins, or stop it");
   }
   check(sphere);
   check_moment(moment, name_of(next_id_));

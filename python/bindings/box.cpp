@@ -230,8 +230,7 @@ void bind_surface(py::module_& module) {
           py::arg("axis"), py::arg("slope"), py::arg("point") = origin, py::kw_only(),
           py::arg("restitution") = py::none(), py::arg("temperature") = py::none(), py::arg("seed") = 0,
           "A cone with its apex at `point` [L] in which spheres move; `axis`, of any length, leads from the "
-          "apex "
-          "into it, and `slope` is its radius over the distance from the apex.")
+          "apex into it, and `slope` is its radius over the distance from the apex.")
       .def_static(
           "sphere",
           [](double radius, const py::object& point, std::optional<double> restitution,

@@ -247,10 +247,9 @@ void bind_state(SimulationClass& simulation) {
             if (!growth) return std::nullopt;
             return std::string(name_of(growth->state()));
           },
-          "None without growth; \"measuring\" or \"growing\" while it goes on, \"measuring\" being the "
-          "moment "
-          "in which it is found out how dense the spheres are; why it has ended: \"reached\", the packing "
-          "fraction, \"over_pressure\" or \"no_room\".")
+          "None without growth; \"growing\" while it goes on, or at its begin \"measuring\", how dense the "
+          "spheres are; why it has ended: \"reached\", the packing fraction, \"over_pressure\" or "
+          "\"no_room\".")
       .def_property(
           "until", &PythonSimulation::until,
           [](PythonSimulation& self, const py::object& time) { self.set_until(time_or_none(time)); },

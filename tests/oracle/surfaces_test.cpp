@@ -180,7 +180,7 @@ TEST_P(SurfaceContact, AgreesWithPlainGeometryTo113Bits) {
     ASSERT_LE(given.surface.free_until(given.motion, given.path, given.radius, given.path.time),
               contact.high);
   }
-  EXPECT_GT(contacts, static_cast<int>(support::cases(8)));
+  EXPECT_GT(contacts, static_cast<int>(support::cases(25)));
   if (GetParam() == 0 || GetParam() == 5) {
     EXPECT_GT(misses, 10);
   }

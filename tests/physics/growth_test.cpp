@@ -34,6 +34,29 @@ TEST(GrowingSpheres, PartByTwiceTheGrowth) {
   EXPECT_EQ(simulation.sphere(0).radius(), 1);
 }
 
+// The law of restitution is that of the surfaces: they close in with 1.5 and part with half of it, as in a
+// function that halves what it sees.
+TEST(GrowingSpheres, PartByTheRestitutionOfTheirSurfaces) {
+  World world(Box::open());
+  world.add({.position = {0, 0, 0}, .velocity = {0.5, 0, 0}, .radius = 0.5});
+  world.add({.position = {4, 0, 0}, .velocity = {-0.5, 0, 0}, .radius = 0.5, .mass = 3});
+  world.set_interactions(Restitution(0.5));
+  world.set_growth({Time(0), Time(10), 1, 0.5});
+  Simulation by_table(world);
+  by_table.run_until(2);
+  EXPECT_DOUBLE_EQ(by_table.velocity(1).x - by_table.velocity(0).x, 0.5 + 0.75);
+  EXPECT_DOUBLE_EQ(by_table.world().momentum(by_table.now()).x, -1);
+  Simulation by_function(world);
+  by_function.respond_with([](const Contact& contact) {
+    const Vec3 closing = contact.before.second - contact.before.first;
+    EXPECT_DOUBLE_EQ(closing.x, -1.5);
+    return Velocities{contact.before.first + (1.5 * 0.75) * closing,
+                      contact.before.second - (1.5 * 0.25) * closing};
+  });
+  by_function.run_until(2);
+  EXPECT_DOUBLE_EQ(by_function.velocity(1).x - by_function.velocity(0).x, 0.5 + 0.75);
+}
+
 // A sphere at rest between walls meets both at once, and then moves as fast as they close in.
 TEST(GrowingSpheres, MeetWalls) {
   World world(Box::walls({10, 10, 10}));
@@ -136,7 +159,6 @@ TEST(GrowingSpheres, AreRefusedWhereTheyCannotBe) {
   };
   World falling(Box::open(), {0, 0, -1});
   EXPECT_NE(refusal(falling).find("gravity"), std::string::npos);
-  World spinning = gas;
   Simulation simulation(gas);
   EXPECT_NE(message_of([&] { simulation.grow({.rate = 0}); }).find("rate"), std::string::npos);
   EXPECT_NE(message_of([&] { simulation.grow({.until_packing_fraction = 0.1}); }).find("0.1"),
@@ -154,6 +176,19 @@ TEST(GrowingSpheres, AreRefusedWhereTheyCannotBe) {
               simulation.add({.position = {1, 1, 1}, .radius = 0.01});
             }).find("grow"),
             std::string::npos);
+  EXPECT_NE(message_of([&] { simulation.remove(3); }).find("grow"), std::string::npos);
+  EXPECT_NE(message_of([&] { static_cast<void>(simulation.positions_at(1e6)); }).find("epoch"),
+            std::string::npos);
+  for (const bool merges : {true, false}) {
+    simulation.respond_with([merges](const Contact& contact) {
+      Outcome outcome(contact, {contact.before.second, contact.before.first});
+      outcome.merges = merges;
+      if (!merges) outcome.spins.first = {0, 0, 1};
+      return outcome;
+    });
+    EXPECT_NE(message_of([&] { simulation.run_contacts(1); }).find(merges ? "merge" : "spin"),
+              std::string::npos);
+  }
   EXPECT_NE(message_of([&] {
               static_cast<void>(simulation.ray({1, 1, 1}, {1, 0, 0}, 1));
             }).find("grow"),

@@ -171,6 +171,30 @@ placement = "random"
 speed = 0
 )";
 
+TEST(ParseScenario, ReadsGrowthAndCones) {
+  const std::string start =
+      "[box]\nsize = [9.0, 9.0, 9.0]\nboundary = [\"wall\", \"wall\", \"wall\"]\n"
+      "[[spheres]]\ncount = 1\nradius = 0.5\nplacement = \"random\"\ntemperature = 1.0\n";
+  const Scenario scenario =
+      parse(start +
+            "[growth]\nrate = -0.25\npacking_fraction = 0.125\ncompressibility = 50.0\n"
+            "[[walls]]\nshape = \"cone\"\npoint = [1.0, 2.0, 3.0]\naxis = [0.0, 0.0, 2.0]\n"
+            "slope = 0.75\n");
+  ASSERT_TRUE(scenario.growth);
+  EXPECT_EQ(scenario.growth->rate, -0.25);
+  EXPECT_EQ(scenario.growth->until_packing_fraction, 0.125);
+  EXPECT_EQ(scenario.growth->until_compressibility, 50);
+  EXPECT_TRUE(scenario.measures.names.empty());
+  ASSERT_EQ(scenario.walls.size(), 1U);
+  EXPECT_EQ(scenario.walls[0].shape, WallDescription::Shape::cone);
+  EXPECT_EQ(scenario.walls[0].direction, (Vec3{0, 0, 2}));
+  EXPECT_EQ(scenario.walls[0].slope, 0.75);
+  EXPECT_EQ(*parse(start + "[growth]\n").growth, GrowthRules());
+  EXPECT_FALSE(parse(start).growth);
+  EXPECT_THROW(parse(start + "[growth]\nrate = -0.1\n"), Error);
+  EXPECT_THROW(parse(start + "[growth]\n[measures]\nnames = [\"pressure\"]\n"), Error);
+}
+
 TEST(ParseScenario, HasDefaults) {
   const Scenario scenario = parse(kLeast);
   EXPECT_EQ(scenario.spheres.at(0).mass, 1);

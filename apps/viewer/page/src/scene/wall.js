@@ -114,17 +114,23 @@ export class PlaneWall {
   }
 }
 
+// A wall around an axis, of height one along it, and of these radii at its ends.
+function wallAround({ direction }, [from, to], tint, shared) {
+  const geometry = new CylinderGeometry(to, from, 1, 4 * kLinesAround, 1, true);
+  useSpots(geometry, kLinesAround, kLinesAcross);
+  const wall = new Mesh(geometry, wallMaterial(tint, shared, 1, 0.3));
+  // The geometry's axis is y.
+  wall.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...direction));
+  wall.frustumCulled = false;
+  return wall;
+}
+
 /** A cylinder within the box, with the spheres inside. */
 export class CylinderWall {
   constructor(surface, tint, shared) {
     this.surface = surface;
     this.moves = surface.moves;
-    const geometry = new CylinderGeometry(1, 1, 1, 4 * kLinesAround, 1, true);
-    useSpots(geometry, kLinesAround, kLinesAcross);
-    this.object = new Mesh(geometry, wallMaterial(tint, shared, 1, 0.3));
-    // The geometry's axis is y.
-    this.object.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...surface.direction));
-    this.object.frustumCulled = false;
+    this.object = wallAround(surface, [1, 1], tint, shared);
   }
 
   /** As for a plane. */
@@ -142,12 +148,7 @@ export class ConeWall {
   constructor(surface, tint, shared) {
     this.surface = surface;
     this.moves = surface.moves;
-    const geometry = new CylinderGeometry(1, 0, 1, 4 * kLinesAround, 1, true);
-    useSpots(geometry, kLinesAround, kLinesAcross);
-    this.object = new Mesh(geometry, wallMaterial(tint, shared, 1, 0.3));
-    // The geometry's axis is y.
-    this.object.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...surface.direction));
-    this.object.frustumCulled = false;
+    this.object = wallAround(surface, [0, 1], tint, shared);
   }
 
   /** As for a plane. */
