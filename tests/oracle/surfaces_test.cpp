@@ -153,7 +153,7 @@ TEST_P(SurfaceContact, AgreesWithPlainGeometryTo113Bits) {
   int misses = 0;
   constexpr double kEnd = 6;
   constexpr int kSteps = 400;
-  for (int i = 0; i < static_cast<int>(support::cases(400)); ++i) {
+  for (int i = 0; i < static_cast<int>(support::cases(1000)); ++i) {
     Case given = make_case(random, GetParam(), i % 2 == 0, i % 3 == 0, i % 5 == 0);
     if (given.gap(0) <= 0) continue;
     const Time contact = given.surface.contact_time(given.motion, given.path, given.radius);
