@@ -2,5 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Initial positions: on a lattice, or at random where there is room.
+/// Initial positions, on a lattice or at random where there is room, and random sizes.
 #include "hardball/placement/placement.hpp"
+#include "hardball/placement/radii.hpp"

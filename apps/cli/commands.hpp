@@ -10,7 +10,7 @@ namespace hardball::cli {
 /// The exit status of the program.
 enum class ExitCode : int {
   done = 0,
-  failed = 1,     ///< A run did not reach its end, or runs differ.
+  failed = 1,     ///< A run or a packing did not reach its end, or runs differ.
   bad_input = 2,  ///< The scenario or the command line is wrong.
 };
 
@@ -24,6 +24,7 @@ ExitCode resume_distributed(const Options& options, Processes& processes);
 ExitCode verify(const Options& options);
 ExitCode check(const Options& options);
 ExitCode tune(const Options& options);
+ExitCode pack(const Options& options);
 ExitCode convert(const Options& options);
 ExitCode info(const Options& options);
 ExitCode view(const Options& options);

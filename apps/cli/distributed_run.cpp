@@ -15,6 +15,7 @@
 #include "apps/cli/interruption.hpp"
 #include "apps/cli/progress.hpp"
 #include "apps/cli/run_files.hpp"
+#include "apps/cli/seconds_since.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/started_run.hpp"
 #include "apps/cli/summary.hpp"
@@ -31,10 +32,6 @@ namespace hardball::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 // The scenario without the measures and the report that a run has unless it says otherwise. Error: it asks
 // for what processes cannot share.

@@ -81,6 +81,63 @@ void add_overwrite_flag(CLI::App& command, Options& options, const std::string& 
   command.add_flag("--overwrite", options.overwrite, description)->disable_flag_override();
 }
 
+CLI::App* add_pack_command(CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand(
+      "pack", "Pack spheres: give three of count, diameter, box or container, and density");
+  PackingText& packing = options.packing;
+  command->add_option("--count", packing.count, "Number of spheres")->type_name("N");
+  command->add_option("--diameter", packing.diameter, "Mean diameter, 1 if nothing else has a length")
+      ->type_name("LENGTH");
+  command
+      ->add_option("--sizes", packing.sizes,
+                   "Distribution of sizes: lognormal:SIGMA, uniform:MIN,MAX, powerlaw:EXPONENT,MIN,MAX, "
+                   "discrete:SIZE=SHARE,SIZE=SHARE, or file:FILE with radii")
+      ->type_name("SIZES");
+  command->add_option("--box", packing.box, "Edges, as in 10,10,20; or proportions, as in 1:1:2")
+      ->type_name("EDGES");
+  command->add_option("--walls", packing.walls, "Axes of the box with walls instead of periods, as in z")
+      ->type_name("AXES");
+  command
+      ->add_option("--container", packing.container,
+                   "Instead of a box: cylinder:DIAMETER,HEIGHT, sphere:DIAMETER, cone:DIAMETER,HEIGHT or "
+                   "slab:X,Y,HEIGHT; with colons between proportions")
+      ->type_name("CONTAINER");
+  command->add_option("--phi", packing.phi, "Packing fraction, or max for as dense as spheres jam")
+      ->type_name("max|FRACTION");
+  command->add_option("--pressure", packing.pressure, "Instead of --phi, PV/NkT of the median sphere")
+      ->type_name("Z");
+  command
+      ->add_option("--rate", packing.rate,
+                   "Growth of the mean diameter over the thermal speed; chosen by the density if not given")
+      ->type_name("RATE");
+  command->add_option("--gap", packing.gap, "Fraction by which diameters are reduced in the end")
+      ->type_name("FRACTION");
+  command->add_option("--dimensions", packing.dimensions, "2 for discs")->type_name("2|3");
+  command
+      ->add_option("--start", packing.start,
+                   "File with spheres that grow where they are; its extension selects the format")
+      ->type_name("FILE");
+  command->add_option("--seed", packing.seed, "Seed of the random numbers, 1 if not given")->type_name("N");
+  command->add_option("--out", options.outs, "File for the spheres; its extension selects the format")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  command->add_option("--limit", options.limit, "Time after which packing is interrupted")
+      ->type_name("SECONDS");
+  command
+      ->add_option("--resume", options.checkpoint,
+                   "Checkpoint of an interrupted packing, instead of all that says what is packed")
+      ->type_name("FILE");
+  command->add_flag("--polish", options.polish, "Remove the last gaps between spheres that have jammed")
+      ->disable_flag_override();
+  command->add_flag("--dry-run", options.dry_run, "Only check, and predict collisions and time")
+      ->disable_flag_override();
+  add_threads_option(*command, options);
+  add_output_flags(*command, options);
+  add_overwrite_flag(*command, options, "Replace existing files");
+  command->allow_extras();
+  return command;
+}
+
 #if HARDBALL_VIEWER
 CLI::App* add_showing_command(CLI::App& app, Options& options, const std::string& name,
                               const std::string& description) {
@@ -161,6 +218,7 @@ ExitCode parse_and_run(int argument_count, char** arguments, Processes* processe
   tune_command->add_option("--out", options.out, "Directory for the table and its figure")
       ->type_name("DIRECTORY");
   add_quiet_flag(*tune_command, options);
+  CLI::App* pack_command = add_pack_command(app, options);
   CLI::App* convert_command = app.add_subcommand("convert", "Convert the frames of a file to another format");
   convert_command->add_option("IN", options.in, "Input file; its extension selects the format")
       ->required()
@@ -219,6 +277,7 @@ ExitCode parse_and_run(int argument_count, char** arguments, Processes* processe
   if (*verify_command) return verify(options);
   if (*check_command) return check(options);
   if (*tune_command) return tune(options);
+  if (*pack_command) return pack(options);
   if (*convert_command) return convert(options);
   if (*info_command) return info(options);
 #if HARDBALL_VIEWER

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "hardball/packing/request_text.hpp"
+
 namespace hardball::cli {
 
 /// The command line as written; not every command has every option.
@@ -29,6 +31,11 @@ struct Options {
   std::optional<std::string> port;
   std::optional<std::string> recording_limit;
   std::string shell;
+  PackingText packing;               ///< What is to be packed.
+  std::vector<std::string> outs;     ///< Files for a packing.
+  std::optional<std::string> limit;  ///< Seconds.
+  bool dry_run = false;
+  bool polish = false;
   bool json = false;
   bool quiet = false;
   bool no_open = false;

@@ -33,6 +33,19 @@ void Progress::show(double time, std::uint64_t collisions) {
                                readable_duration(elapsed * (1 - done) / done)));
 }
 
+void PackingProgress::show(const Packer& packer) {
+  const double share = packer.share_done();
+  if (begin_share_ < 0) begin_share_ = share;
+  if (!line_.is_due()) return;
+  const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
+  const double left = elapsed * (1 - share) / std::max(share - begin_share_, 1e-9);
+  const std::string pressure = std::isfinite(packer.pressure())
+                                   ? fmt::format("pressure {:.3g}", packer.pressure())
+                                   : "no pressure yet";
+  line_.show(share, fmt::format("{}  phi {:.5f}  {}  {} left", name_of(packer.state()),
+                                packer.packing_fraction(), pressure, readable_duration(left)));
+}
+
 OnProgress SetUpProgress::part(double begin, double end) {
   return [this, begin, end](double fraction) {
     const double done = begin + (end - begin) * fraction;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/cli/status_line.hpp"
+#include "hardball/packing/packer.hpp"
 #include "hardball/simulation/simulation.hpp"
 
 namespace hardball::cli {
@@ -24,6 +25,21 @@ class Progress {
 
   StatusLine line_;
   double until_;
+  Clock::time_point begin_ = Clock::now();
+};
+
+/// The same for a packing.
+class PackingProgress {
+ public:
+  explicit PackingProgress(bool wanted) : line_(wanted) {}
+
+  void show(const Packer& packer);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  StatusLine line_;
+  double begin_share_ = -1;  // where a packing that is resumed begins
   Clock::time_point begin_ = Clock::now();
 };
 

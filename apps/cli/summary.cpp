@@ -9,6 +9,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "apps/cli/number_or_null.hpp"
 #include "apps/cli/response_text.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
@@ -26,10 +27,6 @@ long measure_peak_rss() {
   getrusage(RUSAGE_SELF, &usage);
   constexpr long kBytesPerUnit = 1024;  // Linux counts kilobytes
   return usage.ru_maxrss * kBytesPerUnit;
-}
-
-nlohmann::ordered_json number_or_null(double number) {
-  return std::isfinite(number) ? nlohmann::ordered_json(number) : nlohmann::ordered_json(nullptr);
 }
 
 }  // namespace

@@ -29,6 +29,9 @@ constexpr double kHeating = 0.6;
 // How much larger than the last a step may be.
 constexpr double kWidening = 4;
 
+// Where spheres are packed more tightly, coordinates and times do not resolve their gaps.
+constexpr double kMostCompressibility = 1e13;
+
 // What sets the rate: lengths and times of the thermal motion.
 struct Scales {
   double diameter = 0;  // the mean of twice the base radius [L]
@@ -48,8 +51,20 @@ Scales scales_of(const World& world, const Time& moment) {
           std::sqrt(2 * world.kinetic_energy(moment) / (dimensions * mass.value()))};
 }
 
+// Whether nothing can be near jamming: few spheres, and those between walls, may jam at any density.
+bool is_dilute(const World& world, double packing_fraction) {
+  constexpr std::size_t kMany = 32;
+  return packing_fraction < (world.box().is_flat() ? kDiluteDiscs : kDilute) && !has_walls(world) &&
+         world.size() >= kMany;
+}
+
 double root_of(const Box& box, double volume_ratio) {
   return box.is_flat() ? std::sqrt(volume_ratio) : cube_root(volume_ratio);
+}
+
+// d ln E / d ln s of spheres that grow, without walls.
+double steepness_at(double compressibility) {
+  return 2 * std::max(0.0, compressibility - 1);
 }
 
 }  // namespace
@@ -75,7 +90,21 @@ void GrowthSchedule::note_begin(const Tally& tally, const Time& now) {
   collisions_ = tally.collisions() + tally.wall_contacts();
 }
 
-Growth GrowthSchedule::begin(const World& world, const Tally& tally, const Time& now) {
+// Energies that double take some .6 / rate contacts of each sphere. Few spheres, and those next to walls, may
+// lock so suddenly that the epoch is planned beyond that: then contacts would follow each other ever faster.
+std::uint64_t GrowthSchedule::contacts_left(const Tally& tally, std::size_t spheres) const {
+  constexpr double kDoublings = 4;
+  constexpr double kAnyway = 64;
+  if (state_ != State::growing) return std::numeric_limits<std::uint64_t>::max();
+  const double most = static_cast<double>(spheres) * (kAnyway + 0.6 * kDoublings / std::fabs(rules_.rate));
+  const std::uint64_t done = tally.collisions() + tally.wall_contacts() - collisions_;
+  constexpr double kCountable = 1e18;
+  const auto allowed = static_cast<std::uint64_t>(std::min(most, kCountable));
+  return allowed > done ? allowed - done : 0;
+}
+
+Growth GrowthSchedule::begin(const World& world, const Tally& tally, const Time& now,
+                             std::optional<double> compressibility) {
   const double present = packing_fraction(world, now);
   const bool ends = std::isfinite(rules_.until_packing_fraction);
   if (ends && !(present > 0)) {
@@ -104,8 +133,8 @@ Growth GrowthSchedule::begin(const World& world, const Tally& tally, const Time&
   note_begin(tally, now);
   speed_ = scales.speed;
   step_ = kLargestStep;
-  const double dilute = world.box().is_flat() ? kDiluteDiscs : kDilute;
-  if (present < dilute) return grow(world, now, 0).growth;
+  if (compressibility) return grow(world, now, steepness_at(*compressibility)).growth;
+  if (is_dilute(world, present)) return grow(world, now, 0).growth;
   constexpr double kShortest = 0x1p-40;
   return measure(world, now, kShortest * scale * scales.diameter / scales.speed);
 }
@@ -134,13 +163,14 @@ GrowthEpoch GrowthSchedule::act(const World& world, const Tally& tally, const Ti
     constexpr double kLonger = 32;
     if (contacts < world.size() && wait_ < flight)
       return {measure(world, moment, std::min(kLonger * wait_, flight))};
-    return grow(world, moment, contacts > 0 ? 2 * (compressibility_ - 1) : 0);
+    return grow(world, moment, contacts > 0 ? steepness_at(compressibility_) : 0);
   }
   // The growth of the energy by that of the sizes: what walls do counts, too.
   const double change = std::fabs(world.motion().growth().rate) * elapsed / scale;
   const double steepness = std::fabs(gained) * elapsed / (energy * change);
   if (is_last_) return {stop(moment, target_, at_target_)};
-  if (compressibility_ > rules_.until_compressibility) return {stop(moment, scale, State::over_pressure)};
+  if (compressibility_ > std::min(rules_.until_compressibility, kMostCompressibility))
+    return {stop(moment, scale, State::over_pressure)};
   return grow(world, moment, steepness);
 }
 
@@ -157,7 +187,9 @@ GrowthEpoch GrowthSchedule::grow(const World& world, const Time& moment, double 
   const double to_target = std::fabs(target_ - scale);
   is_last_ = step_ * scale >= to_target;
   const double wait = (is_last_ ? to_target : step_ * scale) / std::fabs(rate);
-  end_ = std::max(rounded_down(moment) + wait, std::nextafter(moment.high, kNever.high));
+  const double shortest = std::nextafter(moment.high, kNever.high);
+  end_ = std::max(rounded_down(moment) + wait, shortest);
+  if (end_ == shortest && !is_last_) return {stop(moment, scale, State::over_pressure), factor};
   check_moment(Time(end_), kWhere);
   return {{moment, Time(end_), scale, rate}, factor};
 }

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 #include "hardball/errors/export.hpp"
@@ -22,7 +24,8 @@ struct GrowthRules {
   /// Growth ends when all spheres together fill this fraction of the accessible volume [1]; infinity for
   /// never, which is for spheres that grow alone: others would be points in a finite time.
   double until_packing_fraction = std::numeric_limits<double>::infinity();
-  /// Growth ends when PV/NkT, averaged over an epoch, exceeds this [1].
+  /// Growth ends when PV/NkT, averaged over an epoch, exceeds this [1], and in any case when gaps have become
+  /// so small that times do not resolve them.
   double until_compressibility = std::numeric_limits<double>::infinity();
 
   friend bool operator==(const GrowthRules&, const GrowthRules&) = default;
@@ -64,12 +67,22 @@ class HARDBALL_EXPORT GrowthSchedule {
   double energy() const { return energy_; }
   void note_energy(double given) { energy_ += given; }
 
-  /// Begins in a world as it is at `now`, and returns the first epoch. Cost: O(n). Error: the spheres are at
-  /// rest; they fill more of the volume than wanted, or, where they shrink, less; there is no volume to be
-  /// filled.
-  Growth begin(const World& world, const Tally& tally, const Time& now);
+  /// Begins in a world as it is at `now`, and returns the first epoch. Where spheres may be dense, sizes are
+  /// constant at first, to find out `compressibility`, PV/NkT [1]; give it if it is known. Cost: O(n). Error:
+  /// the spheres are at rest; they fill more of the volume than wanted, or, where they shrink, less; there is
+  /// no volume to be filled.
+  Growth begin(const World& world, const Tally& tally, const Time& now,
+               std::optional<double> compressibility = {});
   /// When the epoch ends [T]; infinity when growth is over.
   double next() const { return end_; }
+  /// After so many more contacts, far beyond those expected, spheres jam within the epoch: it must be ended.
+  std::uint64_t contacts_left(const Tally& tally, std::size_t spheres) const;
+  /// Ends the epoch with the contacts that round to the same double as `moment`, if it lasts longer.
+  void end_by(const Time& moment) {
+    if (!(moment.high < end_)) return;
+    end_ = moment.high;
+    is_last_ = false;
+  }
   /// The epoch that begins at `moment`, which rounds to next(). Cost: O(n).
   GrowthEpoch act(const World& world, const Tally& tally, const Time& moment);
 

@@ -15,6 +15,7 @@
 #include "hardball/growth/growth_schedule.hpp"
 #include "hardball/interaction/bounce.hpp"
 #include "hardball/measure/measure_settings.hpp"
+#include "hardball/placement/radii.hpp"
 #include "hardball/thermostats/thermostat.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
 #include "hardball/trajectory/snapshot_schedule.hpp"
@@ -36,28 +37,6 @@ enum class VelocityRule {
   temperature,  ///< Maxwell's distribution with this k T, m <v^2> by the dimensions [M L^2 T^-2].
   speed,        ///< This |v| [L/T], in random directions.
   listed,       ///< As SphereGroup::velocities says.
-};
-
-/// How the radii of a group's spheres are distributed.
-struct RadiusDistribution {
-  enum class Kind {
-    uniform,    ///< Evenly from min to max.
-    lognormal,  ///< ln(radius) is normal; radii outside min to max are redrawn.
-    powerlaw,   ///< From min to max, with a density that is proportional to radius^exponent.
-    discrete,   ///< Each of the values as often as its weight says, exactly, in random order.
-    file,       ///< As the lines of a file say.
-  };
-
-  Kind kind = Kind::uniform;
-  double min = 0;               ///< [L]
-  double max = 0;               ///< [L]
-  double mean = 0;              ///< Of the radius, before any is redrawn [L]: lognormal.
-  double sigma = 0;             ///< The standard deviation of ln(radius) [1]: lognormal.
-  double exponent = 0;          ///< [1]: powerlaw.
-  std::vector<double> values;   ///< [L]: discrete.
-  std::vector<double> weights;  ///< Of the values [1]: discrete.
-  std::filesystem::path file;
-  std::string where;  ///< Its location in the scenario, for messages.
 };
 
 /// Spheres of one kind: a table [[spheres]] of a scenario.

@@ -27,16 +27,17 @@ std::uint64_t steps_of(const Counters& done) {
 
 }  // namespace
 
-Agenda::Item Agenda::advance(Tuner& tuner, const Time& action, const Time& sample, ContactSums& sums,
-                             const AnyEngine::Observe& observe) {
+Agenda::Item Agenda::advance(Tuner& tuner, const Time& action, const Time& sample, std::uint64_t most,
+                             ContactSums& sums, const AnyEngine::Observe& observe) {
   const std::uint64_t slice = steps_of_slice(tuner);
   if (is_told_to_stop(slice)) return Item::nothing;
   const Time due = later(sample, begin_);
   const bool is_due = due <= left_.until && due < kNever;
   const Time end = is_due ? due : left_.until;
   const bool acts = action.high <= end.high && action < kNever;
-  const RunLimits stretch{
-      .until = acts ? action : end, .contacts = left_.contacts, .steps = std::min(left_.steps, slice)};
+  const RunLimits stretch{.until = acts ? action : end,
+                          .contacts = std::min(left_.contacts, most),
+                          .steps = std::min(left_.steps, slice)};
   AnyEngine& engine = tuner.engine();
   const Counters before = engine.counters();
   status_ = engine.run(stretch, sums, observe);
@@ -46,6 +47,7 @@ Agenda::Item Agenda::advance(Tuner& tuner, const Time& action, const Time& sampl
   spend(is_slice ? stretch.steps : steps_of(done));
   // Only here may the time reached depend on the engine.
   if (is_slice && (left_.steps == 0 || left_.stop)) reached_ = engine.now();
+  if (status_ == RunStatus::contacts_reached && left_.contacts > 0) status_ = RunStatus::steps_reached;
   if (status_ != RunStatus::time_reached) return Item::nothing;
   if (std::isfinite(stretch.until.high)) reached_ = stretch.until;
   if (!acts && !is_due) return Item::nothing;

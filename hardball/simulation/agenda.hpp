@@ -26,8 +26,9 @@ class Agenda {
   Agenda(const RunLimits& limits, const Time& now) : left_(limits), begin_(now), reached_(now) {}
 
   /// Runs the engine to what comes next, when there is an action at `action` and a sample is due at
-  /// `sample`; kNever for neither. A sample that was due before the run is taken when it begins.
-  Item advance(Tuner& tuner, const Time& action, const Time& sample, ContactSums& sums,
+  /// `sample`; kNever for neither; or by `most` contacts. A sample that was due before the run is taken when
+  /// it begins.
+  Item advance(Tuner& tuner, const Time& action, const Time& sample, std::uint64_t most, ContactSums& sums,
                const AnyEngine::Observe& observe);
   /// Counts the steps of what was done after a stretch.
   void spend(std::uint64_t steps);

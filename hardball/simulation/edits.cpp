@@ -49,11 +49,11 @@ void Simulation::set_thermostat(std::optional<Thermostat> thermostat) {
   is_rescheduled_ = true;
 }
 
-void Simulation::grow(const GrowthRules& rules) {
+void Simulation::grow(const GrowthRules& rules, std::optional<double> compressibility) {
   check_editable("grow");
   tuner_->end_look_ahead(now_);
   GrowthSchedule schedule(rules);
-  begin_epoch({schedule.begin(world(), sums_.tally, now_)}, now_, nullptr);
+  begin_epoch({schedule.begin(world(), sums_.tally, now_, compressibility)}, now_, nullptr);
   growth_ = schedule;
   is_rescheduled_ = true;
 }

@@ -82,7 +82,8 @@ void Simulation::look_ahead(const Time& until, std::uint64_t most,
     do {
       is_rescheduled_ = false;
       if (tuner_->engine().is_outdated()) tuner_->rebuild(later(now_, tuner_->engine().now()));
-      const Agenda::Item item = agenda.advance(*tuner_, next_action(), kNever, unused, note);
+      const Agenda::Item item =
+          agenda.advance(*tuner_, next_action(), kNever, contacts_of_epoch(), unused, note);
       if (item == Agenda::Item::action) {
         last_change = later(agenda.reached(), last_change);
         let_thermostat_act(last_change);

@@ -121,7 +121,8 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
         measures || listener_ || next_listener_ || tuner_->engine().interactions().may_merge();
     Agenda::Item item = Agenda::Item::nothing;
     try {
-      item = agenda.advance(*tuner_, next_action(), sample, sums_, observes ? observe : AnyEngine::Observe());
+      item = agenda.advance(*tuner_, next_action(), sample, contacts_of_epoch(), sums_,
+                            observes ? observe : AnyEngine::Observe());
     } catch (...) {
       now_ = later(now_, sums_.tally.last_change());
       throw;
@@ -129,6 +130,7 @@ RunStatus Simulation::run_with(const RunLimits& limits, Measures* measures) {
     now_ = later(later(now_, sums_.tally.last_change()), agenda.reached());
     // Not `now_`, which after a limited number of steps may depend on the engine.
     const Time moment = later(agenda.reached(), sums_.tally.last_change());
+    if (growth_ && growth_->contacts_left(sums_.tally, size()) == 0) growth_->end_by(moment);
     if (item == Agenda::Item::action) agenda.spend(act(moment, measures));
     if (item == Agenda::Item::sample) {
       measures->sample(world(), moment);
@@ -175,6 +177,13 @@ Time Simulation::next_action() const {
 // Whether the next action is a new epoch: at the same time it comes before the thermostat.
 bool Simulation::grows_next() const {
   return growth_ && (!thermostat_ || growth_->next() <= thermostat_->next());
+}
+
+// After how many contacts an epoch of growth is too long; at its end, which it has then, all may happen.
+std::uint64_t Simulation::contacts_of_epoch() const {
+  constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t left = growth_ ? growth_->contacts_left(sums_.tally, size()) : kAny;
+  return left > 0 ? left : kAny;
 }
 
 void Simulation::begin_epoch(const GrowthEpoch& epoch, const Time& moment, Measures* measures) {

@@ -95,8 +95,9 @@ class HARDBALL_EXPORT Simulation {
   /// Lets all spheres grow from now on, or shrink, until they fill as much as the rules say; replaces a
   /// growth that is not over. The epochs of the growth begin at times of their own, each after all contacts
   /// that round to the same double as that time, or an earlier one; at some of them all velocities are halved
-  /// or doubled. Cost: O(n) now and for each epoch. Error: see World::set_growth and GrowthSchedule.
-  void grow(const GrowthRules& rules);
+  /// or doubled. `compressibility`, PV/NkT [1], saves the time to find it out where spheres are dense. Cost:
+  /// O(n) now and for each epoch. Error: see World::set_growth and GrowthSchedule.
+  void grow(const GrowthRules& rules, std::optional<double> compressibility = {});
   /// Ends a growth: from now on spheres keep the sizes that they have, as if nothing had ever grown. Measures
   /// need this, also after growth has reached its end. Cost: O(n).
   void stop_growing();
@@ -246,6 +247,7 @@ class HARDBALL_EXPORT Simulation {
   void call_listener(const Contact& contact, Activity::Kind activity);
   Time next_action() const;
   bool grows_next() const;
+  std::uint64_t contacts_of_epoch() const;
   void tell_of_epoch(const Growth& epoch);
   void begin_epoch(const GrowthEpoch& epoch, const Time& moment, Measures* measures);
   std::uint64_t act(const Time& moment, Measures* measures);

@@ -14,5 +14,6 @@ void bind_responses(pybind11::module_& module);
 void bind_thermostats(pybind11::module_& module);
 void bind_measurements(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
+void bind_packing(pybind11::module_& module);
 
 }  // namespace hardball::python

@@ -12,4 +12,5 @@ PYBIND11_MODULE(_hardball, module) {
   bind_thermostats(module);
   bind_measurements(module);
   bind_simulation(module);
+  bind_packing(module);
 }

@@ -36,6 +36,7 @@ from ._hardball import (
     measure_names,
 )
 from ._calls import ArgumentError, explain_calls
+from ._packing import Packing, PackingFailed, pack
 from ._simulation import Simulation
 from ._view import View
 
@@ -53,6 +54,8 @@ __all__ = [
     "Merging",
     "NextContact",
     "Outcome",
+    "Packing",
+    "PackingFailed",
     "Quantity",
     "RayHit",
     "Rescale",
@@ -64,6 +67,7 @@ __all__ = [
     "View",
     "ViscoelasticRestitution",
     "measure_names",
+    "pack",
     "__version__",
 ]
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hardball/numbers/random.hpp"
+#include "hardball/packing/packing.hpp"
 #include "hardball/placement/placement.hpp"
 #include "hardball/simulation/simulation.hpp"
 #include "hardball/world/walls.hpp"
@@ -204,6 +205,21 @@ void print_thermostats() {
   print("rescaled_gas", Rescale(2, 0.5));
 }
 
+// A packing that jams, and the density and contacts that it has.
+void print_packing(const char* name) {
+  PackingRequest request;
+  request.radii = std::vector<double>(40, 0.5);
+  for (std::size_t i = 0; i < request.radii.size(); i += 3) request.radii[i] = 0.7;
+  request.goal = PackingRequest::Densest{};
+  Packer packer(plan(request));
+  while (!packer.is_over()) packer.advance();
+  Packing packing = packing_of(packer);
+  finish(packing, packer.plan());
+  std::printf("%s %016llx %a %zu\n", name,
+              static_cast<unsigned long long>(packer.simulation().event_log_hash()),
+              packing.packing_fraction(), packing.network.contacts.size());
+}
+
 // Spheres that grow until they have halved their velocities a few times.
 void print_growth(const char* name, World world, const GrowthRules& rules) {
   Simulation simulation(std::move(world));
@@ -271,4 +287,5 @@ int main() {
   print_growth("growing_mixture", random_gas(Box::periodic({20, 20, 20}), cube, 300, 0.4, 3, 17),
                {.rate = 0.1, .until_packing_fraction = 0.5});
   print_growth("growing_in_a_cone", filled_cone(), {.rate = 0.05, .until_compressibility = 1000});
+  print_packing("jammed_mixture");
 }

@@ -37,7 +37,10 @@ TEST(GrowthSchedule, TakesTheRateRelativeToTheThermalSpeed) {
     Tally tally;
     tally.begin(world, Time(0));
     GrowthSchedule schedule({.rate = 0.1, .until_packing_fraction = 0.3});
-    const Growth epoch = schedule.begin(world, tally, Time(0));
+    // Of few spheres it is not known how dense they are.
+    EXPECT_EQ(schedule.begin(world, tally, Time(0)).rate, 0);
+    EXPECT_EQ(schedule.state(), GrowthSchedule::State::measuring);
+    const Growth epoch = schedule.begin(world, tally, Time(0), 1.0);
     EXPECT_NEAR(2 * epoch.rate, 0.1 * speed, 1e-15);
     EXPECT_EQ(epoch.scale, 1);
     EXPECT_EQ(epoch.end, Time(schedule.next()));

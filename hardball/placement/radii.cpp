@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/scenario/radii.hpp"
+#include "hardball/placement/radii.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -95,25 +95,8 @@ std::vector<double> draw_discrete(const RadiusDistribution& d, std::size_t count
   return radii;
 }
 
-std::vector<double> read_radii(const RadiusDistribution& d, std::size_t count) {
-  std::ifstream in(d.file);
-  if (!in || !std::filesystem::is_regular_file(d.file)) {
-    throw Error("the file " + d.file.string() + " cannot be read", d.where, "name a text file of radii");
-  }
-  std::vector<double> radii;
-  std::size_t lines = 0;
-  for (std::string line; std::getline(in, line);) {
-    const std::string where = d.file.string() + ":" + to_text(++lines);
-    if (line.ends_with('\r')) line.pop_back();
-    double radius = 0;
-    const auto [end, status] = std::from_chars(line.data(), line.data() + line.size(), radius);
-    if (status != std::errc() || end != line.data() + line.size()) {
-      throw Error("the line is not a number", where, "give one radius on each line, and nothing else");
-    }
-    check_positive(radius, "radius", where);
-    radii.push_back(radius);
-    if (radii.size() > count) break;
-  }
+std::vector<double> read_as_many(const RadiusDistribution& d, std::size_t count) {
+  std::vector<double> radii = read_radii(d.file, d.where, count);
   if (radii.size() != count) {
     throw Error(
         "the file holds " +
@@ -128,8 +111,29 @@ std::vector<double> read_radii(const RadiusDistribution& d, std::size_t count) {
 
 std::vector<double> draw_radii(const RadiusDistribution& distribution, std::size_t count, Random& random) {
   if (distribution.kind == Kind::discrete) return draw_discrete(distribution, count, random);
-  if (distribution.kind == Kind::file) return read_radii(distribution, count);
+  if (distribution.kind == Kind::file) return read_as_many(distribution, count);
   return draw_each(distribution, count, random);
+}
+
+std::vector<double> read_radii(const std::filesystem::path& file, const std::string& where,
+                               std::size_t most) {
+  std::ifstream in(file);
+  if (!in || !std::filesystem::is_regular_file(file)) {
+    throw Error("the file " + file.string() + " cannot be read", where, "name a text file of radii");
+  }
+  std::vector<double> radii;
+  for (std::string line; radii.size() <= most && std::getline(in, line);) {
+    const std::string place = file.string() + ":" + to_text(radii.size() + 1);
+    if (line.ends_with('\r')) line.pop_back();
+    double radius = 0;
+    const auto [end, status] = std::from_chars(line.data(), line.data() + line.size(), radius);
+    if (status != std::errc() || end != line.data() + line.size()) {
+      throw Error("the line is not a number", place, "give one radius on each line, and nothing else");
+    }
+    check_positive(radius, "radius", place);
+    radii.push_back(radius);
+  }
+  return radii;
 }
 
 }  // namespace hardball

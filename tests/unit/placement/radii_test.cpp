@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
-#include "hardball/scenario/radii.hpp"
+#include "hardball/placement/radii.hpp"
 
 #include <gtest/gtest.h>
 

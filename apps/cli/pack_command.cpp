@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/cli/commands.hpp"
+#include "apps/cli/interruption.hpp"
+#include "apps/cli/packing_summary.hpp"
+#include "apps/cli/parse_number.hpp"
+#include "apps/cli/progress.hpp"
+#include "apps/cli/refuse_to_overwrite.hpp"
+#include "apps/cli/seconds_since.hpp"
+#include "apps/cli/start.hpp"
+#include "apps/cli/terminal.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/io/checkpoint_file.hpp"
+#include "hardball/packing/packing.hpp"
+#include "hardball/trajectory/snapshot_format.hpp"
+#include "hardball/trajectory/trajectory.hpp"
+#if HARDBALL_POLISH
+#include "apps/polish/polish.hpp"
+#endif
+
+namespace hardball::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kSection = "packing";
+
+// Error: a file has an unknown extension, or exists already.
+void check_outputs(const Options& options) {
+  for (const std::string& out : options.outs) {
+    format_of(out);
+    refuse_to_overwrite(out, options);
+  }
+}
+
+Precision precision_of(const Options& options) {
+  for (const std::string& out : options.outs)
+    if (format_of(out) == SnapshotFormat::gsd) return Precision::singles;
+  return Precision::doubles;
+}
+
+void refuse_request_with_resume(const PackingText& text) {
+  const std::array<const std::optional<std::string>*, 13> parts{
+      &text.count,    &text.diameter, &text.sizes, &text.box,        &text.walls, &text.container, &text.phi,
+      &text.pressure, &text.rate,     &text.gap,   &text.dimensions, &text.seed,  &text.start};
+  for (const auto* part : parts) {
+    if (!part->has_value()) continue;
+    throw Error("the checkpoint says what is packed", "--resume", "leave the other options out");
+  }
+}
+
+Packer resumed(const Options& options) {
+  refuse_request_with_resume(options.packing);
+  const std::map<std::string, std::string> sections = read_checkpoint_file(*options.checkpoint);
+  const auto found = sections.find(kSection);
+  if (found == sections.end())
+    throw Error("the checkpoint is not that of a packing", *options.checkpoint,
+                "name one that pack has written");
+  Packer packer = Packer::load(found->second, *options.checkpoint);
+  packer.set_threads(read_threads(options));
+  return packer;
+}
+
+Packer begun(const Options& options, const PackingPlan& plan) {
+  SetUpProgress progress(!options.quiet);
+  return Packer(plan, {.threads = read_threads(options)}, progress.part(0, 1));
+}
+
+std::filesystem::path checkpoint_of(const Options& options) {
+  if (options.checkpoint) return *options.checkpoint;
+  return options.outs.front() + ".checkpoint";
+}
+
+void save(const Packer& packer, const std::filesystem::path& file) {
+  const CheckpointSection section{kSection, packer.save()};
+  write_checkpoint_file(file, {&section, 1});
+}
+
+void write(const PackedSpheres& spheres, const std::filesystem::path& file) {
+  Trajectory trajectory(file);
+  trajectory.append(snapshot_of(spheres));
+  trajectory.close();
+}
+
+// Runs to the end, or until the time is spent or a signal comes; from time to time a checkpoint is written.
+void carry_out(const Options& options, Packer& packer, Clock::time_point begin) {
+  const double limit = options.limit
+                           ? parse_number<double>(*options.limit, "--limit", "give a number of seconds")
+                           : std::numeric_limits<double>::infinity();
+  const bool has_checkpoint = !options.outs.empty();
+  constexpr double kCheckpointEvery = 60;
+  PackingProgress progress(!options.quiet);
+  auto saved = Clock::now();
+  while (!packer.is_over() && !is_interrupted() && seconds_since(begin) < limit) {
+    packer.advance();
+    progress.show(packer);
+    if (!has_checkpoint || seconds_since(saved) < kCheckpointEvery) continue;
+    save(packer, checkpoint_of(options));
+    saved = Clock::now();
+  }
+  if (!has_checkpoint) return;
+  if (!packer.is_over()) return save(packer, checkpoint_of(options));
+  std::error_code unknown;
+  std::filesystem::remove(checkpoint_of(options), unknown);
+}
+
+void polish_if_wanted(const Options& options, Packing& packing) {
+  if (!options.polish) return;
+#if HARDBALL_POLISH
+  polish::polish(packing, [](int /*rounds*/) {
+    if (is_interrupted()) throw RunFailure("interrupted while the last gaps were removed");
+  });
+#else
+  static_cast<void>(packing);
+#endif
+}
+
+// Error: there is no library for linear programs.
+void check_polish(const Options& options) {
+#if !HARDBALL_POLISH
+  if (!options.polish) return;
+  throw Error("this program was built without COIN-OR CLP", "--polish",
+              "install coinor-libclp-dev and build it again");
+#else
+  static_cast<void>(options);
+#endif
+}
+
+}  // namespace
+
+ExitCode pack(const Options& options) {
+  const auto begin = Clock::now();
+  check_outputs(options);
+  check_polish(options);
+  std::optional<Packer> packer;
+  if (options.checkpoint) {
+    packer = resumed(options);
+  } else {
+    const PackingPlan made = plan(parse_request(options.packing, "--"));
+    for (const std::string& warning : made.warnings) write_message("warning: " + warning);
+    if (options.dry_run) {
+      write_output(options.json ? plan_json(made) : plan_table(made));
+      return ExitCode::done;
+    }
+    catch_signals();
+    packer = begun(options, made);
+  }
+  catch_signals();
+  carry_out(options, *packer, begin);
+  Packing packing = packing_of(*packer);
+  if (packer->is_over()) polish_if_wanted(options, packing);
+  finish(packing, packer->plan(), precision_of(options));
+  for (const std::string& out : options.outs) write(packing.spheres, out);
+  const PackingSummary summary{packing, seconds_since(begin), packer->plan().seed, options.outs};
+  write_output(options.json ? summary.json() : summary.table());
+  if (!packer->is_over() && !options.outs.empty()) {
+    write_message("interrupted; go on with: hardball pack --resume " + checkpoint_of(options).string() +
+                  " --out " + options.outs.front());
+  }
+  return packing.status == Packing::Status::not_reached ? ExitCode::failed : ExitCode::done;
+}
+
+}  // namespace hardball::cli

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hardball/packing/packing.hpp"
+
+namespace hardball::cli {
+
+/// What `hardball pack` tells of a packing besides its files.
+struct PackingSummary {
+  const Packing& packing;
+  double seconds = 0;
+  std::uint64_t seed = 1;
+  std::vector<std::string> files;
+
+  /// As a table for people.
+  std::string table() const;
+  /// As one JSON object.
+  std::string json() const;
+};
+
+/// What `hardball pack --dry-run` tells of a plan.
+std::string plan_table(const PackingPlan& plan);
+std::string plan_json(const PackingPlan& plan);
+
+}  // namespace hardball::cli

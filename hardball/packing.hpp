@@ -1,0 +1,7 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Packings on request: so many spheres of these sizes, at this density, that do not overlap.
+#include "hardball/packing/packing.hpp"
+#include "hardball/packing/request_text.hpp"

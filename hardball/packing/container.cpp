@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/packing/container.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/geometry/range.hpp"
+#include "hardball/world/setting.hpp"
+#include "hardball/world/walls.hpp"
+
+namespace hardball {
+namespace {
+
+// Not std::hypot, which may differ in the last bit from one platform to the next.
+double slant(double radius, double height) {
+  return std::sqrt(radius * radius + height * height);
+}
+
+}  // namespace
+
+Box Container::box() const {
+  using enum Boundary;
+  std::array<Boundary, kAxes> boundary{open, open, wall};
+  if (shape == Shape::sphere) boundary = {open, open, open};
+  if (shape == Shape::box) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) boundary[axis] = has_walls[axis] ? wall : periodic;
+  }
+  if (dimensions == 2) boundary[2] = flat;
+  return {boundary, size};
+}
+
+std::vector<Surface> Container::surfaces() const {
+  const Vec3 up{0, 0, 1};
+  const Vec3 center = 0.5 * size;
+  const double radius = size.x / 2;
+  if (shape == Shape::cylinder) return {Surface(Cylinder(up, radius), {center.x, center.y, 0})};
+  if (shape == Shape::sphere) return {Surface(HollowSphere(radius), center)};
+  if (shape == Shape::cone) return {Surface(Cone(up, radius / size.z), {center.x, center.y, 0})};
+  return {};
+}
+
+double Container::volume() const {
+  return accessible_volume(World(box(), {}, surfaces()));
+}
+
+double Container::wall_area() const {
+  const Box whole = box();
+  const double radius = size.x / 2;
+  const double disc = std::numbers::pi * radius * radius;
+  if (shape == Shape::sphere) return whole.sphere_surface(radius);
+  if (shape == Shape::cylinder) return 2 * disc + 2 * std::numbers::pi * radius * size.z;
+  if (shape == Shape::cone) return disc + std::numbers::pi * radius * slant(radius, size.z);
+  double area = 0;
+  for (std::size_t axis = 0; axis < dimensions; ++axis)
+    if (has_walls[axis]) area += 2 * whole.face_area(axis);
+  return area;
+}
+
+double Container::largest_radius() const {
+  if (shape != Shape::cone) return largest_fitting_radius(box(), surfaces());
+  // The sphere that touches the lid and the mantle.
+  const double radius = size.x / 2;
+  return radius * size.z / (radius + slant(radius, size.z));
+}
+
+std::size_t Container::free_motions() const {
+  if (shape == Shape::sphere) return dimensions == 2 ? 1 : 3;
+  if (shape != Shape::box) return 1;
+  std::size_t translations = 0;
+  for (std::size_t axis = 0; axis < dimensions; ++axis)
+    if (is_periodic(axis)) ++translations;
+  return translations;
+}
+
+Container Container::scaled(double factor) const {
+  Container result = *this;
+  result.size = factor * size;
+  return result;
+}
+
+void check(const Container& container, std::string_view where) {
+  for (std::size_t axis = 0; axis < container.dimensions; ++axis)
+    check_positive(container.size[axis], "size", where);
+  using enum Container::Shape;
+  if (container.dimensions == 2 && (container.shape == cylinder || container.shape == cone)) {
+    throw Error("discs do not fit into a cylinder or a cone", std::string(where),
+                "give a box, or a sphere, which is a circle for discs");
+  }
+}
+
+}  // namespace hardball

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/packing/packed_spheres.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "hardball/geometry/double_double.hpp"
+#include "hardball/world/static_hash_grid.hpp"
+
+namespace hardball {
+namespace {
+
+using Fine = DoubleDouble<double>;
+
+Fine square(const Fine& a) {
+  return a * a;
+}
+
+// sqrt(a), by a step of Newton's method from the root of its high part.
+Fine square_root(const Fine& a) {
+  const double rough = std::sqrt(a.high);
+  if (!(rough > 0)) return {0, 0};
+  const Fine rest = a - product(rough, rough);
+  return normalized(rough, (rest.high + rest.low) / (2 * rough));
+}
+
+// Of two centers along an axis, with the shift of an image.
+Fine apart(double first, double second, double shift) {
+  return difference(second, first) + Fine{shift, 0};
+}
+
+Fine length_of(const std::array<Fine, kAxes>& vector) {
+  return square_root(sum_of_three(square(vector[0]), square(vector[1]), square(vector[2])));
+}
+
+// How far the center of a sphere is from a wall.
+Fine distance_to_face(const Container& container, Face face, const Vec3& center) {
+  const std::size_t axis = face / 2;
+  return face % 2 == 0 ? Fine{center[axis], 0} : difference(container.size[axis], center[axis]);
+}
+
+Fine distance_to_curved(const Container& container, const Vec3& center) {
+  const Fine radius{container.size.x / 2, 0};
+  std::array<Fine, kAxes> from_axis{difference(center.x, container.size.x / 2),
+                                    difference(center.y, container.size.y / 2), Fine{0, 0}};
+  if (container.shape == Container::Shape::sphere && container.dimensions == 3)
+    from_axis[2] = difference(center.z, container.size.z / 2);
+  const Fine distance = length_of(from_axis);
+  if (container.shape != Container::Shape::cone) return radius - distance;
+  // Of a point at height z the mantle is (z R - H rho) / sqrt(R^2 + H^2) away.
+  const Fine height{container.size.z, 0};
+  const Fine across = Fine{center.z, 0} * radius - height * distance;
+  const Fine slant = square_root(square(radius) + square(height));
+  const Fine quotient = divide(across, slant.high);
+  return quotient - Fine{quotient.high * slant.low / slant.high, 0};
+}
+
+}  // namespace
+
+double PackedSpheres::mean_diameter() const {
+  double sum = 0;
+  for (const double radius : radii) sum += 2 * radius;
+  return sum / static_cast<double>(radii.size());
+}
+
+double PackedSpheres::packing_fraction() const {
+  const Box box = container.box();
+  double volume = 0;
+  for (const double radius : radii) volume += box.sphere_volume(radius);
+  return volume / container.volume();
+}
+
+void PackedSpheres::for_each_near(double gap, const Function<void(const NearPair&)>& visit) const {
+  const Box box = container.box();
+  std::vector<std::uint32_t> order(size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, [&](std::uint32_t a, std::uint32_t b) { return radii[a] > radii[b]; });
+  const double wider = 1 + gap;
+  StaticHashGrid grid(box, size(), wider * radii[order.front()]);
+  for (const std::uint32_t sphere : order) grid.insert(positions[sphere], wider * radii[sphere]);
+  const std::size_t curved = container.surfaces().size();
+  std::vector<NearPair> found;
+  for (std::uint32_t first = 0; first < size(); ++first) {
+    found.clear();
+    const double radius = radii[first];
+    const auto take = [&](NearPair pair, const Fine& distance) {
+      const Fine between = distance - Fine{pair.reach, 0};
+      pair.gap = between.high;
+      if (pair.gap <= gap * pair.reach) found.push_back(pair);
+    };
+    grid.for_each_near(
+        positions[first], wider * radius, [&](std::uint32_t index, const Vec3& separation, double /*reach*/) {
+          const std::uint32_t second = order[index];
+          // Each pair once; a sphere and its own image, too.
+          const Vec3 from_to = positions[second] - positions[first];
+          Image image;
+          for (std::size_t axis = 0; axis < kAxes; ++axis) {
+            if (!box.is_periodic(axis)) continue;
+            image[axis] =
+                static_cast<std::int32_t>(std::lround((separation[axis] - from_to[axis]) / box.size()[axis]));
+          }
+          if (second < first || (second == first && !(Image{} < image))) return;
+          const Vec3 shift = box.shift(image);
+          std::array<Fine, kAxes> vector;
+          for (std::size_t axis = 0; axis < kAxes; ++axis)
+            vector[axis] = apart(positions[first][axis], positions[second][axis], shift[axis]);
+          take({.bodies = {first, second, false, image},
+                .separation = separation,
+                .reach = radius + radii[second]},
+               length_of(vector));
+        });
+    std::ranges::sort(found, {},
+                      [](const NearPair& pair) { return std::pair(pair.bodies.second, pair.bodies.image); });
+    for (Face face = 0; face < kFaces; ++face) {
+      if (!box.is_wall(face / 2)) continue;
+      const Fine distance = distance_to_face(container, face, positions[first]);
+      Vec3 separation;
+      separation[face / 2] = face % 2 == 0 ? -distance.high : distance.high;
+      take({.bodies = {first, face, true}, .separation = separation, .reach = radius}, distance);
+    }
+    if (curved > 0) {
+      const Fine distance = distance_to_curved(container, positions[first]);
+      const Surface surface = container.surfaces().front();
+      take({.bodies = {first, kFaces, true},
+            .separation = distance.high * surface.direction(positions[first], Time(0)),
+            .reach = radius},
+           distance);
+    }
+    for (const NearPair& pair : found) visit(pair);
+  }
+}
+
+double PackedSpheres::largest_overlap() const {
+  double deepest = 0;
+  for_each_near(0, [&](const NearPair& pair) { deepest = std::max(deepest, -pair.gap / pair.reach); });
+  return deepest;
+}
+
+}  // namespace hardball

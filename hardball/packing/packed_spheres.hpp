@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "hardball/errors/export.hpp"
+#include "hardball/memory/function.hpp"
+#include "hardball/packing/contact_key.hpp"
+#include "hardball/packing/container.hpp"
+
+namespace hardball {
+
+/// Two bodies close to each other.
+struct NearPair {
+  ContactKey bodies;
+  Vec3 separation;   ///< From the center of the first to that of the second, or to the wall [L].
+  double reach = 0;  ///< How long that is when they touch [L].
+  double gap = 0;    ///< Between their surfaces, to 2^-100 of the reach; negative if they overlap [L].
+};
+
+/// Spheres at rest in a container.
+struct HARDBALL_EXPORT PackedSpheres {
+  Container container;
+  std::vector<Vec3> positions;  ///< Centers, within the box of the container [L].
+  std::vector<double> radii;    ///< [L]
+
+  std::size_t size() const { return radii.size(); }
+  double mean_diameter() const;
+  /// The volume of the spheres over that of the container [1].
+  double packing_fraction() const;
+  /// Calls visit(pair) for each two bodies whose gap is no more than `gap` times the sum of their radii, or
+  /// the radius at a wall; by the first, then the second, walls last. Cost: O(n).
+  void for_each_near(double gap, const Function<void(const NearPair&)>& visit) const;
+  /// The deepest overlap, over the sum of the radii, or the radius at a wall [1]; zero if nothing overlaps.
+  double largest_overlap() const;
+};
+
+}  // namespace hardball

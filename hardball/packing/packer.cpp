@@ -1,0 +1,399 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/packing/packer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "hardball/archive/archive.hpp"
+#include "hardball/errors/error.hpp"
+#include "hardball/packing/jamming.hpp"
+#include "hardball/packing/protocol.hpp"
+#include "hardball/placement/placement.hpp"
+#include "hardball/world/walls.hpp"
+
+namespace hardball {
+namespace {
+
+using Densest = PackingRequest::Densest;
+using Pressure = PackingRequest::Pressure;
+
+// Contacts between two looks at what the caller wants.
+constexpr std::uint64_t kStretch = 1 << 17;
+// Beyond these nothing becomes denser: the resolution of coordinates has been reached.
+constexpr int kMostSteps = 400;
+
+double thermal_speed(const World& world, const Time& now) {
+  const double degrees = static_cast<double>(world.box().dimensions() * world.size());
+  return std::sqrt(2 * world.kinetic_energy(now) / degrees);
+}
+
+// Centers for spheres of these radii, or of smaller ones in proportion, if so many do not fit at random. The
+// radii are reduced to those that do.
+std::vector<Vec3> place(const World& empty, const Container& container, std::vector<double>& radii,
+                        Random& random, const Progress& progress) {
+  const IsAllowed is_allowed = [&empty](const Vec3& center, double radius) {
+    return distance_to_surfaces(empty, center, Time(0)) >= radius;
+  };
+  constexpr int kAttempts = 12;
+  constexpr double kSmaller = 0.8;
+  for (int attempt = 1;; ++attempt) {
+    try {
+      return place_randomly(empty.box(), {{}, container.size}, radii, random, "packing", progress,
+                            empty.surfaces().empty() ? IsAllowed() : is_allowed);
+    } catch (const Error&) {
+      if (attempt == kAttempts) throw;
+      for (double& radius : radii) radius *= kSmaller;
+    }
+  }
+}
+
+World start_of(const PackingPlan& plan, const OnProgress& on_progress) {
+  World world(plan.container.box(), {}, plan.container.surfaces());
+  const std::size_t dimensions = plan.container.dimensions;
+  std::vector<double> radii = plan.radii;
+  std::vector<Vec3> centers = plan.start;
+  Random random(plan.seed);
+  if (centers.empty()) {
+    double volume = 0;
+    for (const double radius : radii) volume += world.box().sphere_volume(radius);
+    const double shrink = plan.start_fraction / (volume / plan.container.volume());
+    for (double& radius : radii) radius *= root(shrink, dimensions);
+    centers = place(world, plan.container, radii, random, Progress(on_progress));
+  }
+  std::vector<Vec3> velocities(centers.size());
+  Vec3 mean;
+  for (Vec3& velocity : velocities) {
+    velocity = random.normal_vector(dimensions);
+    mean += (1 / static_cast<double>(centers.size())) * velocity;
+  }
+  // A drift would only make spheres seem hotter than they are.
+  const bool has_drift = plan.container.wall_area() == 0;
+  world.reserve(centers.size());
+  for (std::size_t i = 0; i < centers.size(); ++i) {
+    world.add({.position = centers[i],
+               .velocity = has_drift ? velocities[i] - mean : velocities[i],
+               .radius = radii[i]});
+  }
+  return world;
+}
+
+// The median, but where most spheres bear nothing that of those that do: small ones rattle among large ones.
+double typical(std::vector<double> pressures, double mean, const Container& container) {
+  const auto median_of = [](auto begin, auto end) {
+    const auto middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end);
+    return *middle;
+  };
+  const double median = median_of(pressures.begin(), pressures.end());
+  constexpr double kApart = 100;
+  if (!(mean > kApart * median)) return median;
+  const double border = std::sqrt(mean * median);
+  const auto bearing =
+      std::partition(pressures.begin(), pressures.end(), [&](double p) { return p < border; });
+  const auto count = static_cast<std::size_t>(pressures.end() - bearing);
+  // Fewer are a pair that has become very fast; but walls may hold a single sphere.
+  constexpr std::size_t kShare = 1000;
+  const std::size_t least = container.wall_area() > 0 ? 1 : container.dimensions + 2;
+  if (count < std::max(least, pressures.size() / kShare)) return median;
+  return median_of(bearing, pressures.end());
+}
+
+}  // namespace
+
+Packer::Packer(PackingPlan plan, const EngineOptions& options, const OnProgress& on_progress)
+    : plan_(std::move(plan)), simulation_(start_of(plan_, on_progress), options) {
+  begin();
+}
+
+void Packer::begin() {
+  rate_ = plan_.rate;
+  state_ = State::filling;
+  pressure_ = std::numeric_limits<double>::quiet_NaN();
+  steps_ = 0;
+  speed_ = thermal_speed(simulation_.world(), simulation_.now());
+  virial_.assign(simulation_.size(), 0.0);
+  open_window();
+  filled_ = simulation_.save();
+  if (rate_ < protocol::kFillingRate) {
+    grow(protocol::kFillingRate, end_fraction());
+  } else {
+    begin_growing();
+  }
+}
+
+double Packer::packing_fraction() const {
+  return hardball::packing_fraction(simulation_.world(), simulation_.now());
+}
+
+std::uint64_t Packer::collisions() const {
+  return given_up_ + contacts();
+}
+
+double Packer::share_done() const {
+  return std::min(1.0, static_cast<double>(contacts()) / contacts_for(plan_.expected_collisions()));
+}
+
+void Packer::note(const Contact& contact) {
+  const Vec3 impulse = contact.impulse();
+  if (contact.is_collision()) {
+    const double virial = std::fabs(dot(impulse, contact.separation)) / 2;
+    virial_[contact.first] += virial;
+    virial_[contact.second] += virial;
+  } else {
+    virial_[contact.first] += std::fabs(dot(impulse, contact.wall_normal)) * contact.first_radius;
+  }
+  if (state_ != State::weighing || weighed_at_.empty()) return;
+  ContactKey bodies{contact.first, contact.second, !contact.is_collision()};
+  if (contact.is_collision()) {
+    const Box& box = simulation_.world().box();
+    const Vec3 apart = weighed_at_[contact.second] - weighed_at_[contact.first];
+    bodies.image = box.nearest_image(contact.separation - apart);
+  }
+  impulses_[bodies] += length(impulse);
+}
+
+// What the pressure must exceed before spheres are as dense as planned; infinite where that is a packing
+// fraction.
+double Packer::wanted_pressure() const {
+  if (const auto* pressure = std::get_if<Pressure>(&plan_.goal)) return pressure->compressibility;
+  return std::holds_alternative<Densest>(plan_.goal) ? protocol::kJammed
+                                                     : std::numeric_limits<double>::infinity();
+}
+
+double Packer::end_fraction() const {
+  const double* fraction = std::get_if<double>(&plan_.goal);
+  return fraction ? *fraction : std::numeric_limits<double>::infinity();
+}
+
+void Packer::open_window() {
+  std::ranges::fill(virial_, 0.0);
+  energy_integral_ = simulation_.tally().energy_integral(simulation_.now());
+  window_begin_ = contacts();
+}
+
+void Packer::close_window(double rate) {
+  const double energy = simulation_.tally().energy_integral(simulation_.now()) - energy_integral_;
+  const double ideal = 2 * energy / static_cast<double>(simulation_.size());
+  std::vector<double> pressures = virial_;
+  double mean = 0;
+  for (double& pressure : pressures) {
+    pressure = 1 + pressure / ideal;
+    mean += pressure / static_cast<double>(pressures.size());
+  }
+  pressure_ = typical(std::move(pressures), mean, plan_.container);
+  history_.push_back({collisions(), packing_fraction(), pressure_, rate});
+  open_window();
+}
+
+void Packer::grow(double rate, double fraction) {
+  const bool is_known = pressure_ >= protocol::kFilled;
+  simulation_.grow({.rate = rate, .until_packing_fraction = fraction},
+                   is_known ? std::optional(pressure_) : std::nullopt);
+}
+
+void Packer::begin_growing() {
+  state_ = State::growing;
+  filled_ = simulation_.save();
+  grow(rate_, end_fraction());
+}
+
+// Growth between relaxations heats spheres; a power of two rounds nothing.
+void Packer::halve_speeds() {
+  double factor = 1;
+  const double speed = thermal_speed(simulation_.world(), simulation_.now());
+  while (factor * speed >= 2 * speed_) factor /= 2;
+  if (factor == 1) return;
+  std::vector<VelocityEdit> edits;
+  edits.reserve(simulation_.size());
+  for (SphereId id = 0; id < simulation_.size(); ++id)
+    edits.push_back({id, factor * simulation_.velocity(id)});
+  simulation_.change_velocities(edits);
+}
+
+// Runs on at constant size, until so many collisions of each sphere have been seen since the window began, or
+// for long enough; returns whether that is so.
+bool Packer::run_at_constant_size(double collisions) {
+  const auto wanted = static_cast<std::uint64_t>(contacts_for(collisions));
+  const std::uint64_t seen = contacts() - window_begin_;
+  if (seen < wanted) {
+    simulation_.run({.until = Time(patience_), .contacts = std::min(wanted - seen, kStretch)});
+  }
+  return contacts() - window_begin_ >= wanted || simulation_.time() >= patience_;
+}
+
+void Packer::relax() {
+  simulation_.stop_growing();
+  halve_speeds();
+  state_ = State::relaxing;
+  be_patient();
+  open_window();
+}
+
+void Packer::weigh(State end) {
+  simulation_.stop_growing();
+  halve_speeds();
+  end_ = end;
+  state_ = State::weighing;
+  if (end_ != State::reached) weighed_at_ = simulation_.positions();
+  be_patient();
+  open_window();
+}
+
+// Spheres of a gas may hardly ever meet: a window ends after a hundred flights over the mean diameter.
+void Packer::be_patient() {
+  constexpr double kFlights = 100;
+  const double diameter = 2 * statistics_of(plan_.radii, plan_.container.dimensions).mean;
+  const double speed = thermal_speed(simulation_.world(), simulation_.now());
+  patience_ = simulation_.time() + kFlights * diameter / speed;
+}
+
+void Packer::advance() {
+  HARDBALL_CHECK(!is_over());
+  simulation_.on_contact([this](const Contact& contact) { note(contact); });
+  if (state_ == State::relaxing) {
+    if (run_at_constant_size(protocol::kRelaxation + protocol::kWindow)) after_relaxation();
+    return;
+  }
+  if (state_ == State::weighing) {
+    const bool is_long = end_ != State::reached;
+    if (!run_at_constant_size(is_long ? protocol::kWeighing : protocol::kWindow)) return;
+    close_window(0);
+    if (!begins_with_another_count()) state_ = end_;
+    return;
+  }
+  const GrowthSchedule& growth = *simulation_.growth();
+  const std::uint64_t epoch = growth.epochs();
+  // An epoch may be ended before its time.
+  const std::uint64_t left = growth.contacts_left(simulation_.tally(), simulation_.size());
+  simulation_.run({.until = Time(growth.next()), .contacts = left > 0 ? std::min(left, kStretch) : kStretch});
+  if (simulation_.growth()->epochs() != epoch) after_epoch();
+}
+
+void Packer::after_epoch() {
+  const GrowthSchedule& growth = *simulation_.growth();
+  has_no_room_ = growth.state() == GrowthSchedule::State::no_room;
+  if (state_ == State::stepping) {
+    if (growth.is_over()) growth.state() == GrowthSchedule::State::reached ? relax() : weigh(State::jammed);
+    return;
+  }
+  const bool is_seen =
+      contacts() - window_begin_ >= static_cast<std::uint64_t>(contacts_for(protocol::kWindow / 2));
+  if (is_seen) close_window(growth.rules().rate);
+  if (growth.state() == GrowthSchedule::State::reached) return weigh(State::reached);
+  const bool is_fraction = std::holds_alternative<double>(plan_.goal);
+  if (growth.state() == GrowthSchedule::State::no_room)
+    return weigh(is_fraction ? State::locked : State::jammed);
+  if (growth.is_over()) return is_fraction ? give_up_attempt() : weigh(State::jammed);
+  if (!is_seen) return;
+  constexpr double kFew = 100;  // the mean is that of a few
+  if (is_fraction && (pressure_ > protocol::kLocked || growth.compressibility() > kFew * protocol::kLocked))
+    return give_up_attempt();
+  if (pressure_ >= wanted_pressure()) {
+    return weigh(std::holds_alternative<Densest>(plan_.goal) ? State::jammed : State::reached);
+  }
+  if (state_ == State::filling && pressure_ > protocol::kFilled) return begin_growing();
+  if (!is_fraction && pressure_ > protocol::kRelaxedFrom && !begins_with_another_count()) relax();
+}
+
+void Packer::after_relaxation() {
+  close_window(0);
+  const bool is_densest = std::holds_alternative<Densest>(plan_.goal);
+  if (pressure_ >= wanted_pressure()) return weigh(is_densest ? State::jammed : State::reached);
+  if (++steps_ > kMostSteps) return weigh(State::jammed);
+  state_ = State::stepping;
+  const double step = 1 + protocol::kStep / pressure_;
+  grow(rate_, packing_fraction() * power(step, plan_.container.dimensions));
+}
+
+// Spheres have locked before they were dense enough: from the fluid on, once more and at half the rate.
+void Packer::give_up_attempt() {
+  const bool is_slow = rate_ / 2 < protocol::kSlowest;
+  if (plan_.is_rate_given || is_slow || attempts_ == protocol::kAttempts) return weigh(State::locked);
+  ++attempts_;
+  rate_ /= 2;
+  state_ = State::growing;
+  given_up_ += contacts();
+  const std::size_t threads = simulation_.options().threads;
+  simulation_ = Simulation::load(filled_, kWhereSaved);
+  simulation_.set_threads(threads);
+  given_up_ -= contacts();
+  pressure_ = std::numeric_limits<double>::quiet_NaN();
+  open_window();
+  grow(rate_, end_fraction());
+}
+
+// Where the count follows from the diameter, it is known only from a packing. If another one fills the
+// container better, packing begins anew; returns whether that is so. Free volume vanishes as one over the
+// pressure.
+bool Packer::begins_with_another_count() {
+  const bool follows =
+      plan_.follows == PackingPlan::Follows::count && !std::holds_alternative<double>(plan_.goal);
+  if (!follows || recounts_ == protocol::kRecounts) return false;
+  const std::size_t dimensions = plan_.container.dimensions;
+  const double wanted = std::isfinite(wanted_pressure()) ? wanted_pressure() : protocol::kJammed;
+  const double left = pressure_ < wanted ? 1 / pressure_ - 1 / wanted : 0;
+  const World& world = simulation_.world();
+  double diameter = 0;
+  for (Slot slot = 0; slot < world.size(); ++slot)
+    diameter += 2 * world.radius(slot, simulation_.now()) / static_cast<double>(world.size());
+  const double ratio = diameter * (1 + left) / plan_.diameter;
+  const auto count = static_cast<double>(world.size());
+  const double fits = std::floor(count * power(ratio, dimensions));
+  // Packings differ from one to the next.
+  constexpr double kScatter = 0.002;
+  if (fits >= count && fits <= count + std::max(1.0, kScatter * count)) return false;
+  const double next = fits < count ? fits - recounts_ : fits;
+  ++recounts_;
+  given_up_ += contacts();
+  const EngineOptions options{.threads = simulation_.options().threads};
+  plan_ = with_count(plan_, static_cast<std::size_t>(std::max(1.0, next)));
+  simulation_ = Simulation(start_of(plan_, {}), options);
+  weighed_at_.clear();
+  impulses_.clear();
+  begin();
+  return true;
+}
+
+std::unordered_map<ContactKey, double> Packer::impulses() const {
+  const Box& box = simulation_.world().box();
+  const std::vector<Vec3> now = simulation_.positions();
+  const auto crossed = [&](std::uint32_t sphere) {
+    return box.nearest_image(weighed_at_[sphere] - now[sphere]);
+  };
+  std::unordered_map<ContactKey, double> impulses;
+  for (const auto& [key, impulse] : impulses_) {
+    ContactKey bodies = key;
+    if (!key.is_wall) bodies.image = key.image + crossed(key.second) - crossed(key.first);
+    impulses[bodies] = impulse;
+  }
+  return impulses;
+}
+
+std::string Packer::save() const {
+  return archived(*this);
+}
+
+Packer Packer::load(std::string_view bytes, const std::string& where) {
+  Packer packer;
+  restore(bytes, where, packer);
+  return packer;
+}
+
+bool Packer::restored() const {
+  const std::size_t size = simulation_.size();
+  const bool grows = state_ == State::filling || state_ == State::growing || state_ == State::stepping;
+  return state_ <= State::locked && end_ >= State::reached && end_ <= State::locked &&
+         plan_.radii.size() == size && virial_.size() == size &&
+         (weighed_at_.empty() || weighed_at_.size() == size) && rate_ > 0 && speed_ > 0 &&
+         grows == simulation_.growth().has_value();
+}
+
+std::string_view name_of(Packer::State state) {
+  constexpr std::array<std::string_view, 8> kNames{"filling",  "growing", "relaxing", "stepping",
+                                                   "weighing", "reached", "jammed",   "locked"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
+}  // namespace hardball

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "hardball/errors/export.hpp"
+#include "hardball/packing/contact_network.hpp"
+#include "hardball/packing/container.hpp"
+#include "hardball/packing/packer.hpp"
+#include "hardball/trajectory/snapshot.hpp"
+#include "hardball/world/world.hpp"
+
+namespace hardball {
+
+/// Spheres that have been packed, at rest, and what is known about them.
+struct HARDBALL_EXPORT Packing {
+  enum class Status : std::uint8_t {
+    reached,      ///< As dense as wanted.
+    jammed,       ///< As dense as they get, which was wanted.
+    not_reached,  ///< Less dense than wanted; see `reason`.
+  };
+
+  Status status = Status::not_reached;
+  std::string reason;         ///< Why packing ended where it did, in a sentence.
+  double suggested_rate = 0;  ///< With which more may be reached, as in GrowthRules; zero if none is known.
+  PackedSpheres spheres;
+  /// By which factor radii were reduced so that nothing overlaps in the numbers as they are written, and
+  /// whatever gap or diameter was wanted is there [1].
+  double shrink = 1;
+  double largest_overlap = 0;  ///< In the numbers as they are written, over the sum of the radii [1].
+  double pressure =
+      std::numeric_limits<double>::quiet_NaN();  ///< PV/NkT of the median sphere at the end [1].
+  double rate = 0;                               ///< The last one, as in GrowthRules.
+  std::uint64_t collisions = 0;
+  ContactNetwork network;    ///< Before radii were reduced.
+  bool is_polished = false;  ///< Whether its last gaps were removed, see polish().
+  double crystalline = 0;    ///< The share of spheres in crystals, see crystalline_share [1].
+  std::vector<PackingMoment> history;
+  std::vector<std::string> warnings;
+
+  /// The volume of the spheres over that of the container [1].
+  double packing_fraction() const { return spheres.packing_fraction(); }
+};
+
+/// How the numbers of a packing are stored: its gaps are made for that.
+enum class Precision : std::uint8_t {
+  doubles,
+  singles,  ///< As in GSD files: positions from the center of the box, diameters and edges in 32 bits.
+};
+
+/// The packing that a packer has reached, or how far it has come, in the numbers of the run. Cost: O(n).
+HARDBALL_EXPORT Packing packing_of(const Packer& packer);
+
+/// Gives a packing the size that the plan wants, and reduces radii until nothing overlaps in numbers of this
+/// precision, and the gap of the plan is there. Cost: O(n).
+HARDBALL_EXPORT void finish(Packing& packing, const PackingPlan& plan,
+                            Precision precision = Precision::doubles);
+
+/// The spheres as a frame: at rest, in the box around the container. Cost: O(n).
+HARDBALL_EXPORT Snapshot snapshot_of(const PackedSpheres& spheres);
+
+/// A world in which they go on as a gas of this temperature, kT of spheres of mass 1 [M L^2 T^-2]. Cost:
+/// O(n).
+HARDBALL_EXPORT World world_of(const PackedSpheres& spheres, double temperature, std::uint64_t seed);
+
+/// The name of a status: "reached", "jammed" or "not reached".
+HARDBALL_EXPORT std::string_view name_of(Packing::Status status);
+
+}  // namespace hardball

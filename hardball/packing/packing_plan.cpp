@@ -1,0 +1,364 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/packing/packing_plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/geometry/range.hpp"
+#include "hardball/numbers/random.hpp"
+#include "hardball/packing/jamming.hpp"
+#include "hardball/packing/protocol.hpp"
+#include "hardball/placement/placement.hpp"
+
+namespace hardball {
+namespace {
+
+using Densest = PackingRequest::Densest;
+using Pressure = PackingRequest::Pressure;
+using Follows = PackingPlan::Follows;
+
+// At most this many spheres are packed: ids have 32 bits.
+constexpr double kMostSpheres = 4e9;
+
+// The volume of spheres of radius 1, of discs the area.
+double unit_volume(std::size_t dimensions) {
+  return dimensions == 2 ? std::numbers::pi : 4 * std::numbers::pi / 3;
+}
+
+std::string rounded(double number, int digits) {
+  const double scale = digits == 1 ? 10 : digits == 2 ? 100 : 1000;
+  return to_text(std::round(scale * number) / scale);
+}
+
+// Radii whose mean is one.
+std::vector<double> draw_radii(const std::optional<RadiusDistribution>& distribution, std::size_t count,
+                               std::uint64_t seed, std::size_t dimensions) {
+  if (!distribution) return std::vector<double>(count, 1.0);
+  Random random(seed);
+  std::vector<double> radii = hardball::draw_radii(*distribution, count, random);
+  const double mean = statistics_of(radii, dimensions).mean;
+  for (double& radius : radii) radius /= mean;
+  return radii;
+}
+
+void multiply(std::vector<double>& radii, double factor) {
+  for (double& radius : radii) radius *= factor;
+}
+
+const double* fraction_of(const PackingRequest::Goal& goal) {
+  return std::get_if<double>(&goal);
+}
+
+// What is given is counted, so that messages can name what is missing.
+struct Given {
+  bool count;
+  bool diameter;
+  bool size;
+  bool goal;
+};
+
+Given given_in(const PackingRequest& request) {
+  return {request.count || !request.radii.empty(), request.diameter || !request.radii.empty(),
+          request.container && !request.is_container_size_free, request.goal.has_value()};
+}
+
+[[noreturn]] void refuse(std::string what, std::string remedy) {
+  throw Error(std::move(what), "packing", std::move(remedy));
+}
+
+void check_numbers(const PackingRequest& request) {
+  if (request.dimensions != 2 && request.dimensions != 3)
+    refuse("there are " + to_text(request.dimensions) + " dimensions", "give 2 or 3");
+  if (request.count && !request.radii.empty() && *request.count != request.radii.size()) {
+    refuse(
+        "there are " + to_text(request.radii.size()) + " radii for " + to_text(*request.count) + " spheres",
+        "leave the count out");
+  }
+  if (request.count == 0) refuse("the count is zero", "give at least two spheres");
+  if (request.diameter) check_positive(*request.diameter, "diameter", "packing");
+  for (const double radius : request.radii) check_positive(radius, "radius", "packing");
+  if (request.container) check(*request.container, "packing");
+  if (request.rate) check_positive(*request.rate, "rate", "packing");
+  if (!(request.gap >= 0 && request.gap < 1)) {
+    refuse("the gap is " + to_text(request.gap), "give a fraction of the diameter from 0 to below 1");
+  }
+  if (!request.goal) return;
+  if (const double* fraction = fraction_of(*request.goal))
+    check_positive(*fraction, "packing fraction", "packing");
+  if (const auto* pressure = std::get_if<Pressure>(&*request.goal);
+      pressure && !(pressure->compressibility > 1)) {
+    refuse("the pressure PV/NkT is " + to_text(pressure->compressibility), "give a number above one");
+  }
+}
+
+// Error: not three of the four are given, where the goal is a packing fraction; or not two of the other
+// three, where the goal says how dense spheres become by themselves.
+Follows what_follows(const Given& given) {
+  if (!given.goal) {
+    if (given.count && given.diameter && given.size) return Follows::packing_fraction;
+    refuse("nothing says how dense the packing is to be", "give a packing fraction, max or a pressure");
+  }
+  const int others = int{given.count} + int{given.diameter} + int{given.size};
+  if (others == 3) {
+    refuse("count, diameter, size of the container and density are all given", "leave one of the four out");
+  }
+  if (!given.count) {
+    if (given.diameter && given.size) return Follows::count;
+    refuse("the count is not given, and does not follow from what is", "give a count, or diameter and box");
+  }
+  return given.size ? Follows::diameter : Follows::size;
+}
+
+// Error: no arrangement of such spheres is so dense.
+void refuse_beyond_closest(double fraction, const SizeStatistics& sizes, std::size_t dimensions) {
+  constexpr double kEqual = 1e-9;
+  const bool is_equal = sizes.deviation < kEqual;
+  const double closest = !is_equal ? 1 : dimensions == 2 ? kClosePackingOfDiscs : kClosePacking;
+  if (fraction < closest) return;
+  refuse("no " + std::string(is_equal ? "equal " : "") + (dimensions == 2 ? "discs" : "spheres") + " fill " +
+             to_text(fraction) + " of the volume",
+         "give a packing fraction below " + to_text(std::floor(closest * 1e5) / 1e5));
+}
+
+void warn(PackingPlan& plan, const SizeStatistics& sizes) {
+  const double* fraction = fraction_of(plan.goal);
+  constexpr double kTooDense = 1.02;
+  const bool has_walls = plan.container.wall_area() > 0;
+  if (fraction && *fraction > kTooDense * plan.plausible) {
+    std::string warning = "a packing fraction of " + to_text(*fraction) + " is beyond the " +
+                          rounded(plan.plausible, 3) +
+                          " at which such spheres jam; only crystals may be so dense";
+    if (has_walls) warning += ", and the layers next to walls are looser";
+    plan.warnings.push_back(warning);
+  }
+  constexpr std::size_t kFew = 10;
+  if (sizes.half_of_volume < kFew && plan.radii.size() > 2 * kFew) {
+    plan.warnings.push_back(
+        "the largest " + to_text(sizes.half_of_volume) + " of " + to_text(plan.radii.size()) +
+        " spheres make up half of the volume; what they do decides, and differs from seed to seed");
+  }
+  constexpr double kNarrow = 5;
+  const double widest = 2 * plan.container.largest_radius();
+  if (has_walls && widest < kNarrow * 2 * sizes.largest) {
+    plan.warnings.push_back(
+        "the container is only " + rounded(widest / (2 * sizes.largest), 1) +
+        " diameters of the largest sphere wide; next to its walls spheres are looser, and some " +
+        rounded(plan.plausible, 2) + " is as dense as they get on average");
+  }
+}
+
+// Error: the largest sphere does not fit.
+void check_fits(const PackingPlan& plan, const SizeStatistics& sizes) {
+  const double room = plan.container.largest_radius();
+  if (sizes.largest < room) return;
+  refuse("the largest diameter would be " + to_text(2 * sizes.largest) + " in a container " +
+             to_text(2 * room) + " wide",
+         "give more or smaller spheres, or a larger container");
+}
+
+PackingPlan plan_from_start(const PackingRequest& request) {
+  const Snapshot& start = *request.start;
+  if (request.count || request.diameter || request.distribution || !request.radii.empty() ||
+      request.container) {
+    refuse("spheres start from a file, which says how many there are, their sizes and their box",
+           "leave count, diameter, sizes and box out");
+  }
+  if (!request.goal)
+    refuse("nothing says how dense the packing is to be", "give a packing fraction, max or a pressure");
+  if (start.spheres.empty()) refuse("there are no spheres at the start", "give a file with spheres");
+  if (!start.box || start.box->is_unbounded)
+    refuse("the spheres of the start have no box", "give a file with a box");
+  PackingPlan plan;
+  plan.goal = *request.goal;
+  plan.follows = Follows::diameter;
+  plan.container.dimensions = start.box->is_flat ? 2 : 3;
+  plan.container.size = start.box->size;
+  if (start.box->is_flat) plan.container.size.z = 0;
+  for (std::size_t axis = 0; axis < plan.container.dimensions; ++axis)
+    plan.container.has_walls[axis] = !start.box->is_periodic[axis];
+  for (const Sphere& sphere : start.spheres) {
+    plan.radii.push_back(sphere.radius);
+    plan.start.push_back(sphere.position - start.box->low);
+    if (start.box->is_flat) plan.start.back().z = 0;
+  }
+  const SizeStatistics sizes = statistics_of(plan.radii, plan.container.dimensions);
+  const double volume = plan.container.volume();
+  plan.start_fraction = unit_volume(plan.container.dimensions) * sizes.mean_volume *
+                        static_cast<double>(plan.radii.size()) / volume;
+  if (const double* fraction = fraction_of(plan.goal); fraction && *fraction < plan.start_fraction) {
+    refuse("the spheres of the start fill " + to_text(plan.start_fraction) +
+               " of the volume already, and are to fill " + to_text(*fraction),
+           "give a higher packing fraction");
+  }
+  plan.plausible = plausible_packing_fraction(sizes, plan.container);
+  return plan;
+}
+
+// How many spheres of mean radius 1 fill a volume.
+std::size_t count_for(const PackingRequest& request, double volume) {
+  const auto whole = [](double count) {
+    return static_cast<std::size_t>(std::clamp(std::round(count), 1.0, kMostSpheres));
+  };
+  const double count = volume / unit_volume(request.dimensions);
+  if (!request.distribution) return whole(count);
+  // The mean volume depends on the sizes drawn, and these on how many they are.
+  constexpr int kRounds = 4;
+  constexpr double kPilot = 1e4;
+  double next = std::min(count, kPilot);
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<double> radii =
+        draw_radii(request.distribution, whole(next), request.seed, request.dimensions);
+    next = count / statistics_of(radii, request.dimensions).mean_volume;
+  }
+  return whole(next);
+}
+
+// The count that follows from the volume and the density, for spheres that jam the one at which they can be
+// expected to.
+std::size_t following_count(const PackingRequest& request) {
+  const Container container = request.container->scaled(2 / *request.diameter);
+  constexpr std::size_t kPilot = 10000;
+  const std::vector<double> radii =
+      draw_radii(request.distribution, kPilot, request.seed, request.dimensions);
+  const double plausible = plausible_packing_fraction(statistics_of(radii, request.dimensions), container);
+  const double* fraction = fraction_of(*request.goal);
+  return count_for(request, (fraction ? *fraction : plausible) * container.volume());
+}
+
+// Makes what follows as large as the expected packing fraction asks for. Walls make it depend on the size how
+// dense that is.
+void fit(PackingPlan& plan) {
+  const std::size_t dimensions = plan.container.dimensions;
+  constexpr int kRounds = 8;
+  for (int round = 0; round < kRounds; ++round) {
+    const SizeStatistics sizes = statistics_of(plan.radii, dimensions);
+    plan.plausible = plausible_packing_fraction(sizes, plan.container);
+    const double volume =
+        unit_volume(dimensions) * sizes.mean_volume * static_cast<double>(plan.radii.size());
+    const double factor = root(plan.expected_fraction() * plan.container.volume() / volume, dimensions);
+    if (plan.follows == Follows::size) plan.container = plan.container.scaled(1 / factor);
+    if (plan.follows == Follows::diameter) multiply(plan.radii, factor);
+  }
+}
+
+PackingPlan plan_from_numbers(const PackingRequest& request) {
+  PackingPlan plan;
+  plan.follows = what_follows(given_in(request));
+  const std::size_t dimensions = request.dimensions;
+  plan.container = request.container.value_or(Container::periodic({1, 1, dimensions == 2 ? 0.0 : 1.0}));
+  plan.container.dimensions = dimensions;
+  plan.radii = request.radii;
+  if (plan.radii.empty()) {
+    plan.distribution = request.distribution;
+    const std::size_t count = plan.follows == Follows::count ? following_count(request) : *request.count;
+    plan.radii = draw_radii(request.distribution, count, request.seed, dimensions);
+    multiply(plan.radii, 0.5);
+  }
+  plan.diameter = 2 * statistics_of(plan.radii, dimensions).mean;
+  if (request.diameter) {
+    multiply(plan.radii, *request.diameter / plan.diameter);
+    plan.diameter = *request.diameter;
+  }
+  const SizeStatistics sizes = statistics_of(plan.radii, dimensions);
+  plan.plausible = plausible_packing_fraction(sizes, plan.container);
+  if (plan.follows == Follows::packing_fraction ||
+      (plan.follows == Follows::count && fraction_of(*request.goal))) {
+    plan.goal = unit_volume(dimensions) * sizes.mean_volume * static_cast<double>(plan.radii.size()) /
+                plan.container.volume();
+  } else {
+    plan.goal = *request.goal;
+    fit(plan);
+  }
+  const double dilute = dimensions == 2 ? protocol::kStartOfDiscs : protocol::kStart;
+  plan.start_fraction = std::min(dilute, 0.9 * plan.expected_fraction());
+  return plan;
+}
+
+// Error: no such packing exists, or it cannot be resolved.
+void check_existence(const PackingPlan& plan, const SizeStatistics& sizes) {
+  if (plan.radii.size() == 1 && plan.container.wall_area() == 0)
+    refuse("one sphere in a periodic box has nothing to touch", "give at least two spheres, or walls");
+  if (const double* fraction = fraction_of(plan.goal)) {
+    refuse_beyond_closest(*fraction, sizes, plan.container.dimensions);
+    if (plan.start.empty()) check_fits(plan, sizes);
+  }
+  const auto* pressure = std::get_if<Pressure>(&plan.goal);
+  if (!pressure) return;
+  // The resolution of coordinates.
+  const Vec3& size = plan.container.size;
+  const double most = 8e13 * 2 * sizes.mean / std::max({size.x, size.y, size.z});
+  if (pressure->compressibility < most) return;
+  refuse(
+      "at a pressure of " + to_text(pressure->compressibility) + " gaps are smaller than coordinates resolve",
+      "give at most " + to_text(std::floor(most)));
+}
+
+}  // namespace
+
+double PackingPlan::expected_fraction() const {
+  if (const double* fraction = fraction_of(goal)) return *fraction;
+  const auto* pressure = std::get_if<Pressure>(&goal);
+  if (!pressure) return plausible;
+  double low = 0;
+  double high = plausible;
+  constexpr int kHalvings = 40;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = (low + high) / 2;
+    const bool is_below =
+        expected_compressibility(middle, plausible, container.dimensions) < pressure->compressibility;
+    (is_below ? low : high) = middle;
+  }
+  return low;
+}
+
+double PackingPlan::expected_collisions() const {
+  const std::size_t dimensions = container.dimensions;
+  const double end = expected_fraction();
+  double begin = start_fraction;
+  double collisions = 0;
+  if (rate < protocol::kFillingRate) {
+    const double filled = std::min(end, dimensions == 2 ? 0.65 : 0.5);
+    collisions += hardball::expected_collisions(begin, filled, protocol::kFillingRate, plausible, dimensions);
+    begin = std::max(begin, filled);
+  }
+  collisions += hardball::expected_collisions(begin, end, rate, plausible, dimensions);
+  double last = 0;
+  if (std::holds_alternative<Densest>(goal)) last = protocol::kJammed;
+  if (const auto* pressure = std::get_if<Pressure>(&goal)) last = pressure->compressibility;
+  if (!(last > protocol::kRelaxedFrom)) return collisions;
+  const double steps = std::log(last / protocol::kRelaxedFrom) / -std::log1p(-protocol::kStep);
+  const double heating = std::sqrt(std::numbers::pi) / 3 * 2 * rate;
+  return collisions + steps * (2 * protocol::kStep / heating + protocol::kRelaxation + protocol::kWindow) +
+         protocol::kWeighing;
+}
+
+PackingPlan plan(const PackingRequest& request) {
+  check_numbers(request);
+  PackingPlan plan = request.start ? plan_from_start(request) : plan_from_numbers(request);
+  plan.gap = request.gap;
+  plan.seed = request.seed;
+  const std::size_t dimensions = plan.container.dimensions;
+  const SizeStatistics sizes = statistics_of(plan.radii, dimensions);
+  check_existence(plan, sizes);
+  constexpr double kRate = 0.01;
+  const double* fraction = fraction_of(plan.goal);
+  plan.is_rate_given = request.rate.has_value();
+  plan.rate = request.rate.value_or(fraction ? rate_for(*fraction, plan.plausible) : kRate);
+  warn(plan, sizes);
+  return plan;
+}
+
+PackingPlan with_count(const PackingPlan& plan, std::size_t count) {
+  PackingPlan changed = plan;
+  changed.radii = draw_radii(plan.distribution, count, plan.seed, plan.container.dimensions);
+  multiply(changed.radii, plan.diameter / 2);
+  return changed;
+}
+
+}  // namespace hardball

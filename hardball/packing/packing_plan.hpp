@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hardball/errors/export.hpp"
+#include "hardball/packing/packing_request.hpp"
+
+namespace hardball {
+
+/// How a request is carried out: nothing is left open.
+struct HARDBALL_EXPORT PackingPlan {
+  /// What is given in the end by the other three.
+  enum class Follows : std::uint8_t { count, diameter, size, packing_fraction };
+
+  PackingRequest::Goal goal;
+  Follows follows = Follows::diameter;
+  Container container;        ///< In which spheres grow; its size may be changed in the end.
+  std::vector<double> radii;  ///< Of the goal; where it is not a packing fraction, about those [L].
+  std::vector<Vec3> start;    ///< Where the centers are; random if empty [L].
+  double start_fraction = 0;  ///< The packing fraction at which growth starts [1].
+  double diameter = 0;        ///< The mean in the end, unless it follows [L].
+  std::optional<RadiusDistribution> distribution = {};  ///< From which radii were drawn.
+  double plausible = 0;        ///< The packing fraction at which such spheres can be expected to jam [1].
+  double rate = 0;             ///< As in GrowthRules.
+  bool is_rate_given = false;  ///< So that it is not lowered if spheres lock.
+  double gap = 0;              ///< As in PackingRequest.
+  std::uint64_t seed = 1;
+  std::vector<std::string> warnings = {};  ///< What about the request is doubtful, a sentence each.
+
+  /// The packing fraction of the goal, or the plausible one [1].
+  double expected_fraction() const;
+  /// How many collisions for each sphere the run can be expected to take; some 30% off.
+  double expected_collisions() const;
+
+  static void persist(auto& archive, auto& self) {
+    archive(self.goal, self.follows, self.container, self.radii, self.start, self.start_fraction,
+            self.diameter, self.distribution, self.plausible, self.rate, self.is_rate_given, self.gap,
+            self.seed, self.warnings);
+    archive.require(self.follows <= Follows::packing_fraction);
+  }
+};
+
+/// Works out what a request leaves open. Cost: O(n log n). Error: fewer or more is given than determines the
+/// packing; a number is out of range; no such packing exists.
+HARDBALL_EXPORT PackingPlan plan(const PackingRequest& request);
+
+/// The same plan for another number of spheres, where that follows from the rest. Precondition: radii are not
+/// listed.
+PackingPlan with_count(const PackingPlan& plan, std::size_t count);
+
+}  // namespace hardball

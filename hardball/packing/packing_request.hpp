@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "hardball/packing/container.hpp"
+#include "hardball/placement/radii.hpp"
+#include "hardball/trajectory/snapshot.hpp"
+
+namespace hardball {
+
+/// What a packing is to have been when it is finished: three of the number of spheres, their mean diameter,
+/// the container and the packing fraction; the fourth follows.
+struct PackingRequest {
+  /// As dense as spheres jam.
+  struct Densest {
+    friend bool operator==(const Densest&, const Densest&) = default;
+    static void persist(auto& /*archive*/, auto& /*self*/) {}
+  };
+  /// So dense that PV/NkT, that of the median sphere, is this high [1].
+  struct Pressure {
+    double compressibility = 0;
+
+    friend bool operator==(const Pressure&, const Pressure&) = default;
+    static void persist(auto& archive, auto& self) { archive(self.compressibility); }
+  };
+  using Goal = std::variant<double, Densest, Pressure>;  ///< A double is a packing fraction [1].
+
+  std::size_t dimensions = 3;             ///< 2 for discs.
+  std::optional<std::size_t> count = {};  ///< If not given, that of `radii`.
+  /// The mean diameter [L]; if not given, that of `radii`, or 1 where nothing else has a length.
+  std::optional<double> diameter = {};
+  /// How radii are distributed about their mean; equal if not given. A mean of 1 will do.
+  std::optional<RadiusDistribution> distribution = {};
+  std::vector<double> radii = {};           ///< Instead, each one [L].
+  std::optional<Container> container = {};  ///< A periodic cube if not given.
+  bool is_container_size_free = false;      ///< Its edges are only proportions.
+  std::optional<Goal> goal = {};
+  /// How fast spheres grow, in the unit of GrowthRules::rate; chosen by the goal if not given.
+  std::optional<double> rate = {};
+  double gap = 0;  ///< By which fraction radii are reduced in the end, beyond what rounding takes [1].
+  std::uint64_t seed = 1;  ///< Of sizes, positions and velocities.
+  /// Spheres that grow from where they are, in the box of the snapshot; their number, sizes and container are
+  /// not given otherwise.
+  std::optional<Snapshot> start = {};
+};
+
+}  // namespace hardball

@@ -1,0 +1,141 @@
+# SPDX-FileCopyrightText: 2026 The Hardball authors
+# SPDX-License-Identifier: MIT
+"""Packings on request: the function pack, and the class Packing."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _hardball
+from ._arguments import real_number, whole_number
+from ._simulation import Simulation
+
+if TYPE_CHECKING:
+    import ase
+
+Number = Union[int, float]
+
+
+class Packing(_hardball.Packing):
+    """Spheres that have been packed, at rest, and what is known about them; made by pack.
+
+    Contacts are a structured array with the fields i and j, the numbers of the two spheres, or of a sphere and a
+    wall where `wall` is true; `image`, by how many boxes the second is displaced where they touch; `gap` [L]; and
+    `force`, over the mean of all, NaN where it is not known. There are none of spheres that are far from jamming.
+    """
+
+    def simulation(self, temperature: float = 1.0, seed: int = 1) -> Simulation:
+        """The spheres as a gas of this kT, with masses of one."""
+        flat = self.box.dimensions == 2
+        random = np.random.default_rng(whole_number(seed, "seed"))
+        speed = np.sqrt(real_number(temperature, "temperature"))
+        velocities = speed * random.standard_normal(self.positions.shape)
+        if flat:
+            velocities[:, 2] = 0
+        return Simulation(
+            self.box, positions=self.positions, velocities=velocities, radius=self.radii, surfaces=self.surfaces
+        )
+
+    def to_ase(self) -> ase.Atoms:
+        """The spheres as an ASE Atoms object, with an array 'radius', as Simulation.from_ase reads it."""
+        import ase
+
+        size = np.asarray(self.box.size)
+        periodic = [boundary == "periodic" for boundary in self.box.boundary]
+        atoms = ase.Atoms(
+            numbers=np.zeros(len(self.radii), dtype=int),
+            positions=self.positions,
+            cell=np.where(np.isfinite(size), size, 0),
+            pbc=periodic,
+        )
+        atoms.set_array("radius", np.array(self.radii))
+        return atoms
+
+    def __repr__(self) -> str:
+        return f"<hardball.Packing: {self.status}, {len(self.radii)} spheres, phi = {self.phi:.6g}>"
+
+
+class PackingFailed(_hardball.RunFailure):
+    """Spheres could not be packed as densely as wanted; `packing` is how dense they are."""
+
+    def __init__(self, packing: Packing) -> None:
+        rate = packing.suggested_rate
+        remedy = f"; try rate={rate:.3g}" if rate else ""
+        super().__init__(f"{packing.reason}: phi is {packing.phi:.6g}{remedy}")
+        self.packing = packing
+
+
+def pack(
+    count: int | None = None,
+    *,
+    diameter: float | None = None,
+    sizes: str | tuple[Any, ...] | ArrayLike | None = None,
+    box: float | Sequence[float] | str | None = None,
+    walls: str | None = None,
+    container: str | None = None,
+    phi: float | str | None = None,
+    pressure: float | None = None,
+    rate: float | None = None,
+    gap: float = 0.0,
+    dimensions: int = 3,
+    start: str | os.PathLike[str] | None = None,
+    seed: int = 1,
+    limit: float | None = None,
+    polish: bool = False,
+    threads: int = 1,
+) -> Packing:
+    """Packs spheres, and returns the packing.
+
+    Give three of count, diameter, box or container, and density; the fourth follows.
+
+    :param count: the number of spheres.
+    :param diameter: their mean diameter [L]; 1 if nothing else has a length.
+    :param sizes: how they are distributed: a tuple such as ('lognormal', 0.3), ('uniform', 1, 2) or ('powerlaw', -2, 1,
+        10), a text as on the command line, or an array of radii [L].
+    :param box: edges [L], one for all or each; a text such as '1:1:2' for proportions.
+    :param walls: the axes of the box with walls, as in 'z'; the others are periodic.
+    :param container: instead of a box, as in 'cylinder:7,50'; see docs/packing.md.
+    :param phi: the packing fraction, or 'max' for as dense as spheres jam.
+    :param pressure: instead of phi, PV/NkT of the median sphere.
+    :param rate: how fast the mean diameter grows, over the thermal speed; chosen by the density if not given.
+    :param gap: by which fraction diameters are reduced in the end.
+    :param dimensions: 2 for discs.
+    :param start: a file with spheres, which grow from where they are.
+    :param seed: the seed of the random numbers.
+    :param limit: a time after which packing ends [s].
+    :param polish: whether to remove the last gaps between spheres that have jammed.
+    :param threads: threads that share the work; affects only the speed.
+
+    Error: what is given does not determine a packing, or none exists. PackingFailed: it was not reached.
+    """
+    parts: dict[str, str] = {"seed": str(whole_number(seed, "seed"))}
+    radii: list[float] = []
+    if isinstance(sizes, str):
+        parts["sizes"] = sizes
+    elif isinstance(sizes, tuple) and sizes and isinstance(sizes[0], str):
+        parts["sizes"] = sizes[0] + ":" + ",".join(repr(float(number)) for number in sizes[1:])
+    elif sizes is not None:
+        radii = [float(radius) for radius in np.asarray(sizes, dtype=float).ravel()]
+    if count is not None:
+        parts["count"] = str(whole_number(count, "count"))
+    if box is not None:
+        parts["box"] = box if isinstance(box, str) else ",".join(repr(float(edge)) for edge in np.atleast_1d(box))
+    if phi is not None:
+        parts["phi"] = phi if isinstance(phi, str) else repr(real_number(phi, "phi"))
+    numbers = {"diameter": diameter, "pressure": pressure, "rate": rate, "gap": gap}
+    parts.update({name: repr(real_number(value, name)) for name, value in numbers.items() if value is not None})
+    texts = {"walls": walls, "container": container, "start": None if start is None else os.fspath(start)}
+    parts.update({name: str(value) for name, value in texts.items() if value is not None})
+    parts["dimensions"] = str(whole_number(dimensions, "dimensions"))
+    packing = Packing.__new__(Packing)
+    made = _hardball._pack(
+        parts, radii, whole_number(threads, "threads"), None if limit is None else real_number(limit, "limit"), polish
+    )
+    _hardball.Packing.__init__(packing, made)
+    if packing.status == "not reached":
+        raise PackingFailed(packing)
+    return packing

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Hardball authors
+// SPDX-License-Identifier: MIT
+#include "hardball/packing/packing_plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "hardball/errors/error.hpp"
+#include "hardball/packing/jamming.hpp"
+#include "hardball/packing/request_text.hpp"
+
+namespace hardball::packing_plan_test {
+namespace {
+
+PackingPlan plan_of(const PackingText& text) {
+  return plan(parse_request(text, "--"));
+}
+
+double fraction_of(const PackingPlan& plan) {
+  double volume = 0;
+  for (const double radius : plan.radii) volume += plan.container.box().sphere_volume(radius);
+  return volume / plan.container.volume();
+}
+
+double mean_diameter(const PackingPlan& plan) {
+  return 2 * statistics_of(plan.radii, plan.container.dimensions).mean;
+}
+
+std::string refusal_of(const PackingText& text) {
+  try {
+    plan_of(text);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_refused(const PackingText& text, const std::string& part) {
+  const std::string refusal = refusal_of(text);
+  EXPECT_NE(refusal.find(part), std::string::npos) << refusal;
+}
+
+bool has_warning(const PackingPlan& plan, const std::string& part) {
+  return std::ranges::any_of(
+      plan.warnings, [&](const std::string& warning) { return warning.find(part) != std::string::npos; });
+}
+
+TEST(PackingPlan, TheEdgeFollowsFromCountDiameterAndDensity) {
+  const PackingPlan found = plan_of({.count = "1000", .phi = "0.6"});
+  EXPECT_EQ(found.radii.size(), 1000U);
+  EXPECT_NEAR(mean_diameter(found), 1, 1e-14);
+  EXPECT_NEAR(fraction_of(found), 0.6, 1e-12);
+  EXPECT_EQ(found.container.size.x, found.container.size.y);
+}
+
+TEST(PackingPlan, ProportionsOfTheBoxStay) {
+  const PackingPlan found = plan_of({.count = "100", .diameter = "2", .box = "1:2:4", .phi = "0.5"});
+  EXPECT_NEAR(found.container.size.z / found.container.size.x, 4, 1e-14);
+  EXPECT_NEAR(fraction_of(found), 0.5, 1e-12);
+  EXPECT_NEAR(mean_diameter(found), 2, 1e-14);
+}
+
+TEST(PackingPlan, TheDiameterFollowsFromCountBoxAndDensity) {
+  const PackingPlan found =
+      plan_of({.count = "200", .sizes = "lognormal:0.4", .box = "3,4,5", .phi = "0.55"});
+  EXPECT_NEAR(fraction_of(found), 0.55, 1e-12);
+  EXPECT_EQ(found.container.size, (Vec3{3, 4, 5}));
+}
+
+TEST(PackingPlan, TheCountFollowsFromDiameterBoxAndDensity) {
+  for (const std::string sizes :
+       {"lognormal:0.3", "uniform:1,3", "discrete:1=0.9,4=0.1", "powerlaw:-2,1,5"}) {
+    const PackingPlan found = plan_of({.diameter = "2.5", .sizes = sizes, .box = "40", .phi = "0.6"});
+    EXPECT_NEAR(mean_diameter(found), 2.5, 1e-12);
+    EXPECT_NEAR(fraction_of(found), 0.6, 0.03) << sizes;
+    EXPECT_NEAR(std::get<double>(found.goal), fraction_of(found), 1e-12) << "of as many as there are";
+  }
+}
+
+TEST(PackingPlan, TheDensityFollowsFromTheOthers) {
+  const PackingPlan found = plan_of({.count = "500", .diameter = "1", .box = "10"});
+  EXPECT_NEAR(std::get<double>(found.goal), 500 * 0.5235987755982988 / 1000, 1e-12);
+}
+
+TEST(PackingPlan, ListedRadiiAreAbsolute) {
+  PackingRequest request;
+  request.radii = {1, 2, 3};
+  request.goal = 0.2;
+  const PackingPlan found = plan(request);
+  EXPECT_EQ(found.radii, request.radii);
+  EXPECT_NEAR(fraction_of(found), 0.2, 1e-12);
+}
+
+TEST(PackingPlan, DiscsHaveAnArea) {
+  const PackingPlan found = plan_of({.count = "100", .phi = "0.7", .dimensions = "2"});
+  EXPECT_EQ(found.container.size.z, 0);
+  EXPECT_NEAR(100 * 0.7853981633974483 / (found.container.size.x * found.container.size.y), 0.7, 1e-12);
+}
+
+TEST(PackingPlan, TheRateFallsAsTheDensityRises) {
+  double last = 1;
+  for (const std::string phi : {"0.55", "0.61", "0.635", "0.645", "0.648"}) {
+    const double rate = plan_of({.count = "1000", .phi = phi}).rate;
+    EXPECT_LT(rate, last) << phi;
+    last = rate;
+  }
+  EXPECT_EQ(plan_of({.count = "1000", .phi = "0.64", .rate = "0.2"}).rate, 0.2);
+  EXPECT_EQ(plan_of({.count = "1000", .phi = "max"}).rate, 0.01);
+}
+
+TEST(PackingPlan, MoreCollisionsAreExpectedOfDenserAndSlowerPackings) {
+  const auto collisions = [](const std::string& phi, const std::string& rate) {
+    return plan_of({.count = "1000", .phi = phi, .rate = rate}).expected_collisions();
+  };
+  // Source of the three: Carnahan and Starling's equation of state, integrated.
+  EXPECT_NEAR(collisions("0.5", "0.1"), (2.8 - 1.07) / 0.1, 1);
+  EXPECT_GT(collisions("0.6", "0.1"), collisions("0.5", "0.1"));
+  EXPECT_GT(collisions("0.6", "0.01"), 3 * collisions("0.6", "0.1"));
+  EXPECT_GT(collisions("max", "0.01"), 3000);
+}
+
+TEST(PackingPlan, RefusesWhatDoesNotDetermineThePacking) {
+  expect_refused({.count = "10", .diameter = "1", .box = "9", .phi = "0.1"}, "leave one of the four out");
+  expect_refused({.count = "10"}, "give a packing fraction");
+  expect_refused({.phi = "0.5"}, "give a count");
+  expect_refused({.box = "10", .phi = "0.5"}, "give a count");
+}
+
+TEST(PackingPlan, RefusesWhatCannotExist) {
+  expect_refused({.count = "100", .phi = "0.75"}, "no equal spheres fill 0.75");
+  expect_refused({.count = "100", .phi = "0.91", .dimensions = "2"}, "no equal discs fill 0.91");
+  expect_refused({.count = "100", .sizes = "uniform:1,2", .phi = "1.1"}, "no spheres fill 1.1");
+  expect_refused({.count = "2", .box = "1,1,9", .phi = "0.6"}, "the largest diameter would be");
+  expect_refused({.count = "1", .phi = "max"}, "one sphere in a periodic box");
+  expect_refused({.count = "100", .pressure = "1e14"}, "coordinates resolve");
+  expect_refused({.count = "100", .pressure = "0.5"}, "give a number above one");
+  expect_refused({.count = "100", .phi = "0.5", .gap = "1"}, "from 0 to below 1");
+}
+
+TEST(PackingPlan, RefusesAStartThatDoesNotFit) {
+  PackingRequest request;
+  request.start.emplace();
+  request.start->spheres = {{.position = {1, 1, 1}}, {.position = {4, 4, 4}}};
+  request.start->box = SnapshotBox{{}, {6, 6, 6}, {true, true, true}};
+  request.goal = 0.01;
+  EXPECT_THROW(plan(request), Error) << "less dense than it is";
+  request.goal = 0.3;
+  EXPECT_NO_THROW(plan(request));
+  request.count = 3;
+  EXPECT_THROW(plan(request), Error) << "the file says how many";
+  request.count.reset();
+  request.start->box->is_unbounded = true;
+  EXPECT_THROW(plan(request), Error);
+  request.start->box.reset();
+  EXPECT_THROW(plan(request), Error);
+}
+
+TEST(PackingPlan, WarnsOfDensitiesBeyondThePlausible) {
+  EXPECT_TRUE(has_warning(plan_of({.count = "1000", .phi = "0.66"}), "only crystals"));
+  EXPECT_FALSE(has_warning(plan_of({.count = "1000", .phi = "0.64"}), "only crystals"));
+  EXPECT_TRUE(has_warning(plan_of({.count = "1000", .box = "12,12,12", .walls = "xyz", .phi = "0.64"}),
+                          "layers next to walls"));
+}
+
+TEST(PackingPlan, WarnsWhereAFewSpheresDecide) {
+  const PackingText text{.count = "5000", .sizes = "discrete:1=0.9996,20=0.0004", .phi = "0.7"};
+  EXPECT_TRUE(has_warning(plan_of(text), "make up half of the volume"));
+  EXPECT_FALSE(has_warning(plan_of({.count = "5000", .phi = "0.6"}), "half of the volume"));
+}
+
+TEST(PackingPlan, WarnsOfNarrowContainers) {
+  EXPECT_TRUE(has_warning(plan_of({.diameter = "1", .container = "cylinder:3,20", .phi = "max"}),
+                          "diameters of the largest sphere wide"));
+  EXPECT_FALSE(has_warning(plan_of({.diameter = "1", .container = "cylinder:12,20", .phi = "max"}), "wide"));
+}
+
+TEST(Container, HasItsVolumeAreaAndFreeMotions) {
+  constexpr double kPi = 3.14159265358979323846;
+  const Container cylinder{.shape = Container::Shape::cylinder, .size = {2, 2, 5}};
+  EXPECT_NEAR(cylinder.volume(), 5 * kPi, 1e-12);
+  EXPECT_NEAR(cylinder.wall_area(), 12 * kPi, 1e-12);
+  EXPECT_EQ(cylinder.largest_radius(), 1);
+  EXPECT_EQ(cylinder.free_motions(), 1U);
+  const Container sphere{.shape = Container::Shape::sphere, .size = {2, 2, 2}};
+  EXPECT_NEAR(sphere.volume(), 4 * kPi / 3, 1e-12);
+  EXPECT_EQ(sphere.free_motions(), 3U);
+  const Container cone{.shape = Container::Shape::cone, .size = {6, 6, 4}};
+  EXPECT_NEAR(cone.volume(), 12 * kPi, 1e-12);
+  EXPECT_NEAR(cone.wall_area(), 24 * kPi, 1e-12);
+  EXPECT_NEAR(cone.largest_radius(), 1.5, 1e-12);
+  Container slab = Container::periodic({2, 3, 4});
+  slab.has_walls[2] = true;
+  EXPECT_EQ(slab.wall_area(), 12);
+  EXPECT_EQ(slab.free_motions(), 2U);
+}
+
+}  // namespace
+}  // namespace hardball::packing_plan_test
