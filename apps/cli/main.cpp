@@ -121,6 +121,8 @@ CLI::App* add_pack_command(CLI::App& app, Options& options) {
   command->add_option("--out", options.outs, "File for the spheres; its extension selects the format")
       ->type_name("FILE")
       ->allow_extra_args(false);
+  command->add_option("--report", options.report, "File for a page about the packing (HTML)")
+      ->type_name("FILE");
   command->add_option("--limit", options.limit, "Time after which packing is interrupted")
       ->type_name("SECONDS");
   command

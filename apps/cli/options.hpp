@@ -31,9 +31,10 @@ struct Options {
   std::optional<std::string> port;
   std::optional<std::string> recording_limit;
   std::string shell;
-  PackingText packing;               ///< What is to be packed.
-  std::vector<std::string> outs;     ///< Files for a packing.
-  std::optional<std::string> limit;  ///< Seconds.
+  PackingText packing;                ///< What is to be packed.
+  std::vector<std::string> outs;      ///< Files for a packing.
+  std::optional<std::string> report;  ///< A file for the report of a packing.
+  std::optional<std::string> limit;   ///< Seconds.
   bool dry_run = false;
   bool polish = false;
   bool json = false;

@@ -18,8 +18,11 @@
 #include "apps/cli/seconds_since.hpp"
 #include "apps/cli/start.hpp"
 #include "apps/cli/terminal.hpp"
+#include "apps/cli/version.hpp"
+#include "apps/report/packing_report.hpp"
 #include "hardball/errors/error.hpp"
 #include "hardball/io/checkpoint_file.hpp"
+#include "hardball/io/replace_file.hpp"
 #include "hardball/packing/packing.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
 #include "hardball/trajectory/trajectory.hpp"
@@ -40,6 +43,7 @@ void check_outputs(const Options& options) {
     format_of(out);
     refuse_to_overwrite(out, options);
   }
+  if (options.report) refuse_to_overwrite(*options.report, options);
 }
 
 Precision precision_of(const Options& options) {
@@ -89,6 +93,12 @@ void write(const PackedSpheres& spheres, const std::filesystem::path& file) {
   Trajectory trajectory(file);
   trajectory.append(snapshot_of(spheres));
   trajectory.close();
+}
+
+void write_report(const Packing& packing, const Options& options) {
+  const std::string name =
+      to_text(packing.spheres.size()) + (packing.spheres.container.dimensions == 2 ? " discs" : " spheres");
+  replace_file(*options.report, report::to_html(packing, name, "Hardball " + version()));
 }
 
 // Runs to the end, or until the time is spent or a signal comes; from time to time a checkpoint is written.
@@ -160,6 +170,7 @@ ExitCode pack(const Options& options) {
   if (packer->is_over()) polish_if_wanted(options, packing);
   finish(packing, packer->plan(), precision_of(options));
   for (const std::string& out : options.outs) write(packing.spheres, out);
+  if (options.report) write_report(packing, options);
   const PackingSummary summary{packing, seconds_since(begin), packer->plan().seed, options.outs};
   write_output(options.json ? summary.json() : summary.table());
   if (!packer->is_over() && !options.outs.empty()) {

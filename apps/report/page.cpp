@@ -78,4 +78,8 @@ std::string fill(std::string_view skeleton, const std::map<std::string, std::str
   }
 }
 
+std::string_view without_license(std::string_view file) {
+  return file.substr(file.find("\n\n") + 2);
+}
+
 }  // namespace hardball::report

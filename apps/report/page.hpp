@@ -40,6 +40,9 @@ class Table {
   std::string rows_;
 };
 
+/// An embedded file without the lines of its license, which end at the first empty one.
+std::string_view without_license(std::string_view file);
+
 /// A skeleton with each {{name}} replaced verbatim by its entry in `pieces`. Precondition: there is one.
 std::string fill(std::string_view skeleton, const std::map<std::string, std::string, std::less<>>& pieces);
 

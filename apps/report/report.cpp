@@ -30,11 +30,6 @@ constexpr double kManyTimes = 4;  // beyond this costs are best compared on a lo
 constexpr std::size_t kMaxSurfaceArticles = 12;
 constexpr std::size_t kMaxScenarioBytes = 20'000;
 
-// One of our files without its license header.
-std::string_view without_license(std::string_view file) {
-  return file.substr(file.find("\n\n") + 2);
-}
-
 std::string in_unit(const std::string& number, std::string_view unit) {
   return fmt::format("{} <span class=\"unit\">{}</span>", typeset(number), typeset(unit_text(unit)));
 }

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "hardball/errors/export.hpp"
-#include "hardball/packing/packed_spheres.hpp"
 #include "hardball/packing/contact_key.hpp"
+#include "hardball/packing/packed_spheres.hpp"
 
 namespace hardball {
 

@@ -26,9 +26,13 @@ double likeness(const BondsInPlane& a, const BondsInPlane& b) {
 template <class Bonds>
 double share_with(const PackedSpheres& spheres, std::size_t least) {
   std::vector<Bonds> bonds(spheres.size());
+  std::vector<bool> is_at_wall(spheres.size());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbors;
   spheres.for_each_near(kNeighborGap, [&](const NearPair& pair) {
-    if (pair.bodies.is_wall) return;
+    if (pair.bodies.is_wall) {
+      is_at_wall[pair.bodies.first] = true;
+      return;
+    }
     const Vec3 direction = (1 / length(pair.separation)) * pair.separation;
     bonds[pair.bodies.first].add(direction);
     bonds[pair.bodies.second].add(-direction);
@@ -41,9 +45,13 @@ double share_with(const PackedSpheres& spheres, std::size_t least) {
     ++alike[b];
   }
   std::size_t crystalline = 0;
-  for (const std::size_t count : alike)
-    if (count >= least) ++crystalline;
-  return static_cast<double>(crystalline) / static_cast<double>(spheres.size());
+  std::size_t surrounded = 0;
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    if (is_at_wall[i]) continue;
+    ++surrounded;
+    if (alike[i] >= least) ++crystalline;
+  }
+  return surrounded > 0 ? static_cast<double>(crystalline) / static_cast<double>(surrounded) : 0;
 }
 
 }  // namespace

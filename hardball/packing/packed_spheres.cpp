@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hardball/geometry/double_double.hpp"
+#include "hardball/numbers/exact_sum.hpp"
 #include "hardball/world/static_hash_grid.hpp"
 
 namespace hardball {
@@ -62,16 +63,16 @@ Fine distance_to_curved(const Container& container, const Vec3& center) {
 }  // namespace
 
 double PackedSpheres::mean_diameter() const {
-  double sum = 0;
+  ExactSum sum;
   for (const double radius : radii) sum += 2 * radius;
-  return sum / static_cast<double>(radii.size());
+  return sum.value() / static_cast<double>(radii.size());
 }
 
 double PackedSpheres::packing_fraction() const {
   const Box box = container.box();
-  double volume = 0;
+  ExactSum volume;
   for (const double radius : radii) volume += box.sphere_volume(radius);
-  return volume / container.volume();
+  return volume.value() / container.volume();
 }
 
 void PackedSpheres::for_each_near(double gap, const Function<void(const NearPair&)>& visit) const {

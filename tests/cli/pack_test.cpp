@@ -59,6 +59,16 @@ TEST_F(Pack, JamsSpheres) {
   EXPECT_GT(found["contacts"].get<int>(), 100);
 }
 
+TEST_F(Pack, WritesAReport) {
+  packed({"--count", "60", "--phi", "max", "--walls", "z", "--report", "page.html"});
+  const std::string page = text("page.html");
+  for (const std::string part :
+       {"jammed", "Forces", "Neighbors up to a gap", "Radial distribution", "plot-pressure"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  EXPECT_EQ(page.find("{{"), std::string::npos);
+  EXPECT_EQ(pack({"--count", "9", "--phi", "0.3", "--report", "page.html"}).exit_code, 2) << "it exists";
+}
+
 TEST_F(Pack, WritesEveryFormat) {
   Arguments arguments{"--count", "20", "--phi", "0.4"};
   for (const std::string file : {"a.xyz", "a.xyz.zst", "a.gsd", "a.lammpstrj", "a.pvd", "a.csv", "a.npy"}) {

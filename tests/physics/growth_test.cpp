@@ -195,5 +195,28 @@ TEST(GrowingSpheres, AreRefusedWhereTheyCannotBe) {
             std::string::npos);
 }
 
+// Few spheres between walls lock so suddenly that no epoch before tells. Growth ends nevertheless, where
+// gaps are no longer resolved, and does so in the same way for every engine.
+TEST(Growth, EndsWhereFewSpheresLock) {
+  std::uint64_t hash = 0;
+  for (const EngineOptions& options :
+       {EngineOptions{.engine = EngineKind::all_pairs}, EngineOptions{.engine = EngineKind::cells},
+        EngineOptions{.engine = EngineKind::neighbors}, EngineOptions{.threads = 2}}) {
+    World world(Box(), {}, {Surface(HollowSphere(2), {0, 0, 0})});
+    world.add({.position = {1, 0, 0}, .velocity = {0.3, 1, 0.1}, .radius = 0.3});
+    world.add({.position = {-1, 0, 0}, .velocity = {1, 0.2, -0.5}, .radius = 0.4});
+    world.add({.position = {0, 1.2, 0}, .velocity = {-0.4, 0.5, 1}, .radius = 0.2});
+    Simulation simulation(std::move(world), options);
+    simulation.grow({.rate = 0.1, .until_packing_fraction = 0.7});
+    simulation.run_until(1e3);
+    EXPECT_EQ(simulation.growth()->state(), GrowthSchedule::State::over_pressure);
+    const double fraction = packing_fraction(simulation.world(), simulation.now());
+    EXPECT_GT(fraction, 0.2);
+    EXPECT_LT(fraction, 0.4) << "of three that touch each other and the wall";
+    if (hash == 0) hash = simulation.event_log_hash();
+    EXPECT_EQ(simulation.event_log_hash(), hash);
+  }
+}
+
 }  // namespace
 }  // namespace hardball::growth_test
