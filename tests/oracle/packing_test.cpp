@@ -32,7 +32,8 @@ class RandomRequest {
     draw_container();
     if (pick(4) == 0 && !request_.is_container_size_free) {
       request_.count.reset();
-      request_.diameter = 0.35 + 0.3 * random_.uniform();
+      request_.diameter =
+          (0.2 + 0.2 * random_.uniform()) * root(request_.container->volume(), request_.dimensions);
     }
     const std::size_t goal = pick(6);
     request_.goal = 0.66 * random_.uniform();
