@@ -134,26 +134,28 @@ void polish_if_wanted(const Options& options, Packing& packing) {
 #endif
 }
 
-// Error: there is no library for linear programs.
-void check_polish(const Options& options) {
-#if !HARDBALL_POLISH
+// Error: there is no library for linear programs; or spheres will not jam.
+void check_polish(const Options& options, const PackingPlan& plan) {
   if (!options.polish) return;
+#if !HARDBALL_POLISH
   throw Error("this program was built without COIN-OR CLP", "--polish",
               "install coinor-libclp-dev and build it again");
-#else
-  static_cast<void>(options);
 #endif
+  if (std::holds_alternative<double>(plan.goal))
+    throw Error("only spheres that have jammed can be polished", "--polish",
+                "give --phi max or a high --pressure");
 }
 
 }  // namespace
 
 ExitCode pack(const Options& options) {
   const auto begin = Clock::now();
+  catch_signals();
   check_outputs(options);
-  check_polish(options);
   std::optional<Packer> packer;
   if (options.checkpoint) {
     packer = resumed(options);
+    check_polish(options, packer->plan());
   } else {
     const PackingPlan made = plan(parse_request(options.packing, "--"));
     for (const std::string& warning : made.warnings) write_message("warning: " + warning);
@@ -161,10 +163,9 @@ ExitCode pack(const Options& options) {
       write_output(options.json ? plan_json(made) : plan_table(made));
       return ExitCode::done;
     }
-    catch_signals();
+    check_polish(options, made);
     packer = begun(options, made);
   }
-  catch_signals();
   carry_out(options, *packer, begin);
   Packing packing = packing_of(*packer);
   if (packer->is_over()) polish_if_wanted(options, packing);

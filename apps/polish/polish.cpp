@@ -67,8 +67,8 @@ Step solve(const PackedSpheres& spheres, double trust) {
     least.push_back(-pair.gap / trust);
   }
   const int unknowns = growth + 1;
-  const CoinPackedMatrix matrix(false, rows.data(), columns.data(), elements.data(),
-                                static_cast<CoinBigIndex>(elements.size()));
+  CoinPackedMatrix matrix(false, rows.data(), columns.data(), elements.data(),
+                          static_cast<CoinBigIndex>(elements.size()));
   std::vector<double> lower(static_cast<std::size_t>(unknowns), -1);
   std::vector<double> upper(static_cast<std::size_t>(unknowns), 1);
   std::vector<double> objective(static_cast<std::size_t>(unknowns), 0);
@@ -76,9 +76,9 @@ Step solve(const PackedSpheres& spheres, double trust) {
   ClpSimplex model;
   model.setLogLevel(0);
   std::vector<double> most(least.size(), COIN_DBL_MAX);
-  CoinPackedMatrix whole(matrix);
-  whole.setDimensions(static_cast<int>(least.size()), unknowns);
-  model.loadProblem(whole, lower.data(), upper.data(), objective.data(), least.data(), most.data());
+  // A last row or column without elements counts, too.
+  matrix.setDimensions(static_cast<int>(least.size()), unknowns);
+  model.loadProblem(matrix, lower.data(), upper.data(), objective.data(), least.data(), most.data());
   model.setOptimizationDirection(-1);
   model.setPrimalTolerance(1e-9);
   model.setDualTolerance(1e-9);

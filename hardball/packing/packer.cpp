@@ -115,8 +115,8 @@ void Packer::begin() {
   speed_ = thermal_speed(simulation_.world(), simulation_.now());
   virial_.assign(simulation_.size(), 0.0);
   open_window();
-  filled_ = simulation_.save();
   if (rate_ < protocol::kFillingRate) {
+    filled_ = simulation_.save();
     grow(protocol::kFillingRate, end_fraction());
   } else {
     begin_growing();
@@ -332,8 +332,7 @@ bool Packer::begins_with_another_count() {
       plan_.follows == PackingPlan::Follows::count && !std::holds_alternative<double>(plan_.goal);
   if (!follows || recounts_ == protocol::kRecounts) return false;
   const std::size_t dimensions = plan_.container.dimensions;
-  const double wanted = std::isfinite(wanted_pressure()) ? wanted_pressure() : protocol::kJammed;
-  const double left = pressure_ < wanted ? 1 / pressure_ - 1 / wanted : 0;
+  const double left = std::max(0.0, 1 / pressure_ - 1 / wanted_pressure());
   const World& world = simulation_.world();
   double diameter = 0;
   for (Slot slot = 0; slot < world.size(); ++slot)

@@ -114,7 +114,6 @@ class HARDBALL_EXPORT Packer {
   void relax();
   void weigh(State end);
   void after_epoch();
-  void after_step();
   void after_relaxation();
   void give_up_attempt();
   void begin();

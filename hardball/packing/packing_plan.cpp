@@ -3,7 +3,6 @@
 #include "hardball/packing/packing_plan.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
