@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -132,6 +133,19 @@ TEST(Packer, FillsAContainerWithSpheresOfTheDiameterWanted) {
   EXPECT_NEAR(packing.spheres.mean_diameter(), 1, 1e-12);
   EXPECT_EQ(packing.largest_overlap, 0);
   EXPECT_GT(packing.shrink, 0.97);
+}
+
+// Most spheres rattle among the large ones, and the median sphere with them.
+TEST(Packer, JamsWhereMostSpheresRattle) {
+  PackingRequest request;
+  request.radii = std::vector<double>(60, 0.1);
+  std::fill(request.radii.begin(), request.radii.begin() + 20, 1.0);
+  request.goal = PackingRequest::Densest{};
+  const Packing packing = support::pack(request);
+  EXPECT_EQ(packing.status, Packing::Status::jammed);
+  EXPECT_GT(packing.pressure, 1e8);
+  EXPECT_GT(packing.network.rattlers, 30U);
+  EXPECT_GE(packing.network.isostaticity, 0.9);
 }
 
 TEST(Packer, EndsAtAPressure) {
