@@ -5,3 +5,4 @@
 /// Packings on request: so many spheres of these sizes, at this density, that do not overlap.
 #include "hardball/packing/packing.hpp"
 #include "hardball/packing/request_text.hpp"
+#include "hardball/packing/wall_profile.hpp"

@@ -123,6 +123,10 @@ CLI::App* add_pack_command(CLI::App& app, Options& options) {
       ->allow_extra_args(false);
   command->add_option("--report", options.report, "File for a page about the packing (HTML)")
       ->type_name("FILE");
+#if HARDBALL_VIEWER
+  command->add_option("--replay", options.replay, "File for a page that shows spheres and forces (HTML)")
+      ->type_name("FILE");
+#endif
   command->add_option("--limit", options.limit, "Time after which packing is interrupted")
       ->type_name("SECONDS");
   command

@@ -34,6 +34,7 @@ struct Options {
   PackingText packing;                ///< What is to be packed.
   std::vector<std::string> outs;      ///< Files for a packing.
   std::optional<std::string> report;  ///< A file for the report of a packing.
+  std::optional<std::string> replay;  ///< A file that shows a packing in the viewer.
   std::optional<std::string> limit;   ///< Seconds.
   bool dry_run = false;
   bool polish = false;

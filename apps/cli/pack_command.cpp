@@ -26,6 +26,9 @@
 #include "hardball/packing/packing.hpp"
 #include "hardball/trajectory/snapshot_format.hpp"
 #include "hardball/trajectory/trajectory.hpp"
+#if HARDBALL_VIEWER
+#include "apps/cli/packing_replay.hpp"
+#endif
 #if HARDBALL_POLISH
 #include "apps/polish/polish.hpp"
 #endif
@@ -43,7 +46,8 @@ void check_outputs(const Options& options) {
     format_of(out);
     refuse_to_overwrite(out, options);
   }
-  if (options.report) refuse_to_overwrite(*options.report, options);
+  for (const auto& page : {options.report, options.replay})
+    if (page) refuse_to_overwrite(*page, options);
 }
 
 Precision precision_of(const Options& options) {
@@ -95,10 +99,13 @@ void write(const PackedSpheres& spheres, const std::filesystem::path& file) {
   trajectory.close();
 }
 
-void write_report(const Packing& packing, const Options& options) {
+void write_pages(const Packing& packing, const Options& options) {
   const std::string name =
       to_text(packing.spheres.size()) + (packing.spheres.container.dimensions == 2 ? " discs" : " spheres");
-  replace_file(*options.report, report::to_html(packing, name, "Hardball " + version()));
+  if (options.report) replace_file(*options.report, report::to_html(packing, name, "Hardball " + version()));
+#if HARDBALL_VIEWER
+  if (options.replay) write_replay(packing, name, *options.replay);
+#endif
 }
 
 // Runs to the end, or until the time is spent or a signal comes; from time to time a checkpoint is written.
@@ -171,7 +178,7 @@ ExitCode pack(const Options& options) {
   if (packer->is_over()) polish_if_wanted(options, packing);
   finish(packing, packer->plan(), precision_of(options));
   for (const std::string& out : options.outs) write(packing.spheres, out);
-  if (options.report) write_report(packing, options);
+  write_pages(packing, options);
   const PackingSummary summary{packing, seconds_since(begin), packer->plan().seed, options.outs};
   write_output(options.json ? summary.json() : summary.table());
   if (!packer->is_over() && !options.outs.empty()) {

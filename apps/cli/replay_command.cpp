@@ -12,7 +12,6 @@
 #include "apps/viewer/built_page.hpp"
 #include "apps/viewer/replay.hpp"
 #include "hardball/errors/error.hpp"
-#include "hardball/io/output_file.hpp"
 
 namespace hardball::cli {
 
@@ -28,14 +27,7 @@ ExitCode replay(const Options& options) {
     if (is_interrupted()) throw RunFailure("interrupted; no replay has been written");
     std::this_thread::sleep_for(20ms);
   }
-  const viewer::Replay replay(shown.recording(), viewer::built_page());
-  OutputFile file(*options.out);
-  for (std::uint64_t offset = 0; offset < replay.length();) {
-    const std::string piece = replay.piece(offset);
-    file.append(piece);
-    offset += piece.size();
-  }
-  file.close();
+  viewer::Replay(shown.recording(), viewer::built_page()).write(*options.out);
   const viewer::RunProgress progress = shown.recording().progress();
   if (progress.failure) write_message(*progress.failure + "; " + *options.out + " shows it up to there");
   if (progress.damage) write_message(*progress.damage);

@@ -2,48 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/shown_run.hpp"
 
-#include <stdlib.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <string>
 #include <utility>
 
 #include "apps/cli/begin_recording.hpp"
 #include "apps/cli/start.hpp"
+#include "apps/cli/temporary_file.hpp"
 #include "apps/viewer/recorded_progress.hpp"
 #include "hardball/errors/error.hpp"
 
 namespace hardball::cli {
-namespace {
-
-// A file readable only by this user, until its name is removed.
-class TemporaryFile {
- public:
-  TemporaryFile() {
-    const std::filesystem::path directory = std::filesystem::temp_directory_path();
-    std::string name = (directory / "hardball-XXXXXX").string();
-    const int file = mkstemp(name.data());
-    if (file < 0) {
-      throw Error(std::string("cannot create a temporary file: ") + std::strerror(errno), directory.string(),
-                  "name another directory in the environment variable TMPDIR");
-    }
-    close(file);
-    path_ = name;
-  }
-  ~TemporaryFile() { unlink(path_.c_str()); }
-  TemporaryFile(const TemporaryFile&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-}  // namespace
-
 ShownRun::ShownRun(const Options& options, std::uint64_t most_bytes) {
   if (std::filesystem::is_directory(options.scenario)) {
     open_directory(options);

@@ -20,6 +20,7 @@
 #include "hardball/measure/nearest_neighbor.hpp"
 #include "hardball/measure/radial_distribution.hpp"
 #include "hardball/measure/scene.hpp"
+#include "hardball/packing/wall_profile.hpp"
 #include "hardball_report_files.hpp"
 
 namespace hardball::report {
@@ -143,6 +144,20 @@ std::string gaps(const Packing& packing) {
   return "<div class=\"pair\">\n" + plot(chart, "plot-gaps") + "</div>\n";
 }
 
+// How densely spheres fill a round container from its wall inwards.
+std::string from_the_wall(const PackedSpheres& spheres) {
+  const WallProfile profile = wall_profile(spheres);
+  if (profile.packing_fraction.empty()) return "";
+  Series fraction{.y = profile.packing_fraction, .marks = false};
+  for (std::size_t k = 0; k < profile.packing_fraction.size(); ++k)
+    fraction.x.push_back(profile.distance(k) / spheres.mean_diameter());
+  const Chart chart{.title = "From the curved wall",
+                    .x = {"distance over the mean diameter"},
+                    .y = {"packing fraction"},
+                    .series = {std::move(fraction)}};
+  return "<div class=\"pair\">\n" + plot(chart, "plot-wall") + "</div>\n";
+}
+
 template <class Measure>
 std::string structure(const Scene& scene) {
   Measure measure(scene);
@@ -163,9 +178,9 @@ std::string to_html(const Packing& packing, const std::string& name, const std::
   std::string sections = section("history", "On the way", history(packing));
   if (packing.network.tolerance > 0) sections += section("contacts", "What holds it", contacts(packing));
   sections += section("gaps", "Gaps", gaps(packing));
-  sections += section(
-      "structure", "Structure",
-      structure<RadialDistribution>(scene) + structure<DensityProfiles>(scene) + structure<BondOrder>(scene));
+  sections += section("structure", "Structure",
+                      structure<RadialDistribution>(scene) + from_the_wall(packing.spheres) +
+                          structure<DensityProfiles>(scene) + structure<BondOrder>(scene));
   return fill(without_license(packing_report_html()), {{"name", escaped(name)},
                                                        {"program", escaped(program)},
                                                        {"style", std::string(without_license(report_css()))},

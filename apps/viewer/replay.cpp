@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "hardball/errors/error.hpp"
+#include "hardball/io/output_file.hpp"
 
 namespace hardball::viewer {
 namespace {
@@ -48,6 +49,16 @@ std::string Replay::piece(std::uint64_t offset) const {
     return base64(recording_->read({byte, std::min(kPieceBytes, recorded_ - byte)})).substr(character % 4);
   }
   return page_.tail.substr(character - (recorded_ + 2) / 3 * 4);
+}
+
+void Replay::write(const std::filesystem::path& path) const {
+  OutputFile file(path);
+  for (std::uint64_t offset = 0; offset < length();) {
+    const std::string some = piece(offset);
+    file.append(some);
+    offset += some.size();
+  }
+  file.close();
 }
 
 }  // namespace hardball::viewer

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include "apps/viewer/page.hpp"
@@ -25,6 +26,8 @@ class Replay {
   /// Some bytes of the file from `offset` on, at least one. Precondition: offset < length(). Error
   /// (RunFailure): the recording cannot be read.
   std::string piece(std::uint64_t offset) const;
+  /// Writes the HTML file. Error (RunFailure): the recording cannot be read; the file cannot be written.
+  void write(const std::filesystem::path& path) const;
 
  private:
   const SharedRecording* recording_;

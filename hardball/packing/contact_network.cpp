@@ -55,7 +55,7 @@ ContactNetwork contact_network(const PackedSpheres& spheres, double tolerance,
   network.tolerance = tolerance;
   double mean = 0;
   spheres.for_each_near(tolerance, [&](const NearPair& pair) {
-    PackingContact contact{pair.bodies, pair.gap};
+    PackingContact contact{pair.bodies, pair.gap, pair.separation};
     if (!impulses.empty()) {
       const auto found = impulses.find(contact.bodies);
       contact.force = found != impulses.end() ? found->second : 0;

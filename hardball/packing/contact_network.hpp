@@ -16,7 +16,8 @@ namespace hardball {
 /// Two bodies of a packing that touch.
 struct PackingContact {
   ContactKey bodies;
-  double gap = 0;  ///< Between their surfaces [L].
+  double gap = 0;   ///< Between their surfaces [L].
+  Vec3 separation;  ///< From the center of the first to that of the second, or to the wall [L].
   /// Over the mean of all forces of the network [1]; NaN where none are known.
   double force = std::numeric_limits<double>::quiet_NaN();
 };

@@ -36,10 +36,16 @@ PackedSpheres spheres_of(const Packer& packer) {
   return spheres;
 }
 
-void multiply(PackedSpheres& spheres, double factor) {
+// Makes all lengths of a packing so many times as large.
+void multiply(Packing& packing, double factor) {
+  PackedSpheres& spheres = packing.spheres;
   spheres.container = spheres.container.scaled(factor);
   for (Vec3& position : spheres.positions) position = factor * position;
   for (double& radius : spheres.radii) radius *= factor;
+  for (PackingContact& contact : packing.network.contacts) {
+    contact.gap *= factor;
+    contact.separation = factor * contact.separation;
+  }
 }
 
 void round_to_singles(PackedSpheres& spheres) {
@@ -133,16 +139,20 @@ Packing packing_of(const Packer& packer) {
   return packing;
 }
 
+void fit_numbers(PackedSpheres& spheres, Precision precision, double factor) {
+  if (precision == Precision::singles) round_to_singles(spheres);
+  shrink(spheres, factor * factor_without_overlap(spheres), precision);
+}
+
 void finish(Packing& packing, const PackingPlan& plan, Precision precision) {
   PackedSpheres& spheres = packing.spheres;
   double factor = 1 - plan.gap;
-  if (plan.follows == PackingPlan::Follows::size) multiply(spheres, plan.diameter / spheres.mean_diameter());
+  if (plan.follows == PackingPlan::Follows::size) multiply(packing, plan.diameter / spheres.mean_diameter());
   if (plan.follows == PackingPlan::Follows::count)
     factor *= std::min(1.0, plan.diameter / spheres.mean_diameter());
-  if (precision == Precision::singles) round_to_singles(spheres);
-  const double before = spheres.packing_fraction();
-  shrink(spheres, factor * factor_without_overlap(spheres), precision);
-  packing.shrink = root(spheres.packing_fraction() / before, plan.container.dimensions);
+  const double before = spheres.mean_diameter();
+  fit_numbers(spheres, precision, factor);
+  packing.shrink = spheres.mean_diameter() / before;
   packing.largest_overlap = spheres.largest_overlap();
 }
 

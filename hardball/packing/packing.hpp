@@ -56,6 +56,10 @@ enum class Precision : std::uint8_t {
 /// The packing that a packer has reached, or how far it has come, in the numbers of the run. Cost: O(n).
 HARDBALL_EXPORT Packing packing_of(const Packer& packer);
 
+/// Rounds what a file stores to this precision, multiplies radii by `factor`, and reduces them until nothing
+/// overlaps in these numbers. Cost: O(n).
+HARDBALL_EXPORT void fit_numbers(PackedSpheres& spheres, Precision precision, double factor = 1);
+
 /// Gives a packing the size that the plan wants, and reduces radii until nothing overlaps in numbers of this
 /// precision, and the gap of the plan is there. Cost: O(n).
 HARDBALL_EXPORT void finish(Packing& packing, const PackingPlan& plan,

@@ -56,6 +56,11 @@ Json json_surface(const RecordedSurface& surface) {
   return json;
 }
 
+Json json_force(const RecordedForce& force) {
+  return {force.first,        force.second,       force.separation.x,
+          force.separation.y, force.separation.z, number_or_null(force.force)};
+}
+
 // Of the faces that have some; a restitution of null is that of the response.
 Json json_faces(const Box& box) {
   Json faces = Json::object();
@@ -273,6 +278,7 @@ std::string to_json(const RecordingHeader& header) {
     json["species"]["names"] = header.species_names;
     if (!header.species.empty()) json["species"]["runs"] = json_runs(header.species);
   }
+  for (const RecordedForce& force : header.forces) json["forces"].push_back(json_force(force));
   // A file name may contain any bytes.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -86,6 +86,14 @@ struct RecordedSurface {
   friend bool operator==(const RecordedSurface&, const RecordedSurface&) = default;
 };
 
+/// A force between two bodies at rest.
+struct RecordedForce {
+  std::uint32_t first = 0;  ///< A sphere.
+  std::int32_t second = 0;  ///< Another, or -(k + 1) for wall k, as in RecordedContact.
+  Vec3 separation = {};     ///< From the center of the first to that of the second, or to the wall [L].
+  double force = 0;         ///< Over the mean of all [1]; NaN if it is not known.
+};
+
 /// What a recording says about the run as a whole.
 ///
 /// A recording is the whole history of a run in a file: where the spheres were at the start, and every
@@ -107,6 +115,8 @@ struct RecordingHeader {
   std::vector<RecordedSurface> surfaces = {};
   std::vector<std::string> species_names = {};  ///< By species; those without a name are missing.
   std::vector<SpeciesId> species = {};          ///< By id; empty if all are zero.
+  /// What holds spheres that are packed, for viewers; parse_recording_header leaves it out.
+  std::vector<RecordedForce> forces = {};
 
   recording_format::Layout layout() const { return {version, has_bodies}; }
 };

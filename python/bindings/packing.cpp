@@ -17,6 +17,7 @@
 
 #include "hardball/errors/error.hpp"
 #include "hardball/packing/request_text.hpp"
+#include "hardball/packing/wall_profile.hpp"
 #include "hardball/trajectory/trajectory.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
@@ -36,6 +37,7 @@ struct ContactRow {
   bool wall;
   std::int32_t image[kAxes];
   double gap;
+  double separation[kAxes];
   double force;
 };
 
@@ -56,6 +58,7 @@ py::array_t<ContactRow> contacts_of(const PythonPacking& self) {
     row->wall = contact.bodies.is_wall;
     for (std::size_t axis = 0; axis < kAxes; ++axis) row->image[axis] = contact.bodies.image[axis];
     row->gap = contact.gap;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) row->separation[axis] = contact.separation[axis];
     row->force = contact.force;
     ++row;
   }
@@ -67,6 +70,18 @@ py::array_t<bool> rattlers_of(const PythonPacking& self) {
   py::array_t<bool> flags(static_cast<py::ssize_t>(rattles.size()));
   for (std::size_t i = 0; i < rattles.size(); ++i) flags.mutable_data()[i] = rattles[i];
   return read_only(flags);
+}
+
+std::pair<py::array_t<double>, py::array_t<double>> wall_profile_of(const PythonPacking& self) {
+  const WallProfile profile = wall_profile(self.packing.spheres);
+  const std::size_t steps = profile.packing_fraction.size();
+  py::array_t<double> distances(static_cast<py::ssize_t>(steps));
+  py::array_t<double> fractions(static_cast<py::ssize_t>(steps));
+  for (std::size_t k = 0; k < steps; ++k) {
+    distances.mutable_data()[k] = profile.distance(k);
+    fractions.mutable_data()[k] = profile.packing_fraction[k];
+  }
+  return {distances, fractions};
 }
 
 py::dict history_of(const PythonPacking& self) {
@@ -151,7 +166,7 @@ PackingText text_of(const py::dict& parts) {
 }  // namespace
 
 void bind_packing(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(ContactRow, i, j, wall, image, gap, force);
+  PYBIND11_NUMPY_DTYPE(ContactRow, i, j, wall, image, gap, separation, force);
   const auto number = [](auto member) {
     return [member](const PythonPacking& self) { return self.packing.*member; };
   };
@@ -191,18 +206,12 @@ void bind_packing(py::module_& module) {
       .def_property_readonly("isostaticity",
                              [](const PythonPacking& self) { return self.packing.network.isostaticity; })
       .def_property_readonly("history", history_of)
+      .def("wall_profile", wall_profile_of)
       .def(
           "write",
           [](const PythonPacking& self, const std::filesystem::path& file) {
             PackedSpheres spheres = self.packing.spheres;
-            if (format_of(file) == SnapshotFormat::gsd) {
-              Packing single;
-              single.spheres = spheres;
-              PackingPlan as_it_is;
-              as_it_is.container = spheres.container;
-              finish(single, as_it_is, Precision::singles);
-              spheres = single.spheres;
-            }
+            if (format_of(file) == SnapshotFormat::gsd) fit_numbers(spheres, Precision::singles);
             Trajectory trajectory(file);
             trajectory.append(snapshot_of(spheres));
             trajectory.close();

@@ -24,8 +24,12 @@ class Packing(_hardball.Packing):
     """Spheres that have been packed, at rest, and what is known about them; made by pack.
 
     Contacts are a structured array with the fields i and j, the numbers of the two spheres, or of a sphere and a
-    wall where `wall` is true; `image`, by how many boxes the second is displaced where they touch; `gap` [L]; and
-    `force`, over the mean of all, NaN where it is not known. There are none of spheres that are far from jamming.
+    wall where `wall` is true; `image`, by how many boxes the second is displaced where they touch; `gap` [L];
+    `separation` [L], the vector from the center of the first to that of the second, or to the wall; and `force`, over
+    the mean of all, NaN where it is not known. There are none of spheres that are far from jamming.
+
+    wall_profile() returns distances [L] from the wall of a cylinder, a cone or a sphere, and the packing fraction
+    there: arrays of shape (steps,), empty in a box.
     """
 
     def simulation(self, temperature: float = 1.0, seed: int = 1) -> Simulation:

@@ -39,7 +39,9 @@ class PackingTest(unittest.TestCase):
         packing = hardball.pack(60, phi="max")
         self.assertEqual(packing.status, "jammed")
         contacts = packing.contacts
-        self.assertEqual(contacts.dtype.names, ("i", "j", "wall", "image", "gap", "force"))
+        self.assertEqual(contacts.dtype.names, ("i", "j", "wall", "image", "gap", "separation", "force"))
+        apart = np.linalg.norm(contacts["separation"], axis=1)
+        np.testing.assert_allclose(apart, 2 * packing.radii[0] + contacts["gap"], rtol=1e-9)
         self.assertAlmostEqual(contacts["force"].mean(), 1, places=12)
         self.assertLess(contacts["gap"].max(), packing.contact_tolerance)
         held = 60 - packing.rattlers.sum()
@@ -55,6 +57,15 @@ class PackingTest(unittest.TestCase):
             for name in ("a.gsd", "a.xyz"):
                 packing.write(str(Path(folder) / name))
                 self.assertTrue((Path(folder) / name).exists())
+
+    def test_wall_profile(self):
+        packing = hardball.pack(container="cylinder:4,6", diameter=1, phi=0.5)
+        distances, fractions = packing.wall_profile()
+        self.assertEqual(distances.shape, fractions.shape)
+        volume = (fractions * 2 * np.pi * (2 - distances) * 6).sum() * (distances[1] - distances[0])
+        self.assertAlmostEqual(volume / (np.pi * 4 * 6), packing.phi, places=2)
+        self.assertLess(fractions[0], 0.2)
+        self.assertEqual(len(hardball.pack(20, phi=0.3).wall_profile()[0]), 0)
 
     def test_ase(self):
         packing = hardball.pack(20, phi=0.4)

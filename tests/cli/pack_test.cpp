@@ -66,7 +66,16 @@ TEST_F(Pack, WritesAReport) {
        {"jammed", "Forces", "Neighbors up to a gap", "Radial distribution", "plot-pressure"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   EXPECT_EQ(page.find("{{"), std::string::npos);
+  EXPECT_EQ(page.find("From the curved wall"), std::string::npos);
   EXPECT_EQ(pack({"--count", "9", "--phi", "0.3", "--report", "page.html"}).exit_code, 2) << "it exists";
+  packed({"--diameter", "1", "--phi", "0.4", "--container", "cone:4,4", "--report", "cone.html"});
+  EXPECT_NE(text("cone.html").find("From the curved wall"), std::string::npos);
+}
+
+TEST_F(Pack, WritesAPageThatShowsForces) {
+  packed({"--count", "20", "--phi", "max", "--rate", "0.1", "--replay", "page.html"});
+  EXPECT_NE(text("page.html").find("show-forces"), std::string::npos);
+  EXPECT_EQ(pack({"--count", "9", "--phi", "0.3", "--replay", "page.html"}).exit_code, 2) << "it exists";
 }
 
 TEST_F(Pack, WritesEveryFormat) {

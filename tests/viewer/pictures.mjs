@@ -5,7 +5,7 @@
 // Needs pngquant and img2webp (Debian's webp) in addition to what the tests need.
 import { execFileSync } from 'node:child_process';
 import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { Browser } from './support/browser.mjs';
 import { run, view, withFolder } from './support/program.mjs';
 
@@ -63,6 +63,12 @@ const kPictures = {
       await page.evaluate(() => window.hardball.follow(190));
     },
   },
+  // Discs of two sizes that have jammed, and the forces that hold them.
+  viewer_packing: {
+    packing: ['--count', '300', '--dimensions', '2', '--sizes', 'discrete:1=0.5,1.4=0.5', '--phi', 'max'],
+    scheme: 'light',
+    async prepare() {},
+  },
   // The cells of the paper, as a sphere enters and leaves them.
   viewer_cells: {
     scenario: 'paper.toml',
@@ -82,6 +88,19 @@ const settled = (page) =>
     return !isBuffering && chunksInMemory === chunks;
   });
 
+async function runAndView(folder, scenario, settings) {
+  const path = join(kRoot, 'scenarios', scenario);
+  await run('run', path, '--out', folder, '--quiet', '--set', 'output.recording=true', ...settings);
+  return view(folder);
+}
+
+// The page of a packing, which needs no server.
+async function pack(folder, request) {
+  const file = join(folder, 'packing.html');
+  await run('pack', ...request, '--quiet', '--replay', file);
+  return { url: pathToFileURL(file).href, stop: async () => {} };
+}
+
 // Writes an animated WebP of frames that are half as large as the picture.
 async function makeMovie(page, { frames, from, step, milliseconds }, folder, file) {
   const images = [];
@@ -97,12 +116,10 @@ async function makeMovie(page, { frames, from, step, milliseconds }, folder, fil
 
 const wanted = process.argv.slice(2);
 const browser = await Browser.launch();
-for (const [name, { scenario, settings, scheme, prepare, movie }] of Object.entries(kPictures)) {
+for (const [name, { scenario, settings, packing, scheme, prepare, movie }] of Object.entries(kPictures)) {
   if (wanted.length > 0 && !wanted.includes(name)) continue;
   await withFolder(async (folder) => {
-    const path = join(kRoot, 'scenarios', scenario);
-    await run('run', path, '--out', folder, '--quiet', '--set', 'output.recording=true', ...settings);
-    const program = await view(folder);
+    const program = packing ? await pack(folder, packing) : await runAndView(folder, scenario, settings);
     const page = await browser.open(program.url, { width: 1280, height: 780, scheme });
     await prepare(page);
     await settled(page);

@@ -61,6 +61,16 @@ RecordedPath stored_path(const World& world, SphereId id) {
   return {path.position, path.velocity, path.time.value()};
 }
 
+TEST(RecordingHeader, SaysWhatHoldsPackedSpheres) {
+  const std::string json =
+      to_json({.spheres = 2,
+               .forces = {{.first = 0, .second = 1, .separation = {1, -2, 0}, .force = 1.5},
+                          {.first = 1, .second = -6, .force = std::nan("")}}});
+  EXPECT_NE(json.find(R"("forces":[[0,1,1.0,-2.0,0.0,1.5],[1,-6,0.0,0.0,0.0,null]])"), std::string::npos)
+      << json;
+  EXPECT_EQ(parse_recording_header(json, "test").spheres, 2U);
+}
+
 TEST(Recording, ContainsTheHeaderAndTheSpheres) {
   const ScratchFolder folder;
   const World world = make_mixture();

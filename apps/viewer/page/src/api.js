@@ -58,6 +58,7 @@ export function createApi(viewer) {
       spheres: source.header.spheres,
       surfaces: viewer.surfaces.map((surface) => surface.name),
       flashes: viewer.flashes.total,
+      forces: viewer.forceLines.forces.length,
       images: viewer.surroundings.images.count,
       chunks: source.ends.length,
       chunksInMemory: store.chunks.size,

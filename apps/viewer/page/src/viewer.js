@@ -10,7 +10,7 @@ import { Player } from './motion/player.js';
 import { partnerName, readSurfaces } from './motion/surfaces.js';
 import { ChunkStore } from './recording/chunk_store.js';
 import { kPathNumbers } from './recording/chunk.js';
-import { ColorLegend, showEventLegend, showSurfaceLegend } from './panel/legend.js';
+import { ColorLegend, showEventLegend, showForceLegend, showSurfaceLegend } from './panel/legend.js';
 import { show, showCount } from './panel/numbers.js';
 import { Help } from './panel/help.js';
 import { Notices } from './panel/notices.js';
@@ -23,6 +23,7 @@ import { WindowsPanel } from './panel/windows_panel.js';
 import { CellLayer, kFew } from './scene/cell_layer.js';
 import { kSpeciesColors } from './scene/colors.js';
 import { EventFlashes } from './scene/event_flashes.js';
+import { ForceLines } from './scene/force_lines.js';
 import { pick } from './scene/pick.js';
 import { Quality } from './scene/quality.js';
 import { kColorBy, Spheres } from './scene/spheres.js';
@@ -38,6 +39,7 @@ const kManyForSoftware = 2000; // spheres; with more, an emulated graphics card 
 const kContactsOfTrail = 24;
 const kSecondsBetweenPanels = 0.1;
 const kSecondsBetweenPlots = 0.5;
+const kScaleAmongForces = 0.4; // of radii, so that lines are seen
 const kFirstDirection = [0.62, 0.42, 1]; // of the camera: to the right, upward, to the front
 const kPollSeconds = 0.7;
 const kRetrySeconds = 2;
@@ -74,7 +76,7 @@ export class Viewer {
     this.bodies = this.playback.bodies;
     this.spheresAtStart = this.bodies.count;
     /** Whether spheres may spin, merge, and pass through each other. */
-    this.canTurn = header.version > 1;
+    this.canTurn = header.bodies ?? header.version > 1;
     /** The species that the recording names, or null. */
     this.species = readSpecies(header);
     this.kinds = this.species ?? findKinds(radii, masses);
@@ -88,9 +90,10 @@ export class Viewer {
     this.flashes = new EventFlashes(this.bodies.radii, this.box, this.surfaces);
     this.trail = new Trail(this.box);
     this.cellLayer = new CellLayer(this.bodies.radii, this.box);
+    this.forceLines = new ForceLines(header.forces ?? [], this.bodies, this.box, this.spheres.uniforms);
     const { radii: radiiNow } = this.bodies;
     this.surroundings = new NeighborQuery(this.surfaces, radiiNow, this.box, this.spheres, this.largestRadius);
-    for (const { object } of [this.spheres, this.flashes, this.trail, this.cellLayer, this.surroundings])
+    for (const { object } of [this.spheres, this.flashes, this.trail, this.cellLayer, this.forceLines, this.surroundings])
       this.view.scene.add(object);
 
     this.notices = new Notices();
@@ -116,6 +119,7 @@ export class Viewer {
     this.setColorBy(this.firstColoring());
     showSurfaceLegend(this.surfaces, this.surroundings.layer.colors);
     this.legend.showKinematic(masses.filter((mass) => mass === Infinity).length);
+    showForceLegend(this.hasForces);
     element('spin-label').hidden = !this.canTurn;
     element('walls-label').hidden = this.surfaces.length === 0;
     element('images-label').hidden = !this.surroundings.images.isPeriodic;
@@ -254,6 +258,11 @@ export class Viewer {
     return readCenter(path, 0, time, this.box, [0, 0, 0]);
   }
 
+  /** Whether the recording says what holds the spheres. */
+  get hasForces() {
+    return this.forceLines.forces.length > 0;
+  }
+
   /** How far the neighborhood of the followed sphere reaches [L]. */
   get reach() {
     const edge = this.cells ? Math.max(...this.cells.edge) : 0;
@@ -309,6 +318,11 @@ export class Viewer {
     this.largestRadius = this.surroundings.largestRadius = this.playback.scale * this.sizes.largest;
     const [walls, images] = [element('show-walls').checked, element('show-images').checked];
     this.surroundings.update(this.playback, { walls, images });
+    this.forceLines.object.visible = this.hasForces && element('show-forces').checked;
+    if (this.forceLines.object.visible) {
+      this.forceLines.update(this.playback);
+      uniforms.scale.value *= kScaleAmongForces;
+    }
     uniforms.hasMarks.value = this.canTurn && element('show-spin').checked;
     uniforms.leastPixels.value = this.sizes.leastPixels * this.view.pixelRatio;
     if (followed >= 0) {
@@ -571,7 +585,7 @@ export class Viewer {
     element('show-cells').addEventListener('change', (event) => this.showCells(event.target.checked));
     element('cell-edge').addEventListener('change', (event) => this.setCellEdge(Number(event.target.value)));
     element('slow').addEventListener('click', () => this.slowDown());
-    for (const id of ['show-events', 'show-walls', 'show-images', 'show-spin', 'camera-follows', 'near-only']) {
+    for (const id of ['show-events', 'show-walls', 'show-images', 'show-spin', 'show-forces', 'camera-follows', 'near-only']) {
       element(id).addEventListener('change', () => (this.view.isStale = true));
     }
     if (this.source.replayAddress) element('save').href = this.source.replayAddress;

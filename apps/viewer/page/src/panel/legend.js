@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hardball authors
 // SPDX-License-Identifier: MIT
+import { kStrongForce } from '../motion/forces.js';
 import { kDomainColors, kEventColors, kKinematicColor, kMapColors, kSpeciesColors, toCss } from '../scene/colors.js';
 import { show, showCount } from './numbers.js';
 
@@ -11,7 +12,7 @@ export class ColorLegend {
     this.bar = document.getElementById('legend-bar');
     this.numbers = document.getElementById('legend-numbers');
     this.species = document.getElementById('legend-species');
-    this.bar.style.background = `linear-gradient(to right, ${kMapColors.map(toCss).join(', ')})`;
+    this.bar.style.background = mapGradient();
   }
 
   /** A bar from `low` to `high`, in `unit`. */
@@ -87,6 +88,18 @@ export function showSurfaceLegend(surfaces, colors) {
     .map((surface, k) => swatch(colors[k], describe(surface), 'square'));
   place.replaceChildren(...shown);
   if (surfaces.length > kMostSurfaces) place.append(`and ${showCount(surfaces.length - kMostSurfaces)} more`);
+}
+
+/** What the colors of forces mean, if there are any. */
+export function showForceLegend(areAny) {
+  document.getElementById('forces').hidden = !areAny;
+  document.getElementById('forces-bar').style.background = mapGradient();
+  document.getElementById('forces-strong').textContent = `${kStrongForce} times the mean`;
+}
+
+// The colors of the map, side by side.
+function mapGradient() {
+  return `linear-gradient(to right, ${kMapColors.map(toCss).join(', ')})`;
 }
 
 function describe(surface) {
